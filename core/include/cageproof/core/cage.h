@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// A cage: a closed, oriented, manifold surface of triangles and quads, validated once.
+#pragma once
+
+#include "cageproof/core/linear.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cageproof {
+
+/// Three or four vertex indices, counter-clockwise seen from outside; a triangle's fourth is -1.
+struct Face {
+  std::array<int, 4> vertices{-1, -1, -1, -1};
+  int size() const { return vertices[3] < 0 ? 3 : 4; }
+};
+
+/// What may be repaired instead of rejected.
+struct CageOptions {
+  bool flip_inward = false;  ///< reverse all faces of a cage whose normals point inward
+};
+
+/// How quads become triangles: by the shorter of the two diagonals (ties: the one at the quad's first corner), or always the
+/// one at the quad's first corner.
+enum class Triangulation { Shortest, Fan };
+
+/// "shortest", "fan".
+std::string_view name_of(Triangulation rule);
+
+/// A valid cage. Immutable; made by `make` alone.
+class Cage {
+ public:
+  /// Validates and builds.
+  /// \param name shown in messages and reports (a file's path, or an embedded cage's name)
+  /// \throws InputError naming the first face (or vertex) at fault and the reason: empty input, non-finite coordinate,
+  ///   index out of range or repeated within a face, face with other than 3 or 4 vertices, unused vertex, degenerate face
+  ///   (zero area), edge with one face (hole) or more than two (non-manifold), inconsistent orientation, vertex whose
+  ///   faces form more than one fan, inward orientation (negative volume) unless options.flip_inward.
+  static Cage make(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> faces, CageOptions options = {});
+
+  const std::string& name() const { return name_; }
+  const std::vector<Vec3<double>>& vertices() const { return vertices_; }
+  const std::vector<Face>& faces() const { return faces_; }
+  bool has_quads() const;
+  /// Length of the bounding box's diagonal.
+  double size() const;
+  /// The faces as triangles; quads are split by `rule`. `face_of[t]` is the face that triangle t comes from.
+  struct Triangles {
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<int> face_of;
+  };
+  Triangles triangulate(Triangulation rule) const;
+
+ private:
+  Cage() = default;
+  std::string name_;
+  std::vector<Vec3<double>> vertices_;
+  std::vector<Face> faces_;
+};
+
+}  // namespace cageproof

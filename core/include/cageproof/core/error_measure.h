@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The error vocabulary: log-binned histograms, and the worst inputs kept exactly. All of it merges without regard to order.
+#pragma once
+
+#include "cageproof/core/linear.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace cageproof {
+
+/// Counts of errors, ten bins a decade from 1e-6 to 1e24, with the exact maximum. Errors are >= 0, or infinite for a result that is not
+/// finite where the truth is. Merging is associative and commutative, so any schedule gives the same histogram.
+class ErrorHistogram {
+ public:
+  static constexpr int bins_per_decade = 10;
+  static constexpr int lowest_decade = -6;
+  static constexpr int highest_decade = 24;
+  static constexpr int bin_count = (highest_decade - lowest_decade) * bins_per_decade;
+
+  /// \pre error >= 0 or infinite; a NaN counts as infinite
+  void add(double error);
+  void merge(const ErrorHistogram& other);
+  std::uint64_t count() const { return count_; }
+  /// How many errors were infinite.
+  std::uint64_t nonfinite() const { return nonfinite_; }
+  /// The exact largest error; 0 when empty.
+  double max() const { return max_; }
+  /// The upper edge of the bin that holds the q-quantile (0 < q <= 1), at most max(); 0 when empty.
+  double quantile(double q) const;
+  double median() const { return quantile(0.5); }
+  double p999() const { return quantile(0.999); }
+  /// counts()[0]: below 1e-6; [1 .. bin_count]: the bins; [bin_count + 1]: above 1e24 and infinite.
+  const std::array<std::uint64_t, bin_count + 2>& counts() const { return counts_; }
+
+ private:
+  std::array<std::uint64_t, bin_count + 2> counts_{};
+  std::uint64_t count_ = 0;
+  std::uint64_t nonfinite_ = 0;
+  double max_ = 0;
+};
+
+/// An input, exactly, and how wrong the result was.
+struct WorstCase {
+  double error = 0;      ///< in the row's unit; infinite for a non-finite result
+  double parameter = 0;  ///< the regime's parameter (distance, aspect, unit ...); 0 where there is none
+  std::uint64_t sample = 0;
+  std::vector<Vec3<double>> corners;  ///< the element; empty for a cage check
+  Vec3<double> point = Vec3<double>::Zero();
+  std::vector<double> parameters;  ///< in the order of Formula::parameters
+};
+
+/// The k worst cases, by falling error, then by rising sample number; independent of the order of insertion.
+class WorstCases {
+ public:
+  explicit WorstCases(std::size_t capacity = 5) : capacity_(capacity) {}
+  /// True when a case of that error would be kept: ask before building an expensive case.
+  bool wants(double error, std::uint64_t sample) const;
+  void add(WorstCase worst_case);
+  void merge(const WorstCases& other);
+  const std::vector<WorstCase>& cases() const { return cases_; }
+
+ private:
+  std::size_t capacity_;
+  std::vector<WorstCase> cases_;
+};
+
+}  // namespace cageproof

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// The result of a verification run: what validation hands to reports.
+#pragma once
+
+#include "cageproof/core/error_measure.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cageproof {
+
+enum class Verdict { Kept, Broken, NotPromised };
+
+/// "kept", "BROKEN", "not promised".
+std::string_view name_of(Verdict verdict);
+
+/// One line of the results: one check of one evaluation in one regime (or on one cage) at one derivative order.
+struct ResultRow {
+  enum class Section { Element, Cage } section = Section::Element;
+  std::string subject;     ///< formula, or kind of cage coordinates
+  std::string evaluation;  ///< closed_form, gauss-8 ...
+  std::string scalar;      ///< float, double, mp50 ...
+  std::string regime;      ///< near-edge ...; for a cage its name
+  std::string check;       ///< truth, scaling ...; partition_of_unity ...
+  std::string place;       ///< for a cage: inside, outside, on-face, on-edge, on-vertex, mesh; else empty
+  int order = 0;           ///< 0 value, 1 gradient, 2 Hessian
+  std::string unit;        ///< of max, p999, median and bound: "conditioned", "relative", "absolute"
+  std::uint64_t samples = 0;
+  std::uint64_t nonfinite = 0;      ///< results that are not finite where the truth is
+  std::uint64_t without_truth = 0;  ///< samples where no truth exists (the limit diverges) or none could be reached: not counted as errors
+  std::uint64_t declined = 0;       ///< samples where an evaluation with a tolerance said that it could not meet it
+  double max = 0;
+  double p999 = 0;
+  double median = 0;
+  double max_relative = 0;  ///< largest plain relative error, norm-wise
+  std::optional<double> bound;
+  std::string reason;  ///< why the bound is what it is, or why nothing is promised
+  Verdict verdict = Verdict::NotPromised;
+  std::vector<WorstCase> worst;
+  std::vector<std::uint64_t> histogram;  ///< ErrorHistogram::counts()
+};
+
+/// Largest error against the regime's parameter: one curve of a picture.
+struct ResultCurve {
+  std::string subject, evaluation, scalar, regime, check;
+  int order = 0;
+  std::string parameter_name;      ///< "distance / size", "aspect" ...
+  std::vector<double> parameters;  ///< rising or falling, one a decade
+  std::vector<double> errors;      ///< largest found, in conditioned units; infinite where a result was not finite
+};
+
+/// Where the run's files about one field lie, relative to the report's folder.
+struct FieldEntry {
+  std::string title;    ///< what is shown, of which cage and evaluation
+  std::string unit;     ///< of the colours
+  std::string data;     ///< fields/....vti
+  std::string picture;  ///< pictures/....png, or empty
+  double largest = 0;   ///< of the field, finite samples only
+};
+
+/// A whole run.
+struct RunResult {
+  std::string version;
+  std::string suite;
+  std::uint64_t seed = 0;
+  std::string command_line;
+  std::map<std::string, std::string> settings;  ///< triangulation, cage file ...: what the figures depend on
+  std::map<std::string, std::string> machine;   ///< processor, compiler, library versions
+  std::string started;                          ///< ISO 8601, UTC
+  double seconds = 0;
+  std::vector<ResultRow> rows;
+  std::vector<ResultCurve> curves;
+  std::vector<FieldEntry> fields;
+  /// Findings that are no row: "regime far: the integral reached 24 digits on 3 of 8 samples" ...
+  std::vector<std::string> notes;
+
+  bool all_kept() const;
+};
+
+/// Samples on a regular grid (a slice has one cell layer): written as .vti.
+struct ImageField {
+  std::string name;  ///< file name without extension
+  std::array<int, 3> points{1, 1, 1};
+  Vec3<double> origin = Vec3<double>::Zero();
+  Vec3<double> spacing = Vec3<double>::Ones();
+  struct Array {
+    std::string name;
+    std::string unit;
+    int components = 1;
+    std::vector<double> values;  ///< x fastest; NaN where masked
+  };
+  std::vector<Array> arrays;
+};
+
+/// Samples on a mesh's vertices: written as .vtp.
+struct MeshField {
+  std::string name;
+  std::vector<Vec3<double>> vertices;
+  std::vector<std::vector<int>> faces;  ///< empty: a point cloud
+  std::vector<ImageField::Array> arrays;
+};
+
+}  // namespace cageproof

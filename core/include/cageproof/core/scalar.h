@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The scalar types every formula is generic over.
+#pragma once
+
+#include <boost/multiprecision/mpfr.hpp>
+// Must follow mpfr.hpp: teaches Eigen the number type.
+#include <boost/multiprecision/eigen.hpp>
+
+#include <array>
+#include <concepts>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace cageproof {
+
+/// Multiprecision with `Digits` decimal digits: MPFR, stored in place, expression templates off.
+template <unsigned Digits>
+using Mp = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
+using Mp50 = Mp<50>;
+using Mp100 = Mp<100>;
+using Mp200 = Mp<200>;
+
+template <class T>
+inline constexpr bool is_multiprecision = boost::multiprecision::is_number<T>::value;
+
+/// What a formula may be evaluated in.
+template <class T>
+concept Scalar = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, Mp50> ||
+                 std::same_as<T, Mp100> || std::same_as<T, Mp200>;
+
+enum class ScalarKind { Float, Double, Digits50, Digits100, Digits200 };
+
+/// All kinds, in the order of rising precision.
+inline constexpr std::array scalar_kinds{ScalarKind::Float, ScalarKind::Double, ScalarKind::Digits50, ScalarKind::Digits100,
+                                         ScalarKind::Digits200};
+
+/// "float", "double", "mp50", "mp100", "mp200": the command line's and the reports' names.
+constexpr std::string_view name_of(ScalarKind kind) {
+  constexpr std::array<std::string_view, 5> names{"float", "double", "mp50", "mp100", "mp200"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+/// The inverse of name_of; nothing for an unknown name.
+constexpr std::optional<ScalarKind> scalar_named(std::string_view name) {
+  for (const ScalarKind kind : scalar_kinds)
+    if (name_of(kind) == name) return kind;
+  return std::nullopt;
+}
+
+template <Scalar R>
+constexpr ScalarKind kind_of() {
+  if constexpr (std::same_as<R, float>) return ScalarKind::Float;
+  else if constexpr (std::same_as<R, double>) return ScalarKind::Double;
+  else if constexpr (std::same_as<R, Mp50>) return ScalarKind::Digits50;
+  else if constexpr (std::same_as<R, Mp100>) return ScalarKind::Digits100;
+  else return ScalarKind::Digits200;
+}
+
+/// Calls `f.template operator()<R>()` with the scalar type that `kind` names.
+template <class F>
+decltype(auto) with_scalar(ScalarKind kind, F&& f) {
+  switch (kind) {
+    case ScalarKind::Float: return f.template operator()<float>();
+    case ScalarKind::Double: return f.template operator()<double>();
+    case ScalarKind::Digits50: return f.template operator()<Mp50>();
+    case ScalarKind::Digits100: return f.template operator()<Mp100>();
+    case ScalarKind::Digits200: break;
+  }
+  return f.template operator()<Mp200>();
+}
+
+/// u: half an ulp of one, the largest relative error of one rounding to nearest.
+template <Scalar R>
+R unit_roundoff() {
+  return std::numeric_limits<R>::epsilon() / 2;
+}
+
+/// The ratio of a circle's circumference to its diameter, rounded to R.
+template <Scalar R>
+R pi() {
+  return boost::math::constants::pi<R>();
+}
+
+}  // namespace cageproof

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/formula.h"
+
+#include <array>
+#include <limits>
+#include <numbers>
+
+namespace cageproof {
+namespace {
+
+constexpr double kDiverges = std::numeric_limits<double>::quiet_NaN();
+constexpr Laplacian kHarmonic{Laplacian::Kind::Zero};
+constexpr Laplacian kUnknown{};
+
+constexpr Laplacian laplacian_is(std::string_view formula) { return {Laplacian::Kind::Formula, formula}; }
+
+// x = xi - eta, r = |x|, n the outward normal, Gamma_k the hat function of corner k, G1 = -1/(4 pi r), G2 = -r/(8 pi).
+const std::array kCatalogue{
+    Formula{.name = "triangle.single_layer",
+            .symbol = "psi_t",
+            .source = "[T24] Eq 3; edge form",
+            .definition = "int_t 1/(4 pi r)",
+            .element = ElementKind::Triangle,
+            .shape = {},
+            .degree = 1,
+            .flip_sign = 1,
+            .laplacian = kHarmonic,
+            .face_jump = 0,
+            .parameters = {}},
+    Formula{.name = "triangle.double_layer",
+            .symbol = "phi_t^k",
+            .source = "[T24] Eq 3; edge form",
+            .definition = "int_t Gamma_k x.n/(4 pi r^3)",
+            .element = ElementKind::Triangle,
+            .shape = {.per_corner = true},
+            .degree = 0,
+            .flip_sign = -1,
+            .laplacian = kHarmonic,
+            .face_jump = 1,
+            .parameters = {}},
+    Formula{.name = "triangle.solid_angle",
+            .symbol = "omega_t",
+            .source = "[T24] Appendix A, sign after the errata; edge form",
+            .definition = "int_t x.n/r^3",
+            .element = ElementKind::Triangle,
+            .shape = {},
+            .degree = 0,
+            .flip_sign = -1,
+            .laplacian = kHarmonic,
+            .face_jump = 4 * std::numbers::pi,
+            .parameters = {}},
+    Formula{.name = "triangle.biharmonic_single_layer",
+            .symbol = "psibar_t",
+            .source = "[T24] Eq 9-14; edge form",
+            .definition = "int_t r/(8 pi)",
+            .element = ElementKind::Triangle,
+            .shape = {},
+            .degree = 3,
+            .flip_sign = 1,
+            .laplacian = laplacian_is("triangle.single_layer"),
+            .face_jump = 0,
+            .parameters = {}},
+    Formula{.name = "triangle.biharmonic_double_layer",
+            .symbol = "phibar_t^k",
+            .source = "[T24] Eq 15-18; edge form",
+            .definition = "int_t -Gamma_k x.n/(8 pi r)",
+            .element = ElementKind::Triangle,
+            .shape = {.per_corner = true},
+            .degree = 2,
+            .flip_sign = -1,
+            .laplacian = laplacian_is("triangle.double_layer"),
+            .face_jump = 0,
+            .parameters = {}},
+    Formula{.name = "triangle.mean_value",
+            .symbol = "w_t^k",
+            .source = "[T18] Eq 11-14",
+            .definition = "int_t Gamma_k x.n/r^4",
+            .element = ElementKind::Triangle,
+            .shape = {.per_corner = true},
+            .degree = -1,
+            .flip_sign = -1,
+            .laplacian = kUnknown,
+            .face_jump = kDiverges,
+            .parameters = {}},
+};
+
+}  // namespace
+
+std::span<const Formula> catalogue() { return kCatalogue; }
+
+const Formula* find_formula(std::string_view name) {
+  for (const Formula& formula : kCatalogue)
+    if (formula.name == name) return &formula;
+  return nullptr;
+}
+
+}  // namespace cageproof
