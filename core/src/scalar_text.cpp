@@ -9,10 +9,13 @@
 namespace cageproof {
 namespace {
 
-// What strtod and mpfr_strtofr must not be given: blanks, which they skip, and "nan(...)" or "infinity", which they take.
+// What strtod and mpfr_strtofr must not be given: blanks, which they skip, "nan(...)" or "infinity", which they take, and "0b1",
+// which MPFR alone takes.
 bool looks_like_number(std::string_view text) {
   if (text == "nan" || text == "inf" || text == "-inf") return true;
-  return !text.empty() && text.find_first_not_of("+-.0123456789abcdefABCDEFxXpP") == std::string_view::npos &&
+  const std::string_view digits = text.substr(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
+  if (digits.starts_with("0b") || digits.starts_with("0B")) return false;
+  return text.find_first_not_of("+-.0123456789abcdefABCDEFxXpP") == std::string_view::npos &&
          text.find_first_of("0123456789") != std::string_view::npos;
 }
 
@@ -36,8 +39,13 @@ std::string format_scalar(const R& x) {
   using std::isfinite, std::isnan;
   if (isnan(x)) return "nan";
   if (!isfinite(x)) return x > 0 ? "inf" : "-inf";
-  if constexpr (is_multiprecision<R>) return x.str(std::numeric_limits<R>::max_digits10, std::ios_base::scientific);
-  else return fmt::format("{}", x);
+  if constexpr (is_multiprecision<R>) {
+    std::array<char, 256> text{};
+    mpfr_snprintf(text.data(), text.size(), "%.*Re", std::numeric_limits<R>::max_digits10 - 1, x.backend().data());
+    return text.data();
+  } else {
+    return fmt::format("{}", x);
+  }
 }
 
 std::string format_hex(double x) {

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Twice the working precision for the few quantities whose sign and relative size must survive cancellation.
+#pragma once
+
+#include "cageproof/core/linear.h"
+
+#include <cmath>
+#include <type_traits>
+
+namespace cageproof::closed_form {
+
+/// The unevaluated sum of two doubles; relative error about 2^-104 a operation (Dekker 1971, Knuth's two-sum).
+struct TwoDoubles {
+  double high = 0;
+  double low = 0;
+
+  TwoDoubles() = default;
+  TwoDoubles(double h, double l = 0) : high(h), low(l) {}
+  explicit operator double() const { return high + low; }
+
+  static TwoDoubles sum(double a, double b) {
+    const double s = a + b;
+    const double t = s - a;
+    return {s, (a - (s - t)) + (b - t)};
+  }
+  friend TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
+    TwoDoubles s = sum(a.high, b.high);
+    const TwoDoubles t = sum(a.low, b.low);
+    s = sum(s.high, s.low + t.high);
+    return sum(s.high, s.low + t.low);
+  }
+  friend TwoDoubles operator-(const TwoDoubles& a) { return {-a.high, -a.low}; }
+  friend TwoDoubles operator-(const TwoDoubles& a, const TwoDoubles& b) { return a + (-b); }
+  friend TwoDoubles operator*(const TwoDoubles& a, const TwoDoubles& b) {
+    const double p = a.high * b.high;
+    return sum(p, std::fma(a.high, b.high, -p) + (a.high * b.low + a.low * b.high));
+  }
+};
+
+/// The type with at least twice R's digits that frames are computed in; multiprecision needs none.
+template <Scalar R>
+using Wide = std::conditional_t<std::same_as<R, float>, double,
+                                std::conditional_t<std::same_as<R, double>, TwoDoubles, R>>;
+
+/// Three numbers of a Wide type: only what frames need of a vector.
+template <class W>
+struct WideVec {
+  std::array<W, 3> c;
+  const W& operator[](int i) const { return c[i]; }
+  friend WideVec cross(const WideVec& a, const WideVec& b) {
+    return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+  }
+  friend W dot(const WideVec& a, const WideVec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+};
+
+/// a - b, exact for float and double.
+template <Scalar R>
+WideVec<Wide<R>> wide_difference(const Vec3<R>& a, const Vec3<R>& b) {
+  WideVec<Wide<R>> v;
+  for (int i = 0; i < 3; ++i) {
+    if constexpr (std::same_as<R, double>) v.c[i] = TwoDoubles::sum(a[i], -b[i]);
+    else v.c[i] = Wide<R>(a[i]) - Wide<R>(b[i]);
+  }
+  return v;
+}
+
+template <Scalar R>
+Vec3<R> narrow(const WideVec<Wide<R>>& v) {
+  return {static_cast<R>(v[0]), static_cast<R>(v[1]), static_cast<R>(v[2])};
+}
+
+}  // namespace cageproof::closed_form

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/closed_form/triangle/mean_value.h"
+
+#include "../register.h"
+
+namespace cageproof::closed_form {
+namespace {
+
+const RegisterEvaluation registered{triangle_family(
+    "triangle.mean_value", "edge form over even powers of the distance",
+    []<Scalar R>(const Triangle<R>& t, const Vec3<R>& eta, int order) { return mean_value<R>(t, eta, order); })};
+
+}  // namespace
+}  // namespace cageproof::closed_form

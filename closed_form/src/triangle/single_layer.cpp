@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/closed_form/triangle/single_layer.h"
+
+#include "../register.h"
+
+namespace cageproof::closed_form {
+namespace {
+
+const RegisterEvaluation registered{triangle_family(
+    "triangle.single_layer", "edge form",
+    []<Scalar R>(const Triangle<R>& t, const Vec3<R>& eta, int order) { return single_layer<R>(t, eta, order); })};
+
+}  // namespace
+}  // namespace cageproof::closed_form
