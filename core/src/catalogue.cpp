@@ -2,13 +2,10 @@
 #include "cageproof/core/formula.h"
 
 #include <array>
-#include <limits>
-#include <numbers>
 
 namespace cageproof {
 namespace {
 
-constexpr double kDiverges = std::numeric_limits<double>::quiet_NaN();
 constexpr Laplacian kHarmonic{Laplacian::Kind::Zero};
 constexpr Laplacian kUnknown{};
 
@@ -25,7 +22,7 @@ const std::array kCatalogue{
             .degree = 1,
             .flip_sign = 1,
             .laplacian = kHarmonic,
-            .face_jump = 0,
+            .face_jump = {},
             .parameters = {}},
     Formula{.name = "triangle.double_layer",
             .symbol = "phi_t^k",
@@ -36,7 +33,7 @@ const std::array kCatalogue{
             .degree = 0,
             .flip_sign = -1,
             .laplacian = kHarmonic,
-            .face_jump = 1,
+            .face_jump = {.number = 1},
             .parameters = {}},
     Formula{.name = "triangle.solid_angle",
             .symbol = "omega_t",
@@ -47,7 +44,7 @@ const std::array kCatalogue{
             .degree = 0,
             .flip_sign = -1,
             .laplacian = kHarmonic,
-            .face_jump = 4 * std::numbers::pi,
+            .face_jump = {.pi_multiple = 4},
             .parameters = {}},
     Formula{.name = "triangle.biharmonic_single_layer",
             .symbol = "psibar_t",
@@ -58,7 +55,7 @@ const std::array kCatalogue{
             .degree = 3,
             .flip_sign = 1,
             .laplacian = laplacian_is("triangle.single_layer"),
-            .face_jump = 0,
+            .face_jump = {},
             .parameters = {}},
     Formula{.name = "triangle.biharmonic_double_layer",
             .symbol = "phibar_t^k",
@@ -69,7 +66,7 @@ const std::array kCatalogue{
             .degree = 2,
             .flip_sign = -1,
             .laplacian = laplacian_is("triangle.double_layer"),
-            .face_jump = 0,
+            .face_jump = {},
             .parameters = {}},
     Formula{.name = "triangle.mean_value",
             .symbol = "w_t^k",
@@ -80,7 +77,7 @@ const std::array kCatalogue{
             .degree = -1,
             .flip_sign = -1,
             .laplacian = kUnknown,
-            .face_jump = kDiverges,
+            .face_jump = {.diverges = true},
             .parameters = {}},
 };
 

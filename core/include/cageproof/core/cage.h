@@ -22,8 +22,8 @@ struct CageOptions {
   bool flip_inward = false;  ///< reverse all faces of a cage whose normals point inward
 };
 
-/// How quads become triangles: by the shorter of the two diagonals (ties: the one at the quad's first corner), or always the
-/// one at the quad's first corner.
+/// How quads become triangles: by the shorter of the two diagonals (compared exactly; ties: the one at the quad's first
+/// corner), or always the one at the quad's first corner. The chosen diagonal of an arrowhead may lie outside it.
 enum class Triangulation { Shortest, Fan };
 
 /// "shortest", "fan".
@@ -34,11 +34,16 @@ class Cage {
  public:
   /// Validates and builds.
   /// \param name shown in messages and reports (a file's path, or an embedded cage's name)
-  /// \throws InputError naming the first face (or vertex) at fault and the reason: empty input, non-finite coordinate,
-  ///   index out of range or repeated within a face, face with other than 3 or 4 vertices, unused vertex, degenerate face
-  ///   (zero area), edge with one face (hole) or more than two (non-manifold), inconsistent orientation, vertex whose
-  ///   faces form more than one fan, inward orientation (negative volume) unless options.flip_inward.
-  static Cage make(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> faces, CageOptions options = {});
+  /// \throws InputError naming the first face (or vertex) at fault, counted from 0, and the reason: empty input,
+  ///   non-finite coordinate; index out of range or repeated within a face, unused vertex; two corners of a face that
+  ///   coincide, three on a line, a quad that crosses itself or folds by more than a right angle along both diagonals;
+  ///   edge with one face (hole) or more than two (non-manifold), inconsistent orientation, vertex whose faces form
+  ///   more than one fan; no volume, or inward orientation (negative volume) unless options.flip_inward. These tests
+  ///   are exact: no threshold depends on the unit of length.
+  /// Several components are one cage; the sign of the total volume decides, so that a cavity's faces may point into it.
+  /// Intersections between different faces are not looked for.
+  static Cage make(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> faces,
+                   CageOptions options = {});
 
   const std::string& name() const { return name_; }
   const std::vector<Vec3<double>>& vertices() const { return vertices_; }

@@ -31,6 +31,13 @@ struct Laplacian {
   std::string_view formula = {};
 };
 
+/// Value just inside minus value just outside a face: number + pi_multiple pi, times the corner's hat function if per corner.
+struct FaceJump {
+  double number = 0;
+  double pi_multiple = 0;
+  bool diverges = false;
+};
+
 /// One row of the catalogue. Every relation a campaign checks is stated here as data, so that no check knows a formula.
 struct Formula {
   std::string_view name;        ///< stable, `element.what`
@@ -42,9 +49,7 @@ struct Formula {
   int degree;       ///< f(s element, s point) = s^degree f(element, point), s > 0
   int flip_sign;    ///< +1 or -1: the factor when the element's orientation is reversed
   Laplacian laplacian;
-  /// Value just inside minus value just outside a face, in units of one (of the corner's hat function if per_corner);
-  /// NaN where the value diverges at the face.
-  double face_jump;
+  FaceJump face_jump;
   std::vector<Parameter> parameters;
 
   int corners() const { return corner_count(element); }

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Cage coordinates: sums of a formula over a cage's triangles, one block of coordinates a formula.
+#pragma once
+
+#include "cageproof/core/cage.h"
+#include "cageproof/core/evaluation.h"
+
+namespace cageproof {
+
+/// One block of a kind of coordinates: a coordinate a vertex where its formula has one tensor a corner, else one a triangle.
+struct CoordinateBlock {
+  std::string_view label;    ///< "phi", "psi" ...
+  std::string_view formula;  ///< of the catalogue
+  /// What the block multiplies when a linear map is reproduced: the vertices, the triangles' outward unit normals, or nothing.
+  enum class Reproduces { Vertices, Normals, Nothing } reproduces;
+};
+
+/// A kind of cage coordinates.
+struct CoordinateKind {
+  std::string_view name;
+  std::string_view source;
+  std::vector<CoordinateBlock> blocks;
+  bool normalised;  ///< divided by their sum (mean value coordinates), and interpolating on the cage
+};
+
+/// mean_value, green, biharmonic.
+std::span<const CoordinateKind> coordinate_kinds();
+
+/// The kind of that name, or null.
+const CoordinateKind* find_coordinate_kind(std::string_view name);
+
+/// A cage triangle that a point lies on, exactly, and its hat functions there.
+struct Touching {
+  int triangle;
+  std::array<double, 3> hats;
+};
+
+/// Coordinates of points in one cage. Keeps a reference to the kind, copies of the rest; safe from any thread.
+class CageCoordinates {
+ public:
+  /// \throws InputError when a block's formula has no evaluation of that name
+  CageCoordinates(const Cage& cage, const CoordinateKind& kind, std::string_view evaluation, Triangulation rule);
+
+  const CoordinateKind& kind() const { return *kind_; }
+  const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
+  /// Outward unit normals of the triangles.
+  const std::vector<Vec3<double>>& normals() const { return normals_; }
+  /// Coordinates of block b: the number of vertices or of triangles.
+  int size(int b) const;
+  int max_order() const { return max_order_; }
+
+  /// One result a block: value [coordinate], gradient [coordinate][i], Hessian [coordinate][i][j].
+  /// On the cage the values are the limits from inside: interpolating kinds give the hat functions; derivatives that do not
+  /// exist are NaN.
+  template <Scalar R>
+  std::vector<Result<R>> at(const Vec3<double>& point, int order) const;
+
+  /// The triangles that the point lies on, border included, decided exactly; the hat functions are rounded.
+  std::vector<Touching> touching(const Vec3<double>& point) const;
+
+ private:
+  template <Scalar R>
+  Result<R> block_at(int b, const Vec3<double>& point, int order, const std::vector<Touching>& on) const;
+
+  const CoordinateKind* kind_;
+  std::vector<Vec3<double>> vertices_;
+  std::vector<std::array<int, 3>> triangles_;
+  std::vector<Vec3<double>> normals_;
+  std::vector<Evaluation> evaluations_;
+  int max_order_ = 2;
+};
+
+}  // namespace cageproof

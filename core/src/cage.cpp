@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/cage.h"
+
+#include "cageproof/core/input_error.h"
+#include "cage_checks.h"
+
+#include <algorithm>
+
+namespace cageproof {
+namespace {
+
+// Exact, so that the split never hangs on a rounding.
+Mp100 squared_distance(const Vec3<double>& a, const Vec3<double>& b) {
+  return Vec3<Mp100>(convert<Mp100>(a) - convert<Mp100>(b)).squaredNorm();
+}
+
+}  // namespace
+
+std::string_view name_of(Triangulation rule) { return rule == Triangulation::Shortest ? "shortest" : "fan"; }
+
+Cage Cage::make(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> faces, CageOptions options) {
+  const cage_checks::Candidate candidate{name, vertices, faces};
+  cage_checks::check_coordinates(candidate);
+  cage_checks::check_indices(candidate);
+  cage_checks::check_shapes(candidate);
+  cage_checks::check_edges(candidate);
+  cage_checks::check_fans(candidate);
+  if (cage_checks::orientation(candidate) < 0) {
+    if (!options.flip_inward)
+      throw InputError(name +
+                       ": the faces point inward (negative volume), from face 0 on; --flip-inward reverses them");
+    // The first corner stays, so that Triangulation::Fan keeps its diagonal.
+    for (Face& face : faces) std::reverse(face.vertices.begin() + 1, face.vertices.begin() + face.size());
+  }
+  Cage cage;
+  cage.name_ = std::move(name);
+  cage.vertices_ = std::move(vertices);
+  cage.faces_ = std::move(faces);
+  return cage;
+}
+
+bool Cage::has_quads() const {
+  return std::ranges::any_of(faces_, [](const Face& face) { return face.size() == 4; });
+}
+
+double Cage::size() const {
+  Vec3<double> low = vertices_.front(), high = low;
+  for (const Vec3<double>& v : vertices_) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  return (high - low).stableNorm();
+}
+
+Cage::Triangles Cage::triangulate(Triangulation rule) const {
+  Triangles result;
+  const auto add = [&](std::size_t face, int a, int b, int c) {
+    const auto& corner = faces_[face].vertices;
+    result.triangles.push_back({corner[a], corner[b], corner[c]});
+    result.face_of.push_back(static_cast<int>(face));
+  };
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    if (faces_[f].size() == 3) {
+      add(f, 0, 1, 2);
+      continue;
+    }
+    const auto corner = [&](int k) { return vertices_[faces_[f].vertices[k]]; };
+    const bool at_second = rule == Triangulation::Shortest &&
+                           squared_distance(corner(1), corner(3)) < squared_distance(corner(0), corner(2));
+    if (at_second) {
+      add(f, 1, 2, 3);
+      add(f, 1, 3, 0);
+    } else {
+      add(f, 0, 1, 2);
+      add(f, 0, 2, 3);
+    }
+  }
+  return result;
+}
+
+}  // namespace cageproof

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "cage_checks.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace cageproof::cage_checks {
+namespace {
+
+// Wide enough that signs of areas and volumes of double coordinates are exact, and that no unit of length under- or
+// overflows.
+using Exact = Mp100;
+
+[[noreturn]] void fail(const Candidate& cage, const std::string& reason) {
+  throw InputError(cage.name + ": " + reason);
+}
+
+[[noreturn]] void fail_face(const Candidate& cage, std::size_t face, const std::string& reason) {
+  fail(cage, fmt::format("face {}: {} (faces and vertices counted from 0)", face, reason));
+}
+
+[[noreturn]] void fail_vertex(const Candidate& cage, std::size_t vertex, const std::string& reason) {
+  fail(cage, fmt::format("vertex {}: {} (faces and vertices counted from 0)", vertex, reason));
+}
+
+Vec3<Exact> normal(const Vec3<Exact>& a, const Vec3<Exact>& b, const Vec3<Exact>& c) {
+  return Vec3<Exact>(b - a).cross(Vec3<Exact>(c - a));
+}
+
+// Calls f(from, to) for the edges of a face, in order.
+template <class F>
+void for_each_edge(const Face& face, F&& f) {
+  for (int k = 0; k < face.size(); ++k) f(face.vertices[k], face.vertices[(k + 1) % face.size()]);
+}
+
+void check_shape(const Candidate& cage, std::size_t index) {
+  const Face& face = cage.faces[index];
+  const int n = face.size();
+  std::array<Vec3<Exact>, 4> corners;
+  for (int k = 0; k < n; ++k) corners[k] = convert<Exact>(cage.vertices[face.vertices[k]]);
+  std::array<Vec3<Exact>, 4> normals;  // of the triangle at each corner
+  for (int k = 0; k < n; ++k) {
+    const int before = (k + n - 1) % n, after = (k + 1) % n;
+    if (corners[k] == corners[after])
+      fail_face(cage, index,
+                fmt::format("degenerate: vertices {} and {} coincide", face.vertices[k], face.vertices[after]));
+    normals[k] = normal(corners[before], corners[k], corners[after]);
+    if (normals[k].squaredNorm() == 0)
+      fail_face(cage, index,
+                fmt::format("degenerate: vertices {}, {} and {} lie on a line", face.vertices[before], face.vertices[k],
+                            face.vertices[after]));
+  }
+  // The diagonal from corner 0 leaves the triangles at corners 1 and 3, the other one those at 0 and 2.
+  if (n == 4 && normals[1].dot(normals[3]) < 0 && normals[0].dot(normals[2]) < 0)
+    fail_face(cage, index,
+              "the quad crosses itself (a bow-tie), or folds by more than a right angle along both diagonals");
+}
+
+}  // namespace
+
+void check_coordinates(const Candidate& cage) {
+  if (cage.vertices.empty()) fail(cage, "no vertices");
+  if (cage.faces.empty()) fail(cage, "no faces");
+  for (std::size_t i = 0; i < cage.vertices.size(); ++i)
+    if (!cage.vertices[i].allFinite()) fail_vertex(cage, i, "a coordinate is not finite");
+}
+
+void check_indices(const Candidate& cage) {
+  const int count = static_cast<int>(cage.vertices.size());
+  std::vector<bool> used(count, false);
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    const Face& face = cage.faces[f];
+    for (int k = 0; k < 4; ++k) {
+      const int vertex = face.vertices[k];
+      if (k == 3 && vertex == -1) continue;
+      if (vertex < 0 || vertex >= count)
+        fail_face(cage, f, fmt::format("index {} is out of range, there are {} vertices", vertex, count));
+      if (std::find(face.vertices.begin(), face.vertices.begin() + k, vertex) != face.vertices.begin() + k)
+        fail_face(cage, f, fmt::format("vertex {} occurs twice", vertex));
+      used[vertex] = true;
+    }
+  }
+  const auto loose = std::ranges::find(used, false);
+  if (loose != used.end()) fail_vertex(cage, loose - used.begin(), "no face uses it; remove it from the cage");
+}
+
+void check_shapes(const Candidate& cage) {
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) check_shape(cage, f);
+}
+
+void check_edges(const Candidate& cage) {
+  struct Uses {
+    int rising = 0, falling = 0;  // faces that run along the edge towards its higher or its lower vertex
+  };
+  std::map<std::pair<int, int>, Uses> edges;
+  for (const Face& face : cage.faces)
+    for_each_edge(face, [&](int from, int to) {
+      Uses& uses = edges[std::minmax(from, to)];
+      ++(from < to ? uses.rising : uses.falling);
+    });
+  for (std::size_t f = 0; f < cage.faces.size(); ++f)
+    for_each_edge(cage.faces[f], [&](int from, int to) {
+      const Uses uses = edges.at(std::minmax(from, to));
+      const std::string edge = fmt::format("edge between vertices {} and {}", from, to);
+      if (uses.rising + uses.falling == 1) fail_face(cage, f, edge + " belongs to no other face: the cage has a hole");
+      if (uses.rising + uses.falling > 2)
+        fail_face(cage, f, fmt::format("{} belongs to {} faces: not a manifold", edge, uses.rising + uses.falling));
+      if (uses.rising != 1)
+        fail_face(cage, f, edge + " runs the same way in its neighbour: the faces are oriented inconsistently");
+    });
+}
+
+void check_fans(const Candidate& cage) {
+  std::map<std::pair<int, int>, std::size_t> face_along;  // a directed edge's face
+  std::vector<std::size_t> faces_at(cage.vertices.size(), 0);
+  std::vector<int> any_neighbour(cage.vertices.size(), -1);
+  for (std::size_t f = 0; f < cage.faces.size(); ++f)
+    for_each_edge(cage.faces[f], [&](int from, int to) {
+      face_along[{from, to}] = f;
+      ++faces_at[from];
+      any_neighbour[from] = to;
+    });
+  for (int v = 0; v < static_cast<int>(cage.vertices.size()); ++v) {
+    std::size_t walked = 0;
+    int neighbour = any_neighbour[v];
+    do {
+      // In the face that runs v -> neighbour, the corner before v is the next neighbour.
+      const Face& face = cage.faces[face_along.at({v, neighbour})];
+      for_each_edge(face, [&](int from, int to) {
+        if (to == v) neighbour = from;
+      });
+      ++walked;
+    } while (neighbour != any_neighbour[v]);
+    if (walked != faces_at[v])
+      fail_vertex(cage, v, fmt::format("its {} faces form more than one fan: not a manifold", faces_at[v]));
+  }
+}
+
+int orientation(const Candidate& cage) {
+  const Vec3<Exact> origin = convert<Exact>(cage.vertices.front());
+  Exact volume = 0;
+  for (const Face& face : cage.faces) {
+    std::array<Vec3<Exact>, 4> q;
+    for (int k = 0; k < face.size(); ++k) q[k] = convert<Exact>(cage.vertices[face.vertices[k]]) - origin;
+    // Twice a bilinear quad's volume is the sum over both of its splits.
+    const auto tetrahedron = [&](int a, int b, int c) { return Exact(q[a].dot(q[b].cross(q[c]))); };
+    if (face.size() == 3) volume += 2 * tetrahedron(0, 1, 2);
+    else volume += tetrahedron(0, 1, 2) + tetrahedron(0, 2, 3) + tetrahedron(1, 2, 3) + tetrahedron(1, 3, 0);
+  }
+  if (volume == 0) fail(cage, "the cage encloses no volume");
+  return volume > 0 ? 1 : -1;
+}
+
+}  // namespace cageproof::cage_checks

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/embedded_cages.h"
+
+#include "support.h"
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace cageproof {
+namespace {
+
+using testing_support::expect_parts;
+using testing_support::input_error_of;
+using testing_support::volume;
+
+int quads_of(const Cage& cage) {
+  return static_cast<int>(std::ranges::count(cage.faces(), 4, [](const Face& face) { return face.size(); }));
+}
+
+// Distance of a quad's last corner from the plane of the others.
+double bulge(const Cage& cage, const Face& face) {
+  const auto corner = [&](int k) { return cage.vertices()[face.vertices[k]]; };
+  const Vec3<double> normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+  return face.size() == 3 ? 0 : std::abs(normal.dot(corner(3) - corner(0)));
+}
+
+TEST(embedded_cages, have_the_stated_names_and_order) {
+  const std::vector<std::string_view> names{"cube",        "icosphere", "torus",    "l-block",
+                                            "twisted-bar", "thin-box",  "spiky-box"};
+  EXPECT_EQ(embedded_cage_names(), names);
+  for (const auto name : names) EXPECT_EQ(embedded_cage(name).name(), name);
+}
+
+TEST(embedded_cages, are_small_and_of_order_one) {
+  for (const auto name : embedded_cage_names()) {
+    const Cage cage = embedded_cage(name);
+    EXPECT_LE(cage.triangulate(Triangulation::Shortest).triangles.size(), 100u) << name;
+    EXPECT_GT(cage.size(), 1) << name;
+    EXPECT_LT(cage.size(), 5) << name;
+  }
+}
+
+struct Expected {
+  std::string_view name;
+  int vertices, quads, triangles;
+  double volume;
+};
+
+TEST(embedded_cages, have_the_counts_and_volume_of_their_shape) {
+  const double cavity = (2 - 1.0 / 32) * (2 - 1.0 / 32) * (1 - 1.0 / 64);
+  for (const Expected& e : {Expected{"cube", 8, 6, 0, 1}, Expected{"l-block", 12, 8, 4, 3},
+                            Expected{"thin-box", 16, 14, 0, 4 - cavity}, Expected{"spiky-box", 38, 24, 24, 1.375}}) {
+    const Cage cage = embedded_cage(e.name);
+    EXPECT_EQ(cage.vertices().size(), e.vertices) << e.name;
+    EXPECT_EQ(quads_of(cage), e.quads) << e.name;
+    EXPECT_EQ(cage.faces().size(), e.quads + e.triangles) << e.name;
+    EXPECT_NEAR(volume(cage), e.volume, 1e-14) << e.name;
+  }
+}
+
+TEST(embedded_cages, have_the_genus_of_their_shape) {
+  for (const auto name : embedded_cage_names()) {
+    const Cage cage = embedded_cage(name);
+    std::set<std::pair<int, int>> edges;
+    for (const Face& face : cage.faces())
+      for (int k = 0; k < face.size(); ++k)
+        edges.insert(std::minmax(face.vertices[k], face.vertices[(k + 1) % face.size()]));
+    const auto characteristic =
+        static_cast<int>(cage.vertices().size() + cage.faces().size()) - static_cast<int>(edges.size());
+    EXPECT_EQ(characteristic, name == "torus" ? 0 : 2) << name;
+  }
+}
+
+TEST(embedded_cages, only_the_twisted_bar_has_curved_quads) {
+  for (const auto name : embedded_cage_names()) {
+    const Cage cage = embedded_cage(name);
+    int curved = 0;
+    for (const Face& face : cage.faces()) curved += bulge(cage, face) > 1e-14;
+    EXPECT_EQ(curved, name == "twisted-bar" ? 16 : 0) << name;
+  }
+}
+
+TEST(embedded_cages, icosphere_lies_on_the_unit_sphere) {
+  const Cage cage = embedded_cage("icosphere");
+  EXPECT_EQ(cage.vertices().size(), 42u);
+  EXPECT_EQ(cage.faces().size(), 80u);
+  EXPECT_FALSE(cage.has_quads());
+  for (const auto& v : cage.vertices()) EXPECT_NEAR(v.norm(), 1, 1e-15);
+  EXPECT_GT(volume(cage), 0.85 * 4 * std::numbers::pi / 3);
+}
+
+TEST(embedded_cages, torus_encloses_less_than_the_round_one) {
+  const double round = 2 * std::numbers::pi * std::numbers::pi * 0.16;
+  EXPECT_LT(volume(embedded_cage("torus")), round);
+  EXPECT_GT(volume(embedded_cage("torus")), 0.7 * round);
+}
+
+TEST(embedded_cages, unknown_name_lists_those_there_are) {
+  expect_parts(input_error_of([] { embedded_cage("sphere"); }), {"\"sphere\"", "cube", "spiky-box"});
+}
+
+}  // namespace
+}  // namespace cageproof

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/mesh_io.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/random_stream.h"
+#include "support.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace cageproof {
+namespace {
+
+using testing_support::expect_parts;
+using testing_support::input_error_of;
+using testing_support::TemporaryFolder;
+
+const std::string kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+const std::vector<std::vector<int>> kTetrahedronFaces{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+
+std::string error_of(std::string_view text) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("case.obj", text);
+  return input_error_of([&] { read_mesh(path); });
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
+TEST(obj_rejects, files_that_are_none) {
+  const TemporaryFolder folder;
+  expect_parts(input_error_of([&] { read_mesh(folder.path() / "missing.obj"); }), {"missing.obj: no such file"});
+  std::filesystem::create_directory(folder.path() / "folder.obj");
+  expect_parts(input_error_of([&] { read_mesh(folder.path() / "folder.obj"); }), {"folder.obj: is a directory"});
+  expect_parts(error_of(""), {"case.obj: the file is empty"});
+  expect_parts(error_of("# nothing\n"), {"case.obj: no vertices"});
+  expect_parts(input_error_of([&] { read_mesh(folder.write("cage.off", "OFF")); }),
+               {"cage.off", "\".off\"", ".obj, .ply, .stl or .vtp"});
+}
+
+TEST(obj_rejects, truncated_lines) {
+  expect_parts(error_of("v 0 0 0\nv 1 2\n"), {"case.obj:2: ", "three coordinates", "2"});
+  expect_parts(error_of("v\n"), {"case.obj:1: ", "three coordinates"});
+  expect_parts(error_of(kTetrahedron + "f 1 2\n"), {"case.obj:9: ", "three corners", "2"});
+  expect_parts(error_of(kTetrahedron + "f"), {"case.obj:9: ", "three corners", "0"});
+}
+
+TEST(obj_rejects, text_where_numbers_belong) {
+  expect_parts(error_of(replaced(kTetrahedron, "v 1 0 0", "v 1 abc 2")), {"case.obj:2: ", "\"abc\"", "number"});
+  expect_parts(error_of(replaced(kTetrahedron, "v 1 0 0", "v 1 0 0x")), {"case.obj:2: ", "\"0x\""});
+  expect_parts(error_of(replaced(kTetrahedron, "f 1 2 4", "f 1 two 4")), {"case.obj:6: ", "\"two\"", "corner"});
+  expect_parts(error_of(replaced(kTetrahedron, "f 1 2 4", "f 1 2.5 4")), {"case.obj:6: ", "\"2.5\""});
+  expect_parts(error_of(replaced(kTetrahedron, "f 1 2 4", "f 1/a 2 4")), {"case.obj:6: ", "\"1/a\""});
+  expect_parts(error_of(replaced(kTetrahedron, "v 1 0 0", "1 0 0")), {"case.obj:2: ", "\"1\"", "keyword"});
+  expect_parts(error_of(std::string("v 0 0 0\nv 1 \0001 2\n", 17)), {"case.obj:2: ", "number"});
+}
+
+TEST(obj_rejects, numbers_that_are_not_finite) {
+  for (const char* token : {"nan", "NaN", "-nan", "inf", "-inf", "Infinity", "1e999", "1.#IND"})
+    expect_parts(error_of(replaced(kTetrahedron, "v 1 0 0", fmt::format("v 1 {} 0", token))),
+                 {"case.obj:2: ", token, "not a finite number"});
+}
+
+TEST(obj_rejects, indices_out_of_range) {
+  for (const char* token : {"5", "0", "-5", "1000000000000", "-1000000000000", "2147483648", "99999999999999999999999"})
+    expect_parts(error_of(replaced(kTetrahedron, "f 1 2 4", fmt::format("f 1 {} 4", token))),
+                 {"case.obj:6: ", "out of range"});
+  expect_parts(error_of("v 0 0 0\nv 1 0 0\nf 1 0 2\nv 0 1 0\n"), {"case.obj:3: ", "index 0", "counts from 1"});
+}
+
+TEST(obj_rejects, garbage_shown_in_one_printable_line) {
+  const std::string message = error_of("v 0 0 \x01\x1b[31m\xff" + std::string(500, 'z') + "\n");
+  expect_parts(message, {"case.obj:1: "});
+  EXPECT_LT(message.size(), 400u);
+  EXPECT_TRUE(std::ranges::all_of(message, [](unsigned char c) { return c >= 0x20 && c < 0x7f; }));
+}
+
+TEST(obj_reads, numbers_correctly_rounded) {
+  RandomStream random(1, "obj", 0);
+  std::string text;
+  std::vector<Vec3<double>> expected;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3<double> v(random.uniform(-2, 2), random.uniform(-1e5, 1e5), random.uniform(-1e-9, 1e-9));
+    text += fmt::format("v {} {} {}\n", v[0], v[1], v[2]);
+    expected.push_back(v);
+  }
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_mesh(folder.write("exact.obj", text)).vertices, expected);
+}
+
+TEST(obj_reads, quads_polygons_and_order_as_they_are) {
+  const TemporaryFolder folder;
+  const Mesh mesh = read_mesh(folder.write(
+      "mixed.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 3 2 1\ng a\nf 1 2 3 4\nusemtl x\nf 5 4 3 2 1\n"));
+  EXPECT_EQ(mesh.faces, (std::vector<std::vector<int>>{{2, 1, 0}, {0, 1, 2, 3}, {4, 3, 2, 1, 0}}));
+  EXPECT_EQ(mesh.vertices[2], Vec3<double>(2, 1, 0));
+}
+
+TEST(obj_reads, relative_indices) {
+  const TemporaryFolder folder;
+  const Mesh mesh = read_mesh(
+      folder.write("relative.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -1 -2\nv 0 0 1\nf -4 -3 -1\nf 2 3 4\nf 1 4 3\n"));
+  EXPECT_EQ(mesh.faces, kTetrahedronFaces);
+}
+
+TEST(obj_reads, what_modellers_write) {
+  const TemporaryFolder folder;
+  const std::string blender =
+      "# Blender v2.77 (sub 0) OBJ File: ''\n# www.blender.org\nmtllib missing.mtl\no Cage\nv 0.000000 0.000000 "
+      "0.000000\n"
+      "v 1.000000 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvn nan 0 1\ng all\nusemtl None\ns off\nf 1//1 3//1 2//1\nf 1/1 2/1 "
+      "4/1\n"
+      "f 2/1/1 3/1/1 4/1/1 \ns 1\nf\t1/1/1  4/1/1\t3/1/1\nl 1 2\n";
+  const std::string meshlab =
+      "####\n#\n# OBJ File Generated by Meshlab\n####\n\nv 0 0 0 0.5 0.5 0.5\nv 1 0 0 1 1 1\nv 0 1 0 1 0 0\nv 0 0 1 "
+      "1\n\n"
+      "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n\n# End of File\n";
+  std::string windows = "\xEF\xBB\xBF";
+  for (const char c : kTetrahedron) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  std::string unended = kTetrahedron;
+  unended.pop_back();
+  for (const auto& [name, text] : {std::pair{"blender.obj", blender},
+                                   {"meshlab.OBJ", meshlab},
+                                   {"windows.obj", windows},
+                                   {"unended.obj", unended}}) {
+    const Mesh mesh = read_mesh(folder.write(name, text));
+    EXPECT_EQ(mesh.vertices.size(), 4u) << name;
+    EXPECT_EQ(mesh.faces, kTetrahedronFaces) << name;
+    EXPECT_NO_THROW(read_cage(folder.path() / name)) << name;
+  }
+}
+
+TEST(obj_reads, line_numbers_for_every_line_end) {
+  expect_parts(error_of("# a\r\n\r\nv 1 2\r\n"), {"case.obj:3: "});
+  expect_parts(error_of("# a\r\rv 1 2\r"), {"case.obj:3: "});
+}
+
+TEST(obj_reads, big_meshes_in_about_a_second) {
+  constexpr int side = 300;
+  std::string text;
+  for (int i = 0; i < side * side; ++i) text += fmt::format("v {:.6f} {:.6f} 0\n", i % side * 0.013, i / side * 0.017);
+  for (int i = 0; i + side < side * side; ++i)
+    for (int repeat = 0; repeat < 4; ++repeat) text += fmt::format("f {} {} {}\n", i + 1, i + 2, i + side + 1);
+  const TemporaryFolder folder;
+  const auto path = folder.write("big.obj", text);
+  const auto start = std::chrono::steady_clock::now();
+  const Mesh mesh = read_mesh(path);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  EXPECT_EQ(mesh.vertices.size(), side * side);
+  EXPECT_EQ(mesh.faces.size(), 4 * (side * side - side));
+  EXPECT_LT(spent.count(), 20) << "linear in the file's size, also under sanitizers on a busy machine";
+}
+
+TEST(read_cage, rejects_polygons_naming_the_face) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("five.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3\nf 1 2 3 4 5\n");
+  expect_parts(input_error_of([&] { read_cage(path); }), {"five.obj: face 1: 5 corners", "3 or 4"});
+}
+
+TEST(read_cage, names_file_and_face_of_invalid_cages) {
+  const TemporaryFolder folder;
+  const auto hole = folder.write("hole.obj", replaced(kTetrahedron, "f 2 3 4\n", ""));
+  expect_parts(input_error_of([&] { read_cage(hole); }), {"hole.obj: face 0", "hole"});
+  const auto inward =
+      folder.write("inward.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n");
+  expect_parts(input_error_of([&] { read_cage(inward); }), {"inward.obj: ", "--flip-inward"});
+  EXPECT_GT(testing_support::volume(read_cage(inward, {.flip_inward = true})), 0);
+  const auto points = folder.write("points.obj", "v 0 0 0\n");
+  expect_parts(input_error_of([&] { read_cage(points); }), {"points.obj: no faces"});
+}
+
+TEST(read_cage, gives_back_every_embedded_cage) {
+  const TemporaryFolder folder;
+  for (const auto name : embedded_cage_names()) {
+    const Cage cage = embedded_cage(name);
+    std::string text;
+    for (const auto& v : cage.vertices()) text += fmt::format("v {} {} {}\n", v[0], v[1], v[2]);
+    for (const Face& face : cage.faces()) {
+      text += "f";
+      for (int k = 0; k < face.size(); ++k) text += fmt::format(" {}", face.vertices[k] + 1);
+      text += "\n";
+    }
+    const Cage again = read_cage(folder.write("cage.obj", text));
+    EXPECT_EQ(again.vertices(), cage.vertices()) << name;
+    ASSERT_EQ(again.faces().size(), cage.faces().size()) << name;
+    for (std::size_t f = 0; f < cage.faces().size(); ++f)
+      EXPECT_EQ(again.faces()[f].vertices, cage.faces()[f].vertices) << name;
+  }
+}
+
+}  // namespace
+}  // namespace cageproof

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Files as a whole, with every step checked.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace cageproof::reports {
+
+/// Writes a whole file.
+/// \throws InputError "cannot write <path>: <reason>"
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Reads a whole file.
+/// \throws InputError "cannot read <path>: <reason>"
+std::string read_file(const std::filesystem::path& path);
+
+}  // namespace cageproof::reports

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Everything a person sees of a run: a folder of figures, tables, fields, pictures and one page.
+#pragma once
+
+#include "cageproof/core/run_result.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace cageproof::reports {
+
+/// How a field's values become colours.
+enum class ColourScale { Linear, Log10 };
+
+/// A report folder, written aside (`.NAME.partial-...` next to it) and renamed into place: a run that dies leaves no
+/// half report, and an earlier report stays whole until the new one replaces it in one step.
+///
+/// The folder holds summary.json, summary.md, results.csv, worst.jsonl, index.html, fields/ and pictures/. Apart from
+/// RunResult::started, seconds, command_line and machine (object "run" of summary.json; the ends of summary.md and
+/// index.html), every byte is a function of the other results.
+class ReportWriter {
+ public:
+  /// \param out the report's folder; its parent must exist. An empty folder or an earlier report there is replaced.
+  /// \throws InputError when the parent is missing or cannot be written, or `out` holds anything but a report
+  explicit ReportWriter(const std::filesystem::path& out);
+  /// Removes what was written unless commit() was reached.
+  ~ReportWriter();
+  ReportWriter(const ReportWriter&) = delete;
+  ReportWriter& operator=(const ReportWriter&) = delete;
+
+  /// Writes fields/<name>.vti and, of a slice through the field, pictures/field.<name>.png: one array as colours, with
+  /// a legend; masked samples (NaN) grey, infinite ones marked. Of a volume the middle slice along z is shown. \param
+  /// title what is shown, of which cage and evaluation \param shown name of the array to show (its magnitude, when it
+  /// has several components) \throws InputError when the file cannot be written \throws std::invalid_argument when an
+  /// array's size is not points x components, or `shown` is no array's name
+  FieldEntry write_image(const ImageField& field, const std::string& title, const std::string& shown,
+                         ColourScale scale);
+
+  /// Writes fields/<name>.vtp and pictures/field.<name>.png: the vertices, coloured by one array, seen from two sides.
+  /// \throws as write_image
+  FieldEntry write_mesh(const MeshField& field, const std::string& title, const std::string& shown, ColourScale scale);
+
+  /// Writes all files of a run; fields must have been written before. A run may have fields and no rows.
+  /// \throws InputError when a file cannot be written, or gnuplot is missing or fails
+  void write(const RunResult& result);
+
+  /// Puts the report in its place.
+  /// \pre write() was called
+  /// \throws InputError when the folder cannot be renamed; an earlier report is then still there
+  void commit();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace cageproof::reports

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// A field's values as colours: what is drawn, between which limits, with which legend.
+#pragma once
+
+#include "cageproof/core/run_result.h"
+#include "cageproof/reports/report_writer.h"
+
+#include <string>
+#include <vector>
+
+namespace cageproof::reports {
+
+/// The colour of a sample that is not finite where one is expected (infinite), and of a masked one (NaN).
+inline constexpr const char* kInfiniteColour = "#d62728";
+inline constexpr const char* kMaskedColour = "#c8c8c8";
+
+/// One value a sample, ready to be drawn on a linear colour axis.
+struct Colours {
+  std::vector<double> values;  ///< log10 of the magnitude on a logarithmic scale; NaN masked, +infinity infinite
+  double low = 0, high = 1;    ///< limits of the colour axis, low < high
+  double largest = 0;          ///< of the finite samples, before any logarithm; 0 when there is none
+  std::string commands;        ///< gnuplot: palette, limits, ticks and label of the colour bar
+};
+
+/// The array of that name; \throws std::invalid_argument when there is none or a size does not fit the samples
+const ImageField::Array& array_named(const std::vector<ImageField::Array>& arrays, const std::string& name,
+                                     std::size_t samples);
+
+/// Several components are shown by their magnitude.
+Colours colours_of(const ImageField::Array& array, ColourScale scale);
+
+}  // namespace cageproof::reports

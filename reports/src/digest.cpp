@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "digest.h"
+
+#include "cageproof/core/formula.h"
+#include "figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace cageproof::reports {
+
+using Section = ResultRow::Section;
+
+const ResultRow* ErrorTable::at(const std::string& regime, const Column& column, int order) const {
+  for (const ResultRow* row : rows)
+    if (row->order == order && row->regime == regime && row->evaluation == column.evaluation &&
+        row->scalar == column.scalar)
+      return row;
+  return nullptr;
+}
+
+std::string verdict_line(const RunResult& result) {
+  const auto count = [&](Verdict verdict) {
+    return static_cast<std::uint64_t>(std::ranges::count(result.rows, verdict, &ResultRow::verdict));
+  };
+  const std::uint64_t broken = count(Verdict::Broken), promised = broken + count(Verdict::Kept);
+  if (promised == 0) return "Nothing was promised in this run";
+  if (broken == 0)
+    return promised == 1 ? "The one promise is kept" : fmt::format("All {} promises kept", grouped(promised));
+  return fmt::format("{} of {} promises broken", grouped(broken), grouped(promised));
+}
+
+double strain(const ResultRow& row) {
+  if (!row.bound) return row.max;
+  if (*row.bound > 0) return row.max / *row.bound;
+  return row.max > 0 ? std::numeric_limits<double>::infinity() : 0;
+}
+
+Rows broken_rows(const RunResult& result) {
+  Rows rows;
+  for (const ResultRow& row : result.rows)
+    if (row.verdict == Verdict::Broken) rows.push_back(&row);
+  std::ranges::stable_sort(rows, [](const ResultRow* a, const ResultRow* b) { return strain(*a) > strain(*b); });
+  return rows;
+}
+
+std::vector<std::string> subjects(const RunResult& result, Section section) {
+  Rows rows;
+  for (const ResultRow& row : result.rows)
+    if (row.section == section) rows.push_back(&row);
+  std::vector<std::string> names =
+      distinct(rows, [](const ResultRow* row) -> const std::string& { return row->subject; });
+  const auto rank = [](const std::string& name) {
+    const Formula* formula = find_formula(name);
+    return formula ? formula - catalogue().data() : static_cast<std::ptrdiff_t>(catalogue().size());
+  };
+  std::ranges::stable_sort(names, {}, rank);
+  return names;
+}
+
+ErrorTable truth_table(const RunResult& result, const std::string& subject) {
+  ErrorTable table;
+  for (const ResultRow& row : result.rows) {
+    if (row.section != Section::Element || row.subject != subject || row.check != "truth") continue;
+    table.rows.push_back(&row);
+    const Column column{row.evaluation, row.scalar};
+    if (std::ranges::find(table.columns, column) == table.columns.end()) table.columns.push_back(column);
+  }
+  table.regimes = distinct(table.rows, [](const ResultRow* row) -> const std::string& { return row->regime; });
+  // What users run comes first.
+  std::ranges::stable_partition(table.columns, [](const Column& column) {
+    return column.evaluation == "closed_form" && column.scalar == "double";
+  });
+  return table;
+}
+
+// Broken before kept, promised before not, then by how far it goes.
+bool more_telling(const ResultRow& a, const ResultRow& b) {
+  const auto key = [](const ResultRow& row) {
+    return std::tuple(row.verdict == Verdict::Broken, row.bound.has_value(), strain(row));
+  };
+  return key(a) > key(b);
+}
+
+Rows tightest_properties(const RunResult& result, const std::string& subject) {
+  std::map<std::tuple<std::string, std::string, std::string, int, std::string>, std::size_t> seen;
+  Rows rows;
+  for (const ResultRow& row : result.rows) {
+    if (row.section != Section::Element || row.subject != subject || row.check == "truth") continue;
+    const auto [at, fresh] =
+        seen.try_emplace({row.check, row.evaluation, row.scalar, row.order, row.unit}, rows.size());
+    if (fresh) rows.push_back(&row);
+    else if (more_telling(row, *rows[at->second])) rows[at->second] = &row;
+  }
+  return rows;
+}
+
+CageTable cage_table(const RunResult& result) {
+  CageTable table;
+  const auto label = [](const ResultRow& row) { return row.subject + ", " + row.evaluation + ", " + row.scalar; };
+  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> line_of;
+  for (const ResultRow& row : result.rows)
+    if (row.section == Section::Cage && std::ranges::find(table.columns, label(row)) == table.columns.end())
+      table.columns.push_back(label(row));
+  for (const ResultRow& row : result.rows) {
+    if (row.section != Section::Cage) continue;
+    const auto [at, fresh] = line_of.try_emplace({row.regime, row.check, row.unit}, table.lines.size());
+    if (fresh) table.lines.push_back({row.regime, row.check, row.unit, Rows(table.columns.size())});
+    const std::size_t column = std::ranges::find(table.columns, label(row)) - table.columns.begin();
+    const ResultRow*& cell = table.lines[at->second].cells[column];
+    if (!cell || more_telling(row, *cell)) cell = &row;
+  }
+  // A cage's lines together, whatever order its checks ran in.
+  const auto names = distinct(table.lines, [](const CageTable::Line& line) -> const std::string& { return line.cage; });
+  std::ranges::stable_sort(table.lines, {},
+                           [&](const CageTable::Line& line) { return std::ranges::find(names, line.cage); });
+  return table;
+}
+
+}  // namespace cageproof::reports

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The rows of a run in the order people read them: shared by the Markdown summary and the page.
+#pragma once
+
+#include "cageproof/core/run_result.h"
+
+#include <algorithm>
+#include <compare>
+#include <string>
+#include <vector>
+
+namespace cageproof::reports {
+
+/// An evaluation in a scalar: a column of a table.
+struct Column {
+  std::string evaluation, scalar;
+  auto operator<=>(const Column&) const = default;
+};
+
+/// The rows of one check of one subject: regimes down, columns across.
+struct ErrorTable {
+  std::vector<std::string> regimes;
+  std::vector<Column> columns;
+  std::vector<const ResultRow*> rows;
+  /// Null where there is none.
+  const ResultRow* at(const std::string& regime, const Column& column, int order) const;
+};
+
+using Rows = std::vector<const ResultRow*>;
+
+/// "all promises kept", or how many are broken, or that nothing was promised.
+std::string verdict_line(const RunResult& result);
+
+/// The broken rows, the one furthest beyond its bound first.
+Rows broken_rows(const RunResult& result);
+
+/// The subjects of a section that have rows: formulas in the catalogue's order, then others as they come.
+std::vector<std::string> subjects(const RunResult& result, ResultRow::Section section);
+
+/// The rows of a subject's check against the truth.
+ErrorTable truth_table(const RunResult& result, const std::string& subject);
+
+/// One line a (check, evaluation, scalar, order, unit) of a subject, truth left out: the row that comes nearest to its
+/// bound or goes furthest beyond, of all regimes.
+Rows tightest_properties(const RunResult& result, const std::string& subject);
+
+/// The cages' properties: a line a (cage, check, unit), a column a (kind, evaluation, scalar), in a cell the worst row
+/// of all places and orders, or null.
+struct CageTable {
+  struct Line {
+    std::string cage, check, unit;
+    Rows cells;
+  };
+  std::vector<std::string> columns;
+  std::vector<Line> lines;
+};
+CageTable cage_table(const RunResult& result);
+
+/// max / bound; without a bound, max. What is worst in one table is largest.
+double strain(const ResultRow& row);
+
+/// Whether row a must be shown rather than b where there is room for one: broken before kept, promised before not
+/// promised, then by strain.
+bool more_telling(const ResultRow& a, const ResultRow& b);
+
+/// The distinct values of a member, in the order of first appearance.
+template <class Range, class Projection>
+std::vector<std::string> distinct(const Range& range, Projection projection) {
+  std::vector<std::string> values;
+  for (const auto& item : range) {
+    const std::string& value = projection(item);
+    if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+  }
+  return values;
+}
+
+}  // namespace cageproof::reports

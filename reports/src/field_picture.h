@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Pictures of fields: a slice as a heat map, a mesh as coloured points from two sides.
+#pragma once
+
+#include "colours.h"
+#include "gnuplot.h"
+
+namespace cageproof::reports {
+
+/// The slice (of a volume the middle one along z) with axes and a colour bar.
+Picture image_picture(const ImageField& field, const Colours& colours, const std::string& title, std::string file);
+
+/// The vertices seen from the front (along -z, y up) and from the side (along -x), near ones over far ones.
+Picture mesh_picture(const MeshField& field, const Colours& colours, const std::string& title, std::string file);
+
+}  // namespace cageproof::reports

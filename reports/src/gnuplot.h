@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Pictures through the program gnuplot (Debian: gnuplot-nox): needs no display.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cageproof::reports {
+
+/// A picture to draw: the commands that follow `set output`, and its size in pixels.
+struct Picture {
+  std::string file;  ///< relative to the report's folder: "pictures/....png"
+  int width = 0;
+  int height = 0;
+  std::string commands;
+};
+
+/// Draws all pictures into the folder, as many at a time as there are cores.
+/// \throws InputError when gnuplot is missing or fails, or a picture is not whole (a full disk)
+void draw(const std::vector<Picture>& pictures, const std::filesystem::path& folder);
+
+/// Text as a gnuplot string literal, taken as it is (no escapes, no markup when drawn `noenhanced`).
+std::string gnuplot_text(std::string_view text);
+
+/// A number gnuplot reads; NaN for what is not finite.
+std::string gnuplot_number(double x);
+
+}  // namespace cageproof::reports

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/reports/report_writer.h"
+
+#include "cageproof/reports/worst_file.h"
+#include "cageproof/reports/checked_file.h"
+#include "colours.h"
+#include "curve_picture.h"
+#include "field_picture.h"
+#include "figure.h"
+#include "gnuplot.h"
+#include "page.h"
+#include "report_folder.h"
+#include "tables.h"
+#include "cageproof/reports/vtk_text.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace cageproof::reports {
+
+struct ReportWriter::State {
+  explicit State(const std::filesystem::path& out) : folder(out) {}
+  ReportFolder folder;
+  std::set<std::string> names;    ///< of fields, so that none overwrites another
+  std::vector<Picture> pictures;  ///< drawn by write(), all at once
+
+  // Two fields whose names differ only in what a file name cannot hold get different files.
+  std::string fresh_name(const std::string& name) {
+    std::string fresh = file_name(name);
+    for (int n = 2; !names.insert(fresh).second; ++n) fresh = fmt::format("{}-{}", file_name(name), n);
+    return fresh;
+  }
+};
+
+ReportWriter::ReportWriter(const std::filesystem::path& out) : state_(std::make_unique<State>(out)) {}
+ReportWriter::~ReportWriter() = default;
+
+FieldEntry ReportWriter::write_image(const ImageField& field, const std::string& title, const std::string& shown,
+                                     ColourScale scale) {
+  const std::size_t samples = static_cast<std::size_t>(field.points[0]) * field.points[1] * field.points[2];
+  const ImageField::Array& array = array_named(field.arrays, shown, samples);
+  const Colours colours = colours_of(array, scale);
+  const std::string name = state_->fresh_name(field.name);
+  const FieldEntry entry{title, array.unit, "fields/" + name + ".vti", "pictures/field." + name + ".png",
+                         colours.largest};
+  write_file(state_->folder.path() / entry.data, vti_text(field));
+  state_->pictures.push_back(image_picture(field, colours, title, entry.picture));
+  return entry;
+}
+
+FieldEntry ReportWriter::write_mesh(const MeshField& field, const std::string& title, const std::string& shown,
+                                    ColourScale scale) {
+  const ImageField::Array& array = array_named(field.arrays, shown, field.vertices.size());
+  const Colours colours = colours_of(array, scale);
+  const std::string name = state_->fresh_name(field.name);
+  const FieldEntry entry{title, array.unit, "fields/" + name + ".vtp", "pictures/field." + name + ".png",
+                         colours.largest};
+  write_file(state_->folder.path() / entry.data, vtp_text(field));
+  state_->pictures.push_back(mesh_picture(field, colours, title, entry.picture));
+  return entry;
+}
+
+void ReportWriter::write(const RunResult& result) {
+  const std::filesystem::path& folder = state_->folder.path();
+  write_file(folder / "summary.json", summary_json(result));
+  write_file(folder / "summary.md", summary_markdown(result));
+  write_file(folder / "results.csv", results_csv(result));
+  write_file(folder / "worst.jsonl", worst_lines(result));
+  const std::vector<CurvePicture> curves = curve_pictures(result);
+  std::vector<Picture> pictures = std::move(state_->pictures);
+  for (const CurvePicture& curve : curves) pictures.push_back(curve.picture);
+  draw(pictures, folder);
+  write_file(folder / "index.html", page(result, curves, folder));
+}
+
+void ReportWriter::commit() { state_->folder.commit(); }
+
+}  // namespace cageproof::reports

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "json_value.h"
+#include "tables.h"
+
+#include <algorithm>
+
+namespace cageproof::reports {
+namespace {
+
+Json numbers(const std::vector<double>& values) {
+  Json json = Json::array();
+  for (const double value : values) json.push_back(json_number(value));
+  return json;
+}
+
+// Most bins are empty: the counts from the first to the last that is not.
+Json histogram(const std::vector<std::uint64_t>& counts) {
+  const auto used = [](std::uint64_t count) { return count != 0; };
+  const auto first = std::ranges::find_if(counts, used);
+  const auto last = std::find_if(counts.rbegin(), counts.rend(), used).base();
+  if (first == counts.end()) return {{"first", 0}, {"counts", Json::array()}};
+  return {{"first", first - counts.begin()}, {"counts", std::vector<std::uint64_t>(first, last)}};
+}
+
+Json row(const ResultRow& row, std::size_t& next_line) {
+  Json json{{"section", name_of(row.section)},
+            {"subject", row.subject},
+            {"evaluation", row.evaluation},
+            {"scalar", row.scalar},
+            {"regime", row.regime},
+            {"check", row.check},
+            {"place", row.place},
+            {"order", row.order},
+            {"unit", row.unit},
+            {"samples", row.samples},
+            {"nonfinite", row.nonfinite},
+            {"without_truth", row.without_truth},
+            {"declined", row.declined},
+            {"max", json_number(row.max)},
+            {"p999", json_number(row.p999)},
+            {"median", json_number(row.median)},
+            {"max_relative", json_number(row.max_relative)},
+            {"bound", row.bound ? json_number(*row.bound) : Json()},
+            {"reason", row.reason},
+            {"verdict", cageproof::name_of(row.verdict)},
+            {"histogram", histogram(row.histogram)},
+            {"worst_lines", Json::array()}};
+  for (std::size_t i = 0; i < row.worst.size(); ++i) json["worst_lines"].push_back(next_line++);
+  return json;
+}
+
+}  // namespace
+
+std::string_view name_of(ResultRow::Section section) {
+  return section == ResultRow::Section::Element ? "element" : "cage";
+}
+
+std::string summary_json(const RunResult& result) {
+  const auto count = [&](Verdict verdict) { return std::ranges::count(result.rows, verdict, &ResultRow::verdict); };
+  Json json{{"schema", "cageproof-summary"},
+            {"schema_version", 1},
+            {"all_kept", result.all_kept()},
+            {"promises",
+             {{"kept", count(Verdict::Kept)},
+              {"broken", count(Verdict::Broken)},
+              {"not_promised", count(Verdict::NotPromised)}}},
+            {"version", result.version},
+            {"suite", result.suite},
+            {"seed", result.seed},
+            {"settings", result.settings},
+            {"run",
+             {{"started", result.started},
+              {"seconds", json_number(result.seconds)},
+              {"command_line", result.command_line},
+              {"machine", result.machine}}},
+            {"notes", result.notes},
+            {"histogram_bins",
+             {{"bins_per_decade", ErrorHistogram::bins_per_decade},
+              {"lowest_decade", ErrorHistogram::lowest_decade},
+              {"highest_decade", ErrorHistogram::highest_decade},
+              {"first_and_last", "bin 0 holds errors below, the last bin errors above these decades"}}},
+            {"rows", Json::array()},
+            {"curves", Json::array()},
+            {"fields", Json::array()}};
+  std::size_t line = 1;
+  for (const ResultRow& r : result.rows) json["rows"].push_back(row(r, line));
+  for (const ResultCurve& curve : result.curves)
+    json["curves"].push_back({{"subject", curve.subject},
+                              {"evaluation", curve.evaluation},
+                              {"scalar", curve.scalar},
+                              {"regime", curve.regime},
+                              {"check", curve.check},
+                              {"order", curve.order},
+                              {"parameter_name", curve.parameter_name},
+                              {"parameters", numbers(curve.parameters)},
+                              {"errors", numbers(curve.errors)}});
+  for (const FieldEntry& field : result.fields)
+    json["fields"].push_back({{"title", field.title},
+                              {"unit", field.unit},
+                              {"data", field.data},
+                              {"picture", field.picture},
+                              {"largest", json_number(field.largest)}});
+  return dump(json) + "\n";
+}
+
+}  // namespace cageproof::reports

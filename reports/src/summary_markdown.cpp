@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/formula.h"
+#include "digest.h"
+#include "figure.h"
+#include "tables.h"
+
+#include <fmt/format.h>
+
+namespace cageproof::reports {
+namespace {
+
+constexpr std::size_t kMostBroken = 100;
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|' || c == '<' || c == '*' || c == '_' || c == '`' || c == '\\') result += '\\';
+    result += c == '\n' || c == '\r' ? ' ' : c;
+  }
+  return result;
+}
+
+std::string line(const std::vector<std::string>& cells) {
+  std::string text = "|";
+  for (const std::string& cell : cells) text += " " + cell + " |";
+  return text + "\n";
+}
+
+std::string head(const std::vector<std::string>& cells) {
+  std::string text = line(cells) + "|";
+  for (std::size_t i = 0; i < cells.size(); ++i) text += "---|";
+  return text + "\n";
+}
+
+std::string figure(const ResultRow* row) {
+  if (!row) return "";
+  return row->verdict == Verdict::Broken ? "**" + short_error(row->max) + "**" : short_error(row->max);
+}
+
+std::string broken(const RunResult& result) {
+  const Rows rows = broken_rows(result);
+  if (rows.empty()) return "";
+  std::string text = "\n## What fell short\n\nThe furthest beyond its bound first.\n\n" +
+                     head({"subject", "evaluation", "scalar", "regime or cage", "check", "place", "order",
+                           "largest found", "bound", "unit", "not finite"});
+  for (std::size_t i = 0; i < std::min(rows.size(), kMostBroken); ++i) {
+    const ResultRow& row = *rows[i];
+    text += line({escaped(row.subject), escaped(row.evaluation), escaped(row.scalar), escaped(row.regime),
+                  escaped(row.check), escaped(row.place), std::string(order_name(row.order)), figure(&row),
+                  row.bound ? short_number(*row.bound) : "", escaped(row.unit), grouped(row.nonfinite)});
+  }
+  if (rows.size() > kMostBroken)
+    text += fmt::format("\n... and {} more: results.csv has them all.\n", grouped(rows.size() - kMostBroken));
+  return text + "\nTheir worst inputs: worst.jsonl; `cageproof replay worst.jsonl` runs them again.\n";
+}
+
+std::string formulas(const RunResult& result) {
+  std::string text;
+  for (const std::string& subject : subjects(result, ResultRow::Section::Element)) {
+    const ErrorTable table = truth_table(result, subject);
+    if (table.rows.empty()) continue;
+    const Formula* formula = find_formula(subject);
+    text += fmt::format("\n### {}\n\n", escaped(subject));
+    if (formula)
+      text += fmt::format("{} = {} ({})\n\n", escaped(formula->symbol), escaped(formula->definition),
+                          escaped(formula->source));
+    std::vector<std::string> cells{"regime"};
+    for (const Column& column : table.columns) cells.push_back(escaped(column.evaluation + ", " + column.scalar));
+    text += head(cells);
+    for (const std::string& regime : table.regimes) {
+      cells = {escaped(regime)};
+      for (const Column& column : table.columns) {
+        std::string cell;
+        for (int order = 0; order < 3; ++order)
+          if (const ResultRow* row = table.at(regime, column, order)) cell += (cell.empty() ? "" : " · ") + figure(row);
+        cells.push_back(cell);
+      }
+      text += line(cells);
+    }
+  }
+  if (text.empty()) return text;
+  return "\n## Formulas against the truth\n\nLargest conditioned error found, value · gradient · Hessian; bold where a "
+         "promise is "
+         "broken.\n" +
+         text;
+}
+
+std::string properties(const RunResult& result) {
+  std::string text;
+  for (const std::string& subject : subjects(result, ResultRow::Section::Element))
+    for (const ResultRow* row : tightest_properties(result, subject))
+      text += line({escaped(subject), escaped(row->check), escaped(row->evaluation + ", " + row->scalar),
+                    std::string(order_name(row->order)), figure(row), row->bound ? short_number(*row->bound) : "",
+                    escaped(row->unit), escaped(row->regime)});
+  if (text.empty()) return text;
+  return "\n## Properties of formulas\n\nOf all regimes the one nearest to its bound.\n\n" +
+         head({"formula", "check", "evaluation", "order", "largest found", "bound", "unit", "regime"}) + text;
+}
+
+std::string cages(const RunResult& result) {
+  const CageTable table = cage_table(result);
+  if (table.lines.empty()) return "";
+  std::vector<std::string> cells{"cage", "check", "unit"};
+  for (const std::string& column : table.columns) cells.push_back(escaped(column));
+  std::string text = "\n## Cages\n\nLargest error found of all places.\n\n" + head(cells);
+  for (const CageTable::Line& l : table.lines) {
+    cells = {escaped(l.cage), escaped(l.check), escaped(l.unit)};
+    for (const ResultRow* row : l.cells) cells.push_back(figure(row));
+    text += line(cells);
+  }
+  return text;
+}
+
+std::string pairs(const std::string& title, const std::map<std::string, std::string>& map) {
+  if (map.empty()) return "";
+  std::string text = fmt::format("\n## {}\n\n", title);
+  for (const auto& [key, value] : map) text += fmt::format("* {}: {}\n", escaped(key), escaped(value));
+  return text;
+}
+
+}  // namespace
+
+std::string summary_markdown(const RunResult& result) {
+  std::string text = fmt::format("# Cageproof: {}\n\n", verdict_line(result));
+  text += fmt::format("Suite {}, seed {}, version {}.\n", escaped(result.suite), result.seed, escaped(result.version));
+  text += broken(result) + formulas(result) + properties(result) + cages(result);
+  if (!result.fields.empty()) {
+    text += "\n## Fields\n\n" + head({"field", "largest", "unit", "data", "picture"});
+    for (const FieldEntry& field : result.fields)
+      text += line({escaped(field.title), short_number(field.largest), escaped(field.unit), escaped(field.data),
+                    escaped(field.picture)});
+  }
+  if (!result.notes.empty()) text += "\n## Notes\n\n";
+  for (const std::string& note : result.notes) text += fmt::format("* {}\n", escaped(note));
+  text += pairs("Settings", result.settings) + pairs("Machine", result.machine);
+  text += fmt::format("\n## Run\n\n* command line: {}\n* started: {}\n* seconds: {:.1f}\n",
+                      escaped(result.command_line), escaped(result.started), result.seconds);
+  return text;
+}
+
+}  // namespace cageproof::reports

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/reports/worst_file.h"
+
+#include "cageproof/core/formula.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/scalar_text.h"
+#include "cageproof/reports/checked_file.h"
+#include "json_value.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace cageproof::reports {
+namespace {
+
+Json hex(const Vec3<double>& p) { return Json::array({format_hex(p[0]), format_hex(p[1]), format_hex(p[2])}); }
+
+std::string parameter_name(const Formula* formula, std::size_t k) {
+  return formula && k < formula->parameters.size() ? std::string(formula->parameters[k].name)
+                                                   : fmt::format("parameter{}", k);
+}
+
+Json line_of(const ResultRow& row, const WorstCase& worst, const RunResult& result) {
+  const bool element = row.section == ResultRow::Section::Element;
+  Json json{{element ? "formula" : "kind", row.subject},
+            {"evaluation", row.evaluation},
+            {"scalar", row.scalar},
+            {"regime", row.regime},
+            {"check", row.check},
+            {"place", row.place},
+            {"order", row.order},
+            {"unit", row.unit},
+            {"error", json_number(worst.error)},
+            {"bound", row.bound ? json_number(*row.bound) : Json()},
+            {"parameter", json_number(worst.parameter)},
+            {"sample", worst.sample},
+            {"flags", Json::array()},
+            {"element", Json::array()},
+            {"point", hex(worst.point)},
+            {"parameters", Json::object()}};
+  for (const std::string& flag : {element ? row.regime : std::string(), row.place})
+    if (!flag.empty()) json["flags"].push_back(flag);
+  for (const Vec3<double>& corner : worst.corners) json["element"].push_back(hex(corner));
+  const Formula* formula = element ? find_formula(row.subject) : nullptr;
+  for (std::size_t k = 0; k < worst.parameters.size(); ++k)
+    json["parameters"][parameter_name(formula, k)] = format_hex(worst.parameters[k]);
+  if (const auto rule = result.settings.find("triangulation"); rule != result.settings.end())
+    json["triangulation"] = rule->second;
+  return json;
+}
+
+// One line of the file, with what an error message needs.
+class LineReader {
+ public:
+  LineReader(const std::string& text, std::string where) : where_(std::move(where)) {
+    try {
+      json_ = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+      fail(fmt::format("malformed JSON at column {}", error.byte));
+    } catch (const Json::exception&) {
+      fail("malformed JSON: a number out of range");
+    }
+    if (!json_.is_object()) fail("not a JSON object");
+  }
+
+  bool has(const char* key) const { return json_.contains(key); }
+  const Json& at(const char* key) const {
+    if (!has(key)) fail(fmt::format("missing key \"{}\"", key));
+    return json_[key];
+  }
+  std::string text(const char* key) const {
+    if (!at(key).is_string()) fail(fmt::format("\"{}\" is not a string", key));
+    return at(key).get<std::string>();
+  }
+  double number(const char* key) const {
+    const auto value = number_of(at(key));
+    if (!value) fail(fmt::format("\"{}\" is not a number", key));
+    return *value;
+  }
+  std::uint64_t count(const char* key) const {
+    if (!at(key).is_number_unsigned()) fail(fmt::format("\"{}\" is not a count", key));
+    return at(key).get<std::uint64_t>();
+  }
+  const Json& array(const char* key) const {
+    if (!at(key).is_array()) fail(fmt::format("\"{}\" is not an array", key));
+    return at(key);
+  }
+  double exact(const Json& json, const char* key) const {
+    const auto value = json.is_string() ? parse_scalar<double>(json.get<std::string>()) : number_of(json);
+    if (!value) fail(fmt::format("\"{}\" holds {}, which is no number", key, dump(json)));
+    return *value;
+  }
+  Vec3<double> vector(const Json& json, const char* key) const {
+    if (!json.is_array() || json.size() != 3) fail(fmt::format("\"{}\" is not made of three coordinates", key));
+    return {exact(json[0], key), exact(json[1], key), exact(json[2], key)};
+  }
+  [[noreturn]] void fail(const std::string& reason) const { throw InputError(where_ + ": " + reason); }
+
+ private:
+  std::string where_;
+  Json json_;
+};
+
+void read_subject(const LineReader& in, WorstLine& line) {
+  line.section = in.has("kind") ? ResultRow::Section::Cage : ResultRow::Section::Element;
+  line.subject = in.text(in.has("kind") ? "kind" : "formula");
+}
+
+void read_parameters(const LineReader& in, WorstLine& line) {
+  const Json& json = in.at("parameters");
+  if (!json.is_object()) in.fail("\"parameters\" is not an object");
+  const Formula* formula = line.section == ResultRow::Section::Element ? find_formula(line.subject) : nullptr;
+  // By name where names are known, else in the order of the line.
+  const std::size_t known = formula ? formula->parameters.size() : 0;
+  for (std::size_t k = 0; k < known && !json.empty(); ++k) {
+    const std::string name = parameter_name(formula, k);
+    if (!json.contains(name)) in.fail(fmt::format("\"parameters\" lacks \"{}\"", name));
+    line.worst.parameters.push_back(in.exact(json[name], "parameters"));
+  }
+  if (known == 0)
+    for (const Json& value : json) line.worst.parameters.push_back(in.exact(value, "parameters"));
+}
+
+WorstLine read_line(const LineReader& in) {
+  WorstLine line;
+  read_subject(in, line);
+  line.evaluation = in.text("evaluation");
+  line.scalar = in.text("scalar");
+  line.regime = in.text("regime");
+  line.check = in.text("check");
+  line.place = in.text("place");
+  const std::uint64_t order = in.count("order");
+  if (order > 2) in.fail("\"order\" is not 0, 1 or 2");
+  line.order = static_cast<int>(order);
+  line.unit = in.text("unit");
+  line.worst.error = in.number("error");
+  if (!in.at("bound").is_null()) line.bound = in.number("bound");
+  line.worst.parameter = in.number("parameter");
+  line.worst.sample = in.count("sample");
+  for (const Json& flag : in.array("flags")) {
+    if (!flag.is_string()) in.fail("\"flags\" holds what is no string");
+    line.flags.push_back(flag.get<std::string>());
+  }
+  const Json& corners = in.array("element");
+  if (corners.size() > 4 || corners.size() == 1) in.fail("\"element\" does not have two, three or four corners");
+  for (const Json& corner : corners) line.worst.corners.push_back(in.vector(corner, "element"));
+  line.worst.point = in.vector(in.at("point"), "point");
+  read_parameters(in, line);
+  if (in.has("triangulation")) line.triangulation = in.text("triangulation");
+  return line;
+}
+
+}  // namespace
+
+std::string worst_lines(const RunResult& result) {
+  std::string lines;
+  for (const ResultRow& row : result.rows)
+    for (const WorstCase& worst : row.worst) lines += dump(line_of(row, worst, result)) + "\n";
+  return lines;
+}
+
+std::vector<WorstLine> read_worst(const std::filesystem::path& path) {
+  std::istringstream text(read_file(path));
+  std::vector<WorstLine> lines;
+  std::string line;
+  for (int number = 1; std::getline(text, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == line.npos) continue;
+    lines.push_back(read_line(LineReader(line, fmt::format("{}:{}", path.string(), number))));
+  }
+  if (lines.empty()) throw InputError(fmt::format("{}: holds no worst cases", path.string()));
+  return lines;
+}
+
+}  // namespace cageproof::reports

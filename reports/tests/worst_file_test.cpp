@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/reports/worst_file.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/reports/checked_file.h"
+#include "sample_run.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <bit>
+#include <cmath>
+
+namespace cageproof::reports {
+namespace {
+
+// Zero's sign and the bits of a NaN count, too.
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+bool same_bits(const Vec3<double>& a, const Vec3<double>& b) {
+  return same_bits(a[0], b[0]) && same_bits(a[1], b[1]) && same_bits(a[2], b[2]);
+}
+
+std::string message_of(const std::filesystem::path& path) {
+  try {
+    read_worst(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+class WorstFile : public ::testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& text) {
+    write_file(scratch_.path() / "worst.jsonl", text);
+    return scratch_.path() / "worst.jsonl";
+  }
+  ScratchFolder scratch_;
+};
+
+TEST_F(WorstFile, RoundTripIsExact) {
+  RunResult run = sample_run(2, 3);
+  run.rows[0].worst[0].error = HUGE_VAL;
+  run.rows[0].worst[0].parameter = 1e-300;
+  run.rows[0].worst[0].sample = ~std::uint64_t{0};
+  const std::vector<WorstLine> lines = read_worst(write(worst_lines(run)));
+  std::size_t at = 0;
+  for (const ResultRow& row : run.rows) {
+    for (const WorstCase& worst : row.worst) {
+      ASSERT_LT(at, lines.size());
+      const WorstLine& line = lines[at++];
+      EXPECT_EQ(line.section, row.section);
+      EXPECT_EQ(line.subject, row.subject);
+      EXPECT_EQ(line.evaluation, row.evaluation);
+      EXPECT_EQ(line.scalar, row.scalar);
+      EXPECT_EQ(line.regime, row.regime);
+      EXPECT_EQ(line.check, row.check);
+      EXPECT_EQ(line.place, row.place);
+      EXPECT_EQ(line.order, row.order);
+      EXPECT_EQ(line.unit, row.unit);
+      EXPECT_EQ(line.bound, row.bound);
+      EXPECT_EQ(line.triangulation, "shortest");
+      EXPECT_EQ(line.flags, std::vector<std::string>{row.place.empty() ? row.regime : row.place});
+      EXPECT_TRUE(same_bits(line.worst.error, worst.error));
+      EXPECT_TRUE(same_bits(line.worst.parameter, worst.parameter));
+      EXPECT_EQ(line.worst.sample, worst.sample);
+      EXPECT_TRUE(same_bits(line.worst.point, worst.point));
+      ASSERT_EQ(line.worst.corners.size(), worst.corners.size());
+      for (std::size_t k = 0; k < worst.corners.size(); ++k)
+        EXPECT_TRUE(same_bits(line.worst.corners[k], worst.corners[k]));
+    }
+  }
+  EXPECT_EQ(at, lines.size());
+}
+
+TEST_F(WorstFile, ParametersKeepTheirOrder) {
+  RunResult run = sample_run(1, 1);
+  run.rows.resize(1);
+  run.rows[0].subject = "someone's formula";
+  run.rows[0].worst.resize(1);
+  run.rows[0].worst[0].parameters = {0.3, 1e-320, -7.0};
+  EXPECT_EQ(read_worst(write(worst_lines(run)))[0].worst.parameters, run.rows[0].worst[0].parameters);
+}
+
+TEST_F(WorstFile, RowsWithoutWorstCasesAreLeftOut) {
+  RunResult run = sample_run(1, 1);
+  for (ResultRow& row : run.rows) row.worst.clear();
+  EXPECT_EQ(worst_lines(run), "");
+  EXPECT_NE(message_of(write("")).find("holds no worst cases"), std::string::npos);
+}
+
+TEST_F(WorstFile, BadLinesAreNamed) {
+  RunResult run = sample_run(1, 1);
+  run.rows.resize(1);
+  run.rows[0].worst.resize(1);
+  const nlohmann::json good = nlohmann::json::parse(worst_lines(run));
+  const auto complaint = [&](const std::string& line) { return message_of(write(good.dump() + "\n\n" + line + "\n")); };
+  const auto expect = [&](const std::string& line, const std::string& reason) {
+    const std::string message = complaint(line);
+    EXPECT_NE(message.find("worst.jsonl:3: "), std::string::npos) << message;
+    EXPECT_NE(message.find(reason), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  };
+  expect("{\"formula\":", "malformed JSON at column");
+  expect("{\"order\": 1e999}", "number out of range");
+  expect("[1, 2]", "not a JSON object");
+  for (const auto& [key, value] : good.items()) {
+    if (key == "triangulation") continue;
+    nlohmann::json bad = good;
+    bad.erase(key);
+    expect(bad.dump(), fmt::format("missing key \"{}\"", key));
+  }
+  const auto changed = [&](const char* key, const nlohmann::json& value) {
+    nlohmann::json bad = good;
+    bad[key] = value;
+    return bad.dump();
+  };
+  expect(changed("point", {"0x1p+0", "0x1p+0"}), "\"point\" is not made of three coordinates");
+  expect(changed("point", {"0x1p+0", "one", "0x1p+0"}), "\"point\" holds \"one\", which is no number");
+  expect(changed("element", {{"0x1p+0", nullptr, "0x1p+0"}, {1, 2, 3}}), "\"element\" holds null");
+  expect(changed("element", {{1, 2, 3}}), "two, three or four corners");
+  expect(changed("order", 3), "\"order\" is not 0, 1 or 2");
+  expect(changed("order", -1), "\"order\" is not a count");
+  expect(changed("error", "big"), "\"error\" is not a number");
+  expect(changed("sample", 1.5), "\"sample\" is not a count");
+  expect(changed("flags", "near-edge"), "\"flags\" is not an array");
+  expect(changed("flags", {1}), "\"flags\" holds what is no string");
+  expect(changed("scalar", 64), "\"scalar\" is not a string");
+  expect(changed("parameters", 1), "\"parameters\" is not an object");
+  EXPECT_EQ(complaint(good.dump()), "");
+  EXPECT_NE(message_of(scratch_.path() / "missing.jsonl").find("missing.jsonl: No such file"), std::string::npos);
+  EXPECT_NE(message_of(scratch_.path()).find("Is a directory"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cageproof::reports

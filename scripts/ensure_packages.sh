@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Installs the Debian packages that Cageproof needs and the machine lacks; silent when nothing is missing.
+# Says before what it installs and why. Exit 0: all there; 2: something is missing and could not be installed.
+# Where there is no dpkg it says what is needed and leaves the verdict to CMake.
+set -euo pipefail
+
+# One package a line, then why.
+packages() {
+  cat <<'LIST'
+g++                      C++20 compiler
+cmake                    configures the build
+ninja-build              runs the build
+libeigen3-dev            vectors and matrices
+libboost-dev             multiprecision numbers (Boost.Multiprecision), special constants, quadrature
+libmpfr-dev              arithmetic with 50 to 200 digits, under Boost.Multiprecision
+libgmp-dev               integers under MPFR
+libvtk9-dev              reads PLY, STL and VTP; writes fields for ParaView and pictures
+libtinyobjloader-dev     reads OBJ, keeping quads and the order of vertices
+libcli11-dev             command line
+nlohmann-json3-dev       JSON in and out
+libfmt-dev               text formatting
+libtbb-dev               uses all cores (oneTBB)
+librandom123-dev         counter-based random numbers: the same samples for any number of threads
+libxtensor-dev           writes NumPy's .npy
+libkainjow-mustache-dev  template of the report's page
+libgd-dev                small PNGs inside the report's page
+gnuplot-nox              draws the curves of a report, without a display
+fonts-dejavu-core        lettering of those curves
+libgtest-dev             unit tests
+libbenchmark-dev         benchmarks
+LIST
+}
+
+say() { printf '%s\n' "$*" >&2; }
+
+if ! command -v dpkg-query >/dev/null; then
+  say "Not a Debian system (no dpkg-query): Cageproof needs these, under your system's names:"
+  packages | sed 's/^/  /' >&2
+  say "Going on; CMake names what it does not find."
+  exit 0
+fi
+
+mapfile -t needed < <(packages | awk '{print $1}')
+# dpkg-query fails when it knows nothing of one name; what it prints of the others still counts.
+installed=$(dpkg-query --show --showformat='${Package} ${db:Status-Status}\n' "${needed[@]}" 2>/dev/null |
+  awk '$2 == "installed" {print $1}' || true)
+mapfile -t missing < <(grep --invert-match --line-regexp --fixed-strings --file=<(printf '%s\n' "$installed") \
+  <(printf '%s\n' "${needed[@]}") || true)
+((${#missing[@]})) || exit 0
+
+say "Cageproof needs ${#missing[@]} Debian package(s) that this machine lacks:"
+packages | awk -v missing=" ${missing[*]} " 'index(missing, " " $1 " ") {print "  " $0}' >&2
+
+install_command=(apt-get install -y --no-install-recommends "${missing[@]}")
+as_root=()
+if ((EUID != 0)); then
+  as_root=(sudo)
+  # Without a terminal sudo cannot ask for a password.
+  { : </dev/tty; } 2>/dev/null || as_root=(sudo -n)
+  if ! command -v sudo >/dev/null || ! "${as_root[@]}" true </dev/null 2>/dev/null; then
+    say "They cannot be installed from here: neither root nor sudo. Ask for this to be run as root, then start again:"
+    say "  ${install_command[*]}"
+    exit 2
+  fi
+fi
+
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+apt() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 "$@" </dev/null >>"$log" 2>&1
+}
+
+say "Installing them now (a minute or two): ${as_root[*]:+${as_root[*]} }${install_command[*]}"
+if ! apt "${install_command[@]:1}"; then
+  # Empty or stale package lists are the usual reason.
+  say "Not installable yet; refreshing the package lists (apt-get update) and trying again."
+  if ! { apt update && apt "${install_command[@]:1}"; }; then
+    cat "$log" >&2
+    say "The packages could not be installed; the reason is above. The command was:"
+    say "  ${install_command[*]}"
+    exit 2
+  fi
+fi
+say "Installed."

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The commands of `cageproof`. Each adds its options to the command line and sets what to run.
+#pragma once
+
+#include "cageproof/core/mesh_io.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace cageproof::cli {
+
+/// Exit codes, stable.
+enum ExitCode { all_kept = 0, promise_broken = 1, bad_input = 2 };
+
+/// Runs the chosen command; returns its exit code.
+using Action = std::function<int()>;
+
+void add_list(CLI::App& app, Action& action);
+void add_eval(CLI::App& app, Action& action);
+void add_coordinates(CLI::App& app, Action& action);
+void add_verify(CLI::App& app, Action& action, const std::string& command_line);
+void add_field(CLI::App& app, Action& action, const std::string& command_line);
+void add_replay(CLI::App& app, Action& action);
+
+/// Options that every command with a cage shares.
+struct CageArguments {
+  std::string file;  ///< a mesh file, or the name of an embedded cage
+  bool flip_inward = false;
+  std::string triangulate = "shortest";
+
+  void add_to(CLI::App& command, bool required);
+  /// \throws InputError as read_cage; names of embedded cages are taken first
+  Cage load() const;
+  Triangulation rule() const { return triangulate == "fan" ? Triangulation::Fan : Triangulation::Shortest; }
+};
+
+/// Points with the faces that they carry, if any: a mesh file, or text.
+/// \throws InputError as read_mesh and read_points
+Mesh load_points(const std::string& file);
+
+}  // namespace cageproof::cli

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Checks: what can be asked of one evaluation at one sample. Each knows the catalogue's data, and no formula.
+#pragma once
+
+#include "cageproof/validation/truth.h"
+
+#include <memory>
+#include <optional>
+
+namespace cageproof::validation {
+
+/// What a check is given.
+struct CheckInput {
+  const Formula& formula;
+  const Evaluation& evaluation;
+  ScalarKind scalar;
+  const Sample& sample;
+  int order;           ///< highest order to look at
+  const Truth& truth;  ///< of the sample
+};
+
+/// What a check finds at one order.
+struct Finding {
+  enum class Status {
+    Measured,
+    NoTruth,   ///< no limit exists, or the truth could not be reached
+    Declined,  ///< the evaluation said that it could not meet its tolerance
+    Unasked,   ///< the check says nothing of this order
+  } status = Status::Unasked;
+  double error = 0;     ///< in the check's unit
+  double relative = 0;  ///< plain relative error, for the check `truth`
+};
+
+/// One check. Stateless.
+class Check {
+ public:
+  virtual ~Check() = default;
+  virtual std::string_view name() const = 0;
+  /// "conditioned" (units of u times the conditioned denominator) or "relative".
+  virtual std::string_view unit() const { return "conditioned"; }
+  virtual std::string_view description() const = 0;
+  /// Whether to run in this combination.
+  virtual bool applies(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar,
+                       std::string_view regime) const = 0;
+  virtual std::array<Finding, 3> measure(const CheckInput& input) const = 0;
+};
+
+/// All checks of single elements, in report order: `truth` first.
+const std::vector<std::unique_ptr<Check>>& checks();
+
+/// The check of that name, or null.
+const Check* find_check(std::string_view name);
+
+}  // namespace cageproof::validation

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The table of promised bounds: the one place where a bound is written.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cageproof::validation {
+
+/// What is promised of one row of results.
+struct Promise {
+  std::optional<double> bound;  ///< in the check's unit; nothing: not promised
+  std::string_view reason;      ///< why the bound is what it is, or why there is none
+};
+
+/// What identifies a row of results.
+struct PromiseKey {
+  std::string_view check, subject, evaluation, scalar, regime;
+  int order;
+};
+
+/// The first row of the table that matches; a row with no bound for anything that none does.
+Promise promise_for(const PromiseKey& key);
+
+/// Whether `text` matches a pattern with `*` and `?`.
+bool matches(std::string_view pattern, std::string_view text);
+
+}  // namespace cageproof::validation

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/campaign.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/validation/promise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+// What one (evaluation, scalar, check, order) has found so far; merging does not depend on order.
+struct Tally {
+  ErrorHistogram errors;
+  WorstCases worst;
+  std::uint64_t without_truth = 0, declined = 0;
+  double max_relative = 0;
+  std::vector<double> by_parameter;
+
+  void merge(const Tally& other) {
+    errors.merge(other.errors);
+    worst.merge(other.worst);
+    without_truth += other.without_truth;
+    declined += other.declined;
+    max_relative = std::max(max_relative, other.max_relative);
+    by_parameter.resize(std::max(by_parameter.size(), other.by_parameter.size()), -1);
+    for (std::size_t i = 0; i < other.by_parameter.size(); ++i)
+      by_parameter[i] = std::max(by_parameter[i], other.by_parameter[i]);
+  }
+};
+
+// One check of one evaluation in one scalar: a job's smallest part.
+struct Part {
+  const Check* check;
+  Evaluation evaluation;
+  ScalarKind scalar;
+  int divisor;  // takes every divisor-th sample
+  int limit;    // and of these at most so many
+};
+
+// A formula in a regime, and all that is asked of it there.
+struct Plan {
+  const Formula* formula;
+  const Regime* regime;
+  Evaluation reference;  // the closed form, in multiprecision
+  std::vector<Part> parts;
+};
+
+using Tallies = std::vector<std::array<Tally, 3>>;  // by part, then order
+
+bool is_quadrature(const Evaluation& evaluation) { return evaluation.name() != "closed_form"; }
+
+// Steps through all decades of a sweep, whose lengths seven does not divide.
+constexpr int wide_stride = 7;
+
+int divisor_of(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const CampaignOptions& options) {
+  if (scalar != ScalarKind::Float && scalar != ScalarKind::Double) return wide_stride;
+  if (check.name() == "subdivision") return options.quadrature_divisor;  // four truths a sample
+  return is_quadrature(evaluation) || scalar == ScalarKind::Float ? options.quadrature_divisor : 1;
+}
+
+Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOptions& options) {
+  Plan plan{&formula, &regime, {}, {}};
+  auto& evaluations = EvaluationRegister::instance();
+  plan.reference = *evaluations.find(formula.name, "closed_form");
+  for (const auto& check : checks())
+    for (const std::string& name : evaluations.standard(formula.name)) {
+      // The gate is asked for whatever else is: without it there is no truth.
+      if (!matches(options.evaluations, name) && check->name() != "integral") continue;
+      const Evaluation evaluation = *evaluations.find(formula.name, name);
+      for (const ScalarKind scalar : scalar_kinds) {
+        if (!evaluation.supports(scalar) || !check->applies(formula, evaluation, scalar, regime.name)) continue;
+        const bool wide = scalar != ScalarKind::Float && scalar != ScalarKind::Double;
+        plan.parts.push_back({check.get(), evaluation, scalar, divisor_of(*check, evaluation, scalar, options),
+                              wide ? options.integral_samples : options.samples});
+      }
+    }
+  return plan;
+}
+
+void record(const Part& part, const Plan& plan, const Sample& sample, const std::array<Finding, 3>& findings,
+            std::array<Tally, 3>& tallies) {
+  for (int o = 0; o < 3; ++o) {
+    const Finding& finding = findings[o];
+    Tally& tally = tallies[o];
+    switch (finding.status) {
+      case Finding::Status::Unasked: continue;
+      case Finding::Status::NoTruth: ++tally.without_truth; continue;
+      case Finding::Status::Declined: ++tally.declined; continue;
+      case Finding::Status::Measured: break;
+    }
+    tally.errors.add(finding.error);
+    if (std::isfinite(finding.relative)) tally.max_relative = std::max(tally.max_relative, finding.relative);
+    if (tally.worst.wants(finding.error, sample.index))
+      tally.worst.add({finding.error, sample.parameter, sample.index, sample.corners, sample.point, sample.parameters});
+    const std::size_t decades = plan.regime->parameters.size();
+    if (decades == 0 || part.check->name() != "truth") continue;
+    tally.by_parameter.resize(decades, -1);
+    double& largest = tally.by_parameter[sample.index % decades];
+    largest = std::max(largest, finding.error);
+  }
+}
+
+constexpr int block_size = 16;
+
+// Samples [first, first + block_size) of a plan, in one scalar's rounding.
+void run_block(const Plan& plan, const CampaignOptions& options, int first, Tallies& tallies) {
+  for (int i = first; i < std::min(first + block_size, options.samples); ++i) {
+    const Sample exact = make_sample(*plan.formula, *plan.regime, options.seed, i);
+    for (const bool single : {false, true}) {
+      std::optional<Truth> truth;
+      const Sample sample = single ? rounded_to(ScalarKind::Float, exact) : exact;
+      for (std::size_t p = 0; p < plan.parts.size(); ++p) {
+        const Part& part = plan.parts[p];
+        if ((part.scalar == ScalarKind::Float) != single || i % part.divisor != 0 || i / part.divisor >= part.limit)
+          continue;
+        if (!truth) truth = truth_from(plan.reference, sample, 2);
+        const int order = std::min(2, part.evaluation.max_order());
+        record(part, plan, sample,
+               part.check->measure({*plan.formula, part.evaluation, part.scalar, sample, order, *truth}), tallies[p]);
+      }
+    }
+  }
+}
+
+void add_results(const Plan& plan, const Tallies& tallies, CampaignResult& result) {
+  for (std::size_t p = 0; p < plan.parts.size(); ++p) {
+    const Part& part = plan.parts[p];
+    for (int o = 0; o < 3; ++o) {
+      const Tally& tally = tallies[p][o];
+      if (tally.errors.count() + tally.without_truth + tally.declined == 0) continue;
+      ResultRow row;
+      row.subject = plan.formula->name;
+      row.evaluation = part.evaluation.name();
+      row.scalar = name_of(part.scalar);
+      row.regime = plan.regime->name;
+      row.check = part.check->name();
+      row.order = o;
+      row.unit = part.check->unit();
+      row.samples = tally.errors.count();
+      row.nonfinite = tally.errors.nonfinite();
+      row.without_truth = tally.without_truth;
+      row.declined = tally.declined;
+      row.max = tally.errors.max();
+      row.p999 = tally.errors.p999();
+      row.median = tally.errors.median();
+      row.max_relative = tally.max_relative;
+      row.worst = tally.worst.cases();
+      row.histogram.assign(tally.errors.counts().begin(), tally.errors.counts().end());
+      judge(row);
+      if (!tally.by_parameter.empty()) {
+        ResultCurve curve{row.subject, row.evaluation, row.scalar, row.regime, row.check, o,
+                          std::string(plan.regime->parameter_name), {}, {}};
+        for (std::size_t i = 0; i < tally.by_parameter.size(); ++i)
+          if (tally.by_parameter[i] >= 0) {
+            curve.parameters.push_back(plan.regime->parameters[i]);
+            curve.errors.push_back(tally.by_parameter[i]);
+          }
+        result.curves.push_back(std::move(curve));
+      }
+      result.rows.push_back(std::move(row));
+    }
+  }
+}
+
+// Where the closed form in multiprecision has not agreed with the integral, nothing that was measured against it counts.
+void withdraw_unproven(CampaignResult& result) {
+  const auto same_place = [](const ResultRow& a, const ResultRow& b) {
+    return a.subject == b.subject && a.regime == b.regime && a.order == b.order;
+  };
+  for (const ResultRow& gate : result.rows) {
+    if (gate.check != "integral" || gate.verdict == Verdict::Kept) continue;
+    result.notes.push_back(
+        gate.samples == 0
+            ? fmt::format("{}, {}, order {}: the integral confirmed the truth on none of {} samples (no limit, or fewer than "
+                          "30 digits)", gate.subject, gate.regime, gate.order, gate.without_truth)
+            : fmt::format("{}, {}, order {}: the closed form in multiprecision is not the integral; nothing measured against "
+                          "it counts", gate.subject, gate.regime, gate.order));
+    for (ResultRow& row : result.rows)
+      if (row.check != "integral" && row.verdict != Verdict::Broken && same_place(row, gate)) {
+        row.verdict = Verdict::NotPromised;
+        row.reason = "the truth is not confirmed by the integral here";
+      }
+  }
+}
+
+template <class Range, class Name>
+auto matching(const Range& range, const std::string& pattern, std::string_view what, Name name) {
+  std::vector<const std::ranges::range_value_t<Range>*> found;
+  for (const auto& item : range)
+    if (matches(pattern, name(item))) found.push_back(&item);
+  if (found.empty()) throw InputError(fmt::format("no {} matches '{}'; see `cageproof list`", what, pattern));
+  return found;
+}
+
+}  // namespace
+
+void judge(ResultRow& row) {
+  const Promise promise =
+      promise_for({row.check, row.subject, row.evaluation, row.scalar, row.regime, row.order});
+  row.bound = promise.bound;
+  row.reason = promise.reason;
+  // A row that measured nothing keeps no promise and breaks none.
+  row.verdict = !row.bound || row.samples == 0 ? Verdict::NotPromised
+                : row.max <= *row.bound        ? Verdict::Kept
+                                               : Verdict::Broken;
+}
+
+CampaignResult run_campaign(const CampaignOptions& options) {
+  std::vector<Plan> plans;
+  bool any_part = false;
+  const auto name_of_row = [](const auto& row) { return row.name; };
+  for (const Formula* formula : matching(catalogue(), options.formulas, "formula", name_of_row))
+    for (const Regime* regime : matching(regimes(), options.regimes, "regime", name_of_row)) {
+      plans.push_back(plan_for(*formula, *regime, options));
+      any_part = any_part || !plans.back().parts.empty();
+    }
+  if (!any_part)
+    throw InputError(fmt::format("no evaluation matches '{}'; see `cageproof list`", options.evaluations));
+
+  const std::size_t blocks = (options.samples + block_size - 1) / block_size;
+  std::vector<Tallies> tallies(plans.size() * blocks);
+  std::atomic<std::size_t> done{0};
+  for_each_parallel(tallies.size(), options.jobs, [&](std::size_t task) {
+    const Plan& plan = plans[task / blocks];
+    tallies[task].resize(plan.parts.size());
+    run_block(plan, options, static_cast<int>(task % blocks) * block_size, tallies[task]);
+    if (options.progress) options.progress(++done, tallies.size());
+  });
+
+  CampaignResult result;
+  for (std::size_t p = 0; p < plans.size(); ++p) {
+    Tallies merged(plans[p].parts.size());
+    for (std::size_t b = 0; b < blocks; ++b)
+      for (std::size_t part = 0; part < merged.size(); ++part)
+        for (int o = 0; o < 3; ++o) merged[part][o].merge(tallies[p * blocks + b][part][o]);
+    add_results(plans[p], merged, result);
+  }
+  withdraw_unproven(result);
+  return result;
+}
+
+}  // namespace cageproof::validation

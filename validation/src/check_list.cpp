@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "checks.h"
+
+#include <algorithm>
+
+namespace cageproof::validation {
+
+const std::vector<std::unique_ptr<Check>>& checks() {
+  static const CheckList all = [] {
+    CheckList list;
+    add_truth_checks(list);
+    add_symmetry_checks(list);
+    add_identity_checks(list);
+    return list;
+  }();
+  return all;
+}
+
+const Check* find_check(std::string_view name) {
+  const auto found = std::ranges::find_if(checks(), [&](const auto& check) { return check->name() == name; });
+  return found == checks().end() ? nullptr : found->get();
+}
+
+}  // namespace cageproof::validation

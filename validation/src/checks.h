@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Makers of the checks, one file a kind.
+#pragma once
+
+#include "cageproof/validation/check.h"
+#include "cageproof/validation/promise.h"
+
+namespace cageproof::validation {
+
+using CheckList = std::vector<std::unique_ptr<Check>>;
+
+void add_truth_checks(CheckList& list);      // truth, integral, stated_error
+void add_symmetry_checks(CheckList& list);   // scaling, rigid_motion, corner_permutation, orientation_flip
+void add_identity_checks(CheckList& list);   // laplacian, subdivision, gradient_by_differences, face_jump
+
+/// Properties are asked where `truth` is promised: elsewhere they would only repeat that it is not.
+inline bool truth_is_promised(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar,
+                              std::string_view regime) {
+  for (int order = 0; order < 3; ++order)
+    if (promise_for({"truth", formula.name, evaluation.name(), name_of(scalar), regime, order}).bound) return true;
+  return false;
+}
+
+/// u of a scalar as a multiprecision number.
+inline Mp100 roundoff_of(ScalarKind scalar) {
+  return with_scalar(scalar, []<Scalar R>() { return Mp100(unit_roundoff<R>()); });
+}
+
+/// The finding of an order whose truth does not exist, or of an error to be filled in.
+inline Finding finding_for(const Truth& truth, int order) {
+  Finding finding;
+  finding.status = truth.exists[order] ? Finding::Status::Measured : Finding::Status::NoTruth;
+  return finding;
+}
+
+/// Norm of a difference over a denominator; infinite where either is not finite or the denominator alone is zero.
+template <Scalar R>
+double ratio_of_difference(const std::vector<R>& a, const std::vector<R>& b, const Mp100& denominator) {
+  std::vector<Mp100> wide(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) wide[i] = Mp100(a[i]) - Mp100(b[i]);
+  const Mp100 error = norm(wide);
+  if (error == 0) return 0;
+  if (!isfinite(error) || denominator == 0) return std::numeric_limits<double>::infinity();
+  return static_cast<double>(Mp100(error / denominator));
+}
+
+}  // namespace cageproof::validation

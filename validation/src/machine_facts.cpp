@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/verify.h"
+
+#include <boost/version.hpp>
+#include <fmt/chrono.h>
+#include <tbb/version.h>
+
+#include <fstream>
+#include <thread>
+
+namespace cageproof::validation {
+namespace {
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+}  // namespace
+
+std::map<std::string, std::string> machine_facts() {
+  return {{"processor", processor()},
+          {"threads", fmt::format("{}", std::thread::hardware_concurrency())},
+          {"compiler", __VERSION__},
+          {"Boost", BOOST_LIB_VERSION},
+          {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"MPFR", mpfr_get_version()},
+          {"oneTBB", TBB_VERSION_STRING}};
+}
+
+std::string timestamp() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
+
+}  // namespace cageproof::validation

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/promise.h"
+
+#include <fnmatch.h>
+
+#include <array>
+
+namespace cageproof::validation {
+namespace {
+
+struct Row {
+  std::string_view check, subject, evaluation, scalar, regime;
+  int lowest_order, highest_order;
+  std::optional<double> bound;
+  std::string_view reason;
+};
+
+constexpr std::optional<double> none = std::nullopt;
+
+// First match wins. Bounds of conditioned rows are in units of the rounding error times conditioning.
+constexpr std::array table{
+    // The gate: the closed form in multiprecision against the integral.
+    Row{"integral", "*", "*", "*", "*", 0, 2, 1e-30, "30 digits, wherever the integral reaches them"},
+    // An evaluation with a tolerance.
+    Row{"stated_error", "*", "*", "*", "*", 0, 2, 1, "an evaluation's own statement of its error must hold"},
+    // The closed forms in double.
+    Row{"truth", "triangle.mean_value", "closed_form", "double", "*", 0, 2, none,
+        "the quotient by the height cancels in the derivatives; a form without it is to come"},
+    Row{"truth", "*", "closed_form", "double", "generic", 0, 2, 64, "backward stable: a few roundings times conditioning"},
+    Row{"truth", "*", "closed_form", "double", "near-face", 0, 2, 64, "backward stable"},
+    Row{"truth", "*", "closed_form", "double", "near-edge", 0, 2, 64, "backward stable"},
+    Row{"truth", "*", "closed_form", "double", "near-vertex", 0, 2, 64, "backward stable"},
+    Row{"truth", "*", "closed_form", "double", "near-plane", 0, 2, 64, "backward stable"},
+    Row{"truth", "*", "closed_form", "double", "*", 0, 2, none, "stated as found: cancellation far away and on slivers"},
+    Row{"truth", "*", "closed_form", "float", "*", 0, 2, none, "stated as found: single precision is not promised yet"},
+    Row{"truth", "*", "closed_form", "*", "*", 0, 2, none, "stated as found"},
+    Row{"truth", "*", "*", "*", "*", 0, 2, none, "a quadrature rule of fixed size: its error is what the report is for"},
+    // Properties: two evaluations, each within the promise of `truth`.
+    Row{"subdivision", "triangle.mean_value", "closed_form", "double", "*", 0, 2, none, "as truth"},
+    Row{"subdivision", "*", "closed_form", "double", "*", 0, 2, 320, "five evaluations within 64 each"},
+    Row{"laplacian", "*", "closed_form", "double", "*", 0, 2, 192, "three second derivatives within 64 each"},
+    Row{"scaling", "triangle.mean_value", "closed_form", "double", "*", 1, 2, none, "as truth"},
+    Row{"corner_permutation", "triangle.mean_value", "closed_form", "double", "*", 1, 2, none, "as truth"},
+    Row{"orientation_flip", "triangle.mean_value", "closed_form", "double", "*", 1, 2, none, "as truth"},
+    Row{"rigid_motion", "triangle.mean_value", "closed_form", "double", "*", 1, 2, none, "as truth"},
+    Row{"scaling", "*", "closed_form", "double", "*", 0, 2, 128, "two evaluations within 64 each"},
+    Row{"rigid_motion", "*", "closed_form", "double", "*", 0, 2, 128, "two evaluations within 64 each"},
+    Row{"corner_permutation", "*", "closed_form", "double", "*", 0, 2, 128, "two evaluations within 64 each"},
+    Row{"orientation_flip", "*", "closed_form", "double", "*", 0, 2, 128, "two evaluations within 64 each"},
+    Row{"gradient_by_differences", "*", "*", "mp100", "*", 1, 2, 1e-30,
+        "central differences of step 1e-25 sizes in 100 digits are good to 1e-34 or better"},
+    Row{"face_jump", "*", "*", "mp100", "*", 0, 0, 1e-30, "two points 1e-40 sizes off the face"},
+    // Cages, at points at least 1e-6 of their size away, and on them.
+    Row{"partition_of_unity", "mean_value", "*", "*", "*", 1, 2, none, "derivatives of the weights cancel next to the planes of faces"},
+    Row{"linear_reproduction", "mean_value", "*", "*", "*", 1, 2, none, "derivatives of the weights cancel next to the planes of faces"},
+    Row{"partition_of_unity", "*", "closed_form", "double", "*", 0, 2, 1e-12, "sums over a few hundred triangles, each to a few roundings"},
+    Row{"linear_reproduction", "*", "closed_form", "double", "*", 0, 2, 1e-12, "as the partition of unity, in units of the cage's size"},
+    Row{"zero_outside", "*", "closed_form", "double", "*", 0, 2, 1e-12, "as the partition of unity"},
+    Row{"interpolation", "*", "closed_form", "double", "*", 0, 2, 1e-12, "the hat functions themselves"},
+    Row{"cage_laplacian", "*", "closed_form", "double", "*", 2, 2, 1e-9, "terms cancel in the sum over far triangles"},
+    Row{"cage_truth", "*", "closed_form", "double", "*", 0, 0, 1e-12, "relative, norm-wise over a block of coordinates"},
+};
+
+}  // namespace
+
+bool matches(std::string_view pattern, std::string_view text) {
+  return fnmatch(std::string(pattern).c_str(), std::string(text).c_str(), 0) == 0;
+}
+
+Promise promise_for(const PromiseKey& key) {
+  for (const Row& row : table)
+    if (matches(row.check, key.check) && matches(row.subject, key.subject) && matches(row.evaluation, key.evaluation) &&
+        matches(row.scalar, key.scalar) && matches(row.regime, key.regime) && row.lowest_order <= key.order &&
+        key.order <= row.highest_order)
+      return {row.bound, row.reason};
+  return {std::nullopt, "stated as found"};
+}
+
+}  // namespace cageproof::validation

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/replay.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/mesh_io.h"
+#include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+double replay_element(const ResultRow& row, const WorstCase& worst) {
+  const Formula* formula = find_formula(row.subject);
+  if (!formula) throw InputError(fmt::format("unknown formula '{}'", row.subject));
+  const auto evaluation = EvaluationRegister::instance().find(row.subject, row.evaluation);
+  if (!evaluation) throw InputError(fmt::format("{} has no evaluation '{}'", row.subject, row.evaluation));
+  const auto scalar = scalar_named(row.scalar);
+  if (!scalar) throw InputError(fmt::format("unknown scalar '{}'", row.scalar));
+  const Check* check = find_check(row.check);
+  if (!check) throw InputError(fmt::format("unknown check '{}'", row.check));
+  if (static_cast<int>(worst.corners.size()) != formula->corners() ||
+      worst.parameters.size() != formula->parameters.size())
+    throw InputError(fmt::format("not an input of {}", row.subject));
+  const Sample sample{worst.corners, worst.point, worst.parameters, worst.parameter, worst.sample};
+  const Evaluation reference = *EvaluationRegister::instance().find(row.subject, "closed_form");
+  const Truth truth = truth_from(reference, sample, 2);
+  const int order = std::min(2, evaluation->max_order());
+  const Finding finding = check->measure({*formula, *evaluation, *scalar, sample, order, truth})[row.order];
+  return finding.status == Finding::Status::Measured ? finding.error : NAN;
+}
+
+double replay_cage(const ResultRow& row, const WorstCase& worst, Triangulation rule) {
+  const CoordinateKind* kind = find_coordinate_kind(row.subject);
+  if (!kind) throw InputError(fmt::format("unknown kind of coordinates '{}'", row.subject));
+  const auto names = embedded_cage_names();
+  const Cage cage = std::ranges::find(names, row.regime) != names.end()
+                        ? embedded_cage(row.regime)
+                        : read_cage(row.regime, {.flip_inward = true});
+  const CageCoordinates coordinates(cage, *kind, row.evaluation, rule);
+  if (row.check == "cage_truth")
+    return truth_errors_at(coordinates, {cage, *kind, "closed_form", rule}, worst.point, row.order)[row.order];
+  if (row.check == "interpolation") return interpolation_error_at(coordinates, worst.point);
+  const bool on_cage = !coordinates.touching(worst.point).empty();
+  const CageLocator locator(cage, rule);
+  const double expected =
+      on_cage || kind->normalised || locator.inside(worst.point) ? 1 : 0;
+  const CageErrors errors = errors_at(coordinates, cage, worst.point, expected, on_cage ? 0 : std::max(row.order, 0));
+  if (row.check == "cage_laplacian") return errors.laplacian;
+  if (row.check == "linear_reproduction") return errors.reproduction[row.order];
+  if (row.check == "partition_of_unity" || row.check == "zero_outside") return errors.partition[row.order];
+  throw InputError(fmt::format("unknown check '{}'", row.check));
+}
+
+}  // namespace
+
+double replay(const ResultRow& row, const WorstCase& worst, Triangulation rule) {
+  if (row.order < 0 || row.order > 2) throw InputError(fmt::format("unknown order {}", row.order));
+  return row.section == ResultRow::Section::Cage ? replay_cage(row, worst, rule) : replay_element(row, worst);
+}
+
+}  // namespace cageproof::validation

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The checks that compare with the truth.
+#include "checks.h"
+
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+/// An evaluation against the truth, in conditioned units.
+class TruthCheck final : public Check {
+ public:
+  std::string_view name() const override { return "truth"; }
+  std::string_view description() const override { return "against the truth, in units of rounding times conditioning"; }
+  bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
+    return evaluation.name() != "multiprecision" && (scalar == ScalarKind::Double || evaluation.name() == "closed_form");
+  }
+  std::array<Finding, 3> measure(const CheckInput& in) const override {
+    return with_scalar(in.scalar, [&]<Scalar R>() {
+      const Result<R> f = evaluate<R>(in.evaluation, in.sample, in.order);
+      const Mp100 u = roundoff_of(in.scalar);
+      std::array<Finding, 3> findings;
+      for (int o = 0; o <= in.order; ++o) {
+        findings[o] = finding_for(in.truth, o);
+        if (findings[o].status != Finding::Status::Measured) continue;
+        if (!f.converged) findings[o].status = Finding::Status::Declined;
+        findings[o].error = conditioned_error(f, in.truth, o, u);
+        findings[o].relative = relative_error(f, in.truth, o);
+      }
+      return findings;
+    });
+  }
+};
+
+/// The closed form in multiprecision against the integral of the kernel: what lets it stand in for the truth.
+class IntegralCheck final : public Check {
+ public:
+  std::string_view name() const override { return "integral"; }
+  std::string_view unit() const override { return "relative"; }
+  std::string_view description() const override {
+    return "closed form in multiprecision against the multiprecision integral of the kernel";
+  }
+  bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
+    return evaluation.name() == "closed_form" && scalar == ScalarKind::Digits100;
+  }
+  std::array<Finding, 3> measure(const CheckInput& in) const override {
+    const auto integral = EvaluationRegister::instance().find(in.formula.name, "multiprecision");
+    const Result<Mp100> closed = evaluate<Mp100>(in.evaluation, in.sample, in.order);
+    const Result<Mp50> truth = evaluate<Mp50>(*integral, in.sample, in.order);
+    std::array<Finding, 3> findings;
+    for (int o = 0; o <= in.order; ++o) {
+      std::vector<Mp100> reference;
+      bool limit = true;
+      for (const Mp50& x : truth.of(o)) {
+        reference.emplace_back(x);
+        limit = limit && !isnan(x);
+      }
+      findings[o].status = truth.converged && limit ? Finding::Status::Measured : Finding::Status::NoTruth;
+      if (findings[o].status == Finding::Status::Measured)
+        findings[o].relative = findings[o].error = ratio_of_difference(closed.of(o), reference, norm(reference));
+    }
+    return findings;
+  }
+};
+
+/// An evaluation that states how wrong it may be must be right about it.
+class StatedErrorCheck final : public Check {
+ public:
+  std::string_view name() const override { return "stated_error"; }
+  std::string_view unit() const override { return "of what is stated"; }
+  std::string_view description() const override {
+    return "error over the evaluation's own statement of it, 64 roundings times conditioning allowed";
+  }
+  bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
+    return evaluation.name() == "adaptive" && scalar == ScalarKind::Double;
+  }
+  std::array<Finding, 3> measure(const CheckInput& in) const override {
+    const Result<double> f = evaluate<double>(in.evaluation, in.sample, in.order);
+    std::array<Finding, 3> findings;
+    for (int o = 0; o <= in.order; ++o) {
+      findings[o] = finding_for(in.truth, o);
+      if (findings[o].status != Finding::Status::Measured) continue;
+      if (std::isnan(f.stated_digits)) {
+        findings[o].status = Finding::Status::Declined;
+        continue;
+      }
+      const Mp100 allowed = pow(Mp100(10), Mp100(-f.stated_digits)) * in.truth.norm[o] +
+                            64 * roundoff_of(in.scalar) * in.truth.conditioned[o];
+      findings[o].relative = relative_error(f, in.truth, o);
+      std::vector<Mp100> found;
+      for (const double x : f.of(o)) found.emplace_back(x);
+      findings[o].error = ratio_of_difference(found, in.truth.tensors.of(o), allowed);
+    }
+    return findings;
+  }
+};
+
+}  // namespace
+
+void add_truth_checks(CheckList& list) {
+  list.push_back(std::make_unique<TruthCheck>());
+  list.push_back(std::make_unique<IntegralCheck>());
+  list.push_back(std::make_unique<StatedErrorCheck>());
+}
+
+}  // namespace cageproof::validation

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/verify.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/reports/report_writer.h"
+#include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/campaign.h"
+#include "cageproof/validation/error_fields.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+using reports::ColourScale;
+
+class Run {
+ public:
+  explicit Run(const VerifyOptions& options) : options_(options), writer_(options.out) {
+    result_.version = CAGEPROOF_VERSION;
+    result_.suite = options.suite.name;
+    result_.seed = options.seed;
+    result_.command_line = options.command_line;
+    result_.machine = machine_facts();
+    result_.started = timestamp();
+    result_.settings = {{"triangulation", std::string(name_of(options.triangulation))},
+                        {"samples", fmt::format("{}", options.suite.samples)},
+                        {"integral samples", fmt::format("{}", options.suite.integral_samples)},
+                        {"formulas", options.formulas},
+                        {"evaluations", options.evaluations},
+                        {"regimes", options.regimes}};
+    if (options.cage) result_.settings["cage"] = options.cage->name();
+    if (options.mesh) result_.settings["points"] = options.mesh_name;
+  }
+
+  RunResult go() {
+    const auto start = std::chrono::steady_clock::now();
+    elements();
+    if (options_.cage) {
+      cage(*options_.cage);
+      if (options_.mesh) mesh(*options_.cage);
+    } else {
+      for (const auto name : embedded_cage_names()) cage(embedded_cage(name));
+    }
+    say("report", 0, 1);
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    writer_.write(result_);
+    writer_.commit();
+    say("report", 1, 1);
+    return result_;
+  }
+
+ private:
+  void say(const std::string& stage, std::size_t done, std::size_t all) const {
+    if (options_.progress) options_.progress(stage, done, all);
+  }
+
+  void elements() {
+    CampaignOptions campaign;
+    campaign.formulas = options_.formulas;
+    campaign.evaluations = options_.evaluations;
+    campaign.regimes = options_.regimes;
+    campaign.seed = options_.seed;
+    campaign.samples = options_.suite.samples;
+    campaign.integral_samples = options_.suite.integral_samples;
+    campaign.jobs = options_.jobs;
+    campaign.progress = [&](std::size_t done, std::size_t all) { say("elements", done, all); };
+    CampaignResult found = run_campaign(campaign);
+    result_.rows = std::move(found.rows);
+    result_.curves = std::move(found.curves);
+    result_.notes = std::move(found.notes);
+  }
+
+  CageCampaignOptions cage_options() const {
+    CageCampaignOptions campaign;
+    campaign.triangulation = options_.triangulation;
+    campaign.seed = options_.seed;
+    campaign.points = options_.suite.cage_points;
+    campaign.truth_points = options_.suite.truth_points;
+    campaign.jobs = options_.jobs;
+    return campaign;
+  }
+
+  void cage(const Cage& cage) {
+    say("cage " + cage.name(), 0, 1);
+    auto rows = run_cage_campaign(cage, cage_options());
+    result_.rows.insert(result_.rows.end(), rows.begin(), rows.end());
+    for (const CoordinateKind& kind : coordinate_kinds()) {
+      const auto title = fmt::format("{}, {} coordinates", cage.name(), kind.name);
+      add(writer_.write_image(reproduction_field(cage, kind, "closed_form", options_.triangulation,
+                                                 options_.suite.slice, options_.jobs),
+                              title + ": linear reproduction", "linear reproduction", ColourScale::Log10));
+      const auto triangles = cage.triangulate(options_.triangulation).triangles.size();
+      const double pairs = static_cast<double>(triangles * kind.blocks.size());
+      const int side = std::clamp(static_cast<int>(std::sqrt(options_.suite.pairs / pairs)), 12, options_.suite.slice);
+      add(writer_.write_image(
+          coordinate_error_field(cage, kind, "closed_form", options_.triangulation, side, options_.jobs),
+          title + ": closed form against truth", "relative error", ColourScale::Log10));
+    }
+    say("cage " + cage.name(), 1, 1);
+  }
+
+  void mesh(const Cage& cage) {
+    say("mesh " + options_.mesh_name, 0, 1);
+    MeshErrors errors = run_mesh_campaign(cage, options_.mesh->vertices, cage_options());
+    result_.rows.insert(result_.rows.end(), errors.rows.begin(), errors.rows.end());
+    errors.field.name = "mesh";
+    errors.field.faces = options_.mesh->faces;
+    for (const CoordinateKind& kind : coordinate_kinds()) {
+      MeshField field = errors.field;
+      field.name = fmt::format("mesh.{}", kind.name);
+      std::erase_if(field.arrays, [&](const auto& a) { return !a.name.starts_with(fmt::format("{}:", kind.name)); });
+      add(writer_.write_mesh(field, fmt::format("{} in {}, {} coordinates: linear reproduction", options_.mesh_name, cage.name(), kind.name),
+                             fmt::format("{}: linear reproduction", kind.name), ColourScale::Log10));
+    }
+    say("mesh " + options_.mesh_name, 1, 1);
+  }
+
+  void add(FieldEntry entry) { result_.fields.push_back(std::move(entry)); }
+
+  const VerifyOptions& options_;
+  reports::ReportWriter writer_;
+  RunResult result_;
+};
+
+}  // namespace
+
+const std::vector<Suite>& suites() {
+  static const std::vector<Suite> all{
+      {"quick", 96, 1, 60, 4, 40, 4000},
+      {"standard", 800, 4, 400, 16, 120, 40000},
+      {"full", 20000, 32, 4000, 64, 240, 400000},
+  };
+  return all;
+}
+
+RunResult verify(const VerifyOptions& options) { return Run(options).go(); }
+
+}  // namespace cageproof::validation
