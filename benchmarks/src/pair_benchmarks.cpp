@@ -41,7 +41,7 @@ void run(benchmark::State& state, const Evaluation& evaluation, const Inputs& in
   }
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   state.counters["ns_per_pair"] =
-      1e9 * seconds / (static_cast<double>(state.iterations()) * static_cast<double>(inputs.pairs.size()));
+      1e6 * seconds / (static_cast<double>(state.iterations()) * static_cast<double>(inputs.pairs.size()));
 }
 
 }  // namespace

@@ -32,6 +32,13 @@ const Mp100& step() {
   return h;
 }
 
+// Signed, unscaled height of the point over its triangle: positive outside.
+Mp100 height(const Query<Mp100>& query) {
+  const Vec3<Mp100> a = query.corners[1] - query.corners[0], b = query.corners[2] - query.corners[0];
+  const Vec3<Mp100> normal = a.cross(b);
+  return normal.dot(Vec3<Mp100>(query.point - query.corners[0]));
+}
+
 void add_conditioning(const Evaluation& reference, const Sample& sample, int order, Truth& truth) {
   QueryOf<Mp100> input(sample, order);
   Result<Mp100> moved;
@@ -39,7 +46,9 @@ void add_conditioning(const Evaluation& reference, const Sample& sample, int ord
     Mp100& x = input.coordinate(k);
     if (x == 0) continue;
     const Mp100 original = x;
-    x *= 1 + step();
+    x = original * (1 + step());
+    // On a face the function jumps: only moves that keep to its inner side are its own change.
+    if (truth.on_element && height(input.query()) > 0) x = original * (1 - step());
     reference(input.query(), moved);
     x = original;
     for (int o = 0; o <= order; ++o)
@@ -56,23 +65,28 @@ Mp100 norm(const std::vector<Mp100>& tensor) {
   return sqrt(sum);
 }
 
-bool lies_on_element(const Sample& sample) {
-  if (sample.corners.size() != 3) return false;
+Contact contact_of(const Sample& sample) {
+  if (sample.corners.size() != 3) return Contact::None;
   // 200 digits hold the products of three doubles exactly over 100 decades.
   std::array<Vec3<Mp200>, 3> p;
   for (int i = 0; i < 3; ++i) p[i] = convert<Mp200>(sample.corners[i]) - convert<Mp200>(sample.point);
-  const Vec3<Mp200> normal = (p[1] - p[0]).cross(p[2] - p[0]);
-  if (normal.dot(p[0]) != 0) return false;
-  for (int i = 0; i < 3; ++i)
-    if (p[i].cross(p[(i + 1) % 3]).dot(normal) < 0) return false;
-  return true;
+  const Vec3<Mp200> normal = Vec3<Mp200>(p[1] - p[0]).cross(Vec3<Mp200>(p[2] - p[0]));
+  if (normal.dot(p[0]) != 0) return Contact::None;
+  Contact contact = Contact::Face;
+  for (int i = 0; i < 3; ++i) {
+    const Mp200 side = p[i].cross(p[(i + 1) % 3]).dot(normal);
+    if (side < 0) return Contact::None;
+    if (side == 0) contact = Contact::Border;
+  }
+  return contact;
 }
 
 Truth truth_from(const Evaluation& reference, const Sample& sample, int order) {
   Truth truth;
   truth.tensors = evaluate<Mp100>(reference, sample, order);
   const Result<Mp200> wider = evaluate<Mp200>(reference, sample, order);
-  truth.on_element = lies_on_element(sample);
+  const Contact contact = contact_of(sample);
+  truth.on_element = contact != Contact::None;
   static const Mp100 agreement("1e-30");
   for (int o = 0; o <= order; ++o) {
     const std::vector<Mp100> confirmed = widened(wider.of(o));
@@ -81,7 +95,7 @@ Truth truth_from(const Evaluation& reference, const Sample& sample, int order) {
     truth.exists[o] = norm(difference(truth.tensors.of(o), confirmed)) <= agreement * truth.norm[o];
     truth.conditioned[o] = truth.norm[o];
   }
-  if (!truth.on_element) add_conditioning(reference, sample, order, truth);
+  if (contact != Contact::Border) add_conditioning(reference, sample, order, truth);
   return truth;
 }
 

@@ -80,6 +80,11 @@ class StatedErrorCheck final : public Check {
     for (int o = 0; o <= in.order; ++o) {
       findings[o] = finding_for(in.truth, o);
       if (findings[o].status != Finding::Status::Measured) continue;
+      // A relative statement says nothing about zero.
+      if (in.truth.norm[o] == 0) {
+        findings[o].status = Finding::Status::NoTruth;
+        continue;
+      }
       if (std::isnan(f.stated_digits)) {
         findings[o].status = Finding::Status::Declined;
         continue;

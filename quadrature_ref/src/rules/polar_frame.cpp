@@ -69,13 +69,21 @@ Nearest nearest_point(const LocalTriangle<R>& t, const std::array<EdgeLine, 3>& 
   return best;
 }
 
-// The integrand is singular in v where the ray's foot (cosh v = 0) or r at the edge vanishes.
-Singularities singular_points(const R& a, const R& along, const R& line_distance, double v0) {
-  const std::complex<double> edge_zero(static_cast<double>(along / a), static_cast<double>(line_distance / a));
-  const std::complex<double> foot(-v0, std::numbers::pi / 2);
-  const std::complex<double> v = std::asinh(edge_zero);
-  // sinh takes each value twice in the strip 0 < Im v < pi.
-  return {foot, v - v0, std::complex<double>(-v.real() - v0, std::numbers::pi - v.imag())};
+// The integrand is singular in v where the ray's foot (cosh v = 0) or r at the edge vanishes, and where w at the edge,
+// asinh of a cosh v / distance, has its branch points.
+Singularities singular_points(const R& a, const R& distance, const R& along, const R& line_distance, double v0) {
+  using Complex = std::complex<double>;
+  constexpr double kHalfPi = std::numbers::pi / 2;
+  const double branch = std::asinh(static_cast<double>(distance / a));
+  Singularities points{Complex(-v0, kHalfPi), Complex(branch - v0, kHalfPi), Complex(-branch - v0, kHalfPi)};
+  const Complex edge_zero(static_cast<double>(along / a), static_cast<double>(line_distance / a));
+  if (std::isfinite(std::norm(edge_zero))) {
+    // sinh takes each value twice in the strip 0 < Im v < pi.
+    const Complex v = std::asinh(edge_zero);
+    points.push_back(v - v0);
+    points.push_back(Complex(-v.real() - v0, std::numbers::pi - v.imag()));
+  }
+  return points;
 }
 
 }  // namespace
@@ -130,7 +138,8 @@ PolarFrame<R> polar_frame(const LocalTriangle<R>& t, const R& inward) {
     edge.reach = 2 * edge.a / line.length;
     const Vec3<R> start = t.corners[k] + t.normal * inward;
     const Vec3<R> to_line = start - line.u * dot(start, line.u);
-    edge.singular = singular_points(edge.a, R(-dot(frame.base, line.u)), length(to_line), static_cast<double>(edge.v0));
+    edge.singular = singular_points(edge.a, frame.distance, R(-dot(frame.base, line.u)), length(to_line),
+                                    static_cast<double>(edge.v0));
     frame.edges.push_back(std::move(edge));
   }
   return frame;

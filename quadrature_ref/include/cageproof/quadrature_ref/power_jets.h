@@ -44,7 +44,7 @@ void power_jet(const Node<R>& node, const R& scale, Jet<R>& jet) {
     const R slope = scale * r.second * M;
     for (int i = 0; i < 3; ++i) jet.gradient[i] = -(slope * x[i]);
     if constexpr (Order >= 2) {
-      const R bend = scale * r.third * (M * (M - 1));
+      const R bend = scale * r.third * (M * (M - 2));
       const std::array<R, 3> y{bend * x[0], bend * x[1], bend * x[2]};
       jet.hessian = {x[0] * y[0] + slope, x[0] * y[1], x[0] * y[2],
                      x[1] * y[1] + slope, x[1] * y[2], x[2] * y[2] + slope};

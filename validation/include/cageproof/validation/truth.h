@@ -16,7 +16,8 @@ struct Truth {
   std::array<bool, 3> exists{false, false, false};
   std::array<Mp100, 3> norm{};
   std::array<Mp100, 3> conditioned{};
-  /// True when the point lies exactly on the triangle: the function jumps there, so the yardstick is the norm alone.
+  /// True when the point lies exactly on the triangle. Within it the yardstick counts only moves to its inner side, since the function
+  /// may jump; on its border it is the norm alone.
   bool on_element = false;
 };
 
@@ -36,7 +37,8 @@ double conditioned_error(const Result<R>& f, const Truth& truth, int order, cons
 template <Scalar R>
 double relative_error(const Result<R>& f, const Truth& truth, int order);
 
-/// True when the sample's point lies on its triangle, border included, in exact arithmetic.
-bool lies_on_element(const Sample& sample);
+/// Where a sample's point lies on its triangle, in exact arithmetic.
+enum class Contact { None, Face, Border };
+Contact contact_of(const Sample& sample);
 
 }  // namespace cageproof::validation

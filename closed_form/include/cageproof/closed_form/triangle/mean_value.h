@@ -22,40 +22,79 @@ struct EvenIntegrals {
     // Two angles' difference is taken as one angle, which leaves no small divisor.
     const R reach = abs(e.h);
     const R angle = atan2(e.length * reach, reach * reach + product);
-    const R step = across + reach == 0 ? R(0) : R(d * d / (across + reach));
+    const R step = d * d / (across + reach);
     const R turn = atan2(e.length * step * (reach * across - product),
                          (reach * reach + product) * (e.D2 + product) + e.length * e.length * reach * across);
     const R sign = e.h < 0 ? R(-1) : R(1);
-    in_plane_rest = across == 0 ? R(0) : R(sign * (angle * step + reach * turn) / (across * d * d));
+    in_plane_rest = sign * (angle * step + reach * turn) / (across * d * d);
     if (order < 1) return;
     const R q0 = 1 / (e.r0 * e.r0), q1 = 1 / (e.r1 * e.r1);
     const R difference = e.length * (e.s0 + e.s1) * q0 * q1;  // 1/r0^2 - 1/r1^2
-    K4 = (e.s1 * q1 - e.s0 * q0 + K2) / (2 * e.D2);
     S4 = difference / 2;
-    K6 = (e.s1 * q1 * q1 - e.s0 * q0 * q0 + 3 * K4) / (4 * e.D2);
+    if (across == 0) {
+      // On the line beyond the ends r is the arc length itself.
+      K4 = abs(e.r1 * q1 * q1 - e.r0 * q0 * q0) / 3;
+      K6 = abs(e.r1 * q1 * q1 * q1 - e.r0 * q0 * q0 * q0) / 5;
+    } else {
+      K4 = (e.s1 * q1 - e.s0 * q0 + K2) / (2 * e.D2);
+      K6 = (e.s1 * q1 * q1 - e.s0 * q0 * q0 + 3 * K4) / (4 * e.D2);
+    }
     S6 = difference * (q0 + q1) / 4;
     SS6 = K4 - e.D2 * K6;
   }
   Vec3<R> gradient_K2(const FrameEdge<R>& e) const { return 2 * (S4 * e.u + K4 * e.D); }
+  Vec3<R> gradient_K4(const FrameEdge<R>& e) const { return 4 * (S6 * e.u + K6 * e.D); }
   Mat3<R> hessian_K2(const FrameEdge<R>& e) const {
     return -2 * K4 * Mat3<R>::Identity() + 8 * SS6 * e.u * e.u.transpose() + 8 * S6 * symmetric_outer<R>(e.u, e.D) +
            8 * K6 * e.D * e.D.transpose();
   }
 };
 
+/// The weights in the triangle's plane, outside it: zero, with w_k = d Y_k and Y_k = (G_k + Gamma_k sum h K4)/2 nearby.
+template <Scalar R>
+Jet<R, 3> mean_value_in_plane(const Frame<R>& f) {
+  Jet<R, 3> jet;
+  R hK4 = 0;
+  Vec3<R> grad_hK4 = Vec3<R>::Zero();
+  std::array<Vec3<R>, 3> grad_K2;
+  std::array<R, 3> K2;
+  for (int i = 0; i < 3; ++i) {
+    const FrameEdge<R>& e = f.edges[i];
+    const EvenIntegrals<R> even(e, R(0), 1);
+    K2[i] = even.K2;
+    grad_K2[i] = even.gradient_K2(e);
+    hK4 += e.h * even.K4;
+    grad_hK4 += e.h * even.gradient_K4(e) - even.K4 * e.nu;
+  }
+  for (int k = 0; k < 3; ++k) {
+    const Vec3<R> g = f.hat_gradient(k);
+    const R gamma = f.hat(k);
+    R Y = gamma * hK4;
+    Vec3<R> grad_Y = hK4 * g + gamma * grad_hK4;
+    for (int i = 0; i < 3; ++i) {
+      const R weight = f.edges[i].nu.dot(g);
+      Y += weight * K2[i];
+      grad_Y += weight * grad_K2[i];
+    }
+    jet.gradient[k] = (Y / 2) * f.n;
+    jet.hessian[k] = symmetric_outer<R>(f.n, grad_Y) / 2;
+  }
+  return jet;
+}
+
 /// w_t^k = int_t Gamma_k x.n/r^4, the unnormalised mean value weights ([T18] Eq 11; equal to Eq 12-14): 1/length; gradient 1/length^2;
 /// Hessian 1/length^3. With d the height, F = sum h K2 and G_k = sum (nu.g_k) K2 over the edges, w_k = (d G_k - Gamma_k F/d)/2.
-/// Within the triangle the weights diverge: they are infinite where the hat function is positive, and their ratios tend to the hat functions
-/// (derivatives: NaN). In the plane outside it they are zero, and their derivatives are not given (NaN).
+/// On the triangle the weights diverge: they are infinite where the hat function is positive, and their ratios tend to the hat functions
+/// (derivatives: NaN). In the plane outside it they are zero, their derivatives are not.
 /// Next to the plane the quotient F/d loses digits in the derivatives, not in the value.
 template <Scalar R>
 Jet<R, 3> mean_value(const Triangle<R>& t, const Vec3<R>& eta, int order) {
   const Frame<R> f(t, eta);
+  if (f.d == 0 && !f.on_triangle()) return finish(mean_value_in_plane(f), -1, f.unit);
   Jet<R, 3> jet;
   if (f.d == 0) {
-    const bool inside = f.on_triangle();
     for (int k = 0; k < 3; ++k)
-      if (inside && f.hat(k) > 0) jet.value[k] = std::numeric_limits<R>::infinity();
+      if (f.hat(k) > 0) jet.value[k] = std::numeric_limits<R>::infinity();
     return finish(jet, -1, f.unit, 1);
   }
   const std::array<EvenIntegrals<R>, 3> even{EvenIntegrals<R>(f.edges[0], f.d, order),

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/mesh_io.h"
+#include "cageproof/validation/cage_campaign.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+CageCampaignOptions few_points() {
+  CageCampaignOptions options;
+  options.points = 60;
+  options.truth_points = 2;
+  return options;
+}
+
+void expect_kept(const Cage& cage, const CageCampaignOptions& options) {
+  const auto rows = run_cage_campaign(cage, options);
+  EXPECT_FALSE(rows.empty());
+  for (const ResultRow& row : rows)
+    EXPECT_NE(row.verdict, Verdict::Broken)
+        << cage.name() << ' ' << row.subject << ' ' << row.check << ' ' << row.place << " order " << row.order << ": " << row.max;
+}
+
+TEST(cage_properties, hold_on_every_embedded_cage) {
+  for (const auto name : embedded_cage_names()) expect_kept(embedded_cage(name), few_points());
+}
+
+TEST(cage_properties, hold_on_real_cages_where_they_are) {
+  for (const auto* name : {"FireHydrant", "SpikyBox", "WireSphere", "Bench"}) {
+    const auto path = std::filesystem::path(CAGEPROOF_SHARED_DATA) / (std::string(name) + "_Cage.obj");
+    if (std::filesystem::exists(path)) expect_kept(read_cage(path), few_points());
+  }
+}
+
+TEST(cage_properties, fail_for_a_coarse_quadrature) {
+  CageCampaignOptions options = few_points();
+  options.evaluation = "gauss-4";
+  options.kinds = "green";
+  double worst = 0;
+  for (const ResultRow& row : run_cage_campaign(embedded_cage("cube"), options))
+    if (row.check == "partition_of_unity" && row.order == 0) worst = std::max(worst, row.max);
+  EXPECT_GT(worst, 1e-3);
+}
+
+TEST(locator, agrees_with_the_cube) {
+  const Cage cube = embedded_cage("cube");
+  const CageLocator locator(cube, Triangulation::Shortest);
+  Vec3<double> low = cube.vertices()[0], high = low;
+  for (const auto& v : cube.vertices()) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  for (const CagePoint& p : points_off(cube, locator, Triangulation::Shortest, 9, 500)) {
+    const bool within = (p.point - low).minCoeff() > 0 && (high - p.point).minCoeff() > 0;
+    if (p.place != Place::TooClose) {
+      EXPECT_EQ(p.place == Place::Inside, within);
+    }
+  }
+  EXPECT_NEAR(locator.distance(Vec3<double>(high + Vec3<double>(3, 0, 4))), 5, 1e-12);
+}
+
+TEST(coordinates, green_derivatives_agree_with_differences) {
+  const Cage cage = embedded_cage("l-block");
+  const CageCoordinates green(cage, *find_coordinate_kind("green"), "closed_form", Triangulation::Shortest);
+  const CageLocator locator(cage, Triangulation::Shortest);
+  for (const CagePoint& p : points_off(cage, locator, Triangulation::Shortest, 4, 6)) {
+    if (locator.distance(p.point) < 0.05) continue;
+    const auto at = green.at<double>(p.point, 2);
+    constexpr double h = 1e-5;
+    for (int a = 0; a < 3; ++a) {
+      Vec3<double> plus = p.point, minus = p.point;
+      plus[a] += h;
+      minus[a] -= h;
+      const auto up = green.at<double>(plus, 1), down = green.at<double>(minus, 1);
+      for (std::size_t b = 0; b < at.size(); ++b)
+        for (std::size_t i = 0; i < at[b].value.size(); ++i) {
+          EXPECT_NEAR((up[b].value[i] - down[b].value[i]) / (2 * h), at[b].gradient[3 * i + a], 1e-6);
+          for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR((up[b].gradient[3 * i + c] - down[b].gradient[3 * i + c]) / (2 * h), at[b].hessian[9 * i + 3 * c + a], 1e-4);
+        }
+    }
+  }
+}
+
+TEST(coordinates, mean_value_derivatives_agree_with_differences) {
+  const Cage cage = embedded_cage("cube");
+  const CageCoordinates lambda(cage, *find_coordinate_kind("mean_value"), "closed_form", Triangulation::Shortest);
+  const Vec3<double> centre = Vec3<double>(0.11, -0.07, 0.05);
+  const auto at = lambda.at<double>(centre, 2)[0];
+  constexpr double h = 1e-5;
+  for (int a = 0; a < 3; ++a) {
+    Vec3<double> plus = centre, minus = centre;
+    plus[a] += h;
+    minus[a] -= h;
+    const auto up = lambda.at<double>(plus, 1)[0], down = lambda.at<double>(minus, 1)[0];
+    for (std::size_t i = 0; i < at.value.size(); ++i) {
+      EXPECT_NEAR((up.value[i] - down.value[i]) / (2 * h), at.gradient[3 * i + a], 1e-7);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR((up.gradient[3 * i + c] - down.gradient[3 * i + c]) / (2 * h), at.hessian[9 * i + 3 * c + a], 1e-5);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cageproof::validation

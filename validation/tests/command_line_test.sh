@@ -1,0 +1,138 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The command line as a user meets it: what it answers, and how it refuses. Usage: command_line_test.sh PATH_OF_CAGEPROOF
+set -u
+cageproof=$1
+work=$(mktemp -d)
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# refuses WORDS... -- COMMAND...: exit 2, one line on standard error that holds every word, nothing left at $work/out.
+refuses() {
+  local words=()
+  while [ "$1" != -- ]; do words+=("$1"); shift; done
+  shift
+  "$@" >"$work/stdout" 2>"$work/stderr" </dev/null
+  local code=$?
+  [ $code -eq 2 ] || fail "exit $code, not 2: $*"
+  [ "$(wc -l <"$work/stderr")" -eq 1 ] || fail "not one line: $* : $(cat "$work/stderr")"
+  local word
+  for word in "${words[@]}"; do grep -qF -- "$word" "$work/stderr" || fail "no '$word' in: $(cat "$work/stderr")"; done
+  [ ! -e "$work/out" ] || fail "left something behind: $*"
+  [ -z "$(find "$work" -name '.out*' -print -quit)" ] || fail "left something aside: $*"
+}
+
+verify_cage() { "$cageproof" verify --suite quick --out "$work/out" --cage "$@"; }
+
+tetrahedron='v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1'
+good_faces='f 1 3 2
+f 1 2 4
+f 2 3 4
+f 1 4 3'
+write() { printf '%s\n' "${@:2}" >"$work/$1"; }
+
+# Bad cages.
+refuses missing.obj -- verify_cage "$work/missing.obj"
+: >"$work/empty.obj"
+refuses empty.obj -- verify_cage "$work/empty.obj"
+write truncated.obj 'v 0 0 0' 'v 1 0'
+refuses truncated.obj:2 -- verify_cage "$work/truncated.obj"
+write words.obj 'v 0 0 0' 'v 1 abc 0'
+refuses words.obj:2 -- verify_cage "$work/words.obj"
+write nan.obj 'v 0 0 nan' "$tetrahedron" "$good_faces"
+refuses nan.obj:1 -- verify_cage "$work/nan.obj"
+write index.obj "$tetrahedron" 'f 1 2 1000000000000'
+refuses index.obj:5 -- verify_cage "$work/index.obj"
+write hole.obj "$tetrahedron" 'f 1 3 2' 'f 1 2 4' 'f 2 3 4'
+refuses hole.obj 'face' -- verify_cage "$work/hole.obj"
+write bowtie.obj 'v 0 0 0' 'v 1 0 0' 'v 1 1 0' 'v 0 1 0' 'v 0 0 1' 'v 1 0 1' 'v 1 1 1' 'v 0 1 1' \
+  'f 1 3 2 4' 'f 5 6 7 8' 'f 1 2 6 5' 'f 2 3 7 6' 'f 3 4 8 7' 'f 4 1 5 8'
+refuses bowtie.obj face -- verify_cage "$work/bowtie.obj"
+write inverted.obj "$tetrahedron" 'f 1 2 3' 'f 1 4 2' 'f 2 4 3' 'f 1 3 4'
+refuses inverted.obj --flip-inward -- verify_cage "$work/inverted.obj"
+write flat.obj "$tetrahedron" 'v 2 0 0' "$good_faces" 'f 1 2 5'
+refuses flat.obj -- verify_cage "$work/flat.obj"
+
+# Bad points and names.
+write points.csv '0.1,0.2,0.3' '0.1,0.2'
+refuses points.csv:2 -- verify_cage cube --points "$work/points.csv"
+refuses --cage -- "$cageproof" verify --points "$work/points.csv" --out "$work/out"
+refuses nonsense -- "$cageproof" verify --formulas nonsense --out "$work/out"
+refuses nonsense -- "$cageproof" verify --evaluations nonsense --out "$work/out"
+refuses nonsense -- "$cageproof" verify --regimes nonsense --out "$work/out"
+refuses suite -- "$cageproof" verify --suite nonsense --out "$work/out"
+refuses nonsense -- "$cageproof" eval --formula nonsense --evaluation closed_form
+refuses gauss-0 -- "$cageproof" eval --formula triangle.single_layer --evaluation gauss-0
+refuses nonsense -- "$cageproof" field --formula nonsense --evaluation closed_form --out "$work/out"
+refuses nonsense -- "$cageproof" coordinates --cage cube --points "$work/missing.csv" --kind nonsense
+refuses missing.csv -- "$cageproof" coordinates --cage cube --points "$work/missing.csv" --kind green
+refuses missing.jsonl -- "$cageproof" replay "$work/missing.jsonl"
+write bad.jsonl '{"formula":'
+refuses bad.jsonl:1 -- "$cageproof" replay "$work/bad.jsonl"
+refuses subcommand -- "$cageproof"
+refuses "$work/nowhere" -- "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out "$work/nowhere/out"
+write one.csv '0.1 0.2 0.3'
+refuses .doc -- "$cageproof" coordinates --cage cube --points "$work/one.csv" --kind green --out "$work/out.doc"
+refuses "$work/nowhere" -- "$cageproof" coordinates --cage cube --points "$work/one.csv" --kind green --out "$work/nowhere/x.csv"
+
+# A full disk.
+if [ -e /dev/full ]; then
+  echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1]}' |
+    "$cageproof" eval --formula triangle.single_layer --evaluation closed_form >/dev/full 2>"$work/stderr"
+  [ $? -eq 2 ] || fail "a full disk is not exit 2 for eval"
+fi
+(ulimit -f 40; trap '' XFSZ
+ "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out "$work/out" >/dev/null 2>"$work/stderr")
+[ $? -eq 2 ] || fail "a file that cannot be written is not exit 2: $(cat "$work/stderr")"
+[ ! -e "$work/out" ] || fail "half a report"
+
+# eval goes on after a bad line, says which, and exits 2.
+printf '%s\n' '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0.25,0.25,"0x1p-4"]}' '{"element":' \
+  '{"element":[[0,0,0],[1,0,0]],"point":[0,0,1]}' '{"element":[[0,0,0],[1,0,0],[2,0,0]],"point":[0,0,1]}' \
+  '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1e999]}' '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0]}' \
+  '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1]}' |
+  "$cageproof" eval --formula triangle.double_layer --evaluation closed_form --order 2 >"$work/stdout"
+[ $? -eq 2 ] || fail "eval with bad lines is not exit 2"
+[ "$(grep -c '"value"' "$work/stdout")" -eq 2 ] || fail "eval: two good lines"
+for n in 2 3 4 5 6; do grep -q "\"error\":.*\"line\":$n}" "$work/stdout" || fail "eval: no error for line $n"; done
+
+# Multiprecision takes and gives more digits than a double has.
+printf '%s\n' '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":["0.1","0.1","0.1"]}' \
+  '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0.1,0.1,0.1]}' '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":["0x1.999999999999ap-4",0.1,0.1]}' |
+  "$cageproof" eval --formula triangle.single_layer --evaluation closed_form --scalar mp100 >"$work/stdout"
+[ "$(sed -n 1p "$work/stdout")" = "$(sed -n 2p "$work/stdout")" ] || fail "a JSON number loses digits in mp100"
+[ "$(sed -n 1p "$work/stdout")" != "$(sed -n 3p "$work/stdout")" ] || fail "a hexadecimal double is not its decimal"
+
+# coordinates: a row a point, and sums of one.
+write three.csv 'x,y,z' '0.1,0.2,0.3' '-0.2,0.1,0' '0,0,0'
+"$cageproof" coordinates --cage cube --points "$work/three.csv" --kind mean_value >"$work/stdout" || fail "coordinates"
+awk -F, 'NR > 1 { s = 0; for (i = 1; i <= NF; i++) s += $i; if (s < 0.999999999 || s > 1.000000001) exit 1 } END { if (NR != 4) exit 1 }' \
+  "$work/stdout" || fail "coordinates do not sum to one"
+for kind in csv npy vtp; do
+  "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind green --out "$work/c.$kind" && [ -s "$work/c.$kind" ] || fail "$kind"
+done
+
+# verify, its report, and replay.
+"$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes 'near-face' --cage cube --out "$work/report" >"$work/stdout"
+[ $? -eq 0 ] || fail "verify: $(cat "$work/stdout")"
+for file in summary.json summary.md results.csv worst.jsonl index.html fields pictures; do
+  [ -e "$work/report/$file" ] || fail "no $file"
+done
+"$cageproof" replay "$work/report/worst.jsonl" >"$work/stdout" || fail "replay: $(tail -n 3 "$work/stdout")"
+[ "$(wc -l <"$work/stdout")" -eq "$(wc -l <"$work/report/worst.jsonl")" ] || fail "replay: a line a case"
+awk '{ if (!match($0, /error [^ ]+/)) exit 1; e = substr($0, RSTART + 6, RLENGTH - 6); if (!match($0, /stored [^)]+/)) exit 1
+       s = substr($0, RSTART + 7, RLENGTH - 7); if (e != s) { print; exit 1 } }' "$work/stdout" || fail "replay differs from what was stored"
+"$cageproof" field --formula triangle.single_layer --evaluation gauss-4 --resolution 12 --out "$work/field" >/dev/null || fail field
+[ -n "$(find "$work/field/fields" -name '*.vti')" ] || fail "field: no .vti"
+"$cageproof" list --json | grep -q triangle.mean_value || fail "list --json"
+
+[ $failures -eq 0 ] && echo "all of the command line answers as it should"
+exit $failures
