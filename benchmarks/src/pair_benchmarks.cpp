@@ -41,7 +41,7 @@ void run(benchmark::State& state, const Evaluation& evaluation, const Inputs& in
   }
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   state.counters["ns_per_pair"] =
-      1e6 * seconds / (static_cast<double>(state.iterations()) * static_cast<double>(inputs.pairs.size()));
+      1e9 * seconds / (static_cast<double>(state.iterations()) * static_cast<double>(inputs.pairs.size()));
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ std::vector<std::string> register_pair_benchmarks() {
     for (const std::string& evaluation_name : evaluations.standard(formula.name)) {
       const auto evaluation = evaluations.find(formula.name, evaluation_name);
       if (!evaluation || !evaluation->supports<double>()) continue;
-      for (int order = 0; order <= evaluation->max_order(); ++order) {
+      for (int order = 0; order < evaluation->max_order(); ++order) {
         names.push_back(fmt::format("pair/{}/{}/{}", formula.name, evaluation_name, kOrderNames[order]));
         benchmark::RegisterBenchmark(
             names.back().c_str(),

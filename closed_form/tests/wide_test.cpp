@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/closed_form/wide.h"
+#include "cageproof/closed_form/triangle/frame.h"
 #include "cageproof/core/random_stream.h"
 
 #include <gtest/gtest.h>
@@ -27,20 +27,28 @@ TEST(two_doubles, sums_and_products_keep_a_hundred_bits) {
   }
 }
 
-TEST(two_doubles, heights_of_points_next_to_a_plane_keep_their_sign) {
-  // The plane through the origin is met to the last bit; one ulp decides the side.
-  for (int i = 0; i < 1000; ++i) {
+TEST(frame, the_side_of_the_plane_and_of_the_edges_is_exact) {
+  // Points computed on the triangle lie an ulp off it, or exactly on it.
+  int exact_hits = 0;
+  for (int i = 0; i < 4000; ++i) {
     RandomStream random(9, "wide", i);
-    Vec3<double> p[3];
-    for (auto& v : p) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    const Vec3<double> eta = 0.3 * p[0] + 0.3 * p[1] + 0.4 * p[2];
-    const auto a = wide_difference<double>(p[1], p[0]), b = wide_difference<double>(p[2], p[0]);
-    const double found = static_cast<double>(dot(cross(a, b), wide_difference<double>(eta, p[0])));
-    const Vec3<Mp100> A = convert<Mp100>(p[1]) - convert<Mp100>(p[0]), B = convert<Mp100>(p[2]) - convert<Mp100>(p[0]);
-    const Mp100 height = A.cross(B).dot(Vec3<Mp100>(convert<Mp100>(eta) - convert<Mp100>(p[0])));
-    EXPECT_EQ(found > 0, height > 0);
-    EXPECT_NEAR(found, static_cast<double>(height), 1e-12 * std::abs(found));
+    Triangle<double> t;
+    for (auto& v : t) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const double a = i % 2 == 0 ? 0.3 : 0.0;
+    const Vec3<double> eta = a * t[0] + 0.25 * t[1] + (0.75 - a) * t[2];
+    const Frame<double> frame(t, eta);
+    const Vec3<Mp200> p0 = convert<Mp200>(t[0]), p1 = convert<Mp200>(t[1]), p2 = convert<Mp200>(t[2]);
+    const Vec3<Mp200> x = convert<Mp200>(eta);
+    const Vec3<Mp200> normal = Vec3<Mp200>(p1 - p0).cross(Vec3<Mp200>(p2 - p0));
+    const Mp200 height = normal.dot(Vec3<Mp200>(x - p0));
+    const Mp200 beside = Vec3<Mp200>(p2 - p1).cross(normal).dot(Vec3<Mp200>(p1 - x));
+    EXPECT_EQ(frame.d > 0, height > 0);
+    EXPECT_EQ(frame.d == 0, height == 0);
+    EXPECT_EQ(frame.edges[1].h > 0, beside > 0);
+    EXPECT_EQ(frame.edges[1].h == 0, beside == 0);
+    exact_hits += height == 0;
   }
+  EXPECT_GT(exact_hits, 0);
 }
 
 }  // namespace

@@ -74,6 +74,28 @@ R unit_of(const R& x) {
   else return std::ldexp(R(1), std::ilogb(x) + 1);
 }
 
+/// Edge i, its in-plane normal e x N and N itself, exactly: 200 digits hold these products of doubles over 30 decades of size.
+template <Scalar R>
+struct ExactPlane {
+  std::array<Vec3<Mp200>, 3> p;
+  Vec3<Mp200> normal;
+
+  ExactPlane(const Triangle<R>& t, const Vec3<R>& eta, const R& scale) {
+    for (int i = 0; i < 3; ++i) p[i] = convert<Mp200>(Vec3<R>(t[i] * scale)) - convert<Mp200>(Vec3<R>(eta * scale));
+    normal = Vec3<Mp200>(p[1] - p[0]).cross(Vec3<Mp200>(p[2] - p[0]));
+  }
+  R height() const { return static_cast<R>(Mp200(normal.dot(p[0]))); }
+  R beside(int i) const {
+    return static_cast<R>(Mp200(Vec3<Mp200>(p[(i + 1) % 3] - p[i]).cross(normal).dot(p[i])));
+  }
+};
+
+/// Below this multiple of its terms, in frame units, a product in Wide arithmetic may have lost its sign, and is done again exactly.
+template <std::floating_point R>
+constexpr R doubtful() {
+  return 4096 * std::numeric_limits<R>::epsilon() * std::numeric_limits<R>::epsilon();
+}
+
 template <Scalar R>
 Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) {
   using std::abs, std::max, std::sqrt;
@@ -98,7 +120,10 @@ Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) {
   n = N / area2;
   int nearest = r[0] <= r[1] ? 0 : 1;
   if (r[2] < r[nearest]) nearest = 2;
-  d = -static_cast<R>(dot(normal, wp[nearest])) / area2;
+  R volume = static_cast<R>(dot(normal, wp[nearest]));
+  if constexpr (!is_multiprecision<R>)
+    if (abs(volume) <= doubtful<R>() * r[nearest]) volume = ExactPlane<R>(t, eta, scale).height();
+  d = -volume / area2;
   for (int i = 0; i < 3; ++i) {
     FrameEdge<R>& e = edges[i];
     const int j = (i + 1) % 3;
@@ -107,7 +132,11 @@ Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) {
     e.u = vector / e.length;
     const WideVec<Wide<R>> outward = cross(we[i], normal);
     e.nu = narrow<R>(outward) / (e.length * area2);
-    e.h = static_cast<R>(dot(outward, wp[r[i] <= r[j] ? i : j])) / (e.length * area2);
+    const R near_end = r[i] <= r[j] ? r[i] : r[j];
+    R beside = static_cast<R>(dot(outward, wp[r[i] <= r[j] ? i : j]));
+    if constexpr (!is_multiprecision<R>)
+      if (abs(beside) <= doubtful<R>() * near_end) beside = ExactPlane<R>(t, eta, scale).beside(i);
+    e.h = beside / (e.length * area2);
     e.s0 = static_cast<R>(dot(we[i], wp[i])) / e.length;
     e.s1 = static_cast<R>(dot(we[i], wp[j])) / e.length;
     e.r0 = r[i];
