@@ -54,7 +54,7 @@ std::vector<std::string> register_pair_benchmarks() {
     for (const std::string& evaluation_name : evaluations.standard(formula.name)) {
       const auto evaluation = evaluations.find(formula.name, evaluation_name);
       if (!evaluation || !evaluation->supports<double>()) continue;
-      for (int order = 0; order < evaluation->max_order(); ++order) {
+      for (int order = 0; order <= evaluation->max_order(); ++order) {
         names.push_back(fmt::format("pair/{}/{}/{}", formula.name, evaluation_name, kOrderNames[order]));
         benchmark::RegisterBenchmark(
             names.back().c_str(),

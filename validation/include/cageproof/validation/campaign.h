@@ -15,7 +15,7 @@ struct CampaignOptions {
   std::string regimes = "*";
   std::uint64_t seed = 1;
   int samples = 1000;          ///< a formula and regime, in double
-  int quadrature_divisor = 8;  ///< quadrature rules and float take every n-th of them
+  int quadrature_divisor = 7;  ///< quadrature rules and float take every n-th of them; prime to every sweep's length
   int integral_samples = 4;    ///< a formula and regime, for the multiprecision integral
   int jobs = 0;                ///< threads; 0: all cores
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< called from any thread
