@@ -157,7 +157,7 @@ Picture draw_curves(const RunResult& result, const Curves& curves, const Styles&
     return std::ranges::any_of(curve->errors, [](double error) { return !std::isfinite(error); });
   });
   const std::vector<std::string> entries = legend(curves, styles, any_promise, any_infinite);
-  constexpr std::size_t most_in_a_row = 5;
+  constexpr std::size_t most_in_a_row = 3;  // what fits the width with the longest names
   const std::size_t rows = (entries.size() + most_in_a_row - 1) / most_in_a_row,
                     columns = (entries.size() + rows - 1) / rows;
   const int panel_height = 215, legend_height = 34 + 18 * static_cast<int>(rows),

@@ -57,7 +57,7 @@ void require_replaceable(const fs::path& out) {
 fs::path resolved(const fs::path& out) {
   if (out.empty()) throw InputError("cannot write the report: its folder has an empty name");
   std::error_code error;
-  fs::path path = fs::weakly_canonical(out, error);
+  fs::path path = fs::weakly_canonical(fs::absolute(out), error);
   if (error) fail(out, error.message());
   if (!path.has_filename()) path = path.parent_path();
   if (!path.has_filename()) fail(out, "it is the root of the file system");

@@ -217,7 +217,8 @@ CampaignResult run_campaign(const CampaignOptions& options) {
   for (const Formula* formula : matching(catalogue(), options.formulas, "formula", name_of_row))
     for (const Regime* regime : matching(regimes(), options.regimes, "regime", name_of_row)) {
       plans.push_back(plan_for(*formula, *regime, options));
-      any_part = any_part || !plans.back().parts.empty();
+      for (const Part& part : plans.back().parts)
+        any_part = any_part || matches(options.evaluations, part.evaluation.name());
     }
   if (!any_part)
     throw InputError(fmt::format("no evaluation matches '{}'; see `cageproof list`", options.evaluations));

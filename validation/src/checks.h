@@ -37,7 +37,11 @@ inline Finding finding_for(const Truth& truth, int order) {
 template <Scalar R>
 double ratio_of_difference(const std::vector<R>& a, const std::vector<R>& b, const Mp100& denominator) {
   std::vector<Mp100> wide(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) wide[i] = Mp100(a[i]) - Mp100(b[i]);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    // In the operands' own precision: the difference may be below 100 digits of either.
+    if constexpr (is_multiprecision<R>) wide[i] = Mp100(R(a[i] - b[i]));
+    else wide[i] = Mp100(a[i]) - Mp100(b[i]);
+  }
   const Mp100 error = norm(wide);
   if (error == 0) return 0;
   if (!isfinite(error) || denominator == 0) return std::numeric_limits<double>::infinity();

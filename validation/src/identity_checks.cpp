@@ -14,6 +14,12 @@ double longest_edge(const Sample& sample) {
   return longest;
 }
 
+Mp100 norm_of(const std::vector<Mp200>& tensor) {
+  std::vector<Mp100> narrow;
+  for (const Mp200& x : tensor) narrow.emplace_back(x);
+  return norm(narrow);
+}
+
 /// The trace of the Hessian: zero for harmonic formulas, another formula's value for biharmonic ones.
 class LaplacianCheck final : public Check {
  public:
@@ -107,27 +113,27 @@ class SubdivisionCheck final : public Check {
   }
 };
 
-/// Gradient and Hessian against central differences of value and gradient, in 100 digits.
+/// Gradient and Hessian against central differences of value and gradient, in 200 digits.
 class DifferencesCheck final : public Check {
  public:
   std::string_view name() const override { return "gradient_by_differences"; }
   std::string_view unit() const override { return "relative"; }
-  std::string_view description() const override { return "derivatives against central differences, in 100 digits"; }
+  std::string_view description() const override { return "derivatives against central differences, in 200 digits"; }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view regime) const override {
-    return evaluation.name() == "closed_form" && scalar == ScalarKind::Digits100 && !regime.starts_with("on-");
+    return evaluation.name() == "closed_form" && scalar == ScalarKind::Digits200 && !regime.starts_with("on-");
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
-    const Result<Mp100> f = evaluate<Mp100>(in.evaluation, in.sample, in.order);
-    // Far below every distance of a regime, far above the rounding of 100 digits.
-    const Mp100 step = Mp100(longest_edge(in.sample)) * Mp100("1e-40");
-    Result<Mp100> plus, minus;
-    Result<Mp100> differences;
+    const Result<Mp200> f = evaluate<Mp200>(in.evaluation, in.sample, in.order);
+    // Far below every distance of a regime, far above the rounding of 200 digits.
+    const Mp200 step = Mp200(longest_edge(in.sample)) * Mp200("1e-40");
+    Result<Mp200> plus, minus;
+    Result<Mp200> differences;
     differences.reset(in.formula.components(), in.formula.dim(), in.order);
     const int dim = in.formula.dim();
     for (int i = 0; i < dim; ++i) {
-      QueryOf<Mp100> input(in.sample, in.order - 1);
-      Mp100& x = input.coordinate(input.coordinate_count() - 3 + i);
-      const Mp100 original = x;
+      QueryOf<Mp200> input(in.sample, in.order - 1);
+      Mp200& x = input.coordinate(input.coordinate_count() - 3 + i);
+      const Mp200 original = x;
       x = original + step;
       in.evaluation(input.query(), plus);
       x = original - step;
@@ -140,7 +146,7 @@ class DifferencesCheck final : public Check {
     for (int o = 1; o <= in.order; ++o) {
       findings[o] = finding_for(in.truth, o);
       if (findings[o].status == Finding::Status::Measured)
-        findings[o].error = ratio_of_difference(differences.of(o), f.of(o), norm(f.of(o)));
+        findings[o].error = ratio_of_difference(differences.of(o), f.of(o), norm_of(f.of(o)));
     }
     return findings;
   }

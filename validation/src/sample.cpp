@@ -5,7 +5,11 @@ namespace cageproof::validation {
 
 Sample rounded_to(ScalarKind scalar, Sample sample) {
   if (scalar != ScalarKind::Float) return sample;
-  const auto round = [](double& x) { x = static_cast<double>(static_cast<float>(x)); };
+  const auto round = [](double& x) {
+    // GCC 12 drops the rounding when it vectorises a pair of such conversions; volatile keeps it.
+    volatile float rounded = static_cast<float>(x);
+    x = rounded;
+  };
   for (auto& corner : sample.corners)
     for (int c = 0; c < 3; ++c) round(corner[c]);
   for (int c = 0; c < 3; ++c) round(sample.point[c]);

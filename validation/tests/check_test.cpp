@@ -63,7 +63,9 @@ TEST_P(every_check, passes_the_closed_form_and_fails_a_broken_one) {
   const Check* check = find_check(GetParam());
   const bool jump = GetParam() == "face_jump";
   const bool stated = GetParam() == "stated_error";
-  const ScalarKind scalar = check->unit() == "relative" ? ScalarKind::Digits100 : ScalarKind::Double;
+  const ScalarKind scalar = GetParam() == "gradient_by_differences" ? ScalarKind::Digits200
+                            : check->unit() == "relative"           ? ScalarKind::Digits100
+                                                                    : ScalarKind::Double;
   const Setting setting{check, find_formula("triangle.double_layer"), scalar, find_regime(jump ? "on-face" : "generic")};
   const Evaluation good = *EvaluationRegister::instance().find(setting.formula->name, stated ? "adaptive" : "closed_form");
   const auto right = largest(setting, good);

@@ -24,6 +24,7 @@ refuses() {
   local word
   for word in "${words[@]}"; do grep -qF -- "$word" "$work/stderr" || fail "no '$word' in: $(cat "$work/stderr")"; done
   [ ! -e "$work/out" ] || fail "left something behind: $*"
+  rm -rf "$work/out"
   [ -z "$(find "$work" -name '.out*' -print -quit)" ] || fail "left something aside: $*"
 }
 
@@ -128,8 +129,11 @@ for file in summary.json summary.md results.csv worst.jsonl index.html fields pi
 done
 "$cageproof" replay "$work/report/worst.jsonl" >"$work/stdout" || fail "replay: $(tail -n 3 "$work/stdout")"
 [ "$(wc -l <"$work/stdout")" -eq "$(wc -l <"$work/report/worst.jsonl")" ] || fail "replay: a line a case"
-awk '{ if (!match($0, /error [^ ]+/)) exit 1; e = substr($0, RSTART + 6, RLENGTH - 6); if (!match($0, /stored [^)]+/)) exit 1
+awk '{ if (!match($0, /: error [^ ]+/)) exit 1; e = substr($0, RSTART + 8, RLENGTH - 8); if (!match($0, /stored [^)]+/)) exit 1
        s = substr($0, RSTART + 7, RLENGTH - 7); if (e != s) { print; exit 1 } }' "$work/stdout" || fail "replay differs from what was stored"
+(cd "$work" && "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out plain >/dev/null) ||
+  fail "a report in the folder that one is in"
+[ -e "$work/plain/index.html" ] || fail "no report under a plain name"
 "$cageproof" field --formula triangle.single_layer --evaluation gauss-4 --resolution 12 --out "$work/field" >/dev/null || fail field
 [ -n "$(find "$work/field/fields" -name '*.vti')" ] || fail "field: no .vti"
 "$cageproof" list --json | grep -q triangle.mean_value || fail "list --json"

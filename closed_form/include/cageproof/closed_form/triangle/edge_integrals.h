@@ -68,8 +68,8 @@ struct OddIntegrals {
       L_rest = L - e.length / reference;
       P_rest = (e.D2 * L + e.length * (sum + (e.s0 + e.s1) * (e.s0 + e.s1) / sum) / 2) / 2 - e.length * reference;
     }
-    along_rest = (e.length / mean) * (f.midpoint_rest(i) - e.u.dot(f.p[f.far_]) * mean_rest / reference);
-    across_rest = L_rest * e.h + (f.far_ == (i + 2) % 3 ? R(f.area2 / reference) : R(0));
+    along_rest = (e.length / mean) * (f.midpoint_rest(i) - e.u.dot(f.p[f.far_corner]) * mean_rest / reference);
+    across_rest = L_rest * e.h + (f.far_corner == (i + 2) % 3 ? R(f.area2 / reference) : R(0));
     if (spans) K3 = (e.s1 / e.r1 - e.s0 / e.r0) / e.D2;
     else K3 = e.length * (e.s0 + e.s1) / (product * (e.s1 * e.r0 + e.s0 * e.r1));
     S3 = difference / product;

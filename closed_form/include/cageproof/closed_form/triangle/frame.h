@@ -31,7 +31,7 @@ struct Frame {
   R d;        ///< signed height of the point: (point - corner).n, negative inside a cage
   R area2;    ///< twice the area
   R unit;
-  int far_;
+  int far_corner;
 
   Frame(const Triangle<R>& t, const Vec3<R>& eta);
 
@@ -46,20 +46,20 @@ struct Frame {
     return opposite.h * opposite.length / area2;
   }
   /// The distance of the first corner, or of the second for a point next to the first: never small against the triangle.
-  const R& farthest() const { return r[far_]; }
+  const R& farthest() const { return r[far_corner]; }
   /// r[i] - farthest(), to full relative accuracy.
   R distance_rest(int i) const {
-    if (i == far_) return R(0);
+    if (i == far_corner) return R(0);
     // Corner i is one edge away from the far one, in one direction or the other.
-    const FrameEdge<R>& e = edges[(far_ + 1) % 3 == i ? far_ : i];
+    const FrameEdge<R>& e = edges[(far_corner + 1) % 3 == i ? far_corner : i];
     const R step = e.length * (e.s0 + e.s1) / (e.r0 + e.r1);
-    return (far_ + 1) % 3 == i ? step : R(-step);
+    return (far_corner + 1) % 3 == i ? step : R(-step);
   }
   /// Edge i's midpoint minus the far corner, along the edge.
   R midpoint_rest(int i) const {
     const FrameEdge<R>& e = edges[i];
-    if (far_ == i) return e.length / 2;
-    if (far_ == (i + 1) % 3) return -e.length / 2;
+    if (far_corner == i) return e.length / 2;
+    if (far_corner == (i + 1) % 3) return -e.length / 2;
     const FrameEdge<R>&before = edges[(i + 2) % 3], &after = edges[(i + 1) % 3];
     return (before.length * before.u.dot(e.u) - after.length * after.u.dot(e.u)) / 2;
   }
@@ -112,8 +112,8 @@ Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) {
     p[i] = narrow<R>(wp[i]);
     r[i] = sqrt(p[i].dot(p[i]));
   }
-  far_ = r[0] >= r[1] ? 0 : 1;
-  if (r[2] > r[far_]) far_ = 2;
+  far_corner = r[0] >= r[1] ? 0 : 1;
+  if (r[2] > r[far_corner]) far_corner = 2;
   const WideVec<Wide<R>> normal = cross(we[0], we[1]);
   const Vec3<R> N = narrow<R>(normal);
   area2 = sqrt(N.dot(N));
