@@ -36,10 +36,19 @@ std::array<R, 3> coordinates(const std::array<std::string, 3>& text) {
   return {*parse_scalar<R>(text[0]), *parse_scalar<R>(text[1]), *parse_scalar<R>(text[2])};
 }
 
+// In 200 digits: a small triangle's area underflows in double, and is none the less an area.
+void require_area(const QueryText& text) {
+  std::array<Vec3<Mp200>, 3> t;
+  for (int k = 0; k < 3; ++k) t[k] = Eigen::Map<const Vec3<Mp200>>(coordinates<Mp200>(text.corners[k]).data());
+  const Vec3<Mp200> n = Vec3<Mp200>(t[1] - t[0]).cross(Vec3<Mp200>(t[2] - t[0]));
+  if (n == Vec3<Mp200>::Zero()) throw InputError("the triangle is degenerate: its area is zero");
+}
+
 template <Scalar R>
-void require_area(const std::vector<Vec3<R>>& corners) {
-  const Vec3<R> n = Vec3<R>(corners[1] - corners[0]).cross(Vec3<R>(corners[2] - corners[0]));
-  if (n == Vec3<R>::Zero()) throw InputError("the triangle is degenerate: its area is zero");
+void require_finite(const Vec3<R>& v) {
+  using std::isfinite;
+  for (int c = 0; c < 3; ++c)
+    if (!isfinite(v[c])) throw InputError("a coordinate is too large for this scalar");
 }
 
 template <Scalar R>
@@ -48,8 +57,10 @@ std::string evaluated(const QueryText& text, const Formula& formula, const Evalu
   for (const auto& corner : text.corners) corners.push_back(Eigen::Map<const Vec3<R>>(coordinates<R>(corner).data()));
   std::vector<R> parameters;
   for (const std::string& p : text.parameters) parameters.push_back(*parse_scalar<R>(p));
-  if (formula.element == ElementKind::Triangle) require_area(corners);
+  if (formula.element == ElementKind::Triangle) require_area(text);
+  for (const Vec3<R>& corner : corners) require_finite<R>(corner);
   const Vec3<R> point = Eigen::Map<const Vec3<R>>(coordinates<R>(text.point).data());
+  require_finite<R>(point);
   Result<R> result;
   evaluation(Query<R>{corners, point, order, parameters}, result);
   std::string line = "{\"value\":" + array_text(result.value);
@@ -86,6 +97,7 @@ int run(const EvalOptions& options) {
       code = bad_input;
     }
   }
+  if (std::cin.bad() || std::ferror(stdin) != 0) throw InputError("cannot read standard input");
   return code;
 }
 

@@ -2,6 +2,7 @@
 #include "cageproof/validation/cage_campaign.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/random_stream.h"
 #include "cageproof/validation/campaign.h"
 #include "cageproof/validation/promise.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace cageproof::validation {
@@ -97,28 +99,45 @@ void add_point(Rows& rows, const CoordinateKind& kind, const CagePoint& p, const
     row_of(rows, "cage_laplacian", "of the Hessian", place, 2).add(r.errors.laplacian, p.point, p.index);
 }
 
-void add_on_cage(Rows& rows, const Cage& cage, const CageCoordinates& coordinates, const CagePoint& p) {
+void add_on_cage(Rows& rows, const Cage& cage, const CageCoordinates& coordinates, const CageLocator& locator,
+                 const CagePoint& p) {
   const auto place = name_of(p.place);
-  const auto on = coordinates.touching(p.point);
   // Midpoints that rounding moved off the cage prove nothing about it.
-  const CageErrors errors =
-      on.empty() ? CageErrors{{NAN, NAN, NAN}, {NAN, NAN, NAN}, NAN} : errors_at(coordinates, cage, p.point, 1, 0);
-  row_of(rows, "partition_of_unity", "relative", place, 0).add(errors.partition[0], p.point, p.index);
-  row_of(rows, "linear_reproduction", "relative", place, 0).add(errors.reproduction[0], p.point, p.index);
-  if (coordinates.kind().normalised)
-    row_of(rows, "interpolation", "absolute", place, 0)
-        .add(interpolation_error_at(coordinates, p.point), p.point, p.index);
+  const bool on = !coordinates.touching(p.point).empty();
+  if (!coordinates.kind().normalised)
+    row_of(rows, "linear_reproduction", "relative", place, 0)
+        .add(on ? errors_at(coordinates, cage, p.point, 1, 0).reproduction[0] : NAN, p.point, p.index);
+  row_of(rows, "limit_from_inside", "relative", place, 0)
+      .add(inside_limit_error_at(coordinates, cage, locator, p.point), p.point, p.index);
 }
 
 }  // namespace
 
-double interpolation_error_at(const CageCoordinates& coordinates, const Vec3<double>& point) {
+double inside_limit_error_at(const CageCoordinates& coordinates, const Cage& cage, const CageLocator& locator,
+                             const Vec3<double>& point) {
   const std::vector<Touching> on = coordinates.touching(point);
   if (on.empty()) return NAN;
-  auto value = coordinates.at<double>(point, 0).front().value;
-  for (int c = 0; c < 3; ++c) value[coordinates.triangles()[on.front().triangle][c]] -= on.front().hats[c];
+  Vec3<double> direction = Vec3<double>::Zero();
+  for (const Touching& touch : on) direction -= coordinates.normals()[touch.triangle];
+  Vec3<double> near = point + 1e-11 * cage.size() * direction.normalized();
+  // Against the mean normal lies the inside of all but saddles; there another direction does.
+  for (std::uint64_t attempt = 0; !(direction.norm() > 0.1) || !locator.inside(near); ++attempt) {
+    if (attempt == 1000) return NAN;
+    RandomStream random(1, "inward", attempt);
+    for (int c = 0; c < 3; ++c) direction[c] = random.uniform(-1, 1);
+    near = point + 1e-11 * cage.size() * direction.normalized();
+  }
+  const auto limit = coordinates.at<double>(point, 0), inside = coordinates.at<double>(near, 0);
   double worst = 0;
-  for (const double x : value) worst = std::max(worst, std::abs(x));
+  for (std::size_t b = 0; b < limit.size(); ++b) {
+    const double unit = std::pow(cage.size(), find_formula(coordinates.kind().blocks[b].formula)->degree);
+    // Normalised weights have no unit.
+    const double scale = coordinates.kind().normalised ? 1 : unit;
+    for (std::size_t i = 0; i < limit[b].value.size(); ++i) {
+      const double difference = std::abs(limit[b].value[i] - inside[b].value[i]) / scale;
+      if (!(difference <= worst)) worst = std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+    }
+  }
   return worst;
 }
 
@@ -142,7 +161,7 @@ std::vector<ResultRow> run_cage_campaign(const Cage& cage, const CageCampaignOpt
     Rows rows;
     for (std::size_t i = 0; i < off.size(); ++i)
       if (off[i].place != Place::TooClose) add_point(rows, *kind, off[i], results[i]);
-    for (const CagePoint& p : on) add_on_cage(rows, cage, coordinates, p);
+    for (const CagePoint& p : on) add_on_cage(rows, cage, coordinates, locator, p);
     for (const auto& [key, row] : rows) all.push_back(row.row(cage, *kind, options.evaluation));
   }
   return all;

@@ -116,7 +116,8 @@ std::vector<CagePoint> points_off(const Cage& cage, const CageLocator& locator, 
         s = 1 - s;
         r = 1 - r;
       }
-      const double height = cage.size() * std::pow(10.0, -1 - (i / 2) % 6) * (random.uniform() < 0.5 ? -1.0 : 1.0);
+      // A hundredth above the decade: rounding must not put the nearest points below the promised distance.
+      const double height = 1.01 * cage.size() * std::pow(10.0, -1 - (i / 2) % 6) * (random.uniform() < 0.5 ? -1.0 : 1.0);
       p = a + s * (b - a) + r * (c - a) + height * (b - a).cross(c - a).normalized();
     }
     points.push_back({p, locator.place(p), static_cast<std::uint64_t>(i)});

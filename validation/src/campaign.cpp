@@ -94,7 +94,7 @@ void record(const Part& part, const Plan& plan, const Sample& sample, const std:
       case Finding::Status::Measured: break;
     }
     tally.errors.add(finding.error);
-    if (std::isfinite(finding.relative)) tally.max_relative = std::max(tally.max_relative, finding.relative);
+    tally.max_relative = std::max(tally.max_relative, finding.relative);
     if (tally.worst.wants(finding.error, sample.index))
       tally.worst.add({finding.error, sample.parameter, sample.index, sample.corners, sample.point, sample.parameters});
     const std::size_t decades = plan.regime->parameters.size();
@@ -181,7 +181,7 @@ void withdraw_unproven(CampaignResult& result) {
             : fmt::format("{}, {}, order {}: the closed form in multiprecision is not the integral; nothing measured against "
                           "it counts", gate.subject, gate.regime, gate.order));
     for (ResultRow& row : result.rows)
-      if (row.check != "integral" && row.verdict != Verdict::Broken && same_place(row, gate)) {
+      if (row.check != "integral" && same_place(row, gate)) {
         row.verdict = Verdict::NotPromised;
         row.reason = "the truth is not confirmed by the integral here";
       }
@@ -205,6 +205,14 @@ void judge(ResultRow& row) {
   row.bound = promise.bound;
   row.reason = promise.reason;
   // A row that measured nothing keeps no promise and breaks none.
+  // Off the element every limit exists: a sample without truth there is a failure of the closed form itself.
+  const bool off_element = row.section == ResultRow::Section::Element && !row.regime.starts_with("on-");
+  if (row.bound && off_element && row.without_truth > 0 && row.check == "truth") {
+    row.verdict = Verdict::Broken;
+    row.reason = "the closed form in multiprecision has no value on some samples";
+    return;
+  }
+  if (row.bound && row.samples == 0) row.reason = "no sample had a truth, or a statement, to be measured against";
   row.verdict = !row.bound || row.samples == 0 ? Verdict::NotPromised
                 : row.max <= *row.bound        ? Verdict::Kept
                                                : Verdict::Broken;

@@ -176,10 +176,11 @@ class FaceJumpCheck final : public Check {
     const Mp100 area2 = sqrt(n.dot(n));
     n /= area2;
     const Mp100 step = Mp100(longest_edge(in.sample)) * Mp100("1e-40");
+    const std::vector<Mp100> parameters(in.sample.parameters.begin(), in.sample.parameters.end());
     const auto at = [&](const Mp100& height) {
       const Vec3<Mp100> point = p + height * n;
       Result<Mp100> result;
-      in.evaluation(Query<Mp100>{t, point, 0, {}}, result);
+      in.evaluation(Query<Mp100>{t, point, 0, parameters}, result);
       return result.value;
     };
     const std::vector<Mp100> inside = at(-step), outside = at(step);

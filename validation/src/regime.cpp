@@ -24,6 +24,12 @@ Vec random_direction(RandomStream& random) {
   }
 }
 
+// Uniform in the ball of radius one. Draws are in statements of their own: the order within an expression is the compiler's.
+Vec random_in_ball(RandomStream& random) {
+  const double radius = std::cbrt(random.uniform());
+  return radius * random_direction(random);
+}
+
 double longest_edge(const std::vector<Vec>& t) {
   return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
 }
@@ -71,7 +77,7 @@ Vec across_edge(const std::vector<Vec>& t, int edge, RandomStream& random) {
 
 void generic(ElementKind, double, RandomStream& random, Sample& sample) {
   sample.corners = well_shaped(random);
-  sample.point = centroid(sample.corners) + std::cbrt(random.uniform()) * random_direction(random);
+  sample.point = centroid(sample.corners) + random_in_ball(random);
 }
 
 void near_face(ElementKind, double distance, RandomStream& random, Sample& sample) {
@@ -83,7 +89,8 @@ void near_face(ElementKind, double distance, RandomStream& random, Sample& sampl
   } while (a + b > 0.95);
   const auto& t = sample.corners;
   const Vec foot = t[0] + a * (t[1] - t[0]) + b * (t[2] - t[0]);
-  place_near(sample, foot, random_sign(random) * distance * unit_normal(t), random);
+  const Vec away = random_sign(random) * distance * unit_normal(t);
+  place_near(sample, foot, away, random);
 }
 
 void near_plane(ElementKind, double distance, RandomStream& random, Sample& sample) {
@@ -92,8 +99,11 @@ void near_plane(ElementKind, double distance, RandomStream& random, Sample& samp
   const int e = random.below(3);
   const Vec edge = t[(e + 1) % 3] - t[e];
   const Vec n = unit_normal(t);
-  const Vec foot = t[e] + random.uniform() * edge + random.uniform(0.1, 1) * edge.normalized().cross(n);
-  place_near(sample, foot, random_sign(random) * distance * n, random);
+  const double along = random.uniform();
+  const double beside = random.uniform(0.1, 1);
+  const Vec foot = t[e] + along * edge + beside * edge.normalized().cross(n);
+  const Vec away = random_sign(random) * distance * n;
+  place_near(sample, foot, away, random);
 }
 
 void near_edge(ElementKind, double distance, RandomStream& random, Sample& sample) {
@@ -101,7 +111,8 @@ void near_edge(ElementKind, double distance, RandomStream& random, Sample& sampl
   const auto& t = sample.corners;
   const int e = random.below(3);
   const Vec foot = t[e] + random.uniform(0.05, 0.95) * (t[(e + 1) % 3] - t[e]);
-  place_near(sample, foot, distance * across_edge(t, e, random), random);
+  const Vec away = distance * across_edge(t, e, random);
+  place_near(sample, foot, away, random);
 }
 
 void near_line(ElementKind, double distance, RandomStream& random, Sample& sample) {
@@ -110,12 +121,15 @@ void near_line(ElementKind, double distance, RandomStream& random, Sample& sampl
   const int e = random.below(3);
   const double beyond = random.uniform(0.1, 1);
   const Vec foot = t[e] + (random.uniform() < 0.5 ? -beyond : 1 + beyond) * (t[(e + 1) % 3] - t[e]);
-  place_near(sample, foot, distance * across_edge(t, e, random), random);
+  const Vec away = distance * across_edge(t, e, random);
+  place_near(sample, foot, away, random);
 }
 
 void near_vertex(ElementKind, double distance, RandomStream& random, Sample& sample) {
   sample.corners = well_shaped(random);
-  place_near(sample, Vec(sample.corners[random.below(3)]), distance * random_direction(random), random);
+  const Vec foot = sample.corners[random.below(3)];
+  const Vec away = distance * random_direction(random);
+  place_near(sample, foot, away, random);
 }
 
 // Coordinates in 64ths, so that points with hat functions in 16ths are exact, in float too.
@@ -132,9 +146,11 @@ std::vector<Vec> dyadic(RandomStream& random) {
 void place_on(Sample& sample, int i, int j, RandomStream& random) {
   const auto& t = sample.corners;
   sample.point = ((16 - i - j) * t[0] + i * t[1] + j * t[2]) / 16;
-  if (random.uniform() < 0.5) return;
+  if (sample.index % 2 == 0) return;
   double& x = sample.point[random.below(3)];
-  x = std::nextafter(x, random_sign(random) * std::numeric_limits<double>::infinity());
+  // Zero's own neighbour is 1e-324, which no size explains: there the ulp is that of a corner's step.
+  const double ulp = std::nextafter(std::max(std::abs(x), 1.0 / 64), 2.0) - std::max(std::abs(x), 1.0 / 64);
+  x += random_sign(random) * ulp;
 }
 
 void permute_corners(Sample& sample, RandomStream& random) {
@@ -161,7 +177,8 @@ void on_vertex(ElementKind, double, RandomStream& random, Sample& sample) {
 
 void on_plane(ElementKind, double, RandomStream& random, Sample& sample) {
   sample.corners = dyadic(random);
-  place_on(sample, 1 + random.below(16), -1 - random.below(16), random);
+  const int i = 1 + random.below(16);
+  place_on(sample, i, -1 - random.below(16), random);
   permute_corners(sample, random);
 }
 
@@ -182,7 +199,7 @@ void sliver(ElementKind, double height, RandomStream& random, Sample& sample) {
   const Vec foot = t[0] + random.uniform(0.1, 0.9) * (t[1] - t[0]);
   const Vec up = (t[2] - foot).normalized();
   t[2] = foot + height * (t[1] - t[0]).norm() * up;
-  sample.point = centroid(t) + std::cbrt(random.uniform()) * random_direction(random);
+  sample.point = centroid(t) + random_in_ball(random);
   permute_corners(sample, random);
 }
 
@@ -190,7 +207,7 @@ void needle(ElementKind, double width, RandomStream& random, Sample& sample) {
   sample.corners = well_shaped(random);
   auto& t = sample.corners;
   t[2] = t[1] + width * (t[2] - t[1]);
-  sample.point = centroid(t) + std::cbrt(random.uniform()) * random_direction(random);
+  sample.point = centroid(t) + random_in_ball(random);
   permute_corners(sample, random);
 }
 

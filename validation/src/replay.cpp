@@ -27,6 +27,11 @@ double replay_element(const ResultRow& row, const WorstCase& worst) {
   if (static_cast<int>(worst.corners.size()) != formula->corners() ||
       worst.parameters.size() != formula->parameters.size())
     throw InputError(fmt::format("not an input of {}", row.subject));
+  for (const auto& v : worst.corners)
+    if (!v.allFinite()) throw InputError("a corner is not finite");
+  if (!worst.point.allFinite()) throw InputError("the point is not finite");
+  if (!evaluation->supports(*scalar) || !check->applies(*formula, *evaluation, *scalar, row.regime))
+    throw InputError(fmt::format("the check '{}' is not asked of {} in {}, {}", row.check, row.evaluation, row.scalar, row.regime));
   const Sample sample{worst.corners, worst.point, worst.parameters, worst.parameter, worst.sample};
   const Evaluation reference = *EvaluationRegister::instance().find(row.subject, "closed_form");
   const Truth truth = truth_from(reference, sample, 2);
@@ -42,12 +47,13 @@ double replay_cage(const ResultRow& row, const WorstCase& worst, Triangulation r
   const Cage cage = std::ranges::find(names, row.regime) != names.end()
                         ? embedded_cage(row.regime)
                         : read_cage(row.regime, {.flip_inward = true});
+  if (!worst.point.allFinite()) throw InputError("the point is not finite");
   const CageCoordinates coordinates(cage, *kind, row.evaluation, rule);
   if (row.check == "cage_truth")
     return truth_errors_at(coordinates, {cage, *kind, "closed_form", rule}, worst.point, row.order)[row.order];
-  if (row.check == "interpolation") return interpolation_error_at(coordinates, worst.point);
   const bool on_cage = !coordinates.touching(worst.point).empty();
   const CageLocator locator(cage, rule);
+  if (row.check == "limit_from_inside") return inside_limit_error_at(coordinates, cage, locator, worst.point);
   const double expected =
       on_cage || kind->normalised || locator.inside(worst.point) ? 1 : 0;
   const CageErrors errors = errors_at(coordinates, cage, worst.point, expected, on_cage ? 0 : std::max(row.order, 0));

@@ -41,16 +41,16 @@ class SymmetryCheck : public Check {
 class Scaling final : public SymmetryCheck {
  public:
   std::string_view name() const override { return "scaling"; }
-  std::string_view description() const override { return "f(3 element, 3 point) = 3^degree f"; }
+  std::string_view description() const override { return "f(2^20 element, 2^20 point) = 2^(20 degree) f; a power of two, so that the changed input is exact"; }
 
  private:
   Sample change(Sample sample) const override {
-    for (auto& corner : sample.corners) corner *= 3;
-    sample.point *= 3;
+    for (auto& corner : sample.corners) corner *= 0x1p20;
+    sample.point *= 0x1p20;
     return sample;
   }
   Values undo(const Formula& formula, Values tensor, int order) const override {
-    for (double& x : tensor) x /= std::pow(3.0, formula.degree - order);
+    for (double& x : tensor) x = std::ldexp(x, -20 * (formula.degree - order));
     return tensor;
   }
 };

@@ -131,8 +131,8 @@ class Run {
 
 const std::vector<Suite>& suites() {
   static const std::vector<Suite> all{
-      {"quick", 96, 1, 60, 4, 40, 4000},
-      {"standard", 800, 4, 400, 16, 120, 40000},
+      {"quick", 96, 2, 60, 4, 40, 4000},
+      {"standard", 800, 8, 400, 16, 120, 40000},
       {"full", 20000, 32, 4000, 64, 240, 400000},
   };
   return all;

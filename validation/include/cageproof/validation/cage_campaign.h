@@ -36,10 +36,12 @@ CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const
 /// kinds 1 everywhere.
 double expected_sum(const CoordinateKind& kind, Place place);
 
-/// How far an interpolating kind is from the hat functions at a point on the cage, in the largest coordinate; NaN off the cage.
-double interpolation_error_at(const CageCoordinates& coordinates, const Vec3<double>& point);
+/// Largest difference, in units of the cage's size, between the coordinates at a point on the cage (hat functions for interpolating kinds)
+/// and those 1e-11 sizes inside it, which come from the formulas alone; NaN off the cage.
+double inside_limit_error_at(const CageCoordinates& coordinates, const Cage& cage, const CageLocator& locator,
+                             const Vec3<double>& point);
 
-/// Rows of one cage: partition_of_unity, linear_reproduction, zero_outside, interpolation, cage_laplacian, cage_truth.
+/// Rows of one cage: partition_of_unity, linear_reproduction, zero_outside, limit_from_inside, cage_laplacian, cage_truth.
 std::vector<ResultRow> run_cage_campaign(const Cage& cage, const CageCampaignOptions& options);
 
 /// Rows of partition of unity and linear reproduction at a mesh's points (place `mesh`), and the errors by point for a picture.

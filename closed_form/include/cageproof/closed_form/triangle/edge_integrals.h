@@ -7,10 +7,11 @@
 
 namespace cageproof::closed_form {
 
-/// True when the point lies on the edge itself, where the integrals of 1/r and beyond diverge.
+/// True when the point lies on the edge itself, or so close to its end that the distance underflows: there the integrals of 1/r and
+/// beyond diverge.
 template <Scalar R>
 bool on_edge(const FrameEdge<R>& e) {
-  return e.D2 == 0 && !(e.s0 > 0) && !(e.s1 < 0);
+  return e.D2 == 0 && ((!(e.s0 > 0) && !(e.s1 < 0)) || e.r0 == 0 || e.r1 == 0);
 }
 
 /// atanh(z)/z - 1 to full relative accuracy, 0 <= z <= 1/2.
