@@ -108,7 +108,7 @@ void normalise(Result<R>& w, int order) {
 }  // namespace
 
 template <Scalar R>
-Result<R> CageCoordinates::block_at(int b, const Vec3<double>& point, int order, const std::vector<Touching>& on) const {
+Result<R> CageCoordinates::block_at(int b, const Vec3<R>& eta, int order, const std::vector<Touching>& on) const {
   const Formula& formula = *find_formula(kind_->blocks[b].formula);
   Result<R> sum, part;
   sum.reset(size(b), 3, order);
@@ -122,7 +122,6 @@ Result<R> CageCoordinates::block_at(int b, const Vec3<double>& point, int order,
   }
   const bool jumps = formula.shape.per_corner && formula.face_jump.number != 0;
   std::array<Vec3<R>, 3> corners;
-  const Vec3<R> eta = convert<R>(point);
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     for (int c = 0; c < 3; ++c) corners[c] = convert<R>(vertices_[triangles_[t][c]]);
     evaluations_[b].operator()<R>(Query<R>{corners, eta, order, {}}, part);
@@ -152,13 +151,20 @@ template <Scalar R>
 std::vector<Result<R>> CageCoordinates::at(const Vec3<double>& point, int order) const {
   const std::vector<Touching> on = touching(point);
   std::vector<Result<R>> blocks;
-  for (int b = 0; b < static_cast<int>(kind_->blocks.size()); ++b) blocks.push_back(block_at<R>(b, point, order, on));
+  for (int b = 0; b < static_cast<int>(kind_->blocks.size()); ++b) blocks.push_back(block_at<R>(b, convert<R>(point), order, on));
+  return blocks;
+}
+
+template <Scalar R>
+std::vector<Result<R>> CageCoordinates::at_off_cage(const Vec3<R>& point, int order) const {
+  std::vector<Result<R>> blocks;
+  for (int b = 0; b < static_cast<int>(kind_->blocks.size()); ++b) blocks.push_back(block_at<R>(b, point, order, {}));
   return blocks;
 }
 
 template std::vector<Result<float>> CageCoordinates::at<float>(const Vec3<double>&, int) const;
 template std::vector<Result<double>> CageCoordinates::at<double>(const Vec3<double>&, int) const;
 template std::vector<Result<Mp50>> CageCoordinates::at<Mp50>(const Vec3<double>&, int) const;
-template std::vector<Result<Mp100>> CageCoordinates::at<Mp100>(const Vec3<double>&, int) const;
+template std::vector<Result<Mp100>> CageCoordinates::at_off_cage<Mp100>(const Vec3<Mp100>&, int) const;
 
 }  // namespace cageproof

@@ -3,6 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/random_stream.h"
+#include "cageproof/validation/cage_symmetries.h"
 #include "cageproof/validation/campaign.h"
 #include "cageproof/validation/promise.h"
 
@@ -83,6 +84,8 @@ std::vector<const CoordinateKind*> kinds_matching(const std::string& pattern) {
 struct PointResult {
   CageErrors errors;
   std::array<double, 3> truth{NAN, NAN, NAN};
+  std::map<std::string, double> symmetries;
+  std::array<double, 3> differences{NAN, NAN, NAN};
 };
 
 void add_point(Rows& rows, const CoordinateKind& kind, const CagePoint& p, const PointResult& r) {
@@ -95,6 +98,10 @@ void add_point(Rows& rows, const CoordinateKind& kind, const CagePoint& p, const
     row_of(rows, "linear_reproduction", unit, place, o).add(r.errors.reproduction[o], p.point, p.index);
     if (!std::isnan(r.truth[o])) row_of(rows, "cage_truth", "relative", place, o).add(r.truth[o], p.point, p.index);
   }
+  for (const auto& [check, error] : r.symmetries) row_of(rows, check, "relative", place, 0).add(error, p.point, p.index);
+  for (int o = 1; o < 3; ++o)
+    if (!std::isnan(r.differences[o]))
+      row_of(rows, "cage_differences", "relative", place, o).add(r.differences[o], p.point, p.index);
   if (!std::isnan(r.errors.laplacian))
     row_of(rows, "cage_laplacian", "of the Hessian", place, 2).add(r.errors.laplacian, p.point, p.index);
 }
@@ -149,6 +156,7 @@ std::vector<ResultRow> run_cage_campaign(const Cage& cage, const CageCampaignOpt
   for (const CoordinateKind* kind : kinds_matching(options.kinds)) {
     const CageCoordinates coordinates(cage, *kind, options.evaluation, options.triangulation);
     const CageCoordinates reference(cage, *kind, "closed_form", options.triangulation);
+    const CageSymmetries symmetries(cage, *kind, options.evaluation, options.triangulation);
     const int order = coordinates.max_order();
     std::vector<PointResult> results(off.size());
     // Every n-th point meets the truth, so that both ways of drawing points are seen.
@@ -156,7 +164,11 @@ std::vector<ResultRow> run_cage_campaign(const Cage& cage, const CageCampaignOpt
     for_each_parallel(off.size(), options.jobs, [&](std::size_t i) {
       if (off[i].place == Place::TooClose) return;
       results[i].errors = errors_at(coordinates, cage, off[i].point, expected_sum(*kind, off[i].place), order);
-      if (i % stride == 0) results[i].truth = truth_errors_at(coordinates, reference, off[i].point, order);
+      if (i % stride != 0) return;
+      results[i].truth = truth_errors_at(coordinates, reference, off[i].point, order);
+      results[i].symmetries = symmetries.errors_at(off[i].point);
+      // Seven sums in 100 digits: a quarter of these points.
+      if (i / stride % 4 == 0 && order == 2) results[i].differences = symmetries.differences_at(off[i].point);
     });
     Rows rows;
     for (std::size_t i = 0; i < off.size(); ++i)

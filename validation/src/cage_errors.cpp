@@ -51,16 +51,18 @@ double laplacian_error(const CageCoordinates& coordinates, const std::vector<Res
     if (formula.laplacian.kind == Laplacian::Kind::Unknown) continue;
     for (std::size_t other = 0; other < blocks.size(); ++other)
       if (kind.blocks[other].formula == formula.laplacian.formula) partner = &blocks[other].value;
+    double difference = 0, size = 0;
     for (std::size_t i = 0; i < blocks[b].value.size(); ++i) {
-      double trace = partner ? -(*partner)[i] : 0, size = 0;
+      double trace = partner ? -(*partner)[i] : 0;
       for (int a = 0; a < 9; ++a) {
         const double h = blocks[b].hessian[9 * i + a];
         size += h * h;
         if (a % 4 == 0) trace += h;
       }
-      const double error = over(std::abs(trace), std::sqrt(size));
-      if (!(worst >= error)) worst = error;
+      difference += trace * trace;
     }
+    const double error = over(std::sqrt(difference), std::sqrt(size));
+    if (!(worst >= error)) worst = error;
   }
   return worst;
 }

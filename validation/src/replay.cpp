@@ -5,6 +5,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/mesh_io.h"
 #include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/cage_symmetries.h"
 #include "cageproof/validation/check.h"
 
 #include <fmt/format.h>
@@ -51,6 +52,12 @@ double replay_cage(const ResultRow& row, const WorstCase& worst, Triangulation r
   const CageCoordinates coordinates(cage, *kind, row.evaluation, rule);
   if (row.check == "cage_truth")
     return truth_errors_at(coordinates, {cage, *kind, "closed_form", rule}, worst.point, row.order)[row.order];
+  if (row.check.starts_with("cage_") && row.check != "cage_laplacian") {
+    const CageSymmetries symmetries(cage, *kind, row.evaluation, rule);
+    if (row.check == "cage_differences") return symmetries.differences_at(worst.point)[row.order];
+    const auto errors = symmetries.errors_at(worst.point);
+    if (const auto found = errors.find(row.check); found != errors.end()) return found->second;
+  }
   const bool on_cage = !coordinates.touching(worst.point).empty();
   const CageLocator locator(cage, rule);
   if (row.check == "limit_from_inside") return inside_limit_error_at(coordinates, cage, locator, worst.point);

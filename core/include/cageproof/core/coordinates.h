@@ -55,12 +55,16 @@ class CageCoordinates {
   template <Scalar R>
   std::vector<Result<R>> at(const Vec3<double>& point, int order) const;
 
+  /// As `at`, for a point known to lie off the cage, in the scalar's own precision.
+  template <Scalar R>
+  std::vector<Result<R>> at_off_cage(const Vec3<R>& point, int order) const;
+
   /// The triangles that the point lies on, border included, decided exactly; the hat functions are rounded.
   std::vector<Touching> touching(const Vec3<double>& point) const;
 
  private:
   template <Scalar R>
-  Result<R> block_at(int b, const Vec3<double>& point, int order, const std::vector<Touching>& on) const;
+  Result<R> block_at(int b, const Vec3<R>& eta, int order, const std::vector<Touching>& on) const;
 
   const CoordinateKind* kind_;
   std::vector<Vec3<double>> vertices_;

@@ -24,7 +24,7 @@ struct CageCampaignOptions {
 struct CageErrors {
   std::array<double, 3> partition;     ///< by order: |sum of phi - 1| (0 outside); derivatives over the sum of their norms
   std::array<double, 3> reproduction;  ///< by order: |sum - x| over the cage's size; derivatives over the sum of their norms
-  double laplacian;                    ///< largest |trace of Hessian - partner| over the Hessian's norm, over the blocks
+  double laplacian;                    ///< norm-wise over a block: |trace of Hessian - partner| over |Hessian|; the worst block
 };
 
 /// Partition of unity and linear reproduction at one point.

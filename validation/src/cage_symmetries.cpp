@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/cage_symmetries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cageproof::validation {
+namespace {
+
+constexpr double scale = 0x1p10;  // a power of two, so that the scaled input is exact
+
+// Axes permuted with signs, so that the turned input is exact.
+Vec3<double> turn(const Vec3<double>& v) { return {v[1], -v[2], -v[0]}; }
+
+template <Scalar R>
+double relative_difference(const std::vector<R>& a, const std::vector<R>& b) {
+  R error = 0, size = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    error += (a[i] - b[i]) * (a[i] - b[i]);
+    size += b[i] * b[i];
+  }
+  using std::isfinite, std::sqrt;
+  if (!isfinite(error) || !isfinite(size)) return std::numeric_limits<double>::infinity();
+  return error == 0 ? 0 : static_cast<double>(R(sqrt(R(error / size))));
+}
+
+}  // namespace
+
+CageSymmetries::Variant CageSymmetries::variant(std::string check, const std::string& name,
+                                                const std::vector<Vec3<double>>& vertices, const std::vector<Face>& faces,
+                                                const CoordinateKind& kind, const std::string& evaluation) {
+  Variant v{std::move(check), {Cage::make(name, vertices, faces), kind, evaluation, Triangulation::Fan}, {}, {}, 1, false};
+  for (int i = 0; i < static_cast<int>(vertices.size()); ++i) v.vertex_parts.push_back({i});
+  for (int t = 0; t < static_cast<int>(faces.size()); ++t) v.triangle_of.push_back(t);
+  return v;
+}
+
+CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
+                               Triangulation rule)
+    : size_(cage.size()), base_(cage, kind, evaluation, rule) {
+  const auto& vertices = cage.vertices();
+  std::vector<Vec3<double>> scaled, turned, finer = vertices;
+  for (const auto& v : vertices) {
+    scaled.push_back(scale * v);
+    turned.push_back(turn(v));
+  }
+  std::vector<Face> faces, permuted, parts;
+  std::vector<int> part_of;
+  std::map<std::pair<int, int>, int> midpoints;
+  std::vector<std::vector<int>> ends;
+  for (int i = 0; i < static_cast<int>(vertices.size()); ++i) ends.push_back({i});
+  const auto midpoint = [&](int a, int b) {
+    const auto [place, added] = midpoints.try_emplace(std::minmax(a, b), static_cast<int>(finer.size()));
+    if (added) {
+      finer.push_back((vertices[a] + vertices[b]) / 2);
+      ends.push_back({a, b});
+    }
+    return place->second;
+  };
+  for (const auto& t : base_.triangles()) {
+    faces.push_back({{t[0], t[1], t[2], -1}});
+    permuted.push_back({{t[1], t[2], t[0], -1}});
+    const int m0 = midpoint(t[0], t[1]), m1 = midpoint(t[1], t[2]), m2 = midpoint(t[2], t[0]);
+    for (const auto& p : {std::array{t[0], m0, m2}, std::array{m0, t[1], m1}, std::array{m2, m1, t[2]}, std::array{m0, m1, m2}}) {
+      parts.push_back({{p[0], p[1], p[2], -1}});
+      part_of.push_back(static_cast<int>(faces.size()) - 1);
+    }
+  }
+  variants_.push_back(variant("cage_scaling", cage.name(), scaled, faces, kind, evaluation));
+  variants_.back().unit = scale;
+  variants_.push_back(variant("cage_rigid_motion", cage.name(), turned, faces, kind, evaluation));
+  variants_.back().turned = true;
+  variants_.push_back(variant("cage_corner_permutation", cage.name(), vertices, permuted, kind, evaluation));
+  variants_.push_back(variant("cage_subdivision", cage.name(), finer, parts, kind, evaluation));
+  variants_.back().vertex_parts = ends;
+  variants_.back().triangle_of = part_of;
+}
+
+std::map<std::string, double> CageSymmetries::errors_at(const Vec3<double>& point) const {
+  std::map<std::string, double> errors;
+  const auto expected = base_.at<double>(point, 0);
+  for (const Variant& v : variants_) {
+    const auto found = v.coordinates.at<double>(v.turned ? turn(point) : Vec3<double>(v.unit * point), 0);
+    double& worst = errors[v.check];
+    for (std::size_t b = 0; b < found.size(); ++b) {
+      const Formula& formula = *find_formula(base_.kind().blocks[b].formula);
+      const int degree = base_.kind().normalised ? 0 : formula.degree;
+      std::vector<double> folded(expected[b].value.size(), 0.0);
+      for (std::size_t i = 0; i < found[b].value.size(); ++i) {
+        const double x = found[b].value[i] / std::pow(v.unit, degree);
+        if (!formula.shape.per_corner) folded[v.triangle_of[i]] += x;
+        else
+          for (const int to : v.vertex_parts[i]) folded[to] += x / static_cast<double>(v.vertex_parts[i].size());
+      }
+      worst = std::max(worst, relative_difference(folded, expected[b].value));
+    }
+  }
+  return errors;
+}
+
+std::array<double, 3> CageSymmetries::differences_at(const Vec3<double>& point) const {
+  const Vec3<Mp100> eta = convert<Mp100>(point);
+  // Far below the distance to the cage, far above the rounding of 100 digits.
+  const Mp100 step = Mp100(size_) * Mp100("1e-30");
+  const auto exact = base_.at_off_cage<Mp100>(eta, 2);
+  auto differences = exact;
+  for (int a = 0; a < 3; ++a) {
+    Vec3<Mp100> plus = eta, minus = eta;
+    plus[a] += step;
+    minus[a] -= step;
+    const auto up = base_.at_off_cage<Mp100>(plus, 1), down = base_.at_off_cage<Mp100>(minus, 1);
+    for (std::size_t b = 0; b < exact.size(); ++b)
+      for (int o = 1; o <= 2; ++o)
+        for (std::size_t i = 0; i < up[b].of(o - 1).size(); ++i)
+          differences[b].of(o)[3 * i + a] = (up[b].of(o - 1)[i] - down[b].of(o - 1)[i]) / (2 * step);
+  }
+  std::array<double, 3> worst{std::numeric_limits<double>::quiet_NaN(), 0, 0};
+  for (std::size_t b = 0; b < exact.size(); ++b)
+    for (int o = 1; o <= 2; ++o) worst[o] = std::max(worst[o], relative_difference(differences[b].of(o), exact[b].of(o)));
+  return worst;
+}
+
+}  // namespace cageproof::validation
