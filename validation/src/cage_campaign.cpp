@@ -20,8 +20,6 @@ namespace {
 // One row in the making.
 class RowBuilder {
  public:
-  RowBuilder(std::string check, std::string unit, Place place, int order)
-      : check_(std::move(check)), unit_(std::move(unit)), place_(name_of(place)), order_(order) {}
   RowBuilder(std::string check, std::string unit, std::string place, int order)
       : check_(std::move(check)), unit_(std::move(unit)), place_(std::move(place)), order_(order) {}
 
@@ -56,7 +54,6 @@ class RowBuilder {
     judge(row);
     return row;
   }
-  bool empty() const { return errors_.count() + without_truth_ == 0; }
 
  private:
   std::string check_, unit_, place_;

@@ -2,6 +2,7 @@
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/mesh_io.h"
 #include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/cage_symmetries.h"
 
 #include <gtest/gtest.h>
 
@@ -45,6 +46,47 @@ TEST(cage_properties, fail_for_a_coarse_quadrature) {
   for (const ResultRow& row : run_cage_campaign(embedded_cage("cube"), options))
     if (row.check == "partition_of_unity" && row.order == 0) worst = std::max(worst, row.max);
   EXPECT_GT(worst, 1e-3);
+}
+
+// The closed form plus a term without symmetry, whose derivatives are not its derivatives.
+const RegisterEvaluation broken{{"triangle.single_layer", "broken", {}, [](std::string_view name) -> std::optional<Evaluation> {
+  if (name != "broken") return std::nullopt;
+  const Evaluation good = *EvaluationRegister::instance().find("triangle.single_layer", "closed_form");
+  Evaluation bad("triangle.single_layer", "broken", "broken on purpose");
+  for (const ScalarKind kind : scalar_kinds)
+    with_scalar(kind, [&]<Scalar R>() {
+      bad.set<R>([good](const Query<R>& query, Result<R>& result) {
+        good(query, result);
+        const R term = (query.point[0] + 2 * query.corners[0][1] + 1) / 1000000;
+        for (int o = 0; o <= query.order; ++o)
+          for (R& x : result.of(o)) x += term;
+      });
+    });
+  return bad;
+}}};
+
+TEST(cage_symmetries, fail_for_a_broken_evaluation) {
+  static const CoordinateKind kind{"psi alone", "", {{"psi", "triangle.single_layer", CoordinateBlock::Reproduces::Normals}}, false};
+  const Vec3<double> point(0.11, -0.07, 0.05);
+  for (const std::string evaluation : {"closed_form", "broken"}) {
+    const CageSymmetries symmetries(embedded_cage("cube"), kind, evaluation, Triangulation::Shortest);
+    const bool bad = evaluation == "broken";
+    const auto errors = symmetries.errors_at(point);
+    EXPECT_EQ(errors.size(), 4u);
+    for (const auto& [check, error] : errors) EXPECT_EQ(error > 1e-12, bad) << check << ' ' << error;
+    const auto differences = symmetries.differences_at(point);
+    for (int o = 1; o <= 2; ++o) EXPECT_EQ(differences[o] > 1e-30, bad) << o;
+  }
+}
+
+TEST(limit_from_inside, fails_for_a_coarse_quadrature) {
+  const Cage cube = embedded_cage("cube");
+  const CageLocator locator(cube, Triangulation::Shortest);
+  for (const auto* evaluation : {"closed_form", "gauss-4"}) {
+    const CageCoordinates green(cube, *find_coordinate_kind("green"), evaluation, Triangulation::Shortest);
+    const double error = inside_limit_error_at(green, cube, locator, cube.vertices()[0]);
+    EXPECT_EQ(error > 1e-6, std::string(evaluation) == "gauss-4") << error;
+  }
 }
 
 TEST(locator, agrees_with_the_cube) {
