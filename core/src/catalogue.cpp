@@ -2,12 +2,18 @@
 #include "cageproof/core/formula.h"
 
 #include <array>
+#include <limits>
 
 namespace cageproof {
 namespace {
 
 constexpr Laplacian kHarmonic{Laplacian::Kind::Zero};
 constexpr Laplacian kUnknown{};
+
+// Elasticity: mu > 0, -1 < nu < 1/2; nu = 1/2 is the incompressible limit, nu = +-infinity that of [C23] Figure 7.
+const std::vector<Parameter> kElastic{
+    {.name = "mu", .preset = 1, .lowest = 0, .highest = std::numeric_limits<double>::infinity()},
+    {.name = "nu", .preset = 0.25, .lowest = -1, .highest = 0.5, .includes_highest = true, .includes_infinity = true}};
 
 constexpr Laplacian laplacian_is(std::string_view formula) { return {Laplacian::Kind::Formula, formula}; }
 
@@ -68,6 +74,39 @@ const std::array kCatalogue{
             .laplacian = laplacian_is("triangle.double_layer"),
             .face_jump = {},
             .parameters = {}},
+    Formula{.name = "triangle.affine_single_layer",
+            .symbol = "psi_t^k",
+            .source = "[T24] Eq 43-46; edge form",
+            .definition = "int_t Gamma_k/(4 pi r)",
+            .element = ElementKind::Triangle,
+            .shape = {.per_corner = true},
+            .degree = 1,
+            .flip_sign = 1,
+            .laplacian = kHarmonic,
+            .face_jump = {},
+            .parameters = {}},
+    Formula{.name = "triangle.kelvin_displacement",
+            .symbol = "K_t",
+            .source = "[T24] Eq 47-49; [C23] Eq 3, 8; edge form",
+            .definition = "int_t (a-b)/r I + b x x'/r^3, a = 1/(4 pi mu), b = a/(4(1-nu))",
+            .element = ElementKind::Triangle,
+            .shape = {.rows = 3, .columns = 3},
+            .degree = 1,
+            .flip_sign = 1,
+            .laplacian = kUnknown,
+            .face_jump = {},
+            .parameters = kElastic},
+    Formula{.name = "triangle.kelvin_traction",
+            .symbol = "T_t^k",
+            .source = "[T24] Eq 47-49, factor mu after the errata; [C23] Eq 4, 8; edge form",
+            .definition = "int_t Gamma_k mu ((a-2b)(x.n I + n x' - x n')/r^3 + 6b x.n x x'/r^5)",
+            .element = ElementKind::Triangle,
+            .shape = {.per_corner = true, .rows = 3, .columns = 3},
+            .degree = 0,
+            .flip_sign = -1,
+            .laplacian = kUnknown,
+            .face_jump = {.number = 1},
+            .parameters = kElastic},
     Formula{.name = "triangle.mean_value",
             .symbol = "w_t^k",
             .source = "[T18] Eq 11-14",

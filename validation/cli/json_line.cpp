@@ -89,8 +89,9 @@ std::string parameter(const Json& given, const Parameter& p) {
   const std::string text = given.contains(p.name) ? number(given[std::string(p.name)], std::string(p.name))
                                                   : format_scalar(p.preset);
   const double x = *parse_scalar<double>(text);
-  if (!(p.lowest < x && x < p.highest))
-    throw InputError(fmt::format("parameter {} = {} is outside ({}, {})", p.name, text, p.lowest, p.highest));
+  if (!p.allows(x))
+    throw InputError(fmt::format("parameter {} = {} is outside ({}, {}{}{}", p.name, text, p.lowest, p.highest,
+                                 p.includes_highest ? "]" : ")", p.includes_infinity ? " and not infinite" : ""));
   return text;
 }
 

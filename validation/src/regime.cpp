@@ -261,13 +261,22 @@ const Regime* find_regime(std::string_view name) {
   return found == regimes().end() ? nullptr : &*found;
 }
 
+// The default, a limit or a value in between, so that every row of results has seen them all.
+double make_parameter(const Parameter& p, RandomStream& random) {
+  const int choice = random.below(4);
+  if (choice == 0) return p.preset;
+  if (choice == 1 && p.includes_highest) return p.highest;
+  if (choice == 2 && p.includes_infinity) return random.below(2) == 0 ? HUGE_VAL : -HUGE_VAL;
+  return std::isinf(p.highest) ? p.preset * std::exp2(random.uniform(-3, 3)) : random.uniform(p.lowest, p.highest);
+}
+
 Sample make_sample(const Formula& formula, const Regime& regime, std::uint64_t seed, std::uint64_t index) {
   RandomStream random(seed, fmt::format("{}/{}", formula.name, regime.name), index);
   Sample sample;
   sample.index = index;
   sample.parameter = regime.parameters.empty() ? 0 : regime.parameters[index % regime.parameters.size()];
   regime.make(formula.element, sample.parameter, random, sample);
-  for (const Parameter& p : formula.parameters) sample.parameters.push_back(p.preset);
+  for (const Parameter& p : formula.parameters) sample.parameters.push_back(make_parameter(p, random));
   return sample;
 }
 

@@ -7,8 +7,8 @@ namespace cageproof::closed_form {
 namespace {
 
 const RegisterEvaluation registered{triangle_family(
-    "triangle.biharmonic_double_layer", "edge form",
-    []<Scalar R>(const Triangle<R>& t, const Vec3<R>& eta, int order) { return biharmonic_double_layer<R>(t, eta, order); })};
+    "triangle.biharmonic_double_layer", "closed_form", "edge form",
+    []<Scalar R>(const Triangle<R>& t, const Query<R>& q) { return biharmonic_double_layer<R>(t, q.point, q.order); })};
 
 }  // namespace
 }  // namespace cageproof::closed_form

@@ -8,7 +8,7 @@ namespace {
 
 const RegisterEvaluation registered{triangle_family(
     "triangle.mean_value", "edge form over even powers of the distance",
-    []<Scalar R>(const Triangle<R>& t, const Vec3<R>& eta, int order) { return mean_value<R>(t, eta, order); })};
+    []<Scalar R>(const Triangle<R>& t, const Query<R>& q) { return mean_value<R>(t, q.point, q.order); })};
 
 }  // namespace
 }  // namespace cageproof::closed_form

@@ -7,8 +7,8 @@ namespace cageproof::closed_form {
 namespace {
 
 const RegisterEvaluation registered{triangle_family(
-    "triangle.solid_angle", "edge form",
-    []<Scalar R>(const Triangle<R>& t, const Vec3<R>& eta, int order) { return solid_angle<R>(t, eta, order); })};
+    "triangle.solid_angle", "closed_form", "edge form",
+    []<Scalar R>(const Triangle<R>& t, const Query<R>& q) { return solid_angle<R>(t, q.point, q.order); })};
 
 }  // namespace
 }  // namespace cageproof::closed_form

@@ -4,18 +4,27 @@
 
 #include "cageproof/core/element.h"
 
+#include <cmath>
 #include <span>
 #include <string_view>
 #include <vector>
 
 namespace cageproof {
 
-/// A formula's parameter (Poisson ratio, shear modulus): name, default and open range.
+/// A formula's parameter (Poisson ratio, shear modulus): name, default and open range, with the limits that exist beside it.
 struct Parameter {
   std::string_view name;
   double preset;
   double lowest;
   double highest;
+  bool includes_highest = false;  ///< the limit `highest` itself is allowed
+  bool includes_infinity = false; ///< the limits +-infinity are allowed
+
+  /// Whether the formula is defined for this value.
+  bool allows(double value) const {
+    if (std::isinf(value)) return includes_infinity;
+    return lowest < value && (value < highest || (includes_highest && value == highest));
+  }
 };
 
 /// How a formula's tensor is made up: one tensor an element, or one a corner; the tensor has rows x columns entries.
@@ -31,7 +40,8 @@ struct Laplacian {
   std::string_view formula = {};
 };
 
-/// Value just inside minus value just outside a face: number + pi_multiple pi, times the corner's hat function if per corner.
+/// Value just inside minus value just outside a face: number + pi_multiple pi, times the corner's hat function if per corner, times the
+/// identity if the tensor is a matrix.
 struct FaceJump {
   double number = 0;
   double pi_multiple = 0;
