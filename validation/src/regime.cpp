@@ -261,6 +261,8 @@ const Regime* find_regime(std::string_view name) {
   return found == regimes().end() ? nullptr : &*found;
 }
 
+namespace {
+
 // The default, a limit or a value in between, so that every row of results has seen them all.
 double make_parameter(const Parameter& p, RandomStream& random) {
   const int choice = random.below(4);
@@ -269,6 +271,8 @@ double make_parameter(const Parameter& p, RandomStream& random) {
   if (choice == 2 && p.includes_infinity) return random.below(2) == 0 ? HUGE_VAL : -HUGE_VAL;
   return std::isinf(p.highest) ? p.preset * std::exp2(random.uniform(-3, 3)) : random.uniform(p.lowest, p.highest);
 }
+
+}  // namespace
 
 Sample make_sample(const Formula& formula, const Regime& regime, std::uint64_t seed, std::uint64_t index) {
   RandomStream random(seed, fmt::format("{}/{}", formula.name, regime.name), index);

@@ -7,7 +7,7 @@ namespace cageproof::closed_form {
 namespace {
 
 const RegisterEvaluation registered{triangle_family(
-    "triangle.mean_value", "edge form over even powers of the distance",
+    "triangle.mean_value", "closed_form", "edge form over even powers of the distance",
     []<Scalar R>(const Triangle<R>& t, const Query<R>& q) { return mean_value<R>(t, q.point, q.order); })};
 
 }  // namespace
