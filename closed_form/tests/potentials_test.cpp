@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/closed_form/triangle/biharmonic_double_layer.h"
-#include "cageproof/closed_form/triangle/biharmonic_single_layer.h"
-#include "cageproof/closed_form/triangle/double_layer.h"
-#include "cageproof/closed_form/triangle/mean_value.h"
-#include "cageproof/closed_form/triangle/single_layer.h"
-#include "cageproof/closed_form/triangle/solid_angle.h"
+#include "cageproof/closed_form/triangle/triangle_form.h"
+#include "cageproof/core/random_stream.h"
 
 #include <gtest/gtest.h>
 
@@ -14,28 +10,36 @@ namespace cageproof::closed_form {
 namespace {
 
 using Vec = Vec3<double>;
+
+template <class F, Scalar R = double>
+Jet<R, F::components> evaluate(const Triangle<R>& t, const Vec3<R>& p, int order, std::span<const R> parameters = {}) {
+  if (order == 0) return closed_form<F, 0, R>(t, p, parameters);
+  if (order == 1) return closed_form<F, 1, R>(t, p, parameters);
+  return closed_form<F, 2, R>(t, p, parameters);
+}
+
 constexpr double pi_d = std::numbers::pi;
 
 const Triangle<double> octant{Vec(1, 0, 0), Vec(0, 1, 0), Vec(0, 0, 1)};
 const Triangle<double> flat{Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0)};
 
 TEST(solid_angle, octant_is_an_eighth_of_the_sphere) {
-  EXPECT_DOUBLE_EQ(solid_angle(octant, Vec(0, 0, 0), 0).value[0], pi_d / 2);
+  EXPECT_DOUBLE_EQ(evaluate<SolidAngle>(octant, Vec(0, 0, 0), 0).value[0], pi_d / 2);
 }
 
 TEST(solid_angle, positive_where_the_normal_points_away) {
-  EXPECT_GT(solid_angle(flat, Vec(0.2, 0.2, -1), 0).value[0], 0);
-  EXPECT_LT(solid_angle(flat, Vec(0.2, 0.2, 1), 0).value[0], 0);
+  EXPECT_GT(evaluate<SolidAngle>(flat, Vec(0.2, 0.2, -1), 0).value[0], 0);
+  EXPECT_LT(evaluate<SolidAngle>(flat, Vec(0.2, 0.2, 1), 0).value[0], 0);
 }
 
 TEST(solid_angle, limits_from_inside_on_the_triangle) {
-  EXPECT_DOUBLE_EQ(solid_angle(flat, Vec(0.25, 0.25, 0), 0).value[0], 2 * pi_d);
-  EXPECT_DOUBLE_EQ(solid_angle(flat, Vec(0.5, 0, 0), 0).value[0], pi_d);
-  EXPECT_DOUBLE_EQ(solid_angle(flat, Vec(0.5, 0.5, 0), 0).value[0], pi_d);
-  EXPECT_DOUBLE_EQ(solid_angle(flat, Vec(0, 0, 0), 0).value[0], pi_d / 2);
-  EXPECT_DOUBLE_EQ(solid_angle(flat, Vec(1, 0, 0), 0).value[0], pi_d / 4);
-  EXPECT_EQ(solid_angle(flat, Vec(2, 0, 0), 0).value[0], 0);
-  EXPECT_EQ(solid_angle(flat, Vec(2, 3, 0), 0).value[0], 0);
+  EXPECT_DOUBLE_EQ(evaluate<SolidAngle>(flat, Vec(0.25, 0.25, 0), 0).value[0], 2 * pi_d);
+  EXPECT_DOUBLE_EQ(evaluate<SolidAngle>(flat, Vec(0.5, 0, 0), 0).value[0], pi_d);
+  EXPECT_DOUBLE_EQ(evaluate<SolidAngle>(flat, Vec(0.5, 0.5, 0), 0).value[0], pi_d);
+  EXPECT_DOUBLE_EQ(evaluate<SolidAngle>(flat, Vec(0, 0, 0), 0).value[0], pi_d / 2);
+  EXPECT_DOUBLE_EQ(evaluate<SolidAngle>(flat, Vec(1, 0, 0), 0).value[0], pi_d / 4);
+  EXPECT_EQ(evaluate<SolidAngle>(flat, Vec(2, 0, 0), 0).value[0], 0);
+  EXPECT_EQ(evaluate<SolidAngle>(flat, Vec(2, 3, 0), 0).value[0], 0);
 }
 
 TEST(solid_angle, side_of_the_face_is_kept_next_to_it) {
@@ -44,21 +48,21 @@ TEST(solid_angle, side_of_the_face_is_kept_next_to_it) {
   const Vec n = t[1].cross(t[2]).normalized();
   const Vec middle = (t[0] + t[1] + t[2]) / 3;
   for (Vec& v : t) v -= middle;
-  EXPECT_LT(solid_angle(t, Vec(1e-16 * n), 0).value[0], -6.28);
-  EXPECT_GT(solid_angle(t, Vec(-1e-16 * n), 0).value[0], 6.28);
+  EXPECT_LT(evaluate<SolidAngle>(t, Vec(1e-16 * n), 0).value[0], -6.28);
+  EXPECT_GT(evaluate<SolidAngle>(t, Vec(-1e-16 * n), 0).value[0], 6.28);
 }
 
 TEST(double_layer, half_the_hat_functions_on_the_face) {
-  const auto phi = double_layer(flat, Vec(0.25, 0.25, 0), 0);
+  const auto phi = evaluate<DoubleLayer>(flat, Vec(0.25, 0.25, 0), 0);
   EXPECT_DOUBLE_EQ(phi.value[0], 0.25);
   EXPECT_DOUBLE_EQ(phi.value[1], 0.125);
   EXPECT_DOUBLE_EQ(phi.value[2], 0.125);
 }
 
 TEST(mean_value, infinite_on_the_face_and_zero_beside_it) {
-  const auto on = mean_value(flat, Vec(0.25, 0.25, 0), 0);
+  const auto on = evaluate<MeanValue>(flat, Vec(0.25, 0.25, 0), 0);
   for (const double w : on.value) EXPECT_TRUE(std::isinf(w) && w > 0);
-  const auto beside = mean_value(flat, Vec(2, 2, 0), 2);
+  const auto beside = evaluate<MeanValue>(flat, Vec(2, 2, 0), 2);
   for (int k = 0; k < 3; ++k) {
     EXPECT_EQ(beside.value[k], 0);
     EXPECT_TRUE(beside.gradient[k].allFinite());
@@ -68,7 +72,7 @@ TEST(mean_value, infinite_on_the_face_and_zero_beside_it) {
 }
 
 TEST(mean_value, ratios_tend_to_the_hat_functions) {
-  const auto w = mean_value(flat, Vec(0.25, 0.25, -1e-9), 0);
+  const auto w = evaluate<MeanValue>(flat, Vec(0.25, 0.25, -1e-9), 0);
   const double sum = w.value[0] + w.value[1] + w.value[2];
   EXPECT_NEAR(w.value[0] / sum, 0.5, 1e-8);
   EXPECT_NEAR(w.value[1] / sum, 0.25, 1e-8);
@@ -76,10 +80,10 @@ TEST(mean_value, ratios_tend_to_the_hat_functions) {
 
 TEST(derivatives, not_a_number_where_no_limit_exists) {
   for (const Vec& p : {Vec(0.5, 0, 0), Vec(0, 0, 0), Vec(0.5, 0.5, 0)}) {
-    EXPECT_TRUE(single_layer(flat, p, 1).gradient[0].hasNaN());
-    EXPECT_TRUE(double_layer(flat, p, 1).gradient[0].hasNaN());
-    EXPECT_TRUE(biharmonic_single_layer(flat, p, 2).hessian[0].allFinite());
-    const auto phibar = biharmonic_double_layer(flat, p, 2);
+    EXPECT_TRUE(evaluate<SingleLayer>(flat, p, 1).gradient[0].hasNaN());
+    EXPECT_TRUE(evaluate<DoubleLayer>(flat, p, 1).gradient[0].hasNaN());
+    EXPECT_TRUE(evaluate<BiharmonicSingleLayer>(flat, p, 2).hessian[0].allFinite());
+    const auto phibar = evaluate<BiharmonicDoubleLayer>(flat, p, 2);
     EXPECT_TRUE(phibar.gradient[0].allFinite());
     EXPECT_TRUE(phibar.hessian[0].hasNaN());
   }
@@ -88,11 +92,11 @@ TEST(derivatives, not_a_number_where_no_limit_exists) {
 TEST(values, finite_at_every_special_position) {
   for (const Vec& p : {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0), Vec(0.5, 0, 0), Vec(2, 0, 0), Vec(-1, 0, 0), Vec(0, -3, 0),
                        Vec(-1, 2, 0), Vec(0.25, 0.25, 0), Vec(0, 0, 1), Vec(1, 0, -1e-300), Vec(1e-200, 0, 0)}) {
-    EXPECT_TRUE(std::isfinite(single_layer(flat, p, 0).value[0]));
-    EXPECT_TRUE(std::isfinite(solid_angle(flat, p, 0).value[0]));
-    EXPECT_TRUE(std::isfinite(double_layer(flat, p, 0).value[1]));
-    EXPECT_TRUE(std::isfinite(biharmonic_single_layer(flat, p, 0).value[0]));
-    EXPECT_TRUE(std::isfinite(biharmonic_double_layer(flat, p, 0).value[1]));
+    EXPECT_TRUE(std::isfinite(evaluate<SingleLayer>(flat, p, 0).value[0]));
+    EXPECT_TRUE(std::isfinite(evaluate<SolidAngle>(flat, p, 0).value[0]));
+    EXPECT_TRUE(std::isfinite(evaluate<DoubleLayer>(flat, p, 0).value[1]));
+    EXPECT_TRUE(std::isfinite(evaluate<BiharmonicSingleLayer>(flat, p, 0).value[0]));
+    EXPECT_TRUE(std::isfinite(evaluate<BiharmonicDoubleLayer>(flat, p, 0).value[1]));
   }
 }
 
@@ -100,9 +104,9 @@ TEST(scaling, extreme_units_neither_overflow_nor_underflow) {
   const Vec p(0.3, 0.1, -0.4);
   for (const double unit : {1e-100, 1e100}) {
     const Triangle<double> t{Vec(unit * flat[0]), Vec(unit * flat[1]), Vec(unit * flat[2])};
-    EXPECT_NEAR(single_layer(t, Vec(unit * p), 0).value[0] / (unit * single_layer(flat, p, 0).value[0]), 1, 1e-14);
-    EXPECT_NEAR(solid_angle(t, Vec(unit * p), 0).value[0], solid_angle(flat, p, 0).value[0], 1e-14);
-    EXPECT_NEAR(double_layer(t, Vec(unit * p), 1).gradient[1].norm() * unit / double_layer(flat, p, 1).gradient[1].norm(), 1,
+    EXPECT_NEAR(evaluate<SingleLayer>(t, Vec(unit * p), 0).value[0] / (unit * evaluate<SingleLayer>(flat, p, 0).value[0]), 1, 1e-14);
+    EXPECT_NEAR(evaluate<SolidAngle>(t, Vec(unit * p), 0).value[0], evaluate<SolidAngle>(flat, p, 0).value[0], 1e-14);
+    EXPECT_NEAR(evaluate<DoubleLayer>(t, Vec(unit * p), 1).gradient[1].norm() * unit / evaluate<DoubleLayer>(flat, p, 1).gradient[1].norm(), 1,
                 1e-13);
   }
 }
@@ -110,8 +114,8 @@ TEST(scaling, extreme_units_neither_overflow_nor_underflow) {
 TEST(far_away, single_layers_keep_their_digits) {
   const Vec p(3e7, 4e7, 1.2e8);
   const Triangle<Mp100> wide{convert<Mp100>(flat[0]), convert<Mp100>(flat[1]), convert<Mp100>(flat[2])};
-  const auto exact = single_layer(wide, convert<Mp100>(p), 1);
-  const auto found = single_layer(flat, p, 1);
+  const auto exact = evaluate<SingleLayer, Mp100>(wide, convert<Mp100>(p), 1);
+  const auto found = evaluate<SingleLayer>(flat, p, 1);
   EXPECT_NEAR(found.value[0] / static_cast<double>(exact.value[0]), 1, 2e-15);
   const Vec gradient = convert<double>(Vec3<Mp100>(exact.gradient[0]));
   EXPECT_LT((found.gradient[0] - gradient).norm(), 1e-14 * gradient.norm());

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/closed_form/triangle/double_layer.h"
-
-#include "../register.h"
+#include "register_form.h"
 
 namespace cageproof::closed_form {
 namespace {
 
-const RegisterEvaluation registered{triangle_family(
-    "triangle.double_layer", "closed_form", "edge form",
-    []<Scalar R>(const Triangle<R>& t, const Query<R>& q) { return double_layer<R>(t, q.point, q.order); })};
+const RegisterForm<DoubleLayer> registered{"triangle.double_layer"};
 
 }  // namespace
 }  // namespace cageproof::closed_form

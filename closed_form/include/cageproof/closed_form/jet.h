@@ -22,11 +22,16 @@ struct Jet {
   }
 };
 
-/// The symmetric outer product a b' + b a'.
-template <Scalar R>
-Mat3<R> symmetric_outer(const Vec3<R>& a, const Vec3<R>& b) {
-  const Mat3<R> m = a * b.transpose();
-  return m + m.transpose();
+/// The jet in a narrower type.
+template <Scalar To, Scalar From, int C>
+Jet<To, C> narrowed(const Jet<From, C>& from) {
+  Jet<To, C> to;
+  for (int c = 0; c < C; ++c) {
+    to.value[c] = static_cast<To>(from.value[c]);
+    to.gradient[c] = convert<To>(from.gradient[c]);
+    to.hessian[c] = from.hessian[c].template cast<To>();
+  }
+  return to;
 }
 
 /// Copies a jet into an evaluation's result, orders 0 to `order`.

@@ -2,40 +2,13 @@
 // Twice the working precision for the few quantities whose sign and relative size must survive cancellation.
 #pragma once
 
+#include "cageproof/closed_form/two_doubles.h"
 #include "cageproof/core/linear.h"
 
-#include <cmath>
+#include <array>
 #include <type_traits>
 
 namespace cageproof::closed_form {
-
-/// The unevaluated sum of two doubles; relative error about 2^-104 a operation (Dekker 1971, Knuth's two-sum).
-struct TwoDoubles {
-  double high = 0;
-  double low = 0;
-
-  TwoDoubles() = default;
-  TwoDoubles(double h, double l = 0) : high(h), low(l) {}
-  explicit operator double() const { return high + low; }
-
-  static TwoDoubles sum(double a, double b) {
-    const double s = a + b;
-    const double t = s - a;
-    return {s, (a - (s - t)) + (b - t)};
-  }
-  friend TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
-    TwoDoubles s = sum(a.high, b.high);
-    const TwoDoubles t = sum(a.low, b.low);
-    s = sum(s.high, s.low + t.high);
-    return sum(s.high, s.low + t.low);
-  }
-  friend TwoDoubles operator-(const TwoDoubles& a) { return {-a.high, -a.low}; }
-  friend TwoDoubles operator-(const TwoDoubles& a, const TwoDoubles& b) { return a + (-b); }
-  friend TwoDoubles operator*(const TwoDoubles& a, const TwoDoubles& b) {
-    const double p = a.high * b.high;
-    return sum(p, std::fma(a.high, b.high, -p) + (a.high * b.low + a.low * b.high));
-  }
-};
 
 /// The type with at least twice R's digits that frames are computed in; multiprecision needs none.
 template <Scalar R>

@@ -25,11 +25,11 @@ constexpr std::string_view name_of(ElementKind kind) {
   return kind == ElementKind::Segment ? "segment" : kind == ElementKind::Triangle ? "triangle" : "quad";
 }
 
-template <Scalar R>
+template <class R>
 using Segment = std::array<Vec3<R>, 2>;
-template <Scalar R>
+template <class R>
 using Triangle = std::array<Vec3<R>, 3>;
-template <Scalar R>
+template <class R>
 using Quad = std::array<Vec3<R>, 4>;
 
 }  // namespace cageproof

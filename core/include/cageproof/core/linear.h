@@ -9,9 +9,9 @@
 
 namespace cageproof {
 
-template <Scalar R>
+template <class R>
 using Vec3 = Eigen::Matrix<R, 3, 1>;
-template <Scalar R>
+template <class R>
 using Mat3 = Eigen::Matrix<R, 3, 3>;
 
 /// The same point in another scalar; exact when To is wider than From.

@@ -2,6 +2,7 @@
 // A triangle seen from a point: the distances, heights and directions that every closed form is built from.
 #pragma once
 
+#include "cageproof/closed_form/tracked.h"
 #include "cageproof/closed_form/wide.h"
 #include "cageproof/core/element.h"
 
@@ -10,19 +11,18 @@
 namespace cageproof::closed_form {
 
 /// One edge from corner e to corner e + 1, seen from the point.
-template <Scalar R>
+template <class R>
 struct FrameEdge {
   Vec3<R> u;   ///< unit direction
   Vec3<R> nu;  ///< outward in-plane unit normal, u x n
-  Vec3<R> D;   ///< from the point to the nearest point of the edge's line
   R length, h; ///< h: signed in-plane distance from the point's projection to the line, positive inside
   R s0, s1;    ///< arc length of the corners from the nearest point, s1 - s0 = length
   R r0, r1;    ///< distances of the corners
-  R D2;        ///< |D|^2
+  R D2;        ///< squared distance of the line: h^2 + d^2
 };
 
 /// Geometry in units of `unit`, a power of two near the largest distance, so that no power of a distance overflows.
-template <Scalar R>
+template <class R>
 struct Frame {
   std::array<Vec3<R>, 3> p;  ///< corners minus point
   std::array<R, 3> r;        ///< distances of the corners
@@ -33,17 +33,29 @@ struct Frame {
   R unit;
   int far_corner;
 
-  Frame(const Triangle<R>& t, const Vec3<R>& eta);
+  Frame(const Triangle<R>& t, const Vec3<R>& eta)
+    requires Scalar<R>;
+  /// The same geometry, rounded to a tracked type.
+  template <Scalar S>
+  explicit Frame(const Frame<S>& wider);
 
   /// Gradient of corner k's hat function (tangent to the triangle).
   Vec3<R> hat_gradient(int k) const {
     const FrameEdge<R>& opposite = edges[(k + 1) % 3];
-    return -(opposite.length / area2) * opposite.nu;
+    const R slope = -opposite.length / area2;
+    return {slope * opposite.nu[0], slope * opposite.nu[1], slope * opposite.nu[2]};
   }
   /// Corner k's hat function, extended affinely to the point's projection.
   R hat(int k) const {
     const FrameEdge<R>& opposite = edges[(k + 1) % 3];
     return opposite.h * opposite.length / area2;
+  }
+  /// Twice the area over the squared longest edge: the height over it, relative to its length.
+  R shape() const {
+    R longest = edges[0].length;
+    for (int i = 1; i < 3; ++i)
+      if (edges[i].length > longest) longest = edges[i].length;
+    return area2 / (longest * longest);
   }
   /// The distance of the first corner, or of the second for a point next to the first: never small against the triangle.
   const R& farthest() const { return r[far_corner]; }
@@ -54,14 +66,6 @@ struct Frame {
     const FrameEdge<R>& e = edges[(far_corner + 1) % 3 == i ? far_corner : i];
     const R step = e.length * (e.s0 + e.s1) / (e.r0 + e.r1);
     return (far_corner + 1) % 3 == i ? step : R(-step);
-  }
-  /// Edge i's midpoint minus the far corner, along the edge.
-  R midpoint_rest(int i) const {
-    const FrameEdge<R>& e = edges[i];
-    if (far_corner == i) return e.length / 2;
-    if (far_corner == (i + 1) % 3) return -e.length / 2;
-    const FrameEdge<R>&before = edges[(i + 2) % 3], &after = edges[(i + 1) % 3];
-    return (before.length * before.u.dot(e.u) - after.length * after.u.dot(e.u)) / 2;
   }
   /// True when the point lies on the triangle, its border included.
   bool on_triangle() const { return d == 0 && edges[0].h >= 0 && edges[1].h >= 0 && edges[2].h >= 0; }
@@ -96,8 +100,10 @@ constexpr R doubtful() {
   return 4096 * std::numeric_limits<R>::epsilon() * std::numeric_limits<R>::epsilon();
 }
 
-template <Scalar R>
-Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) {
+template <class R>
+Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta)
+  requires Scalar<R>
+{
   using std::abs, std::max, std::sqrt;
   R largest = 0;
   for (int i = 0; i < 3; ++i)
@@ -141,8 +147,34 @@ Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) {
     e.s1 = static_cast<R>(dot(we[i], wp[j])) / e.length;
     e.r0 = r[i];
     e.r1 = r[j];
-    e.D = e.h * e.nu - d * n;
     e.D2 = e.h * e.h + d * d;
+  }
+}
+
+/// A frame's number as a tracked one. In its own type it is the outcome of at most eight roundings, from a wider one it is rounded once.
+template <class R, Scalar S>
+R tracked_from(const S& x) {
+  using T = decltype(R::value);
+  const T value(x);
+  return R(value, (std::same_as<T, S> ? 8 : 1) * std::abs(static_cast<double>(value)));
+}
+
+template <class R>
+template <Scalar S>
+Frame<R>::Frame(const Frame<S>& wider)
+    : area2(tracked_from<R>(wider.area2)), unit(tracked_from<R>(wider.unit)), far_corner(wider.far_corner) {
+  const auto vector = [](const Vec3<S>& v) {
+    return Vec3<R>(tracked_from<R>(v[0]), tracked_from<R>(v[1]), tracked_from<R>(v[2]));
+  };
+  n = vector(wider.n);
+  d = tracked_from<R>(wider.d);
+  for (int i = 0; i < 3; ++i) {
+    const FrameEdge<S>& from = wider.edges[i];
+    p[i] = vector(wider.p[i]);
+    r[i] = tracked_from<R>(wider.r[i]);
+    edges[i] = {vector(from.u), vector(from.nu), tracked_from<R>(from.length), tracked_from<R>(from.h),
+                tracked_from<R>(from.s0), tracked_from<R>(from.s1), tracked_from<R>(from.r0), tracked_from<R>(from.r1),
+                tracked_from<R>(from.D2)};
   }
 }
 

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "register_form.h"
+
+namespace cageproof::closed_form {
+namespace {
+
+const RegisterForm<AffineSingleLayer> registered{"triangle.affine_single_layer"};
+
+}  // namespace
+}  // namespace cageproof::closed_form
