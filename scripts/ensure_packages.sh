@@ -15,6 +15,7 @@ libeigen3-dev            vectors and matrices
 libboost-dev             multiprecision numbers (Boost.Multiprecision), special constants, quadrature
 libmpfr-dev              arithmetic with 50 to 200 digits, under Boost.Multiprecision
 libgmp-dev               integers under MPFR
+libcgal-dev              exact predicates: on which side of a plane or an edge a point lies
 libvtk9-dev              reads PLY, STL and VTP; writes fields for ParaView and pictures
 libtinyobjloader-dev     reads OBJ, keeping quads and the order of vertices
 libcli11-dev             command line

@@ -12,6 +12,8 @@
 #include <xtensor/xadapt.hpp>
 #include <xtensor/xnpy.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 
 namespace cageproof::cli {
@@ -20,8 +22,27 @@ namespace {
 struct Arguments {
   CageArguments cage;
   std::string points, kind, evaluation = "closed_form", out;
+  std::vector<std::string> parameters;
   int jobs = 0;
 };
+
+// "nu=0.3" and so on, for a kind whose formulas have parameters; what is not given takes its default.
+std::vector<double> parameters_for(const CoordinateKind& kind, const std::vector<std::string>& given) {
+  std::vector<double> values;
+  const auto& known = parameters_of(kind);
+  for (const Parameter& p : known) values.push_back(p.preset);
+  for (const std::string& text : given) {
+    const auto equals = text.find('=');
+    const auto found = std::ranges::find(known, std::string_view(text).substr(0, equals), &Parameter::name);
+    if (equals == std::string::npos || found == known.end())
+      throw InputError(fmt::format("--parameter {}: {} has no such parameter; write name=value", text, kind.name));
+    const std::string number = text.substr(equals + 1);
+    const std::optional<double> value = number == "inf" ? HUGE_VAL : number == "-inf" ? -HUGE_VAL : parse_scalar<double>(number);
+    if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, number));
+    values[found - known.begin()] = *value;
+  }
+  return values;
+}
 
 // Coordinates of all points, point by point, blocks one after the other.
 struct Table {
@@ -34,7 +55,9 @@ Table compute(const CageCoordinates& coordinates, const std::vector<Vec3<double>
   const auto& blocks = coordinates.kind().blocks;
   for (std::size_t b = 0; b < blocks.size(); ++b)
     for (int i = 0; i < coordinates.size(static_cast<int>(b)); ++i)
-      table.columns.push_back(fmt::format("{}_{}", blocks[b].label, i));
+      for (int e = 0, width = coordinates.entries(static_cast<int>(b)); e < width; ++e)
+        table.columns.push_back(width == 1 ? fmt::format("{}_{}", blocks[b].label, i)
+                                           : fmt::format("{}_{}_{}{}", blocks[b].label, i, "xyz"[e / 3], "xyz"[e % 3]));
   table.values.resize(points.size() * table.columns.size());
   validation::for_each_parallel(points.size(), jobs, [&](std::size_t p) {
     double* to = &table.values[p * table.columns.size()];
@@ -62,7 +85,7 @@ std::string vtp_text(const Table& table, const CageCoordinates& coordinates, con
   const std::size_t columns = table.columns.size();
   std::size_t first = 0;
   for (std::size_t b = 0; b < coordinates.kind().blocks.size(); ++b) {
-    const int size = coordinates.size(static_cast<int>(b));
+    const int size = coordinates.size(static_cast<int>(b)) * coordinates.entries(static_cast<int>(b));
     ImageField::Array array{std::string(coordinates.kind().blocks[b].label), "1", size, {}};
     for (std::size_t p = 0; p < mesh.vertices.size(); ++p)
       for (int i = 0; i < size; ++i) array.values.push_back(table.values[p * columns + first + i]);
@@ -96,7 +119,7 @@ int run(const Arguments& a) {
     throw InputError(fmt::format("{}: cannot write '{}' files; use .csv, .npy or .vtp", a.out, extension));
   const Cage cage = a.cage.load();
   const Mesh mesh = load_points(a.points);
-  const CageCoordinates coordinates(cage, *kind, a.evaluation, a.cage.rule());
+  const CageCoordinates coordinates(cage, *kind, a.evaluation, a.cage.rule(), parameters_for(*kind, a.parameters));
   const Table table = compute(coordinates, mesh.vertices, a.jobs);
   const std::string text = extension == ".npy"   ? npy_text(table, mesh.vertices.size())
                            : extension == ".vtp" ? vtp_text(table, coordinates, mesh)
@@ -113,7 +136,8 @@ void add_coordinates(CLI::App& app, Action& action) {
   auto a = std::make_shared<Arguments>();
   a->cage.add_to(*command, true);
   command->add_option("--points", a->points, "a mesh, or text with three numbers a line")->required();
-  command->add_option("--kind", a->kind, "mean_value, green or biharmonic")->required();
+  command->add_option("--kind", a->kind, "mean_value, green, biharmonic or somigliana")->required();
+  command->add_option("--parameter", a->parameters, "mu=..., nu=... of somigliana; nu in (-1, 0.5] or inf or -inf");
   command->add_option("--evaluation", a->evaluation, "how its formulas are evaluated")->capture_default_str();
   command->add_option("--out", a->out, ".csv, .npy (points x coordinates) or .vtp; CSV on standard output if not given");
   command->add_option("--jobs", a->jobs, "threads; 0: all cores")->check(CLI::Range(0, 1024))->capture_default_str();

@@ -9,29 +9,36 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Sums of one derivative entry over all coordinates, weighted with one and with positions, and the terms' sizes.
+// Sums of one derivative entry over all coordinates, weighted with one and with positions, and the terms' sizes. A number counts as that
+// multiple of the identity, and norms are those of matrices over that of the identity.
 struct Sums {
-  double ones = 0, ones_size = 0;
+  Mat3<double> ones = Mat3<double>::Zero();
+  double ones_size = 0;
   Vec3<double> positions = Vec3<double>::Zero();
   double positions_size = 0;
 };
 
+double norm_of(const Mat3<double>& m) { return m.norm() / std::sqrt(3.0); }
+
 Sums sums_of(const CageCoordinates& coordinates, const Cage& cage, const std::vector<Result<double>>& blocks, int order,
-             int entry) {
+             int derivative) {
   Sums s;
-  const int entries = order == 0 ? 1 : order == 1 ? 3 : 9;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
+  const std::size_t derivatives = order == 0 ? 1 : order == 1 ? 3 : 9;
+  for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
     const auto reproduces = coordinates.kind().blocks[b].reproduces;
     if (reproduces == CoordinateBlock::Reproduces::Nothing) continue;
     const bool vertices = reproduces == CoordinateBlock::Reproduces::Vertices;
-    for (int i = 0; i < coordinates.size(static_cast<int>(b)); ++i) {
-      const double c = blocks[b].of(order)[static_cast<std::size_t>(i) * entries + entry];
-      const Vec3<double>& v = vertices ? cage.vertices()[i] : coordinates.normals()[i];
+    const std::size_t width = coordinates.entries(b);
+    for (int i = 0; i < coordinates.size(b); ++i) {
+      const double* from = &blocks[b].of(order)[i * width * derivatives + derivative];
+      Mat3<double> c = *from * Mat3<double>::Identity();
+      for (std::size_t e = 0; width > 1 && e < width; ++e) c(e / 3, e % 3) = from[e * derivatives];
+      const Vec3<double> v = vertices ? cage.vertices()[i] : Vec3<double>(coordinates.normal_factor(b) * coordinates.normals()[i]);
       s.positions += c * v;
-      s.positions_size += std::abs(c) * v.norm();
+      s.positions_size += norm_of(c) * v.norm();
       if (!vertices) continue;
       s.ones += c;
-      s.ones_size += std::abs(c);
+      s.ones_size += norm_of(c);
     }
   }
   return s;
@@ -82,7 +89,7 @@ CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const
     double ones = 0, positions = 0, ones_size = 0, positions_size = 0;
     for (int e = 0; e < entries; ++e) {
       const Sums s = sums_of(coordinates, cage, blocks, o, e);
-      const double one = o == 0 ? s.ones - expected : s.ones;
+      const double one = norm_of(s.ones - (o == 0 ? expected : 0) * Mat3<double>::Identity());
       Vec3<double> position = s.positions;
       if (o == 0) position -= expected * point;
       if (o == 1) position[e] -= expected;

@@ -13,6 +13,15 @@ constexpr double scale = 0x1p10;  // a power of two, so that the scaled input is
 // Axes permuted with signs, so that the turned input is exact.
 Vec3<double> turn(const Vec3<double>& v) { return {v[1], -v[2], -v[0]}; }
 
+// A matrix as it would be without the turn.
+void turn_back(double* matrix) {
+  Mat3<double> q;
+  for (int i = 0; i < 3; ++i) q.col(i) = turn(Vec3<double>::Unit(i));
+  using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  Eigen::Map<Rows> m(matrix);
+  m = (q.transpose() * m * q).eval();
+}
+
 template <Scalar R>
 double relative_difference(const std::vector<R>& a, const std::vector<R>& b) {
   R error = 0, size = 0;
@@ -87,11 +96,16 @@ std::map<std::string, double> CageSymmetries::errors_at(const Vec3<double>& poin
       const Formula& formula = *find_formula(base_.kind().blocks[b].formula);
       const int degree = base_.kind().normalised ? 0 : formula.degree;
       std::vector<double> folded(expected[b].value.size(), 0.0);
-      for (std::size_t i = 0; i < found[b].value.size(); ++i) {
-        const double x = found[b].value[i] / std::pow(v.unit, degree);
-        if (!formula.shape.per_corner) folded[v.triangle_of[i]] += x;
+      const std::size_t width = base_.entries(static_cast<int>(b));
+      std::vector<double> plain = found[b].value;
+      for (std::size_t i = 0; v.turned && width == 9 && i < plain.size(); i += width) turn_back(&plain[i]);
+      for (std::size_t i = 0; i < plain.size(); ++i) {
+        const double x = plain[i] / std::pow(v.unit, degree);
+        const std::size_t coordinate = i / width, entry = i % width;
+        if (!formula.shape.per_corner) folded[v.triangle_of[coordinate] * width + entry] += x;
         else
-          for (const int to : v.vertex_parts[i]) folded[to] += x / static_cast<double>(v.vertex_parts[i].size());
+          for (const int to : v.vertex_parts[coordinate])
+            folded[to * width + entry] += x / static_cast<double>(v.vertex_parts[coordinate].size());
       }
       worst = std::max(worst, relative_difference(folded, expected[b].value));
     }

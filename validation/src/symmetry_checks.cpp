@@ -25,6 +25,7 @@ class SymmetryCheck : public Check {
     std::array<Finding, 3> findings;
     for (int o = 0; o <= in.order; ++o) {
       findings[o] = finding_for(in.truth, o);
+      if (in.truth.on_element && !keeps_side()) findings[o].status = Finding::Status::Unasked;
       if (findings[o].status == Finding::Status::Measured)
         findings[o].error = ratio_of_difference(undo(in.formula, changed.of(o), o), plain.of(o),
                                                 Mp100(u * in.truth.conditioned[o]));
@@ -33,6 +34,8 @@ class SymmetryCheck : public Check {
   }
 
  protected:
+  /// Whether a limit from inside remains one.
+  virtual bool keeps_side() const { return true; }
   virtual Sample change(Sample sample) const = 0;
   /// The tensor of derivative order `order` as it would be without the change.
   virtual Values undo(const Formula& formula, Values tensor, int order) const = 0;
@@ -79,6 +82,7 @@ class OrientationFlip final : public SymmetryCheck {
   std::string_view description() const override { return "reversing the element's orientation changes the sign, or nothing"; }
 
  private:
+  bool keeps_side() const override { return false; }
   Sample change(Sample sample) const override {
     std::ranges::reverse(sample.corners);
     return sample;

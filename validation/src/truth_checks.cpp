@@ -7,6 +7,14 @@
 namespace cageproof::validation {
 namespace {
 
+/// Whether a tensor of this size has all of R's digits: neither beyond its range nor next to its smallest numbers.
+template <Scalar R>
+bool representable(const Mp100& size) {
+  if constexpr (is_multiprecision<R>) return true;
+  else return size == 0 || (size < std::numeric_limits<R>::max() / 16 &&
+                            size > std::numeric_limits<R>::min() / std::numeric_limits<R>::epsilon());
+}
+
 /// An evaluation against the truth, in conditioned units.
 class TruthCheck final : public Check {
  public:
@@ -26,11 +34,41 @@ class TruthCheck final : public Check {
         findings[o] = finding_for(in.truth, o);
         if (findings[o].status != Finding::Status::Measured) continue;
         if (!f.converged) findings[o].status = Finding::Status::Declined;
+        if (!representable<R>(in.truth.norm[o])) {
+          findings[o].status = Finding::Status::NoTruth;
+          continue;
+        }
         findings[o].error = conditioned_error(f, in.truth, o, u);
         findings[o].relative = relative_error(f, in.truth, o);
       }
       return findings;
     });
+  }
+};
+
+/// An evaluation that promises its digits whatever the conditioning, against the truth.
+class RelativeCheck final : public Check {
+ public:
+  std::string_view name() const override { return "relative"; }
+  std::string_view unit() const override { return "units of u"; }
+  std::string_view description() const override { return "plain relative error, norm-wise, in units of rounding"; }
+  bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
+    return evaluation.name() == "accurate" && scalar == ScalarKind::Double;
+  }
+  std::array<Finding, 3> measure(const CheckInput& in) const override {
+    const Result<double> f = evaluate<double>(in.evaluation, in.sample, in.order);
+    std::array<Finding, 3> findings;
+    for (int o = 0; o <= in.order; ++o) {
+      findings[o] = finding_for(in.truth, o);
+      if (findings[o].status != Finding::Status::Measured) continue;
+      if (!representable<double>(in.truth.norm[o])) {
+        findings[o].status = Finding::Status::NoTruth;
+        continue;
+      }
+      findings[o].relative = relative_error(f, in.truth, o);
+      findings[o].error = findings[o].relative / unit_roundoff<double>();
+    }
+    return findings;
   }
 };
 
@@ -82,7 +120,7 @@ class StatedErrorCheck final : public Check {
     return "error over the evaluation's own statement of it, 64 roundings times conditioning allowed";
   }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
-    return evaluation.name() == "adaptive" && scalar == ScalarKind::Double;
+    return evaluation.states_error() && scalar == ScalarKind::Double;
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     const Result<double> f = evaluate<double>(in.evaluation, in.sample, in.order);
@@ -115,6 +153,7 @@ class StatedErrorCheck final : public Check {
 
 void add_truth_checks(CheckList& list) {
   list.push_back(std::make_unique<TruthCheck>());
+  list.push_back(std::make_unique<RelativeCheck>());
   list.push_back(std::make_unique<IntegralCheck>());
   list.push_back(std::make_unique<StatedErrorCheck>());
 }

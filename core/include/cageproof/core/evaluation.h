@@ -20,6 +20,9 @@ struct Query {
   Vec3<R> point = Vec3<R>::Zero();   ///< eta
   int order = 0;                     ///< highest derivative wanted: 0 value, 1 gradient, 2 Hessian
   std::span<const R> parameters{};   ///< in the order of Formula::parameters
+  /// On an element's border, where a value diverges like the distance's logarithm: leave that term out. Cages need it, in whose sums the
+  /// terms of neighbours cancel. Evaluations without it give no finite value there.
+  bool finite_part = false;
 };
 
 /// The output of an evaluation: tensors with respect to the point, the last index the fastest.
@@ -64,6 +67,9 @@ class Evaluation {
   const std::string& name() const { return name_; }
   const std::string& description() const { return description_; }
   int max_order() const { return max_order_; }  ///< highest derivative it gives
+  /// Whether it states how many digits it stands behind (Result::stated_digits).
+  bool states_error() const { return states_error_; }
+  void set_states_error() { states_error_ = true; }
 
   template <Scalar R>
   void set(Function<R> f) { std::get<Function<R>>(functions_) = std::move(f); }
@@ -79,6 +85,7 @@ class Evaluation {
  private:
   std::string formula_, name_, description_;
   int max_order_ = 2;
+  bool states_error_ = false;
   std::tuple<Function<float>, Function<double>, Function<Mp50>, Function<Mp100>, Function<Mp200>> functions_;
 };
 

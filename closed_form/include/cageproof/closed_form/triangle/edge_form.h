@@ -17,7 +17,8 @@ class EdgeForm {
   static_assert(M >= 0 && M <= 3 && N <= M + 1);
 
  public:
-  explicit EdgeForm(const Frame<R>& frame);
+  /// \param border_log stands for the logarithm that diverges on the border; with zero, results there are their finite parts
+  explicit EdgeForm(const Frame<R>& frame, const R& border_log = R(0));
 
   const Frame<R>& frame() const { return frame_; }
   /// omega = int x.n/r^3: the solid angle, positive inside; in (-2 pi, 2 pi].
@@ -80,8 +81,9 @@ class EdgeForm {
 };
 
 template <class R, int N, int M>
-EdgeForm<R, N, M>::EdgeForm(const Frame<R>& frame)
-    : frame_(frame), odd_{OddIntegrals<R>(frame, 0), OddIntegrals<R>(frame, 1), OddIntegrals<R>(frame, 2)} {
+EdgeForm<R, N, M>::EdgeForm(const Frame<R>& frame, const R& border_log)
+    : frame_(frame),
+      odd_{OddIntegrals<R>(frame, 0, border_log), OddIntegrals<R>(frame, 1, border_log), OddIntegrals<R>(frame, 2, border_log)} {
   omega_.c[0] = solid_angle();
   for (int i = 0; i < 3; ++i) add_edge(i);
   for (int k = 1; k <= M; ++k) omega_.divide_part(k, R(k));

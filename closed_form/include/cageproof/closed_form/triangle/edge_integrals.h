@@ -36,14 +36,15 @@ R atanh_excess(const R& z) {
 /// lengths add up to nothing. So there is a second value with the part of a distance `reference`, shared by all edges, left out.
 template <class R>
 struct OddIntegrals {
-  R L;       ///< 1/r; zero on the edge itself, where only its products with vanishing factors count
+  R L;       ///< 1/r, which diverges on the edge itself
   R L_rest;  ///< 1/r - 1/reference
   R P;       ///< r
   R P_rest;  ///< r - reference
   R K3, K5, K7;  ///< r^-3, r^-5, r^-7
   std::array<R, 4> ends;  ///< r1^p - r0^p for p = 1, -1, -3, -5
 
-  OddIntegrals(const Frame<R>& f, int i) {
+  /// \param border_log what L is taken for on the edge itself
+  OddIntegrals(const Frame<R>& f, int i, const R& border_log) {
     using std::log;
     const FrameEdge<R>& e = f.edges[i];
     const R sum = e.r0 + e.r1;
@@ -62,7 +63,7 @@ struct OddIntegrals {
       P_rest = e.length * mean_rest - e.D2 * (e.length / mean) * (z * z / (R(1) - z * z) - excess) / R(2);
       P = P_rest + e.length * reference;
     } else {
-      if (on_edge(e)) L = R(0);
+      if (on_edge(e)) L = border_log;
       else if (spans) L = log((e.r1 + e.s1) * ((e.r0 - e.s0) / e.D2));
       // r0 + r1 - length without cancellation, for a point next to a corner.
       else if (e.s0 >= R(0)) L = log((sum + e.length) / (e.r0 + e.s0 + e.D2 / (e.r1 + e.s1)));

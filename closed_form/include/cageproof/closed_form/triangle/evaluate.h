@@ -15,12 +15,12 @@ using Components = std::array<Taylor<R, O>, F::components>;
 
 /// From the edge form, up to degree O.
 template <class F, int O, class R>
-Components<F, R, O> near_components(const Frame<R>& frame, std::span<const R> parameters) {
+Components<F, R, O> near_components(const Frame<R>& frame, std::span<const R> parameters, const R& border_log = R(0)) {
   Components<F, R, O> out;
   if constexpr (std::same_as<F, MeanValue>) {
     F::compose(EvenForm<R, O>(frame), parameters, out);
   } else {
-    F::compose(EdgeForm<R, O + F::extra, F::extra == 0 ? O : O + F::extra - 1>(frame), parameters, out);
+    F::compose(EdgeForm<R, O + F::extra, F::extra == 0 ? O : O + F::extra - 1>(frame, border_log), parameters, out);
   }
   return out;
 }
@@ -87,6 +87,26 @@ Jet<R, F::components> diverging_weights(const Frame<R>& f) {
   for (int k = 0; k < 3; ++k)
     if (f.hat(k) > 0) jet.value[k] = std::numeric_limits<R>::infinity();
   return jet;
+}
+
+/// On the border, at the first order without a limit: where that diverges like minus the logarithm of the distance, its entries become
+/// infinite with the sign of the logarithm's factor; entries without one keep the limit from inside where there is one, else NaN.
+template <class F, int O, Scalar R>
+void set_infinities(const Frame<R>& f, std::span<const R> parameters, int limit, Jet<R, F::components>& jet) {
+  if (limit > O || F::on_border == OnBorder::NoLimit) return;
+  const auto finite = finish<F, O, R>(near_components<F, O>(f, parameters), f.unit, 3);
+  const auto moved = finish<F, O, R>(near_components<F, O>(f, parameters, R(1)), f.unit, 3);
+  const auto set = [](const R& without, const R& with, R& x) {
+    if (with != without) x = with > without ? std::numeric_limits<R>::infinity() : -std::numeric_limits<R>::infinity();
+    else if (F::on_border == OnBorder::Logarithm) x = without;
+  };
+  for (int c = 0; c < F::components; ++c) {
+    if (limit == 0) set(finite.value[c], moved.value[c], jet.value[c]);
+    for (int i = 0; i < 3; ++i) {
+      if (limit == 1) set(finite.gradient[c][i], moved.gradient[c][i], jet.gradient[c][i]);
+      for (int j = 0; limit == 2 && j < 3; ++j) set(finite.hessian[c](i, j), moved.hessian[c](i, j), jet.hessian[c](i, j));
+    }
+  }
 }
 
 }  // namespace cageproof::closed_form

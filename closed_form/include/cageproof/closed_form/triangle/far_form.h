@@ -43,7 +43,7 @@ inline std::optional<int> far_points(double rho, int p, int degree, double toler
 }
 
 /// The most points a side that the far form takes.
-inline constexpr int kFarLimit = 14;
+inline constexpr int kFarLimit = 20;
 /// What rounding may add up to over its nodes, relative to the result: positive weights, each kernel to some ten roundings.
 inline constexpr double far_roundoff = 64 * 0x1p-53;
 

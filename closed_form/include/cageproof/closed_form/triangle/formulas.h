@@ -2,7 +2,7 @@
 // The catalogue's triangle formulas in terms of moments, whatever computes these: one struct a formula.
 //
 // Each: `components`, `degree` of homogeneity, `extra` (derivatives of the moments beyond the formula's own), `border_order` (the first
-// derivative without a limit on the triangle's border), `far_power` (the steepest power of r in its moments), and
+// derivative without a limit on the triangle's border), `on_border` (what happens to it there), `far_power` (the steepest power of r in its moments), and
 // `compose(moments, parameters, out)` for the moments of EdgeForm or FarForm.
 #pragma once
 
@@ -12,10 +12,15 @@
 
 namespace cageproof::closed_form {
 
+/// What the first order without a limit does on the border: it depends on the direction of approach; it diverges like the logarithm of the
+/// distance, all else having a limit from inside; or it does both.
+enum class OnBorder { NoLimit, Logarithm, LogarithmAndDirection };
+
 /// psi_t = int 1/(4 pi r) ([T24] Eq 3; edge form): a length. Finite everywhere; on the triangle its gradient is the limit from inside, on the
-/// border it diverges along minus the edge's normal.
+/// border infinite against the edges' outward normals.
 struct SingleLayer {
   static constexpr int components = 1, degree = 1, extra = 0, border_order = 1, far_power = -1;
+  static constexpr OnBorder on_border = OnBorder::Logarithm;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R>, std::array<Taylor<R, N>, 1>& out) {
     out[0].add(R(1) / (R(4) * constant_pi<R>()), s.J());
@@ -27,6 +32,7 @@ struct SingleLayer {
 /// triangle's phi, not the "curl form" that is right only summed over a closed cage.
 struct DoubleLayer {
   static constexpr int components = 3, degree = 0, extra = 0, border_order = 1, far_power = -3;
+  static constexpr OnBorder on_border = OnBorder::NoLimit;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R>, std::array<Taylor<R, N>, 3>& out) {
     const auto b = s.B();
@@ -38,6 +44,7 @@ struct DoubleLayer {
 /// On the triangle: the limit from inside, 2 pi within, pi on an edge, the corner's angle at a corner.
 struct SolidAngle {
   static constexpr int components = 1, degree = 0, extra = 0, border_order = 1, far_power = -3;
+  static constexpr OnBorder on_border = OnBorder::NoLimit;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R>, std::array<Taylor<R, N>, 1>& out) {
     out[0].add(R(1), s.omega());
@@ -47,6 +54,7 @@ struct SolidAngle {
 /// psibar_t = int r/(8 pi) ([T24] Eq 9-14; edge form): a volume. Finite everywhere with its gradient and Hessian.
 struct BiharmonicSingleLayer {
   static constexpr int components = 1, degree = 3, extra = 0, border_order = 3, far_power = 1;
+  static constexpr OnBorder on_border = OnBorder::NoLimit;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R>, std::array<Taylor<R, N>, 1>& out) {
     out[0].add(R(1) / (R(8) * constant_pi<R>()), s.I());
@@ -54,9 +62,10 @@ struct BiharmonicSingleLayer {
 };
 
 /// phibar_t^k = int -Gamma_k x.n/(8 pi r) = d psi_t^k/2 ([T24] Eq 15-18; edge form): an area. Zero in the triangle's plane, with a finite
-/// gradient everywhere; the Hessian has no limit on the border.
+/// gradient everywhere; on the border the Hessian is infinite where the logarithm of the distance enters it, and NaN elsewhere.
 struct BiharmonicDoubleLayer {
   static constexpr int components = 3, degree = 2, extra = 0, border_order = 2, far_power = -1;
+  static constexpr OnBorder on_border = OnBorder::LogarithmAndDirection;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R>, std::array<Taylor<R, N>, 3>& out) {
     const auto a = s.A();
@@ -69,6 +78,7 @@ struct BiharmonicDoubleLayer {
 /// psi_t^k = int Gamma_k/(4 pi r), the single layer of the hat functions ([T24] Eq 43-46; edge form): a length. As psi_t on the triangle.
 struct AffineSingleLayer {
   static constexpr int components = 3, degree = 1, extra = 0, border_order = 1, far_power = -1;
+  static constexpr OnBorder on_border = OnBorder::Logarithm;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R>, std::array<Taylor<R, N>, 3>& out) {
     const auto a = s.A();
@@ -84,9 +94,11 @@ R kelvin_ratio(const R& nu) {
 }
 
 /// K_t = int (a - b)/r I + b x x'/r^3 = a J I - b Hess I, row by row ([T24] Eq 47-49, [C23] Eq 3; edge form): a length over a modulus.
-/// Parameters mu > 0 and nu < 1/2, with the limits 1/2 and +-infinity. Finite everywhere; no derivative on the border.
+/// Parameters mu > 0 and nu < 1/2, with the limits 1/2 and +-infinity. Finite everywhere; on the border
+/// the gradient is infinite where the logarithm of the distance enters it, and NaN elsewhere.
 struct KelvinDisplacement {
   static constexpr int components = 9, degree = 1, extra = 2, border_order = 1, far_power = -1;
+  static constexpr OnBorder on_border = OnBorder::LogarithmAndDirection;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R> parameters, std::array<Taylor<R, N>, 9>& out) {
     const R a = R(1) / (R(4) * constant_pi<R>() * parameters[0]);
@@ -107,9 +119,11 @@ struct KelvinDisplacement {
 
 /// T_t^k = int Gamma_k mu ((a-2b)(x.n I + n x' - x n')/r^3 + 6b x.n x x'/r^5)
 ///       = mu (a B I + (a - 2b)(n (grad A)' - (grad A) n') - 2b d Hess A), row by row ([T24] Eq 47-49 with the factor mu of the errata, [C23]
-/// Eq 4; edge form): unitless, independent of mu. Parameters as K_t. On the triangle: the limit from inside; on its border it diverges.
+/// Eq 4; edge form): unitless, independent of mu. Parameters as K_t. On the triangle: the limit from inside; on its border the entries
+/// that the logarithm of the distance enters are infinite, the others NaN. Summed over a closed cage the logarithms cancel.
 struct KelvinTraction {
   static constexpr int components = 27, degree = 0, extra = 2, border_order = 0, far_power = -3;
+  static constexpr OnBorder on_border = OnBorder::LogarithmAndDirection;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R> parameters, std::array<Taylor<R, N>, 27>& out) {
     const R ratio = R(2) * kelvin_ratio(parameters[1]);
@@ -140,6 +154,7 @@ struct KelvinTraction {
 /// infinite where the hat function is positive, and their ratios tend to the hat functions. In the plane outside it they are zero.
 struct MeanValue {
   static constexpr int components = 3, degree = -1, extra = 0, border_order = 0, far_power = -4;
+  static constexpr OnBorder on_border = OnBorder::NoLimit;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R>, std::array<Taylor<R, N>, 3>& out) {
     const auto w = s.mean_value();

@@ -4,7 +4,7 @@
 
 #include "cageproof/closed_form/tracked.h"
 #include "cageproof/closed_form/wide.h"
-#include "cageproof/core/element.h"
+#include "cageproof/core/orientation.h"
 
 #include <array>
 
@@ -94,7 +94,7 @@ struct ExactPlane {
   }
 };
 
-/// Below this multiple of its terms, in frame units, a product in Wide arithmetic may have lost its sign, and is done again exactly.
+/// Below this multiple of its terms, in frame units, a product in Wide arithmetic may have lost its digits, and is done again exactly.
 template <std::floating_point R>
 constexpr R doubtful() {
   return 4096 * std::numeric_limits<R>::epsilon() * std::numeric_limits<R>::epsilon();
@@ -127,8 +127,11 @@ Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta)
   int nearest = r[0] <= r[1] ? 0 : 1;
   if (r[2] < r[nearest]) nearest = 2;
   R volume = static_cast<R>(dot(normal, wp[nearest]));
-  if constexpr (!is_multiprecision<R>)
-    if (abs(volume) <= doubtful<R>() * r[nearest]) volume = ExactPlane<R>(t, eta, scale).height();
+  if constexpr (std::same_as<R, double>) {
+    const int side = side_of_plane(t, eta);
+    if (side != 0 && abs(volume) <= doubtful<R>() * r[nearest]) volume = ExactPlane<R>(t, eta, scale).height();
+    volume = -side * abs(volume);
+  }
   d = -volume / area2;
   for (int i = 0; i < 3; ++i) {
     FrameEdge<R>& e = edges[i];
@@ -140,8 +143,10 @@ Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta)
     e.nu = narrow<R>(outward) / (e.length * area2);
     const R near_end = r[i] <= r[j] ? r[i] : r[j];
     R beside = static_cast<R>(dot(outward, wp[r[i] <= r[j] ? i : j]));
-    if constexpr (!is_multiprecision<R>)
+    if constexpr (std::same_as<R, double>) {
       if (abs(beside) <= doubtful<R>() * near_end) beside = ExactPlane<R>(t, eta, scale).beside(i);
+      if (d == 0) beside = side_of_edge(t, i, eta) * abs(beside);
+    }
     e.h = beside / (e.length * area2);
     e.s0 = static_cast<R>(dot(we[i], wp[i])) / e.length;
     e.s1 = static_cast<R>(dot(we[i], wp[j])) / e.length;

@@ -47,23 +47,22 @@ std::vector<Tracked<T>> tracked_parameters(std::span<const double> parameters) {
   return {parameters.begin(), parameters.end()};
 }
 
-/// The edge form in double, with its bound.
+/// The edge form in double, with its bound. \param limit the first order without a limit here
 template <class F, int O>
-BoundedJet<F::components> tracked_in_double(const Frame<double>& frame, std::span<const double> parameters) {
+BoundedJet<F::components> tracked_in_double(const Frame<double>& frame, std::span<const double> parameters, int limit) {
   const auto tracked = tracked_parameters<double>(parameters);
   return bounded<F, O, double>(near_components<F, O>(Frame<Tracked<double>>(frame), std::span<const Tracked<double>>(tracked)),
-                               frame.unit, first_divergent<F>(frame));
+                               frame.unit, limit);
 }
 
 /// The edge form in pairs of doubles, then in 200 digits, until every order's bound is at most `tolerance`; geometry from 200 digits.
-/// \param unit of the frame in double, a power of two
+/// \param unit of the frame in double, a power of two \param limit the first order without a limit here
 template <class F, int O>
 BoundedJet<F::components> refined(const Triangle<double>& t, const Vec3<double>& eta, std::span<const double> parameters,
-                                  double unit, double tolerance) {
+                                  double unit, double tolerance, int limit) {
   Triangle<Mp200> corners;
   for (int i = 0; i < 3; ++i) corners[i] = convert<Mp200>(t[i]) / Mp200(unit);
   const Frame<Mp200> frame(corners, Vec3<Mp200>(convert<Mp200>(eta) / Mp200(unit)));
-  const int limit = first_divergent<F>(frame);
   const auto run = [&]<class T>() {
     const auto tracked = tracked_parameters<T>(parameters);
     return bounded<F, O, T>(near_components<F, O>(Frame<Tracked<T>>(frame), std::span<const Tracked<T>>(tracked)), unit, limit);

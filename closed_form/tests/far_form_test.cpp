@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The far form's error bound, against the edge form in 50 digits.
+#include "cageproof/closed_form/triangle/triangle_form.h"
+#include "cageproof/core/random_stream.h"
+
+#include <gtest/gtest.h>
+
+namespace cageproof::closed_form {
+namespace {
+
+using R = Mp50;
+
+Triangle<double> random_triangle(RandomStream& random, double thinness) {
+  Triangle<double> t;
+  for (auto& v : t) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+  t[2] = t[0] + random.uniform() * (t[1] - t[0]) + thinness * (t[2] - t[0]);
+  return t;
+}
+
+// The norm of the parts of degree k of a - b over that of b.
+template <std::size_t C, int N>
+double difference(const std::array<Taylor<R, N>, C>& a, const std::array<Taylor<R, N>, C>& b, int k) {
+  R error = 0, size = 0;
+  for (std::size_t c = 0; c < C; ++c)
+    for (int m = Monomials<N>::first(k); m < Monomials<N>::first(k + 1); ++m) {
+      const R d = a[c].c[m] - b[c].c[m];
+      error += d * d;
+      size += b[c].c[m] * b[c].c[m];
+    }
+  return static_cast<double>(R(sqrt(R(error / size))));
+}
+
+// The largest error over its bound, for n points, of every moment and derivative.
+double worst_ratio(const Frame<R>& f, int n) {
+  const double rho = ellipse_of(f);
+  const FarForm<R, 2, 2> far(f, n);
+  const EdgeForm<R, 2, 2> edge(f);
+  double worst = 0;
+  for (int k = 0; k <= 2; ++k) {
+    const auto take = [&](double error, int p) { worst = std::max(worst, error / far_error(n, rho, p, k)); };
+    take(difference<3, 2>(far.A(), edge.A(), k), -1);
+    take(difference<3, 2>(far.B(), edge.B(), k), -3);
+    take(difference<1, 2>({far.I()}, {edge.I()}, k), 1);
+    take(difference<3, 2>(far.mean_value(), EvenForm<R, 2>(f).mean_value(), k), -4);
+  }
+  const FarForm<R, 4, 3> steep(f, n);
+  const EdgeForm<R, 4, 3> steep_edge(f);
+  for (int k = 3; k <= 4; ++k) {
+    worst = std::max(worst, difference<3, 4>(steep.A(), steep_edge.A(), k) / far_error(n, rho, -1, k));
+    worst = std::max(worst, difference<1, 4>({steep.I()}, {steep_edge.I()}, k) / far_error(n, rho, 1, k));
+  }
+  return worst;
+}
+
+TEST(far_form, error_is_below_its_bound) {
+  double worst = 0;
+  for (int i = 0; i < 120; ++i) {
+    RandomStream random(21, "far", i);
+    const Triangle<double> t = random_triangle(random, i % 3 == 0 ? 0.01 : 1);
+    Vec3<double> direction(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    if (i % 4 == 0) direction = (t[1] - t[0]) + 1e-3 * direction;  // in line with an edge, where the segment's end is nearest
+    const Vec3<double> centre = (t[0] + t[1] + t[2]) / 3;
+    const double size = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+    const Vec3<double> eta = centre + random.uniform(1.3, 6) * size * direction.normalized();
+    const Frame<R> f({convert<R>(t[0]), convert<R>(t[1]), convert<R>(t[2])}, convert<R>(eta));
+    if (ellipse_of(f) < 2) continue;
+    worst = std::max(worst, worst_ratio(f, 3 + i % 9));
+  }
+  EXPECT_LE(worst, 1);
+  // A bound a million times too wide would waste points.
+  EXPECT_GE(worst, 1e-6);
+}
+
+TEST(far_form, more_points_are_asked_for_closer_by) {
+  int last = 2;
+  for (const double rho : {1e6, 1e3, 1e2, 30.0, 10.0, 5.0}) {
+    const auto n = far_points(rho, -3, 4, far_tolerance, 64);
+    ASSERT_TRUE(n.has_value());
+    EXPECT_GE(*n, last);
+    EXPECT_LE(far_error(*n, rho, -3, 4), far_tolerance);
+    last = *n;
+  }
+  EXPECT_GT(last, 8);
+  EXPECT_FALSE(far_points(1.5, -3, 4, far_tolerance, kFarLimit).has_value());
+}
+
+}  // namespace
+}  // namespace cageproof::closed_form

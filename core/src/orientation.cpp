@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/orientation.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+namespace cageproof {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+Kernel::Point_3 as_point(const Vec3<double>& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+int side_of_plane(const Triangle<double>& t, const Vec3<double>& point) {
+  return static_cast<int>(CGAL::orientation(as_point(t[0]), as_point(t[1]), as_point(t[2]), as_point(point)));
+}
+
+int side_of_edge(const Triangle<double>& t, int edge, const Vec3<double>& point) {
+  return static_cast<int>(CGAL::coplanar_orientation(as_point(t[edge]), as_point(t[(edge + 1) % 3]), as_point(t[(edge + 2) % 3]),
+                                                     as_point(point)));
+}
+
+}  // namespace cageproof
