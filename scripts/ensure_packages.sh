@@ -15,6 +15,8 @@ libeigen3-dev            vectors and matrices
 libboost-dev             multiprecision numbers (Boost.Multiprecision), special constants, quadrature
 libmpfr-dev              arithmetic with 50 to 200 digits, under Boost.Multiprecision
 libgmp-dev               integers under MPFR
+libflint-arb-dev         ball arithmetic (Arb): enclosures that are proofs
+libflint-dev             integers and polynomials under Arb
 libvtk9-dev              reads PLY, STL and VTP; writes fields for ParaView and pictures
 libtinyobjloader-dev     reads OBJ, keeping quads and the order of vertices
 libcli11-dev             command line
