@@ -11,6 +11,7 @@ namespace {
 class TruthCheck final : public Check {
  public:
   std::string_view name() const override { return "truth"; }
+  Role role() const override { return Role::Truth; }
   std::string_view description() const override { return "against the truth, in units of rounding times conditioning"; }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
     // In multiprecision the closed form is the truth's own source: `integral` is its check.
@@ -38,6 +39,7 @@ class TruthCheck final : public Check {
 class IntegralCheck final : public Check {
  public:
   std::string_view name() const override { return "integral"; }
+  Role role() const override { return Role::Gate; }
   std::string_view unit() const override { return "relative"; }
   std::string_view description() const override {
     return "closed form in multiprecision against the multiprecision integral of the kernel";
