@@ -156,6 +156,20 @@ TEST(Certified, independent_integrator_lies_inside_and_nothing_near_it) {
   }
 }
 
+TEST(Certified, orders_asked_alone_are_the_same) {
+  const Vec3<double> point(.3, -.2, .4);
+  for (const Formula& formula : catalogue()) {
+    const std::string name(formula.name);
+    const auto all = enclosed(name, kEighth, point, 2);
+    for (int order = 0; order <= 1; ++order) {
+      const auto some = enclosed(name, kEighth, point, order);
+      EXPECT_TRUE(some.of(order + 1).empty() && some.radius_of(order + 1).empty()) << name;
+      for (std::size_t i = 0; i < some.of(order).size(); ++i)
+        EXPECT_TRUE(abs(Mp100(some.of(order)[i] - all.of(order)[i])) <= some.radius_of(order)[i] + all.radius_of(order)[i]);
+    }
+  }
+}
+
 TEST(Certified, radii_hold_the_rounding_of_the_midpoint) {
   const Vec3<double> point(.25, .125, .5);  // exact in float
   const auto exact = enclosed("triangle.kelvin_traction", kEighth, point, 1);

@@ -11,7 +11,7 @@ namespace cageproof::quadrature_ref::certified {
 class MomentRange {
  public:
   /// \param odd whether the powers are odd
-  explicit MomentRange(bool odd) : lowest_q_(odd ? -1 : 2) {}
+  explicit MomentRange(bool odd) : lowest_q_(odd ? -1 : 2), degrees_(2, -1) {}  // the recurrences' first two
   void include(int degree, int q);
   int lowest_q() const { return lowest_q_; }
   int highest_q() const { return lowest_q_ + 2 * (static_cast<int>(degrees_.size()) - 1); }
