@@ -14,8 +14,12 @@ Polynomial x(int i) { return coordinate(i); }
 Polynomial height() { return coordinate(2); }
 Polynomial one_over_r(int q) { return inverse_distance(q); }
 
-// 1/(1 - nu), zero in the limits nu = +-infinity.
-Real inverse_of_one_minus(const Real& nu) { return nu.is_finite() ? Real(1) / (Real(1) - nu) : Real(0); }
+// b = a/(4 (1 - nu)), zero in the limits nu = +-infinity.
+Real kelvin_b(const Real& a, const Real& nu) { return nu.is_finite() ? a / ((Real(1) - nu) * 4) : Real(0); }
+// a - 2b = a (1 - 2 nu)/(2 (1 - nu)): exactly zero at nu = 1/2, where tractions in the plane vanish.
+Real kelvin_a_minus_2b(const Real& a, const Real& nu) {
+  return nu.is_finite() ? a * (Real(1) - nu * 2) / ((Real(1) - nu) * 2) : a;
+}
 
 // (a - b)/r I + b x x'/r^3 with a = 1/(4 pi mu), b = a/(4 (1 - nu)), [C23] Eq 3, [T24] Eq 47. Constants: a - b, b.
 std::vector<Polynomial> kelvin_displacement() {
@@ -60,13 +64,13 @@ const std::vector<Definition>& definitions() {
        [](const Parameters&) { return std::vector{over_pi(1, 4)}; }},
       {"triangle.kelvin_displacement", false, kelvin_displacement(),
        [](const Parameters& p) {
-         const Real a = over_pi(1, 4) / p[0], b = a * inverse_of_one_minus(p[1]) / 4;
+         const Real a = over_pi(1, 4) / p[0], b = kelvin_b(a, p[1]);
          return std::vector{a - b, b};
        }},
       {"triangle.kelvin_traction", true, kelvin_traction(),
        [](const Parameters& p) {
-         const Real a = over_pi(1, 4), b = a * inverse_of_one_minus(p[1]) / 4;
-         return std::vector{a - b * 2, b};
+         const Real mu_a = over_pi(1, 4);
+         return std::vector{kelvin_a_minus_2b(mu_a, p[1]), kelvin_b(mu_a, p[1])};
        }},
       {"triangle.mean_value", true, {height() * one_over_r(4)}, no_constants},
   };
