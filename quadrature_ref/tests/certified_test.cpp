@@ -42,7 +42,8 @@ const Triangle<double> kEighth{Vec3<double>(0, 0, 1), Vec3<double>(1, 0, 1), Vec
 const Vec3<double> kOrigin(0, 0, 0), kFoot(0, 0, 1);
 
 TEST(Certified, solid_angle_of_an_octant) {
-  const auto r = enclosed("triangle.solid_angle", {Vec3<double>(1, 0, 0), Vec3<double>(0, 1, 0), Vec3<double>(0, 0, 1)}, kOrigin, 0);
+  const Triangle<double> octant{Vec3<double>(1, 0, 0), Vec3<double>(0, 1, 0), Vec3<double>(0, 0, 1)};
+  const auto r = enclosed("triangle.solid_angle", octant, kOrigin, 0);
   EXPECT_TRUE(r.converged);
   EXPECT_TRUE(holds(r.value[0], r.value_radius[0], pi<Mp100>() / 2));
   EXPECT_FALSE(holds(r.value[0], r.value_radius[0], -pi<Mp100>() / 2));

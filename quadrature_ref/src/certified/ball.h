@@ -57,7 +57,8 @@ class Real {
   arb_srcptr raw() const { return x_; }
   bool is_zero() const { return arb_is_zero(x_) != 0; }
   bool is_finite() const { return arb_is_finite(x_) != 0; }
-  /// log2 of an upper bound of the absolute value: minus infinity for 0, infinity where there is no bound. An estimate, not rigorous.
+  /// log2 of an upper bound of the absolute value, roughly: an estimate, no bound itself. Minus infinity for 0, infinity
+  /// where there is no bound.
   double log2_size() const {
     mag_t m;
     mag_init(m);

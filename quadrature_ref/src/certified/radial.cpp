@@ -4,7 +4,7 @@
 namespace cageproof::quadrature_ref::certified {
 namespace {
 
-// With Q = s^2 w + d^2: d/ds (s^(k-1) Q^(1-q/2)) = (k-1) s^(k-2) Q^(1-q/2) + (2-q) w s^k Q^(-q/2), integrated over [0, 1], gives
+// With Q = s^2 w + d^2, d/ds (s^(k-1) Q^(1-q/2)) = (k-1) s^(k-2) Q^(1-q/2) + (2-q) w s^k Q^(-q/2), over [0, 1]:
 //   r^(2-q) = (k+1-q) w H(k, q) + (k-1) d^2 H(k-2, q)          k >= 2      (1)
 //   r^(2-q) - d^(2-q) = (2-q) w H(1, q)                                    (2)
 //   r^(2-q) = (2-q) w H(k, q) + (k-1) H(k-2, q-2)              k >= 2      (3)

@@ -28,8 +28,8 @@ struct Result {
   std::vector<R> value;     ///< [component]
   std::vector<R> gradient;  ///< [component][i], empty when order < 1
   std::vector<R> hessian;   ///< [component][i][j], empty when order < 2
-  /// Radii about the entries of each tensor within which the formula's value is proven to lie, infinite where nothing is; empty when
-  /// the evaluation proves nothing.
+  /// Radii about the entries of each tensor within which the formula's value is proven to lie, infinite where nothing
+  /// is; empty when the evaluation proves nothing.
   std::vector<R> value_radius, gradient_radius, hessian_radius;
   /// Decimal digits, relative and norm-wise, that the evaluation itself stands behind for the worst tensor asked for;
   /// NaN where it makes no statement (closed forms, fixed rules).
@@ -97,7 +97,8 @@ class Evaluation {
 struct EvaluationFamily {
   std::string formula;
   std::string pattern;                ///< "closed_form", "gauss-<N>": what `list` shows
-  /// The members that verification runs and `list` names; none where a check alone asks for the one member, named as the pattern.
+  /// The members that verification runs and `list` names; none where a check alone asks for the one member, which is
+  /// named as the pattern.
   std::vector<std::string> standard;
   /// The member of that name, or nothing when the name is not of this family.
   std::function<std::optional<Evaluation>(std::string_view name)> make;
