@@ -16,7 +16,7 @@ struct CertifiedEffort {
 
 /// Value, gradient and Hessian of a formula as balls that contain them: `Result::of(order)` the midpoints,
 /// `radius_of(order)` the radii, the rounding of the midpoint to R included. Derivatives are taken under the integral
-/// sign. Inputs are taken exactly. docs/certified.md has the proof, and what it costs: 2 to 300 ms.
+/// sign. Inputs are taken exactly. docs/certified.md has the proof, and what it costs: 1 to 250 ms.
 ///
 /// Precision grows until the radius is below 2^-bits_wanted of the tensor, norm-wise, in every order asked; `converged`
 /// is false where most_bits do not reach that, and the enclosure, wide as it is, still holds. `stated_digits` come from
