@@ -64,7 +64,9 @@ TEST(campaign, enclosures_are_as_many_as_asked_whatever_the_samples) {
   options.enclosures = 3;
   int rows = 0;
   for (const ResultRow& row : run_campaign(options).rows) {
-    if (row.check == "truth") EXPECT_EQ(row.samples, 1u) << row.evaluation;
+    if (row.check == "truth") {
+      EXPECT_EQ(row.samples, 1u) << row.evaluation;
+    }
     if (row.check != "enclosure") continue;
     ++rows;
     EXPECT_EQ(row.samples, 3u);
