@@ -16,6 +16,8 @@ libboost-dev             multiprecision numbers (Boost.Multiprecision), special 
 libmpfr-dev              arithmetic with 50 to 200 digits, under Boost.Multiprecision
 libgmp-dev               integers under MPFR
 libcgal-dev              exact predicates: on which side of a plane or an edge a point lies
+libflint-arb-dev         ball arithmetic (Arb): enclosures that are proofs
+libflint-dev             integers and polynomials under Arb
 libvtk9-dev              reads PLY, STL and VTP; writes fields for ParaView and pictures
 libtinyobjloader-dev     reads OBJ, keeping quads and the order of vertices
 libcli11-dev             command line

@@ -80,6 +80,7 @@ TEST(evaluation, reset_forgets_everything_from_before) {
   result.stated_digits = 3;
   result.converged = false;
   result.nodes = 9;
+  for (int order = 0; order <= 2; ++order) result.radius_of(order) = {1, 2};
   result.reset(1, 2, 0);
   EXPECT_EQ(result.value, std::vector<double>{0});
   EXPECT_TRUE(result.gradient.empty());
@@ -87,6 +88,7 @@ TEST(evaluation, reset_forgets_everything_from_before) {
   EXPECT_TRUE(std::isnan(result.stated_digits));
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.nodes, 0u);
+  EXPECT_TRUE(result.value_radius.empty() && result.gradient_radius.empty() && result.hessian_radius.empty());
 }
 
 }  // namespace

@@ -66,6 +66,9 @@ std::string evaluated(const QueryText& text, const Formula& formula, const Evalu
   std::string line = "{\"value\":" + array_text(result.value);
   if (order >= 1) line += ",\"gradient\":" + array_text(result.gradient);
   if (order >= 2) line += ",\"hessian\":" + array_text(result.hessian);
+  constexpr std::array<const char*, 3> radius_keys{"value_radius", "gradient_radius", "hessian_radius"};
+  for (int o = 0; o <= order; ++o)
+    if (!result.radius_of(o).empty()) line += fmt::format(",\"{}\":{}", radius_keys[o], array_text(result.radius_of(o)));
   if (!std::isnan(result.stated_digits)) line += fmt::format(",\"stated_digits\":{:.1f}", result.stated_digits);
   if (!result.converged) line += ",\"converged\":false";
   return line + '}';

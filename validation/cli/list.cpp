@@ -20,7 +20,8 @@ Json formula_json(const Formula& f) {
   Json evaluations = Json::array();
   for (const EvaluationFamily* family : EvaluationRegister::instance().families(f.name)) {
     Json scalars = Json::array();
-    const auto example = family->make(family->standard.front());
+    // A family that verification does not run has one member, of its pattern's name.
+    const auto example = family->make(family->standard.empty() ? family->pattern : family->standard.front());
     for (const ScalarKind kind : scalar_kinds)
       if (example->supports(kind)) scalars.push_back(name_of(kind));
     evaluations.push_back({{"name", family->pattern},

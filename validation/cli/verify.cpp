@@ -18,7 +18,7 @@ struct Arguments {
   CageArguments cage;
   std::string points, suite = "standard", out = "report";
   validation::VerifyOptions options;
-  int samples = 0;
+  int samples = 0, enclosures = -1;
 };
 
 // One line on a terminal, rewritten; nothing elsewhere.
@@ -66,6 +66,7 @@ int run(Arguments& arguments) {
   auto& options = arguments.options;
   options.suite = *std::ranges::find(validation::suites(), arguments.suite, &validation::Suite::name);
   if (arguments.samples > 0) options.suite.samples = arguments.samples;
+  if (arguments.enclosures >= 0) options.suite.enclosures = arguments.enclosures;
   options.triangulation = arguments.cage.rule();
   options.out = arguments.out;
   if (!arguments.cage.file.empty()) options.cage = arguments.cage.load();
@@ -95,6 +96,9 @@ void add_verify(CLI::App& app, Action& action, const std::string& command_line) 
   command->add_option("--points", a->points, "points to try the cage at: a mesh, or text with three numbers a line");
   command->add_option("--samples", a->samples, "samples a formula and regime, instead of the suite's")
       ->check(CLI::Range(1, 100000000));
+  command->add_option("--enclosures", a->enclosures,
+                      "samples a formula and regime that are enclosed rigorously, instead of the suite's; 1000 is a proof run")
+      ->check(CLI::Range(0, 1000000));
   std::vector<std::string> suites;
   for (const auto& suite : validation::suites()) suites.emplace_back(suite.name);
   command->add_option("--suite", a->suite, "how much")->check(CLI::IsMember(suites))->capture_default_str();

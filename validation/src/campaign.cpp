@@ -39,7 +39,7 @@ struct Part {
   Evaluation evaluation;
   ScalarKind scalar;
   int divisor;  // takes every divisor-th sample
-  int limit;    // and of these at most so many
+  int end;      // of those below
 };
 
 // A formula in a regime, and all that is asked of it there.
@@ -57,10 +57,18 @@ bool is_quadrature(const Evaluation& evaluation) { return evaluation.name() != "
 // Steps through all decades of a sweep, whose lengths seven does not divide.
 constexpr int wide_stride = 7;
 
-int divisor_of(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const CampaignOptions& options) {
-  if (scalar != ScalarKind::Float && scalar != ScalarKind::Double) return wide_stride;
-  if (check.name() == "subdivision") return options.quadrature_divisor;  // four truths a sample
-  return is_quadrature(evaluation) || scalar == ScalarKind::Float ? options.quadrature_divisor : 1;
+// The samples that a check takes: every divisor-th below end.
+Part part_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const CampaignOptions& options) {
+  const auto strided = [&](int divisor, int end) { return Part{&check, evaluation, scalar, divisor, end}; };
+  switch (check.cost(scalar)) {
+    case Check::Cost::Enclosure: return strided(wide_stride, wide_stride * options.enclosures);
+    case Check::Cost::Multiprecision:
+      return strided(wide_stride, std::min(options.samples, wide_stride * options.integral_samples));
+    case Check::Cost::Truths: return strided(options.quadrature_divisor, options.samples);
+    case Check::Cost::Evaluations: break;
+  }
+  const bool every = !is_quadrature(evaluation) && scalar != ScalarKind::Float;
+  return strided(every ? 1 : options.quadrature_divisor, options.samples);
 }
 
 Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOptions& options) {
@@ -70,13 +78,11 @@ Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOption
   for (const auto& check : checks())
     for (const std::string& name : evaluations.standard(formula.name)) {
       // The gate is asked for whatever else is: without it there is no truth.
-      if (!matches(options.evaluations, name) && check->name() != "integral") continue;
+      if (!matches(options.evaluations, name) && check->role() != Check::Role::Gate) continue;
       const Evaluation evaluation = *evaluations.find(formula.name, name);
       for (const ScalarKind scalar : scalar_kinds) {
         if (!evaluation.supports(scalar) || !check->applies(formula, evaluation, scalar, regime.name)) continue;
-        const bool wide = scalar != ScalarKind::Float && scalar != ScalarKind::Double;
-        plan.parts.push_back({check.get(), evaluation, scalar, divisor_of(*check, evaluation, scalar, options),
-                              wide ? options.integral_samples : options.samples});
+        plan.parts.push_back(part_for(*check, evaluation, scalar, options));
       }
     }
   return plan;
@@ -98,7 +104,7 @@ void record(const Part& part, const Plan& plan, const Sample& sample, const std:
     if (tally.worst.wants(finding.error, sample.index))
       tally.worst.add({finding.error, sample.parameter, sample.index, sample.corners, sample.point, sample.parameters});
     const std::size_t decades = plan.regime->parameters.size();
-    if (decades == 0 || part.check->name() != "truth") continue;
+    if (decades == 0 || part.check->role() != Check::Role::Truth) continue;
     tally.by_parameter.resize(decades, -1);
     double& largest = tally.by_parameter[sample.index % decades];
     largest = std::max(largest, finding.error);
@@ -109,15 +115,16 @@ constexpr int block_size = 16;
 
 // Samples [first, first + block_size) of a plan, in one scalar's rounding.
 void run_block(const Plan& plan, const CampaignOptions& options, int first, Tallies& tallies) {
-  for (int i = first; i < std::min(first + block_size, options.samples); ++i) {
+  const auto takes = [](const Part& part, int i) { return i % part.divisor == 0 && i < part.end; };
+  for (int i = first; i < first + block_size; ++i) {
+    if (std::ranges::none_of(plan.parts, [&](const Part& part) { return takes(part, i); })) continue;
     const Sample exact = make_sample(*plan.formula, *plan.regime, options.seed, i);
     for (const bool single : {false, true}) {
       std::optional<Truth> truth;
       const Sample sample = single ? rounded_to(ScalarKind::Float, exact) : exact;
       for (std::size_t p = 0; p < plan.parts.size(); ++p) {
         const Part& part = plan.parts[p];
-        if ((part.scalar == ScalarKind::Float) != single || i % part.divisor != 0 || i / part.divisor >= part.limit)
-          continue;
+        if ((part.scalar == ScalarKind::Float) != single || !takes(part, i)) continue;
         if (!truth) truth = truth_from(plan.reference, sample, 2);
         const int order = std::min(2, part.evaluation.max_order());
         record(part, plan, sample,
@@ -167,13 +174,18 @@ void add_results(const Plan& plan, const Tallies& tallies, CampaignResult& resul
   }
 }
 
+bool has_role(const ResultRow& row, Check::Role role) {
+  const Check* check = find_check(row.check);
+  return check && check->role() == role;
+}
+
 // Where the closed form in multiprecision has not agreed with the integral, nothing that was measured against it counts.
 void withdraw_unproven(CampaignResult& result) {
   const auto same_place = [](const ResultRow& a, const ResultRow& b) {
     return a.subject == b.subject && a.regime == b.regime && a.order == b.order;
   };
   for (const ResultRow& gate : result.rows) {
-    if (gate.check != "integral" || gate.verdict == Verdict::Kept) continue;
+    if (!has_role(gate, Check::Role::Gate) || gate.verdict == Verdict::Kept) continue;
     result.notes.push_back(
         gate.samples == 0
             ? fmt::format("{}, {}, order {}: the integral confirmed the truth on none of {} samples (no limit, or fewer than "
@@ -181,7 +193,7 @@ void withdraw_unproven(CampaignResult& result) {
             : fmt::format("{}, {}, order {}: the closed form in multiprecision is not the integral; nothing measured against "
                           "it counts", gate.subject, gate.regime, gate.order));
     for (ResultRow& row : result.rows)
-      if (row.check != "integral" && same_place(row, gate)) {
+      if (!has_role(row, Check::Role::Gate) && !has_role(row, Check::Role::Proof) && same_place(row, gate)) {
         row.verdict = Verdict::NotPromised;
         row.reason = "the truth is not confirmed by the integral here";
       }
@@ -208,8 +220,7 @@ void judge(ResultRow& row) {
   // Off the element every limit exists: a sample without truth there is a failure of the closed form itself (in float it may have rounded
   // onto the element, or out of range).
   const bool off_element = row.section == ResultRow::Section::Element && !row.regime.starts_with("on-");
-  if (row.bound && off_element && row.without_truth > 0 && row.check == "truth" &&
-      row.scalar != "float") {
+  if (row.bound && off_element && row.without_truth > 0 && has_role(row, Check::Role::Truth) && row.scalar != "float") {
     row.verdict = Verdict::Broken;
     row.reason = "the closed form in multiprecision has no value on some samples";
     return;
@@ -233,7 +244,10 @@ CampaignResult run_campaign(const CampaignOptions& options) {
   if (!any_part)
     throw InputError(fmt::format("no evaluation matches '{}'; see `cageproof list`", options.evaluations));
 
-  const std::size_t blocks = (options.samples + block_size - 1) / block_size;
+  int end = 0;
+  for (const Plan& plan : plans)
+    for (const Part& part : plan.parts) end = std::max(end, part.end);
+  const std::size_t blocks = (end + block_size - 1) / block_size;
   std::vector<Tallies> tallies(plans.size() * blocks);
   std::atomic<std::size_t> done{0};
   for_each_parallel(tallies.size(), options.jobs, [&](std::size_t task) {

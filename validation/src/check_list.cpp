@@ -9,6 +9,7 @@ const std::vector<std::unique_ptr<Check>>& checks() {
   static const CheckList all = [] {
     CheckList list;
     add_truth_checks(list);
+    add_enclosure_check(list);
     add_symmetry_checks(list);
     add_identity_checks(list);
     return list;

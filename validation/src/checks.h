@@ -10,6 +10,7 @@ namespace cageproof::validation {
 using CheckList = std::vector<std::unique_ptr<Check>>;
 
 void add_truth_checks(CheckList& list);      // truth, relative, integral, stated_error
+void add_enclosure_check(CheckList& list);   // enclosure
 void add_symmetry_checks(CheckList& list);   // scaling, rigid_motion, corner_permutation, orientation_flip
 void add_identity_checks(CheckList& list);   // laplacian, subdivision, gradient_by_differences, face_jump
 

@@ -57,6 +57,7 @@ class LaplacianCheck final : public Check {
 class SubdivisionCheck final : public Check {
  public:
   std::string_view name() const override { return "subdivision"; }
+  Cost cost(ScalarKind) const override { return Cost::Truths; }
   std::string_view description() const override { return "the sum over the four parts at the edges' midpoints"; }
   bool applies(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar,
                std::string_view regime) const override {

@@ -21,6 +21,7 @@ constexpr std::optional<double> none = std::nullopt;
 constexpr std::array table{
     // The gate: the closed form in multiprecision against the integral.
     Row{"integral", "*", "*", "*", "*", 0, 2, 1e-30, "30 digits, wherever the integral reaches them"},
+    Row{"enclosure", "*", "*", "*", "*", 0, 2, 1, "the enclosure is a proof: the integral lies in it"},
     // An evaluation with a tolerance.
     Row{"stated_error", "*", "*", "*", "*", 0, 2, 1, "an evaluation's own statement of its error must hold"},
     // The forms we stand behind.

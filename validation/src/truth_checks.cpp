@@ -19,6 +19,7 @@ bool representable(const Mp100& size) {
 class TruthCheck final : public Check {
  public:
   std::string_view name() const override { return "truth"; }
+  Role role() const override { return Role::Truth; }
   std::string_view description() const override { return "against the truth, in units of rounding times conditioning"; }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
     // In multiprecision the closed form is the truth's own source: `integral` is its check.
@@ -76,6 +77,7 @@ class RelativeCheck final : public Check {
 class IntegralCheck final : public Check {
  public:
   std::string_view name() const override { return "integral"; }
+  Role role() const override { return Role::Gate; }
   std::string_view unit() const override { return "relative"; }
   std::string_view description() const override {
     return "closed form in multiprecision against the multiprecision integral of the kernel";

@@ -30,6 +30,7 @@ class Run {
     result_.settings = {{"triangulation", std::string(name_of(options.triangulation))},
                         {"samples", fmt::format("{}", options.suite.samples)},
                         {"integral samples", fmt::format("{}", options.suite.integral_samples)},
+                        {"enclosures", fmt::format("{}", options.suite.enclosures)},
                         {"formulas", options.formulas},
                         {"evaluations", options.evaluations},
                         {"regimes", options.regimes}};
@@ -67,6 +68,7 @@ class Run {
     campaign.seed = options_.seed;
     campaign.samples = options_.suite.samples;
     campaign.integral_samples = options_.suite.integral_samples;
+    campaign.enclosures = options_.suite.enclosures;
     campaign.jobs = options_.jobs;
     campaign.progress = [&](std::size_t done, std::size_t all) { say("elements", done, all); };
     CampaignResult found = run_campaign(campaign);
@@ -131,9 +133,9 @@ class Run {
 
 const std::vector<Suite>& suites() {
   static const std::vector<Suite> all{
-      {"quick", 96, 2, 60, 4, 40, 4000},
-      {"standard", 800, 8, 400, 16, 120, 40000},
-      {"full", 20000, 32, 4000, 64, 240, 400000},
+      {"quick", 96, 2, 1, 60, 4, 40, 4000},
+      {"standard", 800, 8, 3, 400, 16, 120, 40000},
+      {"full", 20000, 32, 64, 4000, 64, 240, 400000},
   };
   return all;
 }

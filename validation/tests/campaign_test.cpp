@@ -56,6 +56,25 @@ TEST(campaign, every_promise_is_kept_and_every_stored_case_replays) {
   }
 }
 
+TEST(campaign, enclosures_are_as_many_as_asked_whatever_the_samples) {
+  CampaignOptions options;
+  options.formulas = "triangle.solid_angle";
+  options.regimes = "near-plane";
+  options.samples = 1;
+  options.enclosures = 3;
+  int rows = 0;
+  for (const ResultRow& row : run_campaign(options).rows) {
+    if (row.check == "truth") {
+      EXPECT_EQ(row.samples, 1u) << row.evaluation;
+    }
+    if (row.check != "enclosure") continue;
+    ++rows;
+    EXPECT_EQ(row.samples, 3u);
+    EXPECT_EQ(row.verdict, Verdict::Kept) << row.max;
+  }
+  EXPECT_EQ(rows, 3);
+}
+
 TEST(campaign, patterns_that_match_nothing_are_bad_input) {
   for (const auto member : {&CampaignOptions::formulas, &CampaignOptions::regimes, &CampaignOptions::evaluations}) {
     CampaignOptions options = small();

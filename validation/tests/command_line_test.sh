@@ -112,6 +112,15 @@ printf '%s\n' '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":["0.1","0.1","0.1"]}
 [ "$(sed -n 1p "$work/stdout")" = "$(sed -n 2p "$work/stdout")" ] || fail "a JSON number loses digits in mp100"
 [ "$(sed -n 1p "$work/stdout")" != "$(sed -n 3p "$work/stdout")" ] || fail "a hexadecimal double is not its decimal"
 
+# Enclosures come with their radii, and nothing else does.
+for evaluation in certified closed_form; do
+  echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1]}' |
+    "$cageproof" eval --formula triangle.solid_angle --evaluation $evaluation --order 1 >"$work/$evaluation"
+done
+grep -q '"value_radius":\[[^]]*\],"gradient_radius":\[' "$work/certified" || fail "eval certified: $(cat "$work/certified")"
+! grep -q radius "$work/closed_form" || fail "radii of a closed form"
+"$cageproof" list --json | grep -q '"name": "certified"' || fail "list: no certified"
+
 # coordinates: a row a point, and sums of one.
 write three.csv 'x,y,z' '0.1,0.2,0.3' '-0.2,0.1,0' '0,0,0'
 "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind mean_value >"$work/stdout" || fail "coordinates"

@@ -31,6 +31,9 @@ struct Result {
   std::vector<R> value;     ///< [component]
   std::vector<R> gradient;  ///< [component][i], empty when order < 1
   std::vector<R> hessian;   ///< [component][i][j], empty when order < 2
+  /// Radii about the entries of each tensor within which the formula's value is proven to lie, infinite where nothing
+  /// is; empty when the evaluation proves nothing.
+  std::vector<R> value_radius, gradient_radius, hessian_radius;
   /// Decimal digits, relative and norm-wise, that the evaluation itself stands behind for the worst tensor asked for;
   /// NaN where it makes no statement (closed forms, fixed rules).
   double stated_digits = std::numeric_limits<double>::quiet_NaN();
@@ -43,6 +46,7 @@ struct Result {
     value.assign(components, R(0));
     gradient.assign(order >= 1 ? components * dim : 0, R(0));
     hessian.assign(order >= 2 ? components * dim * dim : 0, R(0));
+    for (int o = 0; o < 3; ++o) radius_of(o).clear();
     stated_digits = std::numeric_limits<double>::quiet_NaN();
     converged = true;
     nodes = 0;
@@ -50,6 +54,13 @@ struct Result {
   /// The tensor of derivative order 0, 1 or 2.
   const std::vector<R>& of(int order) const { return order == 0 ? value : order == 1 ? gradient : hessian; }
   std::vector<R>& of(int order) { return order == 0 ? value : order == 1 ? gradient : hessian; }
+  /// The radii of derivative order 0, 1 or 2.
+  const std::vector<R>& radius_of(int order) const {
+    return order == 0 ? value_radius : order == 1 ? gradient_radius : hessian_radius;
+  }
+  std::vector<R>& radius_of(int order) {
+    return order == 0 ? value_radius : order == 1 ? gradient_radius : hessian_radius;
+  }
 };
 
 /// One way to compute one formula.
@@ -93,7 +104,9 @@ class Evaluation {
 struct EvaluationFamily {
   std::string formula;
   std::string pattern;                ///< "closed_form", "gauss-<N>": what `list` shows
-  std::vector<std::string> standard;  ///< the members that verification runs and `list` names
+  /// The members that verification runs and `list` names; none where a check alone asks for the one member, which is
+  /// named as the pattern.
+  std::vector<std::string> standard;
   /// The member of that name, or nothing when the name is not of this family.
   std::function<std::optional<Evaluation>(std::string_view name)> make;
 };

@@ -34,11 +34,30 @@ struct Finding {
 /// One check. Stateless.
 class Check {
  public:
+  /// What a campaign does with its findings.
+  enum class Role {
+    Property,
+    Truth,  ///< the error that curves are drawn of
+    Gate,   ///< where it is not kept, nothing measured against the truth counts
+    Proof,  ///< stands on its own: counts where the gate is not kept too
+  };
+  /// What one finding costs, which decides how many samples a campaign takes.
+  enum class Cost {
+    Evaluations,     ///< of what is checked, and one truth
+    Truths,          ///< several truths
+    Multiprecision,  ///< evaluations in multiprecision, or an integral
+    Enclosure,       ///< ball arithmetic
+  };
   virtual ~Check() = default;
   virtual std::string_view name() const = 0;
   /// "conditioned" (units of u times the conditioned denominator) or "relative".
   virtual std::string_view unit() const { return "conditioned"; }
   virtual std::string_view description() const = 0;
+  virtual Role role() const { return Role::Property; }
+  /// In this scalar.
+  virtual Cost cost(ScalarKind scalar) const {
+    return scalar == ScalarKind::Float || scalar == ScalarKind::Double ? Cost::Evaluations : Cost::Multiprecision;
+  }
   /// Whether to run in this combination.
   virtual bool applies(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar,
                        std::string_view regime) const = 0;

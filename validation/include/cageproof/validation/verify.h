@@ -17,6 +17,7 @@ struct Suite {
   std::string_view name;
   int samples;           ///< a formula and regime
   int integral_samples;  ///< of these, for the multiprecision integral
+  int enclosures;        ///< a formula and regime, enclosed rigorously
   int cage_points;       ///< a cage, off it
   int truth_points;      ///< of these, against multiprecision
   int slice;             ///< samples a side of the fields of linear reproduction

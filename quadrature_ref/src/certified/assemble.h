@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// A definition's tensors from moments: the derivatives' terms summed in the frame, then turned into the axes of space.
+#pragma once
+
+#include "kernel_terms.h"
+#include "moments.h"
+
+namespace cageproof::quadrature_ref::certified {
+
+/// A definition with the derivatives of its kernel up to order 2.
+class Kernel {
+ public:
+  explicit Kernel(const Definition& definition);
+  const Definition& definition() const { return *definition_; }
+
+  /// The moments that orders 0 to `order` need.
+  MomentRange moments(int order) const;
+  /// Whether the integral of this order converges with the point on the triangle, and is continuous there.
+  bool weakly_singular(int order) const;
+  /// The tensor of one order, entries as in Result. \param parameters in the order of Formula::parameters
+  std::vector<Real> tensor(int order, const Sight& sight, const Moments& moments, const std::vector<Real>& parameters) const;
+
+ private:
+  const Definition* definition_;
+  /// [order][component][i <= j entries]
+  std::array<std::vector<std::vector<Polynomial>>, 3> terms_;
+};
+
+/// The kernel of a formula. \throws std::out_of_range when it has no definition
+const Kernel& kernel_of(std::string_view formula);
+
+}  // namespace cageproof::quadrature_ref::certified

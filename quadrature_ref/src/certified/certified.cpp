@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/quadrature_ref/certified.h"
+
+#include "assemble.h"
+
+#include <algorithm>
+
+namespace cageproof::quadrature_ref {
+namespace {
+
+using namespace certified;
+
+constexpr int guard_bits = 64;  // of the working precision beyond the truncation error aimed at
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Square root of the sum of squares of midpoints or of radii.
+Real norm_of(const std::vector<Real>& tensor, bool radii) {
+  const WorkingBits rough(64);
+  Real sum;
+  for (const Real& x : tensor) {
+    Real part;
+    if (radii) arb_get_rad_arb(part.raw(), x.raw());
+    else arb_get_mid_arb(part.raw(), x.raw());
+    sum += part * part;
+  }
+  return sqrt(sum);
+}
+
+// Bits of the tensor that the radii leave: infinity for an exact one, minus infinity when it may be zero.
+double bits_of(const std::vector<Real>& tensor) {
+  if (!std::ranges::all_of(tensor, &Real::is_finite)) return -infinity;
+  const Real radius = norm_of(tensor, true);
+  if (radius.is_zero()) return infinity;
+  const WorkingBits rough(64);
+  const Real left = norm_of(tensor, false) - radius;
+  if (!arb_is_positive(left.raw())) return -infinity;
+  return -Real(radius / left).log2_size();
+}
+
+// Rounded up.
+template <Scalar R>
+R upwards(const arf_t x) {
+  if constexpr (is_multiprecision<R>) {
+    R y;
+    arf_get_mpfr(y.backend().data(), x, MPFR_RNDU);
+    return y;
+  } else {
+    const double wide = arf_get_d(x, ARF_RND_CEIL);
+    if constexpr (std::same_as<R, double>) return wide;
+    else {
+      const auto narrow = static_cast<float>(wide);
+      return narrow < wide ? std::nextafter(narrow, std::numeric_limits<float>::infinity()) : narrow;
+    }
+  }
+}
+
+// The nearest R to the midpoint, and a radius about it that holds the ball.
+template <Scalar R>
+void round_to(const Real& ball, R& middle, R& radius) {
+  using std::isfinite;
+  if constexpr (is_multiprecision<R>) arf_get_mpfr(middle.backend().data(), arb_midref(ball.raw()), MPFR_RNDN);
+  else middle = static_cast<R>(ball.approximate());
+  if (!ball.is_finite() || !isfinite(middle)) {
+    middle = std::numeric_limits<R>::quiet_NaN();
+    radius = std::numeric_limits<R>::infinity();
+    return;
+  }
+  Real off;
+  arb_sub(off.raw(), ball.raw(), Real::exactly(middle).raw(), ARF_PREC_EXACT);
+  radius = upwards<R>(arb_midref(upper_bound(off).raw()));
+}
+
+// FLINT keeps caches for each thread, and leaves it to the thread to free them.
+struct ThreadCaches {
+  ~ThreadCaches() { flint_cleanup(); }
+};
+
+struct Attempt {
+  std::array<std::vector<Real>, 3> tensors;  // empty: not enclosed
+  double bits = infinity;                    // of the worst order that can be enclosed
+  bool all_orders = true;
+  std::size_t nodes = 0;
+};
+
+template <Scalar R>
+std::optional<Attempt> attempt(const Kernel& kernel, const Query<R>& query, int bits) {
+  const WorkingBits working(bits);
+  const auto sight = sight_of(query);
+  if (!sight) return std::nullopt;
+  std::vector<Real> parameters;
+  for (const R& p : query.parameters) parameters.push_back(Real::exactly(p));
+  Attempt found;
+  const Moments moments = integrate_moments(*sight, kernel.moments(query.order), bits - guard_bits, found.nodes);
+  for (int order = 0; order <= query.order; ++order) {
+    if (sight->on_triangle && !kernel.weakly_singular(order)) {
+      found.all_orders = false;
+      continue;
+    }
+    found.tensors[order] = kernel.tensor(order, *sight, moments, parameters);
+    found.bits = std::min(found.bits, bits_of(found.tensors[order]));
+  }
+  return found;
+}
+
+int next_bits(int bits, double reached, int wanted) {
+  if (reached == -infinity) return 2 * bits;
+  const int missing = wanted + 8 - static_cast<int>(std::max(reached, 0.0));
+  return (bits + std::max(missing, bits / 4) + 63) / 64 * 64;
+}
+
+}  // namespace
+
+template <Scalar R>
+void integrate_certified(std::string_view formula, const Query<R>& query, Result<R>& result, const CertifiedEffort& effort) {
+  [[maybe_unused]] static thread_local const ThreadCaches caches;
+  const Kernel& kernel = kernel_of(formula);
+  const auto components = static_cast<int>(kernel.definition().components.size()) * (kernel.definition().per_corner ? 3 : 1);
+  result.reset(components, 3, query.order);
+  std::optional<Attempt> best;
+  std::size_t nodes = 0;
+  for (int bits = effort.first_bits; bits <= effort.most_bits;) {
+    auto found = attempt(kernel, query, bits);
+    if (!found) break;
+    nodes += found->nodes;
+    const double reached = found->bits;
+    if (!best || !(reached < best->bits)) best = std::move(found);
+    if (reached >= effort.bits_wanted) break;
+    bits = next_bits(bits, reached, effort.bits_wanted);
+  }
+  result.nodes = nodes;
+  for (int order = 0; order <= query.order; ++order) {
+    auto& middles = result.of(order);
+    auto& radii = result.radius_of(order);
+    radii.assign(middles.size(), std::numeric_limits<R>::infinity());
+    if (!best || best->tensors[order].empty()) std::ranges::fill(middles, std::numeric_limits<R>::quiet_NaN());
+    else
+      for (std::size_t i = 0; i < middles.size(); ++i) round_to(best->tensors[order][i], middles[i], radii[i]);
+  }
+  result.converged = best && best->all_orders && best->bits >= effort.bits_wanted;
+  if (!best || std::ranges::all_of(best->tensors, &std::vector<Real>::empty)) return;
+  constexpr double digits_a_bit = 0.30102999566398119521;
+  result.stated_digits = std::clamp(best->bits, 0.0, static_cast<double>(effort.most_bits)) * digits_a_bit;
+}
+
+#define CAGEPROOF_INSTANTIATE(R) \
+  template void integrate_certified<R>(std::string_view, const Query<R>&, Result<R>&, const CertifiedEffort&);
+CAGEPROOF_INSTANTIATE(float)
+CAGEPROOF_INSTANTIATE(double)
+CAGEPROOF_INSTANTIATE(Mp50)
+CAGEPROOF_INSTANTIATE(Mp100)
+CAGEPROOF_INSTANTIATE(Mp200)
+#undef CAGEPROOF_INSTANTIATE
+
+namespace {
+
+// A family a definition. None is standard: the check `enclosure` asks for as many as a campaign can afford.
+[[maybe_unused]] const bool registered = [] {
+  for (const Definition& definition : definitions()) {
+    const std::string formula(definition.formula);
+    const auto make = [formula](std::string_view name) -> std::optional<Evaluation> {
+      if (name != "certified") return std::nullopt;
+      Evaluation evaluation(formula, "certified", "a ball that contains the integral, by ball arithmetic");
+      for (const ScalarKind kind : scalar_kinds)
+        with_scalar(kind, [&]<Scalar R>() {
+          evaluation.set<R>([formula](const Query<R>& query, Result<R>& result) {
+            integrate_certified(formula, query, result);
+          });
+        });
+      return evaluation;
+    };
+    EvaluationRegister::instance().add({formula, "certified", {}, make});
+  }
+  return true;
+}();
+
+}  // namespace
+
+}  // namespace cageproof::quadrature_ref

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Enclosures of the moments int y1^a y2^b r^(-q) over the triangle, r^2 = y1^2 + y2^2 + d^2.
+#pragma once
+
+#include "radial.h"
+#include "sight.h"
+
+namespace cageproof::quadrature_ref::certified {
+
+/// Which moments: per power q the highest degree a + b.
+class MomentRange {
+ public:
+  /// \param odd whether the powers are odd
+  explicit MomentRange(bool odd) : lowest_q_(odd ? -1 : 2), degrees_(2, -1) {}  // the recurrences' first two
+  void include(int degree, int q);
+  int lowest_q() const { return lowest_q_; }
+  int highest_q() const { return lowest_q_ + 2 * (static_cast<int>(degrees_.size()) - 1); }
+  int degree(int q) const { return degrees_[(q - lowest_q_) / 2]; }  ///< -1: none
+  int highest_degree() const;
+
+ private:
+  int lowest_q_;
+  std::vector<int> degrees_;
+};
+
+/// The moments of a range.
+class Moments {
+ public:
+  explicit Moments(const MomentRange& range)
+      : range_(range), stride_((range.highest_degree() + 1) * (range.highest_degree() + 2) / 2),
+        values_(stride_ * ((range.highest_q() - range.lowest_q()) / 2 + 1)) {}
+  const MomentRange& range() const { return range_; }
+  Real& at(int a, int b, int q) { return values_[index(a, b, q)]; }
+  const Real& at(int a, int b, int q) const { return values_[index(a, b, q)]; }
+
+ private:
+  std::size_t index(int a, int b, int q) const {
+    return static_cast<std::size_t>((q - range_.lowest_q()) / 2 * stride_ + (a + b) * (a + b + 1) / 2 + b);
+  }
+
+  MomentRange range_;
+  int stride_;
+  std::vector<Real> values_;
+};
+
+/// The moments, by one-dimensional integrals over the edges (docs/certified.md), at working_bits.
+///
+/// \param goal truncation error wanted, in bits below the largest contribution to each moment: a wish that decides how
+/// much is spent; what was reached is in the radii
+/// \param nodes is increased by the number of nodes spent
+/// \pre moments with q >= a + b + 2 are not used where the point lies on the triangle
+Moments integrate_moments(const Sight& sight, const MomentRange& range, int goal, std::size_t& nodes);
+
+}  // namespace cageproof::quadrature_ref::certified
