@@ -6,6 +6,7 @@
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/campaign.h"
 #include "cageproof/validation/error_fields.h"
+#include "cageproof/validation/one_ring.h"
 
 #include <fmt/format.h>
 
@@ -91,6 +92,11 @@ class Run {
     say("cage " + cage.name(), 0, 1);
     auto rows = run_cage_campaign(cage, cage_options());
     result_.rows.insert(result_.rows.end(), rows.begin(), rows.end());
+    for (const char* evaluation : {"closed_form", "curl-form"}) {
+      rows = run_one_ring_check(
+          cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed});
+      result_.rows.insert(result_.rows.end(), rows.begin(), rows.end());
+    }
     for (const CoordinateKind& kind : coordinate_kinds()) {
       const auto title = fmt::format("{}, {} coordinates", cage.name(), kind.name);
       add(writer_.write_image(reproduction_field(cage, kind, "closed_form", options_.triangulation,
