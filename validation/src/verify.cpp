@@ -5,6 +5,7 @@
 #include "cageproof/reports/report_writer.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/campaign.h"
+#include "cageproof/validation/errata.h"
 #include "cageproof/validation/error_fields.h"
 #include "cageproof/validation/one_ring.h"
 
@@ -48,6 +49,8 @@ class Run {
     } else {
       for (const auto name : embedded_cage_names()) cage(embedded_cage(name));
     }
+    say("errata", 0, 1);
+    result_.errata = measure_errata({.formulas = options_.formulas, .seed = options_.seed});
     say("report", 0, 1);
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     writer_.write(result_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts that several printed forms share, instantiated once, in instances.cpp: five scalars of nested Eigen expressions compile slowly.
+// Parts that several printed forms share, instantiated once, in instances.cpp: five scalars of them compile slowly.
 #pragma once
 
 #include "cageproof/closed_form/published/affine_single_layer.h"

@@ -9,7 +9,7 @@ namespace cageproof::closed_form::published {
 
 CAGEPROOF_PUBLISHED_SCALARS(extern)
 
-/// `form(setting, query, misprint)` is a Jet for every scalar. `published` is of the standard set; what keeps a misprint is not.
+/// `form(setting, query, misprint)` is a Jet for every scalar. `published` is of the standard set, what keeps a misprint not.
 template <class Form>
 EvaluationFamily published_family(std::string formula, Misprint misprint, std::string description, Form form,
                                   int max_order = 2) {

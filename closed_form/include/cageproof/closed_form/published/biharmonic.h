@@ -8,8 +8,8 @@
 
 namespace cageproof::closed_form::published {
 
-/// [T24] Appendix C, psibar strictly inside a triangle (all edges) and on a vertex (the opposite edge). Printed without -lambda_2, and
-/// with a^3 before a bracket whose other terms need a alone.
+/// [T24] Appendix C, psibar strictly inside a triangle (all edges) and on a vertex (the opposite edge). Printed without
+/// -lambda_2, and with a wrong power of a.
 template <Scalar R>
 R special_biharmonic_single_layer(const Setting<R>& s, Misprint misprint) {
   R sum(0);

@@ -42,7 +42,8 @@ Mat3<R> distance_integral_hessian(const Setting<R>& s, Misprint misprint) {
   const R d = s.d, d2 = d * d;
   Mat3<R> sum = Mat3<R>::Zero();
   if (!s.in_plane) {
-    sum += d * omega(s, misprint) * tensor<R>(s.n, s.n) + d2 * tensor<R>(s.n, omega_gradient(s)) + d2 * d / 3 * omega_hessian(s);
+    sum += d * omega(s, misprint) * tensor<R>(s.n, s.n) + d2 * tensor<R>(s.n, omega_gradient(s));
+    sum += d2 * d / 3 * omega_hessian(s);
   }
   for (const Edge<R>& e : s.edges) {
     sum += tensor<R>(e.r, e.unit_zeta(0) - e.unit_zeta(1) + (e.l[0] - e.l[1]) * e.u) / 6;  // blue

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// psi_t and phi_t^k in Urago's form, which [T24] takes from the annex of [Ben-Chen, Weber, Gotsman 2009] without printing it. The
-// derivatives follow by the product rule.
+// psi_t and phi_t^k in Urago's form, which [T24] takes from the annex of [Ben-Chen, Weber, Gotsman 2009] without printing it.
+// The derivatives follow by the product rule.
 #pragma once
 
 #include "cageproof/closed_form/published/solid_angle.h"
@@ -115,8 +115,8 @@ Jet<R, 3> double_layer(const Setting<R>& s, int order, Misprint misprint = Mispr
   return jet;
 }
 
-/// The trap: phi_t^k with P x d_k/(2|t|) for its gradient. That is not the gradient of one triangle's phi_t^k; only the sums over the
-/// triangles around each vertex of a closed cage are the gradients of phi_k. \param order 0, 1 or 2
+/// The trap: phi_t^k with P x d_k/(2|t|) for its gradient. That is not the gradient of one triangle's phi_t^k; only the sums
+/// over the triangles around each vertex of a closed cage are the gradients of phi_k. \param order 0, 1 or 2
 template <Scalar R>
 Jet<R, 3> double_layer_curl_form(const Setting<R>& s, int order) {
   Jet<R, 3> jet = double_layer(s, 0);

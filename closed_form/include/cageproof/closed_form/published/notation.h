@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The notation of [T24] Section 3: a triangle, a point, and what is printed per edge. Typed as printed: nothing is stabilised.
+// The notation of [T24] Section 3: a triangle, a point, and what is printed per edge. As printed: nothing is stabilised.
 #pragma once
 
 #include "cageproof/closed_form/jet.h"

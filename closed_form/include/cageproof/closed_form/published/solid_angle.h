@@ -7,8 +7,8 @@
 
 namespace cageproof::closed_form::published {
 
-/// [T24] Appendix A: gamma_0 + gamma_1 - acos(d C_0/sqrt(d^2 + a^2)) - acos(d C_1/sqrt(d^2 + a^2)) of the subtriangle (p, e0, e1),
-/// with delta_i C_i = epsilon_i zeta_i and delta_i S_i = a (Eq 59, 61). It is minus the subtriangle's solid angle.
+/// [T24] Appendix A: gamma_0 + gamma_1 - acos(d C_0/sqrt(d^2 + a^2)) - acos(d C_1/sqrt(d^2 + a^2)) of the subtriangle
+/// (p, e0, e1), with delta_i C_i = epsilon_i zeta_i and delta_i S_i = a (Eq 59, 61). It is minus the subtriangle's solid angle.
 /// \pre the point does not project onto the edge's line
 template <Scalar R>
 R subtriangle_angle(const Edge<R>& e, const R& unsigned_d) {

@@ -49,7 +49,8 @@ Mat3<R> third_derivative(const Setting<R>& s, const Vec3<R>& r, Misprint misprin
   for (const Edge<R>& e : s.edges) {
     const Jet<R, 1> A = edge_of_A(e, r);
     if (!s.in_plane)
-      sum += 4 * d2 * A.value[0] * n * n.transpose() + 4 * d2 * d / 3 * tensor<R>(A.gradient[0], n) + d2 * d2 / 3 * A.hessian[0];
+      sum += 4 * d2 * A.value[0] * n * n.transpose() + 4 * d2 * d / 3 * tensor<R>(A.gradient[0], n) +
+             d2 * d2 / 3 * A.hessian[0];
     const R a = e.a, rr = e.r.dot(r);
     const Vec3<R> dm = e.m(1) - e.m(0);
     const Mat3<R> dM = e.M(1) - e.M(0);
