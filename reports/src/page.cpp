@@ -76,6 +76,7 @@ std::string page(const RunResult& result, const std::vector<CurvePicture>& curve
   set_formulas(data, result, curves, folder);
   set_cages(data, result);
   set_fields(data, result, folder);
+  set_errata(data, result);
   Data notes{Data::type::list};
   for (const std::string& note : result.notes) notes << Data(note);
   set_list(data, "notes", notes);

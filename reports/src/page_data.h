@@ -38,4 +38,7 @@ void set_formulas(Data& page, const RunResult& result, const std::vector<CurvePi
 /// Cage by cage: properties.
 void set_cages(Data& page, const RunResult& result);
 
+/// Errata of the papers, measured or not.
+void set_errata(Data& page, const RunResult& result);
+
 }  // namespace cageproof::reports

@@ -49,6 +49,20 @@ Json row(const ResultRow& row, std::size_t& next_line) {
   return json;
 }
 
+Json erratum_json(const ErratumRow& row) {
+  Json json{{"source", row.source}, {"printed", row.printed}, {"correct", row.correct}, {"measured", !row.formula.empty()}};
+  if (row.formula.empty()) return json;
+  json.update({{"formula", row.formula},
+               {"order", row.order},
+               {"evaluation", row.evaluation},
+               {"regime", row.regime},
+               {"samples", row.samples},
+               {"printed_nonfinite", row.nonfinite},
+               {"printed_error", json_number(row.printed_error)},
+               {"corrected_error", json_number(row.corrected_error)}});
+  return json;
+}
+
 }  // namespace
 
 std::string_view name_of(ResultRow::Section section) {
@@ -81,7 +95,8 @@ std::string summary_json(const RunResult& result) {
               {"first_and_last", "bin 0 holds errors below, the last bin errors above these decades"}}},
             {"rows", Json::array()},
             {"curves", Json::array()},
-            {"fields", Json::array()}};
+            {"fields", Json::array()},
+            {"errata", Json::array()}};
   std::size_t line = 1;
   for (const ResultRow& r : result.rows) json["rows"].push_back(row(r, line));
   for (const ResultCurve& curve : result.curves)
@@ -100,6 +115,7 @@ std::string summary_json(const RunResult& result) {
                               {"data", field.data},
                               {"picture", field.picture},
                               {"largest", json_number(field.largest)}});
+  for (const ErratumRow& erratum : result.errata) json["errata"].push_back(erratum_json(erratum));
   return dump(json) + "\n";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/formula.h"
 #include "digest.h"
+#include "errata_text.h"
 #include "figure.h"
 #include "tables.h"
 
@@ -111,6 +112,30 @@ std::string cages(const RunResult& result) {
   return text;
 }
 
+std::string errata(const RunResult& result) {
+  if (result.errata.empty()) return "";
+  std::string measured, texts;
+  for (const ErratumRow& row : result.errata) {
+    std::vector<std::string> cells{escaped(row.source), escaped(row.printed), escaped(row.correct)};
+    if (row.formula.empty()) {
+      texts += line(cells);
+      continue;
+    }
+    for (const std::string& cell : {escaped(row.formula), std::string(order_name(row.order)), escaped(row.evaluation),
+                                    escaped(row.regime), printed_error_text(row), short_error(row.corrected_error)})
+      cells.push_back(cell);
+    measured += line(cells);
+  }
+  std::string text = "\n## Errata of the papers\n";
+  if (!measured.empty())
+    text += "\nLargest relative error found, in 50 digits.\n\n" +
+            head({"where", "printed", "right", "formula", "order", "evaluation", "regime", "as printed", "corrected"}) +
+            measured;
+  if (!texts.empty())
+    text += "\nNot measured here: no formula of the catalogue shows them.\n\n" + head({"where", "printed", "right"}) + texts;
+  return text;
+}
+
 std::string pairs(const std::string& title, const std::map<std::string, std::string>& map) {
   if (map.empty()) return "";
   std::string text = fmt::format("\n## {}\n\n", title);
@@ -130,6 +155,7 @@ std::string summary_markdown(const RunResult& result) {
       text += line({escaped(field.title), short_number(field.largest), escaped(field.unit), escaped(field.data),
                     escaped(field.picture)});
   }
+  text += errata(result);
   if (!result.notes.empty()) text += "\n## Notes\n\n";
   for (const std::string& note : result.notes) text += fmt::format("* {}\n", escaped(note));
   text += pairs("Settings", result.settings) + pairs("Machine", result.machine);

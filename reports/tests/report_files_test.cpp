@@ -175,6 +175,27 @@ TEST(ReportFiles, ThePageStandsAlone) {
   EXPECT_NE(page.find(std::string(formula.source)), std::string::npos);
 }
 
+TEST(ReportFiles, ErrataShowPrintAndCorrectionSideBySide) {
+  const RunResult run = sample_run(1, 1);
+  const std::string page = report(run).at("index.html"), text = summary_markdown(run);
+  EXPECT_NE(page.find("<h2>Errata of the papers"), std::string::npos);
+  EXPECT_NE(page.find("a &lt; b"), std::string::npos);
+  for (const std::string& sheet : {page, text}) {
+    const auto at = sheet.find("[X24] Eq 3");
+    ASSERT_NE(at, std::string::npos);
+    const auto printed = sheet.find("0.41, not finite on 3 of 24", at), corrected = sheet.find("3e-40", at);
+    EXPECT_LT(printed, corrected);
+    EXPECT_LT(corrected, sheet.find("Not measured here", at));
+    EXPECT_LT(sheet.find("Not measured here", at), sheet.find("[X24] Eq 4", at));
+  }
+  const Json json = Json::parse(summary_json(run))["errata"];
+  ASSERT_EQ(json.size(), 2u);
+  EXPECT_EQ(json[0]["printed_error"], 0.401);
+  EXPECT_EQ(json[0]["printed_nonfinite"], 3);
+  EXPECT_EQ(json[1]["measured"], false);
+  EXPECT_FALSE(json[1].contains("printed_error"));
+}
+
 TEST(ReportFiles, ARunOfFieldsAlone) {
   RunResult run;
   run.version = "0.1.0";

@@ -151,6 +151,13 @@ RunResult sample_run(int formulas, int regimes) {
       }
   for (const char* cage : {"cube", "icosphere", "torus", "FireHydrant_Cage.obj"}) add_cage(run, cage);
   run.notes = {"regime far: the integral reached 24 digits on 3 of 8 samples", "a note with <b>markup</b> & more"};
+  run.errata.push_back({.source = "[X24] Eq 3", .printed = "a < b", .correct = "b", .formula = "triangle.single_layer",
+                        .evaluation = "as-printed-eq3", .regime = "generic", .order = 2, .samples = 24, .nonfinite = 3,
+                        .printed_error = 0.401, .corrected_error = 3e-40});
+  ErratumRow& text = run.errata.emplace_back();
+  text.source = "[X24] Eq 4";
+  text.printed = "V'; D'";
+  text.correct = "V'; N'";
   return run;
 }
 

@@ -7,6 +7,7 @@
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/cage_symmetries.h"
 #include "cageproof/validation/check.h"
+#include "cageproof/validation/one_ring.h"
 
 #include <fmt/format.h>
 
@@ -42,13 +43,15 @@ double replay_element(const ResultRow& row, const WorstCase& worst) {
 }
 
 double replay_cage(const ResultRow& row, const WorstCase& worst, Triangulation rule) {
-  const CoordinateKind* kind = find_coordinate_kind(row.subject);
-  if (!kind) throw InputError(fmt::format("unknown kind of coordinates '{}'", row.subject));
   const auto names = embedded_cage_names();
   const Cage cage = std::ranges::find(names, row.regime) != names.end()
                         ? embedded_cage(row.regime)
                         : read_cage(row.regime, {.flip_inward = true});
   if (!worst.point.allFinite()) throw InputError("the point is not finite");
+  if (row.check == "own_derivative" || row.check == "one_ring_sum")
+    return one_ring_error_at(cage, {.evaluation = row.evaluation, .triangulation = rule}, row.check, row.order, worst.point);
+  const CoordinateKind* kind = find_coordinate_kind(row.subject);
+  if (!kind) throw InputError(fmt::format("unknown kind of coordinates '{}'", row.subject));
   const CageCoordinates coordinates(cage, *kind, row.evaluation, rule);
   if (row.check == "cage_truth")
     return truth_errors_at(coordinates, {cage, *kind, "closed_form", rule}, worst.point, row.order)[row.order];

@@ -24,7 +24,8 @@ class TruthCheck final : public Check {
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
     // In multiprecision the closed form is the truth's own source: `integral` is its check.
     return evaluation.name() != "multiprecision" &&
-           (scalar == ScalarKind::Double || (scalar == ScalarKind::Float && evaluation.name() == "closed_form"));
+           (scalar == ScalarKind::Double ||
+            (scalar == ScalarKind::Float && (evaluation.name() == "closed_form" || evaluation.name() == "published")));
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     return with_scalar(in.scalar, [&]<Scalar R>() {

@@ -5,7 +5,9 @@
 #include "cageproof/reports/report_writer.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/campaign.h"
+#include "cageproof/validation/errata.h"
 #include "cageproof/validation/error_fields.h"
+#include "cageproof/validation/one_ring.h"
 
 #include <fmt/format.h>
 
@@ -47,6 +49,8 @@ class Run {
     } else {
       for (const auto name : embedded_cage_names()) cage(embedded_cage(name));
     }
+    say("errata", 0, 1);
+    result_.errata = measure_errata({.formulas = options_.formulas, .seed = options_.seed});
     say("report", 0, 1);
     result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     writer_.write(result_);
@@ -91,6 +95,11 @@ class Run {
     say("cage " + cage.name(), 0, 1);
     auto rows = run_cage_campaign(cage, cage_options());
     result_.rows.insert(result_.rows.end(), rows.begin(), rows.end());
+    for (const char* evaluation : {"closed_form", "curl-form"}) {
+      rows = run_one_ring_check(
+          cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed});
+      result_.rows.insert(result_.rows.end(), rows.begin(), rows.end());
+    }
     for (const CoordinateKind& kind : coordinate_kinds()) {
       const auto title = fmt::format("{}, {} coordinates", cage.name(), kind.name);
       add(writer_.write_image(reproduction_field(cage, kind, "closed_form", options_.triangulation,

@@ -60,6 +60,21 @@ struct FieldEntry {
   double largest = 0;   ///< of the field, finite samples only
 };
 
+/// One place where a paper is wrong, with one formula and order that it changes, and by how much.
+struct ErratumRow {
+  std::string source;      ///< paper key and equation
+  std::string printed;     ///< what is printed
+  std::string correct;     ///< what is right
+  std::string formula;     ///< empty: no formula of the catalogue shows it, and nothing was measured
+  std::string evaluation;  ///< the one that keeps the misprint
+  std::string regime;
+  int order = 0;
+  std::uint64_t samples = 0;
+  std::uint64_t nonfinite = 0;  ///< samples where the printed form is not finite
+  double printed_error = 0;     ///< largest relative error, norm-wise, of the finite ones
+  double corrected_error = 0;   ///< and of the corrected form
+};
+
 /// A whole run.
 struct RunResult {
   std::string version;
@@ -73,6 +88,7 @@ struct RunResult {
   std::vector<ResultRow> rows;
   std::vector<ResultCurve> curves;
   std::vector<FieldEntry> fields;
+  std::vector<ErratumRow> errata;
   /// Findings that are no row: "regime far: the integral reached 24 digits on 3 of 8 samples" ...
   std::vector<std::string> notes;
 

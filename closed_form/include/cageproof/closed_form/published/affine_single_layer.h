@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// psi_t^k: [T24] Eq 43-46.
+#pragma once
+
+#include "cageproof/closed_form/published/biharmonic.h"
+
+namespace cageproof::closed_form::published {
+
+/// \param order 0, 1 or 2
+template <Scalar R>
+Jet<R, 3> affine_single_layer(const Setting<R>& s, int order, Misprint misprint = Misprint::None) {
+  Jet<R, 3> jet;
+  const Jet<R, 1> bar = biharmonic_single_layer(s, order < 2 ? order + 1 : 2, misprint);
+  const Jet<R, 1> green = single_layer(s, order, misprint);
+  for (int k = 0; k < 3; ++k) {
+    const Vec3<R>& g = s.g[k];
+    jet.value[k] = -2 * bar.gradient[0].dot(g) + s.gamma[k] * green.value[0];
+    if (order >= 1) jet.gradient[k] = -2 * bar.hessian[0] * g + s.gamma[k] * green.gradient[0] + green.value[0] * g;
+    if (order >= 2)
+      jet.hessian[k] = 2 * lambda2<R>() * third_derivative(s, g, misprint) + tensor<R>(green.gradient[0], g) +
+                       s.gamma[k] * green.hessian[0];
+  }
+  return jet;
+}
+
+}  // namespace cageproof::closed_form::published

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/closed_form/published/kelvin.h"
+
+#include "register.h"
+
+namespace cageproof::closed_form::published {
+namespace {
+
+const auto form = []<Scalar R>(const Setting<R>& s, const Query<R>& q, Misprint misprint) {
+  return kelvin_traction<R>(s, q.parameters[0], q.parameters[1], misprint);
+};
+const RegisterEvaluation published{
+    published_family("triangle.kelvin_traction", Misprint::None, "[T24] Eq 49, after the errata", form, 0)};
+const RegisterEvaluation eq18{
+    published_family("triangle.kelvin_traction", Misprint::Equation18, "[T24] with Eq 18 as printed", form, 0)};
+const RegisterEvaluation eq48{
+    published_family("triangle.kelvin_traction", Misprint::Equation48, "[T24] with Eq 48 read literally", form, 0)};
+const RegisterEvaluation eq49{
+    published_family("triangle.kelvin_traction", Misprint::Equation49, "[T24] with Eq 49 as printed", form, 0)};
+
+}  // namespace
+}  // namespace cageproof::closed_form::published

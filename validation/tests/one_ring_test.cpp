@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The curl form's gradient is wrong triangle by triangle and right for a closed cage's sums; a gradient is right in both.
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/evaluation.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/validation/one_ring.h"
+
+#include <gtest/gtest.h>
+
+namespace cageproof::validation {
+namespace {
+
+std::vector<ResultRow> rows_of(const char* cage, const char* evaluation) {
+  OneRingOptions options;
+  options.evaluation = evaluation;
+  options.points = 8;
+  return run_one_ring_check(embedded_cage(cage), options);
+}
+
+TEST(one_ring, curl_form_is_right_in_sums_alone) {
+  for (const char* cage : {"cube", "icosphere"})
+    for (const ResultRow& row : rows_of(cage, "curl-form")) {
+      EXPECT_GT(row.samples, 4u);
+      if (row.check == "one_ring_sum") {
+        EXPECT_EQ(row.verdict, Verdict::Kept) << cage << ' ' << row.order << ' ' << row.max;
+      } else {
+        EXPECT_GT(row.median, 0.1) << cage << ' ' << row.order;
+        EXPECT_EQ(row.verdict, Verdict::NotPromised);
+      }
+    }
+}
+
+TEST(one_ring, gradients_are_right_in_both) {
+  for (const char* evaluation : {"closed_form", "published"})
+    for (const ResultRow& row : rows_of("cube", evaluation))
+      EXPECT_EQ(row.verdict, Verdict::Kept) << evaluation << ' ' << row.max;
+}
+
+// A wrong sign in the curl form would be a plug-in's mistake: neither sums nor triangles are right then.
+TEST(one_ring, broken_derivatives_are_found) {
+  const auto make = [](std::string_view name) -> std::optional<Evaluation> {
+    if (name != "negated") return std::nullopt;
+    const Evaluation good = *EvaluationRegister::instance().find("triangle.double_layer", "curl-form");
+    Evaluation bad("triangle.double_layer", "negated", "broken on purpose");
+    bad.set<double>([good](const Query<double>& query, Result<double>& result) {
+      good(query, result);
+      for (double& x : result.gradient) x = -x;
+      for (double& x : result.hessian) x = -x;
+    });
+    return bad;
+  };
+  const RegisterEvaluation negated{{"triangle.double_layer", "negated", {}, make}};
+  for (const ResultRow& row : rows_of("cube", "negated")) {
+    EXPECT_GT(row.max, 0.1) << row.check;
+    EXPECT_EQ(row.verdict, Verdict::Broken) << row.check;
+  }
+  EXPECT_THROW(rows_of("cube", "no-such-evaluation"), InputError);
+}
+
+}  // namespace
+}  // namespace cageproof::validation
