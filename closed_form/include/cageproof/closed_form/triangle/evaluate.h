@@ -26,7 +26,7 @@ Components<F, R, O> near_components(const Frame<R>& frame, std::span<const R> pa
 }
 
 /// From n x n Gauss-Legendre points, up to degree O.
-template <class F, int O, Scalar R>
+template <class F, int O, class R>
 Components<F, R, O> far_components(const Frame<R>& frame, int n, std::span<const R> parameters) {
   Components<F, R, O> out;
   F::compose(FarForm<R, O + F::extra, F::extra == 0 ? O : O + F::extra - 1>(frame, n), parameters, out);

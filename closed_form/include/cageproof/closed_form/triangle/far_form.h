@@ -44,20 +44,36 @@ inline std::optional<int> far_points(double rho, int p, int degree, double toler
 
 /// The most points a side that the far form takes.
 inline constexpr int kFarLimit = 20;
-/// What rounding may add up to over its nodes, relative to the result: positive weights, each kernel to some ten roundings.
-inline constexpr double far_roundoff = 64 * 0x1p-53;
+/// A rule's number in the arithmetic of the form.
+template <class R, Scalar S>
+R rule_number(const S& x) {
+  if constexpr (Scalar<R>) return x;
+  else return R(x, std::abs(x));
+}
+
+/// The scalar that a form's rule comes from: tracked doubles take it from double.
+template <class R>
+struct RuleScalar {
+  using type = R;
+};
+template <class T>
+struct RuleScalar<Tracked<T>> {
+  using type = T;
+};
 
 /// A potential's moments far from the triangle, N and M as in EdgeForm.
-template <Scalar R, int N, int M>
+template <class R, int N, int M>
 class FarForm {
+  using S = typename RuleScalar<R>::type;
+
  public:
   /// \param n points a side, 2 <= n <= 64
-  FarForm(const Frame<R>& frame, int n) : frame_(frame), rule_(gauss_legendre<R>(n)) {}
+  FarForm(const Frame<R>& frame, int n) : frame_(frame), rule_(gauss_legendre<S>(n)) {}
 
   const Frame<R>& frame() const { return frame_; }
   Taylor<R, M> omega() const {
     Taylor<R, M> omega;
-    omega.add_linear(-frame_.d, Vec3<R>(-frame_.n), total<M>(hats<-3, M>()));
+    omega.add_linear(-frame_.d, opposite_normal(), total<M>(hats<-3, M>()));
     return omega;
   }
   Taylor<R, N> J() const { return total<N>(hats<-1, N>()); }
@@ -68,6 +84,7 @@ class FarForm {
   std::array<Taylor<R, N>, 3> mean_value() const { return times_height<N>(hats<-4, N>()); }
 
  private:
+  Vec3<R> opposite_normal() const { return {-frame_.n[0], -frame_.n[1], -frame_.n[2]}; }
   template <int D>
   static Taylor<R, D> total(const std::array<Taylor<R, D>, 3>& parts) {
     Taylor<R, D> sum = parts[0];
@@ -79,7 +96,7 @@ class FarForm {
   template <int D>
   std::array<Taylor<R, D>, 3> times_height(const std::array<Taylor<R, D>, 3>& parts) const {
     std::array<Taylor<R, D>, 3> product;
-    for (int k = 0; k < 3; ++k) product[k].add_linear(-frame_.d, Vec3<R>(-frame_.n), parts[k]);
+    for (int k = 0; k < 3; ++k) product[k].add_linear(-frame_.d, opposite_normal(), parts[k]);
     return product;
   }
 
@@ -88,32 +105,39 @@ class FarForm {
   std::array<Taylor<R, D>, 3> hats() const;
 
   const Frame<R>& frame_;
-  const GaussLegendre<R>& rule_;
+  const GaussLegendre<S>& rule_;
 };
 
-template <Scalar R, int N, int M>
+template <class R, int N, int M>
 template <int p, int D>
 std::array<Taylor<R, D>, 3> FarForm<R, N, M>::hats() const {
   using std::sqrt;
   std::array<Taylor<R, D>, 3> sums;
   const auto& [nodes, weights] = rule_;
-  const Vec3<R> side = frame_.p[1] - frame_.p[0], base = frame_.p[2] - frame_.p[1];
+  const auto& corner = frame_.p;
+  Vec3<R> side, base;
+  for (int c = 0; c < 3; ++c) {
+    side[c] = corner[1][c] - corner[0][c];
+    base[c] = corner[2][c] - corner[1][c];
+  }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const R& u = nodes[i];
+    const R u = rule_number<R>(nodes[i]);
+    std::array<Taylor<R, D>, 3> row;  // sums of sums round less
     for (std::size_t j = 0; j < nodes.size(); ++j) {
-      const R& v = nodes[j];
-      const Vec3<R> x = frame_.p[0] + u * (side + v * base);
-      const R r2 = x.dot(x), r = sqrt(r2);
-      const R weight = frame_.area2 * u * weights[i] * weights[j];
-      R value = weight;
+      const R v = rule_number<R>(nodes[j]);
+      Vec3<R> x;
+      for (int c = 0; c < 3; ++c) x[c] = corner[0][c] + u * (side[c] + v * base[c]);
+      const R r2 = x[0] * x[0] + x[1] * x[1] + x[2] * x[2], r = sqrt(r2);
+      R value = frame_.area2 * u * rule_number<R>(weights[i]) * rule_number<R>(weights[j]);
       if constexpr (p == 1) value *= r;
       else if constexpr (p == -1) value /= r;
       else if constexpr (p == -3) value /= r2 * r;
       else value /= r2 * r2;
       const Taylor<R, D> power = distance_power<D>(x, value, r, p);
-      const std::array<R, 3> hat{1 - u, u * (1 - v), u * v};
-      for (int k = 0; k < 3; ++k) sums[k].add(hat[k], power);
+      const std::array<R, 3> hat{R(1) - u, u * (R(1) - v), u * v};
+      for (int k = 0; k < 3; ++k) row[k].add(hat[k], power);
     }
+    for (int k = 0; k < 3; ++k) sums[k] += row[k];
   }
   return sums;
 }

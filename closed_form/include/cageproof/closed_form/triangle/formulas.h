@@ -86,12 +86,18 @@ struct AffineSingleLayer {
   }
 };
 
-/// b/a of [T24] Eq 48: 1/(4 (1 - nu)), zero in the limit of an infinite Poisson ratio.
+/// The shares of [T24] Eq 48's constants: 2b/a = 1/(2 (1 - nu)) and (a - 2b)/a = (1 - 2 nu)/(2 (1 - nu)), each without cancellation; 0 and 1 in the
+/// limit of an infinite Poisson ratio.
 template <class R>
-R kelvin_ratio(const R& nu) {
-  if (nu == nu + R(1)) return R(0);
-  return R(1) / (R(4) * (R(1) - nu));
-}
+struct KelvinShares {
+  R bulk, shear;
+
+  explicit KelvinShares(const R& nu) : bulk(0), shear(1) {
+    if (nu == nu + R(1)) return;
+    bulk = R(1) / (R(2) * (R(1) - nu));
+    shear = (R(1) - R(2) * nu) * bulk;
+  }
+};
 
 /// K_t = int (a - b)/r I + b x x'/r^3 = a J I - b Hess I, row by row ([T24] Eq 47-49, [C23] Eq 3; edge form): a length over a modulus.
 /// Parameters mu > 0 and nu < 1/2, with the limits 1/2 and +-infinity. Finite everywhere; on the border
@@ -102,7 +108,7 @@ struct KelvinDisplacement {
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R> parameters, std::array<Taylor<R, N>, 9>& out) {
     const R a = R(1) / (R(4) * constant_pi<R>() * parameters[0]);
-    const R b = a * kelvin_ratio(parameters[1]);
+    const R b = a * KelvinShares<R>(parameters[1]).bulk / R(2);
     const auto j = s.J();
     const auto i = s.I();
     for (int row = 0; row < 3; ++row) {
@@ -126,9 +132,9 @@ struct KelvinTraction {
   static constexpr OnBorder on_border = OnBorder::LogarithmAndDirection;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R> parameters, std::array<Taylor<R, N>, 27>& out) {
-    const R ratio = R(2) * kelvin_ratio(parameters[1]);
+    const KelvinShares<R> shares(parameters[1]);
     const R c = R(1) / (R(4) * constant_pi<R>());
-    const R shear = c * (R(1) - ratio), bulk = -c * ratio;
+    const R shear = c * shares.shear, bulk = -c * shares.bulk;
     const auto& n = s.frame().n;
     const Vec3<R> tilt(bulk * n[0], bulk * n[1], bulk * n[2]);
     const auto a = s.A();

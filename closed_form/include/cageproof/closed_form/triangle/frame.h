@@ -94,11 +94,9 @@ struct ExactPlane {
   }
 };
 
-/// Below this multiple of its terms, in frame units, a product in Wide arithmetic may have lost its digits, and is done again exactly.
-template <std::floating_point R>
-constexpr R doubtful() {
-  return 4096 * std::numeric_limits<R>::epsilon() * std::numeric_limits<R>::epsilon();
-}
+/// Products of geometry are formed in pairs of doubles, good to 2^-104 of their terms; below this multiple of the terms too few digits are
+/// left of them, and they are formed again in 200 digits.
+inline constexpr double doubtful = 0x1p-46;
 
 template <class R>
 Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta)
@@ -120,6 +118,8 @@ Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta)
   }
   far_corner = r[0] >= r[1] ? 0 : 1;
   if (r[2] > r[far_corner]) far_corner = 2;
+  R terms = 0;  // of the normal's components, before they cancel
+  for (int i = 0; i < 3; ++i) terms = max(terms, R(narrow<R>(we[i]).squaredNorm()));
   const WideVec<Wide<R>> normal = cross(we[0], we[1]);
   const Vec3<R> N = narrow<R>(normal);
   area2 = sqrt(N.dot(N));
@@ -129,7 +129,7 @@ Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta)
   R volume = static_cast<R>(dot(normal, wp[nearest]));
   if constexpr (std::same_as<R, double>) {
     const int side = side_of_plane(t, eta);
-    if (side != 0 && abs(volume) <= doubtful<R>() * r[nearest]) volume = ExactPlane<R>(t, eta, scale).height();
+    if (side != 0 && abs(volume) <= doubtful * terms * r[nearest]) volume = ExactPlane<R>(t, eta, scale).height();
     volume = -side * abs(volume);
   }
   d = -volume / area2;
@@ -144,7 +144,7 @@ Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta)
     const R near_end = r[i] <= r[j] ? r[i] : r[j];
     R beside = static_cast<R>(dot(outward, wp[r[i] <= r[j] ? i : j]));
     if constexpr (std::same_as<R, double>) {
-      if (abs(beside) <= doubtful<R>() * near_end) beside = ExactPlane<R>(t, eta, scale).beside(i);
+      if (abs(beside) <= doubtful * terms * e.length * near_end) beside = ExactPlane<R>(t, eta, scale).beside(i);
       if (d == 0) beside = side_of_edge(t, i, eta) * abs(beside);
     }
     e.h = beside / (e.length * area2);

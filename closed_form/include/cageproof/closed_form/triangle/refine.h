@@ -55,6 +55,14 @@ BoundedJet<F::components> tracked_in_double(const Frame<double>& frame, std::spa
                                frame.unit, limit);
 }
 
+/// The far form in double, n points a side, with its bound.
+template <class F, int O>
+BoundedJet<F::components> tracked_far(const Frame<double>& frame, std::span<const double> parameters, int n) {
+  const auto tracked = tracked_parameters<double>(parameters);
+  const Frame<Tracked<double>> wide(frame);
+  return bounded<F, O, double>(far_components<F, O>(wide, n, std::span<const Tracked<double>>(tracked)), frame.unit, 3);
+}
+
 /// The edge form in pairs of doubles, then in 200 digits, until every order's bound is at most `tolerance`; geometry from 200 digits.
 /// \param unit of the frame in double, a power of two \param limit the first order without a limit here
 template <class F, int O>

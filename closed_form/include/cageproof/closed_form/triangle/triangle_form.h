@@ -68,10 +68,8 @@ AccurateJet<F::components> accurate(const Triangle<double>& t, const Vec3<double
   if (limit == 0 && finite_part) limit = 1;
   if constexpr (std::same_as<F, MeanValue>)
     if (limit < 3) return {diverging_weights<F, O, double>(f)};
-  if (limit == 3)
-    if (const auto n = far_points_for<F, O>(f, far_tolerance))
-      return {finish<F, O, double>(far_components<F, O>(f, *n, parameters), f.unit, 3), {far_roundoff, far_roundoff, far_roundoff}};
-  auto result = tracked_in_double<F, O>(f, parameters, limit);
+  const auto n = limit == 3 ? far_points_for<F, O>(f, far_tolerance) : std::nullopt;
+  auto result = n ? tracked_far<F, O>(f, parameters, *n) : tracked_in_double<F, O>(f, parameters, limit);
   if (result.worst() > accurate_tolerance) result = refined<F, O>(t, eta, parameters, f.unit, accurate_tolerance, limit);
   set_infinities<F, O>(f, parameters, limit, result.jet);
   return result;
