@@ -78,15 +78,50 @@ TEST(mean_value, ratios_tend_to_the_hat_functions) {
   EXPECT_NEAR(w.value[1] / sum, 0.25, 1e-8);
 }
 
-TEST(derivatives, not_a_number_where_no_limit_exists) {
+TEST(border, no_limit_is_not_a_number_and_what_exists_is_finite) {
   for (const Vec& p : {Vec(0.5, 0, 0), Vec(0, 0, 0), Vec(0.5, 0.5, 0)}) {
-    EXPECT_TRUE(evaluate<SingleLayer>(flat, p, 1).gradient[0].hasNaN());
     EXPECT_TRUE(evaluate<DoubleLayer>(flat, p, 1).gradient[0].hasNaN());
+    EXPECT_TRUE(evaluate<SolidAngle>(flat, p, 1).gradient[0].hasNaN());
+    EXPECT_TRUE(evaluate<SingleLayer>(flat, p, 2).hessian[0].hasNaN());
     EXPECT_TRUE(evaluate<BiharmonicSingleLayer>(flat, p, 2).hessian[0].allFinite());
-    const auto phibar = evaluate<BiharmonicDoubleLayer>(flat, p, 2);
-    EXPECT_TRUE(phibar.gradient[0].allFinite());
-    EXPECT_TRUE(phibar.hessian[0].hasNaN());
+    EXPECT_TRUE(evaluate<BiharmonicDoubleLayer>(flat, p, 2).gradient[0].allFinite());
   }
+}
+
+// Every entry that is infinite on the border must be large and of that sign just inside.
+template <class F>
+void expect_sign_of_growth(int order, const Vec& on, std::span<const double> parameters = {}) {
+  const auto limit = evaluate<F>(flat, on, order, parameters);
+  const auto near = evaluate<F>(flat, Vec(on - Vec(0, 0, 1e-12)), order, parameters), nearer = evaluate<F>(flat, Vec(on - Vec(0, 0, 1e-13)), order, parameters);
+  int infinite = 0;
+  const auto look = [&](double at, double a, double b) {
+    if (!std::isinf(at)) return;
+    ++infinite;
+    EXPECT_GT((b - a) * at, 0);
+  };
+  for (int c = 0; c < F::components; ++c) {
+    if (order == 0) look(limit.value[c], near.value[c], nearer.value[c]);
+    for (int i = 0; i < 3; ++i) {
+      if (order == 1) look(limit.gradient[c][i], near.gradient[c][i], nearer.gradient[c][i]);
+      for (int j = 0; order == 2 && j < 3; ++j) look(limit.hessian[c](i, j), near.hessian[c](i, j), nearer.hessian[c](i, j));
+    }
+  }
+  EXPECT_GT(infinite, 0);
+}
+
+TEST(border, logarithms_are_infinite_with_their_sign) {
+  const std::array<double, 2> elastic{1.5, 0.3};
+  for (const Vec& p : {Vec(0.5, 0, 0), Vec(0, 0.25, 0), Vec(0.5, 0.5, 0), Vec(0, 0, 0)}) {
+    expect_sign_of_growth<SingleLayer>(1, p);
+    expect_sign_of_growth<AffineSingleLayer>(1, p);
+    expect_sign_of_growth<BiharmonicDoubleLayer>(2, p);
+    expect_sign_of_growth<KelvinDisplacement>(1, p, elastic);
+    expect_sign_of_growth<KelvinTraction>(0, p, elastic);
+  }
+  const auto psi = evaluate<SingleLayer>(flat, Vec(0.5, 0, 0), 1);
+  EXPECT_TRUE(std::isinf(psi.gradient[0][1]) && psi.gradient[0][1] > 0);
+  EXPECT_TRUE(std::isfinite(psi.gradient[0][0]));
+  EXPECT_DOUBLE_EQ(psi.gradient[0][2], 0.25);
 }
 
 TEST(values, finite_at_every_special_position) {
