@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "search_domain.h"
 
+#include "cageproof/validation/truth.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,8 +44,14 @@ bool in_search_domain(const Formula& formula, const Sample& sample) {
   if (largest > SearchDomain::largest_coordinate * size) return false;
   const Vec normal = edge[0].cross(edge[1]);
   const Mp200 normal_squared = normal.squaredNorm();
-  const Mp200 least_area = size_squared * SearchDomain::smallest_aspect;
-  if (normal_squared < least_area * least_area) return false;
+  const auto aspect_below = [&](double aspect) {
+    const Mp200 area = size_squared * aspect;
+    return normal_squared < area * area;
+  };
+  if (aspect_below(SearchDomain::smallest_aspect)) return false;
+  if (contact_of(sample) == Contact::Border &&
+      (aspect_below(SearchDomain::smallest_border_aspect) || largest > SearchDomain::largest_border_coordinate * size))
+    return false;
   for (int i = 0; i < 3; ++i) {
     const Mp200 line = edge[i].cross(to_corner[i]).squaredNorm() / edge[i].squaredNorm();
     if (!apart(to_corner[i].squaredNorm(), size_squared) || !apart(line, size_squared)) return false;

@@ -122,6 +122,12 @@ TEST(search_domain, holds_every_sample_of_the_regimes_and_nothing_degenerate) {
   bad.point[2] = 1e-30;
   EXPECT_FALSE(in_search_domain(formula(), bad)) << "nearer than the yardstick sees";
   bad = good;
+  bad.corners[2] = {0, 0.0625, 0};
+  bad.point = {0.5, 0, 0};
+  EXPECT_FALSE(in_search_domain(formula(), bad)) << "on the border of a sliver";
+  bad.point[2] = 1e-16;
+  EXPECT_TRUE(in_search_domain(formula(), bad)) << "next to it";
+  bad = good;
   bad.parameters = {1};
   EXPECT_FALSE(in_search_domain(formula(), bad)) << "a parameter too many";
 }
