@@ -79,7 +79,8 @@ bool hunt_one(const Arguments& a, std::vector<reports::WorstLine>& lines) {
   const auto promise = validation::promise_for(
       {options.check->name(), a.formula, a.evaluation, a.scalar, validation::hunted_regime, options.order});
   const HuntResult result = validation::hunt(options);
-  const auto head = fmt::format("{} {} {} {} order {}", a.formula, a.evaluation, a.scalar, options.check->name(), options.order);
+  const auto head =
+      fmt::format("{} {} {} {} order {}", a.formula, a.evaluation, a.scalar, options.check->name(), options.order);
   const auto tail = fmt::format("{} evaluations, {} without truth, {} declined", result.evaluations, result.without_truth,
                                 result.declined);
   if (result.worst.empty()) {
@@ -91,7 +92,8 @@ bool hunt_one(const Arguments& a, std::vector<reports::WorstLine>& lines) {
   const std::string verdict = !promise.bound ? "not promised"
                                              : fmt::format("promised {}: {}", *promise.bound, broken ? "BROKEN" : "kept");
   fmt::print("{}: largest found {} {}, {}; {}; from {}; {}; {}\n", head, format_scalar(worst.worst.error),
-             options.check->unit(), verdict, input_text(*options.formula, worst.worst), worst.regime, confirmation(worst), tail);
+             options.check->unit(), verdict, input_text(*options.formula, worst.worst), worst.regime, confirmation(worst),
+             tail);
   for (const HuntedCase& found : result.worst) lines.push_back(line_of(a, found, promise.bound));
   return broken;
 }
@@ -132,8 +134,12 @@ void add_hunt(CLI::App& app, Action& action) {
   auto a = std::make_shared<Arguments>();
   command->add_option("--formula", a->formula, "name of a formula")->required();
   command->add_option("--evaluation", a->evaluation, "name of an evaluation")->required();
-  command->add_option("--budget", a->options.budget, "inputs to measure, a check")->required()->check(CLI::Range(1, 1000000000));
-  command->add_option("--order", a->options.order, "derivative order asked and looked at")->check(CLI::Range(0, 2))->capture_default_str();
+  command->add_option("--budget", a->options.budget, "inputs to measure, a check")
+      ->required()
+      ->check(CLI::Range(1, 1000000000));
+  command->add_option("--order", a->options.order, "derivative order asked and looked at")
+      ->check(CLI::Range(0, 2))
+      ->capture_default_str();
   command->add_option("--scalar", a->scalar, "scalar")->check(CLI::IsMember({"double", "float"}))->capture_default_str();
   command->add_option("--check", a->checks, "whose error; default: truth, and relative where it is asked");
   command->add_option("--regime", a->options.regimes, "glob: where climbs start")->capture_default_str();

@@ -117,8 +117,8 @@ class Hunter {
   }
 
   void climb(Place& best, std::uint64_t number, std::uint64_t steps, Counts& counts) {
-    RandomStream random(options_.seed, fmt::format("hunt/{}/{}/{}", options_.formula->name, options_.check->name(), options_.order),
-                        number);
+    const auto stream = fmt::format("hunt/{}/{}/{}", options_.formula->name, options_.check->name(), options_.order);
+    RandomStream random(options_.seed, stream, number);
     int last = -1;  // what worked goes on working more often than not
     for (std::uint64_t step = 0; step < steps && !std::isinf(best.error); ++step) {
       Place next = best;

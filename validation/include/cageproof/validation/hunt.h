@@ -32,7 +32,7 @@ struct HuntOptions {
 struct HuntedCase {
   WorstCase worst;
   std::string_view regime;  ///< where the climb started; `worst` has the sample number and parameter of the start
-  /// Relative difference of the closed form in multiprecision and the integral of the kernel; nothing where the integral has no 30 digits.
+  /// Relative difference of the closed form in multiprecision and the integral; nothing where the integral has no 30 digits.
   std::optional<double> against_integral;
 };
 
@@ -43,9 +43,9 @@ struct HuntResult {
   std::uint64_t declined = 0;  ///< times the evaluation said that it could not meet its tolerance
 };
 
-/// Two fifths of the budget are samples of the regimes in turn. From the worst of each regime climbs start, which keep every change that
-/// makes the error larger, each with a random stream of its own: the result is a function of the options, whatever the number of threads.
-/// Inputs lie within the hull of the regimes (src/search_domain.h).
+/// Two fifths of the budget are samples of the regimes in turn. From the worst of each regime climbs start, which keep every
+/// change that makes the error larger, each with a random stream of its own: the result is a function of the options,
+/// whatever the number of threads. Inputs lie within the hull of the regimes (src/search_domain.h).
 /// \throws InputError when no regime matches, or the check is not asked of the evaluation in this scalar and order
 HuntResult hunt(const HuntOptions& options);
 
