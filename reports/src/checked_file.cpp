@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -30,6 +32,23 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) fail("write", path);
   // A full disk may show only when the last buffer leaves.
   if (std::fclose(file.release()) != 0) fail("write", path);
+}
+
+void replace_file(const std::filesystem::path& path, std::string_view bytes) {
+  const std::filesystem::path aside =
+      path.parent_path() / fmt::format(".{}.partial-{}", path.filename().string(), ::getpid());
+  std::error_code ignored;
+  try {
+    write_file(aside, bytes);
+  } catch (const InputError&) {
+    std::filesystem::remove(aside, ignored);
+    throw;
+  }
+  if (std::rename(aside.c_str(), path.c_str()) == 0) return;
+  const int reason = errno;
+  std::filesystem::remove(aside, ignored);
+  errno = reason;
+  fail("write", path);
 }
 
 std::string read_file(const std::filesystem::path& path) {

@@ -21,33 +21,43 @@ std::string parameter_name(const Formula* formula, std::size_t k) {
                                                    : fmt::format("parameter{}", k);
 }
 
-Json line_of(const ResultRow& row, const WorstCase& worst, const RunResult& result) {
-  const bool element = row.section == ResultRow::Section::Element;
-  Json json{{element ? "formula" : "kind", row.subject},
-            {"evaluation", row.evaluation},
-            {"scalar", row.scalar},
-            {"regime", row.regime},
-            {"check", row.check},
-            {"place", row.place},
-            {"order", row.order},
-            {"unit", row.unit},
+Json json_of(const WorstLine& line) {
+  const WorstCase& worst = line.worst;
+  const bool element = line.section == ResultRow::Section::Element;
+  Json json{{element ? "formula" : "kind", line.subject},
+            {"evaluation", line.evaluation},
+            {"scalar", line.scalar},
+            {"regime", line.regime},
+            {"check", line.check},
+            {"place", line.place},
+            {"order", line.order},
+            {"unit", line.unit},
             {"error", json_number(worst.error)},
-            {"bound", row.bound ? json_number(*row.bound) : Json()},
+            {"bound", line.bound ? json_number(*line.bound) : Json()},
             {"parameter", json_number(worst.parameter)},
             {"sample", worst.sample},
-            {"flags", Json::array()},
+            {"flags", line.flags},
             {"element", Json::array()},
             {"point", hex(worst.point)},
             {"parameters", Json::object()}};
-  for (const std::string& flag : {element ? row.regime : std::string(), row.place})
-    if (!flag.empty()) json["flags"].push_back(flag);
   for (const Vec3<double>& corner : worst.corners) json["element"].push_back(hex(corner));
-  const Formula* formula = element ? find_formula(row.subject) : nullptr;
+  const Formula* formula = element ? find_formula(line.subject) : nullptr;
   for (std::size_t k = 0; k < worst.parameters.size(); ++k)
     json["parameters"][parameter_name(formula, k)] = format_hex(worst.parameters[k]);
-  if (const auto rule = result.settings.find("triangulation"); rule != result.settings.end())
-    json["triangulation"] = rule->second;
+  if (worst.asked != 2) json["asked"] = worst.asked;
+  if (!line.triangulation.empty()) json["triangulation"] = line.triangulation;
+  if (!line.provenance.empty()) json["provenance"] = line.provenance;
   return json;
+}
+
+WorstLine line_of(const ResultRow& row, const WorstCase& worst, const RunResult& result) {
+  WorstLine line{row.section, row.subject, row.evaluation, row.scalar, row.regime, row.check, row.place,
+                 row.order,   row.unit,    row.bound,      {},         {},         {},        0,         worst};
+  for (const std::string& flag : {row.section == ResultRow::Section::Element ? row.regime : std::string(), row.place})
+    if (!flag.empty()) line.flags.push_back(flag);
+  if (const auto rule = result.settings.find("triangulation"); rule != result.settings.end())
+    line.triangulation = rule->second;
+  return line;
 }
 
 // One line of the file, with what an error message needs.
@@ -148,26 +158,40 @@ WorstLine read_line(const LineReader& in) {
   line.worst.point = in.vector(in.at("point"), "point");
   read_parameters(in, line);
   if (in.has("triangulation")) line.triangulation = in.text("triangulation");
+  if (in.has("provenance")) line.provenance = in.text("provenance");
+  if (in.has("asked")) {
+    const std::uint64_t asked = in.count("asked");
+    if (asked > 2 || asked < order) in.fail("\"asked\" is not between \"order\" and 2");
+    line.worst.asked = static_cast<int>(asked);
+  }
   return line;
 }
 
 }  // namespace
 
+std::string worst_line(const WorstLine& line) { return dump(json_of(line)); }
+
 std::string worst_lines(const RunResult& result) {
   std::string lines;
   for (const ResultRow& row : result.rows)
-    for (const WorstCase& worst : row.worst) lines += dump(line_of(row, worst, result)) + "\n";
+    for (const WorstCase& worst : row.worst) lines += worst_line(line_of(row, worst, result)) + "\n";
+  return lines;
+}
+
+std::vector<WorstLine> parse_worst(std::string_view text, std::string_view name) {
+  std::istringstream stream{std::string(text)};
+  std::vector<WorstLine> lines;
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == line.npos) continue;
+    lines.push_back(read_line(LineReader(line, fmt::format("{}:{}", name, number))));
+    lines.back().number = number;
+  }
   return lines;
 }
 
 std::vector<WorstLine> read_worst(const std::filesystem::path& path) {
-  std::istringstream text(read_file(path));
-  std::vector<WorstLine> lines;
-  std::string line;
-  for (int number = 1; std::getline(text, line); ++number) {
-    if (line.find_first_not_of(" \t\r") == line.npos) continue;
-    lines.push_back(read_line(LineReader(line, fmt::format("{}:{}", path.string(), number))));
-  }
+  std::vector<WorstLine> lines = parse_worst(read_file(path), path.string());
   if (lines.empty()) throw InputError(fmt::format("{}: holds no worst cases", path.string()));
   return lines;
 }

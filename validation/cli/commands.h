@@ -22,6 +22,7 @@ void add_coordinates(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action, const std::string& command_line);
 void add_field(CLI::App& app, Action& action, const std::string& command_line);
 void add_replay(CLI::App& app, Action& action);
+void add_hunt(CLI::App& app, Action& action);
 
 /// Options that every command with a cage shares.
 struct CageArguments {

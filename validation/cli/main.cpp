@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
   cli::add_verify(app, action, quoted(argc, argv));
   cli::add_field(app, action, quoted(argc, argv));
   cli::add_replay(app, action);
+  cli::add_hunt(app, action);
   try {
     app.parse(argc, argv);
     const int code = action();

@@ -36,8 +36,9 @@ double replay_element(const ResultRow& row, const WorstCase& worst) {
     throw InputError(fmt::format("the check '{}' is not asked of {} in {}, {}", row.check, row.evaluation, row.scalar, row.regime));
   const Sample sample{worst.corners, worst.point, worst.parameters, worst.parameter, worst.sample};
   const Evaluation reference = *EvaluationRegister::instance().find(row.subject, "closed_form");
-  const Truth truth = truth_from(reference, sample, 2);
-  const int order = std::min(2, evaluation->max_order());
+  const Truth truth = truth_from(reference, sample, worst.asked);
+  const int order = std::min(worst.asked, evaluation->max_order());
+  if (row.order > order) throw InputError(fmt::format("{} was not asked for order {}", row.evaluation, row.order));
   const Finding finding = check->measure({*formula, *evaluation, *scalar, sample, order, truth})[row.order];
   return finding.status == Finding::Status::Measured ? finding.error : NAN;
 }

@@ -8,6 +8,7 @@
 #include "cageproof/validation/errata.h"
 #include "cageproof/validation/error_fields.h"
 #include "cageproof/validation/one_ring.h"
+#include "cageproof/validation/stored_cases.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +43,10 @@ class Run {
 
   RunResult go() {
     const auto start = std::chrono::steady_clock::now();
+    // First, since a stored case that can no longer be run ends the run.
+    const std::vector<ResultRow> stored = stored_cases();
     elements();
+    result_.rows.insert(result_.rows.end(), stored.begin(), stored.end());
     if (options_.cage) {
       cage(*options_.cage);
       if (options_.mesh) mesh(*options_.cage);
@@ -62,6 +66,16 @@ class Run {
  private:
   void say(const std::string& stage, std::size_t done, std::size_t all) const {
     if (options_.progress) options_.progress(stage, done, all);
+  }
+
+  std::vector<ResultRow> stored_cases() {
+    say("stored worst cases", 0, 1);
+    auto rows = replay_stored(stored_worst_cases(), stored_cases_file, options_.formulas, options_.evaluations, options_.jobs);
+    std::uint64_t cases = 0;
+    for (const ResultRow& row : rows) cases += row.samples + row.without_truth;
+    result_.settings["stored worst cases"] = fmt::format("{}, replayed in the rows of the regime 'hunted'", cases);
+    say("stored worst cases", 1, 1);
+    return rows;
   }
 
   void elements() {

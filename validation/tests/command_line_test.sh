@@ -78,6 +78,13 @@ refuses missing.csv -- "$cageproof" coordinates --cage cube --points "$work/miss
 refuses missing.jsonl -- "$cageproof" replay "$work/missing.jsonl"
 write bad.jsonl '{"formula":'
 refuses bad.jsonl:1 -- "$cageproof" replay "$work/bad.jsonl"
+refuses nonsense -- "$cageproof" hunt --formula nonsense --evaluation closed_form --budget 10
+refuses nonsense -- "$cageproof" hunt --formula triangle.solid_angle --evaluation nonsense --budget 10
+refuses nonsense -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --check nonsense
+refuses nonsense -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --regime nonsense
+refuses budget -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 0
+refuses bad.jsonl:1 -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --out "$work/bad.jsonl"
+refuses "$work/nowhere" -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --out "$work/nowhere/x.jsonl"
 refuses subcommand -- "$cageproof"
 refuses "$work/nowhere" -- "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out "$work/nowhere/out"
 write one.csv '0.1 0.2 0.3'
@@ -140,6 +147,17 @@ done
 [ "$(wc -l <"$work/stdout")" -eq "$(wc -l <"$work/report/worst.jsonl")" ] || fail "replay: a line a case"
 awk '{ if (!match($0, /: error [^ ]+/)) exit 1; e = substr($0, RSTART + 8, RLENGTH - 8); if (!match($0, /stored [^)]+/)) exit 1
        s = substr($0, RSTART + 7, RLENGTH - 7); if (e != s) { print; exit 1 } }' "$work/stdout" || fail "replay differs from what was stored"
+grep -q '"regime":"hunted"' "$work/report/worst.jsonl" || fail "verify does not replay the stored worst cases"
+
+# hunt: one line, the same for any number of threads, and cases that replay; a second hunt adds to them.
+hunt() { "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --regime 'near-*' --budget 300 --order 1 "$@"; }
+hunt --jobs 1 --out "$work/hunted.jsonl" >"$work/stdout" || fail "hunt: $(cat "$work/stdout")"
+grep -q 'largest found .* promised 64: kept' "$work/stdout" || fail "hunt does not say what it found: $(cat "$work/stdout")"
+hunt --jobs 2 | diff -q "$work/stdout" - >/dev/null || fail "hunt depends on the number of threads"
+cp "$work/hunted.jsonl" "$work/before.jsonl"
+hunt --seed 2 --out "$work/hunted.jsonl" >/dev/null || fail "a second hunt"
+head -n "$(wc -l <"$work/before.jsonl")" "$work/hunted.jsonl" | diff -q - "$work/before.jsonl" >/dev/null || fail "hunt loses what was there"
+"$cageproof" replay "$work/hunted.jsonl" >"$work/stdout" || fail "replay of hunted cases"
 (cd "$work" && "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out plain >/dev/null) ||
   fail "a report in the folder that one is in"
 [ -e "$work/plain/index.html" ] || fail "no report under a plain name"

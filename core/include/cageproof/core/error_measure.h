@@ -49,6 +49,7 @@ struct WorstCase {
   std::vector<Vec3<double>> corners;  ///< the element; empty for a cage check
   Vec3<double> point = Vec3<double>::Zero();
   std::vector<double> parameters;  ///< in the order of Formula::parameters
+  int asked = 2;                   ///< highest derivative of the query: forms may differ by it
 };
 
 /// The k worst cases, by falling error, then by rising sample number; independent of the order of insertion.

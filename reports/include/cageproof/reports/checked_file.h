@@ -12,6 +12,10 @@ namespace cageproof::reports {
 /// \throws InputError "cannot write <path>: <reason>"
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// Writes a whole file aside and renames it into place: whoever reads it finds the old one or the new one, whole.
+/// \throws InputError as write_file
+void replace_file(const std::filesystem::path& path, std::string_view bytes);
+
 /// Reads a whole file.
 /// \throws InputError "cannot read <path>: <reason>"
 std::string read_file(const std::filesystem::path& path);

@@ -5,6 +5,7 @@
 #include "cageproof/core/run_result.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace cageproof::reports {
 
@@ -22,16 +23,31 @@ struct WorstLine {
   std::optional<double> bound;
   std::vector<std::string> flags;  ///< what the input exercises: the regime, or the place
   std::string triangulation;       ///< RunResult::settings["triangulation"], or empty
+  std::string provenance;          ///< how it was found, or empty
+  int number = 0;                  ///< of the line in its file, from 1
   WorstCase worst;                 ///< corners, point and parameters bit for bit
 };
 
 /// The lines of all rows that have worst cases, in the order of the rows: keys formula (kind for a cage), evaluation,
 /// scalar, regime, check, place, order, unit, error, bound, parameter, sample, flags, element, point, parameters,
-/// triangulation. Coordinates and parameters are hexadecimal floats in strings; infinite errors the string "inf".
+/// triangulation; where they say something asked (highest derivative of the query, otherwise 2) and provenance.
+/// Coordinates and parameters are hexadecimal floats in strings; infinite errors the string "inf".
 std::string worst_lines(const RunResult& result);
+
+/// One case as worst_lines writes it, without the line's end.
+std::string worst_line(const WorstLine& line);
 
 /// Reads a worst.jsonl; blank lines are skipped, unknown keys ignored.
 /// \throws InputError naming file and line: missing or empty file, malformed JSON, missing key, wrong type, bad number
 std::vector<WorstLine> read_worst(const std::filesystem::path& path);
+
+/// The same from text, which may hold no line. \param name what messages call the file
+std::vector<WorstLine> parse_worst(std::string_view text, std::string_view name);
+
+/// Adds cases to a worst-case file, made if it is missing. Every line that is there stays as it is. Of the new cases those
+/// stay that are among the `few` worst of old and new with the same formula, evaluation, scalar, check, regime, place and
+/// order, and whose input is not there already. The file is replaced in one step. Returns how many were added.
+/// \throws InputError as read_worst, and when the file cannot be written
+std::size_t merge_worst(const std::filesystem::path& path, const std::vector<WorstLine>& cases, std::size_t few);
 
 }  // namespace cageproof::reports

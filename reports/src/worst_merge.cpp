@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/reports/checked_file.h"
+#include "cageproof/reports/worst_file.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <tuple>
+
+namespace cageproof::reports {
+namespace {
+
+auto key_of(const WorstLine& line) {
+  return std::tuple(line.subject, line.evaluation, line.scalar, line.check, line.regime, line.place, line.order);
+}
+
+using Key = decltype(key_of(WorstLine()));
+
+// Every number of an input, bit for bit: zero's sign counts.
+std::vector<std::uint64_t> input_of(const WorstLine& line) {
+  std::vector<std::uint64_t> bits{static_cast<std::uint64_t>(line.worst.asked)};
+  const auto add = [&](double x) { bits.push_back(std::bit_cast<std::uint64_t>(x)); };
+  for (const Vec3<double>& corner : line.worst.corners)
+    for (int c = 0; c < 3; ++c) add(corner[c]);
+  for (int c = 0; c < 3; ++c) add(line.worst.point[c]);
+  for (const double p : line.worst.parameters) add(p);
+  return bits;
+}
+
+}  // namespace
+
+std::size_t merge_worst(const std::filesystem::path& path, const std::vector<WorstLine>& cases, std::size_t few) {
+  std::error_code missing;
+  std::string text = std::filesystem::exists(path, missing) ? read_file(path) : std::string();
+  std::map<Key, std::vector<WorstLine>> known;
+  for (const WorstLine& line : parse_worst(text, path.string())) known[key_of(line)].push_back(line);
+  std::vector<WorstLine> fresh = cases;
+  std::ranges::stable_sort(fresh, [](const WorstLine& a, const WorstLine& b) { return a.worst.error > b.worst.error; });
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  std::size_t added = 0;
+  for (const WorstLine& line : fresh) {
+    auto& same = known[key_of(line)];
+    const auto worse = std::ranges::count_if(
+        same, [&](const WorstLine& other) { return other.worst.error >= line.worst.error; });
+    const bool there = std::ranges::any_of(same, [&](const WorstLine& other) { return input_of(other) == input_of(line); });
+    if (there || static_cast<std::size_t>(worse) >= few) continue;
+    same.push_back(line);
+    text += worst_line(line) + "\n";
+    ++added;
+  }
+  if (added > 0) replace_file(path, text);
+  return added;
+}
+
+}  // namespace cageproof::reports

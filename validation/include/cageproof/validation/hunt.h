@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The hunt for an evaluation's worst input: samples of the regimes, and local search from the worst of them.
+#pragma once
+
+#include "cageproof/core/error_measure.h"
+#include "cageproof/validation/check.h"
+#include "cageproof/validation/regime.h"
+
+namespace cageproof::validation {
+
+/// The regime of inputs that a hunt found: its climbs leave the regime they start from.
+inline constexpr std::string_view hunted_regime = "hunted";
+
+/// What to look for, and for how long.
+struct HuntOptions {
+  const Formula* formula = nullptr;
+  Evaluation evaluation;
+  Evaluation reference;          ///< the truth's source: the closed form, in multiprecision
+  const Check* check = nullptr;  ///< whose error is to be made large
+  ScalarKind scalar = ScalarKind::Double;
+  int order = 0;  ///< the query's, and of the tensor that is looked at
+  std::string regimes = "*";
+  std::uint64_t budget = 1000;  ///< inputs measured
+  std::uint64_t seed = 1;
+  int jobs = 0;          ///< threads; 0: all cores
+  std::size_t keep = 3;  ///< how many cases to return, from climbs of their own
+  /// Called from any thread when a case is worse than all before it; the order depends on the threads.
+  std::function<void(const WorstCase& worst, std::string_view regime)> improved;
+};
+
+/// An input that a climb ended at.
+struct HuntedCase {
+  WorstCase worst;
+  std::string_view regime;  ///< where the climb started; `worst` has the sample number and parameter of the start
+  /// Relative difference of the closed form in multiprecision and the integral; nothing where the integral has no 30 digits.
+  std::optional<double> against_integral;
+};
+
+struct HuntResult {
+  std::vector<HuntedCase> worst;  ///< by falling error
+  std::uint64_t evaluations = 0;
+  std::uint64_t without_truth = 0;
+  std::uint64_t declined = 0;  ///< times the evaluation said that it could not meet its tolerance
+};
+
+/// Two fifths of the budget are samples of the regimes in turn. From the worst of each regime climbs start, which keep every
+/// change that makes the error larger, each with a random stream of its own: the result is a function of the options,
+/// whatever the number of threads. Inputs lie within the hull of the regimes (src/search_domain.h).
+/// \throws InputError when no regime matches, or the check is not asked of the evaluation in this scalar and order
+HuntResult hunt(const HuntOptions& options);
+
+}  // namespace cageproof::validation

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The regression set: worst cases that hunts have found, kept in validation/data/worst_cases.jsonl and replayed in every run.
+#pragma once
+
+#include "cageproof/core/run_result.h"
+
+#include <string_view>
+
+namespace cageproof::validation {
+
+/// The file as it was when the program was built.
+std::string_view stored_worst_cases();
+
+/// Its name in messages and reports.
+inline constexpr std::string_view stored_cases_file = "validation/data/worst_cases.jsonl";
+
+/// Measures the cases of a worst-case file afresh: one row, in the regime `hunted`, a formula, evaluation, scalar, check and
+/// order, judged by the table of promises. Patterns are globs; a case that they leave out is read all the same.
+/// \param text the file, \param name what messages call it, \param jobs threads; 0: all cores
+/// \throws InputError naming the line: what read_worst refuses, a case of a cage, or one that can no longer be run
+std::vector<ResultRow> replay_stored(std::string_view text, std::string_view name, const std::string& formulas,
+                                     const std::string& evaluations, int jobs);
+
+}  // namespace cageproof::validation

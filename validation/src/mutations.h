@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Small and large changes of an input, for searches.
+#pragma once
+
+#include "cageproof/core/random_stream.h"
+#include "cageproof/validation/sample.h"
+
+namespace cageproof::validation {
+
+/// Changes a sample of a formula at random, as its name says. The result may be outside of what a search may propose.
+struct Mutation {
+  std::string_view name;
+  void (*apply)(const Formula& formula, Sample& sample, RandomStream& random);
+};
+
+/// All mutations.
+std::span<const Mutation> mutations();
+
+}  // namespace cageproof::validation

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Hunts are shown evaluations that are wrong at a known place.
+#include "cageproof/validation/hunt.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/reports/worst_file.h"
+#include "mutations.h"
+#include "search_domain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cageproof::validation {
+namespace {
+
+const Formula& formula() { return *find_formula("triangle.single_layer"); }
+
+// Distance to the line of the first edge, in lengths of it.
+double edge_distance(std::span<const Vec3<double>> corners, const Vec3<double>& point) {
+  const Vec3<double> edge = corners[1] - corners[0];
+  return edge.cross(Vec3<double>(point - corners[0])).norm() / edge.squaredNorm();
+}
+
+// Of the order of the truth times 1e-6, largest where the distance to the first edge is 1e-5: a peak a decade wide.
+Evaluation with_peak() {
+  const Evaluation good = *EvaluationRegister::instance().find(std::string(formula().name), "closed_form");
+  Evaluation bad(std::string(formula().name), "closed_form", "wrong next to an edge");
+  bad.set<double>([good](const Query<double>& query, Result<double>& result) {
+    good(query, result);
+    const double decades = std::log10(edge_distance(query.corners, query.point)) + 5;
+    for (double& x : result.value) x *= 1 + 1e-6 * std::exp(-decades * decades);
+  });
+  return bad;
+}
+
+HuntOptions peak_options() {
+  HuntOptions options;
+  options.formula = &formula();
+  options.evaluation = with_peak();
+  options.reference = *EvaluationRegister::instance().find(std::string(formula().name), "closed_form");
+  options.check = find_check("truth");
+  options.regimes = "generic";  // 0.1 sizes away: the samples see exp(-16) of the peak
+  options.budget = 1500;
+  return options;
+}
+
+bool same(const HuntResult& a, const HuntResult& b) {
+  return a.evaluations == b.evaluations && a.without_truth == b.without_truth &&
+         std::ranges::equal(a.worst, b.worst, [](const HuntedCase& x, const HuntedCase& y) {
+           return x.worst.error == y.worst.error && x.worst.corners == y.worst.corners && x.worst.point == y.worst.point &&
+                  x.regime == y.regime && x.against_integral == y.against_integral;
+         });
+}
+
+TEST(hunt, climbs_to_a_peak_that_samples_do_not_see) {
+  const HuntOptions options = peak_options();
+  const HuntResult found = hunt(options);
+  ASSERT_EQ(found.worst.size(), options.keep);
+  EXPECT_LE(found.evaluations, options.budget);
+  EXPECT_GT(found.evaluations, options.budget * 9 / 10);
+  const WorstCase& worst = found.worst.front().worst;
+  EXPECT_NEAR(std::log10(edge_distance(worst.corners, worst.point)), -5, 0.5);
+  EXPECT_EQ(found.worst.front().regime, "generic");
+  ASSERT_TRUE(found.worst.front().against_integral);
+  EXPECT_LE(*found.worst.front().against_integral, 1e-30);
+  // Most of the peak's height, where conditioning does not hide it.
+  EXPECT_GT(worst.error, 1e-6 / unit_roundoff<double>() / 50);
+}
+
+TEST(hunt, is_the_same_for_any_number_of_threads) {
+  HuntOptions options = peak_options();
+  options.budget = 700;
+  options.jobs = 1;
+  const HuntResult one = hunt(options);
+  options.jobs = 2;
+  EXPECT_TRUE(same(one, hunt(options)));
+  options.seed = 2;
+  EXPECT_FALSE(same(one, hunt(options)));
+}
+
+TEST(hunt, finds_results_that_are_not_finite) {
+  HuntOptions options = peak_options();
+  const Evaluation good = options.evaluation;
+  options.evaluation.set<double>([good](const Query<double>& query, Result<double>& result) {
+    good(query, result);
+    if (query.point[2] == query.corners[1][2]) result.value[0] = std::numeric_limits<double>::quiet_NaN();
+  });
+  const HuntResult found = hunt(options);
+  EXPECT_TRUE(std::isinf(found.worst.front().worst.error));
+}
+
+TEST(hunt, refuses_what_cannot_be_asked) {
+  HuntOptions options = peak_options();
+  options.regimes = "nonsense";
+  EXPECT_THROW(hunt(options), InputError);
+  options = peak_options();
+  options.check = find_check("integral");
+  EXPECT_THROW(hunt(options), InputError);
+  options = peak_options();
+  options.scalar = ScalarKind::Float;
+  EXPECT_THROW(hunt(options), InputError);
+}
+
+TEST(search_domain, holds_every_sample_of_the_regimes_and_nothing_degenerate) {
+  for (const Regime& regime : regimes())
+    for (std::uint64_t i = 0; i < 60; ++i)
+      EXPECT_TRUE(in_search_domain(formula(), make_sample(formula(), regime, 3, i))) << regime.name << ' ' << i;
+  const Sample good{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0.25, 0.25, 0}, {}, 0, 0};
+  EXPECT_TRUE(in_search_domain(formula(), good));
+  Sample bad = good;
+  bad.corners[2] = {3, 0, 0};
+  EXPECT_FALSE(in_search_domain(formula(), bad)) << "no area";
+  bad.corners[2] = bad.corners[1];
+  EXPECT_FALSE(in_search_domain(formula(), bad)) << "two corners in one place";
+  bad = good;
+  bad.point[1] = HUGE_VAL;
+  EXPECT_FALSE(in_search_domain(formula(), bad)) << "not finite";
+  bad = good;
+  bad.point[2] = 1e-30;
+  EXPECT_FALSE(in_search_domain(formula(), bad)) << "nearer than the yardstick sees";
+  bad = good;
+  bad.corners[2] = {0, 0.0625, 0};
+  bad.point = {0.5, 0, 0};
+  EXPECT_FALSE(in_search_domain(formula(), bad)) << "on the border of a sliver";
+  bad.point[2] = 1e-16;
+  EXPECT_TRUE(in_search_domain(formula(), bad)) << "next to it";
+  bad = good;
+  bad.parameters = {1};
+  EXPECT_FALSE(in_search_domain(formula(), bad)) << "a parameter too many";
+}
+
+TEST(search_domain, keeps_parameters_where_the_formula_is_defined) {
+  const Formula& kelvin = *find_formula("triangle.kelvin_displacement");
+  Sample sample{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0.25, 0.25, 1}, {1, 0.3}, 0, 0};
+  EXPECT_TRUE(in_search_domain(kelvin, sample));
+  sample.parameters[1] = 0.7;
+  EXPECT_FALSE(in_search_domain(kelvin, sample));
+  sample.parameters = {-1, 0.3};
+  EXPECT_FALSE(in_search_domain(kelvin, sample));
+}
+
+TEST(mutations, each_changes_samples_and_stays_mostly_where_a_search_may_look) {
+  const Formula& kelvin = *find_formula("triangle.kelvin_displacement");
+  for (const Mutation& mutation : mutations()) {
+    int changed = 0, inside = 0;
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      RandomStream random(1, mutation.name, i);
+      const Sample before = make_sample(kelvin, *find_regime("near-edge"), 1, i);
+      Sample after = before;
+      mutation.apply(kelvin, after, random);
+      changed += after.point != before.point || after.corners != before.corners || after.parameters != before.parameters;
+      inside += in_search_domain(kelvin, after);
+    }
+    EXPECT_GT(changed, 30) << mutation.name;
+    EXPECT_GT(inside, 20) << mutation.name;
+  }
+}
+
+}  // namespace
+}  // namespace cageproof::validation
