@@ -74,6 +74,7 @@ class SubdivisionCheck final : public Check {
     const Result<double> whole = evaluate<double>(in.evaluation, in.sample, in.order);
     Result<double> sum;
     sum.reset(in.formula.components(), in.formula.dim(), in.order);
+    const Evaluation reference = *EvaluationRegister::instance().find(in.formula.name, "closed_form");
     std::array<Mp100, 3> yardstick = in.truth.conditioned;
     std::array<bool, 3> exists = in.truth.exists;
     for (const auto& part : parts) {
@@ -82,7 +83,7 @@ class SubdivisionCheck final : public Check {
         const Hats& h = nodes[part[j]];
         sub.corners[j] = h[0] * in.sample.corners[0] + h[1] * in.sample.corners[1] + h[2] * in.sample.corners[2];
       }
-      const Truth truth = truth_from(in.evaluation, sub, in.order);
+      const Truth truth = truth_from(reference, sub, in.order);
       const Result<double> f = evaluate<double>(in.evaluation, sub, in.order);
       for (int o = 0; o <= in.order; ++o) {
         yardstick[o] += truth.conditioned[o];

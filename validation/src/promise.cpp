@@ -39,6 +39,12 @@ constexpr std::array table{
     Row{"rigid_motion", "*", "closed_form", "double", "*", 0, 2, 128, "two evaluations within 64 each"},
     Row{"corner_permutation", "*", "closed_form", "double", "*", 0, 2, 128, "two evaluations within 64 each"},
     Row{"orientation_flip", "*", "closed_form", "double", "*", 0, 2, 128, "two evaluations within 64 each"},
+    Row{"subdivision", "*", "accurate", "double", "*", 0, 2, 1280, "five evaluations within 256 each"},
+    Row{"laplacian", "*", "accurate", "double", "*", 0, 2, 768, "three second derivatives within 256 each"},
+    Row{"scaling", "*", "accurate", "double", "*", 0, 2, 512, "two evaluations within 256 each"},
+    Row{"rigid_motion", "*", "accurate", "double", "*", 0, 2, 512, "two evaluations within 256 each"},
+    Row{"corner_permutation", "*", "accurate", "double", "*", 0, 2, 512, "two evaluations within 256 each"},
+    Row{"orientation_flip", "*", "accurate", "double", "*", 0, 2, 512, "two evaluations within 256 each"},
     Row{"gradient_by_differences", "*", "*", "mp200", "*", 1, 2, 1e-30,
         "central differences of step 1e-40 sizes are good to 1e-48 at 1e-16 sizes from a singularity; 200 digits leave room for "
         "what cancels far away"},

@@ -89,7 +89,7 @@ TEST(regimes, samples_depend_on_seed_formula_regime_and_index_alone) {
       const Sample a = make_sample(formula, regime, 11, 37), b = make_sample(formula, regime, 11, 37);
       EXPECT_EQ(a.point, b.point);
       EXPECT_EQ(a.corners, b.corners);
-      EXPECT_NE(a.corners[0], make_sample(formula, regime, 12, 37).corners[0]);
+      EXPECT_NE(a.corners, make_sample(formula, regime, 12, 37).corners);
     }
 }
 
@@ -126,7 +126,9 @@ TEST(regimes, on_samples_touch_or_are_one_ulp_off) {
 
 TEST(promises, nothing_is_promised_without_a_reason) {
   EXPECT_EQ(*promise_for({"truth", "triangle.single_layer", "closed_form", "double", "near-edge", 2}).bound, 64);
-  EXPECT_FALSE(promise_for({"truth", "triangle.single_layer", "closed_form", "double", "far", 2}).bound);
+  EXPECT_EQ(*promise_for({"truth", "triangle.mean_value", "closed_form", "float", "far", 2}).bound, 64);
+  EXPECT_EQ(*promise_for({"relative", "triangle.kelvin_traction", "accurate", "double", "sliver", 1}).bound, 256);
+  EXPECT_FALSE(promise_for({"truth", "triangle.single_layer", "published", "double", "generic", 0}).bound);
   EXPECT_FALSE(promise_for({"truth", "triangle.single_layer", "gauss-8", "double", "generic", 0}).bound);
   EXPECT_FALSE(promise_for({"unheard", "of", "", "", "", 0}).reason.empty());
 }

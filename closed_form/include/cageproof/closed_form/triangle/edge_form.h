@@ -56,8 +56,9 @@ class EdgeForm {
   static Taylor<R, D> ends(const Vec3<R>& p0, const Vec3<R>& p1, const R& r0, const R& r1, int p, const R& value) {
     Taylor<R, D> f;
     if constexpr (D >= 1) {
-      f = distance_power<D>(p1, power(r1, p), r1, p);
-      f.add(R(-1), distance_power<D>(p0, power(r0, p), r0, p));
+      // At a corner its own powers have no derivatives: what these enter vanishes, or has no limit.
+      if (r1 != R(0)) f = distance_power<D>(p1, power(r1, p), r1, p);
+      if (r0 != R(0)) f.add(R(-1), distance_power<D>(p0, power(r0, p), r0, p));
     }
     f.c[0] = value;
     return f;

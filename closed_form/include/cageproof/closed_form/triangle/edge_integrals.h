@@ -72,8 +72,7 @@ struct OddIntegrals {
       P = (e.D2 * L + e.length * (sum + (e.s0 + e.s1) * (e.s0 + e.s1) / sum) / R(2)) / R(2);
       P_rest = P - e.length * reference;
     }
-    if (on_edge(e)) K3 = R(0);  // its products vanish, or diverge
-    else if (spans) K3 = (e.s1 / e.r1 - e.s0 / e.r0) / e.D2;
+    if (spans) K3 = (e.s1 / e.r1 - e.s0 / e.r0) / e.D2;
     else K3 = e.length * (e.s0 + e.s1) / (product * (e.s1 * e.r0 + e.s0 * e.r1));
     const R q0 = R(1) / (e.r0 * e.r0), q1 = R(1) / (e.r1 * e.r1);
     const R Q = (q0 + q1) / R(2), k = K3 * K3 * e.D2, slope = difference * sum * q0 * q1;  // q0 - q1
@@ -83,6 +82,9 @@ struct OddIntegrals {
     ends[1] = -difference / product;
     ends[2] = ends[1] * (q0 + R(1) / product + q1);
     ends[3] = ends[1] * (q0 * q0 + q1 * q1 + (q0 + q1) / product + q0 * q1);
+    // On the border what these enter vanishes, or has no limit.
+    if (on_edge(e)) K3 = K5 = K7 = R(0);
+    if (product == R(0)) ends[1] = ends[2] = ends[3] = R(0);
   }
 };
 

@@ -96,8 +96,17 @@ void set_infinities(const Frame<R>& f, std::span<const R> parameters, int limit,
   if (limit > O || F::on_border == OnBorder::NoLimit) return;
   const auto finite = finish<F, O, R>(near_components<F, O>(f, parameters), f.unit, 3);
   const auto moved = finish<F, O, R>(near_components<F, O>(f, parameters, R(1)), f.unit, 3);
-  const auto set = [](const R& without, const R& with, R& x) {
-    if (with != without) x = with > without ? std::numeric_limits<R>::infinity() : -std::numeric_limits<R>::infinity();
+  using std::abs, std::max;
+  R size = 0;
+  for (int c = 0; c < F::components; ++c) {
+    if (limit == 0) size = max(size, R(abs(moved.value[c])));
+    if (limit == 1) size = max(size, R(moved.gradient[c].cwiseAbs().maxCoeff()));
+    if (limit == 2) size = max(size, R(moved.hessian[c].cwiseAbs().maxCoeff()));
+  }
+  // What differs by rounding alone has no logarithm.
+  const R noise = 64 * unit_roundoff<R>() * size;
+  const auto set = [&noise](const R& without, const R& with, R& x) {
+    if (abs(with - without) > noise) x = with > without ? std::numeric_limits<R>::infinity() : -std::numeric_limits<R>::infinity();
     else if (F::on_border == OnBorder::Logarithm) x = without;
   };
   for (int c = 0; c < F::components; ++c) {
