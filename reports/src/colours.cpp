@@ -53,7 +53,7 @@ const ImageField::Array& array_named(const std::vector<ImageField::Array>& array
   return *found;
 }
 
-Colours colours_of(const ImageField::Array& array, ColourScale scale) {
+Colours colours_of(const ImageField::Array& array, ColourScale scale, std::optional<ColourLimits> limits) {
   Colours colours;
   colours.values = samples(array);
   bool any = false;
@@ -70,6 +70,7 @@ Colours colours_of(const ImageField::Array& array, ColourScale scale) {
     for (const double value : colours.values)
       if (std::isfinite(value)) low = std::min(low, value);
     colours.low = std::max(std::floor(low), colours.high - kDecadesBelowLargest);
+    if (limits) colours.low = std::log10(limits->low), colours.high = std::log10(limits->high);
     for (double& value : colours.values)
       if (value < colours.low) value = colours.low;
     if (colours.low == colours.high) --colours.low;
@@ -78,6 +79,7 @@ Colours colours_of(const ImageField::Array& array, ColourScale scale) {
     for (const double value : colours.values)
       if (std::isfinite(value)) colours.low = std::min(colours.low, value);
     if (colours.low == colours.high) colours.high = colours.low + std::max(1e-300, std::abs(colours.low));
+    if (limits) colours.low = limits->low, colours.high = limits->high;
   }
   colours.commands = bar(colours, scale, array);
   return colours;

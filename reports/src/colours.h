@@ -5,6 +5,7 @@
 #include "cageproof/core/run_result.h"
 #include "cageproof/reports/report_writer.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ struct Colours {
 const ImageField::Array& array_named(const std::vector<ImageField::Array>& arrays, const std::string& name,
                                      std::size_t samples);
 
-/// Several components are shown by their magnitude.
-Colours colours_of(const ImageField::Array& array, ColourScale scale);
+/// Several components are shown by their magnitude; what is beyond given limits takes the colour at that end.
+Colours colours_of(const ImageField::Array& array, ColourScale scale, std::optional<ColourLimits> limits = std::nullopt);
 
 }  // namespace cageproof::reports

@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <string_view>
@@ -26,16 +25,13 @@ namespace fs = std::filesystem;
   throw InputError(fmt::format("cannot write {}: {}", path.string(), reason));
 }
 
-constexpr std::array<std::string_view, 7> kParts{"summary.json", "summary.md", "results.csv", "worst.jsonl",
-                                                 "index.html",   "fields",     "pictures"};
-
-bool is_summary(const fs::path& path) {
-  const auto json = nlohmann::json::parse(read_file(path), nullptr, false);
-  return json.is_object() && json.contains("schema") && json["schema"] == "cageproof-summary";
+bool is_of_kind(const fs::path& summary, const FolderKind& kind) {
+  const auto json = nlohmann::json::parse(read_file(summary), nullptr, false);
+  return json.is_object() && json.contains("schema") && json["schema"] == kind.schema;
 }
 
 // What is replaced must be ours to replace: a mistyped --out must never cost someone a folder.
-void require_replaceable(const fs::path& out) {
+void require_replaceable(const fs::path& out, const FolderKind& kind) {
   std::error_code error;
   const fs::file_status status = fs::status(out, error);
   if (status.type() == fs::file_type::not_found) return;
@@ -45,12 +41,12 @@ void require_replaceable(const fs::path& out) {
   for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
     any = true;
     const std::string name = entry.path().filename().string();
-    if (std::ranges::find(kParts, name) == kParts.end())
-      fail(out, fmt::format("the folder holds '{}', which is no part of a report", name));
+    if (std::ranges::find(kind.parts, name) == kind.parts.end())
+      fail(out, fmt::format("the folder holds '{}', which is no part of a {}", name, kind.what));
   }
   if (error) fail(out, error.message());
-  if (any && !(fs::is_regular_file(out / "summary.json", error) && is_summary(out / "summary.json")))
-    fail(out, "the folder is not empty and holds no report");
+  if (any && !(fs::is_regular_file(out / kind.summary, error) && is_of_kind(out / kind.summary, kind)))
+    fail(out, fmt::format("the folder is not empty and holds no {}", kind.what));
 }
 
 // The folder itself, so that a link stays a link to the new report and "report/" names what "report" does.
@@ -74,8 +70,17 @@ void make_folder(const fs::path& path) {
 
 }  // namespace
 
-ReportFolder::ReportFolder(const fs::path& out) : out_(resolved(out)) {
-  require_replaceable(out_);
+const FolderKind& report_kind() {
+  static const FolderKind kind{"report",
+                               {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "fields", "pictures"},
+                               {"fields", "pictures"},
+                               "summary.json",
+                               "cageproof-summary"};
+  return kind;
+}
+
+ReportFolder::ReportFolder(const fs::path& out, const FolderKind& kind) : kind_(&kind), out_(resolved(out)) {
+  require_replaceable(out_, kind);
   std::error_code error;
   for (int n = 0; staging_.empty(); ++n) {
     const fs::path candidate =
@@ -84,8 +89,7 @@ ReportFolder::ReportFolder(const fs::path& out) : out_(resolved(out)) {
     else if (error) fail(out_, error.message());
   }
   try {
-    make_folder(staging_ / "fields");
-    make_folder(staging_ / "pictures");
+    for (const std::string_view folder : kind.folders) make_folder(staging_ / folder);
   } catch (...) {
     fs::remove_all(staging_, error);
     throw;
@@ -98,7 +102,7 @@ ReportFolder::~ReportFolder() {
 }
 
 void ReportFolder::commit() {
-  require_replaceable(out_);
+  require_replaceable(out_, *kind_);
   // Onto nothing or an empty folder a rename is enough; an earlier report is exchanged in one step.
   if (std::rename(staging_.c_str(), out_.c_str()) == 0) {
     committed_ = true;

@@ -37,10 +37,10 @@ ReportWriter::ReportWriter(const std::filesystem::path& out) : state_(std::make_
 ReportWriter::~ReportWriter() = default;
 
 FieldEntry ReportWriter::write_image(const ImageField& field, const std::string& title, const std::string& shown,
-                                     ColourScale scale) {
+                                     ColourScale scale, std::optional<ColourLimits> limits) {
   const std::size_t samples = static_cast<std::size_t>(field.points[0]) * field.points[1] * field.points[2];
   const ImageField::Array& array = array_named(field.arrays, shown, samples);
-  const Colours colours = colours_of(array, scale);
+  const Colours colours = colours_of(array, scale, limits);
   const std::string name = state_->fresh_name(field.name);
   const FieldEntry entry{title, array.unit, "fields/" + name + ".vti", "pictures/field." + name + ".png",
                          colours.largest};

@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "csv_field.h"
 #include "tables.h"
 
 #include <fmt/format.h>
 
 namespace cageproof::reports {
-namespace {
-
-std::string csv_field(std::string_view field) {
-  if (field.find_first_of(",\"\r\n") == field.npos) return std::string(field);
-  std::string result = "\"";
-  for (const char c : field) {
-    if (c == '"') result += '"';
-    result += c;
-  }
-  return result + '"';
-}
-
-}  // namespace
-
 std::string results_csv(const RunResult& result) {
   std::string csv =
       "section,subject,evaluation,scalar,regime,check,place,order,unit,samples,nonfinite,without_truth,declined,"

@@ -2,8 +2,13 @@
 #include "commands.h"
 
 #include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/scalar_text.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cageproof::cli {
 
@@ -19,6 +24,23 @@ Cage CageArguments::load() const {
   const auto names = embedded_cage_names();
   if (std::ranges::find(names, file) != names.end()) return embedded_cage(file);
   return read_cage(file, {.flip_inward = flip_inward});
+}
+
+std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known, std::string_view owner) {
+  std::vector<double> values;
+  for (const Parameter& p : known) values.push_back(p.preset);
+  for (const std::string& text : given) {
+    const auto equals = text.find('=');
+    const auto found = std::ranges::find(known, std::string_view(text).substr(0, equals), &Parameter::name);
+    if (equals == std::string::npos || found == known.end())
+      throw InputError(fmt::format("--parameter {}: {} has no such parameter; write name=value", text, owner));
+    const std::string number = text.substr(equals + 1);
+    const std::optional<double> value = number == "inf" ? HUGE_VAL : number == "-inf" ? -HUGE_VAL : parse_scalar<double>(number);
+    if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, number));
+    if (!found->allows(*value)) throw InputError(fmt::format("--parameter {}: out of range for {}", text, owner));
+    values[found - known.begin()] = *value;
+  }
+  return values;
 }
 
 Mesh load_points(const std::string& file) {

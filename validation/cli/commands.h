@@ -2,6 +2,7 @@
 // The commands of `cageproof`. Each adds its options to the command line and sets what to run.
 #pragma once
 
+#include "cageproof/core/formula.h"
 #include "cageproof/core/mesh_io.h"
 
 #include <CLI/CLI.hpp>
@@ -23,6 +24,7 @@ void add_verify(CLI::App& app, Action& action, const std::string& command_line);
 void add_field(CLI::App& app, Action& action, const std::string& command_line);
 void add_replay(CLI::App& app, Action& action);
 void add_hunt(CLI::App& app, Action& action);
+void add_bench(CLI::App& app, Action& action, const std::string& command_line);
 
 /// Options that every command with a cage shares.
 struct CageArguments {
@@ -35,6 +37,11 @@ struct CageArguments {
   Cage load() const;
   Triangulation rule() const { return triangulate == "fan" ? Triangulation::Fan : Triangulation::Shortest; }
 };
+
+/// Values of `known` from texts "nu=0.3", "nu=inf"; what is not given takes its default.
+/// \param owner the formula or kind that has them, for messages
+/// \throws InputError for a text that is none, an unknown name, or a value out of range
+std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known, std::string_view owner);
 
 /// Points with the faces that they carry, if any: a mesh file, or text.
 /// \throws InputError as read_mesh and read_points

@@ -13,7 +13,6 @@
 #include <xtensor/xnpy.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 
 namespace cageproof::cli {
@@ -25,24 +24,6 @@ struct Arguments {
   std::vector<std::string> parameters;
   int jobs = 0;
 };
-
-// "nu=0.3" and so on, for a kind whose formulas have parameters; what is not given takes its default.
-std::vector<double> parameters_for(const CoordinateKind& kind, const std::vector<std::string>& given) {
-  std::vector<double> values;
-  const auto& known = parameters_of(kind);
-  for (const Parameter& p : known) values.push_back(p.preset);
-  for (const std::string& text : given) {
-    const auto equals = text.find('=');
-    const auto found = std::ranges::find(known, std::string_view(text).substr(0, equals), &Parameter::name);
-    if (equals == std::string::npos || found == known.end())
-      throw InputError(fmt::format("--parameter {}: {} has no such parameter; write name=value", text, kind.name));
-    const std::string number = text.substr(equals + 1);
-    const std::optional<double> value = number == "inf" ? HUGE_VAL : number == "-inf" ? -HUGE_VAL : parse_scalar<double>(number);
-    if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, number));
-    values[found - known.begin()] = *value;
-  }
-  return values;
-}
 
 // Coordinates of all points, point by point, blocks one after the other.
 struct Table {
@@ -119,7 +100,7 @@ int run(const Arguments& a) {
     throw InputError(fmt::format("{}: cannot write '{}' files; use .csv, .npy or .vtp", a.out, extension));
   const Cage cage = a.cage.load();
   const Mesh mesh = load_points(a.points);
-  const CageCoordinates coordinates(cage, *kind, a.evaluation, a.cage.rule(), parameters_for(*kind, a.parameters));
+  const CageCoordinates coordinates(cage, *kind, a.evaluation, a.cage.rule(), parameters_from(a.parameters, parameters_of(*kind), kind->name));
   const Table table = compute(coordinates, mesh.vertices, a.jobs);
   const std::string text = extension == ".npy"   ? npy_text(table, mesh.vertices.size())
                            : extension == ".vtp" ? vtp_text(table, coordinates, mesh)

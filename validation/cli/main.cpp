@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   cli::add_field(app, action, quoted(argc, argv));
   cli::add_replay(app, action);
   cli::add_hunt(app, action);
+  cli::add_bench(app, action, quoted(argc, argv));
   try {
     app.parse(argc, argv);
     const int code = action();

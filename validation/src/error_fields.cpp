@@ -64,9 +64,9 @@ SlicePlan slice_through(const Cage& cage, int resolution) {
 }
 
 ImageField reproduction_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
-                              Triangulation rule, int resolution, int jobs) {
+                              Triangulation rule, int resolution, int jobs, const std::vector<double>& parameters) {
   const SlicePlan slice = slice_through(cage, resolution);
-  const CageCoordinates coordinates(cage, kind, evaluation, rule);
+  const CageCoordinates coordinates(cage, kind, evaluation, rule, parameters);
   const CageLocator locator(cage, rule);
   ImageField field = empty_field(slice, fmt::format("{}.{}.{}.reproduction", file_name(cage), kind.name, evaluation));
   const std::size_t count = count_of(slice);

@@ -163,6 +163,40 @@ head -n "$(wc -l <"$work/before.jsonl")" "$work/hunted.jsonl" | diff -q - "$work
 [ -e "$work/plain/index.html" ] || fail "no report under a plain name"
 "$cageproof" field --formula triangle.single_layer --evaluation gauss-4 --resolution 12 --out "$work/field" >/dev/null || fail field
 [ -n "$(find "$work/field/fields" -name '*.vti')" ] || fail "field: no .vti"
+"$cageproof" field --kind somigliana --cage cube --evaluation three-quad-75 --colours 1e-16 1 --resolution 12 --out "$work/residual" >/dev/null ||
+  fail "field --kind"
+[ -n "$(find "$work/residual/pictures" -name '*.png')" ] || fail "field --kind: no picture"
+
+# bench: a line an evaluation and distance, the same errors again, a folder that replaces its own kind alone.
+bench() { "$cageproof" bench --samples 2 --seconds 0 "$@"; }
+errors_of() { cut -d, -f 1-14 "$1"; }
+bench --kind somigliana --cage cube --evaluations three-quad-75,closed_form --parameter nu=0.3 --csv --out "$work/bench" >"$work/bench.csv" ||
+  fail bench
+[ "$(wc -l <"$work/bench.csv")" -eq 11 ] || fail "bench: $(cat "$work/bench.csv")"
+for file in work_precision.csv work_precision.json pictures/error_nodes.png pictures/error_time.png; do
+  [ -s "$work/bench/$file" ] || fail "bench: no $file"
+done
+bench --kind somigliana --cage cube --evaluations three-quad-75,closed_form --parameter nu=0.3 --csv --jobs 1 --out "$work/bench" >"$work/again.csv" ||
+  fail "bench over an earlier one"
+[ "$(errors_of "$work/bench.csv")" = "$(errors_of "$work/again.csv")" ] || fail "bench: other errors with the same seed"
+awk -F, '$5 == "closed_form" && !($9 < 1e-10) || $5 == "three-quad-75" && ($14 != 75 || $3 == "1e-4" && !($9 > 1e-2)) { exit 1 }' \
+  "$work/bench.csv" || fail "bench: $(cat "$work/bench.csv")"
+bench --kind green --points "$work/three.csv" >"$work/stdout" || fail "bench --points"
+bench --formula triangle.solid_angle --order 1 --regime near-face --evaluations gauss-4,closed_form >"$work/stdout" || fail "bench --formula"
+[ "$(grep -c near-face "$work/stdout")" -eq 2 ] || fail "bench --formula: $(cat "$work/stdout")"
+refuses nonsense gauss-0 -- bench --kind somigliana --evaluations nonsense,closed_form,gauss-0 --out "$work/out"
+refuses nonsense -- bench --kind nonsense
+refuses nonsense -- bench --formula nonsense
+refuses nonsense -- bench --formula triangle.solid_angle --regime nonsense
+refuses kind formula -- bench
+refuses kind formula -- bench --kind green --formula triangle.solid_angle
+refuses nu -- bench --kind somigliana --parameter nu=0.7
+refuses missing.csv -- bench --kind green --points "$work/missing.csv"
+refuses "no part of a work-precision" -- bench --kind green --out "$work/report"
+refuses "no part of a report" -- "$cageproof" field --formula triangle.solid_angle --evaluation gauss-4 --resolution 4 --out "$work/bench"
+refuses --cage -- "$cageproof" field --kind green --evaluation gauss-4 --out "$work/out"
+refuses nonsense -- "$cageproof" field --kind green --cage cube --evaluation nonsense --out "$work/out"
+refuses --colours -- "$cageproof" field --kind green --cage cube --evaluation gauss-4 --colours 1 0 --out "$work/out"
 "$cageproof" list --json | grep -q triangle.mean_value || fail "list --json"
 
 [ $failures -eq 0 ] && echo "all of the command line answers as it should"

@@ -6,11 +6,17 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace cageproof::reports {
 
 /// How a field's values become colours.
 enum class ColourScale { Linear, Log10 };
+
+/// Values at the ends of the colours, 0 < low < high on a logarithmic scale; the same limits make pictures of different runs comparable.
+struct ColourLimits {
+  double low, high;
+};
 
 /// A report folder, written aside (`.NAME.partial-...` next to it) and renamed into place: a run that dies leaves no
 /// half report, and an earlier report stays whole until the new one replaces it in one step.
@@ -33,8 +39,9 @@ class ReportWriter {
   /// title what is shown, of which cage and evaluation \param shown name of the array to show (its magnitude, when it
   /// has several components) \throws InputError when the file cannot be written \throws std::invalid_argument when an
   /// array's size is not points x components, or `shown` is no array's name
-  FieldEntry write_image(const ImageField& field, const std::string& title, const std::string& shown,
-                         ColourScale scale);
+  /// \param limits of the colours; without, those of the field's own values
+  FieldEntry write_image(const ImageField& field, const std::string& title, const std::string& shown, ColourScale scale,
+                         std::optional<ColourLimits> limits = std::nullopt);
 
   /// Writes fields/<name>.vtp and pictures/field.<name>.png: the vertices, coloured by one array, seen from two sides.
   /// \throws as write_image

@@ -18,8 +18,9 @@ struct SlicePlan {
 SlicePlan slice_through(const Cage& cage, int resolution);
 
 /// Partition of unity and linear reproduction on a slice (arrays of those names, raw errors).
+/// \param parameters in the order of parameters_of(kind); empty for their defaults
 ImageField reproduction_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
-                              Triangulation rule, int resolution, int jobs);
+                              Triangulation rule, int resolution, int jobs, const std::vector<double>& parameters = {});
 
 /// Relative error of a kind of coordinates against the closed form in 50 digits on a slice: array `relative error`, the
 /// largest over the blocks.

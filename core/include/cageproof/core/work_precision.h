@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Time and error side by side: what `cageproof bench` measures and reports show.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cageproof {
+
+/// One evaluation at one place.
+struct WorkPrecisionRow {
+  std::string evaluation;
+  std::string place;    ///< "interior", "1e-2" ... (distance from the cage, in its sizes), or a regime
+  double distance = 0;  ///< of the place, in cage sizes; 0 where there is none
+  std::uint64_t samples = 0;
+  std::uint64_t nonfinite = 0;        ///< errors that are not finite
+  double largest = 0, rms = 0, median = 0;  ///< of the errors, in WorkPrecision::unit
+  double nodes = 0;                   ///< mean kernel evaluations of one formula on one element; 0 for closed forms
+  double nanoseconds = 0;             ///< a pair of point and element, all formulas of the subject, one thread
+};
+
+/// A whole measurement.
+struct WorkPrecision {
+  std::string subject;  ///< a formula, or a kind of cage coordinates
+  std::string where;    ///< the cage, or "one element"
+  std::string error;    ///< what the errors are: "partition of unity residual", "conditioned error"
+  std::string unit;     ///< "1", "u"
+  int order = 0;
+  std::uint64_t seed = 0;
+  std::string version, command_line, started;
+  std::map<std::string, std::string> settings, machine;
+  std::vector<WorkPrecisionRow> rows;  ///< place by place, evaluations in the order asked for
+  std::vector<std::string> notes;      ///< places that have fewer samples than asked for ...
+};
+
+}  // namespace cageproof

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Time and error side by side, as a person sees them.
+#pragma once
+
+#include "cageproof/core/work_precision.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace cageproof::reports {
+
+/// A header, then one line a row, in full precision; RFC 4180 quoting, line feeds alone.
+std::string work_precision_csv(const WorkPrecision& result);
+
+/// Schema "cageproof-work-precision", "schema_version" 1; what is not finite is the string "inf".
+std::string work_precision_json(const WorkPrecision& result);
+
+/// Aligned columns, errors rounded up to two digits.
+std::string work_precision_text(const WorkPrecision& result);
+
+/// A folder with work_precision.csv, work_precision.json, pictures/error_nodes.png and pictures/error_time.png, written aside and renamed
+/// into place like a report.
+class WorkPrecisionWriter {
+ public:
+  /// \throws InputError as ReportWriter, so that a long measurement does not end at a folder that cannot be written
+  explicit WorkPrecisionWriter(const std::filesystem::path& out);
+  /// Removes what was written unless write() came to its end.
+  ~WorkPrecisionWriter();
+  WorkPrecisionWriter(const WorkPrecisionWriter&) = delete;
+  WorkPrecisionWriter& operator=(const WorkPrecisionWriter&) = delete;
+
+  /// Writes all files and puts the folder in its place.
+  /// \throws InputError when a file cannot be written, or gnuplot is missing or fails
+  void write(const WorkPrecision& result);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace cageproof::reports

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/reports/work_precision.h"
+
+#include "cageproof/reports/checked_file.h"
+#include "csv_field.h"
+#include "figure.h"
+#include "json_value.h"
+#include "report_folder.h"
+#include "work_precision_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace cageproof::reports {
+namespace {
+
+const FolderKind& work_precision_kind() {
+  static const FolderKind kind{"work-precision measurement",
+                               {"work_precision.csv", "work_precision.json", "pictures"},
+                               {"pictures"},
+                               "work_precision.json",
+                               "cageproof-work-precision"};
+  return kind;
+}
+
+}  // namespace
+
+std::string work_precision_csv(const WorkPrecision& r) {
+  std::string csv = "subject,where,place,distance,evaluation,order,samples,nonfinite,largest,rms,median,error,unit,nodes,nanoseconds\n";
+  for (const WorkPrecisionRow& row : r.rows)
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(r.subject), csv_field(r.where), csv_field(row.place),
+                       row.distance, csv_field(row.evaluation), r.order, row.samples, row.nonfinite, row.largest, row.rms, row.median,
+                       csv_field(r.error), csv_field(r.unit), row.nodes, row.nanoseconds);
+  return csv;
+}
+
+std::string work_precision_json(const WorkPrecision& r) {
+  Json rows = Json::array();
+  for (const WorkPrecisionRow& row : r.rows)
+    rows.push_back({{"place", row.place},
+                    {"distance", row.distance},
+                    {"evaluation", row.evaluation},
+                    {"samples", row.samples},
+                    {"nonfinite", row.nonfinite},
+                    {"largest", json_number(row.largest)},
+                    {"rms", json_number(row.rms)},
+                    {"median", json_number(row.median)},
+                    {"nodes", row.nodes},
+                    {"nanoseconds", row.nanoseconds}});
+  const Json all = {{"schema", "cageproof-work-precision"},
+                    {"schema_version", 1},
+                    {"subject", r.subject},
+                    {"where", r.where},
+                    {"error", r.error},
+                    {"unit", r.unit},
+                    {"order", r.order},
+                    {"seed", r.seed},
+                    {"settings", r.settings},
+                    {"notes", r.notes},
+                    {"rows", rows},
+                    {"run", {{"version", r.version}, {"command_line", r.command_line}, {"started", r.started}, {"machine", r.machine}}}};
+  return dump(all) + "\n";
+}
+
+std::string work_precision_text(const WorkPrecision& r) {
+  std::vector<std::array<std::string, 8>> lines{{"place", "evaluation", "samples", "largest", "rms", "median", "nodes", "ns/pair"}};
+  for (const WorkPrecisionRow& row : r.rows)
+    lines.push_back({row.place, row.evaluation, fmt::format("{}", row.samples), short_error(row.largest), short_error(row.rms),
+                     short_error(row.median), fmt::format("{:.0f}", row.nodes), fmt::format("{:.0f}", row.nanoseconds)});
+  std::array<std::size_t, 8> width{};
+  for (const auto& line : lines)
+    for (std::size_t c = 0; c < line.size(); ++c) width[c] = std::max(width[c], line[c].size());
+  std::string text = fmt::format("{}, {}: {} [{}], order {}\n", r.subject, r.where, r.error, r.unit, r.order);
+  for (const auto& line : lines) {
+    text += fmt::format("{:<{}}  {:<{}}", line[0], width[0], line[1], width[1]);
+    for (std::size_t c = 2; c < line.size(); ++c) text += fmt::format("  {:>{}}", line[c], width[c]);
+    text += '\n';
+  }
+  for (const std::string& note : r.notes) text += note + '\n';
+  return text;
+}
+
+struct WorkPrecisionWriter::State {
+  explicit State(const std::filesystem::path& out) : folder(out, work_precision_kind()) {}
+  ReportFolder folder;
+};
+
+WorkPrecisionWriter::WorkPrecisionWriter(const std::filesystem::path& out) : state_(std::make_unique<State>(out)) {}
+WorkPrecisionWriter::~WorkPrecisionWriter() = default;
+
+void WorkPrecisionWriter::write(const WorkPrecision& result) {
+  const std::filesystem::path& folder = state_->folder.path();
+  write_file(folder / "work_precision.csv", work_precision_csv(result));
+  write_file(folder / "work_precision.json", work_precision_json(result));
+  draw({work_precision_picture(result, WorkAxis::Nodes, "pictures/error_nodes.png"),
+        work_precision_picture(result, WorkAxis::Time, "pictures/error_time.png")},
+       folder);
+  state_->folder.commit();
+}
+
+}  // namespace cageproof::reports

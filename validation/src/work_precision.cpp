@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/work_precision.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/campaign.h"
+#include "cageproof/validation/truth.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+constexpr std::size_t timed_pairs = 64;
+
+// What is timed: evaluations one after the other at samples, each with its formula's parameters.
+struct Work {
+  std::vector<Evaluation> evaluations;
+  std::vector<Sample> samples;
+};
+
+// Sets nodes and nanoseconds: whole passes over the samples until `seconds` are over, so that each counts alike.
+void time(const Work& work, int order, double seconds, WorkPrecisionRow& row) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<QueryOf<double>> queries;
+  for (const Sample& sample : work.samples) queries.emplace_back(sample, order);
+  Result<double> result;
+  double nodes = 0;
+  const auto pass = [&] {
+    nodes = 0;
+    for (const auto& query : queries)
+      for (const Evaluation& evaluation : work.evaluations) {
+        evaluation(query.query(), result);
+        nodes += static_cast<double>(result.nodes);
+      }
+  };
+  // Tables that an evaluation builds at its first call are no part of its time.
+  for (const Evaluation& evaluation : work.evaluations) evaluation(queries.front().query(), result);
+  int passes = 0;
+  const auto start = Clock::now();
+  double elapsed = 0;
+  do {
+    pass();
+    ++passes;
+    elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+  } while (elapsed < seconds);
+  const auto pairs = static_cast<double>(queries.size());
+  row.nodes = nodes / (pairs * static_cast<double>(work.evaluations.size()));
+  row.nanoseconds = 1e9 * elapsed / (passes * pairs);
+}
+
+void summarise(std::vector<double> errors, WorkPrecisionRow& row) {
+  row.samples = errors.size();
+  double squares = 0;
+  for (double& e : errors) {
+    if (!std::isfinite(e)) e = HUGE_VAL, ++row.nonfinite;
+    squares += e * e;
+  }
+  std::ranges::sort(errors);
+  row.largest = errors.back();
+  row.rms = std::sqrt(squares / static_cast<double>(errors.size()));
+  row.median = errors[(errors.size() - 1) / 2];
+}
+
+// One evaluation of each formula; all that are missing in one message.
+std::vector<std::vector<Evaluation>> find_all(const std::vector<std::string_view>& formulas, const WorkPrecisionOptions& options) {
+  if (options.evaluations.empty()) throw InputError("no evaluation to measure");
+  std::vector<std::string> missing;
+  std::vector<std::vector<Evaluation>> found;
+  for (const std::string& name : options.evaluations) {
+    auto& row = found.emplace_back();
+    for (const auto formula : formulas) {
+      auto e = EvaluationRegister::instance().find(formula, name);
+      if (!e) missing.push_back(fmt::format("{} has no evaluation '{}'", formula, name));
+      else if (!e->supports<double>()) missing.push_back(fmt::format("'{}' of {} has no double", name, formula));
+      else if (e->max_order() < options.order)
+        missing.push_back(fmt::format("'{}' of {} gives no derivatives of order {}", name, formula, options.order));
+      else row.push_back(std::move(*e));
+    }
+  }
+  if (!missing.empty()) throw InputError(fmt::format("{}; see `cageproof list`", fmt::join(missing, ", ")));
+  return found;
+}
+
+std::vector<std::string_view> formulas_of(const CoordinateKind& kind) {
+  std::vector<std::string_view> formulas;
+  for (const CoordinateBlock& block : kind.blocks) formulas.push_back(block.formula);
+  return formulas;
+}
+
+// Pairs of a group's points and triangles, spread evenly over all of them.
+std::vector<Sample> pairs_of(const Cage& cage, const CageCoordinates& coordinates, const PointGroup& group,
+                             const std::vector<double>& parameters) {
+  const std::size_t triangles = coordinates.triangles().size(), all = group.points.size() * triangles;
+  const std::size_t count = std::min(all, timed_pairs);
+  std::vector<Sample> samples;
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::size_t pair = n * all / count;
+    Sample sample;
+    for (const int v : coordinates.triangles()[pair % triangles]) sample.corners.push_back(cage.vertices()[v]);
+    sample.point = group.points[pair / triangles].point;
+    sample.parameters = parameters;
+    samples.push_back(std::move(sample));
+  }
+  return samples;
+}
+
+WorkPrecision empty_measurement(std::string_view subject, const WorkPrecisionOptions& options) {
+  WorkPrecision result;
+  result.subject = subject;
+  result.order = options.order;
+  result.seed = options.seed;
+  return result;
+}
+
+}  // namespace
+
+WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, const std::vector<PointGroup>& groups,
+                                  const WorkPrecisionOptions& options) {
+  const auto evaluations = find_all(formulas_of(kind), options);
+  std::vector<double> parameters = options.parameters;
+  if (parameters.empty())
+    for (const Parameter& p : parameters_of(kind)) parameters.push_back(p.preset);
+  WorkPrecision result = empty_measurement(kind.name, options);
+  result.where = cage.name();
+  result.error = "partition of unity residual";
+  result.unit = "1";
+  for (const PointGroup& group : groups) {
+    if (group.points.empty()) {
+      result.notes.push_back(fmt::format("{}: no point found", group.place));
+      continue;
+    }
+    for (std::size_t e = 0; e < evaluations.size(); ++e) {
+      WorkPrecisionRow row;
+      row.evaluation = options.evaluations[e];
+      row.place = group.place;
+      row.distance = group.distance;
+      const CageCoordinates coordinates(cage, kind, row.evaluation, options.triangulation, parameters);
+      std::vector<double> errors(group.points.size());
+      for_each_parallel(errors.size(), options.jobs, [&](std::size_t i) {
+        const CagePoint& p = group.points[i];
+        errors[i] = errors_at(coordinates, cage, p.point, expected_sum(kind, p.place), 0).partition[0];
+      });
+      summarise(std::move(errors), row);
+      time({evaluations[e], pairs_of(cage, coordinates, group, parameters)}, 0, options.seconds, row);
+      result.rows.push_back(std::move(row));
+    }
+  }
+  if (result.rows.empty()) throw InputError(fmt::format("{}: no point to measure at", cage.name()));
+  return result;
+}
+
+WorkPrecision formula_work_precision(const Formula& formula, const std::vector<const Regime*>& regimes,
+                                     const WorkPrecisionOptions& options) {
+  const auto evaluations = find_all({formula.name}, options);
+  auto reference = EvaluationRegister::instance().find(formula.name, "closed_form");
+  if (!reference) reference = EvaluationRegister::instance().find(formula.name, "multiprecision");
+  WorkPrecision result = empty_measurement(formula.name, options);
+  result.where = "one element";
+  result.error = "conditioned error";
+  result.unit = "u";
+  const Mp100 u(unit_roundoff<double>());
+  for (const Regime* regime : regimes) {
+    std::vector<Sample> samples(options.samples);
+    std::vector<Truth> truths(samples.size());
+    for_each_parallel(samples.size(), options.jobs, [&](std::size_t i) {
+      samples[i] = make_sample(formula, *regime, options.seed, i);
+      if (!options.parameters.empty()) samples[i].parameters = options.parameters;
+      truths[i] = truth_from(*reference, samples[i], options.order);
+    });
+    const auto known = std::ranges::count_if(truths, [&](const Truth& t) { return t.exists[options.order]; });
+    if (known < std::ssize(truths)) result.notes.push_back(fmt::format("{}: no truth at {} samples", regime->name, std::ssize(truths) - known));
+    if (known == 0) continue;
+    for (const auto& one : evaluations) {
+      WorkPrecisionRow row;
+      row.evaluation = one.front().name();
+      row.place = regime->name;
+      std::vector<double> errors;
+      for (std::size_t i = 0; i < samples.size(); ++i)
+        if (truths[i].exists[options.order])
+          errors.push_back(conditioned_error(evaluate<double>(one.front(), samples[i], options.order), truths[i], options.order, u));
+      summarise(std::move(errors), row);
+      const std::size_t timed = std::min(samples.size(), timed_pairs);
+      time({one, {samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(timed)}}, options.order, options.seconds, row);
+      result.rows.push_back(std::move(row));
+    }
+  }
+  if (result.rows.empty()) throw InputError(fmt::format("{}: no sample has a truth to measure against", formula.name));
+  return result;
+}
+
+std::vector<std::string> default_work_precision_evaluations(const std::vector<std::string_view>& formulas) {
+  std::vector<std::string> names;
+  for (const char* name : {"three-quad-75", "three-quad-300", "three-quad-1200", "three-quad-7500", "closed_form", "published"})
+    if (std::ranges::all_of(formulas, [&](auto f) { return EvaluationRegister::instance().find(f, name).has_value(); }))
+      names.emplace_back(name);
+  return names;
+}
+
+}  // namespace cageproof::validation
