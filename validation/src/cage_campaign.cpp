@@ -157,7 +157,9 @@ std::vector<ResultRow> run_cage_campaign(const Cage& cage, const CageCampaignOpt
     const int order = coordinates.max_order();
     std::vector<PointResult> results(off.size());
     // Every n-th point meets the truth, so that both ways of drawing points are seen.
-    const std::size_t stride = std::max<std::size_t>(1, off.size() / std::max(1, options.truth_points)) | 1;
+    // Matrices of nine numbers in multiprecision cost as much as a quarter of the points does for single ones.
+    const int truth_points = coordinates.entries(0) == 1 ? options.truth_points : (options.truth_points + 3) / 4;
+    const std::size_t stride = std::max<std::size_t>(1, off.size() / std::max(1, truth_points)) | 1;
     for_each_parallel(off.size(), options.jobs, [&](std::size_t i) {
       if (off[i].place == Place::TooClose) return;
       results[i].errors = errors_at(coordinates, cage, off[i].point, expected_sum(*kind, off[i].place), order);

@@ -27,7 +27,7 @@ class SymmetryCheck : public Check {
       findings[o] = finding_for(in.truth, o);
       if (in.truth.on_element && !keeps_side()) findings[o].status = Finding::Status::Unasked;
       if (findings[o].status == Finding::Status::Measured)
-        findings[o].error = ratio_of_difference(undo(in.formula, changed.of(o), o), plain.of(o),
+        findings[o].error = ratio_of_difference(undo(in, changed.of(o), o), plain.of(o),
                                                 Mp100(u * in.truth.conditioned[o]));
     }
     return findings;
@@ -38,22 +38,25 @@ class SymmetryCheck : public Check {
   virtual bool keeps_side() const { return true; }
   virtual Sample change(Sample sample) const = 0;
   /// The tensor of derivative order `order` as it would be without the change.
-  virtual Values undo(const Formula& formula, Values tensor, int order) const = 0;
+  virtual Values undo(const CheckInput& in, Values tensor, int order) const = 0;
 };
 
 class Scaling final : public SymmetryCheck {
  public:
   std::string_view name() const override { return "scaling"; }
-  std::string_view description() const override { return "f(2^20 element, 2^20 point) = 2^(20 degree) f; a power of two, so that the changed input is exact"; }
+  std::string_view description() const override { return "f(s element, s point) = s^degree f, s = 2^20 or 2^-20; a power of two, so that the changed input is exact"; }
 
  private:
   Sample change(Sample sample) const override {
-    for (auto& corner : sample.corners) corner *= 0x1p20;
-    sample.point *= 0x1p20;
+    const double factor = std::ldexp(1.0, exponent(sample));
+    for (auto& corner : sample.corners) corner *= factor;
+    sample.point *= factor;
     return sample;
   }
-  Values undo(const Formula& formula, Values tensor, int order) const override {
-    for (double& x : tensor) x = std::ldexp(x, -20 * (formula.degree - order));
+  // Towards one, so that nothing overflows that did not before.
+  static int exponent(const Sample& sample) { return sample.corners[1].norm() + sample.point.norm() > 1 ? -20 : 20; }
+  Values undo(const CheckInput& in, Values tensor, int order) const override {
+    for (double& x : tensor) x = std::ldexp(x, -exponent(in.sample) * (in.formula.degree - order));
     return tensor;
   }
 };
@@ -68,7 +71,8 @@ class CornerPermutation final : public SymmetryCheck {
     std::ranges::rotate(sample.corners, sample.corners.begin() + 1);
     return sample;
   }
-  Values undo(const Formula& formula, Values tensor, int) const override {
+  Values undo(const CheckInput& in, Values tensor, int) const override {
+    const Formula& formula = in.formula;
     if (!formula.shape.per_corner) return tensor;
     const auto block = static_cast<std::ptrdiff_t>(tensor.size()) / formula.corners();
     std::ranges::rotate(tensor, tensor.end() - block);
@@ -87,7 +91,8 @@ class OrientationFlip final : public SymmetryCheck {
     std::ranges::reverse(sample.corners);
     return sample;
   }
-  Values undo(const Formula& formula, Values tensor, int) const override {
+  Values undo(const CheckInput& in, Values tensor, int) const override {
+    const Formula& formula = in.formula;
     for (double& x : tensor) x *= formula.flip_sign;
     if (!formula.shape.per_corner) return tensor;
     const std::size_t corners = formula.corners(), block = tensor.size() / corners;
@@ -117,7 +122,8 @@ class RigidMotion final : public SymmetryCheck {
     sample.point = turn(sample.point);
     return sample;
   }
-  Values undo(const Formula& formula, Values tensor, int order) const override {
+  Values undo(const CheckInput& in, Values tensor, int order) const override {
+    const Formula& formula = in.formula;
     // Every index that runs over space turns: the derivatives', and the rows and columns of tensor formulas.
     const int dims = (formula.shape.rows == 3) + (formula.shape.columns == 3) + order;
     std::size_t span = 1;

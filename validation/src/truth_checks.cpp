@@ -11,8 +11,7 @@ namespace {
 template <Scalar R>
 bool representable(const Mp100& size) {
   if constexpr (is_multiprecision<R>) return true;
-  else return size == 0 || (size < std::numeric_limits<R>::max() / 16 &&
-                            size > std::numeric_limits<R>::min() / std::numeric_limits<R>::epsilon());
+  else return size == 0 || (size < std::numeric_limits<R>::max() / 16 && size > std::numeric_limits<R>::min() * 16);
 }
 
 /// An evaluation against the truth, in conditioned units.

@@ -22,29 +22,26 @@ class KelvinTraction {
     const Jet<R> diagonal = product<Order>(cube, height_jet(node));
     for (int i = 0; i < 3; ++i) {
       const Jet<R> row = product<Order>(fifth, coordinate_jet(node, i));
-      for (int j = 0; j < 3; ++j) {
+      for (int j = i; j < 3; ++j) {
         Jet<R>& entry = matrix[3 * i + j];
         entry = product<Order>(row, coordinate_jet(node, j));
         if (i == j) {
           add_scaled<Order>(diagonal, R(1), entry);
           continue;
         }
-        // n_i x_j - x_i n_j
-        Jet<R> turn = coordinate_jet(node, j);
-        scale_jet<Order>(turn, node.normal[i]);
+        // n_i x_j - x_i n_j, of the other sign below the diagonal.
+        Jet<R> turn;
+        add_scaled<Order>(coordinate_jet(node, j), node.normal[i], turn);
         add_scaled<Order>(coordinate_jet(node, i), R(-node.normal[j]), turn);
-        add_scaled<Order>(product<Order>(cube, turn), R(1), entry);
+        const Jet<R> turned = product<Order>(cube, turn);
+        matrix[3 * j + i] = entry;
+        add_scaled<Order>(turned, R(1), entry);
+        add_scaled<Order>(turned, R(-1), matrix[3 * j + i]);
       }
     }
   }
 
  private:
-  template <int Order>
-  static void scale_jet(Jet<R>& jet, const R& factor) {
-    jet.value *= factor;
-    for (int i = 0; Order >= 1 && i < 3; ++i) jet.gradient[i] *= factor;
-  }
-
   R shear_, bulk_;
 };
 
