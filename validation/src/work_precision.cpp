@@ -174,7 +174,8 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
       truths[i] = truth_from(*reference, samples[i], options.order);
     });
     const auto known = std::ranges::count_if(truths, [&](const Truth& t) { return t.exists[options.order]; });
-    if (known < std::ssize(truths)) result.notes.push_back(fmt::format("{}: no truth at {} samples", regime->name, std::ssize(truths) - known));
+    if (known < std::ssize(truths))
+      result.notes.push_back(fmt::format("{}: no truth at {} samples", regime->name, std::ssize(truths) - known));
     if (known == 0) continue;
     for (const auto& one : evaluations) {
       WorkPrecisionRow row;

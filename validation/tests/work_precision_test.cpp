@@ -16,7 +16,7 @@ constexpr double known_error = 1e-3;
 constexpr double known_nanoseconds = 2e5;
 
 // Seven nodes, a thousandth too large, and at least 0.2 ms.
-const RegisterEvaluation fake{{"triangle.double_layer", "seven-nodes", {}, [](std::string_view name) -> std::optional<Evaluation> {
+std::optional<Evaluation> make_fake(std::string_view name) {
   if (name != "seven-nodes") return std::nullopt;
   const Evaluation good = *EvaluationRegister::instance().find("triangle.double_layer", "closed_form");
   Evaluation bad("triangle.double_layer", "seven-nodes", "wrong by a known amount, and slow", 0);
@@ -25,13 +25,16 @@ const RegisterEvaluation fake{{"triangle.double_layer", "seven-nodes", {}, [](st
     good(query, result);
     for (double& x : result.value) x *= 1 + known_error;
     result.nodes = 7;
-    while (std::chrono::steady_clock::now() - start < std::chrono::nanoseconds(static_cast<int>(known_nanoseconds))) continue;
+    const std::chrono::nanoseconds least(static_cast<int>(known_nanoseconds));
+    while (std::chrono::steady_clock::now() - start < least) continue;
   });
   return bad;
-}}};
+}
+const RegisterEvaluation fake{{"triangle.double_layer", "seven-nodes", {}, make_fake}};
 
 const CoordinateKind& phi_alone() {
-  static const CoordinateKind kind{"phi alone", "", {{"phi", "triangle.double_layer", CoordinateBlock::Reproduces::Vertices}}, false};
+  static const CoordinateBlock phi{"phi", "triangle.double_layer", CoordinateBlock::Reproduces::Vertices};
+  static const CoordinateKind kind{"phi alone", "", {phi}, false};
   return kind;
 }
 
@@ -50,7 +53,8 @@ std::vector<PointGroup> cube_groups(int count) {
 }
 
 TEST(work_precision, shows_a_known_error_its_nodes_and_its_time) {
-  const auto result = cage_work_precision(embedded_cage("cube"), phi_alone(), cube_groups(3), quick({"seven-nodes", "closed_form"}));
+  const auto options = quick({"seven-nodes", "closed_form"});
+  const auto result = cage_work_precision(embedded_cage("cube"), phi_alone(), cube_groups(3), options);
   ASSERT_EQ(result.rows.size(), 10u);
   for (const WorkPrecisionRow& row : result.rows) {
     EXPECT_EQ(row.samples, 3u);
@@ -105,7 +109,9 @@ TEST(work_precision, points_inside_are_as_far_as_their_group_says) {
       EXPECT_TRUE(locator.inside(p.point));
       const double distance = locator.distance(p.point) / cube.size();
       EXPECT_GE(distance, 0.999 * group.distance);
-      if (group.place != "interior") EXPECT_LE(distance, 1.001 * group.distance);
+      if (group.place != "interior") {
+        EXPECT_LE(distance, 1.001 * group.distance);
+      }
     }
   }
 }
