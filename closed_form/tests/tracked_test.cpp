@@ -39,6 +39,33 @@ void expect_bounds_hold(const char* name) {
 TEST(tracked, bounds_hold_in_double) { expect_bounds_hold<double>("double"); }
 TEST(tracked, bounds_hold_in_pairs) { expect_bounds_hold<TwoDoubles>("pairs"); }
 
+// Numbers as far off as their bounds allow, in both directions, through one operation each.
+TEST(tracked, every_operation_passes_on_the_errors_of_its_operands) {
+  constexpr double u = 0x1p-53;
+  const auto exact = [](const Tracked<double>& x, int sign) { return Mp100(x.value) + Mp100(sign * u) * Mp100(x.error); };
+  for (int i = 0; i < 500; ++i) {
+    RandomStream random(33, "operations", i);
+    // Now and then exact operands, so that the operation's own rounding is all there is.
+    const double size = i % 3 == 0 ? 0 : std::exp2(random.below(30));
+    const Tracked<double> a(random.uniform(0.2, 0.9), size * random.uniform()), b(random.uniform(0.2, 0.9), size * random.uniform());
+    for (const int s : {-1, 1})
+      for (const int t : {-1, 1}) {
+        const Mp100 x = exact(a, s), y = exact(b, t);
+        const auto expect_within = [&](const Tracked<double>& found, const Mp100& truth) {
+          EXPECT_TRUE(abs(Mp100(found.value) - truth) <= Mp100(u) * Mp100(found.error) * Mp100(1 + 1e-6)) << "sample " << i;
+        };
+        expect_within(a + b, x + y);
+        expect_within(a - b, x - y);
+        expect_within(a * b, x * y);
+        expect_within(a / b, x / y);
+        expect_within(sqrt(a), sqrt(x));
+        expect_within(log(a), log(x));
+        expect_within(atanh(a), atanh(x));
+        expect_within(atan2(a, b), atan2(x, y));
+      }
+  }
+}
+
 TEST(tracked, nothing_is_certain_after_total_cancellation) {
   const Tracked<double> a(1.0 / 3, 1.0 / 3), b = a * Tracked<double>(3) - Tracked<double>(1);
   EXPECT_GE(b.error * roundoff_of<double>(), b.magnitude());

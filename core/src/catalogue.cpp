@@ -21,7 +21,7 @@ constexpr Laplacian laplacian_is(std::string_view formula) { return {Laplacian::
 const std::array kCatalogue{
     Formula{.name = "triangle.single_layer",
             .symbol = "psi_t",
-            .source = "[T24] Eq 3; edge form",
+            .source = "[T24] Eq 5; edge form",
             .definition = "int_t 1/(4 pi r)",
             .element = ElementKind::Triangle,
             .shape = {},
@@ -32,7 +32,7 @@ const std::array kCatalogue{
             .parameters = {}},
     Formula{.name = "triangle.double_layer",
             .symbol = "phi_t^k",
-            .source = "[T24] Eq 3; edge form",
+            .source = "[T24] Eq 5; edge form",
             .definition = "int_t Gamma_k x.n/(4 pi r^3)",
             .element = ElementKind::Triangle,
             .shape = {.per_corner = true},

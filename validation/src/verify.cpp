@@ -157,7 +157,7 @@ class Run {
 const std::vector<Suite>& suites() {
   static const std::vector<Suite> all{
       {"quick", 96, 2, 1, 60, 4, 40, 4000},
-      {"standard", 800, 8, 3, 400, 16, 120, 40000},
+      {"standard", 400, 4, 3, 240, 8, 120, 40000},
       {"full", 100000, 32, 1000, 4000, 64, 240, 400000},
   };
   return all;

@@ -31,7 +31,9 @@ struct Tracked {
   Tracked(const T& v, double e) : value(v), error(e) {}
 
   double magnitude() const { return std::abs(static_cast<double>(value)); }
-  static Tracked rounded(const T& v, double e) { return {v, e + std::abs(static_cast<double>(v))}; }
+  static Tracked rounded(const T& v, double e, double roundings = 1) {
+    return {v, e + roundings * std::abs(static_cast<double>(v))};
+  }
 
   friend Tracked operator-(const Tracked& a) { return {T(-a.value), a.error}; }
   friend Tracked operator+(const Tracked& a, const Tracked& b) { return rounded(T(a.value + b.value), a.error + b.error); }
@@ -64,20 +66,24 @@ struct Tracked {
   }
   friend Tracked log(const Tracked& a) {
     using std::log;
-    return rounded(T(log(a.value)), a.error / remaining(a));
+    return rounded(T(log(a.value)), a.error / remaining(a), function_roundings);
   }
   friend Tracked atanh(const Tracked& a) {
     using std::atanh;
-    return rounded(T(atanh(a.value)), a.error / remaining(Tracked(T(T(1) - a.value * a.value), 2 * a.error)));
+    return rounded(T(atanh(a.value)), a.error / remaining(Tracked(T(T(1) - a.value * a.value), 2 * a.error)),
+                   function_roundings);
   }
   friend Tracked atan2(const Tracked& y, const Tracked& x) {
     using std::atan2;
     const double a = x.magnitude(), b = y.magnitude(), reach = std::hypot(a, b);
     return rounded(T(atan2(y.value, x.value)),
-                   (a / reach * y.error + b / reach * x.error) / remaining(Tracked(T(reach), std::hypot(x.error, y.error))));
+                   (a / reach * y.error + b / reach * x.error) / remaining(Tracked(T(reach), std::hypot(x.error, y.error))),
+                   function_roundings);
   }
 
  private:
+  /// Mathematical libraries promise an ulp or two for logarithms and angles, not half of one.
+  static constexpr double function_roundings = 4;
   /// The magnitude less its own error: what a divisor may have shrunk to; zero where nothing of it is certain.
   static double remaining(const Tracked& a) { return std::max(0.0, a.magnitude() - roundoff_of<T>() * a.error); }
 };

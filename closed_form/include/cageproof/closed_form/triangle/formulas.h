@@ -16,7 +16,7 @@ namespace cageproof::closed_form {
 /// distance, all else having a limit from inside; or it does both.
 enum class OnBorder { NoLimit, Logarithm, LogarithmAndDirection };
 
-/// psi_t = int 1/(4 pi r) ([T24] Eq 3; edge form): a length. Finite everywhere; on the triangle its gradient is the limit from inside, on the
+/// psi_t = int 1/(4 pi r) ([T24] Eq 5; edge form): a length. Finite everywhere; on the triangle its gradient is the limit from inside, on the
 /// border infinite against the edges' outward normals.
 struct SingleLayer {
   static constexpr int components = 1, degree = 1, extra = 0, border_order = 1, far_power = -1;
@@ -27,7 +27,7 @@ struct SingleLayer {
   }
 };
 
-/// phi_t^k = int Gamma_k x.n/(4 pi r^3), the harmonic double layer of the three hat functions ([T24] Eq 3; edge form): unitless.
+/// phi_t^k = int Gamma_k x.n/(4 pi r^3), the harmonic double layer of the three hat functions ([T24] Eq 5; edge form): unitless.
 /// On the triangle: the limit from inside, Gamma_k/2 within; derivatives have none on the border. The gradient is that of this one
 /// triangle's phi, not the "curl form" that is right only summed over a closed cage.
 struct DoubleLayer {
