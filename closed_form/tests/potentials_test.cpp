@@ -124,6 +124,16 @@ TEST(border, logarithms_are_infinite_with_their_sign) {
   EXPECT_DOUBLE_EQ(psi.gradient[0][2], 0.25);
 }
 
+// In the incompressible limit no logarithm is left in T, whose value then has a limit on the border.
+TEST(border, incompressible_traction_has_its_limit_from_inside) {
+  const std::array<double, 2> elastic{1, 0.5};
+  for (const Vec& p : {Vec(0.5, 0, 0), Vec(0, 0.25, 0), Vec(0.5, 0.5, 0), Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0)}) {
+    const auto on = evaluate<KelvinTraction, double>(flat, p, 0, elastic);
+    const auto inside = evaluate<KelvinTraction, double>(flat, Vec(p - Vec(0, 0, 1e-9)), 0, elastic);
+    for (int c = 0; c < KelvinTraction::components; ++c) EXPECT_NEAR(on.value[c], inside.value[c], 1e-7) << c;
+  }
+}
+
 TEST(values, finite_at_every_special_position) {
   for (const Vec& p : {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0), Vec(0.5, 0, 0), Vec(2, 0, 0), Vec(-1, 0, 0), Vec(0, -3, 0),
                        Vec(-1, 2, 0), Vec(0.25, 0.25, 0), Vec(0, 0, 1), Vec(1, 0, -1e-300), Vec(1e-200, 0, 0)}) {

@@ -53,20 +53,28 @@ class published_form : public testing::TestWithParam<std::string> {
     }
     EXPECT_GE(compared, samples);
   }
-  // Tractions diverge on borders, but for the incompressible limit, of which Appendix C says nothing.
-  void expect_integral_on_border(std::string_view regime) {
-    if (GetParam() == "triangle.kelvin_traction") return;
-    expect_integral(regime, 1, 1e-28);
-  }
 };
+
+// Tractions diverge on borders, but for the incompressible limit, of which Appendix C says nothing: they are not among these.
+class published_form_on_border : public published_form {};
+
+std::vector<std::string> printed_on_border() {
+  std::vector<std::string> names(std::begin(kPublished), std::end(kPublished));
+  std::erase(names, "triangle.kelvin_traction");
+  return names;
+}
 
 TEST_P(published_form, is_the_integral) { expect_integral("generic", 2, 1e-28); }
 TEST_P(published_form, is_the_limit_from_inside_on_a_face) { expect_integral("on-face", 1, 1e-28); }
-TEST_P(published_form, is_the_limit_from_inside_on_an_edge) { expect_integral_on_border("on-edge"); }
-TEST_P(published_form, is_the_limit_from_inside_at_a_vertex) { expect_integral_on_border("on-vertex"); }
+TEST_P(published_form_on_border, is_the_limit_from_inside_on_an_edge) { expect_integral("on-edge", 1, 1e-28); }
+TEST_P(published_form_on_border, is_the_limit_from_inside_at_a_vertex) { expect_integral("on-vertex", 1, 1e-28); }
 TEST_P(published_form, holds_in_the_plane) { expect_integral("on-plane", 1, 1e-28); }
 
 INSTANTIATE_TEST_SUITE_P(formulas, published_form, testing::ValuesIn(kPublished), [](const auto& name) {
+  return name.param.substr(name.param.find('.') + 1);
+});
+
+INSTANTIATE_TEST_SUITE_P(formulas, published_form_on_border, testing::ValuesIn(printed_on_border()), [](const auto& name) {
   return name.param.substr(name.param.find('.') + 1);
 });
 
