@@ -118,6 +118,17 @@ const std::array kCatalogue{
             .laplacian = kUnknown,
             .face_jump = {.diverges = true},
             .parameters = {}},
+    Formula{.name = "quad.mean_value",
+            .symbol = "w_q^k",
+            .source = "[T18] Eq 11, 15-17; line form",
+            .definition = "int_q Phi_k x.n/r^4, Phi_k bilinear: int Phi_k(u,v) N(u,v).x/r^4 du dv, N = xi_u x xi_v",
+            .element = ElementKind::Quad,
+            .shape = {.per_corner = true},
+            .degree = -1,
+            .flip_sign = -1,
+            .laplacian = kUnknown,
+            .face_jump = {.diverges = true},
+            .parameters = {}},
 };
 
 }  // namespace

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The bilinear quad as a surface: whether it is valid, planar, and whether a point lies on it, decided exactly.
+#pragma once
+
+#include "cageproof/core/element.h"
+
+#include <optional>
+#include <string>
+
+namespace cageproof {
+
+/// The first reason why a quad is not valid, or nothing for one that is: its projections onto the four planes through three successive corners are
+/// convex ([T18] Definition 1). Reasons, in this order: two corners coincide, three corners lie on a line, it crosses itself
+/// (bow-tie), it folds over. Exact for any finite doubles.
+std::optional<std::string> invalid_because(const Quad<double>& q);
+
+/// Whether the four corners lie in one plane, exactly.
+bool is_planar(const Quad<double>& q);
+
+/// Where on a bilinear quad: parameters in [0, 1], and the bilinear basis functions of corners 0..3 ([T18] Eq 3).
+struct BilinearPoint {
+  double u = 0, v = 0;
+  std::array<double, 4> basis{};
+};
+
+/// The parameters of a point that lies on the quad, border included, or nothing. Whether it does is decided exactly ([T18] Section 3.3 without its
+/// thresholds and its division by zero); the parameters are rounded. For a planar quad: Eq 19, for others: the kernel of Eq 17.
+std::optional<BilinearPoint> on_quad(const Quad<double>& q, const Vec3<double>& point);
+
+}  // namespace cageproof
