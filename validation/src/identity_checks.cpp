@@ -61,34 +61,29 @@ class SubdivisionCheck final : public Check {
   std::string_view description() const override { return "the sum over the four parts at the edges' midpoints"; }
   bool applies(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar,
                std::string_view regime) const override {
-    return formula.element == ElementKind::Triangle && scalar == ScalarKind::Double && regime == "generic" &&
+    return formula.element != ElementKind::Segment && scalar == ScalarKind::Double && regime == "generic" &&
            truth_is_promised(formula, evaluation, scalar, regime);
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
-    // A part's corners in hat functions of the whole.
-    using Hats = std::array<double, 3>;
-    static constexpr std::array<Hats, 6> nodes{
-        Hats{1, 0, 0}, Hats{0, 1, 0}, Hats{0, 0, 1}, Hats{.5, .5, 0}, Hats{0, .5, .5}, Hats{.5, 0, .5}};
-    static constexpr std::array<std::array<int, 3>, 4> parts{
-        std::array{0, 3, 5}, std::array{3, 1, 4}, std::array{5, 4, 2}, std::array{3, 4, 5}};
     const Result<double> whole = evaluate<double>(in.evaluation, in.sample, in.order);
     Result<double> sum;
     sum.reset(in.formula.components(), in.formula.dim(), in.order);
     const Evaluation reference = *EvaluationRegister::instance().find(in.formula.name, "closed_form");
     std::array<Mp100, 3> yardstick = in.truth.conditioned;
     std::array<bool, 3> exists = in.truth.exists;
-    for (const auto& part : parts) {
+    for (const Part& part : parts_of(in.formula.element)) {
       Sample sub = in.sample;
-      for (int j = 0; j < 3; ++j) {
-        const Hats& h = nodes[part[j]];
-        sub.corners[j] = h[0] * in.sample.corners[0] + h[1] * in.sample.corners[1] + h[2] * in.sample.corners[2];
+      for (int j = 0; j < in.formula.corners(); ++j) {
+        sub.corners[j].setZero();
+        for (int k = 0; k < in.formula.corners(); ++k)
+          if (part[j][k] != 0) sub.corners[j] += part[j][k] * in.sample.corners[k];
       }
       const Truth truth = truth_from(reference, sub, in.order);
       const Result<double> f = evaluate<double>(in.evaluation, sub, in.order);
       for (int o = 0; o <= in.order; ++o) {
         yardstick[o] += truth.conditioned[o];
         exists[o] = exists[o] && truth.exists[o];
-        add_part(in.formula, part, nodes, f.of(o), sum.of(o));
+        add_part(in.formula, part, f.of(o), sum.of(o));
       }
     }
     std::array<Finding, 3> findings;
@@ -101,17 +96,25 @@ class SubdivisionCheck final : public Check {
   }
 
  private:
-  static void add_part(const Formula& formula, const std::array<int, 3>& part,
-                       const std::array<std::array<double, 3>, 6>& nodes, const std::vector<double>& f,
-                       std::vector<double>& sum) {
+  // A part's corners in basis functions of the whole's; unused entries are zero.
+  using Part = std::array<std::array<double, 4>, 4>;
+
+  static const std::array<Part, 4>& parts_of(ElementKind element) {
+    static constexpr std::array<double, 4> a{1, 0, 0, 0}, b{0, 1, 0, 0}, c{0, 0, 1, 0}, d{0, 0, 0, 1}, ab{.5, .5, 0, 0}, bc{0, .5, .5, 0},
+        ca{.5, 0, .5, 0}, cd{0, 0, .5, .5}, da{.5, 0, 0, .5}, middle{.25, .25, .25, .25};
+    static constexpr std::array<Part, 4> triangle{Part{a, ab, ca}, Part{ab, b, bc}, Part{ca, bc, c}, Part{ab, bc, ca}};
+    static constexpr std::array<Part, 4> quad{Part{a, ab, middle, da}, Part{ab, b, bc, middle}, Part{middle, bc, c, cd}, Part{da, middle, cd, d}};
+    return element == ElementKind::Quad ? quad : triangle;
+  }
+  static void add_part(const Formula& formula, const Part& part, const std::vector<double>& f, std::vector<double>& sum) {
     if (!formula.shape.per_corner) {
       for (std::size_t i = 0; i < f.size(); ++i) sum[i] += f[i];
       return;
     }
-    const std::size_t block = f.size() / 3;
-    for (int k = 0; k < 3; ++k)
-      for (int j = 0; j < 3; ++j)
-        for (std::size_t i = 0; i < block; ++i) sum[k * block + i] += nodes[part[j]][k] * f[j * block + i];
+    const std::size_t corners = formula.corners(), block = f.size() / corners;
+    for (std::size_t k = 0; k < corners; ++k)
+      for (std::size_t j = 0; j < corners; ++j)
+        for (std::size_t i = 0; i < block; ++i) sum[k * block + i] += part[j][k] * f[j * block + i];
   }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/regime.h"
 
+#include "quad_regime.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -236,22 +238,22 @@ std::vector<double> decades(int from, int to, int step = 1) {
 const std::vector<Regime>& regimes() {
   static const std::string_view distance = "distance / size";
   static const std::vector<Regime> all{
-      {"generic", "", {}, "well-shaped triangle, point within one size of its centroid", generic},
-      {"near-face", distance, decades(-1, -16, -1), "projection inside the triangle", near_face},
-      {"near-plane", distance, decades(-1, -16, -1), "projection 0.1 to 1 sizes outside the triangle", near_plane},
-      {"near-edge", distance, decades(-1, -16, -1), "next to an edge, in its span", near_edge},
-      {"near-line", distance, decades(-1, -16, -1), "next to an edge's line, 0.1 to 1 lengths beyond its ends", near_line},
-      {"near-vertex", distance, decades(-1, -16, -1), "next to a corner, any direction", near_vertex},
-      {"on-face", "", {}, "exactly inside the triangle, and one ulp off", on_face},
-      {"on-edge", "", {}, "exactly on an edge, and one ulp off", on_edge},
-      {"on-vertex", "", {}, "exactly at a corner, and one ulp off", on_vertex},
-      {"on-plane", "", {}, "exactly in the plane outside the triangle, and one ulp off", on_plane},
-      {"on-line", "", {}, "exactly on an edge's line beyond its ends, and one ulp off", on_line},
-      {"far", distance, decades(1, 8), "many sizes away", far},
-      {"sliver", "height / size", decades(-1, -10, -1), "cap: one corner close to the opposite edge", sliver},
-      {"needle", "width / size", decades(-1, -10, -1), "one short edge", needle},
-      {"scaled", "unit", decades(-100, 100, 20), "generic, in another unit of length", scaled},
-      {"offset", "offset / size", decades(1, 8), "generic, far from the origin", offset},
+      {"generic", "", {}, "well-shaped element, point within one size of its centroid", generic, quad::generic},
+      {"near-face", distance, decades(-1, -16, -1), "projection inside the element", near_face, quad::near_face},
+      {"near-plane", distance, decades(-1, -16, -1), "projection 0.1 to 1 sizes outside the element", near_plane, quad::near_plane},
+      {"near-edge", distance, decades(-1, -16, -1), "next to an edge, in its span", near_edge, quad::near_edge},
+      {"near-line", distance, decades(-1, -16, -1), "next to an edge's line, 0.1 to 1 lengths beyond its ends", near_line, quad::near_line},
+      {"near-vertex", distance, decades(-1, -16, -1), "next to a corner, any direction", near_vertex, quad::near_vertex},
+      {"on-face", "", {}, "exactly inside the element, and one ulp off", on_face, quad::on_face},
+      {"on-edge", "", {}, "exactly on an edge, and one ulp off", on_edge, quad::on_edge},
+      {"on-vertex", "", {}, "exactly at a corner, and one ulp off", on_vertex, quad::on_vertex},
+      {"on-plane", "", {}, "exactly in the plane (on the bilinear surface) outside the element, and one ulp off", on_plane, quad::on_plane},
+      {"on-line", "", {}, "exactly on an edge's line beyond its ends, and one ulp off", on_line, quad::on_line},
+      {"far", distance, decades(1, 8), "many sizes away", far, quad::far},
+      {"sliver", "height / size", decades(-1, -10, -1), "cap: one corner close to the opposite edge", sliver, quad::sliver},
+      {"needle", "width / size", decades(-1, -10, -1), "one short edge", needle, quad::needle},
+      {"scaled", "unit", decades(-100, 100, 20), "generic, in another unit of length", scaled, quad::scaled},
+      {"offset", "offset / size", decades(1, 8), "generic, far from the origin", offset, quad::offset},
   };
   return all;
 }
@@ -279,7 +281,8 @@ Sample make_sample(const Formula& formula, const Regime& regime, std::uint64_t s
   Sample sample;
   sample.index = index;
   sample.parameter = regime.parameters.empty() ? 0 : regime.parameters[index % regime.parameters.size()];
-  regime.make(formula.element, sample.parameter, random, sample);
+  if (formula.element == ElementKind::Quad) regime.make_quad(sample.parameter, random, sample);
+  else regime.make(formula.element, sample.parameter, random, sample);
   for (const Parameter& p : formula.parameters) sample.parameters.push_back(make_parameter(p, random));
   return sample;
 }

@@ -81,6 +81,13 @@ class Evaluation {
   /// Whether it states how many digits it stands behind (Result::stated_digits).
   bool states_error() const { return states_error_; }
   void set_states_error() { states_error_ = true; }
+  /// Another evaluation of the formula that stands in for this one in multiprecision because it stops at fewer digits: `truths` at 34 or more,
+  /// `yardsticks` at 12 or more. Empty: this one is quick enough itself.
+  struct Substitutes {
+    std::string truths, yardsticks;
+  };
+  const Substitutes& substitutes() const { return substitutes_; }
+  void set_substitutes(Substitutes names) { substitutes_ = std::move(names); }
 
   template <Scalar R>
   void set(Function<R> f) { std::get<Function<R>>(functions_) = std::move(f); }
@@ -97,6 +104,7 @@ class Evaluation {
   std::string formula_, name_, description_;
   int max_order_ = 2;
   bool states_error_ = false;
+  Substitutes substitutes_;
   std::tuple<Function<float>, Function<double>, Function<Mp50>, Function<Mp100>, Function<Mp200>> functions_;
 };
 

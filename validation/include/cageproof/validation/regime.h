@@ -15,6 +15,8 @@ struct Regime {
   std::string_view description;
   /// Fills corners and point of an element of size one (longest edge), before any change of unit.
   void (*make)(ElementKind element, double parameter, RandomStream& random, Sample& sample);
+  /// The same for a quad, planar, twisted or strongly twisted by turns, valid always.
+  void (*make_quad)(double parameter, RandomStream& random, Sample& sample);
 };
 
 /// All regimes, in report order.

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// The line form: mean value weights of a bilinear quad with gradient and Hessian, by quadrature in one dimension.
+//
+// For fixed v the point xi(., v) runs along a straight line, where the integral is elementary (line_moments.h); across the lines Gauss-Legendre
+// panels do the rest (outer_rule.h).
+#pragma once
+
+#include "cageproof/adaptive_qmvc/line_moments.h"
+#include "cageproof/adaptive_qmvc/singular_pairs.h"
+#include "cageproof/core/evaluation.h"
+#include "cageproof/core/quad_geometry.h"
+
+#include <algorithm>
+
+namespace cageproof::adaptive_qmvc {
+
+/// The weights' sums over lines: for each corner value, gradient, Hessian (xx, xy, xz, yy, yz, zz).
+template <class R, int Order>
+struct WeightSums {
+  static constexpr int entries = Order == 0 ? 1 : Order == 1 ? 4 : 10;
+  std::array<std::array<R, entries>, 4> corner{};
+};
+
+/// Adds one line, all of whose entries are multiplied with `weight`. \param v the line, \param s its step from the centre of `area`
+template <int Order, class R>
+void add_line(const LocalQuad<R>& q, const LineArea<R>& area, const R& v, const R& s, const R& weight, double digits,
+              WeightSums<R, Order>& sums) {
+  using std::sqrt;
+  const Vec3<R> a = q.start(v), e = q.direction(v);
+  const Vec3<R> end = a + e;
+  const double length = std::sqrt(static_cast<double>(e.dot(e)));
+  const double ends = std::sqrt(static_cast<double>(a.dot(a))) + std::sqrt(static_cast<double>(end.dot(end)));
+  LineMoments<R> m;
+  if (ends < kFarAlongLine * length) {
+    m = moments_about_foot<Order>(a, e, area.square(s), digits);
+  } else {
+    const int nodes = length > 0 ? nodes_along_line(ends / length, digits) : 2;
+    m = moments_by_gauss<Order>(a, e, gauss_legendre<R>(nodes));
+  }
+  const R g1 = q.g10 + v * q.g11;
+  const R g0 = q.g00 + v * q.g01 + m.origin * g1;
+  // f0 and f1: the integrals of the kernel and of s times the kernel.
+  std::array<std::array<R, WeightSums<R, Order>::entries>, 2> f;
+  for (int c = 0; c < 2; ++c) f[c][0] = g0 * m.p2[c] + g1 * m.p2[c + 1];
+  if constexpr (Order >= 1) {
+    const Vec3<R> x = a + m.origin * e;
+    const Vec3<R> n1 = e.cross(q.w);
+    const Vec3<R> n0 = e.cross(q.b) + m.origin * n1;
+    for (int c = 0; c < 2; ++c) {
+      const R h0 = g0 * m.p3[c] + g1 * m.p3[c + 1], h1 = g0 * m.p3[c + 1] + g1 * m.p3[c + 2];
+      for (int i = 0; i < 3; ++i) f[c][1 + i] = 4 * (x[i] * h0 + e[i] * h1) - (n0[i] * m.p2[c] + n1[i] * m.p2[c + 1]);
+      if constexpr (Order >= 2) {
+        const R k0 = 24 * (g0 * m.p4[c] + g1 * m.p4[c + 1]), k1 = 24 * (g0 * m.p4[c + 1] + g1 * m.p4[c + 2]),
+                k2 = 24 * (g0 * m.p4[c + 2] + g1 * m.p4[c + 3]);
+        // The symmetric products of x and of e with what follows.
+        const Vec3<R> by_x = (k0 / 2) * x + k1 * e - 4 * (m.p3[c] * n0 + m.p3[c + 1] * n1);
+        const Vec3<R> by_e = (k2 / 2) * e - 4 * (m.p3[c + 1] * n0 + m.p3[c + 2] * n1);
+        for (int i = 0, entry = 4; i < 3; ++i)
+          for (int j = i; j < 3; ++j, ++entry) {
+            f[c][entry] = x[i] * by_x[j] + x[j] * by_x[i] + e[i] * by_e[j] + e[j] * by_e[i];
+            if (i == j) f[c][entry] -= 4 * h0;
+          }
+      }
+    }
+  }
+  const R right = weight * v, left = weight - right;
+  const R rest = 1 - m.origin;
+  for (int k = 0; k < WeightSums<R, Order>::entries; ++k) {
+    const R far = m.origin * f[0][k] + f[1][k], near = rest * f[0][k] - f[1][k];
+    sums.corner[0][k] += left * near;
+    sums.corner[1][k] += left * far;
+    sums.corner[2][k] += right * far;
+    sums.corner[3][k] += right * near;
+  }
+}
+
+/// Adds all lines, for singularities as singular_pairs gives them. Returns how many.
+template <int Order, class R>
+std::size_t add_lines(const LocalQuad<R>& q, const std::vector<SingularPair<R>>& singular, double digits, WeightSums<R, Order>& sums) {
+  // The weights grow like 1/distance; in the line's variable their integrand has half an order more, and each derivative adds one.
+  const OuterRule<R> rule = outer_rule(singular, Order + 1.5, digits, static_cast<int>(3 * digits));
+  const R centre = rule.plain ? R(0) : rule.centre;
+  const LineArea<R> area(q, centre);
+  std::size_t lines = 0;
+  for (std::size_t p = 0; p < rule.panels.size(); ++p) {
+    const auto& panel = rule.panels[p];
+    const R lo = p == 0 ? rule.first : R(panel.lo), hi = p + 1 == rule.panels.size() ? rule.last : R(panel.hi);
+    const GaussLegendre<R>& gauss = gauss_legendre<R>(panel.nodes);
+    for (int i = 0; i < panel.nodes; ++i) {
+      const R at = lo + (hi - lo) * gauss.nodes[i];
+      R weight = (hi - lo) * gauss.weights[i];
+      if (rule.plain) {
+        add_line(q, area, at, at, weight, digits, sums);
+        continue;
+      }
+      using std::sinh, std::cosh;
+      const R s = rule.width * sinh(at);
+      weight *= rule.width * cosh(at);
+      add_line(q, area, R(rule.centre + s), s, weight, digits, sums);
+    }
+    lines += panel.nodes;
+  }
+  return lines;
+}
+
+/// Whether the point lies on the quad, exactly, for inputs that are doubles; others are taken to be off it.
+template <Scalar R>
+bool lies_on_quad(const LocalQuad<R>& q, const std::vector<SingularPair<R>>& singular, const Query<R>& query) {
+  const auto close = [&](const SingularPair<R>& pair) { return pair.width < 1e-12 && pair.centre > R(-1e-6) && pair.centre < R(1 + 1e-6); };
+  if (std::ranges::none_of(singular, close) && q.a.dot(q.a) > R(1e-24)) return false;
+  Quad<double> corners;
+  Vec3<double> point;
+  for (int i = 0; i < 3; ++i) {
+    point[i] = static_cast<double>(query.point[i]);
+    if (R(point[i]) != query.point[i]) return false;
+    for (int k = 0; k < 4; ++k) {
+      corners[k][i] = static_cast<double>(query.corners[k][i]);
+      if (R(corners[k][i]) != query.corners[k][i]) return false;
+    }
+  }
+  return on_quad(corners, point).has_value();
+}
+
+/// Weights ([T18] Eq 11) with derivatives up to Order, to `digits` digits of the integral. On the quad they diverge: values are infinite, derivatives NaN. NaN for
+/// an input that is not finite.
+template <int Order, Scalar R>
+void line_form(const Query<R>& query, double digits, Result<R>& result) {
+  using std::ldexp;
+  result.reset(4, 3, query.order);
+  const auto q = local_quad<R>(query.corners, query.point);
+  if (!q) {
+    for (int o = 0; o <= Order; ++o) std::ranges::fill(result.of(o), std::numeric_limits<R>::quiet_NaN());
+    return;
+  }
+  const std::vector<SingularPair<R>> singular = singular_pairs(*q);
+  if (lies_on_quad(*q, singular, query)) {
+    std::ranges::fill(result.value, std::numeric_limits<R>::infinity());
+    for (int o = 1; o <= Order; ++o) std::ranges::fill(result.of(o), std::numeric_limits<R>::quiet_NaN());
+    return;
+  }
+  WeightSums<R, Order> sums;
+  result.nodes = add_lines<Order>(*q, singular, digits, sums);
+  for (int k = 0; k < 4; ++k) {
+    const auto& from = sums.corner[k];
+    const int to = q->corner[k];
+    result.value[to] = ldexp(q->sign * from[0], -q->exponent);
+    if constexpr (Order >= 1)
+      for (int i = 0; i < 3; ++i) result.gradient[3 * to + i] = ldexp(q->sign * from[1 + i], -2 * q->exponent);
+    if constexpr (Order >= 2)
+      for (int i = 0, entry = 4; i < 3; ++i)
+        for (int j = i; j < 3; ++j, ++entry)
+          result.hessian[9 * to + 3 * i + j] = result.hessian[9 * to + 3 * j + i] = ldexp(q->sign * from[entry], -3 * q->exponent);
+  }
+}
+
+}  // namespace cageproof::adaptive_qmvc

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// The rule across the lines of a bilinear quad: a substitution that takes the nearest singularity away, and as many Gauss points as a bound asks for.
+#pragma once
+
+#include "cageproof/core/linear.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace cageproof::adaptive_qmvc {
+
+/// A pair v = centre +- i width of conjugate singularities of the integrand across the lines.
+template <class R>
+struct SingularPair {
+  R centre;
+  double width;
+};
+
+/// Gauss-Legendre panels in s, v = centre + width sinh s; or, where `plain`, in v itself.
+template <class R>
+struct OuterRule {
+  struct Panel {
+    double lo, hi;
+    int nodes;
+  };
+  bool plain = true;
+  R centre = R(0), width = R(1);
+  R first = R(0), last = R(1);  ///< s (or v) at both ends of [0, 1]; the outermost panels end there exactly
+  std::vector<Panel> panels;
+};
+
+/// Sum of the half axes of the ellipse with foci lo, hi through z, over half the distance of the foci.
+inline double ellipse_through(double lo, double hi, std::complex<double> z) {
+  const double half = (hi - lo) / 2;
+  const double axis = (std::abs(z - lo) + std::abs(z - hi)) / (2 * half);
+  return axis + std::sqrt(std::max(0.0, axis * axis - 1));
+}
+
+/// The Gauss-Legendre nodes for `digits` digits, relative to the largest |f|, on a panel of half length `half` whose integrand is analytic inside the ellipse
+/// `rho`, grows at most like exp(growth |Re s|) and like distance^-order to its singularities: the least over smaller ellipses of the n with
+/// max|f| rho^(-2n) <= 10^-digits.
+inline int nodes_across(double rho, double half, double growth, double order, double digits) {
+  double least = 1e6;
+  for (const double part : {0.95, 0.85, 0.7, 0.5}) {
+    const double log_rho = part * std::log(std::min(rho, 1e6));
+    const double blow_up = 1 - order * std::log10(1 - part);
+    least = std::min(least, ((digits + blow_up) * std::numbers::ln10 + growth * half * (std::cosh(log_rho) - 1)) / (2 * log_rho));
+  }
+  return std::max(2, static_cast<int>(std::ceil(least)));
+}
+
+/// The rule for `digits` digits of an integrand with singularities of that order; panels have at most about `most` nodes.
+template <class R>
+OuterRule<R> outer_rule(const std::vector<SingularPair<R>>& singular, double order, double digits, int most) {
+  OuterRule<R> rule;
+  double nearest = std::numeric_limits<double>::infinity();
+  const SingularPair<R>* dominant = nullptr;
+  for (const auto& pair : singular) {
+    const double rho = ellipse_through(0, 1, {static_cast<double>(pair.centre), pair.width});
+    if (!(rho < nearest)) continue;
+    nearest = rho;
+    dominant = &pair;
+  }
+  // Here the plain rule gains a digit a node.
+  constexpr double kFarAcross = 3.2;
+  if (!dominant || nearest >= kFarAcross) {
+    rule.panels.push_back({0, 1, nodes_across(nearest, 0.5, 0, order, digits)});
+    return rule;
+  }
+  using std::asinh;
+  rule.plain = false;
+  rule.centre = dominant->centre;
+  // Beside the interval, a map as sharp as the singularity would only stretch rounding errors.
+  const double outside = std::max({0.0, -static_cast<double>(dominant->centre), static_cast<double>(dominant->centre) - 1});
+  const double width = std::hypot(std::max(dominant->width, 1e-300), outside);
+  rule.width = R(width);
+  rule.first = asinh(R(-rule.centre / rule.width));
+  rule.last = asinh(R((1 - rule.centre) / rule.width));
+  std::array<std::complex<double>, 16> images;
+  std::size_t count = 0;
+  for (const auto& pair : singular) {
+    const std::complex<double> z{static_cast<double>(R((pair.centre - rule.centre) / rule.width)), pair.width / width};
+    const std::complex<double> image = std::asinh(z);
+    if (count + 2 > images.size()) break;
+    images[count++] = image;
+    images[count++] = std::complex<double>(0, std::numbers::pi) - image;
+  }
+  const auto add = [&](const auto& self, double lo, double hi) -> void {
+    double rho = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < count; ++i) rho = std::min(rho, ellipse_through(lo, hi, images[i]));
+    const int nodes = nodes_across(rho, (hi - lo) / 2, 2, order, digits);
+    if (nodes <= most || hi - lo < 1e-3) {
+      rule.panels.push_back({lo, hi, nodes});
+      return;
+    }
+    const double middle = (lo + hi) / 2;
+    self(self, lo, middle);
+    self(self, middle, hi);
+  };
+  const double lo = static_cast<double>(rule.first), hi = static_cast<double>(rule.last);
+  // Cut at the singularity first: panels are longer the further they are from it.
+  if (lo < 0 && hi > 0 && nodes_across(ellipse_through(lo, hi, {0, std::numbers::pi / 2}), (hi - lo) / 2, 2, order, digits) > most) {
+    const double half = std::min({1.0, -lo, hi});
+    if (-lo > half) add(add, lo, -half);
+    add(add, -half, half);
+    if (hi > half) add(add, half, hi);
+  } else {
+    add(add, lo, hi);
+  }
+  return rule;
+}
+
+}  // namespace cageproof::adaptive_qmvc

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "line_form.h"
+
+CAGEPROOF_LINE_WEIGHTS(cageproof::Mp100)

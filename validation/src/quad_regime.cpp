@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "quad_regime.h"
+
+#include "cageproof/core/quad_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace cageproof::validation::quad {
+namespace {
+
+using Vec = Vec3<double>;
+
+Vec random_in_box(RandomStream& random, double half) {
+  const double x = random.uniform(-half, half), y = random.uniform(-half, half);
+  return {x, y, random.uniform(-half, half)};
+}
+
+Vec random_direction(RandomStream& random) {
+  for (;;) {
+    const Vec v = random_in_box(random, 1);
+    const double length = v.norm();
+    if (length > 0.1 && length < 1) return v / length;
+  }
+}
+
+Vec random_in_ball(RandomStream& random) {
+  const double radius = std::cbrt(random.uniform());
+  return radius * random_direction(random);
+}
+
+double random_sign(RandomStream& random) { return random.uniform() < 0.5 ? -1 : 1; }
+
+bool valid(const std::vector<Vec>& q) { return !invalid_because({q[0], q[1], q[2], q[3]}); }
+
+// Alternate corners are lifted by this part of the size: flat, twisted, strongly twisted.
+double random_twist(RandomStream& random, std::uint64_t index) {
+  if (index % 3 == 0) return 0;
+  return index % 3 == 1 ? random.uniform(0.03, 0.3) : random.uniform(0.3, 0.8);
+}
+
+// A unit square with its corners moved in its plane and lifted by turns, in axes of its own.
+std::vector<Vec> in_own_axes(RandomStream& random, std::uint64_t index) {
+  const double twist = random_twist(random, index);
+  static constexpr double x[4]{-0.5, 0.5, 0.5, -0.5}, y[4]{-0.5, -0.5, 0.5, 0.5};
+  std::vector<Vec> q(4);
+  for (int k = 0; k < 4; ++k) {
+    const double dx = random.uniform(-0.2, 0.2), dy = random.uniform(-0.2, 0.2);
+    const double lift = twist == 0 ? 0 : twist * (k % 2 == 0 ? 0.5 : -0.5) * random.uniform(0.7, 1);
+    q[k] = Vec(x[k] + dx, y[k] + dy, lift);
+  }
+  return q;
+}
+
+double longest_side(const std::vector<Vec>& q) {
+  double longest = 0;
+  for (int k = 0; k < 4; ++k) longest = std::max(longest, (q[(k + 1) % 4] - q[k]).norm());
+  return longest;
+}
+
+// A valid quad of size one, anywhere within a size of the origin.
+std::vector<Vec> well_shaped(RandomStream& random, std::uint64_t index) {
+  std::vector<Vec> q;
+  do {
+    q = in_own_axes(random, index);
+    const double longest = longest_side(q);
+    const Vec n = random_direction(random);
+    const Vec a = n.cross(random_direction(random)).normalized(), b = n.cross(a), by = random_in_box(random, 0.5);
+    for (Vec& v : q) v = Vec((v[0] * a + v[1] * b + v[2] * n) / longest) + by;
+  } while (index % 3 != 0 && !valid(q));  // rounding may twist a flat one, which stays convex
+  return q;
+}
+
+Vec at(const std::vector<Vec>& q, double u, double v) {
+  return (1 - v) * ((1 - u) * q[0] + u * q[1]) + v * (u * q[2] + (1 - u) * q[3]);
+}
+
+Vec normal_at(const std::vector<Vec>& q, double u, double v) {
+  const Vec along = (1 - v) * (q[1] - q[0]) + v * (q[2] - q[3]), across = (1 - u) * (q[3] - q[0]) + u * (q[2] - q[1]);
+  return along.cross(across).normalized();
+}
+
+Vec centroid(const std::vector<Vec>& q) { return (q[0] + q[1] + q[2] + q[3]) / 4; }
+
+// Half of the samples put the nearest point of the element at the origin: the only way to be 1e-16 sizes away exactly.
+void place_near(Sample& sample, const Vec& foot, const Vec& away, RandomStream& random) {
+  if (random.uniform() < 0.5) {
+    for (Vec& v : sample.corners) v -= foot;
+    sample.point = away;
+  } else {
+    sample.point = foot + away;
+  }
+}
+
+Vec across_edge(const std::vector<Vec>& q, int edge, RandomStream& random) {
+  const Vec u = (q[(edge + 1) % 4] - q[edge]).normalized();
+  const Vec n = u.cross(random_direction(random)).normalized();
+  const double angle = random.uniform(0, 2 * std::numbers::pi);
+  return std::cos(angle) * n + std::sin(angle) * u.cross(n);
+}
+
+// Coordinates in 64ths, so that points with parameters in eighths are exact, in float too; flat ones are parallelograms or trapezoids.
+std::vector<Vec> dyadic(RandomStream& random, std::uint64_t index) {
+  const auto rounded = [](Vec v) {
+    for (int c = 0; c < 3; ++c) v[c] = std::round(64 * v[c]) / 64;
+    return v;
+  };
+  std::vector<Vec> q;
+  do {
+    q = well_shaped(random, index);
+    for (Vec& v : q) v = rounded(v);
+    if (index % 3 == 0) q[2] = q[3] + (random.uniform() < 0.5 ? 1.0 : 0.5) * (q[1] - q[0]);
+  } while (!valid(q));
+  return q;
+}
+
+// The point with these parameters; every other sample is moved by one ulp in one coordinate.
+void place_on(Sample& sample, double u, double v, RandomStream& random) {
+  sample.point = at(sample.corners, u, v);
+  if (sample.index / 3 % 2 == 0) return;
+  double& x = sample.point[random.below(3)];
+  // Zero's own neighbour is 1e-324, which no size explains: there the ulp is that of a corner's step.
+  const double ulp = std::nextafter(std::max(std::abs(x), 1.0 / 64), 2.0) - std::max(std::abs(x), 1.0 / 64);
+  x += random_sign(random) * ulp;
+}
+
+void permute_corners(Sample& sample, RandomStream& random) {
+  std::ranges::rotate(sample.corners, sample.corners.begin() + random.below(4));
+}
+
+// In eighths, within (0, 1).
+double inner_eighth(RandomStream& random) { return (1 + random.below(7)) / 8.0; }
+
+}  // namespace
+
+void generic(double, RandomStream& random, Sample& sample) {
+  sample.corners = well_shaped(random, sample.index);
+  sample.point = centroid(sample.corners) + random_in_ball(random);
+}
+
+void near_face(double distance, RandomStream& random, Sample& sample) {
+  sample.corners = well_shaped(random, sample.index);
+  const double u = random.uniform(0.05, 0.95), v = random.uniform(0.05, 0.95);
+  const Vec foot = at(sample.corners, u, v);
+  const Vec away = random_sign(random) * distance * normal_at(sample.corners, u, v);
+  place_near(sample, foot, away, random);
+}
+
+void near_plane(double distance, RandomStream& random, Sample& sample) {
+  sample.corners = well_shaped(random, sample.index);
+  permute_corners(sample, random);
+  const double u = random.uniform(), v = -random.uniform(0.1, 1);
+  const Vec foot = at(sample.corners, u, v);
+  const Vec away = random_sign(random) * distance * normal_at(sample.corners, u, v);
+  place_near(sample, foot, away, random);
+}
+
+void near_edge(double distance, RandomStream& random, Sample& sample) {
+  sample.corners = well_shaped(random, sample.index);
+  const auto& q = sample.corners;
+  const int e = random.below(4);
+  const Vec foot = q[e] + random.uniform(0.05, 0.95) * (q[(e + 1) % 4] - q[e]);
+  const Vec away = distance * across_edge(q, e, random);
+  place_near(sample, foot, away, random);
+}
+
+void near_line(double distance, RandomStream& random, Sample& sample) {
+  sample.corners = well_shaped(random, sample.index);
+  const auto& q = sample.corners;
+  const int e = random.below(4);
+  const double beyond = random.uniform(0.1, 1);
+  const Vec foot = q[e] + (random.uniform() < 0.5 ? -beyond : 1 + beyond) * (q[(e + 1) % 4] - q[e]);
+  const Vec away = distance * across_edge(q, e, random);
+  place_near(sample, foot, away, random);
+}
+
+void near_vertex(double distance, RandomStream& random, Sample& sample) {
+  sample.corners = well_shaped(random, sample.index);
+  const Vec foot = sample.corners[random.below(4)];
+  const Vec away = distance * random_direction(random);
+  place_near(sample, foot, away, random);
+}
+
+void on_face(double, RandomStream& random, Sample& sample) {
+  sample.corners = dyadic(random, sample.index);
+  const double u = inner_eighth(random);
+  place_on(sample, u, inner_eighth(random), random);
+}
+
+void on_edge(double, RandomStream& random, Sample& sample) {
+  sample.corners = dyadic(random, sample.index);
+  permute_corners(sample, random);
+  place_on(sample, inner_eighth(random), 0, random);
+}
+
+void on_vertex(double, RandomStream& random, Sample& sample) {
+  sample.corners = dyadic(random, sample.index);
+  permute_corners(sample, random);
+  place_on(sample, 0, 0, random);
+}
+
+void on_plane(double, RandomStream& random, Sample& sample) {
+  sample.corners = dyadic(random, sample.index);
+  permute_corners(sample, random);
+  const double u = inner_eighth(random);
+  place_on(sample, u, -inner_eighth(random), random);
+}
+
+void on_line(double, RandomStream& random, Sample& sample) {
+  sample.corners = dyadic(random, sample.index);
+  permute_corners(sample, random);
+  place_on(sample, 1 + inner_eighth(random), 0, random);
+}
+
+void far(double distance, RandomStream& random, Sample& sample) {
+  sample.corners = well_shaped(random, sample.index);
+  sample.point = centroid(sample.corners) + distance * random_direction(random);
+}
+
+// Flat: thin quads fold over with the least twist.
+void sliver(double height, RandomStream& random, Sample& sample) {
+  sample.corners = well_shaped(random, 0);
+  auto& q = sample.corners;
+  q[3] = q[0] + height * (q[3] - q[0]);
+  q[2] = q[1] + height * (q[2] - q[1]);
+  sample.point = centroid(q) + random_in_ball(random);
+  permute_corners(sample, random);
+}
+
+void needle(double width, RandomStream& random, Sample& sample) {
+  sample.corners = well_shaped(random, sample.index);
+  auto& q = sample.corners;
+  q[2] = q[3] + width * (q[2] - q[3]);
+  sample.point = centroid(q) + random_in_ball(random);
+  permute_corners(sample, random);
+}
+
+void scaled(double unit, RandomStream& random, Sample& sample) {
+  generic(0, random, sample);
+  for (Vec& v : sample.corners) v *= unit;
+  sample.point *= unit;
+}
+
+void offset(double distance, RandomStream& random, Sample& sample) {
+  generic(0, random, sample);
+  const Vec by = distance * random_direction(random);
+  for (Vec& v : sample.corners) v += by;
+  sample.point += by;
+}
+
+}  // namespace cageproof::validation::quad
