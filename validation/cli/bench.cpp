@@ -89,6 +89,8 @@ void add_bench(CLI::App& app, Action& action, const std::string& command_line) {
   command->add_option("--order", a->options.order, "of a formula: 0 value, 1 gradient, 2 Hessian")->check(CLI::Range(0, 2))->excludes(kind);
   command->add_option("--samples", a->options.samples, "a distance or regime")->check(CLI::Range(1, 1000000))->capture_default_str();
   command->add_option("--seed", a->options.seed, "of all samples")->capture_default_str();
+  command->add_flag("--by-parameter", a->options.by_parameter, "a formula's errors at each distance (or what else the regime sweeps) by themselves")->excludes(kind);
+  command->add_flag("--relative", a->options.relative, "a formula's relative instead of conditioned errors")->excludes(kind);
   command->add_option("--seconds", a->options.seconds, "timed at least, an evaluation and place")->check(CLI::Range(0.0, 3600.0))->capture_default_str();
   command->add_option("--jobs", a->options.jobs, "threads for the errors; 0: all cores")->check(CLI::Range(0, 1024))->capture_default_str();
   command->add_flag("--csv", a->csv, "as CSV");

@@ -118,6 +118,28 @@ WorkPrecision empty_measurement(std::string_view subject, const WorkPrecisionOpt
   return result;
 }
 
+// Which samples of a regime are one place.
+struct RegimePlace {
+  const Regime* regime;
+  std::string name;
+  double distance;
+  std::uint64_t first, stride;
+};
+
+std::vector<RegimePlace> places_of(const std::vector<const Regime*>& regimes, const WorkPrecisionOptions& options) {
+  std::vector<RegimePlace> places;
+  for (const Regime* regime : regimes) {
+    const auto& swept = regime->parameters;
+    if (!options.by_parameter || swept.empty()) {
+      places.push_back({regime, std::string(regime->name), 0, 0, 1});
+      continue;
+    }
+    for (std::size_t k = 0; k < swept.size(); ++k)
+      places.push_back({regime, fmt::format("{} {:.0e}", regime->name, swept[k]), swept[k], k, swept.size()});
+  }
+  return places;
+}
+
 }  // namespace
 
 WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, const std::vector<PointGroup>& groups,
@@ -162,29 +184,33 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
   if (!reference) reference = EvaluationRegister::instance().find(formula.name, "multiprecision");
   WorkPrecision result = empty_measurement(formula.name, options);
   result.where = "one element";
-  result.error = "conditioned error";
-  result.unit = "u";
+  result.error = options.relative ? "relative error" : "conditioned error";
+  result.unit = options.relative ? "1" : "u";
   const Mp100 u(unit_roundoff<double>());
-  for (const Regime* regime : regimes) {
+  for (const RegimePlace& place : places_of(regimes, options)) {
     std::vector<Sample> samples(options.samples);
     std::vector<Truth> truths(samples.size());
     for_each_parallel(samples.size(), options.jobs, [&](std::size_t i) {
-      samples[i] = make_sample(formula, *regime, options.seed, i);
+      samples[i] = make_sample(formula, *place.regime, options.seed, place.first + i * place.stride);
       if (!options.parameters.empty()) samples[i].parameters = options.parameters;
       truths[i] = truth_from(*reference, samples[i], options.order);
     });
     const auto known = std::ranges::count_if(truths, [&](const Truth& t) { return t.exists[options.order]; });
     if (known < std::ssize(truths))
-      result.notes.push_back(fmt::format("{}: no truth at {} samples", regime->name, std::ssize(truths) - known));
+      result.notes.push_back(fmt::format("{}: no truth at {} samples", place.name, std::ssize(truths) - known));
     if (known == 0) continue;
     for (const auto& one : evaluations) {
       WorkPrecisionRow row;
       row.evaluation = one.front().name();
-      row.place = regime->name;
+      row.place = place.name;
+      row.distance = place.distance;
       std::vector<double> errors;
-      for (std::size_t i = 0; i < samples.size(); ++i)
-        if (truths[i].exists[options.order])
-          errors.push_back(conditioned_error(evaluate<double>(one.front(), samples[i], options.order), truths[i], options.order, u));
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (!truths[i].exists[options.order]) continue;
+        const Result<double> found = evaluate<double>(one.front(), samples[i], options.order);
+        errors.push_back(options.relative ? relative_error(found, truths[i], options.order)
+                                          : conditioned_error(found, truths[i], options.order, u));
+      }
       summarise(std::move(errors), row);
       const std::size_t timed = std::min(samples.size(), timed_pairs);
       time({one, {samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(timed)}}, options.order, options.seconds, row);
@@ -196,10 +222,14 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
 }
 
 std::vector<std::string> default_work_precision_evaluations(const std::vector<std::string_view>& formulas) {
+  static const std::vector<std::string> triangles{"three-quad-75", "three-quad-300", "three-quad-1200", "three-quad-7500", "closed_form", "published"};
+  static const std::vector<std::string> quads{"riemann-2",     "riemann-4",      "riemann-10", "riemann-40", "riemann-160",
+                                              "tessellated-5", "tessellated-40", "gauss-8",    "gauss-32",   "line-12", "closed_form"};
   std::vector<std::string> names;
-  for (const char* name : {"three-quad-75", "three-quad-300", "three-quad-1200", "three-quad-7500", "closed_form", "published"})
+  const bool any_quad = std::ranges::any_of(formulas, [](auto f) { return find_formula(f)->element == ElementKind::Quad; });
+  for (const std::string& name : any_quad ? quads : triangles)
     if (std::ranges::all_of(formulas, [&](auto f) { return EvaluationRegister::instance().find(f, name).has_value(); }))
-      names.emplace_back(name);
+      names.push_back(name);
   return names;
 }
 

@@ -28,14 +28,14 @@ void add_line(const LocalQuad<R>& q, const LineArea<R>& area, const R& v, const 
   using std::sqrt;
   const Vec3<R> a = q.start(v), e = q.direction(v);
   const Vec3<R> end = a + e;
-  const double length = std::sqrt(static_cast<double>(e.dot(e)));
-  const double ends = std::sqrt(static_cast<double>(a.dot(a))) + std::sqrt(static_cast<double>(end.dot(end)));
+  const double length2 = static_cast<double>(e.dot(e)), start2 = static_cast<double>(a.dot(a)), end2 = static_cast<double>(end.dot(end));
+  // Where the ends' distances sum up to `kFarAlongLine` lengths; their squares alone often tell.
+  const auto ends = [&] { return (std::sqrt(start2) + std::sqrt(end2)) / std::sqrt(length2); };
   LineMoments<R> m;
-  if (ends < kFarAlongLine * length) {
+  if (2 * (start2 + end2) < kFarAlongLine * kFarAlongLine * length2 || ends() < kFarAlongLine) {
     m = moments_about_foot<Order>(a, e, area.square(s), digits);
   } else {
-    const int nodes = length > 0 ? nodes_along_line(ends / length, digits) : 2;
-    m = moments_by_gauss<Order>(a, e, gauss_legendre<R>(nodes));
+    m = moments_by_gauss<Order>(a, e, gauss_rule<R>(length2 > 0 ? nodes_along_line(ends(), digits) : 2));
   }
   const R g1 = q.g10 + v * q.g11;
   const R g0 = q.g00 + v * q.g01 + m.origin * g1;
@@ -74,18 +74,16 @@ void add_line(const LocalQuad<R>& q, const LineArea<R>& area, const R& v, const 
   }
 }
 
-/// Adds all lines, for singularities as singular_pairs gives them. Returns how many.
+/// Adds all lines of a rule. Returns how many.
 template <int Order, class R>
-std::size_t add_lines(const LocalQuad<R>& q, const std::vector<SingularPair<R>>& singular, double digits, WeightSums<R, Order>& sums) {
-  // The weights grow like 1/distance; in the line's variable their integrand has half an order more, and each derivative adds one.
-  const OuterRule<R> rule = outer_rule(singular, Order + 1.5, digits, static_cast<int>(3 * digits));
+std::size_t add_lines(const LocalQuad<R>& q, const OuterRule<R>& rule, double digits, WeightSums<R, Order>& sums) {
   const R centre = rule.plain ? R(0) : rule.centre;
   const LineArea<R> area(q, centre);
   std::size_t lines = 0;
   for (std::size_t p = 0; p < rule.panels.size(); ++p) {
     const auto& panel = rule.panels[p];
     const R lo = p == 0 ? rule.first : R(panel.lo), hi = p + 1 == rule.panels.size() ? rule.last : R(panel.hi);
-    const GaussLegendre<R>& gauss = gauss_legendre<R>(panel.nodes);
+    const GaussLegendre<R>& gauss = gauss_rule<R>(panel.nodes);
     for (int i = 0; i < panel.nodes; ++i) {
       const R at = lo + (hi - lo) * gauss.nodes[i];
       R weight = (hi - lo) * gauss.weights[i];
@@ -105,7 +103,7 @@ std::size_t add_lines(const LocalQuad<R>& q, const std::vector<SingularPair<R>>&
 
 /// Whether the point lies on the quad, exactly, for inputs that are doubles; others are taken to be off it.
 template <Scalar R>
-bool lies_on_quad(const LocalQuad<R>& q, const std::vector<SingularPair<R>>& singular, const Query<R>& query) {
+bool lies_on_quad(const LocalQuad<R>& q, const SingularPairs<R>& singular, const Query<R>& query) {
   const auto close = [&](const SingularPair<R>& pair) { return pair.width < 1e-12 && pair.centre > R(-1e-6) && pair.centre < R(1 + 1e-6); };
   if (std::ranges::none_of(singular, close) && q.a.dot(q.a) > R(1e-24)) return false;
   Quad<double> corners;
@@ -132,14 +130,20 @@ void line_form(const Query<R>& query, double digits, Result<R>& result) {
     for (int o = 0; o <= Order; ++o) std::ranges::fill(result.of(o), std::numeric_limits<R>::quiet_NaN());
     return;
   }
-  const std::vector<SingularPair<R>> singular = singular_pairs(*q);
-  if (lies_on_quad(*q, singular, query)) {
-    std::ranges::fill(result.value, std::numeric_limits<R>::infinity());
-    for (int o = 1; o <= Order; ++o) std::ranges::fill(result.of(o), std::numeric_limits<R>::quiet_NaN());
-    return;
-  }
+  // The weights grow like 1/distance; in the line's variable their integrand has half an order more, and each derivative adds one.
+  constexpr double order = Order + 1.5;
   WeightSums<R, Order> sums;
-  result.nodes = add_lines<Order>(*q, singular, digits, sums);
+  if (const double rho = ellipse_from_distance(*q); rho >= kFarAcross) {
+    result.nodes = add_lines<Order>(*q, plain_rule<R>(rho, order, digits), digits, sums);
+  } else {
+    const SingularPairs<R> singular = singular_pairs(*q);
+    if (lies_on_quad(*q, singular, query)) {
+      std::ranges::fill(result.value, std::numeric_limits<R>::infinity());
+      for (int o = 1; o <= Order; ++o) std::ranges::fill(result.of(o), std::numeric_limits<R>::quiet_NaN());
+      return;
+    }
+    result.nodes = add_lines<Order>(*q, outer_rule(singular, order, digits, static_cast<int>(3 * digits)), digits, sums);
+  }
   for (int k = 0; k < 4; ++k) {
     const auto& from = sums.corner[k];
     const int to = q->corner[k];

@@ -10,6 +10,15 @@
 
 namespace cageproof::adaptive_qmvc {
 
+/// gauss_legendre, remembered by each thread: it is asked for at every line.
+template <Scalar R>
+const GaussLegendre<R>& gauss_rule(int n) {
+  thread_local std::array<const GaussLegendre<R>*, 512> rules{};
+  if (n >= static_cast<int>(rules.size())) return gauss_legendre<R>(n);
+  if (!rules[n]) rules[n] = &gauss_legendre<R>(n);
+  return *rules[n];
+}
+
 /// Integrals over the line a + u e, u in [0, 1], about its point u = origin: the integral of s^j r^(-2p) du, s = u - origin, r = |a + u e|,
 /// for p = 2 (j <= 2), p = 3 (j <= 3, Order >= 1), p = 4 (j <= 4, Order >= 2).
 template <class R>
@@ -27,7 +36,7 @@ inline constexpr double kFarAlongLine = 2.5;
 /// errs by its maximum times rho^(-2n).
 inline int nodes_along_line(double ends, double digits) {
   const double rho = ends + std::sqrt(ends * ends - 1);
-  return std::max(2, static_cast<int>(std::ceil((digits + 1) / (2 * std::log10(rho)))) + 1);
+  return std::max(2, static_cast<int>(std::ceil((digits + 1) / (2 * std::log10(std::min(rho, 1e6))))) + 1);
 }
 
 /// K_n = int_0^1 x^(2n)/(1 + y x^2)^(n + 1) dx for n = 0 .. N: what atan leaves after n terms, all of them positive.
@@ -68,7 +77,7 @@ LineMoments<R> moments_about_foot(const Vec3<R>& a, const Vec3<R>& e, const R& a
   const R k2 = area * inverse * inverse;
   const R product = t0 * t1, d = k2 + product;
   const R r0 = t0 * t0 + k2, r1 = t1 * t1 + k2;
-  const R i0 = 1 / r0, i1 = 1 / r1, both = i0 * i1;
+  const R both = 1 / (r0 * r1), i0 = both * r1, i1 = both * r0;
   LineMoments<R> m;
   m.origin = -t0;
   std::array<R, 5> zeroth;  // int t^0 (t^2 + k2)^-p

@@ -21,6 +21,16 @@ struct SingularPair {
   double width;
 };
 
+/// At most four of them.
+template <class R>
+struct SingularPairs {
+  std::array<SingularPair<R>, 4> pair;
+  int count = 0;
+  void add(const SingularPair<R>& p) { pair[count++] = p; }
+  const SingularPair<R>* begin() const { return pair.data(); }
+  const SingularPair<R>* end() const { return pair.data() + count; }
+};
+
 /// Gauss-Legendre panels in s, v = centre + width sinh s; or, where `plain`, in v itself.
 template <class R>
 struct OuterRule {
@@ -37,7 +47,7 @@ struct OuterRule {
 /// Sum of the half axes of the ellipse with foci lo, hi through z, over half the distance of the foci.
 inline double ellipse_through(double lo, double hi, std::complex<double> z) {
   const double half = (hi - lo) / 2;
-  const double axis = (std::abs(z - lo) + std::abs(z - hi)) / (2 * half);
+  const double axis = (std::sqrt(std::norm(z - lo)) + std::sqrt(std::norm(z - hi))) / (2 * half);
   return axis + std::sqrt(std::max(0.0, axis * axis - 1));
 }
 
@@ -46,18 +56,29 @@ inline double ellipse_through(double lo, double hi, std::complex<double> z) {
 /// max|f| rho^(-2n) <= 10^-digits.
 inline int nodes_across(double rho, double half, double growth, double order, double digits) {
   double least = 1e6;
-  for (const double part : {0.95, 0.85, 0.7, 0.5}) {
-    const double log_rho = part * std::log(std::min(rho, 1e6));
-    const double blow_up = 1 - order * std::log10(1 - part);
-    least = std::min(least, ((digits + blow_up) * std::numbers::ln10 + growth * half * (std::cosh(log_rho) - 1)) / (2 * log_rho));
+  const double whole = std::log(std::min(rho, 1e6));
+  for (const double part : {0.93, 0.8, 0.5}) {
+    const double log_rho = part * whole;
+    const double blow_up = 0.3 - order * std::log10(1 - part);
+    least = std::min(least, ((digits + blow_up) * std::numbers::ln10 + (growth == 0 ? 0 : growth * half * (std::cosh(log_rho) - 1))) / (2 * log_rho));
   }
   return std::max(2, static_cast<int>(std::ceil(least)));
 }
 
+/// From that ellipse on, where it gains a digit a node, the plain rule is taken.
+inline constexpr double kFarAcross = 3.2;
+
+/// Gauss-Legendre in v itself, for an integrand analytic inside the ellipse `rho`.
+template <class R>
+OuterRule<R> plain_rule(double rho, double order, double digits) {
+  OuterRule<R> rule;
+  rule.panels.push_back({0, 1, nodes_across(rho, 0.5, 0, order, digits)});
+  return rule;
+}
+
 /// The rule for `digits` digits of an integrand with singularities of that order; panels have at most about `most` nodes.
 template <class R>
-OuterRule<R> outer_rule(const std::vector<SingularPair<R>>& singular, double order, double digits, int most) {
-  OuterRule<R> rule;
+OuterRule<R> outer_rule(const SingularPairs<R>& singular, double order, double digits, int most) {
   double nearest = std::numeric_limits<double>::infinity();
   const SingularPair<R>* dominant = nullptr;
   for (const auto& pair : singular) {
@@ -66,12 +87,8 @@ OuterRule<R> outer_rule(const std::vector<SingularPair<R>>& singular, double ord
     nearest = rho;
     dominant = &pair;
   }
-  // Here the plain rule gains a digit a node.
-  constexpr double kFarAcross = 3.2;
-  if (!dominant || nearest >= kFarAcross) {
-    rule.panels.push_back({0, 1, nodes_across(nearest, 0.5, 0, order, digits)});
-    return rule;
-  }
+  if (!dominant || nearest >= kFarAcross) return plain_rule<R>(nearest, order, digits);
+  OuterRule<R> rule;
   using std::asinh;
   rule.plain = false;
   rule.centre = dominant->centre;
@@ -81,12 +98,11 @@ OuterRule<R> outer_rule(const std::vector<SingularPair<R>>& singular, double ord
   rule.width = R(width);
   rule.first = asinh(R(-rule.centre / rule.width));
   rule.last = asinh(R((1 - rule.centre) / rule.width));
-  std::array<std::complex<double>, 16> images;
+  std::array<std::complex<double>, 8> images;
   std::size_t count = 0;
   for (const auto& pair : singular) {
     const std::complex<double> z{static_cast<double>(R((pair.centre - rule.centre) / rule.width)), pair.width / width};
-    const std::complex<double> image = std::asinh(z);
-    if (count + 2 > images.size()) break;
+    const std::complex<double> image = z == std::complex<double>(0, 1) ? std::complex<double>(0, std::numbers::pi / 2) : std::asinh(z);
     images[count++] = image;
     images[count++] = std::complex<double>(0, std::numbers::pi) - image;
   }

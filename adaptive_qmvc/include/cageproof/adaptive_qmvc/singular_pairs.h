@@ -6,7 +6,6 @@
 #include "cageproof/adaptive_qmvc/outer_rule.h"
 
 #include <complex>
-#include <vector>
 
 namespace cageproof::adaptive_qmvc {
 
@@ -42,12 +41,18 @@ struct Derivatives {
   Complex f, df, ddf;
 };
 
+// Without the library's care for infinities, which costs more than the iterations.
+inline Complex product(Complex a, Complex b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+inline Complex quotient(Complex a, Complex b) { return product(a, std::conj(b)) / std::norm(b); }
+
 inline Derivatives at(const std::array<double, 5>& p, Complex z) {
   Derivatives d{p[4], 0, 0};
   for (int k = 3; k >= 0; --k) {
-    d.ddf = d.ddf * z + d.df;
-    d.df = d.df * z + d.f;
-    d.f = d.f * z + p[k];
+    d.ddf = product(d.ddf, z) + d.df;
+    d.df = product(d.df, z) + d.f;
+    d.f = product(d.f, z) + p[k];
   }
   d.ddf *= 2;
   return d;
@@ -58,83 +63,106 @@ inline Complex root_of(const std::array<double, 5>& p, Complex z) {
   for (int i = 0; i < 40; ++i) {
     const auto [f, df, ddf] = at(p, z);
     if (f == 0.0) break;
-    const Complex g = df / f, h = g * g - ddf / f;
-    const Complex root = std::sqrt(3.0 * (4.0 * h - g * g));
-    const Complex below = std::abs(g + root) > std::abs(g - root) ? g + root : g - root;
+    const Complex g = quotient(df, f), h = product(g, g) - quotient(ddf, f);
+    const Complex root = std::sqrt(3.0 * (4.0 * h - product(g, g)));
+    const Complex below = std::norm(g + root) > std::norm(g - root) ? g + root : g - root;
     if (below == 0.0) break;
-    const Complex step = 4.0 / below;
+    const Complex step = quotient(4.0, below);
     z -= step;
-    if (std::abs(step) < 1e-9 * std::abs(z)) break;
+    if (std::norm(step) < 1e-18 * std::norm(z)) break;
   }
   return z;
 }
 
-/// The root next to `guess` of |a x e|^2, refined about its own real part, where nothing cancels.
+/// A root of |a x e|^2 next to a line, refined about its own real part, where nothing cancels.
 template <class R>
-SingularPair<R> refined(const LocalQuad<R>& q, Complex guess) {
-  R centre = R(guess.real());
-  double width = std::abs(guess.imag());
+struct Refined {
+  SingularPair<R> pair;
+  bool converged = false;
+};
+
+template <class R>
+Refined<R> refined(const LocalQuad<R>& q, R centre, double width) {
   for (int round = 0; round < 3; ++round) {
     const auto p = LineArea<R>(q, centre).polynomial();
     Complex s{0, width};
     // The quadratic part decides unless another pair is close.
     if (p[2] > 0 && 4 * p[0] * p[2] > p[1] * p[1])
       s = Complex(-p[1], std::sqrt(4 * p[0] * p[2] - p[1] * p[1])) / (2 * p[2]);
-    for (int i = 0; i < 4; ++i) {
+    double step = 1;
+    for (int i = 0; i < 5 && step > 1e-6; ++i) {
       const auto [f, df, ddf] = at(p, s);
-      if (df == 0.0 || !std::isfinite(std::abs(f / df)) || std::abs(f / df) > 0.5 * std::abs(s)) break;
-      s -= f / df;
+      const Complex move = quotient(f, df);
+      step = std::abs(move) / std::abs(s);
+      if (!(step < 0.5)) break;
+      s -= move;
     }
     centre += R(s.real());
     width = std::abs(s.imag());
-    if (std::abs(s.real()) < 0.1 * width) break;
+    if (step < 1e-3 && (std::abs(s.real()) < 0.3 * width || width > 1e-4)) return {{centre, width}, true};
   }
-  return {centre, width};
+  return {{centre, width}, false};
 }
 
 /// Where a straight side p + v d passes eta.
 template <class R>
-void add_side(const Vec3<R>& p, const Vec3<R>& d, std::vector<SingularPair<R>>& pairs) {
+void add_side(const Vec3<R>& p, const Vec3<R>& d, SingularPairs<R>& pairs) {
   using std::sqrt;
   const R square = d.dot(d);
   if (!(square > 0)) return;
   const Vec3<R> c = p.cross(d);
-  pairs.push_back({R(-p.dot(d) / square), static_cast<double>(R(sqrt(c.dot(c)) / square))});
+  pairs.add({R(-p.dot(d) / square), static_cast<double>(R(sqrt(c.dot(c)) / square))});
 }
 
 }  // namespace detail
 
+/// A lower bound of the ellipse about [0, 1] that singularities lie outside of, from the distance alone: r^2 = 0 at a complex line x + i y asks for
+/// |y| to be the distance of eta from the surface at x, over |xi_v|.
+template <class R>
+double ellipse_from_distance(const LocalQuad<R>& q) {
+  double reach = 0, step = 0;
+  const Vec3<R> middle = q.a + (q.e + q.b + q.b1) / 4 + q.e / 4;
+  const auto length = [](const Vec3<R>& x) { return std::sqrt(static_cast<double>(x.dot(x))); };
+  for (const Vec3<R>& corner : {q.a, q.a1, Vec3<R>(q.a + q.b), Vec3<R>(q.a1 + q.b1)}) reach = std::max(reach, length(Vec3<R>(corner - middle)));
+  step = std::max(length(q.b), length(q.b1));
+  if (!(step > 0)) return 1e6;
+  // Then |y| + |x - 1/2| >= h, and the least ellipse through such a point has the axis sqrt(2) h.
+  const double axis = std::sqrt(2.0) * (length(middle) - reach) / step;
+  return axis > 1 ? axis + std::sqrt(axis * axis - 1) : 1;
+}
+
 /// The singularities that the integral along line v may have: where the two sides across the lines pass eta, and where a line does, unless that is
 /// beyond its ends, where the sides' own are the true ones.
 template <class R>
-std::vector<SingularPair<R>> singular_pairs(const LocalQuad<R>& q) {
-  std::vector<SingularPair<R>> pairs;
-  pairs.reserve(4);
+SingularPairs<R> singular_pairs(const LocalQuad<R>& q) {
+  SingularPairs<R> pairs;
   detail::add_side(q.a, q.b, pairs);
   detail::add_side(q.a1, q.b1, pairs);
-  const auto keep = [&](detail::Complex guess) {
-    if (!(std::abs(guess) < 30)) return;
-    const SingularPair<R> pair = detail::refined(q, guess);
+  const auto keep = [&](const SingularPair<R>& pair) {
     const Vec3<R> a = q.start(pair.centre), e = q.direction(pair.centre);
-    const R square = e.dot(e);
-    if (!std::isfinite(pair.width)) return;
-    const double foot = static_cast<double>(R(-a.dot(e) / square));
+    const double foot = -static_cast<double>(a.dot(e)) / static_cast<double>(e.dot(e));
     // The foot's real part, to first order in the width; margins cost nodes, not digits.
-    if (foot > -0.3 && foot < 1.3) pairs.push_back(pair);
+    if (std::isfinite(pair.width) && foot > -0.3 && foot < 1.3) pairs.add(pair);
   };
   const auto p = LineArea<R>(q, R(0)).polynomial();
   const double size = p[0] + p[2] + p[4];
   if (!(size > 0)) return pairs;
+  const double guess = p[2] > 0 ? std::clamp(-p[1] / (2 * p[2]), -1.0, 2.0) : 0.5;
+  const detail::Refined<R> found = detail::refined(q, R(guess), 0.5);
   if (p[4] < 1e-26 * size) {
-    if (p[2] > 1e-26 * size) keep(detail::Complex(-p[1], std::sqrt(std::max(0.0, 4 * p[0] * p[2] - p[1] * p[1]))) / (2 * p[2]));
+    if (p[2] > 1e-26 * size) keep(found.pair);
     return pairs;
   }
-  const detail::Complex z = detail::root_of(p, {0.4, 0.5});
-  keep(z);
+  const detail::Complex z = found.converged ? detail::Complex{static_cast<double>(found.pair.centre), found.pair.width} : detail::root_of(p, {0.4, 0.5});
+  const auto add_next_to = [&](detail::Complex root) {
+    if (std::abs(root) < 30) keep(detail::refined(q, R(root.real()), std::abs(root.imag())).pair);
+  };
+  if (found.converged) keep(found.pair);
+  else add_next_to(z);
   // (s^2 + m s + n)(p4 s^2 + g s + h)
   const double m = -2 * z.real(), n = std::norm(z);
   const double g = p[3] - m * p[4], h = p[2] - n * p[4] - m * g;
-  keep(detail::Complex(-g, std::sqrt(std::max(0.0, 4 * p[4] * h - g * g))) / (2 * p[4]));
+  add_next_to(detail::Complex(-g, std::sqrt(std::max(0.0, 4 * p[4] * h - g * g))) / (2 * p[4]));
   return pairs;
 }
 

@@ -16,6 +16,8 @@ struct WorkPrecisionOptions {
   std::uint64_t seed = 1;
   int samples = 32;      ///< a place
   int order = 0;         ///< of formulas; cages are asked for values alone
+  bool by_parameter = false;  ///< a place for each parameter of a regime (distance ...), instead of one for all
+  bool relative = false;      ///< relative errors of formulas, norm-wise, instead of conditioned ones
   double seconds = 0.2;  ///< timed at least, an evaluation and place
   int jobs = 0;          ///< threads for the errors; times are always taken on one
 };
@@ -39,7 +41,7 @@ std::vector<PointGroup> groups_of(const Cage& cage, const CageLocator& locator, 
 WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, const std::vector<PointGroup>& groups,
                                   const WorkPrecisionOptions& options);
 
-/// Conditioned errors at the samples of regimes, against the closed form in 100 digits (the integral where there is no closed form).
+/// Errors at the samples of regimes, against the closed form in 100 digits (the integral where there is no closed form).
 /// \throws InputError when the formula lacks an evaluation, or that derivative of it, all such named
 WorkPrecision formula_work_precision(const Formula& formula, const std::vector<const Regime*>& regimes,
                                      const WorkPrecisionOptions& options);

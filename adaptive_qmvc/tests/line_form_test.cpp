@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// The line form against the integral in two dimensions, and its parts against plain quadrature.
+#include "cageproof/adaptive_qmvc/line_form.h"
+#include "cageproof/core/random_stream.h"
+
+#include <gtest/gtest.h>
+
+namespace cageproof::adaptive_qmvc {
+namespace {
+
+using Vec = Vec3<double>;
+using Corners = std::vector<Vec>;
+
+const Corners kFlat{{0, 0, 0}, {1, 0, 0}, {1.25, 1, 0}, {-0.125, 0.875, 0}};
+const Corners kTwisted{{0, 0, 0}, {1, 0, 0.25}, {1.125, 1, -0.25}, {-0.125, 0.875, 0.25}};
+const Corners kStrong{{0, 0, 0.625}, {1, 0, -0.625}, {1, 1, 0.625}, {0, 1, -0.625}};
+
+Vec at(const Corners& q, double u, double v) {
+  return (1 - v) * ((1 - u) * q[0] + u * q[1]) + v * (u * q[2] + (1 - u) * q[3]);
+}
+
+Vec normal(const Corners& q, double u, double v) {
+  const Vec along = (1 - v) * (q[1] - q[0]) + v * (q[2] - q[3]), across = (1 - u) * (q[3] - q[0]) + u * (q[2] - q[1]);
+  return along.cross(across).normalized();
+}
+
+template <Scalar R>
+Result<R> evaluate(std::string_view name, const Corners& corners, const Vec& point, int order) {
+  std::vector<Vec3<R>> q;
+  for (const Vec& c : corners) q.push_back(convert<R>(c));
+  Result<R> result;
+  const Evaluation evaluation = *EvaluationRegister::instance().find("quad.mean_value", name);
+  evaluation(Query<R>{q, convert<R>(point), order, {}}, result);
+  return result;
+}
+
+// |a - b| / |b|, norm-wise.
+template <Scalar A, Scalar B>
+double relative(const std::vector<A>& a, const std::vector<B>& b) {
+  Mp100 difference = 0, size = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Mp100 d = Mp100(a[i]) - Mp100(b[i]);
+    difference += d * d;
+    size += Mp100(b[i]) * Mp100(b[i]);
+  }
+  return static_cast<double>(Mp100(sqrt(Mp100(difference / size))));
+}
+
+class line_form_on : public testing::TestWithParam<int> {
+ protected:
+  const Corners& quad() const { return GetParam() == 0 ? kFlat : GetParam() == 1 ? kTwisted : kStrong; }
+};
+
+TEST_P(line_form_on, is_the_integral_at_all_distances_to_30_digits) {
+  for (const double distance : {3.0, 0.25, 0x1p-10, 0x1p-30}) {
+    const Vec point = at(quad(), 0.375, 0.625) - distance * normal(quad(), 0.375, 0.625);
+    const Result<Mp50> integral = evaluate<Mp50>("multiprecision", quad(), point, 2);
+    ASSERT_TRUE(integral.converged) << distance;
+    const Result<Mp100> line = evaluate<Mp100>("closed_form", quad(), point, 2);
+    for (int o = 0; o <= 2; ++o) EXPECT_LT(relative(line.of(o), integral.of(o)), 1e-30) << distance << " order " << o;
+  }
+}
+
+TEST_P(line_form_on, is_the_integral_beside_edges_and_corners) {
+  for (const auto& [u, v] : {std::pair{0.0, 0.375}, std::pair{1.0, 1.0}, std::pair{-0.25, 0.5}}) {
+    const Vec point = at(quad(), u, v) + 0x1p-12 * Vec(0.5, 0.25, 0.75);
+    const Result<Mp50> integral = evaluate<Mp50>("multiprecision", quad(), point, 1);
+    ASSERT_TRUE(integral.converged);
+    const Result<Mp100> line = evaluate<Mp100>("closed_form", quad(), point, 1);
+    for (int o = 0; o <= 1; ++o) EXPECT_LT(relative(line.of(o), integral.of(o)), 1e-30) << u << ' ' << v << " order " << o;
+  }
+}
+
+// With the corner at the origin a double says exactly how close the point is, and nothing is ill-conditioned.
+TEST_P(line_form_on, keeps_all_digits_next_to_a_corner_at_the_origin) {
+  Corners q = quad();
+  for (Vec& c : q) c -= quad()[0];
+  for (double distance = 1; distance > 1e-17; distance /= 16) {
+    const Vec point = distance * Vec(0.5, 0.25, -0.75);
+    const Result<double> found = evaluate<double>("closed_form", q, point, 2);
+    const Result<Mp100> exact = evaluate<Mp100>("closed_form", q, point, 2);
+    for (int o = 0; o <= 2; ++o) EXPECT_LT(relative(found.of(o), exact.of(o)), 64 * 0x1p-53) << distance << " order " << o;
+  }
+}
+
+TEST_P(line_form_on, gives_the_digits_that_its_name_says) {
+  for (int i = 0; i < 200; ++i) {
+    RandomStream random(1, "line digits", i);
+    const double u = random.uniform(-0.5, 1.5), v = random.uniform(-0.5, 1.5), height = std::pow(10.0, random.uniform(-4, 1));
+    const Vec point = at(quad(), u, v) + height * normal(quad(), u, v);
+    const Result<double> full = evaluate<double>("closed_form", quad(), point, 2);
+    for (const auto& [name, digits] : {std::pair{"line-4", 4}, std::pair{"line-8", 8}, std::pair{"line-12", 12}}) {
+      const Result<double> few = evaluate<double>(name, quad(), point, 2);
+      for (int o = 0; o <= 2; ++o) {
+        // Next to the quad rounding is multiplied by 1/distance.
+        const double allowed = std::pow(10.0, -digits) + 1e-14 / std::min(1.0, height);
+        EXPECT_LT(relative(few.of(o), full.of(o)), allowed) << name << " order " << o << " height " << height;
+      }
+    }
+  }
+}
+
+TEST_P(line_form_on, diverges_on_the_quad) {
+  // Dyadic corners and parameters: exactly on.
+  for (const auto& [u, v] : {std::pair{0.375, 0.625}, std::pair{0.0, 0.5}, std::pair{1.0, 1.0}}) {
+    const Result<double> found = evaluate<double>("closed_form", quad(), at(quad(), u, v), 1);
+    for (const double w : found.value) EXPECT_EQ(w, std::numeric_limits<double>::infinity());
+    for (const double w : found.gradient) EXPECT_TRUE(std::isnan(w));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(quads, line_form_on, testing::Values(0, 1, 2), [](const auto& quad) {
+  return std::array{"flat", "twisted", "strongly_twisted"}[quad.param];
+});
+
+// Moments in double against a fine rule along the line, over feet within, beyond and next to it.
+TEST(line_moments, are_the_integrals_along_a_line) {
+  const Vec3<Mp50> direction(1, Mp50(1) / 2, Mp50(-1) / 4);
+  const Mp50 length2 = direction.dot(direction);
+  const Vec3<Mp50> across = Vec3<Mp50>(Mp50(1) / 4, -1, -1).normalized();
+  for (const double foot : {0.5, 0.01, -1e-6, -1e-3, -0.25, -0.7, 1.3})
+    for (const double height : {1e-9, 1e-5, 1e-3, 0.1, 0.5, 1.2}) {
+      const Vec3<Mp50> a = -Mp50(foot) * direction + Mp50(height) * across;
+      const Vec3<double> start = convert<double>(a), e = convert<double>(direction);
+      const Vec3<double> c = start.cross(e);
+      const LineMoments<double> m = moments_about_foot<2>(start, e, c.dot(c), 17);
+      // In s = k sinh w, panels of length one keep off the singularities at +-i pi/2.
+      const Mp50 k = height / sqrt(length2), t0 = -Mp50(foot);
+      const auto integral = [&](int j, int p) {
+        const Mp50 lo = asinh(Mp50(t0 / k)), hi = asinh(Mp50((t0 + 1) / k));
+        const int panels = static_cast<int>(Mp50(hi - lo)) + 1;
+        const auto& rule = gauss_legendre<Mp50>(40);
+        Mp50 sum = 0;
+        for (int i = 0; i < panels; ++i)
+          for (int n = 0; n < 40; ++n) {
+            const Mp50 w = lo + (hi - lo) * (i + rule.nodes[n]) / panels;
+            const Mp50 s = k * sinh(w);
+            sum += rule.weights[n] * (hi - lo) / panels * k * cosh(w) * pow(s, j) / pow(Mp50((s * s + k * k) * length2), p);
+          }
+        return static_cast<double>(sum);
+      };
+      // Rounded input moves the foot and the height.
+      const double bound = 2e-15 * (1 + 1 / std::max(height, std::abs(foot) < 0.5 ? 0 : std::min(std::abs(foot), std::abs(1 - foot))));
+      const double sizes[3]{integral(0, 2), integral(0, 3), integral(0, 4)};
+      for (int j = 0; j <= 2; ++j) EXPECT_NEAR(m.p2[j], integral(j, 2), bound * sizes[0]) << foot << ' ' << height << ' ' << j;
+      for (int j = 0; j <= 3; ++j) EXPECT_NEAR(m.p3[j], integral(j, 3), bound * sizes[1]) << foot << ' ' << height << ' ' << j;
+      for (int j = 0; j <= 4; ++j) EXPECT_NEAR(m.p4[j], integral(j, 4), bound * sizes[2]) << foot << ' ' << height << ' ' << j;
+    }
+}
+
+TEST(atan_remainders, are_their_integrals) {
+  const auto& rule = gauss_legendre<Mp50>(200);
+  for (const double y : {0.0, 1e-20, 1e-3, 0.3, 0.999, 1.0, 2.0, 50.0}) {
+    const auto k = atan_remainders<3>(y, 17);
+    for (int n = 0; n <= 3; ++n) {
+      Mp50 sum = 0;
+      for (int i = 0; i < 200; ++i) {
+        const Mp50 x2 = rule.nodes[i] * rule.nodes[i];
+        sum += rule.weights[i] * pow(x2, n) / pow(Mp50(1 + Mp50(y) * x2), n + 1);
+      }
+      EXPECT_NEAR(k[n] / static_cast<double>(sum), 1, 1e-14) << y << ' ' << n;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cageproof::adaptive_qmvc
