@@ -7,10 +7,6 @@ namespace cageproof::quadrature_ref {
 namespace {
 
 constexpr double kNone = -std::numeric_limits<double>::infinity();
-// Digits that the arithmetic of 50 and 100 digits leaves after the rounding of a cell's sums and geometry.
-constexpr double kDigitsIn50 = 46;
-constexpr double kDigitsIn100 = 95;
-constexpr double kDigitsIn200 = 190;
 
 // log10 of the square of the Bernstein radius on the longest edge, from the distance of eta to the centroid.
 double convergence_rate(const LocalTriangle<Mp200>& t) {
@@ -26,6 +22,54 @@ double convergence_rate(const LocalTriangle<Mp200>& t) {
 }
 
 }  // namespace
+
+double agreement(const std::vector<Mp200>& a, const std::vector<Mp200>& b, double most) {
+  Mp200 square = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
+  if (square == 0) return most;
+  return std::min(most, log10_norm(b) - log10_magnitude(square) / 2);
+}
+
+Answer converge(ConvergingSum& sum, double digits, int order) {
+  Answer answer;
+  const double most = digits + 8;
+  double aim = digits + 2;
+  Result<Mp200> rough = sum.at(aim);
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    aim += 6;
+    answer.sums = sum.at(aim);
+    double least = most;
+    for (int o = 0; o <= order; ++o) {
+      answer.digits[o] = agreement(rough.of(o), answer.sums.of(o), most);
+      least = std::min(least, answer.digits[o]);
+    }
+    if (least >= digits) break;
+    aim += std::max(0.0, digits - least);
+    rough = std::move(answer.sums);
+    answer.sums = rough;
+  }
+  answer.sums.nodes = sum.nodes();
+  return answer;
+}
+
+std::array<double, 3> ConvergingSum::norms(const std::array<double, 3>& mass, const SumWithError& with_error) const {
+  // Rising digits relative to the mass until something is left of every order.
+  std::array<double, 3> error, norm{};
+  std::array<bool, 3> known{};
+  for (const double digits : {10.0, 42.0, 92.0, 180.0}) {
+    for (int o = 0; o <= order_; ++o) error[o] = known[o] ? norm[o] - 1 : mass[o] - digits;
+    const Result<Mp200> sums = with_error(error);
+    bool all_known = true;
+    for (int o = 0; o <= order_; ++o) {
+      if (known[o]) continue;
+      norm[o] = std::max(log10_norm(sums.of(o)), error[o]);
+      known[o] = mass[o] == kNone || norm[o] > error[o] + 2;
+      all_known = all_known && known[o];
+    }
+    if (all_known) break;
+  }
+  return norm;
+}
 
 FarSum::FarSum(const Integrand& integrand, const LocalTriangle<Mp200>& triangle, const Query<Mp200>& query)
     : ConvergingSum(integrand, query), triangle_(triangle), log10_rate_(convergence_rate(triangle)) {}
@@ -84,21 +128,7 @@ void PolarSum::scout() {
     mass_.push_back(caster.log10_mass(cell));
     for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], mass_.back()[o]);
   }
-  // Rising digits relative to the mass until something is left of every order.
-  std::array<double, 3> error;
-  std::array<bool, 3> known{};
-  for (const double digits : {10.0, 42.0, 92.0, 180.0}) {
-    for (int o = 0; o <= order_; ++o) error[o] = known[o] ? norm_[o] - 1 : mass[o] - digits;
-    const Result<Mp200> sums = with_error(error);
-    bool all_known = true;
-    for (int o = 0; o <= order_; ++o) {
-      if (known[o]) continue;
-      norm_[o] = std::max(log10_norm(sums.of(o)), error[o]);
-      known[o] = mass[o] == kNone || norm_[o] > error[o] + 2;
-      all_known = all_known && known[o];
-    }
-    if (all_known) break;
-  }
+  norm_ = norms(mass, [&](const auto& error) { return with_error(error); });
 }
 
 Result<Mp200> PolarSum::at(double digits) {

@@ -5,9 +5,15 @@
 #include "gauss.h"
 #include "polar_cells.h"
 
+#include <functional>
 #include <tuple>
 
 namespace cageproof::quadrature_ref {
+
+/// Digits that the arithmetic of 50, 100 and 200 digits leaves after the rounding of a cell's sums and geometry.
+inline constexpr double kDigitsIn50 = 46, kDigitsIn100 = 95, kDigitsIn200 = 190;
+/// What the multiprecision evaluations converge to or say that they did not.
+inline constexpr double kDigitsPromised = 30;
 
 /// An integral that can be had to as many digits as asked, as far as its design goes.
 class ConvergingSum {
@@ -19,6 +25,9 @@ class ConvergingSum {
   std::size_t nodes() const { return nodes_; }
 
  protected:
+  /// The sum with an absolute error of about 10^log10_error[order].
+  using SumWithError = std::function<Result<Mp200>(const std::array<double, 3>& log10_error)>;
+
   ConvergingSum(const Integrand& integrand, const Query<Mp200>& query)
       : integrand_(integrand),
         order_(query.order),
@@ -49,6 +58,9 @@ class ConvergingSum {
     nodes_ += part.nodes;
   }
 
+  /// log10 of each order's norm, however much of the integrand's mass (log10, an order) cancels.
+  std::array<double, 3> norms(const std::array<double, 3>& mass, const SumWithError& with_error) const;
+
   const Integrand& integrand_;
   int order_;
   int components_;
@@ -57,6 +69,18 @@ class ConvergingSum {
   std::tuple<std::vector<Mp50>, std::vector<Mp100>, std::vector<Mp200>> parameters_;
   std::size_t nodes_ = 0;
 };
+
+/// Sums of a query off the element, or moved off it.
+struct Answer {
+  Result<Mp200> sums;
+  std::array<double, 3> digits{};  ///< on which two rules agree, an order
+};
+
+/// Digits on which two tensors agree; `most` for equal ones.
+double agreement(const std::vector<Mp200>& a, const std::vector<Mp200>& b, double most);
+
+/// Two rules, the second 6 digits better by design, until they agree to `digits` or four attempts are spent.
+Answer converge(ConvergingSum& sum, double digits, int order);
 
 /// Gauss-Legendre on the collapsed square, for points at least 1.5 longest edges away.
 class FarSum final : public ConvergingSum {
@@ -83,7 +107,7 @@ class PolarSum final : public ConvergingSum {
   void add_cell(const PolarFrame<W>& frame, const PolarCell& cell, CellPoints points, Result<Mp200>& total);
   /// The sum with an absolute error of about 10^log10_error[order].
   Result<Mp200> with_error(const std::array<double, 3>& log10_error);
-  /// Finds log10 of each order's norm, however much of the integrand's mass cancels.
+  /// Finds masses and norms.
   void scout();
 
   PolarFrame<Mp200> exact_frame_;

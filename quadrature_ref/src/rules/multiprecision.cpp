@@ -5,46 +5,8 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-constexpr double kDigitsPromised = 30;
 // Orders whose limits agree to fewer digits than that have none; logarithms differ by a tenth.
 constexpr double kLimitDigits = 20;
-
-/// Sums of a query off the triangle, or moved off it.
-struct Answer {
-  Result<Mp200> sums;
-  std::array<double, 3> digits{};  ///< on which two rules agree, an order
-};
-
-// Digits on which two tensors agree; `most` for equal ones.
-double agreement(const std::vector<Mp200>& a, const std::vector<Mp200>& b, double most) {
-  Mp200 square = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
-  if (square == 0) return most;
-  return std::min(most, log10_norm(b) - log10_magnitude(square) / 2);
-}
-
-// Two rules, the second 6 digits better by design, until they agree to `digits` or four attempts are spent.
-Answer converge(ConvergingSum& sum, double digits, int order) {
-  Answer answer;
-  const double most = digits + 8;
-  double aim = digits + 2;
-  Result<Mp200> rough = sum.at(aim);
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    aim += 6;
-    answer.sums = sum.at(aim);
-    double least = most;
-    for (int o = 0; o <= order; ++o) {
-      answer.digits[o] = agreement(rough.of(o), answer.sums.of(o), most);
-      least = std::min(least, answer.digits[o]);
-    }
-    if (least >= digits) break;
-    aim += std::max(0.0, digits - least);
-    rough = std::move(answer.sums);
-    answer.sums = rough;
-  }
-  answer.sums.nodes = sum.nodes();
-  return answer;
-}
 
 // The natural size of an order's tensor: area times length^(degree - 2 - order).
 double log10_natural(const Formula& formula, const LocalTriangle<Mp200>& t, int order) {

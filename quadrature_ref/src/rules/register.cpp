@@ -1,46 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/quadrature_ref/triangle_rules.h"
-
-#include <charconv>
-#include <stdexcept>
+#include "registration.h"
 
 namespace cageproof::quadrature_ref {
 namespace {
-
-// The number after `prefix` in `name`, written without sign or leading zeros.
-std::optional<int> number_after(std::string_view prefix, std::string_view name) {
-  if (!name.starts_with(prefix)) return std::nullopt;
-  const std::string_view digits = name.substr(prefix.size());
-  int number = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (error != std::errc() || end != digits.data() + digits.size() || digits.starts_with('0') || number < 1)
-    return std::nullopt;
-  return number;
-}
 
 // Points a side of the rule of 3 n^2 points.
 std::optional<int> three_quad_side(int points) {
   for (int n = 1; n <= 256; ++n)
     if (3 * n * n == points) return n;
   return std::nullopt;
-}
-
-// `rule.template operator()<R>(integrand, query, result)` for every scalar. Keeps the kernels alive.
-template <class Rule>
-Evaluation evaluation(const std::string& formula, std::string_view name, std::string description,
-                      const std::shared_ptr<const KernelSet>& kernels, Rule rule) {
-  // The catalogue is looked up here, not at registration: it may not exist yet while the program starts.
-  const Formula* found = find_formula(formula);
-  if (!found) throw std::logic_error("kernel without a row in the catalogue: " + formula);
-  const Formula& row = *found;
-  Evaluation result(formula, std::string(name), std::move(description));
-  for (const ScalarKind kind : scalar_kinds)
-    with_scalar(kind, [&]<Scalar R>() {
-      result.set<R>([&row, kernels, rule](const Query<R>& query, Result<R>& tensors) {
-        rule.template operator()<R>(Integrand{row, *kernels}, query, tensors);
-      });
-    });
-  return result;
 }
 
 }  // namespace

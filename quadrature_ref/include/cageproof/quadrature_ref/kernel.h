@@ -13,13 +13,15 @@
 namespace cageproof::quadrature_ref {
 
 /// A point xi of the element's surface, as the point eta sees it. 2D segments leave z at zero.
+/// Kernels are linear in the normal: on a curved element `normal` is N = xi_u x xi_v, `height` x.N, and `weight` leaves
+/// the area element |N| out.
 template <Scalar R>
 struct Node {
   Vec3<R> x = Vec3<R>::Zero();  ///< xi - eta
   std::array<R, 4> hat{};  ///< basis function of each corner at xi; entries beyond the element's corners are unused
-  Vec3<R> normal = Vec3<R>::Zero();  ///< unit normal of the surface at xi
+  Vec3<R> normal = Vec3<R>::Zero();  ///< of the surface at xi: of unit length on flat elements
   R height{};  ///< x . normal, stated by the rule: a dot product loses it next to the element's plane
-  R weight{};  ///< of the rule, area element included
+  R weight{};  ///< of the rule, with the area element on flat elements
 };
 
 /// Appends nodes of a flat element, their positions and weights to be set, until there are `count`.
