@@ -56,8 +56,10 @@ class AdaptiveQuad {
 
 // The finer rule, and its differences to a coarser one along each variable.
 void AdaptiveQuad::integrate(Part& part) {
-  const QuadPoints fine = points_for(part.cell, kDesign);
-  const auto coarser = [](int n) { return std::max(2, n - std::max(2, n / 4)); };
+  QuadPoints fine = points_for(part.cell, kDesign);
+  // Of fewer points the coarser rule would judge badly.
+  fine = {std::max(fine.t, 6), std::max(fine.w, 6)};
+  const auto coarser = [](int n) { return n - std::max(2, n / 4); };
   part.sums = rule(part.cell.cell, fine);
   const Result<double> along_t = rule(part.cell.cell, {coarser(fine.t), fine.w});
   const Result<double> along_w = rule(part.cell.cell, {fine.t, coarser(fine.w)});

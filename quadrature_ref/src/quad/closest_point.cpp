@@ -11,10 +11,20 @@ struct Start {
   double u, v;
 };
 
+template <Scalar R>
+LocalQuad<R> converted(const LocalQuad<Mp200>& q) {
+  LocalQuad<R> to;
+  for (int k = 0; k < 4; ++k) {
+    to.corners[k] = cageproof::convert<R>(q.corners[k]);
+    to.edges[k] = cageproof::convert<R>(q.edges[k]);
+  }
+  to.twist = cageproof::convert<R>(q.twist);
+  return to;
+}
+
 // Local minima of the squared distance on a grid, the best ones first.
 std::vector<Start> grid_minima(const LocalQuad<Mp200>& q) {
-  const LocalQuad<double> rough{{cageproof::convert<double>(q.corners[0])}, {cageproof::convert<double>(q.edges[0]), {}, {}, cageproof::convert<double>(q.edges[3])},
-                                cageproof::convert<double>(q.twist), 0};
+  const LocalQuad<double> rough = converted<double>(q);
   std::array<std::array<double, kGrid + 1>, kGrid + 1> square;
   for (int i = 0; i <= kGrid; ++i)
     for (int j = 0; j <= kGrid; ++j) {
@@ -71,17 +81,6 @@ void descend(const LocalQuad<R>& q, R& u, R& v, int steps) {
     square = next_square;
     damping = damping < R(1) / 100 ? R(0) : R(damping / 8);
   }
-}
-
-template <Scalar R>
-LocalQuad<R> converted(const LocalQuad<Mp200>& q) {
-  LocalQuad<R> to;
-  for (int k = 0; k < 4; ++k) {
-    to.corners[k] = cageproof::convert<R>(q.corners[k]);
-    to.edges[k] = cageproof::convert<R>(q.edges[k]);
-  }
-  to.twist = cageproof::convert<R>(q.twist);
-  return to;
 }
 
 }  // namespace

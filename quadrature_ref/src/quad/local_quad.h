@@ -20,11 +20,14 @@ struct QuadExpansion {
 
   /// The point at (a, b) off c: position, hat functions, normal (not of unit length) and height; not the weight.
   void set(const R& a, const R& b, Node<R>& node) const {
-    const R ab = a * b, p = u + a, q = v + b, p_left = 1 - p, q_left = 1 - q;
-    for (int i = 0; i < 3; ++i) {
-      node.x[i] = base[i] + a * along_u[i] + b * along_v[i] + ab * twist[i];
-      node.normal[i] = normal[i] + a * normal_u[i] + b * normal_v[i];
-    }
+    const R ab = a * b;
+    for (int i = 0; i < 3; ++i) node.x[i] = base[i] + a * along_u[i] + b * along_v[i] + ab * twist[i];
+    set_surface(a, b, ab, node);
+  }
+  /// All of `set` but the position.
+  void set_surface(const R& a, const R& b, const R& ab, Node<R>& node) const {
+    const R p = u + a, q = v + b, p_left = 1 - p, q_left = 1 - q;
+    for (int i = 0; i < 3; ++i) node.normal[i] = normal[i] + a * normal_u[i] + b * normal_v[i];
     node.height = height + a * height_u + b * height_v + ab * height_uv;
     node.hat = {p_left * q_left, p * q_left, p * q, p_left * q};
   }

@@ -35,7 +35,7 @@ void QuadCaster<W>::aim(const QuadSector<W>& sector, const QuadCell& cell, const
 
 template <Scalar W>
 void QuadCaster<W>::set_node(const Radius& radius, const W& weight, Node<W>& node) const {
-  frame_.at.set(W(radius.rho * du_), W(radius.rho * dv_), node);
+  frame_.at.set_surface(W(radius.rho * du_), W(radius.rho * dv_), W(radius.square * duv_), node);
   // A d_u + B d_v cancels in thin quads; `direction_` does not.
   for (int i = 0; i < 3; ++i)
     node.x[i] = frame_.at.base[i] + radius.rho * direction_[i] + radius.square * bend_[i];

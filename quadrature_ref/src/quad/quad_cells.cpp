@@ -38,7 +38,7 @@ double points(double digits, double half, double largest) {
   for (double excess = .85 * (largest - 1); excess > .01; excess *= .7) {
     const double sum = 1 + excess;
     const double growth = std::min(3 * half * (sum + 1 / sum - 2), 9 * std::log(1 + sum / 2));
-    least = std::min(least, (digits + 3 + .4343 * growth) / (2 * std::log10(sum)));
+    least = std::min(least, (digits + .4343 * growth) / (2 * std::log10(sum)));
   }
   return std::max(least, 4.);
 }
