@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// The weights of a quad, integrated over both parameters, against relations that do not know how they were integrated.
+#include "cageproof/quadrature_ref/quad_rules.h"
+#include "support.h"
+
+namespace cageproof::quadrature_ref {
+namespace {
+
+using Vec = Vec3<double>;
+
+struct QuadSample {
+  std::string kind;
+  Quad<double> corners;
+  Vec point;
+};
+
+const Quad<double> kPlanar{Vec(0, 0, 0), Vec(1, .125, 0), Vec(1.25, .875, 0), Vec(-.125, 1, 0)};
+const Quad<double> kTwisted{Vec(0, 0, 0), Vec(1, .125, .125), Vec(1.125, .875, -.25), Vec(-.125, 1, .375)};
+const Quad<double> kSaddle{Vec(0, 0, .75), Vec(1, 0, -.75), Vec(1, 1, .75), Vec(0, 1, -.75)};
+const Quad<double> kSlender{Vec(0, 0, 0), Vec(1, 0, .2), Vec(1.1, 1e-10, .2), Vec(0, 2e-10, 1e-10)};
+
+Vec on(const Quad<double>& q, double u, double v) {
+  return (1 - u) * (1 - v) * q[0] + u * (1 - v) * q[1] + u * v * q[2] + (1 - u) * v * q[3];
+}
+
+// Next to faces, edges, corners and the surface continued, and far away.
+std::vector<QuadSample> samples() {
+  std::vector<QuadSample> all;
+  const auto add = [&](const char* kind, const Quad<double>& q, double h) {
+    const Vec n = (q[1] - q[0]).cross(q[3] - q[0]).normalized();
+    const Vec face = on(q, .3125, .625), edge = on(q, .4, 0);
+    all.push_back({std::string(kind) + " face", q, face - h * (q[1] - q[0]).cross(q[2] - q[1]).normalized()});
+    all.push_back({std::string(kind) + " edge", q, edge + h * Vec(.1, -.6, -.8)});
+    all.push_back({std::string(kind) + " corner", q, q[0] - h * Vec(.5, .6, .4)});
+    all.push_back({std::string(kind) + " outside", q, on(q, .5, -.3) - h * n});
+  };
+  for (const double h : {1e8, 1.0, 1e-3}) add("planar", kPlanar, h);
+  for (const double h : {10.0, 1e-1, 1e-10}) add("twisted", kTwisted, h);
+  for (const double h : {1.0, 1e-6}) add("saddle", kSaddle, h);
+  add("slender", kSlender, .1);
+  return all;
+}
+
+template <Scalar R>
+Result<R> evaluate_quad(const std::string& name, const Quad<R>& q, const Vec3<R>& point, int order) {
+  const auto found = EvaluationRegister::instance().find("quad.mean_value", name);
+  if (!found) throw std::runtime_error("no evaluation " + name);
+  Result<R> result;
+  (*found)(Query<R>{q, point, order}, result);
+  return result;
+}
+
+template <Scalar R>
+Result<R> evaluate_quad(const std::string& name, const QuadSample& s, int order) {
+  Quad<R> q;
+  for (int k = 0; k < 4; ++k) q[k] = convert<R>(s.corners[k]);
+  return evaluate_quad<R>(name, q, convert<R>(s.point), order);
+}
+
+// The references of `samples`, integrated once.
+const std::vector<Result<Mp50>>& references() {
+  static const std::vector<Result<Mp50>> all = [] {
+    std::vector<Result<Mp50>> results;
+    for (const QuadSample& s : samples()) results.push_back(evaluate_quad<Mp50>("multiprecision", s, 0));
+    return results;
+  }();
+  return all;
+}
+
+using Weights = std::vector<Mp100>;
+
+// sum_k w_k (q_k - eta), [T18] Eq 15.
+Weights from_weights(const std::vector<Mp50>& w, const Quad<Mp50>& q, const Vec3<Mp50>& point) {
+  Weights m(3);
+  for (int k = 0; k < 4; ++k)
+    for (int i = 0; i < 3; ++i) m[i] += Mp100(w[k]) * (Mp100(q[k][i]) - Mp100(point[i]));
+  return m;
+}
+
+// The mean vector of the spherical polygon that the border draws on the unit sphere about eta: half the sum of the
+// edges' angles times their unit normals ([T18] Eq 16, [J05]).
+Vec3<Mp100> mean_vector(const Quad<Mp50>& q, const Vec3<Mp100>& point) {
+  Vec3<Mp100> m = Vec3<Mp100>::Zero();
+  for (int k = 0; k < 4; ++k) {
+    const Vec3<Mp100> a = convert<Mp100>(q[k]) - point, b = convert<Mp100>(q[(k + 1) % 4]) - point;
+    const Vec3<Mp100> n = a.cross(b);
+    const Mp100 length = sqrt(Mp100(n.dot(n)));
+    if (length > 0) m += n * Mp100(atan2(length, Mp100(a.dot(b))) / (2 * length));
+  }
+  return m;
+}
+
+Quad<Mp50> wide(const Quad<double>& q) {
+  return {convert<Mp50>(q[0]), convert<Mp50>(q[1]), convert<Mp50>(q[2]), convert<Mp50>(q[3])};
+}
+
+TEST(Quad, multiprecision_keeps_its_word_and_the_mean_vector) {
+  int index = 0;
+  for (const QuadSample& s : samples()) {
+    const Result<Mp50>& r = references()[index++];
+    EXPECT_TRUE(r.converged && r.stated_digits >= 30) << s.kind << r.stated_digits;
+    const Quad<Mp50> q = wide(s.corners);
+    const Vec3<Mp50> point = convert<Mp50>(s.point);
+    const Vec3<Mp100> m = mean_vector(q, convert<Mp100>(s.point));
+    const Weights found = from_weights(r.value, q, point);
+    // Weights may be large where the vector is not (next to a corner): the sum's own terms are the scale.
+    Mp100 scale = 0, difference = 0;
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i < 3; ++i) scale += abs(Mp100(r.value[k]) * (Mp100(q[k][i]) - Mp100(point[i])));
+    for (int i = 0; i < 3; ++i) difference += abs(found[i] - m[i]);
+    EXPECT_LE(difference, scale * pow(Mp100(10), -28)) << s.kind << ' ' << log10_of(Mp100(difference / scale));
+  }
+}
+
+// Derivatives of both sides of sum_k w_k (q_k - eta) = m: the right one's by central differences of step d and 1e4 d^2.
+TEST(Quad, derivatives_of_the_mean_vector_relation) {
+  for (const QuadSample& s : {QuadSample{"twisted", kTwisted, {.4, .5, -.2}}, QuadSample{"planar", kPlanar, {1.5, .3, .01}},
+                              QuadSample{"saddle", kSaddle, on(kSaddle, .5, .5) + Vec(0, 0, .001)}}) {
+    const auto r = evaluate_quad<Mp50>("multiprecision", s, 2);
+    const Quad<Mp50> q = wide(s.corners);
+    const Vec3<Mp100> eta = convert<Mp100>(s.point);
+    const Mp100 d = pow(Mp100(10), -19);
+    const auto at = [&](int i, int a, int j, int b) {
+      Vec3<Mp100> moved = eta;
+      moved[i] += a * d;
+      moved[j] += b * d;
+      return mean_vector(q, moved);
+    };
+    std::vector<Mp100> gradient, gradient_found, hessian, hessian_found;
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < 3; ++i) {
+        gradient.push_back((at(i, 1, i, 0)[c] - at(i, -1, i, 0)[c]) / (2 * d));
+        Mp100 sum = 0;
+        for (int k = 0; k < 4; ++k) {
+          sum += Mp100(r.gradient[3 * k + i]) * (Mp100(q[k][c]) - eta[c]);
+          if (i == c) sum -= Mp100(r.value[k]);
+        }
+        gradient_found.push_back(sum);
+        for (int j = 0; j < 3; ++j) {
+          hessian.push_back((at(i, 1, j, 1)[c] - at(i, 1, j, -1)[c] - at(i, -1, j, 1)[c] + at(i, -1, j, -1)[c]) / (4 * d * d));
+          Mp100 second = 0;
+          for (int k = 0; k < 4; ++k) {
+            second += Mp100(r.hessian[9 * k + 3 * i + j]) * (Mp100(q[k][c]) - eta[c]);
+            if (i == c) second -= Mp100(r.gradient[3 * k + j]);
+            if (j == c) second -= Mp100(r.gradient[3 * k + i]);
+          }
+          hessian_found.push_back(second);
+        }
+      }
+    // Differences are off by d^2 times two more derivatives over the distance squared.
+    EXPECT_LT(log10_error(gradient_found, gradient), -27) << s.kind;
+    EXPECT_LT(log10_error(hessian_found, hessian), -27) << s.kind;
+  }
+}
+
+// A hat function of the whole is the combination of its four quarters' hats with its values at their corners.
+TEST(Quad, is_the_sum_over_its_four_quarters) {
+  for (const QuadSample& s : {QuadSample{"twisted", kTwisted, on(kTwisted, .25, .25) + Vec(0, 0, 1e-3)},
+                              QuadSample{"planar", kPlanar, {.3, .4, -.2}}, QuadSample{"saddle", kSaddle, {.9, -.1, .3}}}) {
+    const Quad<Mp50> q = wide(s.corners);
+    const Vec3<Mp50> point = convert<Mp50>(s.point);
+    const auto whole = evaluate_quad<Mp50>("multiprecision", q, point, 2);
+    Result<Mp50> sum;
+    sum.reset(4, 3, 2);
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        Quad<Mp50> part;
+        std::array<std::array<Mp50, 4>, 4> hat;
+        for (int k = 0; k < 4; ++k) {
+          const Mp50 u = Mp50(i + (k == 1 || k == 2)) / 2, v = Mp50(j + (k >= 2)) / 2;
+          hat[k] = {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
+          part[k] = q[0] * hat[k][0] + q[1] * hat[k][1] + q[2] * hat[k][2] + q[3] * hat[k][3];
+        }
+        const auto r = evaluate_quad<Mp50>("multiprecision", part, point, 2);
+        for (int o = 0; o < 3; ++o) {
+          const std::size_t entries = r.of(o).size() / 4;
+          for (int k = 0; k < 4; ++k)
+            for (int c = 0; c < 4; ++c)
+              for (std::size_t e = 0; e < entries; ++e) sum.of(o)[c * entries + e] += hat[k][c] * r.of(o)[k * entries + e];
+        }
+      }
+    for (int o = 0; o < 3; ++o) EXPECT_LT(log10_error(sum.of(o), whole.of(o)), -28) << s.kind << o;
+  }
+}
+
+TEST(Quad, gauss_converges_to_it) {
+  const QuadSample s{"twisted", kTwisted, {.4, .5, -1}};
+  const auto truth = evaluate_quad<Mp50>("multiprecision", s, 2);
+  for (int o = 0; o < 3; ++o) {
+    double before = 0;
+    for (const char* name : {"gauss-4", "gauss-8", "gauss-16", "gauss-32"}) {
+      const double error = log10_error(evaluate_quad<Mp50>(name, s, 2).of(o), truth.of(o));
+      EXPECT_LT(error, 1.6 * before) << name;
+      before = error;
+    }
+    EXPECT_LT(before, -22);
+    EXPECT_LT(log10_error(evaluate_quad<double>("gauss-32", s, 2).of(o), truth.of(o)), -14);
+  }
+}
+
+TEST(Quad, gauss_keeps_the_height_next_to_the_plane) {
+  for (const double h : {0.0, 1e-16, 1e-300}) {
+    const QuadSample s{"planar", kPlanar, {3, .5, -h}};
+    const auto found = evaluate_quad<double>("gauss-32", s, 1);
+    const auto truth = evaluate_quad<Mp50>("multiprecision", s, 1);
+    for (int o = 0; o < 2; ++o) EXPECT_LT(log10_error(found.of(o), truth.of(o)), -13) << h;
+    if (h == 0) {
+      for (const double w : found.value) EXPECT_EQ(w, 0);
+    }
+  }
+}
+
+TEST(Quad, adaptive_is_honest) {
+  int met = 0, met_float = 0, count = 0;
+  for (const QuadSample& s : samples()) {
+    const Result<Mp50>& truth = references()[count++];
+    const auto found = evaluate_quad<double>("adaptive", s, 0);
+    EXPECT_LE(found.nodes, kQuadAdaptiveNodeLimit);
+    if (found.stated_digits > 0) {
+      EXPECT_LE(log10_error(found.value, truth.value), -found.stated_digits) << s.kind;
+    }
+    met += found.converged;
+    if (s.point.norm() < 100 && s.kind.starts_with("twisted")) met_float += evaluate_quad<float>("adaptive", s, 1).converged;
+  }
+  EXPECT_EQ(met, count);
+  EXPECT_GE(met_float, 8);
+  const QuadSample close{"twisted", kTwisted, on(kTwisted, .3, .6) + Vec(0, 0, .01)};
+  const auto truth = evaluate_quad<Mp50>("multiprecision", close, 2);
+  const auto found = evaluate_quad<double>("adaptive", close, 2);
+  EXPECT_TRUE(found.converged && found.stated_digits >= 10);
+  for (int o = 0; o < 3; ++o) EXPECT_LE(log10_error(found.of(o), truth.of(o)), -found.stated_digits);
+}
+
+TEST(Quad, without_a_limit_on_the_quad_and_without_geometry) {
+  for (const auto& [u, v] : {std::pair{.5, .5}, {.25, 0.}, {0., 0.}}) {
+    const QuadSample s{"saddle", kSaddle, on(kSaddle, u, v)};
+    const auto r = evaluate_quad<Mp50>("multiprecision", s, 1);
+    EXPECT_TRUE(r.converged && isnan(r.value[0]) && isnan(r.gradient[0]) && std::isnan(r.stated_digits));
+    EXPECT_FALSE(evaluate_quad<double>("adaptive", s, 0).converged);
+  }
+  QuadSample bad{"planar", kPlanar, {.1, .1, .1}};
+  bad.corners[2][1] = std::numeric_limits<double>::infinity();
+  const QuadSample line{"line", {Vec(0, 0, 0), Vec(1, 0, 0), Vec(2, 0, 0), Vec(3, 0, 0)}, {.1, .1, .1}};
+  for (const char* name : {"gauss-4", "adaptive", "multiprecision"})
+    for (const QuadSample& s : {bad, line}) EXPECT_TRUE(std::isnan(evaluate_quad<double>(name, s, 1).gradient[0])) << name;
+}
+
+TEST(Quad, units_of_length_change_nothing_but_the_scale) {
+  const QuadSample s{"twisted", kTwisted, {.4, .5, -.1}};
+  QuadSample scaled = s;
+  for (Vec& corner : scaled.corners) corner *= 0x1p-400;
+  scaled.point *= 0x1p-400;
+  for (const char* name : {"gauss-8", "adaptive", "multiprecision"}) {
+    const auto one = evaluate_quad<double>(name, s, 0), other = evaluate_quad<double>(name, scaled, 0);
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(one.value[k] * 0x1p400, other.value[k]) << name;
+  }
+}
+
+}  // namespace
+}  // namespace cageproof::quadrature_ref
