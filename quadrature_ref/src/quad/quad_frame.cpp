@@ -18,7 +18,8 @@ QuadFrame<Mp200> quad_frame(const LocalQuad<Mp200>& q, const Mp200& u, const Mp2
     s.jacobian = start_u * s.step_v - start_v * s.step_u;
     if (!(s.jacobian > 0)) continue;
     // xi(c) - q_k, which is not the difference of two vectors to eta: that may be far away.
-    const Vec3<Mp200> from_corner = -(frame.at.along_u * start_u + frame.at.along_v * start_v + q.twist * (start_u * start_v));
+    const Vec3<Mp200> from_corner =
+        -(frame.at.along_u * start_u + frame.at.along_v * start_v + q.twist * (start_u * start_v));
     const Mp200 square = dot(q.edges[k], q.edges[k]);
     Mp200 foot = 0, eps = 4;
     if (square > 0) {
