@@ -2,7 +2,10 @@
 #include "cageproof/core/cage.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/quad_geometry.h"
 #include "cage_checks.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -22,7 +25,7 @@ Cage Cage::make(std::string name, std::vector<Vec3<double>> vertices, std::vecto
   const cage_checks::Candidate candidate{name, vertices, faces};
   cage_checks::check_coordinates(candidate);
   cage_checks::check_indices(candidate);
-  cage_checks::check_shapes(candidate);
+  cage_checks::check_shapes(candidate, options.allow_invalid_quads);
   cage_checks::check_edges(candidate);
   cage_checks::check_fans(candidate);
   if (cage_checks::orientation(candidate) < 0) {
@@ -36,7 +39,22 @@ Cage Cage::make(std::string name, std::vector<Vec3<double>> vertices, std::vecto
   cage.name_ = std::move(name);
   cage.vertices_ = std::move(vertices);
   cage.faces_ = std::move(faces);
+  cage.allows_invalid_quads_ = options.allow_invalid_quads;
   return cage;
+}
+
+std::array<Vec3<double>, 4> Cage::quad(std::size_t f) const {
+  const auto& v = faces_[f].vertices;
+  return {vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]]};
+}
+
+std::vector<std::string> invalid_quads(const Cage& cage) {
+  std::vector<std::string> faults;
+  for (std::size_t f = 0; f < cage.faces().size(); ++f) {
+    if (cage.faces()[f].size() != 4) continue;
+    if (const auto reason = invalid_because(cage.quad(f))) faults.push_back(fmt::format("face {}: {}", f, *reason));
+  }
+  return faults;
 }
 
 bool Cage::has_quads() const {

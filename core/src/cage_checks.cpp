@@ -88,8 +88,9 @@ void check_indices(const Candidate& cage) {
   if (loose != used.end()) fail_vertex(cage, loose - used.begin(), "no face uses it; remove it from the cage");
 }
 
-void check_shapes(const Candidate& cage) {
-  for (std::size_t f = 0; f < cage.faces.size(); ++f) check_shape(cage, f);
+void check_shapes(const Candidate& cage, bool allow_invalid_quads) {
+  for (std::size_t f = 0; f < cage.faces.size(); ++f)
+    if (!allow_invalid_quads || cage.faces[f].size() == 3) check_shape(cage, f);
 }
 
 void check_edges(const Candidate& cage) {

@@ -17,8 +17,8 @@ struct Candidate {
 void check_coordinates(const Candidate& cage);
 /// Indices in range, none twice in a face, every vertex in a face.
 void check_indices(const Candidate& cage);
-/// No edge of length zero, no triangle of area zero in any split of a face, no quad that crosses itself.
-void check_shapes(const Candidate& cage);
+/// No edge of length zero, no triangle of area zero in any split of a face, no quad that crosses itself; triangles alone where quads may be invalid.
+void check_shapes(const Candidate& cage, bool allow_invalid_quads);
 /// Every edge between two faces that run along it in opposite directions.
 void check_edges(const Candidate& cage);
 /// The faces around every vertex form one fan. \pre check_edges passed

@@ -3,6 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/orientation.h"
+#include "cageproof/core/quad_geometry.h"
 
 #include <fmt/format.h>
 
@@ -10,53 +11,27 @@
 #include <cmath>
 
 namespace cageproof {
-
 namespace {
 
-// c of [T24], below Eq 49: the traction of the identity map is c n. It grows without bound towards nu = 1/2.
-double identity_traction(std::span<const double> p) {
-  const double mu = p[0], nu = p[1];
-  return std::isinf(nu) ? -mu : 2 * mu * (1 + 3 * nu / (1 - 2 * nu));
+Evaluation evaluation_of(std::string_view formula, std::string_view name) {
+  auto found = EvaluationRegister::instance().find(formula, name);
+  if (!found) throw InputError(fmt::format("{} has no evaluation '{}'; see `cageproof list`", formula, name));
+  return std::move(*found);
+}
+
+// The cage's faces, or its triangles.
+std::vector<Face> elements_of(const Cage& cage, bool keep_quads, Triangulation rule) {
+  if (keep_quads) return cage.faces();
+  std::vector<Face> elements;
+  for (const auto& t : cage.triangulate(rule).triangles) elements.push_back({{t[0], t[1], t[2], -1}});
+  return elements;
 }
 
 }  // namespace
 
-std::span<const CoordinateKind> coordinate_kinds() {
-  using Reproduces = CoordinateBlock::Reproduces;
-  static const CoordinateBlock phi{"phi", "triangle.double_layer", Reproduces::Vertices};
-  static const CoordinateBlock psi{"psi", "triangle.single_layer", Reproduces::Normals};
-  static const std::array kinds{
-      CoordinateKind{"mean_value", "[T18] Eq 9-14", {{"lambda", "triangle.mean_value", Reproduces::Vertices}}, true},
-      CoordinateKind{"green", "[T24] Eq 7", {phi, psi}, false},
-      CoordinateKind{"biharmonic",
-                     "[T24] Eq 1, 3",
-                     {phi,
-                      psi,
-                      {"phibar", "triangle.biharmonic_double_layer", Reproduces::Nothing},
-                      {"psibar", "triangle.biharmonic_single_layer", Reproduces::Nothing}},
-                     false},
-      CoordinateKind{"somigliana",
-                     "[T24] Eq 47-49, [C23] Eq 8",
-                     {{"T", "triangle.kelvin_traction", Reproduces::Vertices},
-                      {"K", "triangle.kelvin_displacement", Reproduces::Normals, identity_traction}},
-                     false},
-  };
-  return kinds;
-}
-
-const std::vector<Parameter>& parameters_of(const CoordinateKind& kind) {
-  return find_formula(kind.blocks.front().formula)->parameters;
-}
-
-const CoordinateKind* find_coordinate_kind(std::string_view name) {
-  for (const CoordinateKind& kind : coordinate_kinds())
-    if (kind.name == name) return &kind;
-  return nullptr;
-}
-
 CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, std::string_view evaluation,
                                  Triangulation rule, std::vector<double> parameters)
-    : kind_(&kind), vertices_(cage.vertices()), triangles_(cage.triangulate(rule).triangles), parameters_(std::move(parameters)) {
+    : kind_(&kind), vertices_(cage.vertices()), elements_(elements_of(cage, kind.keeps_quads(), rule)), parameters_(std::move(parameters)) {
   const std::vector<Parameter>& known = parameters_of(kind);
   if (parameters_.empty())
     for (const Parameter& p : known) parameters_.push_back(p.preset);
@@ -65,19 +40,54 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, s
   for (std::size_t i = 0; i < known.size(); ++i)
     if (!known[i].allows(parameters_[i]))
       throw InputError(fmt::format("{}: the parameter {} = {} is out of range", kind.name, known[i].name, parameters_[i]));
-  for (const auto& t : triangles_)
-    normals_.push_back((vertices_[t[1]] - vertices_[t[0]]).cross(vertices_[t[2]] - vertices_[t[0]]).normalized());
-  for (const CoordinateBlock& block : kind.blocks) {
-    auto found = EvaluationRegister::instance().find(block.formula, evaluation);
-    if (!found) throw InputError(fmt::format("{} has no evaluation '{}'; see `cageproof list`", block.formula, evaluation));
-    max_order_ = std::min(max_order_, found->max_order());
-    evaluations_.push_back(std::move(*found));
+  if (!accepts(kind, cage)) {
+    const auto faults = invalid_quads(cage);
+    const std::string more = faults.size() > 1 ? fmt::format(", and {} more", faults.size() - 1) : "";
+    throw InputError(fmt::format("{}: {} (faces counted from 0, corners within the face){}; {} wants valid quads, --allow-invalid-quads computes "
+                                 "all the same",
+                                 cage.name(), faults.front(), more, kind.name));
   }
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const auto c = corners(static_cast<int>(e));
+    const Vec3<double> area = c.size() == 3 ? (c[1] - c[0]).cross(c[2] - c[0]) : (c[2] - c[0]).cross(c[3] - c[1]);
+    normals_.push_back(area.normalized());
+  }
+  if (kind.direct) {
+    direct_ = kind.direct(cage, evaluation);
+    max_order_ = 0;
+    return;
+  }
+  for (const CoordinateBlock& block : kind.blocks) {
+    if (block.quad_formula.empty()) {
+      evaluations_.push_back(evaluation_of(block.formula, evaluation));
+    } else {
+      const bool has = EvaluationRegister::instance().find(block.formula, evaluation).has_value();
+      evaluations_.push_back(evaluation_of(block.formula, has ? evaluation : "closed_form"));
+      quad_evaluations_.push_back(evaluation_of(block.quad_formula, evaluation));
+      if (cage.has_quads()) max_order_ = std::min(max_order_, quad_evaluations_.back().max_order());
+    }
+    max_order_ = std::min(max_order_, evaluations_.back().max_order());
+  }
+}
+
+std::vector<Vec3<double>> CageCoordinates::corners(int element) const {
+  std::vector<Vec3<double>> found;
+  const Face& face = elements_[element];
+  for (int k = 0; k < face.size(); ++k) found.push_back(vertices_[face.vertices[k]]);
+  return found;
+}
+
+Vec3<double> CageCoordinates::normal_at(const Touching& touch) const {
+  const auto q = corners(touch.element);
+  if (q.size() == 3) return normals_[touch.element];
+  const double u = touch.basis[1] + touch.basis[2], v = touch.basis[2] + touch.basis[3];
+  const Vec3<double> along_u = (1 - v) * (q[1] - q[0]) + v * (q[2] - q[3]), along_v = (1 - u) * (q[3] - q[0]) + u * (q[2] - q[1]);
+  return along_u.cross(along_v).normalized();
 }
 
 int CageCoordinates::size(int b) const {
   const bool per_vertex = find_formula(kind_->blocks[b].formula)->shape.per_corner;
-  return static_cast<int>(per_vertex ? vertices_.size() : triangles_.size());
+  return static_cast<int>(per_vertex ? vertices_.size() : elements_.size());
 }
 
 int CageCoordinates::entries(int b) const {
@@ -90,25 +100,37 @@ double CageCoordinates::normal_factor(int b) const {
   return factor ? factor(parameters_) : 1;
 }
 
+namespace {
+
+// The hat functions of a point that lies on the triangle, exactly; nothing for one that does not.
+std::optional<std::array<double, 4>> hats_at(const Triangle<double>& corner, const Vec3<double>& point) {
+  const Vec3<double> low = corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]);
+  const Vec3<double> high = corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]);
+  if ((point - low).minCoeff() < 0 || (high - point).minCoeff() < 0) return std::nullopt;
+  if (side_of_plane(corner, point) != 0) return std::nullopt;
+  if (side_of_edge(corner, 0, point) < 0 || side_of_edge(corner, 1, point) < 0 || side_of_edge(corner, 2, point) < 0) return std::nullopt;
+  // 200 digits hold the products of three doubles exactly over 100 decades.
+  std::array<Vec3<Mp200>, 3> p;
+  for (int c = 0; c < 3; ++c) p[c] = convert<Mp200>(corner[c]) - convert<Mp200>(point);
+  const Vec3<Mp200> normal = Vec3<Mp200>(p[1] - p[0]).cross(Vec3<Mp200>(p[2] - p[0]));
+  std::array<Mp200, 3> part;
+  for (int c = 0; c < 3; ++c) part[c] = p[(c + 1) % 3].cross(p[(c + 2) % 3]).dot(normal);
+  std::array<double, 4> hats{};
+  for (int c = 0; c < 3; ++c) hats[c] = static_cast<double>(Mp200(part[c] / normal.dot(normal)));
+  return hats;
+}
+
+}  // namespace
+
 std::vector<Touching> CageCoordinates::touching(const Vec3<double>& point) const {
   std::vector<Touching> found;
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    std::array<Vec3<double>, 3> corner;
-    for (int c = 0; c < 3; ++c) corner[c] = vertices_[triangles_[t][c]];
-    const Vec3<double> low = corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]);
-    const Vec3<double> high = corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]);
-    if ((point - low).minCoeff() < 0 || (high - point).minCoeff() < 0) continue;
-    if (side_of_plane(corner, point) != 0) continue;
-    if (side_of_edge(corner, 0, point) < 0 || side_of_edge(corner, 1, point) < 0 || side_of_edge(corner, 2, point) < 0) continue;
-    // 200 digits hold the products of three doubles exactly over 100 decades.
-    std::array<Vec3<Mp200>, 3> p;
-    for (int c = 0; c < 3; ++c) p[c] = convert<Mp200>(corner[c]) - convert<Mp200>(point);
-    const Vec3<Mp200> normal = Vec3<Mp200>(p[1] - p[0]).cross(Vec3<Mp200>(p[2] - p[0]));
-    std::array<Mp200, 3> part;
-    for (int c = 0; c < 3; ++c) part[c] = p[(c + 1) % 3].cross(p[(c + 2) % 3]).dot(normal);
-    Touching touch{static_cast<int>(t), {}};
-    for (int c = 0; c < 3; ++c) touch.hats[c] = static_cast<double>(Mp200(part[c] / normal.dot(normal)));
-    found.push_back(touch);
+  for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
+    const auto& v = elements_[e].vertices;
+    if (elements_[e].size() == 3) {
+      if (const auto hats = hats_at({vertices_[v[0]], vertices_[v[1]], vertices_[v[2]]}, point)) found.push_back({e, *hats});
+    } else if (const auto on = on_quad({vertices_[v[0]], vertices_[v[1]], vertices_[v[2]], vertices_[v[3]]}, point)) {
+      found.push_back({e, on->basis});
+    }
   }
   return found;
 }
@@ -152,53 +174,68 @@ Result<R> CageCoordinates::block_at(int b, const Vec3<R>& eta, int order, const 
   const std::size_t width = entries(b);
   Result<R> sum, part;
   sum.reset(static_cast<int>(size(b) * width), 3, order);
-  // Adds the matrix (or number) times each hat function at the point to its vertex.
-  const auto add_hats = [&](const std::vector<R>& matrix) {
-    for (int c = 0; c < 3; ++c)
+  // Adds the matrix (or number) times each basis function at the point to its vertex.
+  const auto add_basis = [&](const std::vector<R>& matrix) {
+    const Face& element = elements_[on.front().element];
+    for (int c = 0; c < element.size(); ++c)
       for (std::size_t i = 0; i < width; ++i)
-        sum.value[triangles_[on.front().triangle][c] * width + i] += static_cast<R>(on.front().hats[c]) * matrix[i];
+        sum.value[element.vertices[c] * width + i] += static_cast<R>(on.front().basis[c]) * matrix[i];
   };
   if (kind_->normalised && !on.empty()) {
-    add_hats({R(1)});
+    add_basis({R(1)});
     fill_derivatives(sum, std::numeric_limits<R>::quiet_NaN());
     return sum;
   }
   const bool jumps = formula.shape.per_corner && formula.face_jump.number != 0;
   const std::vector<R> parameters(parameters_.begin(), parameters_.end());
-  std::array<Vec3<R>, 3> corners;
-  std::vector<R> whole(width, R(0));  // what the triangles that the point is not on leave of the whole
+  std::array<Vec3<R>, 4> corners;
+  std::vector<R> whole(width, R(0));  // what the elements that the point is not on leave of the whole
   for (std::size_t i = 0; i < width; i += formula.shape.columns + 1) whole[i] = R(formula.face_jump.number);
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    for (int c = 0; c < 3; ++c) corners[c] = convert<R>(vertices_[triangles_[t][c]]);
-    const auto touch = std::ranges::find(on, static_cast<int>(t), &Touching::triangle);
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const std::size_t count = elements_[e].size();
+    const auto& v = elements_[e].vertices;
+    for (std::size_t c = 0; c < count; ++c) corners[c] = convert<R>(vertices_[v[c]]);
+    const auto touch = std::ranges::find(on, static_cast<int>(e), &Touching::element);
     const bool touches = jumps && touch != on.end();
-    evaluations_[b].operator()<R>(Query<R>{corners, eta, order, parameters, touches}, part);
+    evaluation_on(b, static_cast<int>(e)).operator()<R>(Query<R>{std::span(corners).first(count), eta, order, parameters, touches}, part);
     for (int o = 0; o <= order; ++o) {
       const std::vector<R>& from = part.of(o);
       std::vector<R>& to = sum.of(o);
       const std::size_t block = width * (o == 0 ? 1 : o == 1 ? 3 : 9), tensors = from.size() / block;
       for (std::size_t k = 0; k < tensors; ++k) {
-        const std::size_t place = formula.shape.per_corner ? triangles_[t][k] : t;
+        const std::size_t place = formula.shape.per_corner ? v[k] : e;
         for (std::size_t i = 0; i < block; ++i) to[place * block + i] += from[k * block + i];
       }
       if (!jumps || on.empty() || o != 0) continue;
-      // On the cage: the sum over all triangles of int (hat - hat at the point) kernel, whose integrals exist, and hat at the point.
+      // On the cage: the sum over all elements of int (basis - basis at the point) kernel, whose integrals exist, and basis at the point.
       for (std::size_t i = 0; i < width; ++i) {
         R all = 0;
         for (std::size_t k = 0; k < tensors; ++k) all += from[k * width + i];
         if (!touches) whole[i] -= all;
         else
-          for (int c = 0; c < 3; ++c) to[triangles_[t][c] * width + i] -= static_cast<R>(touch->hats[c]) * all;
+          for (std::size_t c = 0; c < count; ++c) to[v[c] * width + i] -= static_cast<R>(touch->basis[c]) * all;
       }
     }
   }
-  if (jumps && !on.empty()) add_hats(whole);
+  if (jumps && !on.empty()) add_basis(whole);
   if (kind_->normalised) normalise(sum, order);
   return sum;
 }
 
+namespace {
+
+template <Scalar R>
+std::vector<Result<R>> direct_at(const std::vector<double>& coordinates) {
+  std::vector<Result<R>> blocks(1);
+  blocks[0].value.assign(coordinates.begin(), coordinates.end());
+  return blocks;
+}
+
+}  // namespace
+
 template <Scalar R>
 std::vector<Result<R>> CageCoordinates::at(const Vec3<double>& point, int order) const {
+  if (direct_) return direct_at<R>(direct_(point));
   const std::vector<Touching> on = touching(point);
   std::vector<Result<R>> blocks;
   for (int b = 0; b < static_cast<int>(kind_->blocks.size()); ++b) blocks.push_back(block_at<R>(b, convert<R>(point), order, on));
@@ -207,6 +244,7 @@ std::vector<Result<R>> CageCoordinates::at(const Vec3<double>& point, int order)
 
 template <Scalar R>
 std::vector<Result<R>> CageCoordinates::at_off_cage(const Vec3<R>& point, int order) const {
+  if (direct_) return direct_at<R>(direct_(convert<double>(point)));
   std::vector<Result<R>> blocks;
   for (int b = 0; b < static_cast<int>(kind_->blocks.size()); ++b) blocks.push_back(block_at<R>(b, point, order, {}));
   return blocks;

@@ -26,14 +26,14 @@ WorkPrecision measure_cage(const Arguments& a, validation::WorkPrecisionOptions 
   const CoordinateKind* kind = find_coordinate_kind(a.kind);
   if (!kind) throw InputError(fmt::format("unknown kind of coordinates '{}'; see `cageproof list`", a.kind));
   std::vector<std::string_view> formulas;
-  for (const CoordinateBlock& block : kind->blocks) formulas.push_back(block.formula);
+  for (const CoordinateBlock& block : kind->blocks) formulas.push_back(block.quad_formula.empty() ? block.formula : block.quad_formula);
   if (options.evaluations.empty()) options.evaluations = validation::default_work_precision_evaluations(formulas);
   options.parameters = parameters_from(a.parameters, parameters_of(*kind), kind->name);
   options.triangulation = a.cage.rule();
   const Cage cage = a.cage.load();
-  const validation::CageLocator locator(cage, options.triangulation);
+  const validation::CageLocator locator(cage, options.triangulation, kind->keeps_quads());
   const auto groups = a.points.empty()
-                          ? validation::groups_inside(cage, locator, options.triangulation, options.seed, options.samples)
+                          ? validation::groups_inside(cage, locator, options.seed, options.samples)
                           : validation::groups_of(cage, locator, load_points(a.points).vertices);
   WorkPrecision result = validation::cage_work_precision(cage, *kind, groups, options);
   result.settings = {{"triangulation", a.cage.triangulate}, {"points", a.points.empty() ? "random" : a.points}};

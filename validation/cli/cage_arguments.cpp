@@ -23,7 +23,7 @@ void CageArguments::add_to(CLI::App& command, bool required) {
 Cage CageArguments::load() const {
   const auto names = embedded_cage_names();
   if (std::ranges::find(names, file) != names.end()) return embedded_cage(file);
-  return read_cage(file, {.flip_inward = flip_inward});
+  return read_cage(file, {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
 }
 
 std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known, std::string_view owner) {

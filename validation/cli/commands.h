@@ -30,6 +30,7 @@ void add_bench(CLI::App& app, Action& action, const std::string& command_line);
 struct CageArguments {
   std::string file;  ///< a mesh file, or the name of an embedded cage
   bool flip_inward = false;
+  bool allow_invalid_quads = false;  ///< an option of commands whose coordinates keep quads
   std::string triangulate = "shortest";
 
   void add_to(CLI::App& command, bool required);

@@ -13,7 +13,9 @@
 #include <xtensor/xnpy.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <span>
 
 namespace cageproof::cli {
 namespace {
@@ -92,16 +94,35 @@ void write_whole(const std::string& path, const std::string& text) {
   }
 }
 
+void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
+
+// Says how many points have no coordinates, and why.
+void warn_of_missing(const Table& table, std::size_t points, const CoordinateKind& kind) {
+  std::size_t missing = 0;
+  for (std::size_t p = 0; p < points; ++p) {
+    const auto row = std::span(table.values).subspan(p * table.columns.size(), table.columns.size());
+    missing += std::ranges::any_of(row, [](double x) { return std::isnan(x); });
+  }
+  if (missing > 0)
+    warn(fmt::format("{} of {} points have no {} coordinates (nan): {}", missing, points, kind.name,
+                     kind.missing_because.empty() ? "the cage's quads are not valid there" : kind.missing_because));
+}
+
 int run(const Arguments& a) {
   const CoordinateKind* kind = find_coordinate_kind(a.kind);
   if (!kind) throw InputError(fmt::format("unknown kind of coordinates '{}'; see `cageproof list`", a.kind));
+  if (a.cage.allow_invalid_quads && !kind->keeps_quads())
+    throw InputError(fmt::format("--allow-invalid-quads: {} splits quads in triangles", kind->name));
   const std::string extension = std::filesystem::path(a.out).extension();
   if (!a.out.empty() && extension != ".csv" && extension != ".npy" && extension != ".vtp")
     throw InputError(fmt::format("{}: cannot write '{}' files; use .csv, .npy or .vtp", a.out, extension));
   const Cage cage = a.cage.load();
+  if (cage.allows_invalid_quads())
+    for (const std::string& fault : invalid_quads(cage)) warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
   const Mesh mesh = load_points(a.points);
   const CageCoordinates coordinates(cage, *kind, a.evaluation, a.cage.rule(), parameters_from(a.parameters, parameters_of(*kind), kind->name));
   const Table table = compute(coordinates, mesh.vertices, a.jobs);
+  warn_of_missing(table, mesh.vertices.size(), *kind);
   const std::string text = extension == ".npy"   ? npy_text(table, mesh.vertices.size())
                            : extension == ".vtp" ? vtp_text(table, coordinates, mesh)
                                                  : csv_text(table);
@@ -117,7 +138,9 @@ void add_coordinates(CLI::App& app, Action& action) {
   auto a = std::make_shared<Arguments>();
   a->cage.add_to(*command, true);
   command->add_option("--points", a->points, "a mesh, or text with three numbers a line")->required();
-  command->add_option("--kind", a->kind, "mean_value, green, biharmonic or somigliana")->required();
+  command->add_option("--kind", a->kind, "mean_value, quad_mean_value, spherical_mean_value, maximum_entropy, green, biharmonic or somigliana")
+      ->required();
+  command->add_flag("--allow-invalid-quads", a->cage.allow_invalid_quads, "compute with quads that are not valid, of kinds that keep quads");
   command->add_option("--parameter", a->parameters, "mu=..., nu=... of somigliana; nu in (-1, 0.5] or inf or -inf");
   command->add_option("--evaluation", a->evaluation, "how its formulas are evaluated")->capture_default_str();
   command->add_option("--out", a->out, ".csv, .npy (points x coordinates) or .vtp; CSV on standard output if not given");

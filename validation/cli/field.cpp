@@ -109,7 +109,7 @@ void add_field(CLI::App& app, Action& action, const std::string& command_line) {
   CLI::Option_group* what = command->add_option_group("what is shown");
   what->require_option(1);
   CLI::Option* formula = what->add_option("--formula", a->formula, "relative error of a formula of the catalogue");
-  CLI::Option* kind = what->add_option("--kind", a->kind, "partition of unity of mean_value, green, biharmonic or somigliana");
+  CLI::Option* kind = what->add_option("--kind", a->kind, "partition of unity of a kind of cage coordinates");
   command->add_option("--evaluation", a->evaluation, "one of its evaluations")->required();
   command->add_option("--order", a->order, "0 value, 1 gradient, 2 Hessian")->check(CLI::Range(0, 2))->capture_default_str()->excludes(kind);
   command->add_option("--parameter", a->parameters, "mu=..., nu=... of a kind")->excludes(formula);

@@ -49,7 +49,10 @@ Json catalogue_json() {
   for (const Formula& f : catalogue()) all["formulas"].push_back(formula_json(f));
   for (const CoordinateKind& kind : coordinate_kinds()) {
     Json blocks = Json::array();
-    for (const CoordinateBlock& b : kind.blocks) blocks.push_back({{"label", b.label}, {"formula", b.formula}});
+    for (const CoordinateBlock& b : kind.blocks) {
+      blocks.push_back({{"label", b.label}, {"formula", b.formula}});
+      if (!b.quad_formula.empty()) blocks.back()["quad_formula"] = b.quad_formula;
+    }
     all["coordinates"].push_back({{"name", kind.name}, {"source", kind.source}, {"blocks", blocks}});
   }
   for (const auto& regime : validation::regimes())

@@ -27,8 +27,7 @@ void add_point(PointGroup& group, const CageLocator& locator, double least, std:
 
 }  // namespace
 
-std::vector<PointGroup> groups_inside(const Cage& cage, const CageLocator& locator, Triangulation rule, std::uint64_t seed, int count) {
-  const auto triangles = cage.triangulate(rule).triangles;
+std::vector<PointGroup> groups_inside(const Cage& cage, const CageLocator& locator, std::uint64_t seed, int count) {
   Vec low = cage.vertices().front(), high = low;
   for (const Vec& v : cage.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
   std::vector<PointGroup> groups{{"interior", interior_distance, {}}};
@@ -47,11 +46,10 @@ std::vector<PointGroup> groups_inside(const Cage& cage, const CageLocator& locat
       }
       // A little less than the height, which rounding may take from it.
       add_point(group, locator, 0.999 * height, i, [&] {
-        const auto& t = triangles[random.below(static_cast<int>(triangles.size()))];
-        const Vec &a = cage.vertices()[t[0]], &b = cage.vertices()[t[1]], &c = cage.vertices()[t[2]];
-        double s = random.uniform(), r = random.uniform();
-        if (s + r > 1) s = 1 - s, r = 1 - r;
-        return Vec(a + s * (b - a) + r * (c - a) - height * (b - a).cross(c - a).normalized());
+        const int patch = random.below(locator.patches());
+        const double along = random.uniform(), across = random.uniform();
+        const SurfacePoint on = locator.surface_point(patch, along, across);
+        return Vec(on.point - height * on.normal);
       });
     }
   return groups;

@@ -84,6 +84,7 @@ CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const
                      int order) {
   CageErrors errors{{nan, nan, nan}, {nan, nan, nan}, nan};
   const auto blocks = coordinates.at<double>(point, order);
+  if (!coordinates.kind().missing_because.empty() && std::isnan(blocks[0].value[0])) return errors;
   for (int o = 0; o <= order; ++o) {
     const int entries = o == 0 ? 1 : o == 1 ? 3 : 9;
     double ones = 0, positions = 0, ones_size = 0, positions_size = 0;

@@ -2,6 +2,7 @@
 #include "cageproof/validation/cage_points.h"
 
 #include "cageproof/core/random_stream.h"
+#include "bilinear_patch.h"
 
 #include <fmt/format.h>
 
@@ -15,34 +16,16 @@ namespace {
 
 using Vec = Vec3<double>;
 
-double distance_to_segment(const Vec& p, const Vec& a, const Vec& b) {
-  const Vec ab = b - a;
-  const double t = std::clamp((p - a).dot(ab) / ab.dot(ab), 0.0, 1.0);
-  return (p - a - t * ab).norm();
-}
-
-double distance_to_triangle(const Vec& p, const std::array<Vec, 3>& t) {
-  const Vec n = (t[1] - t[0]).cross(t[2] - t[0]);
-  bool within = true;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    const Vec &a = t[i], &b = t[(i + 1) % 3];
-    within = within && (b - a).cross(p - a).dot(n) >= 0;
-    nearest = std::min(nearest, distance_to_segment(p, a, b));
-  }
-  return within ? std::abs((p - t[0]).dot(n)) / n.norm() : nearest;
-}
-
-// -1 no crossing, 1 crossing, 0 too close to an edge of the triangle to say (Moeller-Trumbore's determinants).
-int crossing(const Vec& origin, const Vec& direction, const std::array<Vec, 3>& t) {
+// -1 where the ray comes too close to an edge of the triangle to say (Moeller-Trumbore's determinants).
+int crossings_of_triangle(const Vec& origin, const Vec& direction, const Triangle<double>& t) {
   const Vec e1 = t[1] - t[0], e2 = t[2] - t[0], s = origin - t[0];
   const Vec h = direction.cross(e2), q = s.cross(e1);
   const double a = e1.dot(h);
   const double u = s.dot(h) / a, v = direction.dot(q) / a, along = e2.dot(q) / a;
   constexpr double margin = 1e-9;
-  if (!std::isfinite(u) || !std::isfinite(v)) return -1;
-  if (u < -margin || v < -margin || u + v > 1 + margin || along <= 0) return -1;
-  return u > margin && v > margin && u + v < 1 - margin ? 1 : 0;
+  if (!std::isfinite(u) || !std::isfinite(v)) return 0;
+  if (u < -margin || v < -margin || u + v > 1 + margin || along <= 0) return 0;
+  return u > margin && v > margin && u + v < 1 - margin ? 1 : -1;
 }
 
 }  // namespace
@@ -59,14 +42,25 @@ std::string_view name_of(Place place) {
   return "too-close";
 }
 
-CageLocator::CageLocator(const Cage& cage, Triangulation rule) : size_(cage.size()) {
-  for (const auto& t : cage.triangulate(rule).triangles)
-    triangles_.push_back({cage.vertices()[t[0]], cage.vertices()[t[1]], cage.vertices()[t[2]]});
+CageLocator::CageLocator(const Cage& cage, Triangulation rule, bool keep_quads) : size_(cage.size()) {
+  const auto& vertices = cage.vertices();
+  const auto add = [&](int face, int a, int b, int c) { patches_.push_back({{vertices[a], vertices[b], vertices[c], vertices[c]}, 3, face}); };
+  const auto split = cage.triangulate(rule);
+  for (std::size_t t = 0; t < split.triangles.size(); ++t) {
+    const auto& [a, b, c] = split.triangles[t];
+    const int face = split.face_of[t];
+    if (!keep_quads || cage.faces()[face].size() == 3) add(face, a, b, c);
+    else if (patches_.empty() || patches_.back().face != face) patches_.push_back({cage.quad(face), 4, face});
+  }
 }
 
 double CageLocator::distance(const Vec& point) const {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const auto& t : triangles_) nearest = std::min(nearest, distance_to_triangle(point, t));
+  for (const Patch& patch : patches_) {
+    const auto& c = patch.corners;
+    const double d = patch.size == 3 ? distance_to_triangle(point, {c[0], c[1], c[2]}) : distance_to_quad(point, c, nearest);
+    nearest = std::min(nearest, d);
+  }
   return nearest;
 }
 
@@ -79,13 +73,28 @@ bool CageLocator::inside(const Vec& point) const {
     while (direction.norm() < 0.1);
     int crossings = 0;
     bool clear = true;
-    for (const auto& t : triangles_) {
-      const int hit = crossing(point, direction, t);
-      clear = clear && hit != 0;
-      crossings += hit == 1;
+    for (const Patch& patch : patches_) {
+      const auto& c = patch.corners;
+      const int hits = patch.size == 3 ? crossings_of_triangle(point, direction, {c[0], c[1], c[2]})
+                                       : crossings_of_quad(point, direction, c);
+      clear = clear && hits >= 0;
+      crossings += hits;
     }
     if (clear) return crossings % 2 == 1;
   }
+}
+
+SurfacePoint CageLocator::surface_point(int patch, double s, double r) const {
+  const auto& c = patches_[patch].corners;
+  if (patches_[patch].size == 3) {
+    if (s + r > 1) {
+      s = 1 - s;
+      r = 1 - r;
+    }
+    return {c[0] + s * (c[1] - c[0]) + r * (c[2] - c[0]), (c[1] - c[0]).cross(c[2] - c[0]).normalized()};
+  }
+  const Vec along_s = (1 - r) * (c[1] - c[0]) + r * (c[2] - c[3]), along_r = (1 - s) * (c[3] - c[0]) + s * (c[2] - c[1]);
+  return {(1 - s) * (1 - r) * c[0] + s * (1 - r) * c[1] + s * r * c[2] + (1 - s) * r * c[3], along_s.cross(along_r).normalized()};
 }
 
 Place CageLocator::place(const Vec& point) const {
@@ -93,9 +102,7 @@ Place CageLocator::place(const Vec& point) const {
   return inside(point) ? Place::Inside : Place::Outside;
 }
 
-std::vector<CagePoint> points_off(const Cage& cage, const CageLocator& locator, Triangulation rule, std::uint64_t seed,
-                                  int count) {
-  const auto triangles = cage.triangulate(rule).triangles;
+std::vector<CagePoint> points_off(const Cage& cage, const CageLocator& locator, std::uint64_t seed, int count) {
   Vec low = cage.vertices().front(), high = low;
   for (const Vec& v : cage.vertices()) {
     low = low.cwiseMin(v);
@@ -109,33 +116,35 @@ std::vector<CagePoint> points_off(const Cage& cage, const CageLocator& locator, 
     if (i % 2 == 0) {
       for (int c = 0; c < 3; ++c) p[c] = random.uniform(low[c] - margin[c], high[c] + margin[c]);
     } else {
-      const auto& t = triangles[random.below(static_cast<int>(triangles.size()))];
-      const Vec &a = cage.vertices()[t[0]], &b = cage.vertices()[t[1]], &c = cage.vertices()[t[2]];
-      double s = random.uniform(), r = random.uniform();
-      if (s + r > 1) {
-        s = 1 - s;
-        r = 1 - r;
-      }
+      const int patch = random.below(locator.patches());
+      const double s = random.uniform(), r = random.uniform();
+      const SurfacePoint on = locator.surface_point(patch, s, r);
       // A hundredth above the decade: rounding must not put the nearest points below the promised distance.
       const double height = 1.01 * cage.size() * std::pow(10.0, -1 - (i / 2) % 6) * (random.uniform() < 0.5 ? -1.0 : 1.0);
-      p = a + s * (b - a) + r * (c - a) + height * (b - a).cross(c - a).normalized();
+      p = on.point + height * on.normal;
     }
     points.push_back({p, locator.place(p), static_cast<std::uint64_t>(i)});
   }
   return points;
 }
 
-std::vector<CagePoint> points_on(const Cage& cage, Triangulation rule) {
+std::vector<CagePoint> points_on(const CageCoordinates& coordinates, const Cage& cage) {
   std::vector<CagePoint> points;
-  for (const Vec& v : cage.vertices()) points.push_back({v, Place::OnVertex, points.size()});
+  const auto add = [&](const Vec& p, Place place) { points.push_back({p, place, points.size()}); };
+  for (const Vec& v : cage.vertices()) add(v, Place::OnVertex);
   std::set<std::pair<int, int>> edges;
-  for (const auto& t : cage.triangulate(rule).triangles) {
-    const Vec &a = cage.vertices()[t[0]], &b = cage.vertices()[t[1]], &c = cage.vertices()[t[2]];
-    points.push_back({(2 * a + b + c) / 4, Place::OnFace, points.size()});
-    for (int i = 0; i < 3; ++i) {
-      const int from = t[i], to = t[(i + 1) % 3];
-      if (edges.insert(std::minmax(from, to)).second)
-        points.push_back({(cage.vertices()[from] + cage.vertices()[to]) / 2, Place::OnEdge, points.size()});
+  for (int e = 0; e < static_cast<int>(coordinates.elements().size()); ++e) {
+    const Face& element = coordinates.elements()[e];
+    const auto c = coordinates.corners(e);
+    if (element.size() == 3) {
+      add((2 * c[0] + c[1] + c[2]) / 4, Place::OnFace);
+    } else {
+      add((c[0] + c[1] + c[2] + c[3]) / 4, Place::OnFace);                // u = v = 1/2
+      add((9 * c[0] + 3 * c[1] + c[2] + 3 * c[3]) / 16, Place::OnFace);  // u = v = 1/4
+    }
+    for (int i = 0; i < element.size(); ++i) {
+      const int from = element.vertices[i], to = element.vertices[(i + 1) % element.size()];
+      if (edges.insert(std::minmax(from, to)).second) add((cage.vertices()[from] + cage.vertices()[to]) / 2, Place::OnEdge);
     }
   }
   return points;

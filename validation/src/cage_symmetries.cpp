@@ -38,16 +38,17 @@ double relative_difference(const std::vector<R>& a, const std::vector<R>& b) {
 
 CageSymmetries::Variant CageSymmetries::variant(std::string check, const std::string& name,
                                                 const std::vector<Vec3<double>>& vertices, const std::vector<Face>& faces,
-                                                const CoordinateKind& kind, const std::string& evaluation) {
-  Variant v{std::move(check), {Cage::make(name, vertices, faces), kind, evaluation, Triangulation::Fan}, {}, {}, 1, false};
+                                                const CoordinateKind& kind, const std::string& evaluation) const {
+  const CageOptions options{.allow_invalid_quads = allow_invalid_quads_};
+  Variant v{std::move(check), {Cage::make(name, vertices, faces, options), kind, evaluation, Triangulation::Fan}, {}, {}, 1, false};
   for (int i = 0; i < static_cast<int>(vertices.size()); ++i) v.vertex_parts.push_back({i});
-  for (int t = 0; t < static_cast<int>(faces.size()); ++t) v.triangle_of.push_back(t);
+  for (int t = 0; t < static_cast<int>(faces.size()); ++t) v.element_of.push_back(t);
   return v;
 }
 
 CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
                                Triangulation rule)
-    : size_(cage.size()), base_(cage, kind, evaluation, rule) {
+    : size_(cage.size()), allow_invalid_quads_(cage.allows_invalid_quads()), base_(cage, kind, evaluation, rule) {
   const auto& vertices = cage.vertices();
   std::vector<Vec3<double>> scaled, turned, finer = vertices;
   for (const auto& v : vertices) {
@@ -67,23 +68,37 @@ CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, con
     }
     return place->second;
   };
-  for (const auto& t : base_.triangles()) {
-    faces.push_back({{t[0], t[1], t[2], -1}});
-    permuted.push_back({{t[1], t[2], t[0], -1}});
-    const int m0 = midpoint(t[0], t[1]), m1 = midpoint(t[1], t[2]), m2 = midpoint(t[2], t[0]);
-    for (const auto& p : {std::array{t[0], m0, m2}, std::array{m0, t[1], m1}, std::array{m2, m1, t[2]}, std::array{m0, m1, m2}}) {
-      parts.push_back({{p[0], p[1], p[2], -1}});
-      part_of.push_back(static_cast<int>(faces.size()) - 1);
+  for (const Face& element : base_.elements()) {
+    const auto& v = element.vertices;
+    const int n = element.size(), last = v[n - 1];
+    faces.push_back(element);
+    permuted.push_back(n == 3 ? Face{{v[1], v[2], v[0], -1}} : Face{{v[1], v[2], v[3], v[0]}});
+    std::array<int, 4> middle{};
+    for (int k = 0; k < n; ++k) middle[k] = midpoint(v[k], v[(k + 1) % n]);
+    const int element_index = static_cast<int>(faces.size()) - 1, before = middle[n - 1];
+    if (n == 3) {
+      parts.insert(parts.end(), {{{v[0], middle[0], before, -1}}, {{middle[0], v[1], middle[1], -1}}, {{before, middle[1], last, -1}},
+                                 {{middle[0], middle[1], before, -1}}});
+    } else {
+      // The parts of a bilinear quad at u = 1/2 and v = 1/2 are bilinear quads.
+      const int centre = static_cast<int>(finer.size());
+      finer.push_back((vertices[v[0]] + vertices[v[1]] + vertices[v[2]] + vertices[v[3]]) / 4);
+      ends.push_back({v.begin(), v.end()});
+      parts.insert(parts.end(), {{{v[0], middle[0], centre, before}}, {{middle[0], v[1], middle[1], centre}},
+                                 {{centre, middle[1], v[2], middle[2]}}, {{before, centre, middle[2], last}}});
     }
+    part_of.insert(part_of.end(), 4, element_index);
   }
   variants_.push_back(variant("cage_scaling", cage.name(), scaled, faces, kind, evaluation));
   variants_.back().unit = scale;
   variants_.push_back(variant("cage_rigid_motion", cage.name(), turned, faces, kind, evaluation));
   variants_.back().turned = true;
   variants_.push_back(variant("cage_corner_permutation", cage.name(), vertices, permuted, kind, evaluation));
+  // What is no sum over faces has no reason to stay when they are divided.
+  if (kind.direct) return;
   variants_.push_back(variant("cage_subdivision", cage.name(), finer, parts, kind, evaluation));
   variants_.back().vertex_parts = ends;
-  variants_.back().triangle_of = part_of;
+  variants_.back().element_of = part_of;
 }
 
 std::map<std::string, double> CageSymmetries::errors_at(const Vec3<double>& point) const {
@@ -92,6 +107,10 @@ std::map<std::string, double> CageSymmetries::errors_at(const Vec3<double>& poin
   for (const Variant& v : variants_) {
     const auto found = v.coordinates.at<double>(v.turned ? turn(point) : Vec3<double>(v.unit * point), 0);
     double& worst = errors[v.check];
+    if (!base_.kind().missing_because.empty() && std::isnan(expected[0].value[0]) && std::isnan(found[0].value[0])) {
+      worst = std::numeric_limits<double>::quiet_NaN();
+      continue;
+    }
     for (std::size_t b = 0; b < found.size(); ++b) {
       const Formula& formula = *find_formula(base_.kind().blocks[b].formula);
       const int degree = base_.kind().normalised ? 0 : formula.degree;
@@ -102,7 +121,7 @@ std::map<std::string, double> CageSymmetries::errors_at(const Vec3<double>& poin
       for (std::size_t i = 0; i < plain.size(); ++i) {
         const double x = plain[i] / std::pow(v.unit, degree);
         const std::size_t coordinate = i / width, entry = i % width;
-        if (!formula.shape.per_corner) folded[v.triangle_of[coordinate] * width + entry] += x;
+        if (!formula.shape.per_corner) folded[v.element_of[coordinate] * width + entry] += x;
         else
           for (const int to : v.vertex_parts[coordinate])
             folded[to * width + entry] += x / static_cast<double>(v.vertex_parts[coordinate].size());

@@ -67,7 +67,7 @@ ImageField reproduction_field(const Cage& cage, const CoordinateKind& kind, cons
                               Triangulation rule, int resolution, int jobs, const std::vector<double>& parameters) {
   const SlicePlan slice = slice_through(cage, resolution);
   const CageCoordinates coordinates(cage, kind, evaluation, rule, parameters);
-  const CageLocator locator(cage, rule);
+  const CageLocator locator(cage, rule, kind.keeps_quads());
   ImageField field = empty_field(slice, fmt::format("{}.{}.{}.reproduction", file_name(cage), kind.name, evaluation));
   const std::size_t count = count_of(slice);
   field.arrays = {{"partition of unity", "1", 1, std::vector<double>(count)},

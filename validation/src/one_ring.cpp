@@ -103,7 +103,7 @@ double one_ring_error_at(const Cage& cage, const OneRingOptions& options, std::s
 std::vector<ResultRow> run_one_ring_check(const Cage& cage, const OneRingOptions& options) {
   const Evaluation evaluation = evaluation_named(options.evaluation), reference = evaluation_named("closed_form");
   const CageLocator locator(cage, options.triangulation);
-  std::vector<CagePoint> points = points_off(cage, locator, options.triangulation, options.seed, 4 * options.points);
+  std::vector<CagePoint> points = points_off(cage, locator, options.seed, 4 * options.points);
   std::erase_if(points, [&](const CagePoint& p) { return locator.distance(p.point) < clearance * cage.size(); });
   points.resize(std::min<std::size_t>(points.size(), options.points));
   const auto triangles = cage.triangulate(options.triangulation).triangles;

@@ -65,7 +65,7 @@ double replay_cage(const ResultRow& row, const WorstCase& worst, Triangulation r
     if (const auto found = errors.find(row.check); found != errors.end()) return found->second;
   }
   const bool on_cage = !coordinates.touching(worst.point).empty();
-  const CageLocator locator(cage, rule);
+  const CageLocator locator(cage, rule, kind->keeps_quads());
   if (row.check == "limit_from_inside") return inside_limit_error_at(coordinates, cage, locator, worst.point);
   const double expected =
       on_cage || kind->normalised || locator.inside(worst.point) ? 1 : 0;

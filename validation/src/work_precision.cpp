@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::size_t timed_pairs = 64;
 
-// What is timed: evaluations one after the other at samples, each with its formula's parameters.
+// What is timed: at each sample, evaluations one after the other, each with its formula's parameters.
 struct Work {
-  std::vector<Evaluation> evaluations;
   std::vector<Sample> samples;
+  std::vector<std::vector<const Evaluation*>> evaluations;  // as many at each sample
 };
 
 // Sets nodes and nanoseconds: whole passes over the samples until `seconds` are over, so that each counts alike.
@@ -33,14 +33,14 @@ void time(const Work& work, int order, double seconds, WorkPrecisionRow& row) {
   double nodes = 0;
   const auto pass = [&] {
     nodes = 0;
-    for (const auto& query : queries)
-      for (const Evaluation& evaluation : work.evaluations) {
-        evaluation(query.query(), result);
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      for (const Evaluation* evaluation : work.evaluations[i]) {
+        (*evaluation)(queries[i].query(), result);
         nodes += static_cast<double>(result.nodes);
       }
   };
   // Tables that an evaluation builds at its first call are no part of its time.
-  for (const Evaluation& evaluation : work.evaluations) evaluation(queries.front().query(), result);
+  pass();
   int passes = 0;
   const auto start = Clock::now();
   double elapsed = 0;
@@ -50,7 +50,7 @@ void time(const Work& work, int order, double seconds, WorkPrecisionRow& row) {
     elapsed = std::chrono::duration<double>(Clock::now() - start).count();
   } while (elapsed < seconds);
   const auto pairs = static_cast<double>(queries.size());
-  row.nodes = nodes / (pairs * static_cast<double>(work.evaluations.size()));
+  row.nodes = nodes / (pairs * static_cast<double>(work.evaluations.front().size()));
   row.nanoseconds = 1e9 * elapsed / (passes * pairs);
 }
 
@@ -89,25 +89,23 @@ std::vector<std::vector<Evaluation>> find_all(const std::vector<std::string_view
 
 std::vector<std::string_view> formulas_of(const CoordinateKind& kind) {
   std::vector<std::string_view> formulas;
-  for (const CoordinateBlock& block : kind.blocks) formulas.push_back(block.formula);
+  for (const CoordinateBlock& block : kind.blocks) formulas.push_back(kind.keeps_quads() ? block.quad_formula : block.formula);
   return formulas;
 }
 
-// Pairs of a group's points and triangles, spread evenly over all of them.
-std::vector<Sample> pairs_of(const Cage& cage, const CageCoordinates& coordinates, const PointGroup& group,
-                             const std::vector<double>& parameters) {
-  const std::size_t triangles = coordinates.triangles().size(), all = group.points.size() * triangles;
+// Pairs of a group's points and elements, spread evenly over all of them.
+Work pairs_of(const CageCoordinates& coordinates, const PointGroup& group, const std::vector<double>& parameters) {
+  const std::size_t elements = coordinates.elements().size(), all = group.points.size() * elements;
   const std::size_t count = std::min(all, timed_pairs);
-  std::vector<Sample> samples;
+  Work work;
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t pair = n * all / count;
-    Sample sample;
-    for (const int v : coordinates.triangles()[pair % triangles]) sample.corners.push_back(cage.vertices()[v]);
-    sample.point = group.points[pair / triangles].point;
-    sample.parameters = parameters;
-    samples.push_back(std::move(sample));
+    const int element = static_cast<int>(pair % elements);
+    work.samples.push_back({coordinates.corners(element), group.points[pair / elements].point, parameters, 0, 0});
+    auto& evaluations = work.evaluations.emplace_back();
+    for (int b = 0; b < static_cast<int>(coordinates.kind().blocks.size()); ++b) evaluations.push_back(&coordinates.evaluation_on(b, element));
   }
-  return samples;
+  return work;
 }
 
 WorkPrecision empty_measurement(std::string_view subject, const WorkPrecisionOptions& options) {
@@ -144,6 +142,7 @@ std::vector<RegimePlace> places_of(const std::vector<const Regime*>& regimes, co
 
 WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, const std::vector<PointGroup>& groups,
                                   const WorkPrecisionOptions& options) {
+  if (kind.direct) throw InputError(fmt::format("{} is no sum of formulas that could be timed one by one", kind.name));
   const auto evaluations = find_all(formulas_of(kind), options);
   std::vector<double> parameters = options.parameters;
   if (parameters.empty())
@@ -169,7 +168,7 @@ WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, 
         errors[i] = errors_at(coordinates, cage, p.point, expected_sum(kind, p.place), 0).partition[0];
       });
       summarise(std::move(errors), row);
-      time({evaluations[e], pairs_of(cage, coordinates, group, parameters)}, 0, options.seconds, row);
+      time(pairs_of(coordinates, group, parameters), 0, options.seconds, row);
       result.rows.push_back(std::move(row));
     }
   }
@@ -213,7 +212,7 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
       }
       summarise(std::move(errors), row);
       const std::size_t timed = std::min(samples.size(), timed_pairs);
-      time({one, {samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(timed)}}, options.order, options.seconds, row);
+      time({{samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(timed)}, {timed, {&one.front()}}}, options.order, options.seconds, row);
       result.rows.push_back(std::move(row));
     }
   }

@@ -97,7 +97,7 @@ TEST(locator, agrees_with_the_cube) {
     low = low.cwiseMin(v);
     high = high.cwiseMax(v);
   }
-  for (const CagePoint& p : points_off(cube, locator, Triangulation::Shortest, 9, 500)) {
+  for (const CagePoint& p : points_off(cube, locator, 9, 500)) {
     const bool within = (p.point - low).minCoeff() > 0 && (high - p.point).minCoeff() > 0;
     if (p.place != Place::TooClose) {
       EXPECT_EQ(p.place == Place::Inside, within);
@@ -110,7 +110,7 @@ TEST(coordinates, green_derivatives_agree_with_differences) {
   const Cage cage = embedded_cage("l-block");
   const CageCoordinates green(cage, *find_coordinate_kind("green"), "closed_form", Triangulation::Shortest);
   const CageLocator locator(cage, Triangulation::Shortest);
-  for (const CagePoint& p : points_off(cage, locator, Triangulation::Shortest, 4, 6)) {
+  for (const CagePoint& p : points_off(cage, locator, 4, 6)) {
     if (locator.distance(p.point) < 0.05) continue;
     const auto at = green.at<double>(p.point, 2);
     constexpr double h = 1e-5;

@@ -137,6 +137,28 @@ for kind in csv npy vtp; do
   "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind green --out "$work/c.$kind" && [ -s "$work/c.$kind" ] || fail "$kind"
 done
 
+# Coordinates that keep quads: sums of one, points without coordinates counted, invalid quads named or warned of.
+for kind in quad_mean_value spherical_mean_value maximum_entropy; do
+  "$cageproof" coordinates --cage twisted-bar --points "$work/three.csv" --kind $kind >"$work/stdout" 2>"$work/stderr" || fail "coordinates $kind"
+  awk -F, 'NR > 1 { s = 0; for (i = 1; i <= NF; i++) s += $i; if (s < 0.999999999999 || s > 1.000000000001) exit 1 } END { if (NR != 4) exit 1 }' \
+    "$work/stdout" || fail "$kind coordinates do not sum to one"
+  [ ! -s "$work/stderr" ] || fail "$kind: $(cat "$work/stderr")"
+done
+write far.csv '9,9,9' '0,0,0'
+"$cageproof" coordinates --cage cube --points "$work/far.csv" --kind maximum_entropy >"$work/stdout" 2>"$work/stderr" || fail "maximum_entropy outside"
+grep -q '1 of 2 points' "$work/stderr" || fail "points without coordinates are not counted: $(cat "$work/stderr")"
+[ "$(grep -c nan "$work/stdout")" -eq 1 ] || fail "maximum_entropy: $(cat "$work/stdout")"
+write arrowheads.obj 'v 0 0 0' 'v 2 -1 0' 'v 1 0 0' 'v 2 1 0' 'v 0 0 1' 'v 2 -1 1' 'v 1 0 1' 'v 2 1 1' \
+  'f 1 4 3 2' 'f 5 6 7 8' 'f 1 2 6 5' 'f 2 3 7 6' 'f 3 4 8 7' 'f 4 1 5 8'
+arrowheads() { "$cageproof" coordinates --cage "$work/arrowheads.obj" --points "$work/three.csv" "$@"; }
+arrowheads --kind mean_value >/dev/null || fail "mean_value on arrowheads"
+refuses arrowheads.obj 'face 0' 'folds over' --allow-invalid-quads -- arrowheads --kind quad_mean_value
+refuses --allow-invalid-quads mean_value -- arrowheads --kind mean_value --allow-invalid-quads
+arrowheads --kind quad_mean_value --allow-invalid-quads >"$work/stdout" 2>"$work/stderr" || fail "--allow-invalid-quads"
+[ "$(grep -c 'warning: .*face [01]: .*folds over' "$work/stderr")" -eq 2 ] || fail "no warning of invalid quads: $(cat "$work/stderr")"
+refuses bowtie.obj face bow-tie -- "$cageproof" coordinates --cage "$work/bowtie.obj" --points "$work/three.csv" --kind quad_mean_value
+refuses nonsense -- "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind spherical_mean_value --evaluation nonsense
+
 # verify, its report, and replay.
 "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes 'near-face' --cage cube --out "$work/report" >"$work/stdout"
 [ $? -eq 0 ] || fail "verify: $(cat "$work/stdout")"

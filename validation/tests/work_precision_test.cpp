@@ -49,7 +49,7 @@ WorkPrecisionOptions quick(std::vector<std::string> evaluations) {
 
 std::vector<PointGroup> cube_groups(int count) {
   const Cage cube = embedded_cage("cube");
-  return groups_inside(cube, CageLocator(cube, Triangulation::Shortest), Triangulation::Shortest, 1, count);
+  return groups_inside(cube, CageLocator(cube, Triangulation::Shortest), 1, count);
 }
 
 TEST(work_precision, shows_a_known_error_its_nodes_and_its_time) {

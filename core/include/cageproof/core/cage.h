@@ -20,6 +20,8 @@ struct Face {
 /// What may be repaired instead of rejected.
 struct CageOptions {
   bool flip_inward = false;  ///< reverse all faces of a cage whose normals point inward
+  /// Quads may have coinciding corners, three on a line, cross themselves or fold over; for coordinates that keep quads.
+  bool allow_invalid_quads = false;
 };
 
 /// How quads become triangles: by the shorter of the two diagonals (compared exactly; ties: the one at the quad's first
@@ -49,6 +51,10 @@ class Cage {
   const std::vector<Vec3<double>>& vertices() const { return vertices_; }
   const std::vector<Face>& faces() const { return faces_; }
   bool has_quads() const;
+  /// Whether it was made with CageOptions::allow_invalid_quads.
+  bool allows_invalid_quads() const { return allows_invalid_quads_; }
+  /// The corners of face f. \pre it is a quad
+  std::array<Vec3<double>, 4> quad(std::size_t f) const;
   /// Length of the bounding box's diagonal.
   double size() const;
   /// The faces as triangles; quads are split by `rule`. `face_of[t]` is the face that triangle t comes from.
@@ -63,6 +69,10 @@ class Cage {
   std::string name_;
   std::vector<Vec3<double>> vertices_;
   std::vector<Face> faces_;
+  bool allows_invalid_quads_ = false;
 };
+
+/// The quads that are not valid (invalid_because), each as "face f: reason"; empty for none.
+std::vector<std::string> invalid_quads(const Cage& cage);
 
 }  // namespace cageproof

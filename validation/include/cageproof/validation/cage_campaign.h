@@ -24,10 +24,11 @@ struct CageCampaignOptions {
 struct CageErrors {
   std::array<double, 3> partition;     ///< by order: |sum of phi - 1| (0 outside); derivatives over the sum of their norms
   std::array<double, 3> reproduction;  ///< by order: |sum - x| over the cage's size; derivatives over the sum of their norms
-  double laplacian;                    ///< norm-wise over a block: |trace of Hessian - partner| over |Hessian|; the worst block
+  double laplacian;  ///< norm-wise over a block: |trace of Hessian - partner| over |Hessian|; the worst block
 };
 
 /// Partition of unity and linear reproduction at one point.
+/// All NaN where the kind says that points may have no coordinates, and this one has none.
 /// \param expected 1 inside and on the cage (and anywhere for normalised kinds), 0 outside
 CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point, double expected,
                      int order);

@@ -2,7 +2,7 @@
 // Points to try a cage at, and where they lie, found without any coordinate formula.
 #pragma once
 
-#include "cageproof/core/cage.h"
+#include "cageproof/core/coordinates.h"
 
 #include <cstdint>
 #include <string_view>
@@ -14,12 +14,20 @@ enum class Place { Inside, Outside, OnFace, OnEdge, OnVertex, TooClose };
 
 std::string_view name_of(Place place);
 
-/// A triangulated cage that answers where points lie.
+/// A point of the surface and the outward unit normal there.
+struct SurfacePoint {
+  Vec3<double> point, normal;
+};
+
+/// A cage's surface that answers where points lie: triangulated, or with its quads kept as bilinear surfaces.
 class CageLocator {
  public:
-  CageLocator(const Cage& cage, Triangulation rule);
+  CageLocator(const Cage& cage, Triangulation rule, bool keep_quads = false);
 
-  /// Distance to the cage.
+  int patches() const { return static_cast<int>(patches_.size()); }
+  /// Of a triangle or a bilinear quad. \param s, r in [0, 1]
+  SurfacePoint surface_point(int patch, double s, double r) const;
+  /// Distance to the cage; a lower bound at most 0.1 % below it where bilinear quads are near.
   double distance(const Vec3<double>& point) const;
   /// Whether a point off the cage lies inside, by the parity of the crossings of a ray.
   bool inside(const Vec3<double>& point) const;
@@ -30,7 +38,11 @@ class CageLocator {
   static constexpr double promised_distance = 1e-6;
 
  private:
-  std::vector<std::array<Vec3<double>, 3>> triangles_;
+  struct Patch {
+    std::array<Vec3<double>, 4> corners;
+    int size, face;
+  };
+  std::vector<Patch> patches_;
   double size_;
 };
 
@@ -42,9 +54,9 @@ struct CagePoint {
 
 /// `count` points off the cage: in the box half as large again, and next to faces at 1e-1 ... 1e-6 sizes on both sides; point i is a
 /// function of (seed, cage name, i).
-std::vector<CagePoint> points_off(const Cage& cage, const CageLocator& locator, Triangulation rule, std::uint64_t seed, int count);
+std::vector<CagePoint> points_off(const Cage& cage, const CageLocator& locator, std::uint64_t seed, int count);
 
-/// All vertices, and of edge midpoints and points of triangles those that doubles represent exactly on the cage.
-std::vector<CagePoint> points_on(const Cage& cage, Triangulation rule);
+/// All vertices, edge midpoints, and of each element one point (of bilinear quads two): where doubles represent them exactly, they lie on the cage.
+std::vector<CagePoint> points_on(const CageCoordinates& coordinates, const Cage& cage);
 
 }  // namespace cageproof::validation

@@ -8,12 +8,12 @@
 
 namespace cageproof::validation {
 
-/// A cage, its triangulation as a cage of its own, and that cage scaled, turned, with its corners permuted, and subdivided.
+/// A cage, what its coordinates are summed over as a cage of its own, and that cage scaled, turned, with its corners permuted, and subdivided.
 class CageSymmetries {
  public:
   CageSymmetries(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation, Triangulation rule);
 
-  /// By check (cage_scaling, cage_rigid_motion, cage_corner_permutation, cage_subdivision): the largest difference over the blocks,
+  /// By check (cage_scaling, cage_rigid_motion, cage_corner_permutation, cage_subdivision for sums over faces): the largest difference over the blocks,
   /// relative to the block's norm. \pre the point lies off the cage
   std::map<std::string, double> errors_at(const Vec3<double>& point) const;
 
@@ -24,16 +24,17 @@ class CageSymmetries {
   struct Variant {
     std::string check;
     CageCoordinates coordinates;
-    /// For each of its vertices, whose coordinate a part of this one's is; for each triangle, whose part it is.
+    /// For each of its vertices, whose coordinate a part of this one's is; for each element, whose part it is.
     std::vector<std::vector<int>> vertex_parts;
-    std::vector<int> triangle_of;
+    std::vector<int> element_of;
     double unit;
     bool turned;
   };
-  static Variant variant(std::string check, const std::string& name, const std::vector<Vec3<double>>& vertices,
-                         const std::vector<Face>& faces, const CoordinateKind& kind, const std::string& evaluation);
+  Variant variant(std::string check, const std::string& name, const std::vector<Vec3<double>>& vertices,
+                         const std::vector<Face>& faces, const CoordinateKind& kind, const std::string& evaluation) const;
 
   double size_;
+  bool allow_invalid_quads_;
   CageCoordinates base_;
   std::vector<Variant> variants_;
 };

@@ -31,7 +31,7 @@ struct PointGroup {
 
 /// Points inside: "interior", at least 1e-1 sizes from the cage, then 1e-1 ... 1e-4 sizes from a random point of a face and no nearer
 /// to any other. A group has fewer than `count` where the cage is too thin for them.
-std::vector<PointGroup> groups_inside(const Cage& cage, const CageLocator& locator, Triangulation rule, std::uint64_t seed, int count);
+std::vector<PointGroup> groups_inside(const Cage& cage, const CageLocator& locator, std::uint64_t seed, int count);
 
 /// Given points by decade of distance, the farthest first; those nearer than 1e-6 sizes, on which no bound is promised, left out.
 std::vector<PointGroup> groups_of(const Cage& cage, const CageLocator& locator, const std::vector<Vec3<double>>& points);
