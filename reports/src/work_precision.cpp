@@ -55,6 +55,7 @@ std::string work_precision_json(const WorkPrecision& r) {
                     {"where", r.where},
                     {"error", r.error},
                     {"unit", r.unit},
+                    {"timed", r.timed},
                     {"order", r.order},
                     {"seed", r.seed},
                     {"settings", r.settings},
@@ -65,7 +66,7 @@ std::string work_precision_json(const WorkPrecision& r) {
 }
 
 std::string work_precision_text(const WorkPrecision& r) {
-  std::vector<std::array<std::string, 8>> lines{{"place", "evaluation", "samples", "largest", "rms", "median", "nodes", "ns/pair"}};
+  std::vector<std::array<std::string, 8>> lines{{"place", "evaluation", "samples", "largest", "rms", "median", "nodes", "ns/" + r.timed}};
   for (const WorkPrecisionRow& row : r.rows)
     lines.push_back({row.place, row.evaluation, fmt::format("{}", row.samples), short_error(row.largest), short_error(row.rms),
                      short_error(row.median), fmt::format("{:.0f}", row.nodes), fmt::format("{:.0f}", row.nanoseconds)});

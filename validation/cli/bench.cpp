@@ -3,6 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/work_precision.h"
+#include "cageproof/validation/coordinate_times.h"
 #include "cageproof/validation/verify.h"
 #include "cageproof/validation/work_precision.h"
 
@@ -19,7 +20,7 @@ struct Arguments {
   std::string kind, formula, points, out, command_line;
   std::vector<std::string> regimes{"generic", "near-face"}, parameters;
   validation::WorkPrecisionOptions options;
-  bool csv = false;
+  bool csv = false, coordinates = false;
 };
 
 WorkPrecision measure_cage(const Arguments& a, validation::WorkPrecisionOptions options) {
@@ -53,12 +54,34 @@ WorkPrecision measure_formula(const Arguments& a, validation::WorkPrecisionOptio
   return validation::formula_work_precision(*formula, regimes, options);
 }
 
+WorkPrecision measure_coordinates(const Arguments& a) {
+  const Cage cage = a.cage.load();
+  std::vector<Vec3<double>> points;
+  if (a.points.empty()) {
+    const validation::CageLocator locator(cage, a.cage.rule());
+    for (const auto& group : validation::groups_inside(cage, locator, a.cage.rule(), a.options.seed, 400))
+      for (const auto& p : group.points) points.push_back(p.point);
+  } else {
+    points = load_points(a.points).vertices;
+  }
+  validation::WorkPrecisionOptions options = a.options;
+  options.triangulation = a.cage.rule();
+  WorkPrecision result = validation::coordinate_times(cage, points, validation::table_one(), options);
+  result.settings = {{"triangulation", a.cage.triangulate}, {"points", a.points.empty() ? "random" : a.points}};
+  return result;
+}
+
+WorkPrecision measure(const Arguments& a) {
+  if (a.coordinates) return measure_coordinates(a);
+  return a.kind.empty() ? measure_formula(a, a.options) : measure_cage(a, a.options);
+}
+
 int run(const Arguments& a) {
   // Before anything is measured: a folder that cannot be written should not cost a wait.
   std::unique_ptr<reports::WorkPrecisionWriter> writer;
   if (!a.out.empty()) writer = std::make_unique<reports::WorkPrecisionWriter>(a.out);
   const std::string started = validation::timestamp();
-  WorkPrecision result = a.kind.empty() ? measure_formula(a, a.options) : measure_cage(a, a.options);
+  WorkPrecision result = measure(a);
   result.version = CAGEPROOF_VERSION;
   result.command_line = a.command_line;
   result.started = started;
@@ -80,6 +103,7 @@ void add_bench(CLI::App& app, Action& action, const std::string& command_line) {
   what->require_option(1);
   CLI::Option* kind = what->add_option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic or somigliana");
   CLI::Option* formula = what->add_option("--formula", a->formula, "one formula of the catalogue");
+  what->add_flag("--coordinates", a->coordinates, "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1");
   a->cage.add_to(*command, false);
   command->get_option("--cage")->excludes(formula)->default_str("cube");
   command->add_option("--points", a->points, "a mesh, or text with three numbers a line, instead of random points inside")->excludes(formula);

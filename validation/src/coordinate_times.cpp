@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/coordinate_times.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/validation/campaign.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+const CoordinateKind& kind_named(const std::string& name) {
+  const CoordinateKind* kind = find_coordinate_kind(name);
+  if (!kind) throw InputError(fmt::format("unknown kind of coordinates '{}'; see `cageproof list`", name));
+  return *kind;
+}
+
+double seconds_of(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& points, double& sink) {
+  using Clock = std::chrono::steady_clock;
+  // Tables that an evaluation builds at its first call are no part of its time.
+  sink += coordinates.at<double>(points.front(), 0).front().value.front();
+  const auto start = Clock::now();
+  for (const auto& point : points) sink += coordinates.at<double>(point, 0).front().value.front();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double difference(const std::vector<double>& found, const std::vector<Mp50>& truth) {
+  double worst = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double d = std::abs(static_cast<double>(Mp50(Mp50(found[i]) - truth[i])));
+    worst = std::isfinite(d) ? std::max(worst, d) : HUGE_VAL;
+  }
+  return worst;
+}
+
+void summarise(std::vector<double> errors, WorkPrecisionRow& row) {
+  row.samples = errors.size();
+  row.nonfinite = std::ranges::count(errors, HUGE_VAL);
+  std::erase(errors, HUGE_VAL);
+  if (errors.empty()) return;
+  std::ranges::sort(errors);
+  double squares = 0;
+  for (const double e : errors) squares += e * e;
+  row.largest = errors.back();
+  row.rms = std::sqrt(squares / static_cast<double>(errors.size()));
+  row.median = errors[(errors.size() - 1) / 2];
+}
+
+}  // namespace
+
+std::vector<KindAndEvaluation> table_one() {
+  return {{"mean_value", "closed_form"},          {"quad_mean_value", "riemann-4"},       {"quad_mean_value", "riemann-7"},
+          {"quad_mean_value", "riemann-10"},      {"quad_mean_value", "tessellated-5"},   {"quad_mean_value", "line-12"},
+          {"quad_mean_value", "closed_form"},     {"spherical_mean_value", "closed_form"}, {"maximum_entropy", "line-12"}};
+}
+
+WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>& points, const std::vector<KindAndEvaluation>& what,
+                               const WorkPrecisionOptions& options) {
+  if (points.empty()) throw InputError(fmt::format("{}: no point to compute coordinates at", cage.name()));
+  WorkPrecision result;
+  result.subject = "whole coordinates";
+  result.where = fmt::format("{}, {} points", cage.name(), points.size());
+  result.error = "difference from quad mean value coordinates";
+  result.unit = "1";
+  result.timed = "point";
+  result.seed = options.seed;
+  const CageCoordinates reference(cage, kind_named("quad_mean_value"), "closed_form", options.triangulation);
+  const std::size_t count = std::min<std::size_t>(options.samples, points.size());
+  std::vector<Vec3<double>> compared;
+  for (std::size_t i = 0; i < count; ++i) compared.push_back(points[i * points.size() / count]);
+  std::vector<std::vector<Mp50>> truth(count);
+  for_each_parallel(count, options.jobs, [&](std::size_t i) { truth[i] = reference.at<Mp50>(compared[i], 0).front().value; });
+  double sink = 0;
+  for (const auto& [kind, evaluation] : what) {
+    const CageCoordinates coordinates(cage, kind_named(kind), evaluation, options.triangulation);
+    WorkPrecisionRow row;
+    row.place = kind;
+    row.evaluation = evaluation;
+    std::vector<double> errors(count);
+    for_each_parallel(count, options.jobs,
+                      [&](std::size_t i) { errors[i] = difference(coordinates.at<double>(compared[i], 0).front().value, truth[i]); });
+    summarise(std::move(errors), row);
+    row.nanoseconds = 1e9 * seconds_of(coordinates, points, sink) / static_cast<double>(points.size());
+    result.notes.push_back(fmt::format("{}, {}: {:.0f} ms for the mesh", kind, evaluation, row.nanoseconds * static_cast<double>(points.size()) / 1e6));
+    result.rows.push_back(std::move(row));
+  }
+  // What is computed must be used, or it may be left out.
+  if (std::isnan(sink)) result.notes.emplace_back("some points have no coordinates");
+  return result;
+}
+
+}  // namespace cageproof::validation
