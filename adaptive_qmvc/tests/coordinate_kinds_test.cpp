@@ -59,6 +59,7 @@ TEST(quad_mean_value, is_its_integral) {
 }
 
 TEST(quad_mean_value, is_bilinear_on_quads) {
+  constexpr std::array kBasis{9 / 16.0, 3 / 16.0, 1 / 16.0, 3 / 16.0};
   int asked = 0;
   for (const char* name : {"cube", "twisted-bar", "torus", "spiky-box"}) {
     const Cage cage = embedded_cage(name);
@@ -69,7 +70,7 @@ TEST(quad_mean_value, is_bilinear_on_quads) {
       const Vec point = (9 * q[0] + 3 * q[1] + q[2] + 3 * q[3]) / 16;
       if (lambda.touching(point).empty()) continue;  // rounding moved it off the quad
       const auto found = lambda.at<double>(point, 0)[0].value;
-      for (int k = 0; k < 4; ++k) EXPECT_NEAR(found[cage.faces()[f].vertices[k]], std::array{9, 3, 1, 3}[k] / 16.0, 1e-15) << name << ' ' << f;
+      for (int k = 0; k < 4; ++k) EXPECT_NEAR(found[cage.faces()[f].vertices[k]], kBasis[k], 1e-15) << name << ' ' << f;
       ++asked;
     }
   }
