@@ -6,8 +6,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
 
 namespace cageproof::adaptive_qmvc {
 namespace {
@@ -21,7 +25,14 @@ Weights half_tangents(const Quad<double>& directions, const Vec& axis) {
   Weights tangent, sum;
   for (int i = 0; i < 4; ++i) {
     const Vec &a = directions[i], &b = directions[(i + 1) % 4];
-    tangent[i] = axis.dot(a.cross(b)) / (1 + a.dot(b));
+    const double sine = axis.dot(a.cross(b)), cosine = a.dot(b);
+    tangent[i] = cosine >= 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
+    // The centre between two opposite points is theirs alone.
+    if (!std::isfinite(tangent[i])) {
+      Weights between{};
+      between[i] = between[(i + 1) % 4] = 1;
+      return between;
+    }
   }
   for (int i = 0; i < 4; ++i) sum[i] = tangent[(i + 3) % 4] + tangent[i];
   return sum;
@@ -46,13 +57,19 @@ Weights quad_weights(const Quad<double>& q, const Vec& eta) {
   for (int i = 0; i < 4; ++i) to_corner[i] = q[i] - eta;
   const Vec m = mean_vector(to_corner);
   const double size = m.norm();
-  if (!(size > 0)) return {};
+  // What four arcs of at most pi leave when they cancel is rounding.
+  if (!(size > 16 * std::numeric_limits<double>::epsilon())) return {};
   const Vec v = m / size;
   Weights sine, distance;
   for (int i = 0; i < 4; ++i) {
     distance[i] = to_corner[i].norm();
     const Vec u = to_corner[i] / distance[i], across = v.cross(u);
     sine[i] = across.norm();
+    if (!(sine[i] > 0)) {
+      Weights alone{};
+      alone[i] = size / distance[i];
+      return alone;
+    }
     tangents[i] = across.cross(v) / sine[i];
   }
   Weights weights = half_tangents(tangents, v);
