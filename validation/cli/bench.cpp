@@ -59,7 +59,7 @@ WorkPrecision measure_coordinates(const Arguments& a) {
   std::vector<Vec3<double>> points;
   if (a.points.empty()) {
     const validation::CageLocator locator(cage, a.cage.rule());
-    for (const auto& group : validation::groups_inside(cage, locator, a.cage.rule(), a.options.seed, 400))
+    for (const auto& group : validation::groups_inside(cage, locator, a.options.seed, 400))
       for (const auto& p : group.points) points.push_back(p.point);
   } else {
     points = load_points(a.points).vertices;

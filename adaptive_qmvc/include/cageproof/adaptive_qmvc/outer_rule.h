@@ -94,7 +94,7 @@ OuterRule<R> outer_rule(const SingularPairs<R>& singular, double order, double d
   rule.centre = dominant->centre;
   // Beside the interval, a map as sharp as the singularity would only stretch rounding errors.
   const double outside = std::max({0.0, -static_cast<double>(dominant->centre), static_cast<double>(dominant->centre) - 1});
-  const double width = std::hypot(std::max(dominant->width, 1e-300), outside);
+  const double width = std::hypot(std::max(dominant->width, 1e-150), outside);
   rule.width = R(width);
   rule.first = asinh(R(-rule.centre / rule.width));
   rule.last = asinh(R((1 - rule.centre) / rule.width));
@@ -110,8 +110,9 @@ OuterRule<R> outer_rule(const SingularPairs<R>& singular, double order, double d
     double rho = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < count; ++i) rho = std::min(rho, ellipse_through(lo, hi, images[i]));
     const int nodes = nodes_across(rho, (hi - lo) / 2, 2, order, digits);
-    if (nodes <= most || hi - lo < 1e-3) {
-      rule.panels.push_back({lo, hi, nodes});
+    // Singularities on the interval itself have no rule; the panels end somewhere.
+    if (nodes <= most || hi - lo < 0.02) {
+      rule.panels.push_back({lo, hi, std::min(nodes, 2 * most)});
       return;
     }
     const double middle = (lo + hi) / 2;

@@ -74,34 +74,57 @@ inline Complex root_of(const std::array<double, 5>& p, Complex z) {
   return z;
 }
 
-/// A root of |a x e|^2 next to a line, refined about its own real part, where nothing cancels.
+/// The root of |a x e|^2 next to centre +- i width, refined; where it is close to the real axis, about the minimum there, where nothing cancels.
 template <class R>
-struct Refined {
-  SingularPair<R> pair;
-  bool converged = false;
-};
-
-template <class R>
-Refined<R> refined(const LocalQuad<R>& q, R centre, double width) {
-  for (int round = 0; round < 3; ++round) {
-    const auto p = LineArea<R>(q, centre).polynomial();
-    Complex s{0, width};
-    // The quadratic part decides unless another pair is close.
-    if (p[2] > 0 && 4 * p[0] * p[2] > p[1] * p[1])
-      s = Complex(-p[1], std::sqrt(4 * p[0] * p[2] - p[1] * p[1])) / (2 * p[2]);
-    double step = 1;
-    for (int i = 0; i < 5 && step > 1e-6; ++i) {
-      const auto [f, df, ddf] = at(p, s);
-      const Complex move = quotient(f, df);
-      step = std::abs(move) / std::abs(s);
-      if (!(step < 0.5)) break;
-      s -= move;
-    }
-    centre += R(s.real());
-    width = std::abs(s.imag());
-    if (step < 1e-3 && (std::abs(s.real()) < 0.3 * width || width > 1e-4)) return {{centre, width}, true};
+SingularPair<R> refined(const LocalQuad<R>& q, R centre, double width) {
+  std::array<double, 5> p = LineArea<R>(q, centre).polynomial();
+  Complex s{0, width};
+  for (int round = 0; round < 12 && p[2] > 0; ++round) {
+    const double shift = -p[1] / (2 * p[2]), depth = std::sqrt(std::max(0.0, p[0] / p[2]));
+    if (depth > 0.05 || std::abs(shift) > 0.2) break;
+    s = {shift, depth};
+    if (std::abs(shift) <= 1e-3 * depth || shift == 0) break;
+    centre += R(shift);
+    p = LineArea<R>(q, centre).polynomial();
+    s = {0, depth};
   }
-  return {{centre, width}, false};
+  for (int i = 0; i < 6; ++i) {
+    const auto [f, df, ddf] = at(p, s);
+    const Complex move = quotient(f, df);
+    const double step = std::abs(move) / std::abs(s);
+    if (!(step < 0.5)) break;
+    s -= move;
+    if (step < 1e-4) break;
+  }
+  return {R(centre + R(s.real())), std::abs(s.imag())};
+}
+
+/// Real zeros of c0 + c1 v + c2 v^2 + c3 v^3 within [-1, 2], by bisection between those of its derivatives: at most three.
+inline int zeros_within(const std::array<double, 4>& c, std::array<double, 3>& zeros) {
+  const auto value = [&](double v) { return c[0] + v * (c[1] + v * (c[2] + v * c[3])); };
+  std::array<double, 4> ends{-1, 2, 2, 2};
+  int pieces = 1;
+  const double a = 3 * c[3], b = 2 * c[2], d = b * b - 4 * a * c[1];
+  if (d > 0) {
+    const double t = -(b + std::copysign(std::sqrt(d), b)) / 2;
+    double first = t / a, second = c[1] / t;
+    if (!(first < second)) std::swap(first, second);
+    pieces = 0;
+    for (const double turn : {first, second, 2.0})
+      if (turn > ends[pieces] && turn <= 2) ends[++pieces] = turn;
+  }
+  int count = 0;
+  for (int i = 0; i < pieces; ++i) {
+    double lo = ends[i], hi = ends[i + 1];
+    const bool rising = value(hi) > value(lo);
+    if ((value(lo) > 0) == (value(hi) > 0)) continue;
+    for (int k = 0; k < 60 && hi - lo > 1e-17; ++k) {
+      const double middle = (lo + hi) / 2;
+      ((value(middle) > 0) == rising ? hi : lo) = middle;
+    }
+    zeros[count++] = (lo + hi) / 2;
+  }
+  return count;
 }
 
 /// Where a straight side p + v d passes eta.
@@ -145,24 +168,32 @@ SingularPairs<R> singular_pairs(const LocalQuad<R>& q) {
     if (std::isfinite(pair.width) && foot > -0.3 && foot < 1.3) pairs.add(pair);
   };
   const auto p = LineArea<R>(q, R(0)).polynomial();
-  const double size = p[0] + p[2] + p[4];
+  const double size = p[0] + std::abs(p[2]) + p[4];
   if (!(size > 0)) return pairs;
-  const double guess = p[2] > 0 ? std::clamp(-p[1] / (2 * p[2]), -1.0, 2.0) : 0.5;
-  const detail::Refined<R> found = detail::refined(q, R(guess), 0.5);
-  if (p[4] < 1e-26 * size) {
-    if (p[2] > 1e-26 * size) keep(found.pair);
-    return pairs;
+  // Next to the real axis roots are found from the real minima, which stay accurate however close the pair is.
+  std::array<double, 3> turns;
+  const int count = detail::zeros_within({p[1], 2 * p[2], 3 * p[3], 4 * p[4]}, turns);
+  const auto bend = [&](double v) { return 2 * p[2] + v * (6 * p[3] + v * 12 * p[4]); };
+  int minima = 0;
+  detail::Complex last;
+  for (int i = 0; i < count; ++i) {
+    if (!(bend(turns[i]) > 0)) continue;
+    const double value = p[0] + turns[i] * (p[1] + turns[i] * (p[2] + turns[i] * (p[3] + turns[i] * p[4])));
+    const SingularPair<R> pair = detail::refined(q, R(turns[i]), std::sqrt(std::max(0.0, 2 * value / bend(turns[i]))));
+    last = {static_cast<double>(pair.centre), pair.width};
+    keep(pair);
+    ++minima;
   }
-  const detail::Complex z = found.converged ? detail::Complex{static_cast<double>(found.pair.centre), found.pair.width} : detail::root_of(p, {0.4, 0.5});
-  const auto add_next_to = [&](detail::Complex root) {
-    if (std::abs(root) < 30) keep(detail::refined(q, R(root.real()), std::abs(root.imag())).pair);
-  };
-  if (found.converged) keep(found.pair);
-  else add_next_to(z);
-  // (s^2 + m s + n)(p4 s^2 + g s + h)
-  const double m = -2 * z.real(), n = std::norm(z);
+  if (minima == 2 || p[4] < 1e-26 * size) return pairs;
+  if (minima == 0) {
+    last = detail::root_of(p, {0.4, 0.5});
+    keep(detail::refined(q, R(last.real()), std::abs(last.imag())));
+  }
+  // The other two: (s^2 + m s + n)(p4 s^2 + g s + h).
+  const double m = -2 * last.real(), n = std::norm(last);
   const double g = p[3] - m * p[4], h = p[2] - n * p[4] - m * g;
-  add_next_to(detail::Complex(-g, std::sqrt(std::max(0.0, 4 * p[4] * h - g * g))) / (2 * p[4]));
+  const detail::Complex other = detail::Complex(-g, std::sqrt(std::max(0.0, 4 * p[4] * h - g * g))) / (2 * p[4]);
+  if (std::abs(other) < 30) keep(detail::refined(q, R(other.real()), std::abs(other.imag())));
   return pairs;
 }
 
