@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/adaptive_qmvc/continuity.h"
+#include "quads.h"
+
+#include <gtest/gtest.h>
+
+namespace cageproof::adaptive_qmvc {
+namespace {
+
+TEST(Continuity, FindsJumpsThatAreThere) {
+  const WeightsAt step = [](const Vec3<double>& x) { return std::array<double, 4>{x[2] > 0 ? 2. : 1., 0, 0, 0}; };
+  const WeightsAt kink = [](const Vec3<double>& x) { return std::array<double, 4>{1 + std::abs(x[2]), x[2], 0, 0}; };
+  const WeightsAt smooth = [](const Vec3<double>& x) { return std::array<double, 4>{1 + x[2] + x[2] * x[2], x[0], 0, 0}; };
+  const Vec3<double> up = Vec3<double>::UnitZ(), at(.5, 0, 0);
+  EXPECT_NEAR(jump_across(step, at, up, 1e-3).value, .5, 1e-9);
+  EXPECT_LT(jump_across(kink, at, up, 1e-3).value, 1e-12);
+  EXPECT_NEAR(jump_across(kink, at, up, 1e-3).derivative, std::sqrt(2), 1e-6);
+  EXPECT_LT(jump_across(smooth, at, up, 1e-3).derivative, 1e-9);
+}
+
+// The scheme is continuous across the hull, and no more than that; the integral is smooth there.
+TEST(Continuity, OfTheSchemeEndsAtValues) {
+  for (const double twist : {.1, .2, .5, 1.}) {
+    const Quad<double> q = lifted_square(twist);
+    const ContinuityStudy riemann = study_continuity("riemann-4", q, 200, 1), line = study_continuity("closed_form", q, 200, 1);
+    std::printf("twist %.1f  riemann-4 hull: value %.1e (median %.1e), derivative %.1e (%.1e); control: %.1e, %.1e | closed_form hull: %.1e, %.1e (%.1e)\n", twist,
+                riemann.hull_worst.value, riemann.hull_median.value, riemann.hull_worst.derivative, riemann.hull_median.derivative,
+                riemann.control_worst.value, riemann.control_worst.derivative, line.hull_worst.value, line.hull_worst.derivative, line.hull_median.derivative);
+    EXPECT_LT(riemann.hull_worst.value, 1e-6);
+    EXPECT_GT(riemann.hull_median.derivative, 100 * riemann.control_worst.derivative);
+    EXPECT_GT(riemann.hull_median.derivative, 100 * line.hull_median.derivative);
+  }
+}
+
+TEST(Continuity, RefusesPlanarQuadsAndUnknownNames) {
+  EXPECT_THROW(study_continuity("riemann-4", lifted_square(0), 10, 1), std::invalid_argument);
+  EXPECT_THROW(study_continuity("riemann-x", lifted_square(1), 10, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace cageproof::adaptive_qmvc
