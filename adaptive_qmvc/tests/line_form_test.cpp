@@ -109,9 +109,37 @@ TEST_P(line_form_on, diverges_on_the_quad) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(quads, line_form_on, testing::Values(0, 1, 2), [](const auto& quad) {
-  return std::array{"flat", "twisted", "strongly_twisted"}[quad.param];
-});
+std::string kind_of(const testing::TestParamInfo<int>& quad) {
+  return quad.param == 0 ? "flat" : quad.param == 1 ? "twisted" : "strongly_twisted";
+}
+
+INSTANTIATE_TEST_SUITE_P(quads, line_form_on, testing::Values(0, 1, 2), kind_of);
+
+// The lines' directions vanish beyond the other side: a double root that once hid the pair next to the point.
+TEST(line_form, sees_the_peak_beside_the_long_side_of_a_trapezoid) {
+  const Corners q{{-0.5, -0.5, -0.5}, {-0.5, 0.5, -0.5}, {-0.25, 0.25, -0.5}, {-0.25, -0.25, -0.5}};
+  const Vec point(-0.5 + 0x1p-35, 0, -0.5 + 0x1p-35);
+  const Result<Mp50> integral = evaluate<Mp50>("multiprecision", q, point, 1);
+  ASSERT_TRUE(integral.converged);
+  const Result<Mp100> line = evaluate<Mp100>("closed_form", q, point, 1);
+  const Result<double> found = evaluate<double>("closed_form", q, point, 1);
+  for (int o = 0; o <= 1; ++o) {
+    EXPECT_LT(relative(line.of(o), integral.of(o)), 1e-30) << o;
+    EXPECT_LT(relative(found.of(o), integral.of(o)), 1e-14) << o;
+  }
+}
+
+// One ulp off the quad a double's differences are nothing but rounding.
+TEST(line_form, is_finite_one_ulp_off_a_twisted_quad) {
+  for (const double u : {0.125, 0.5, 0.875})
+    for (const double direction : {-9.0, 9.0}) {
+      Vec point = at(kTwisted, u, 0.375);
+      point[2] = std::nextafter(point[2], direction);
+      const Result<double> found = evaluate<double>("closed_form", kTwisted, point, 0);
+      const Result<Mp100> exact = evaluate<Mp100>("closed_form", kTwisted, point, 0);
+      EXPECT_LT(relative(found.value, exact.value), 1e-15) << u;
+    }
+}
 
 // Moments in double against a fine rule along the line, over feet within, beyond and next to it.
 TEST(line_moments, are_the_integrals_along_a_line) {

@@ -57,6 +57,14 @@ bool is_quadrature(const Evaluation& evaluation) { return evaluation.name() != "
 // Steps through all decades of a sweep, whose lengths seven does not divide.
 constexpr int wide_stride = 7;
 
+// Where truths are integrals themselves, a quarter of the samples; then whatever else is measured against them costs little.
+CampaignOptions affordable(CampaignOptions options, const Evaluation& reference) {
+  if (reference.substitutes().truths.empty()) return options;
+  options.samples = (options.samples + 3) / 4;
+  options.quadrature_divisor = 1;
+  return options;
+}
+
 // The samples that a check takes: every divisor-th below end.
 Part part_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const CampaignOptions& options) {
   const auto strided = [&](int divisor, int end) { return Part{&check, evaluation, scalar, divisor, end}; };
@@ -64,7 +72,7 @@ Part part_for(const Check& check, const Evaluation& evaluation, ScalarKind scala
     case Check::Cost::Enclosure: return strided(wide_stride, wide_stride * options.enclosures);
     case Check::Cost::Multiprecision:
       return strided(wide_stride, std::min(options.samples, wide_stride * options.integral_samples));
-    case Check::Cost::Truths: return strided(options.quadrature_divisor, options.samples);
+    case Check::Cost::Truths: return strided(std::max(wide_stride, options.quadrature_divisor), options.samples);
     case Check::Cost::Evaluations: break;
   }
   const bool every = !is_quadrature(evaluation) && scalar != ScalarKind::Float;
@@ -82,7 +90,7 @@ Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOption
       const Evaluation evaluation = *evaluations.find(formula.name, name);
       for (const ScalarKind scalar : scalar_kinds) {
         if (!evaluation.supports(scalar) || !check->applies(formula, evaluation, scalar, regime.name)) continue;
-        plan.parts.push_back(part_for(*check, evaluation, scalar, options));
+        plan.parts.push_back(part_for(*check, evaluation, scalar, affordable(options, plan.reference)));
       }
     }
   return plan;

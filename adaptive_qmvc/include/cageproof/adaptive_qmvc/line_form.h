@@ -101,11 +101,18 @@ std::size_t add_lines(const LocalQuad<R>& q, const OuterRule<R>& rule, double di
   return lines;
 }
 
+/// Whether the point is that close to the quad, in units of the sides across the lines, or to its nearest corner, in units of the extent.
+template <Scalar R>
+bool is_within(double distance, const LocalQuad<R>& q, const SingularPairs<R>& singular) {
+  const auto close = [&](const SingularPair<R>& pair) {
+    return pair.width < distance && pair.centre > R(-1e-6) && pair.centre < R(1 + 1e-6);
+  };
+  return std::ranges::any_of(singular, close) || q.a.dot(q.a) < R(distance * distance);
+}
+
 /// Whether the point lies on the quad, exactly, for inputs that are doubles; others are taken to be off it.
 template <Scalar R>
-bool lies_on_quad(const LocalQuad<R>& q, const SingularPairs<R>& singular, const Query<R>& query) {
-  const auto close = [&](const SingularPair<R>& pair) { return pair.width < 1e-12 && pair.centre > R(-1e-6) && pair.centre < R(1 + 1e-6); };
-  if (std::ranges::none_of(singular, close) && q.a.dot(q.a) > R(1e-24)) return false;
+bool lies_on_quad(const Query<R>& query) {
   Quad<double> corners;
   Vec3<double> point;
   for (int i = 0; i < 3; ++i) {
@@ -119,8 +126,26 @@ bool lies_on_quad(const LocalQuad<R>& q, const SingularPairs<R>& singular, const
   return on_quad(corners, point).has_value();
 }
 
+/// Nearer than this, doubles hold too little of the distance.
+inline constexpr double kDoubleHolds = 0x1p-46;
+
 /// Weights ([T18] Eq 11) with derivatives up to Order, to `digits` digits of the integral. On the quad they diverge: values are infinite, derivatives NaN. NaN for
 /// an input that is not finite.
+template <int Order, Scalar R>
+void line_form(const Query<R>& query, double digits, Result<R>& result);
+
+/// As line_form, for points so close to the quad that differences of coordinates say too little.
+template <int Order, Scalar R>
+void line_form_in_50_digits(const Query<R>& query, double digits, Result<R>& result) {
+  std::vector<Vec3<Mp50>> corners;
+  for (const Vec3<R>& corner : query.corners) corners.push_back(convert<Mp50>(corner));
+  Result<Mp50> wide;
+  line_form<Order>(Query<Mp50>{corners, convert<Mp50>(query.point), query.order, {}}, digits, wide);
+  for (int o = 0; o <= Order; ++o)
+    for (std::size_t i = 0; i < wide.of(o).size(); ++i) result.of(o)[i] = static_cast<R>(wide.of(o)[i]);
+  result.nodes = wide.nodes;
+}
+
 template <int Order, Scalar R>
 void line_form(const Query<R>& query, double digits, Result<R>& result) {
   using std::ldexp;
@@ -137,10 +162,13 @@ void line_form(const Query<R>& query, double digits, Result<R>& result) {
     result.nodes = add_lines<Order>(*q, plain_rule<R>(rho, order, digits), digits, sums);
   } else {
     const SingularPairs<R> singular = singular_pairs(*q);
-    if (lies_on_quad(*q, singular, query)) {
+    if (is_within(1e-12, *q, singular) && lies_on_quad(query)) {
       std::ranges::fill(result.value, std::numeric_limits<R>::infinity());
       for (int o = 1; o <= Order; ++o) std::ranges::fill(result.of(o), std::numeric_limits<R>::quiet_NaN());
       return;
+    }
+    if constexpr (!is_multiprecision<R>) {
+      if (is_within(kDoubleHolds, *q, singular)) return line_form_in_50_digits<Order>(query, digits, result);
     }
     result.nodes = add_lines<Order>(*q, outer_rule(singular, order, digits, static_cast<int>(3 * digits)), digits, sums);
   }

@@ -72,7 +72,8 @@ inline constexpr double kFarAcross = 3.2;
 template <class R>
 OuterRule<R> plain_rule(double rho, double order, double digits) {
   OuterRule<R> rule;
-  rule.panels.push_back({0, 1, nodes_across(rho, 0.5, 0, order, digits)});
+  // One more for the basis functions and N.x, which grow like the ellipse squared.
+  rule.panels.push_back({0, 1, nodes_across(rho, 0.5, 0, order, digits) + 1});
   return rule;
 }
 
