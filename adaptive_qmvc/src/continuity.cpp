@@ -53,8 +53,8 @@ Jump jump_across(const WeightsAt& weights, const Vec3<double>& point, const Vec3
   return {relative(above.value, below.value), relative(above.slope, Vec4d(-below.slope))};
 }
 
-ContinuityStudy study_continuity(const std::string& evaluation, const Quad<double>& q, int points, std::uint64_t seed, double step,
-                                 double control_distance) {
+ContinuityStudy study_continuity(const std::string& evaluation, const Quad<double>& q, int points, std::uint64_t seed,
+                                 double step, double control_distance) {
   const auto found = EvaluationRegister::instance().find("quad.mean_value", evaluation);
   if (!found) throw std::invalid_argument("quad.mean_value has no evaluation " + evaluation);
   if (is_planar(q)) throw std::invalid_argument("a planar quad's hull has no inside");

@@ -8,7 +8,8 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// The family `<stem>-<n>`, n = 1 ... 512: values alone. `weights` is a callable with `template operator()<R>(quad, point, n) -> 4-vector`.
+/// The family `<stem>-<n>`, n = 1 ... 512: values alone. `weights` is a callable with
+/// `template operator()<R>(quad, point, n) -> 4-vector`.
 template <class Weights>
 EvaluationFamily counted_family(std::string stem, std::vector<std::string> standard, std::string description, Weights weights) {
   const std::string formula = "quad.mean_value";
@@ -17,7 +18,8 @@ EvaluationFamily counted_family(std::string stem, std::vector<std::string> stand
     const std::string_view text = name.substr(stem.size() + 1);
     int n = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-    if (error != std::errc() || end != text.data() + text.size() || text.starts_with('0') || n < 1 || n > 512) return std::nullopt;
+    const bool whole = error == std::errc() && end == text.data() + text.size() && !text.starts_with('0');
+    if (!whole || n < 1 || n > 512) return std::nullopt;
     Evaluation made(formula, std::string(name), description, 0);
     for (const ScalarKind kind : scalar_kinds)
       with_scalar(kind, [&]<Scalar R>() {

@@ -16,7 +16,8 @@ struct Riemann {
 };
 
 const RegisterEvaluation registered{counted_family("riemann", {"riemann-4", "riemann-7", "riemann-10"},
-                                                   "the paper's scheme: adaptive Riemann sum of (2n + 1)^2 samples along the kernel", Riemann{})};
+                                                   "the paper's scheme: Riemann sum of (2n + 1)^2 samples about the projection",
+                                                   Riemann{})};
 
 }  // namespace
 }  // namespace cageproof::adaptive_qmvc

@@ -23,9 +23,14 @@ TEST(Continuity, OfTheSchemeEndsAtValues) {
   for (const double twist : {.1, .2, .5, 1.}) {
     const Quad<double> q = lifted_square(twist);
     const ContinuityStudy riemann = study_continuity("riemann-4", q, 200, 1), line = study_continuity("closed_form", q, 200, 1);
-    std::printf("twist %.1f  riemann-4 hull: value %.1e (median %.1e), derivative %.1e (%.1e); control: %.1e, %.1e | closed_form hull: %.1e, %.1e (%.1e)\n", twist,
-                riemann.hull_worst.value, riemann.hull_median.value, riemann.hull_worst.derivative, riemann.hull_median.derivative,
-                riemann.control_worst.value, riemann.control_worst.derivative, line.hull_worst.value, line.hull_worst.derivative, line.hull_median.derivative);
+    const auto print = [](const char* what, const Jump& worst, const Jump& median) {
+      std::printf("  %s: value %.1e (median %.1e), derivative %.1e (%.1e)\n", what, worst.value, median.value, worst.derivative,
+                  median.derivative);
+    };
+    std::printf("twist %.1f, jumps\n", twist);
+    print("riemann-4 at the hull", riemann.hull_worst, riemann.hull_median);
+    print("riemann-4 off the hull", riemann.control_worst, riemann.control_median);
+    print("closed_form at the hull", line.hull_worst, line.hull_median);
     EXPECT_LT(riemann.hull_worst.value, 1e-6);
     EXPECT_GT(riemann.hull_median.derivative, 100 * riemann.control_worst.derivative);
     EXPECT_GT(riemann.hull_median.derivative, 100 * line.hull_median.derivative);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What becomes of weights across the hull of a twisted quad, where the projection behind `riemann-<n>` is continuous only ([T18] Lemma 3.4).
+// What becomes of weights across the hull of a twisted quad, where the projection behind `riemann-<n>` is continuous only
+// ([T18] Lemma 3.4).
 #pragma once
 
 #include "cageproof/core/element.h"
@@ -16,20 +17,25 @@ struct Jump {
 
 using WeightsAt = std::function<std::array<double, 4>(const Vec3<double>&)>;
 
-/// The jumps of `weights` across the plane through `point` with unit normal `normal`: limits of value and derivative from either side by
-/// quadratic extrapolation of three points `step` apart, which errs by orders step^3 and step^2 over powers of the distance to the quad.
+/// The jumps of `weights` across the plane through `point` with unit normal `normal`: limits of value and derivative from
+/// either side by
+/// quadratic extrapolation of three points `step` apart, which errs by orders step^3 and step^2 over powers of the
+/// distance to the quad.
 Jump jump_across(const WeightsAt& weights, const Vec3<double>& point, const Vec3<double>& normal, double step);
 
-/// Worst and median jumps, over points of the hull's four faces and, as the control, over these points moved outwards by `control_distance`
+/// Worst and median jumps, over points of the hull's four faces and, as the control, over these points moved outwards by
+/// `control_distance`
 /// of the quad's size, where nothing should jump.
 struct ContinuityStudy {
   int points = 0;
   Jump hull_worst, hull_median, control_worst, control_median;
 };
 
-/// For the named evaluation of quad.mean_value. \param points at least 1, drawn from `seed`, on faces away from their edges. \param step in sizes of
-/// the quad, its longer diagonal. Throws std::invalid_argument for a name that is none, and for planar quads, whose hull is flat.
-ContinuityStudy study_continuity(const std::string& evaluation, const Quad<double>& q, int points, std::uint64_t seed, double step = 2e-6,
-                                 double control_distance = 0.3);
+/// For the named evaluation of quad.mean_value. \param points at least 1, drawn from `seed`, on faces away from their
+/// edges. \param step in sizes of
+/// the quad, its longer diagonal. Throws std::invalid_argument for a name that is none, and for planar quads, whose hull
+/// is flat.
+ContinuityStudy study_continuity(const std::string& evaluation, const Quad<double>& q, int points, std::uint64_t seed,
+                                 double step = 2e-6, double control_distance = 0.3);
 
 }  // namespace cageproof::adaptive_qmvc

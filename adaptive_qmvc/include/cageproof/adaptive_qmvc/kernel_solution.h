@@ -11,7 +11,8 @@ namespace cageproof::adaptive_qmvc {
 template <class R>
 using Vec4 = Eigen::Matrix<R, 4, 1>;
 
-/// kappa of [T18] Eq 26, unnormalised: k_i = (-1)^i det(p_{i+1}, p_{i+2}, p_{i+3}), in cubic units. A kappa = 0; on the quad a multiple of the
+/// kappa of [T18] Eq 26, unnormalised: k_i = (-1)^i det(p_{i+1}, p_{i+2}, p_{i+3}), in cubic units. A kappa = 0; on the
+/// quad a multiple of the
 /// basis functions; zero where A has rank 2, that is, in the plane of a planar quad.
 template <Scalar R>
 Vec4<R> kernel(const SeenQuad<R>& s) {
@@ -21,7 +22,8 @@ Vec4<R> kernel(const SeenQuad<R>& s) {
           -s.p[0].dot(e[k01].cross(e[k02]))};
 }
 
-/// The solution of A w = m of smallest norm, [T18] Eq 28 with D = -|kappa|^2: the sign that goes with Eq 26's kappa, whose length must be kept.
+/// The solution of A w = m of smallest norm, [T18] Eq 28 with D = -|kappa|^2: the sign that goes with Eq 26's kappa,
+/// whose length must be kept.
 /// In units of m over length units. Not finite where kappa is zero.
 template <Scalar R>
 Vec4<R> minimal_norm_solution(const SeenQuad<R>& s, const Vec4<R>& k, const Vec3<R>& m) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What [T18] prints where it errs: beside each corrected form, the one as printed. Tests measure them; nothing else uses them.
+// What [T18] prints where it errs: beside each corrected form, the one as printed. Tests measure them; nothing else uses
+// them.
 #pragma once
 
 #include "cageproof/adaptive_qmvc/riemann.h"
 
 namespace cageproof::adaptive_qmvc::as_printed {
 
-/// Algorithm 1, lines 5-9: the sum over the hull's faces of |w_c| t_c, from the origin, not divided by the sum of the |w_c|. \param eta the point
+/// Algorithm 1, lines 5-9: the sum over the hull's faces of |w_c| t_c, from the origin, not divided by the sum of the
+/// |w_c|. \param eta the point
 template <Scalar R>
 Vec3<R> to_hull(const SeenQuad<R>& s, const Quad<R>& q) {
   using std::abs;
@@ -22,7 +24,8 @@ Vec3<R> to_hull(const SeenQuad<R>& s, const Quad<R>& q) {
   return sum / s.unit;
 }
 
-/// Eq 25 with the exponent printed, 3: the mean of one triangle's surface under |(xi - eta).n|/|xi - eta|^exponent, by the tensor rule given on
+/// Eq 25 with the exponent printed, 3: the mean of one triangle's surface under |(xi - eta).n|/|xi - eta|^exponent, by
+/// the tensor rule given on
 /// [0, 1]. Returns the three corners' weights, not normalised.
 template <Scalar R, class Rule>
 Vec3<R> face_weights(const std::array<Vec3<R>, 3>& t, const Vec3<R>& eta, int exponent, const Rule& rule) {
@@ -45,14 +48,16 @@ Vec4<R> minimal_norm_solution(const SeenQuad<R>& s, const Vec4<R>& kappa, const 
   return -adaptive_qmvc::minimal_norm_solution(s, kappa, m);
 }
 
-/// Eq 29: (eta' - a).(b - a), where it is to be divided by |b - a|^2. \param v the row, \param meeting eta' relative to the point
+/// Eq 29: (eta' - a).(b - a), where it is to be divided by |b - a|^2. \param v the row, \param meeting eta' relative to
+/// the point
 template <Scalar R>
 R row_parameter(const SeenQuad<R>& s, const R& v, const Vec3<R>& meeting) {
   const Vec3<R> a = s.p[0] + v * s.along[k03], b = s.p[1] + v * s.along[k12];
   return (meeting - a).dot(b - a) * s.unit * s.unit;
 }
 
-/// Section 3.3's membership test for quads that are not planar, which Algorithm 2 asks planar quads too: parameters from kappa/sum kappa.
+/// Section 3.3's membership test for quads that are not planar, which Algorithm 2 asks planar quads too: parameters from
+/// kappa/sum kappa.
 template <Scalar R>
 std::pair<R, R> parameters_of_kernel(const Vec4<R>& kappa) {
   return {(kappa[1] + kappa[2]) / kappa.sum(), (kappa[2] + kappa[3]) / kappa.sum()};

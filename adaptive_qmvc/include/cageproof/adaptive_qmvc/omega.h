@@ -8,7 +8,8 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// 2n + 1 parameters with `centre` in the middle, and the lengths of their Voronoi cells, whose sum is 1. Padded with empty cells to a multiple of four.
+/// 2n + 1 parameters with `centre` in the middle, and the lengths of their Voronoi cells, whose sum is 1. Padded with
+/// empty cells to a multiple of four.
 template <Scalar R>
 struct GridLine {
   std::vector<R> at, length;
@@ -39,10 +40,11 @@ struct RiemannWorkspace {
   std::vector<R> column, rising;  ///< by u: the sums over v of the kernel, and of v times the kernel
 };
 
-/// Adds one row, v fixed, to the sums of every column. (a, e): the row's start and extent; g0 + u slope: N.x, which is linear along it.
+/// Adds one row, v fixed, to the sums of every column. (a, e): the row's start and extent; g0 + u slope: N.x, which is
+/// linear along it.
 template <class R>
-void add_row(const R* u, int padded, const Vec3<R>& a, const Vec3<R>& e, const R& g0, const R& slope, const R& v, const R& length, R* column,
-             R* rising) {
+void add_row(const R* u, int padded, const Vec3<R>& a, const Vec3<R>& e, const R& g0, const R& slope, const R& v, const R& length,
+             R* column, R* rising) {
   const R ax = a[0], ay = a[1], az = a[2], ex = e[0], ey = e[1], ez = e[2], base = g0, step = slope, height = v, cell = length;
 #pragma GCC ivdep
   for (int k = 0; k < padded; ++k) {

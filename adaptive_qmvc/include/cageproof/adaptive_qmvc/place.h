@@ -16,7 +16,8 @@ struct Place {
   bool in_plane = false;
 };
 
-/// Whether kappa may be a multiple of basis functions but for rounding: k_i of one sign, k_0 k_2 = k_1 k_3. So it is on the quad.
+/// Whether kappa may be a multiple of basis functions but for rounding: k_i of one sign, k_0 k_2 = k_1 k_3. So it is on
+/// the quad.
 template <Scalar R>
 bool may_be_on_quad(const Vec4<R>& k) {
   using std::abs;

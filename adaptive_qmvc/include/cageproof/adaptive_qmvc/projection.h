@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The smooth projection of a point to a quad's parameters ([T18] Section 3.4.2, Algorithm 1, Appendix B, with their corrections).
+// The smooth projection of a point to a quad's parameters ([T18] Section 3.4.2, Algorithm 1, Appendix B, with their
+// corrections).
 #pragma once
 
 #include "cageproof/adaptive_qmvc/kernel_solution.h"
@@ -15,8 +16,10 @@ bool inside_hull(const Vec4<R>& kappa) {
   return (kappa.minCoeff() >= 0 && kappa.maxCoeff() > 0) || (kappa.maxCoeff() <= 0 && kappa.minCoeff() < 0);
 }
 
-/// Where the first step moves an outer point, relative to it, in units: to the mean of the hull's surface under |(xi - eta).n|/|xi - eta|^4 (Eq 25,
-/// where 3 is printed; the sum of the weights divides it, which Algorithm 1 leaves out), so to the absolute triangle weights' (Eq 14) mean
+/// Where the first step moves an outer point, relative to it, in units: to the mean of the hull's surface under |(xi -
+/// eta).n|/|xi - eta|^4 (Eq 25,
+/// where 3 is printed; the sum of the weights divides it, which Algorithm 1 leaves out), so to the absolute triangle
+/// weights' (Eq 14) mean
 /// of the corners. A face whose plane the point is in but for rounding weighs nothing.
 template <Scalar R>
 Vec3<R> to_hull(const SeenQuad<R>& s, const Vec4<R>& kappa) {
@@ -43,7 +46,8 @@ Vec3<R> to_hull(const SeenQuad<R>& s, const Vec4<R>& kappa) {
   return apply(s, Vec4<R>(weight / sum));
 }
 
-/// The roots of a v^2 + b v + c = 0 without cancellation. A negative discriminant counts as rounding of a double root; the second is not finite
+/// The roots of a v^2 + b v + c = 0 without cancellation. A negative discriminant counts as rounding of a double root;
+/// the second is not finite
 /// where a is zero.
 template <class R>
 std::array<R, 2> quadratic_roots(const R& a, const R& b, const R& c) {
@@ -54,8 +58,10 @@ std::array<R, 2> quadratic_roots(const R& a, const R& b, const R& c) {
   return {c / q, q / a};
 }
 
-/// Where the line through the point along `d` meets the quad (Appendix B): u by Eq 29 divided by |b - a|^2, which is not printed. Of two the one
-/// nearer the parameters' middle; clamped to [0, 1]^2, which changes nothing for valid quads, and gives others a point of theirs.
+/// Where the line through the point along `d` meets the quad (Appendix B): u by Eq 29 divided by |b - a|^2, which is not
+/// printed. Of two the one
+/// nearer the parameters' middle; clamped to [0, 1]^2, which changes nothing for valid quads, and gives others a point of
+/// theirs.
 template <Scalar R>
 std::pair<R, R> meet_line(const SeenQuad<R>& s, const Vec3<R>& d) {
   using std::abs, std::max, std::min;

@@ -18,10 +18,12 @@ R blend(const R& x, const R& low, const R& high) {
   return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/// The norm correction ||wbar||^2/(Omega.wbar) of Eq 24 has poles where Omega.wbar = 0, around the points where m_q = 0. It is blended into 1, no
+/// The norm correction ||wbar||^2/(Omega.wbar) of Eq 24 has poles where Omega.wbar = 0, around the points where m_q = 0.
+/// It is blended into 1, no
 /// correction, over these ranges.
 struct PoleGuard {
-  /// Of |m_q| over the mean of |m_013| + |m_123| and |m_012| + |m_023|, in [0, 1]: how much of the quad cancels in its mean vector. Near a zero of m_q
+  /// Of |m_q| over the mean of |m_013| + |m_123| and |m_012| + |m_023|, in [0, 1]: how much of the quad cancels in its
+  /// mean vector. Near a zero of m_q
   /// wbar vanishes, and the sum's own error decides what the correction is.
   double mean_low = 0.05, mean_high = 0.2;
   /// Of the cosine between wbar and the part of Omega across the kernel, 1 for an exact Omega.
@@ -39,7 +41,8 @@ R mean_vector_ratio(const SeenQuad<R>& s, const Vec3<R>& m) {
 
 /// lambda of Eq 24 with the guard.
 template <Scalar R>
-R lambda(const Vec4<R>& omega, const Vec4<R>& kappa, const Vec4<R>& minimal_norm, const R& mean_ratio, const PoleGuard& guard = {}) {
+R lambda(const Vec4<R>& omega, const Vec4<R>& kappa, const Vec4<R>& minimal_norm, const R& mean_ratio,
+         const PoleGuard& guard = {}) {
   using std::sqrt;
   const R square = kappa.squaredNorm();
   const R uncorrected = omega.dot(kappa) / square;
@@ -52,7 +55,8 @@ R lambda(const Vec4<R>& omega, const Vec4<R>& kappa, const Vec4<R>& minimal_norm
   return uncorrected * (1 + trust * (norm / along - 1));
 }
 
-/// Removes what rounding leaves of A w - m, so that linear functions are reproduced also where A is nearly singular: once by Eq 28, and where that
+/// Removes what rounding leaves of A w - m, so that linear functions are reproduced also where A is nearly singular: once
+/// by Eq 28, and where that
 /// is not enough by a QR decomposition.
 template <Scalar R>
 void restore_linear_reproduction(const SeenQuad<R>& s, const Vec4<R>& kappa, const Vec3<R>& m, Vec4<R>& w) {
@@ -76,16 +80,19 @@ void restore_linear_reproduction(const SeenQuad<R>& s, const Vec4<R>& kappa, con
 
 /// The four weights, in 1/length, of a point off the quad and, for a planar one, off its plane.
 template <Scalar R>
-Vec4<R> riemann_weights(const SeenQuad<R>& s, const Vec4<R>& kappa, int n, RiemannWorkspace<R>& work, const PoleGuard& guard = {}) {
+Vec4<R> riemann_weights(const SeenQuad<R>& s, const Vec4<R>& kappa, int n, RiemannWorkspace<R>& work,
+                        const PoleGuard& guard = {}) {
   const auto [u, v] = project(s, kappa);
   const Vec3<R> m = mean_vector(s);
   const Vec4<R> minimal_norm = minimal_norm_solution(s, kappa, m);
-  Vec4<R> w = minimal_norm + lambda(omega(s, n, u, v, work), kappa, minimal_norm, mean_vector_ratio(s, m), guard) * kappa;
+  const R along = lambda(omega(s, n, u, v, work), kappa, minimal_norm, mean_vector_ratio(s, m), guard);
+  Vec4<R> w = minimal_norm + along * kappa;
   restore_linear_reproduction(s, kappa, m, w);
   return w / s.unit;
 }
 
-/// The four weights of any point: infinite on the quad where the basis function is positive, and zero for the other corners; zero in the
+/// The four weights of any point: infinite on the quad where the basis function is positive, and zero for the other
+/// corners; zero in the
 /// plane of a planar quad outside it; NaN for an input that is not finite.
 template <Scalar R>
 Vec4<R> quad_weights(const Quad<R>& q, const Vec3<R>& point, int n, RiemannWorkspace<R>& work, const PoleGuard& guard = {}) {

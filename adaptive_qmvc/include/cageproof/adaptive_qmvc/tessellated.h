@@ -20,7 +20,8 @@ Vec3<R> surface_point(const Quad<R>& q, const Vec4<R>& basis) {
   return basis[0] * q[0] + basis[1] * q[1] + basis[2] * q[2] + basis[3] * q[3];
 }
 
-/// The weights of n x n sub-quads, each cut from its corner 0 to its corner 2, with basis functions linear on each triangle. On a triangle they diverge:
+/// The weights of n x n sub-quads, each cut from its corner 0 to its corner 2, with basis functions linear on each
+/// triangle. On a triangle they diverge:
 /// infinite for the corners whose interpolated basis function is positive there, zero for the others.
 template <Scalar R>
 Vec4<R> tessellated_weights(const Quad<R>& q, const Vec3<R>& point, int n) {
