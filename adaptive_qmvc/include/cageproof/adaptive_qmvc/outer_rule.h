@@ -59,7 +59,8 @@ inline int nodes_across(double rho, double half, double growth, double order, do
   const double whole = std::log(std::min(rho, 1e6));
   for (const double part : {0.93, 0.8, 0.5}) {
     const double log_rho = part * whole;
-    const double blow_up = 0.3 - order * std::log10(1 - part);
+    // Each derivative makes the integrand's bound that much larger.
+    const double blow_up = 0.4 * order - 0.3 - order * std::log10(1 - part);
     least = std::min(least, ((digits + blow_up) * std::numbers::ln10 + (growth == 0 ? 0 : growth * half * (std::cosh(log_rho) - 1))) / (2 * log_rho));
   }
   return std::max(2, static_cast<int>(std::ceil(least)));

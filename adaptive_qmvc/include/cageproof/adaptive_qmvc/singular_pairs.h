@@ -69,7 +69,7 @@ inline Complex root_of(const std::array<double, 5>& p, Complex z) {
     if (below == 0.0) break;
     const Complex step = quotient(4.0, below);
     z -= step;
-    if (std::norm(step) < 1e-18 * std::norm(z)) break;
+    if (std::norm(step) < 1e-14 * std::norm(z)) break;  // the next would be below rounding
   }
   return z;
 }
@@ -78,24 +78,17 @@ inline Complex root_of(const std::array<double, 5>& p, Complex z) {
 template <class R>
 SingularPair<R> refined(const LocalQuad<R>& q, R centre, double width) {
   std::array<double, 5> p = LineArea<R>(q, centre).polynomial();
-  Complex s{0, width};
   for (int round = 0; round < 12 && p[2] > 0; ++round) {
     const double shift = -p[1] / (2 * p[2]), depth = std::sqrt(std::max(0.0, p[0] / p[2]));
     if (depth > 0.05 || std::abs(shift) > 0.2) break;
-    s = {shift, depth};
+    width = depth;
     if (std::abs(shift) <= 1e-3 * depth || shift == 0) break;
     centre += R(shift);
     p = LineArea<R>(q, centre).polynomial();
-    s = {0, depth};
   }
-  for (int i = 0; i < 6; ++i) {
-    const auto [f, df, ddf] = at(p, s);
-    const Complex move = quotient(f, df);
-    const double step = std::abs(move) / std::abs(s);
-    if (!(step < 0.5)) break;
-    s -= move;
-    if (step < 1e-4) break;
-  }
+  if (p[0] == 0) return {centre, 0};
+  // A real start would stay real.
+  const Complex s = root_of(p, {0, width > 0 ? width : 0.1});
   return {R(centre + R(s.real())), std::abs(s.imag())};
 }
 
@@ -186,8 +179,9 @@ SingularPairs<R> singular_pairs(const LocalQuad<R>& q) {
   }
   if (minima == 2 || p[4] < 1e-26 * size) return pairs;
   if (minima == 0) {
-    last = detail::root_of(p, {0.4, 0.5});
-    keep(detail::refined(q, R(last.real()), std::abs(last.imag())));
+    const SingularPair<R> pair = detail::refined(q, R(0.5), 0.5);
+    last = {static_cast<double>(pair.centre), pair.width};
+    keep(pair);
   }
   // The other two: (s^2 + m s + n)(p4 s^2 + g s + h).
   const double m = -2 * last.real(), n = std::norm(last);
