@@ -79,7 +79,8 @@ TEST_P(line_form_on, keeps_all_digits_next_to_a_corner_at_the_origin) {
     const Vec point = distance * Vec(0.5, 0.25, -0.75);
     const Result<double> found = evaluate<double>("closed_form", q, point, 2);
     const Result<Mp100> exact = evaluate<Mp100>("closed_form", q, point, 2);
-    for (int o = 0; o <= 2; ++o) EXPECT_LT(relative(found.of(o), exact.of(o)), 64 * 0x1p-53) << distance << " order " << o;
+    // By homogeneity (Euler) relative changes of the coordinates change tensors at least 1 + o times as much.
+    for (int o = 0; o <= 2; ++o) EXPECT_LT(relative(found.of(o), exact.of(o)), 64 * (2 + o) * 0x1p-53) << distance << " order " << o;
   }
 }
 
@@ -125,7 +126,8 @@ TEST(line_form, sees_the_peak_beside_the_long_side_of_a_trapezoid) {
   const Result<double> found = evaluate<double>("closed_form", q, point, 1);
   for (int o = 0; o <= 1; ++o) {
     EXPECT_LT(relative(line.of(o), integral.of(o)), 1e-30) << o;
-    EXPECT_LT(relative(found.of(o), integral.of(o)), 1e-14) << o;
+    // A rounding of the corners' coordinates moves them by that part of the distance.
+    EXPECT_LT(relative(found.of(o), integral.of(o)), 64 * 0x1p-53 / 0x1p-35) << o;
   }
 }
 
@@ -167,8 +169,9 @@ TEST(line_moments, are_the_integrals_along_a_line) {
           }
         return static_cast<double>(sum);
       };
-      // Rounded input moves the foot and the height.
-      const double bound = 2e-15 * (1 + 1 / std::max(height, std::abs(foot) < 0.5 ? 0 : std::min(std::abs(foot), std::abs(1 - foot))));
+      // Rounded input moves the line; r^-2p changes by 2p times that over the distance.
+      const double outside = std::max({0.0, -foot, foot - 1});
+      const double bound = 64 * 0x1p-53 * (1 + 8 / std::hypot(height, outside));
       const double sizes[3]{integral(0, 2), integral(0, 3), integral(0, 4)};
       for (int j = 0; j <= 2; ++j) EXPECT_NEAR(m.p2[j], integral(j, 2), bound * sizes[0]) << foot << ' ' << height << ' ' << j;
       for (int j = 0; j <= 3; ++j) EXPECT_NEAR(m.p3[j], integral(j, 3), bound * sizes[1]) << foot << ' ' << height << ' ' << j;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "cageproof/adaptive_qmvc/line_moments.h"
+#include "cageproof/adaptive_qmvc/line_values.h"
 #include "cageproof/adaptive_qmvc/singular_pairs.h"
 #include "cageproof/core/evaluation.h"
 #include "cageproof/core/quad_geometry.h"
@@ -31,11 +32,26 @@ void add_line(const LocalQuad<R>& q, const LineArea<R>& area, const R& v, const 
   const double length2 = static_cast<double>(e.dot(e)), start2 = static_cast<double>(a.dot(a)), end2 = static_cast<double>(end.dot(end));
   // Where the ends' distances sum up to `kFarAlongLine` lengths; their squares alone often tell.
   const auto ends = [&] { return (std::sqrt(start2) + std::sqrt(end2)) / std::sqrt(length2); };
+  if constexpr (Order == 0 && std::same_as<R, double>) {
+    // From ends that sum up to that many lengths on, so many nodes cost less than an arc tangent.
+    constexpr double kWorthNodes = 1.5;
+    const double sum = std::sqrt(start2) + std::sqrt(end2);
+    if (sum * sum > kWorthNodes * kWorthNodes * length2) {
+      const int nodes = length2 > 0 ? nodes_along_line(sum / std::sqrt(length2), Order, digits) : 2;
+      const auto [f, first] = values_along_line(start2, 2 * a.dot(e), length2, q.g00 + v * q.g01, q.g10 + v * q.g11, nodes);
+      const double far = weight * first, near = weight * (f - first);
+      sums.corner[0][0] += (1 - v) * near;
+      sums.corner[1][0] += (1 - v) * far;
+      sums.corner[2][0] += v * far;
+      sums.corner[3][0] += v * near;
+      return;
+    }
+  }
   LineMoments<R> m;
   if (2 * (start2 + end2) < kFarAlongLine * kFarAlongLine * length2 || ends() < kFarAlongLine) {
     m = moments_about_foot<Order>(a, e, area.square(s), digits);
   } else {
-    m = moments_by_gauss<Order>(a, e, gauss_rule<R>(length2 > 0 ? nodes_along_line(ends(), digits) : 2));
+    m = moments_by_gauss<Order>(a, e, gauss_rule<R>(length2 > 0 ? nodes_along_line(ends(), Order, digits) : 2));
   }
   const R g1 = q.g10 + v * q.g11;
   const R g0 = q.g00 + v * q.g01 + m.origin * g1;

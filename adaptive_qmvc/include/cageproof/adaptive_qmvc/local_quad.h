@@ -44,9 +44,8 @@ std::optional<LocalQuad<R>> local_quad(std::span<const Vec3<R>> corners, const V
     }
   }
   frexp(extent, &q.exponent);
-  const auto scaled = [&](const Vec3<R>& p) {
-    return Vec3<R>(ldexp(p[0], -q.exponent), ldexp(p[1], -q.exponent), ldexp(p[2], -q.exponent));
-  };
+  const R unit = ldexp(R(1), -q.exponent);
+  const auto scaled = [&](const Vec3<R>& p) { return Vec3<R>(unit * p); };
   for (Vec3<R>& p : x) p = scaled(p);
   int nearest = 0;
   for (int k = 1; k < 4; ++k)

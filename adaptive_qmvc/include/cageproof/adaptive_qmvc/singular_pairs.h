@@ -74,25 +74,52 @@ inline Complex root_of(const std::array<double, 5>& p, Complex z) {
   return z;
 }
 
-/// The root of |a x e|^2 next to centre +- i width, refined; where it is close to the real axis, about the minimum there, where nothing cancels.
-template <class R>
-SingularPair<R> refined(const LocalQuad<R>& q, R centre, double width) {
-  std::array<double, 5> p = LineArea<R>(q, centre).polynomial();
-  for (int round = 0; round < 12 && p[2] > 0; ++round) {
-    const double shift = -p[1] / (2 * p[2]), depth = std::sqrt(std::max(0.0, p[0] / p[2]));
-    if (depth > 0.05 || std::abs(shift) > 0.2) break;
-    width = depth;
-    if (std::abs(shift) <= 1e-3 * depth || shift == 0) break;
-    centre += R(shift);
-    p = LineArea<R>(q, centre).polynomial();
+/// s^2 + r s + t, and what is left of a quartic: lead s^2 + linear s + constant.
+struct Factors {
+  double r, t, lead, linear, constant;
+  bool found;
+};
+
+/// The real quadratic factors of a quartic next to s^2 + t, by Bairstow's iteration, or through one of its roots.
+inline Factors factors_of(const std::array<double, 5>& p, double t) {
+  double r = 0;
+  for (int i = 0; i < 12; ++i) {
+    const double b4 = p[4], b3 = p[3] - r * b4, b2 = p[2] - r * b3 - t * b4, b1 = p[1] - r * b2 - t * b3, b0 = p[0] - r * b1 - t * b2;
+    const double c3 = b3 - r * b4, c2 = b2 - r * c3 - t * b4, c1 = b1 - r * c2 - t * c3;
+    const double inverse = 1 / (c2 * c2 - c1 * c3);
+    const double dr = (b1 * c2 - b0 * c3) * inverse, dt = (b0 * c2 - b1 * c1) * inverse;
+    r += dr;
+    t += dt;
+    if (!std::isfinite(r + t)) break;
+    if (dr * dr < 1e-10 * std::abs(t) && std::abs(dt) < 1e-5 * std::abs(t)) {
+      const double linear = p[3] - r * p[4];
+      return {r, t, p[4], linear, p[2] - r * linear - t * p[4], true};
+    }
   }
-  if (p[0] == 0) return {centre, 0};
-  // A real start would stay real.
-  const Complex s = root_of(p, {0, width > 0 ? width : 0.1});
-  return {R(centre + R(s.real())), std::abs(s.imag())};
+  const Complex z = root_of(p, {0.1, 0.5});
+  r = -2 * z.real();
+  t = std::norm(z);
+  const double linear = p[3] - r * p[4];
+  return {r, t, p[4], linear, p[2] - r * linear - t * p[4], z.imag() != 0};
 }
 
-/// Real zeros of c0 + c1 v + c2 v^2 + c3 v^3 within [-1, 2], by bisection between those of its derivatives: at most three.
+/// Moves to the real minimum of |a x e|^2 next to a line, where the closest pair of zeros loses no digits. Returns how far off the axis that pair is there, to
+/// first order.
+template <class R>
+double settle(const LocalQuad<R>& q, R& centre, std::array<double, 5>& p) {
+  double depth = 0.5;
+  for (int round = 0; round < 12; ++round) {
+    p = LineArea<R>(q, centre).polynomial();
+    if (!(p[2] > 0)) return depth;
+    const double shift = -p[1] / (2 * p[2]);
+    depth = std::sqrt(std::max(0.0, p[0] / p[2]));
+    if (depth > 0.05 || std::abs(shift) > 0.2 || std::abs(shift) <= 1e-3 * depth || shift == 0) break;
+    centre += R(shift);
+  }
+  return depth;
+}
+
+/// Real zeros of c0 + c1 v + c2 v^2 + c3 v^3 within [-1, 2] to three digits, by bisection between those of its derivatives: at most three.
 inline int zeros_within(const std::array<double, 4>& c, std::array<double, 3>& zeros) {
   const auto value = [&](double v) { return c[0] + v * (c[1] + v * (c[2] + v * c[3])); };
   std::array<double, 4> ends{-1, 2, 2, 2};
@@ -111,7 +138,7 @@ inline int zeros_within(const std::array<double, 4>& c, std::array<double, 3>& z
     double lo = ends[i], hi = ends[i + 1];
     const bool rising = value(hi) > value(lo);
     if ((value(lo) > 0) == (value(hi) > 0)) continue;
-    for (int k = 0; k < 60 && hi - lo > 1e-17; ++k) {
+    for (int k = 0; k < 12; ++k) {
       const double middle = (lo + hi) / 2;
       ((value(middle) > 0) == rising ? hi : lo) = middle;
     }
@@ -167,27 +194,35 @@ SingularPairs<R> singular_pairs(const LocalQuad<R>& q) {
   std::array<double, 3> turns;
   const int count = detail::zeros_within({p[1], 2 * p[2], 3 * p[3], 4 * p[4]}, turns);
   const auto bend = [&](double v) { return 2 * p[2] + v * (6 * p[3] + v * 12 * p[4]); };
-  int minima = 0;
-  detail::Complex last;
+  R centre(0.5);
+  double lowest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < count; ++i) {
-    if (!(bend(turns[i]) > 0)) continue;
-    const double value = p[0] + turns[i] * (p[1] + turns[i] * (p[2] + turns[i] * (p[3] + turns[i] * p[4])));
-    const SingularPair<R> pair = detail::refined(q, R(turns[i]), std::sqrt(std::max(0.0, 2 * value / bend(turns[i]))));
-    last = {static_cast<double>(pair.centre), pair.width};
-    keep(pair);
-    ++minima;
+    const double v = turns[i], value = p[0] + v * (p[1] + v * (p[2] + v * (p[3] + v * p[4])));
+    if (!(bend(v) > 0) || !(value / bend(v) < lowest)) continue;
+    lowest = value / bend(v);
+    centre = R(v);
   }
-  if (minima == 2 || p[4] < 1e-26 * size) return pairs;
-  if (minima == 0) {
-    const SingularPair<R> pair = detail::refined(q, R(0.5), 0.5);
-    last = {static_cast<double>(pair.centre), pair.width};
-    keep(pair);
+  std::array<double, 5> local;
+  const double depth = detail::settle(q, centre, local);
+  const auto add_pair = [&](double r, double t) {
+    keep({R(centre - R(r / 2)), std::sqrt(std::max(0.0, t - r * r / 4))});
+  };
+  if (p[4] < 1e-26 * size) {
+    if (local[2] > 0) add_pair(local[1] / local[2], local[0] / local[2]);
+    return pairs;
   }
-  // The other two: (s^2 + m s + n)(p4 s^2 + g s + h).
-  const double m = -2 * last.real(), n = std::norm(last);
-  const double g = p[3] - m * p[4], h = p[2] - n * p[4] - m * g;
-  const detail::Complex other = detail::Complex(-g, std::sqrt(std::max(0.0, 4 * p[4] * h - g * g))) / (2 * p[4]);
-  if (std::abs(other) < 30) keep(detail::refined(q, R(other.real()), std::abs(other.imag())));
+  const detail::Factors f = local[0] == 0 ? detail::Factors{0, 0, local[4], local[3], local[2], true} : detail::factors_of(local, depth * depth);
+  add_pair(f.r, f.t);
+  // The other pair; one that is itself close to the axis is looked for about its own minimum.
+  const double r = f.linear / f.lead, t = f.constant / f.lead;
+  if (!(t < 900)) return pairs;
+  if (t - r * r / 4 > 0.0025) {
+    add_pair(r, t);
+    return pairs;
+  }
+  centre -= R(r / 2);
+  const double own = detail::settle(q, centre, local);
+  add_pair(0, own * own);
   return pairs;
 }
 
