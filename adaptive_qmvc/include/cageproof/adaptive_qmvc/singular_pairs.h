@@ -184,8 +184,9 @@ SingularPairs<R> singular_pairs(const LocalQuad<R>& q) {
   const auto keep = [&](const SingularPair<R>& pair) {
     const Vec3<R> a = q.start(pair.centre), e = q.direction(pair.centre);
     const double foot = -static_cast<double>(a.dot(e)) / static_cast<double>(e.dot(e));
-    // The foot's real part, to first order in the width; margins cost nodes, not digits.
-    if (std::isfinite(pair.width) && foot > -0.3 && foot < 1.3) pairs.add(pair);
+    // The foot's real part, to first order in the width. On the axis a pair beyond the ends would be a singularity that is not there.
+    const double margin = std::min(0.3, 4 * pair.width);
+    if (std::isfinite(pair.width) && foot >= -margin && foot <= 1 + margin) pairs.add(pair);
   };
   const auto p = LineArea<R>(q, R(0)).polynomial();
   const double size = p[0] + std::abs(p[2]) + p[4];
