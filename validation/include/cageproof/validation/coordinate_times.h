@@ -15,7 +15,7 @@ using KindAndEvaluation = std::pair<std::string, std::string>;
 /// the line form, spherical mean value and maximum entropy coordinates.
 std::vector<KindAndEvaluation> table_one();
 
-/// Time of all coordinates at all points, once, on one thread; and at `options.samples` of the points, evenly spread, the largest difference of a
+/// Time of all coordinates at a point, on one thread, over points spread evenly for a second or options.seconds, whichever is longer; and at `options.samples` of the points, evenly spread, the largest difference of a
 /// coordinate from the quad mean value coordinates by the line form in 50 digits. For other kinds that difference is no error, only how much they differ.
 /// \throws InputError for an unknown kind or evaluation, or without points
 WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>& points, const std::vector<KindAndEvaluation>& what,
