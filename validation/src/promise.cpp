@@ -55,6 +55,9 @@ constexpr std::array table{
     Row{"own_derivative", "*", "*", "double", "*", 1, 2, 1e-9,
         "2e-2 sizes off the cage; a form that is right in sums alone misses by its size"},
     Row{"one_ring_sum", "*", "*", "double", "*", 1, 2, 1e-9, "2e-2 sizes off the cage, norm-wise over its vertices"},
+    // Across the hull of a twisted quad.
+    Row{"hull_jump", "*", "riemann-*", "*", "*", 1, 1, none, "the projection behind it is continuous across the hull, its derivative is not ([T18] Lemma 3.4)"},
+    Row{"hull_jump", "*", "*", "*", "*", 0, 1, 1e-6, "limits extrapolated from 2e-6 sizes"},
     // Cages, at points at least 1e-6 of their size away, and on them.
     Row{"partition_of_unity", "*mean_value", "*", "*", "*", 1, 2, none, "next to a face the quotient rule cancels what the diverging weights share"},
     Row{"linear_reproduction", "*mean_value", "*", "*", "*", 1, 2, none, "next to a face the quotient rule cancels what the diverging weights share"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/verify.h"
 
+#include "hull_continuity.h"
+
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/reports/report_writer.h"
 #include "cageproof/validation/cage_campaign.h"
@@ -8,6 +10,7 @@
 #include "cageproof/validation/errata.h"
 #include "cageproof/validation/error_fields.h"
 #include "cageproof/validation/one_ring.h"
+#include "cageproof/validation/promise.h"
 #include "cageproof/validation/stored_cases.h"
 
 #include <fmt/format.h>
@@ -50,6 +53,10 @@ class Run {
     const std::vector<ResultRow> stored = stored_cases();
     elements();
     result_.rows.insert(result_.rows.end(), stored.begin(), stored.end());
+    if (matches(options_.formulas, "quad.mean_value") && matches(options_.regimes, hull_regime)) {
+      const auto jumps = run_hull_continuity(options_.evaluations, options_.seed);
+      result_.rows.insert(result_.rows.end(), jumps.begin(), jumps.end());
+    }
     if (options_.cage) {
       cage(*options_.cage);
       if (options_.mesh) mesh(*options_.cage);
