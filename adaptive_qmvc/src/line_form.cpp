@@ -47,7 +47,7 @@ const RegisterEvaluation closed{{std::string(kFormula), "closed_form", {"closed_
                                  [](std::string_view name) -> std::optional<Evaluation> {
                                    if (name != "closed_form") return std::nullopt;
                                    Evaluation made = evaluation(name, "line form: elementary along lines, Gauss-Legendre across them", std::nullopt);
-                                   made.set_substitutes({"line-36", "line-14"});
+                                   made.set_substitutes({"line-36", "line-46", "line-14"});
                                    return made;
                                  }}};
 

@@ -24,13 +24,14 @@ class RowBuilder {
       : check_(std::move(check)), unit_(std::move(unit)), place_(std::move(place)), order_(order) {}
 
   /// A NaN is a sample without truth.
-  void add(double error, const Vec3<double>& point, std::uint64_t index) {
+  /// \param asked the highest derivative that the coordinates were taken with
+  void add(double error, const Vec3<double>& point, std::uint64_t index, int asked = 2) {
     if (std::isnan(error)) {
       ++without_truth_;
       return;
     }
     errors_.add(error);
-    if (worst_.wants(error, index)) worst_.add({error, 0, index, {}, point, {}});
+    if (worst_.wants(error, index)) worst_.add({error, 0, index, {}, point, {}, asked});
   }
   ResultRow row(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation) const {
     ResultRow row;
@@ -92,8 +93,8 @@ void add_point(Rows& rows, const CoordinateKind& kind, int order, const CagePoin
   for (int o = 0; o <= order; ++o) {
     const std::string unit = o == 0 ? "relative" : "of the terms";
     const std::string partition = outside ? "zero_outside" : "partition_of_unity";
-    row_of(rows, partition, unit, place, o).add(r.errors.partition[o], p.point, p.index);
-    row_of(rows, "linear_reproduction", unit, place, o).add(r.errors.reproduction[o], p.point, p.index);
+    row_of(rows, partition, unit, place, o).add(r.errors.partition[o], p.point, p.index, order);
+    row_of(rows, "linear_reproduction", unit, place, o).add(r.errors.reproduction[o], p.point, p.index, order);
     if (!std::isnan(r.truth[o])) row_of(rows, "cage_truth", "relative", place, o).add(r.truth[o], p.point, p.index);
   }
   for (const auto& [check, error] : r.symmetries) row_of(rows, check, "relative", place, 0).add(error, p.point, p.index);
@@ -153,10 +154,10 @@ std::vector<ResultRow> run_cage_campaign(const Cage& cage, const CageCampaignOpt
     const CageLocator locator(cage, options.triangulation, kind->keeps_quads());
     const auto off = points_off(cage, locator, options.seed, options.points);
     const CageCoordinates coordinates(cage, *kind, options.evaluation, options.triangulation);
-    const auto on = points_on(coordinates, cage);
+    const auto on = options.properties_alone ? std::vector<CagePoint>{} : points_on(coordinates, cage);
     const CageCoordinates reference(cage, *kind, "closed_form", options.triangulation);
     const CageSymmetries symmetries(cage, *kind, options.evaluation, options.triangulation);
-    const int order = coordinates.max_order();
+    const int order = options.properties_alone ? 0 : coordinates.max_order();
     std::vector<PointResult> results(off.size());
     // Every n-th point meets the truth, so that both ways of drawing points are seen.
     // Matrices of nine numbers in multiprecision cost as much as a quarter of the points does for single ones.
@@ -165,7 +166,7 @@ std::vector<ResultRow> run_cage_campaign(const Cage& cage, const CageCampaignOpt
     for_each_parallel(off.size(), options.jobs, [&](std::size_t i) {
       if (off[i].place == Place::TooClose) return;
       results[i].errors = errors_at(coordinates, cage, off[i].point, expected_sum(*kind, off[i].place), order);
-      if (i % stride != 0) return;
+      if (options.properties_alone || i % stride != 0) return;
       // Coordinates that exist in double alone would meet themselves.
       if (!kind->direct) results[i].truth = truth_errors_at(coordinates, reference, off[i].point, order);
       results[i].symmetries = symmetries.errors_at(off[i].point);

@@ -54,8 +54,8 @@ double replay_cage(const ResultRow& row, const WorstCase& worst, Triangulation r
   const CoordinateKind* kind = find_coordinate_kind(row.subject);
   if (!kind) throw InputError(fmt::format("unknown kind of coordinates '{}'", row.subject));
   const CageCoordinates coordinates(cage, *kind, row.evaluation, rule);
-  // All orders, as the campaign asks: how many digits an evaluation takes may depend on what else is asked of it.
-  const int asked = coordinates.max_order();
+  // The orders that the campaign asked for: how many digits an evaluation takes may depend on what else is asked of it.
+  const int asked = std::min(worst.asked, coordinates.max_order());
   if (row.check == "cage_truth" && row.order <= asked)
     return truth_errors_at(coordinates, {cage, *kind, "closed_form", rule}, worst.point, asked)[row.order];
   if (row.check.starts_with("cage_") && row.check != "cage_laplacian") {

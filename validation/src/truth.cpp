@@ -119,11 +119,12 @@ Contact contact_of(const Sample& sample) {
 
 Truth truth_from(const Evaluation& chosen, const Sample& sample, int order) {
   Truth truth;
-  std::optional<Evaluation> for_truths, for_yardsticks;
+  std::optional<Evaluation> for_truths, for_confirmations, for_yardsticks;
   const Evaluation& reference = substitute(chosen, chosen.substitutes().truths, for_truths);
+  const Evaluation& confirmation = substitute(chosen, chosen.substitutes().confirmations, for_confirmations);
   const Evaluation& rough = substitute(chosen, chosen.substitutes().yardsticks, for_yardsticks);
   truth.tensors = evaluate<Mp100>(reference, sample, order);
-  const Result<Mp200> wider = evaluate<Mp200>(reference, sample, order);
+  const Result<Mp200> wider = evaluate<Mp200>(confirmation, sample, order);
   const Contact contact = contact_of(sample);
   truth.on_element = contact != Contact::None;
   static const Mp100 agreement("1e-30");

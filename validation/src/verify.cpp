@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -26,6 +27,14 @@ using reports::ColourScale;
 
 // A quad's integral in multiprecision costs as much as that many triangles'.
 constexpr double quad_cost = 30;
+
+// The other evaluations of a quad's weights, and at how many points of a cage each is asked for its properties: integrals take their time.
+struct QuadEvaluation {
+  const char* name;
+  int most_points;
+};
+constexpr std::array quad_evaluations{QuadEvaluation{"riemann-4", 1000}, QuadEvaluation{"tessellated-2", 1000}, QuadEvaluation{"line-12", 1000},
+                                      QuadEvaluation{"gauss-32", 40},    QuadEvaluation{"adaptive", 20},        QuadEvaluation{"multiprecision", 4}};
 
 class Run {
  public:
@@ -119,6 +128,17 @@ class Run {
     say("cage " + cage.name(), 0, 1);
     auto rows = run_cage_campaign(cage, cage_options());
     result_.rows.insert(result_.rows.end(), rows.begin(), rows.end());
+    // Whatever a quad's weights are computed with, they must keep the cage's own relations.
+    if (const CoordinateKind* kind = find_coordinate_kind("quad_mean_value"); kind && cage.has_quads() && accepts(*kind, cage))
+      for (const auto& [evaluation, most_points] : quad_evaluations) {
+        CageCampaignOptions campaign = cage_options();
+        campaign.evaluation = evaluation;
+        campaign.kinds = kind->name;
+        campaign.points = std::min(campaign.points, most_points);
+        campaign.properties_alone = true;
+        rows = run_cage_campaign(cage, campaign);
+        result_.rows.insert(result_.rows.end(), rows.begin(), rows.end());
+      }
     for (const char* evaluation : {"closed_form", "curl-form"}) {
       rows = run_one_ring_check(
           cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed});

@@ -81,10 +81,10 @@ class Evaluation {
   /// Whether it states how many digits it stands behind (Result::stated_digits).
   bool states_error() const { return states_error_; }
   void set_states_error() { states_error_ = true; }
-  /// Another evaluation of the formula that stands in for this one in multiprecision because it stops at fewer digits: `truths` at 34 or more,
-  /// `yardsticks` at 12 or more. Empty: this one is quick enough itself.
+  /// Evaluations of the formula that stand in for this one in multiprecision because they stop at fewer digits: `truths` at 34 or more, `confirmations` at some
+  /// more, so that other nodes are taken where the digits decide them, `yardsticks` at 12 or more. Empty: this one is quick enough itself.
   struct Substitutes {
-    std::string truths, yardsticks;
+    std::string truths, confirmations, yardsticks;
   };
   const Substitutes& substitutes() const { return substitutes_; }
   void set_substitutes(Substitutes names) { substitutes_ = std::move(names); }

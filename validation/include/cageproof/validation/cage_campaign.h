@@ -17,6 +17,7 @@ struct CageCampaignOptions {
   std::uint64_t seed = 1;
   int points = 400;       ///< off the cage, for the properties
   int truth_points = 16;  ///< of these, compared with multiprecision
+  bool properties_alone = false;  ///< only partition of unity and linear reproduction of values, off the cage
   int jobs = 0;
 };
 
