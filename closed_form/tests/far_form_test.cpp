@@ -30,6 +30,14 @@ double difference(const std::array<Taylor<R, N>, C>& a, const std::array<Taylor<
   return static_cast<double>(R(sqrt(R(error / size))));
 }
 
+// The largest error over its bound, for n points, of the mean value weights and their derivatives.
+double worst_weight_ratio(const Frame<R>& f, int n) {
+  const auto far = FarForm<R, 2, 2>(f, n).mean_value(), edge = EvenForm<R, 2>(f).mean_value();
+  double worst = 0;
+  for (int k = 0; k <= 2; ++k) worst = std::max(worst, difference<3, 2>(far, edge, k) / far_error(n, ellipse_of_distance(f), -4, k));
+  return worst;
+}
+
 // The largest error over its bound, for n points, of every moment and derivative.
 double worst_ratio(const Frame<R>& f, int n) {
   const double rho = ellipse_of(f);
@@ -68,6 +76,26 @@ TEST(far_form, error_is_below_its_bound) {
   }
   EXPECT_LE(worst, 1);
   // A bound a million times too wide would waste points.
+  EXPECT_GE(worst, 1e-6);
+}
+
+TEST(far_form, weights_keep_the_bound_of_the_distance_down_to_a_quarter_of_the_triangle) {
+  double worst = 0;
+  for (int i = 0; i < 240; ++i) {
+    RandomStream random(22, "far", i);
+    const Triangle<double> t = random_triangle(random, i % 3 == 0 ? 0.01 : 1);
+    const double size = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+    const Vec3<double> normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+    const double u = random.uniform(), v = random.uniform(0, 1 - u);
+    Vec3<double> at = t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
+    if (i % 4 == 0) at = t[i / 4 % 3] + random.uniform(0, 0.5) * (t[i / 4 % 3] - at);  // beyond a corner
+    const Vec3<double> eta = at + random.uniform(0.25, 1.5) * size * normal;
+    const Frame<R> f({convert<R>(t[0]), convert<R>(t[1]), convert<R>(t[2])}, convert<R>(eta));
+    // The edge form's 50 digits, less what it cancels, are no measure of smaller errors.
+    const int most = static_cast<int>(36 / (2 * std::log10(ellipse_of_distance(f))));
+    worst = std::max(worst, worst_weight_ratio(f, std::min(5 + i % 40, most)));
+  }
+  EXPECT_LE(worst, 1);
   EXPECT_GE(worst, 1e-6);
 }
 

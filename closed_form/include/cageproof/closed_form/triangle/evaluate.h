@@ -36,6 +36,7 @@ Components<F, R, O> far_components(const Frame<R>& frame, int n, std::span<const
 /// The points a side that the far form needs for `tolerance` here; nothing where the edge form is the better choice.
 template <class F, int O, Scalar R>
 std::optional<int> far_points_for(const Frame<R>& frame, double tolerance) {
+  if constexpr (std::same_as<F, MeanValue>) return far_points(ellipse_of_distance(frame), F::far_power, O + F::extra, tolerance, kCancellingLimit);
   return far_points(ellipse_of(frame), F::far_power, O + F::extra, tolerance, kFarLimit);
 }
 

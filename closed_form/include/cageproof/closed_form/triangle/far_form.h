@@ -6,6 +6,9 @@
 #include "cageproof/closed_form/triangle/frame.h"
 #include "cageproof/core/gauss_legendre.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace cageproof::closed_form {
@@ -27,6 +30,29 @@ double ellipse_of(const Frame<R>& f) {
   return ratio > 1 ? ratio + std::sqrt(ratio * ratio - 1) : 1;
 }
 
+/// Squared distance of the triangle from the point.
+template <class R>
+double squared_distance(const Frame<R>& f) {
+  double least = std::numeric_limits<double>::infinity();
+  bool within = true;
+  for (const FrameEdge<R>& e : f.edges) {
+    within = within && e.h >= R(0);
+    const bool foot = e.s0 <= R(0) && e.s1 >= R(0);
+    const double nearest_end = std::min(static_cast<double>(e.r0), static_cast<double>(e.r1));
+    least = std::min(least, foot ? static_cast<double>(e.D2) : nearest_end * nearest_end);
+  }
+  return within ? static_cast<double>(f.d) * static_cast<double>(f.d) : least;
+}
+
+/// The ellipse rho from the distance itself, larger than `ellipse_of` and above 1 down to the triangle: (r0 + r1)/l >= sqrt(1 + (2 distance/l)^2).
+template <class R>
+double ellipse_of_distance(const Frame<R>& f) {
+  double size = 0;
+  for (const FrameEdge<R>& e : f.edges) size = std::max(size, static_cast<double>(e.length));
+  const double slope = 2 * std::sqrt(squared_distance(f)) / size;
+  return slope + std::sqrt(1 + slope * slope);
+}
+
 /// Bound of the relative error of n x n points for the hat functions times r^p and its derivatives up to degree N, norm-wise. Two of the
 /// degrees that the rule is exact for go to the hat function and the area element.
 inline double far_error(int n, double rho, int p, int degree) {
@@ -42,8 +68,9 @@ inline std::optional<int> far_points(double rho, int p, int degree, double toler
   return std::nullopt;
 }
 
-/// The most points a side that the far form takes.
-inline constexpr int kFarLimit = 20;
+/// The most points a side that the far form takes where the edge form is the quicker one, and where that cancels long before (mean value).
+inline constexpr int kFarLimit = 20, kCancellingLimit = 48;
+
 /// A rule's number in the arithmetic of the form.
 template <class R, Scalar S>
 R rule_number(const S& x) {
