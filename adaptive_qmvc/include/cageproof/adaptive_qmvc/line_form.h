@@ -32,21 +32,6 @@ void add_line(const LocalQuad<R>& q, const LineArea<R>& area, const R& v, const 
   const double length2 = static_cast<double>(e.dot(e)), start2 = static_cast<double>(a.dot(a)), end2 = static_cast<double>(end.dot(end));
   // Where the ends' distances sum up to `kFarAlongLine` lengths; their squares alone often tell.
   const auto ends = [&] { return (std::sqrt(start2) + std::sqrt(end2)) / std::sqrt(length2); };
-  if constexpr (Order == 0 && std::same_as<R, double>) {
-    // From ends that sum up to that many lengths on, so many nodes cost less than an arc tangent.
-    constexpr double kWorthNodes = 1.5;
-    const double sum = std::sqrt(start2) + std::sqrt(end2);
-    if (sum * sum > kWorthNodes * kWorthNodes * length2) {
-      const int nodes = length2 > 0 ? nodes_along_line(sum / std::sqrt(length2), Order, digits) : 2;
-      const auto [f, first] = values_along_line(start2, 2 * a.dot(e), length2, q.g00 + v * q.g01, q.g10 + v * q.g11, nodes);
-      const double far = weight * first, near = weight * (f - first);
-      sums.corner[0][0] += (1 - v) * near;
-      sums.corner[1][0] += (1 - v) * far;
-      sums.corner[2][0] += v * far;
-      sums.corner[3][0] += v * near;
-      return;
-    }
-  }
   LineMoments<R> m;
   if (2 * (start2 + end2) < kFarAlongLine * kFarAlongLine * length2 || ends() < kFarAlongLine) {
     m = moments_about_foot<Order>(a, e, area.square(s), digits);
@@ -90,16 +75,52 @@ void add_line(const LocalQuad<R>& q, const LineArea<R>& area, const R& v, const 
   }
 }
 
+/// Adds a panel's lines for values in double, in packs of four; those of weight zero fill the last one.
+inline void add_values(const LocalQuad<double>& q, const LineArea<double>& area, const OuterRule<double>& rule, double lo, double hi,
+                       const GaussLegendre<double>& gauss, double digits, LineValues& values, WeightSums<double, 0>& sums) {
+  const int count = static_cast<int>(gauss.nodes.size());
+  for (int first = 0; first < count; first += 4) {
+    Lines at, weight;
+    for (int i = 0; i < 4; ++i) {
+      const int k = std::min(first + i, count - 1);
+      at[i] = gauss.nodes[k];
+      weight[i] = first + i < count ? gauss.weights[k] : 0;
+    }
+    at = lo + (hi - lo) * at;
+    weight *= hi - lo;
+    Lines s = at, v = at;
+    if (!rule.plain) {
+      // sinh and cosh: what their difference cancels is below the roundings of the width.
+      const Lines grown = (rule.width / 2) * at.exp(), shrunk = (rule.width / 2) * (-at).exp();
+      s = grown - shrunk;
+      weight *= grown + shrunk;
+      v = rule.centre + s;
+    }
+    if (values.add(v, s, weight)) continue;
+    for (int i = 0; i < 4 && first + i < count; ++i) add_line<0, double>(q, area, v[i], s[i], weight[i], digits, sums);
+  }
+}
+
 /// Adds all lines of a rule. Returns how many.
 template <int Order, class R>
 std::size_t add_lines(const LocalQuad<R>& q, const OuterRule<R>& rule, double digits, WeightSums<R, Order>& sums) {
+  constexpr bool values_only = Order == 0 && std::same_as<R, double>;
   const R centre = rule.plain ? R(0) : rule.centre;
   const LineArea<R> area(q, centre);
   std::size_t lines = 0;
+  [[maybe_unused]] std::conditional_t<values_only, LineValues, std::nullptr_t> values = [&] {
+    if constexpr (values_only) return LineValues(q, area, digits);
+    else return nullptr;
+  }();
   for (std::size_t p = 0; p < rule.panels.size(); ++p) {
     const auto& panel = rule.panels[p];
     const R lo = p == 0 ? rule.first : R(panel.lo), hi = p + 1 == rule.panels.size() ? rule.last : R(panel.hi);
     const GaussLegendre<R>& gauss = gauss_rule<R>(panel.nodes);
+    lines += panel.nodes;
+    if constexpr (values_only) {
+      add_values(q, area, rule, lo, hi, gauss, digits, values, sums);
+      continue;
+    }
     for (int i = 0; i < panel.nodes; ++i) {
       const R at = lo + (hi - lo) * gauss.nodes[i];
       R weight = (hi - lo) * gauss.weights[i];
@@ -107,12 +128,16 @@ std::size_t add_lines(const LocalQuad<R>& q, const OuterRule<R>& rule, double di
         add_line(q, area, at, at, weight, digits, sums);
         continue;
       }
-      using std::sinh, std::cosh;
-      const R s = rule.width * sinh(at);
-      weight *= rule.width * cosh(at);
+      using std::exp;
+      const R grown = rule.width / 2 * exp(at), shrunk = rule.width * rule.width / (4 * grown);
+      const R s = grown - shrunk;
+      weight *= grown + shrunk;
       add_line(q, area, R(rule.centre + s), s, weight, digits, sums);
     }
-    lines += panel.nodes;
+  }
+  if constexpr (values_only) {
+    const std::array<double, 4> corners = values.corners();
+    for (int k = 0; k < 4; ++k) sums.corner[k][0] += corners[k];
   }
   return lines;
 }
@@ -174,7 +199,7 @@ void line_form(const Query<R>& query, double digits, Result<R>& result) {
   // The weights grow like 1/distance; in the line's variable their integrand has half an order more, and each derivative adds one.
   constexpr double order = Order + 1.5;
   WeightSums<R, Order> sums;
-  if (const double rho = ellipse_from_distance(*q); rho >= kFarAcross) {
+  if (const double rho = ellipse_from_distance(*q); rho >= far_across<R, Order>) {
     result.nodes = add_lines<Order>(*q, plain_rule<R>(rho, order, digits), digits, sums);
   } else {
     const SingularPairs<R> singular = singular_pairs(*q);

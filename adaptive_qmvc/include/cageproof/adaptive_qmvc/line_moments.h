@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
 
 namespace cageproof::adaptive_qmvc {
 
@@ -31,28 +30,13 @@ struct LineMoments {
   std::array<R, 5> p4;
 };
 
-/// Ends at least that far away in sum, in lengths of the line: a Gauss rule along it gains 1.36 digits a node (ellipse of semi-axes' sum 4.79).
+/// From ends that far away in sum on, in lengths of the line, a Gauss rule along it (ellipse of semi-axes' sum 4.79) replaces the elementary integrals, which
+/// cancel with the distance.
 inline constexpr double kFarAlongLine = 2.5;
 
 /// Nodes along a line whose ends' distances sum up to `ends` lengths (>= 1), for `digits` digits of integrals of r^-4 with `order` derivatives: an integrand
 /// analytic inside the ellipse through its poles, of order 2 + order.
-inline int nodes_along_line(double ends, int order, double digits) {
-  // By eighths, remembered: the bound costs more than a line.
-  constexpr int kSteps = 8, kEntries = 512;
-  thread_local std::array<std::array<std::int16_t, kEntries>, 3> known{};
-  thread_local std::array<double, 3> known_digits{};
-  if (known_digits[order] != digits) {
-    known[order].fill(0);
-    known_digits[order] = digits;
-  }
-  const int step = static_cast<int>(std::min<double>(kSteps * ends, kEntries - 1));
-  std::int16_t& nodes = known[order][step];
-  if (nodes == 0) {
-    const double axis = std::max(1.001, static_cast<double>(step) / kSteps);
-    nodes = static_cast<std::int16_t>(nodes_across(axis + std::sqrt(axis * axis - 1), 0.5, 0, 2 + order, digits));
-  }
-  return nodes;
-}
+inline int nodes_along_line(double ends, int order, double digits) { return plain_nodes(ends, 2 + order, digits); }
 
 /// K_n = int_0^1 x^(2n)/(1 + y x^2)^(n + 1) dx for n = 0 .. N: what atan leaves after n terms, all of them positive.
 template <int N, class R>

@@ -1,50 +1,78 @@
 // SPDX-License-Identifier: MIT
-// Values along a line by Gauss-Legendre in doubles, four nodes at a time: cheaper than an arc tangent unless the line is close.
+// Values in double by Gauss-Legendre along lines as well, four lines at a time: cheaper than their arc tangents unless one of them is close.
 #pragma once
 
 #include "cageproof/adaptive_qmvc/line_moments.h"
+#include "cageproof/adaptive_qmvc/singular_pairs.h"
 
-#include <memory>
-#include <vector>
+#include <algorithm>
+#include <array>
 
 namespace cageproof::adaptive_qmvc {
 
-/// A Gauss-Legendre rule filled up to whole packs of four by nodes of weight zero.
-struct PackedRule {
-  using Pack = Eigen::Array<double, 4, 1>;
-  std::vector<Pack> nodes, weights;
+/// From ends that sum up to that many lengths on, the nodes along a line cost less than its arc tangent.
+inline constexpr double kWorthNodes = 1.06;
 
-  explicit PackedRule(int n) {
-    const GaussLegendre<double>& rule = gauss_legendre<double>(n);
-    nodes.assign((n + 3) / 4, Pack::Constant(0.5));
-    weights.assign(nodes.size(), Pack::Zero());
-    for (int i = 0; i < n; ++i) {
-      nodes[i / 4][i % 4] = rule.nodes[i];
-      weights[i / 4][i % 4] = rule.weights[i];
-    }
+/// One number for each of four lines.
+using Lines = Eigen::Array<double, 4, 1>;
+
+/// A vector for each of four lines.
+struct LinesVector {
+  Lines x, y, z;
+
+  /// p + s q, s one for each line.
+  static LinesVector along(const Vec3<double>& p, const Lines& s, const Vec3<double>& q) {
+    return {p[0] + s * q[0], p[1] + s * q[1], p[2] + s * q[2]};
   }
+  static LinesVector along(const Vec3<double>& p, const Lines& s, const LinesVector& q) { return {p[0] + s * q.x, p[1] + s * q.y, p[2] + s * q.z}; }
+  LinesVector operator+(const LinesVector& o) const { return {x + o.x, y + o.y, z + o.z}; }
+  Lines dot(const LinesVector& o) const { return x * o.x + y * o.y + z * o.z; }
 };
 
-/// The rule of n nodes, remembered by each thread. \pre n < 96
-inline const PackedRule& packed_rule(int n) {
-  thread_local std::array<std::unique_ptr<PackedRule>, 96> rules;
-  if (!rules[n]) rules[n] = std::make_unique<PackedRule>(n);
-  return *rules[n];
-}
+/// Sums of the four corners' weights over lines.
+class LineValues {
+ public:
+  LineValues(const LocalQuad<double>& q, const LineArea<double>& area, double digits) : q_(q), area_(area), digits_(digits) {}
 
-/// The integrals of g r^-4 and of u g r^-4 over u in [0, 1], g = g0 + u g1, r^2 = start2 + u (middle2 + u length2).
-inline std::array<double, 2> values_along_line(double start2, double middle2, double length2, double g0, double g1, int n) {
-  using Pack = PackedRule::Pack;
-  const PackedRule& rule = packed_rule(n);
-  Pack zeroth = Pack::Zero(), first = Pack::Zero();
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-    const Pack& u = rule.nodes[i];
-    const Pack square = start2 + u * (middle2 + u * length2);
-    const Pack f = rule.weights[i] * (g0 + u * g1) / (square * square);
-    zeroth += f;
-    first += u * f;
+  /// Adds four lines. False, and nothing added, where one of them is too close. \param s the lines' steps from the centre of `area`
+  bool add(const Lines& v, const Lines& s, const Lines& weight) {
+    const LinesVector a = LinesVector::along(q_.a, v, q_.b), e = LinesVector::along(q_.e, v, q_.w), end = a + e;
+    const Lines length2 = e.dot(e);
+    const Lines ends = a.dot(a).sqrt() + end.dot(end).sqrt();
+    const double ratio2 = (ends.square() / length2).minCoeff();
+    // Lengths of zero give infinity, or, with ends at the point, no number.
+    if (!(ratio2 > kWorthNodes * kWorthNodes) || !(ratio2 < 1e12)) return false;
+    // r^2 = least2 + length2 (u - foot)^2, whose terms do not cancel; N.x = g0 + u g1.
+    const LinesVector c = LinesVector::along(area_.c0, s, LinesVector::along(area_.c1, s, area_.c2));
+    const Lines inverse = 1 / length2;
+    const Lines foot = -a.dot(e) * inverse, least2 = c.dot(c) * inverse;
+    const Lines g0 = q_.g00 + v * q_.g01, g1 = q_.g10 + v * q_.g11;
+    const GaussLegendre<double>& rule = gauss_rule<double>(nodes_along_line(std::sqrt(ratio2), 0, digits_));
+    Lines zeroth = Lines::Zero(), first = Lines::Zero();
+    for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+      const double u = rule.nodes[k];
+      const Lines step = u - foot;
+      const Lines square = least2 + length2 * step * step;
+      const Lines f = rule.weights[k] * (g0 + u * g1) / (square * square);
+      zeroth += f;
+      first += u * f;
+    }
+    const Lines all = weight * zeroth, far = weight * first;
+    left_ += (1 - v) * (all - far);
+    left_far_ += (1 - v) * far;
+    right_far_ += v * far;
+    right_ += v * (all - far);
+    return true;
   }
-  return {zeroth.sum(), first.sum()};
-}
+
+  /// The sums so far, by corner.
+  std::array<double, 4> corners() const { return {left_.sum(), left_far_.sum(), right_far_.sum(), right_.sum()}; }
+
+ private:
+  const LocalQuad<double>& q_;
+  const LineArea<double>& area_;
+  double digits_;
+  Lines left_ = Lines::Zero(), left_far_ = Lines::Zero(), right_far_ = Lines::Zero(), right_ = Lines::Zero();
+};
 
 }  // namespace cageproof::adaptive_qmvc

@@ -77,7 +77,6 @@ inline Complex root_of(const std::array<double, 5>& p, Complex z) {
 /// s^2 + r s + t, and what is left of a quartic: lead s^2 + linear s + constant.
 struct Factors {
   double r, t, lead, linear, constant;
-  bool found;
 };
 
 /// The real quadratic factors of a quartic next to s^2 + t, by Bairstow's iteration, or through one of its roots.
@@ -93,14 +92,14 @@ inline Factors factors_of(const std::array<double, 5>& p, double t) {
     if (!std::isfinite(r + t)) break;
     if (dr * dr < 1e-10 * std::abs(t) && std::abs(dt) < 1e-5 * std::abs(t)) {
       const double linear = p[3] - r * p[4];
-      return {r, t, p[4], linear, p[2] - r * linear - t * p[4], true};
+      return {r, t, p[4], linear, p[2] - r * linear - t * p[4]};
     }
   }
   const Complex z = root_of(p, {0.1, 0.5});
   r = -2 * z.real();
   t = std::norm(z);
   const double linear = p[3] - r * p[4];
-  return {r, t, p[4], linear, p[2] - r * linear - t * p[4], z.imag() != 0};
+  return {r, t, p[4], linear, p[2] - r * linear - t * p[4]};
 }
 
 /// Moves to the real minimum of |a x e|^2 next to a line, where the closest pair of zeros loses no digits. Returns how far off the axis that pair is there, to
@@ -159,18 +158,23 @@ void add_side(const Vec3<R>& p, const Vec3<R>& d, SingularPairs<R>& pairs) {
 
 }  // namespace detail
 
-/// A lower bound of the ellipse about [0, 1] that singularities lie outside of, from the distance alone: r^2 = 0 at a complex line x + i y asks for
-/// |y| to be the distance of eta from the surface at x, over |xi_v|.
+/// The distance of eta from a segment from `start` (seen from eta) along `side`.
+template <class R>
+double distance_of_segment(const Vec3<R>& start, const Vec3<R>& side) {
+  const double square = static_cast<double>(side.dot(side)), along = -static_cast<double>(start.dot(side));
+  const double t = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
+  const Vec3<R> nearest = start + R(t) * side;
+  return std::sqrt(static_cast<double>(nearest.dot(nearest)));
+}
+
+/// A lower bound of the ellipse about [0, 1] that singularities in v lie outside of: for every u in [0, 1] the zeros of r^2 along the straight line v -> xi(u, v)
+/// lie on the one whose axis is the distances of both ends over its length.
 template <class R>
 double ellipse_from_distance(const LocalQuad<R>& q) {
-  double reach = 0, step = 0;
-  const Vec3<R> middle = q.a + (q.e + q.b + q.b1) / 4 + q.e / 4;
-  const auto length = [](const Vec3<R>& x) { return std::sqrt(static_cast<double>(x.dot(x))); };
-  for (const Vec3<R>& corner : {q.a, q.a1, Vec3<R>(q.a + q.b), Vec3<R>(q.a1 + q.b1)}) reach = std::max(reach, length(Vec3<R>(corner - middle)));
-  step = std::max(length(q.b), length(q.b1));
-  if (!(step > 0)) return 1e6;
-  // Then |y| + |x - 1/2| >= h, and the least ellipse through such a point has the axis sqrt(2) h.
-  const double axis = std::sqrt(2.0) * (length(middle) - reach) / step;
+  const double step = std::sqrt(std::max(static_cast<double>(q.b.dot(q.b)), static_cast<double>(q.b1.dot(q.b1))));
+  const double ends = distance_of_segment(q.a, q.e) + distance_of_segment(Vec3<R>(q.a + q.b), Vec3<R>(q.e + q.w));
+  if (!(ends < 1e6 * step)) return 1e6;
+  const double axis = ends / step;
   return axis > 1 ? axis + std::sqrt(axis * axis - 1) : 1;
 }
 
@@ -212,7 +216,7 @@ SingularPairs<R> singular_pairs(const LocalQuad<R>& q) {
     if (local[2] > 0) add_pair(local[1] / local[2], local[0] / local[2]);
     return pairs;
   }
-  const detail::Factors f = local[0] == 0 ? detail::Factors{0, 0, local[4], local[3], local[2], true} : detail::factors_of(local, depth * depth);
+  const detail::Factors f = local[0] == 0 ? detail::Factors{0, 0, local[4], local[3], local[2]} : detail::factors_of(local, depth * depth);
   add_pair(f.r, f.t);
   // The other pair; one that is itself close to the axis is looked for about its own minimum.
   const double r = f.linear / f.lead, t = f.constant / f.lead;
