@@ -9,34 +9,44 @@ target_compile_options(cageproof_flags INTERFACE
   # Error-free transformations need each operation rounded on its own.
   -ffp-contract=off)
 if(CAGEPROOF_SANITIZE)
-  target_compile_options(cageproof_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+  # Null and misaligned members are checked at every access, which doubles the build; a null one faults under the address sanitizer anyway.
+  target_compile_options(cageproof_flags INTERFACE -fsanitize=address,undefined -fno-sanitize=null,alignment -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   target_link_options(cageproof_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
-# cageproof_room(NAME LINK libs...): the room's src/**.cpp as an object library, so that rows which register themselves are kept.
+# cageproof_room(NAME LINK libs... [HEADERS_OF target]): the room's src/**.cpp as an object library, so that rows which register themselves are kept.
+# HEADERS_OF, here and below: takes that target's precompiled headers, which must have the same definitions, instead of its own.
 function(cageproof_room name)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "HEADERS_OF" "LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
   add_library(cageproof_${name} OBJECT ${sources})
   target_include_directories(cageproof_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(cageproof_${name} PUBLIC ${ARG_LINK} PRIVATE cageproof_flags)
   # Eigen and Boost.Multiprecision cost 5 s a file without it.
-  target_precompile_headers(cageproof_${name} PRIVATE <cageproof/core/linear.h>)
+  if(ARG_HEADERS_OF)
+    target_precompile_headers(cageproof_${name} REUSE_FROM ${ARG_HEADERS_OF})
+  else()
+    target_precompile_headers(cageproof_${name} PRIVATE <cageproof/core/linear.h>)
+  endif()
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
-# cageproof_tests(NAME LINK rooms...): every tests/*.cpp of the room in one GoogleTest binary.
+# cageproof_tests(NAME LINK rooms... [HEADERS_OF target]): every tests/*.cpp of the room in one GoogleTest binary.
 function(cageproof_tests name)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "HEADERS_OF" "LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*.cpp)
   if(NOT sources)
     return()
   endif()
   add_executable(${name}_tests ${sources})
   target_link_libraries(${name}_tests PRIVATE ${ARG_LINK} cageproof_flags GTest::gtest GTest::gtest_main)
-  target_precompile_headers(${name}_tests PRIVATE <cageproof/core/linear.h> <gtest/gtest.h>)
+  if(ARG_HEADERS_OF)
+    target_precompile_headers(${name}_tests REUSE_FROM ${ARG_HEADERS_OF})
+  else()
+    target_precompile_headers(${name}_tests PRIVATE <cageproof/core/linear.h> <gtest/gtest.h>)
+  endif()
   target_compile_definitions(${name}_tests PRIVATE
     CAGEPROOF_SHARED_DATA="${CMAKE_SOURCE_DIR}/../shared/data")
   gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 900)

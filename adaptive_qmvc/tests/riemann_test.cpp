@@ -2,6 +2,7 @@
 #include "quads.h"
 
 #include "cageproof/adaptive_qmvc/misprints.h"
+#include "cageproof/adaptive_qmvc/singular_solution.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The solutions of A w = m: the kernel of A, and the solution of smallest norm, in closed form and from the singular values.
+// The solutions of A w = m in closed form: the kernel of A, and the solution of smallest norm.
 #pragma once
 
 #include "cageproof/adaptive_qmvc/mean_vector.h"
-
-#include <Eigen/SVD>
 
 namespace cageproof::adaptive_qmvc {
 
@@ -38,26 +36,6 @@ Vec4<R> minimal_norm_solution(const SeenQuad<R>& s, const Vec4<R>& k, const Vec3
 template <Scalar R>
 Vec3<R> apply(const SeenQuad<R>& s, const Vec4<R>& w) {
   return w[0] * s.p[0] + w[1] * s.p[1] + w[2] * s.p[2] + w[3] * s.p[3];
-}
-
-/// The same two vectors from the singular value decomposition ([T18] Eq 18 and 20).
-template <Scalar R>
-struct SingularSolution {
-  Vec4<R> kernel;        ///< of length 1, of either sign
-  Vec4<R> minimal_norm;
-};
-
-template <Scalar R>
-SingularSolution<R> singular_solution(const SeenQuad<R>& s, const Vec3<R>& m) {
-  Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic> a(3, 4);
-  for (int i = 0; i < 4; ++i) a.col(i) = s.p[i];
-  const Eigen::JacobiSVD<Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>> svd(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Vec4<R> w = Vec4<R>::Zero();
-  for (int i = 0; i < 3; ++i) {
-    const R along = R(svd.matrixU().col(i).dot(m)) / svd.singularValues()[i];
-    w += along * Vec4<R>(svd.matrixV().col(i));
-  }
-  return {svd.matrixV().col(3), w};
 }
 
 }  // namespace cageproof::adaptive_qmvc

@@ -6,7 +6,9 @@
 #include "cageproof/adaptive_qmvc/place.h"
 #include "cageproof/adaptive_qmvc/projection.h"
 
-#include <Eigen/QR>
+#include <Eigen/Householder>
+
+#include <array>
 
 namespace cageproof::adaptive_qmvc {
 
@@ -68,13 +70,26 @@ void restore_linear_reproduction(const SeenQuad<R>& s, const Vec4<R>& kappa, con
   w += minimal_norm_solution(s, kappa, r);
   r = residual();
   if (small(r)) return;
-  Eigen::Matrix<R, 4, 3> transposed;
-  for (int i = 0; i < 4; ++i) transposed.row(i) = s.p[i].transpose();
-  const Eigen::HouseholderQR<Eigen::Matrix<R, 4, 3>> qr(transposed);
-  const Eigen::Matrix<R, 3, 3> upper = qr.matrixQR().template topRows<3>();
-  const Vec3<R> y = upper.template triangularView<Eigen::Upper>().transpose().solve(r);
-  Vec4<R> correction(y[0], y[1], y[2], R(0));
-  correction.applyOnTheLeft(qr.householderQ());
+  // Eigen's reflections one by one: its blocked decompositions take the compiler a minute for all scalars.
+  Eigen::Matrix<R, 4, 3> upper;
+  for (int i = 0; i < 4; ++i) upper.row(i) = s.p[i].transpose();
+  std::array<Eigen::Matrix<R, Eigen::Dynamic, 1, 0, 3, 1>, 3> reflection;
+  std::array<R, 3> tau;
+  Eigen::Matrix<R, 1, 4> workspace;
+  for (int k = 0; k < 3; ++k) {
+    R beta;
+    reflection[k].resize(3 - k);
+    upper.col(k).tail(4 - k).makeHouseholder(reflection[k], tau[k], beta);
+    upper.block(k, k + 1, 4 - k, 2 - k).applyHouseholderOnTheLeft(reflection[k], tau[k], workspace.data());
+    upper(k, k) = beta;
+  }
+  Vec4<R> correction = Vec4<R>::Zero();
+  for (int k = 0; k < 3; ++k) {
+    correction[k] = r[k];
+    for (int j = 0; j < k; ++j) correction[k] -= upper(j, k) * correction[j];
+    correction[k] /= upper(k, k);
+  }
+  for (int k = 2; k >= 0; --k) correction.tail(4 - k).applyHouseholderOnTheLeft(reflection[k], tau[k], workspace.data());
   if (correction.allFinite()) w += correction;
 }
 
