@@ -66,7 +66,9 @@ WorkPrecision measure_coordinates(const Arguments& a) {
   }
   validation::WorkPrecisionOptions options = a.options;
   options.triangulation = a.cage.rule();
-  WorkPrecision result = validation::coordinate_times(cage, points, validation::table_one(), options);
+  std::vector<validation::KindAndEvaluation> what;
+  for (const std::string& evaluation : options.evaluations) what.push_back({"quad_mean_value", evaluation});
+  WorkPrecision result = validation::coordinate_times(cage, points, what.empty() ? validation::table_one() : what, options);
   result.settings = {{"triangulation", a.cage.triangulate}, {"points", a.points.empty() ? "random" : a.points}};
   return result;
 }
@@ -103,7 +105,7 @@ void add_bench(CLI::App& app, Action& action, const std::string& command_line) {
   what->require_option(1);
   CLI::Option* kind = what->add_option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic or somigliana");
   CLI::Option* formula = what->add_option("--formula", a->formula, "one formula of the catalogue");
-  what->add_flag("--coordinates", a->coordinates, "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1");
+  what->add_flag("--coordinates", a->coordinates, "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1, or quad_mean_value by those of --evaluations");
   a->cage.add_to(*command, false);
   command->get_option("--cage")->excludes(formula)->default_str("cube");
   command->add_option("--points", a->points, "a mesh, or text with three numbers a line, instead of random points inside")->excludes(formula);

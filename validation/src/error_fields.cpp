@@ -97,6 +97,26 @@ ImageField coordinate_error_field(const Cage& cage, const CoordinateKind& kind, 
   return field;
 }
 
+ImageField coordinate_difference_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation, const std::string& other,
+                                       Triangulation rule, int resolution, int jobs) {
+  const SlicePlan slice = slice_through(cage, resolution);
+  const CageCoordinates first(cage, kind, evaluation, rule), second(cage, kind, other, rule);
+  ImageField field = empty_field(slice, fmt::format("{}.{}.{}.difference", file_name(cage), kind.name, evaluation));
+  const std::size_t count = count_of(slice);
+  field.arrays = {{"difference", "1", 1, std::vector<double>(count)}};
+  for_each_parallel(count, jobs, [&](std::size_t i) {
+    const auto a = first.at<double>(point_of(slice, i), 0), b = second.at<double>(point_of(slice, i), 0);
+    double worst = 0;
+    for (std::size_t block = 0; block < a.size(); ++block)
+      for (std::size_t k = 0; k < a[block].value.size(); ++k) {
+        const double d = std::abs(a[block].value[k] - b[block].value[k]);
+        worst = std::isnan(d) ? std::numeric_limits<double>::infinity() : std::max(worst, d);
+      }
+    field.arrays[0].values[i] = worst;
+  });
+  return field;
+}
+
 ImageField formula_error_field(const std::vector<std::array<Vec3<double>, 3>>& triangles, const Formula& formula,
                                const Evaluation& evaluation, int order, const SlicePlan& slice, int jobs) {
   const Evaluation reference = *EvaluationRegister::instance().find(formula.name, "closed_form");

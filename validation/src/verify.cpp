@@ -160,6 +160,10 @@ class Run {
       add(writer_.write_image(
           coordinate_error_field(cage, kind, "closed_form", options_.triangulation, side, options_.jobs),
           title + ": closed form against truth", "relative error", ColourScale::Log10));
+      if (!kind.keeps_quads() || !cage.has_quads()) continue;
+      add(writer_.write_image(
+          coordinate_difference_field(cage, kind, "riemann-4", "closed_form", options_.triangulation, options_.suite.slice, options_.jobs),
+          title + ": error of riemann-4", "difference", ColourScale::Log10));
     }
     say("cage " + cage.name(), 1, 1);
   }

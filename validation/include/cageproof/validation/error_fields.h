@@ -27,6 +27,11 @@ ImageField reproduction_field(const Cage& cage, const CoordinateKind& kind, cons
 ImageField coordinate_error_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
                                   Triangulation rule, int resolution, int jobs);
 
+/// How far one evaluation of a kind of coordinates is from another, both in double, on a slice: array `difference`, the largest of a coordinate. For errors far
+/// above rounding, where a truth in 50 digits would only cost time.
+ImageField coordinate_difference_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation, const std::string& other,
+                                       Triangulation rule, int resolution, int jobs);
+
 /// Relative error of one formula on a slice, norm-wise over all triangles, against the closed form in 50 digits; arrays
 /// `value` (norm over all triangles) and `relative error`.
 ImageField formula_error_field(const std::vector<std::array<Vec3<double>, 3>>& triangles, const Formula& formula,
