@@ -60,7 +60,7 @@ class Run {
     const auto start = std::chrono::steady_clock::now();
     // First, since a stored case that can no longer be run ends the run.
     const std::vector<ResultRow> stored = stored_cases();
-    elements();
+    if (options_.regimes != hull_regime) elements();
     result_.rows.insert(result_.rows.end(), stored.begin(), stored.end());
     if (matches(options_.formulas, "quad.mean_value") && matches(options_.regimes, hull_regime)) {
       const auto jumps = run_hull_continuity(options_.evaluations, options_.seed);

@@ -106,6 +106,50 @@ TEST(locator, agrees_with_the_cube) {
   EXPECT_NEAR(locator.distance(Vec3<double>(high + Vec3<double>(3, 0, 4))), 5, 1e-12);
 }
 
+// 4 pi inside, 0 outside, of bilinear quads cut into 2 m^2 triangles.
+double solid_angle_of_quads(const Cage& cage, const Vec3<double>& eta, int m) {
+  double sum = 0;
+  const auto add = [&](const Vec3<double>& p, const Vec3<double>& q, const Vec3<double>& r) {
+    const Vec3<double> a = (p - eta).normalized(), b = (q - eta).normalized(), c = (r - eta).normalized();
+    sum += 2 * std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a));
+  };
+  for (std::size_t f = 0; f < cage.faces().size(); ++f) {
+    const auto q = cage.quad(f);
+    const auto at = [&](int i, int j) {
+      const double u = static_cast<double>(i) / m, v = static_cast<double>(j) / m;
+      return Vec3<double>((1 - v) * ((1 - u) * q[0] + u * q[1]) + v * ((1 - u) * q[3] + u * q[2]));
+    };
+    for (int i = 0; i < m; ++i)
+      for (int j = 0; j < m; ++j) {
+        add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+        add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+  }
+  return sum;
+}
+
+TEST(locator, agrees_with_the_solid_angle_of_bent_quads) {
+  const Cage cube = embedded_cage("cube");
+  std::vector<Vec3<double>> corners = cube.vertices();
+  // Every face a saddle.
+  for (auto& v : corners)
+    if (v.prod() > 0) v *= 0.45;
+  for (const Cage& cage : {embedded_cage("twisted-bar"), Cage::make("saddles", corners, cube.faces())}) {
+    const CageLocator locator(cage, Triangulation::Shortest, true);
+    int inside = 0, asked = 0;
+    for (const CagePoint& p : points_off(cage, locator, 9, 600)) {
+      if (p.place == Place::TooClose || locator.distance(p.point) < 0.02 * cage.size()) continue;
+      const double turns = solid_angle_of_quads(cage, p.point, 24) / (4 * std::acos(-1.0));
+      ASSERT_NEAR(turns, std::round(turns), 1e-9);
+      EXPECT_EQ(p.place == Place::Inside, std::round(turns) == 1) << cage.name() << ": " << p.point.transpose();
+      inside += p.place == Place::Inside;
+      ++asked;
+    }
+    EXPECT_GT(inside, 20);
+    EXPECT_GT(asked - inside, 20);
+  }
+}
+
 TEST(coordinates, green_derivatives_agree_with_differences) {
   const Cage cage = embedded_cage("l-block");
   const CageCoordinates green(cage, *find_coordinate_kind("green"), "closed_form", Triangulation::Shortest);
