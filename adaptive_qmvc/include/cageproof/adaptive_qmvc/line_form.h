@@ -211,7 +211,8 @@ void line_form(const Query<R>& query, double digits, Result<R>& result) {
     if constexpr (!is_multiprecision<R>) {
       if (is_within(kDoubleHolds, *q, singular)) return line_form_in_50_digits<Order>(query, digits, result);
     }
-    result.nodes = add_lines<Order>(*q, outer_rule(singular, order, digits, static_cast<int>(3 * digits)), digits, sums);
+    result.nodes = 0;
+    for (const OuterRule<R>& rule : outer_rules(singular, order, digits, static_cast<int>(3 * digits))) result.nodes += add_lines<Order>(*q, rule, digits, sums);
   }
   for (int k = 0; k < 4; ++k) {
     const auto& from = sums.corner[k];

@@ -39,9 +39,10 @@ class LineValues {
     const LinesVector a = LinesVector::along(q_.a, v, q_.b), e = LinesVector::along(q_.e, v, q_.w), end = a + e;
     const Lines length2 = e.dot(e);
     const Lines ends = a.dot(a).sqrt() + end.dot(end).sqrt();
-    const double ratio2 = (ends.square() / length2).minCoeff();
-    // Lengths of zero give infinity, or, with ends at the point, no number.
-    if (!(ratio2 > kWorthNodes * kWorthNodes) || !(ratio2 < 1e12)) return false;
+    const Lines ratios2 = ends.square() / length2;
+    const double ratio2 = ratios2.minCoeff();
+    // A length of zero gives infinity, or, with its ends at the point, no number.
+    if (!(ratios2 > kWorthNodes * kWorthNodes && ratios2 < 1e12).all()) return false;
     // r^2 = least2 + length2 (u - foot)^2, whose terms do not cancel; N.x = g0 + u g1.
     const LinesVector c = LinesVector::along(area_.c0, s, LinesVector::along(area_.c1, s, area_.c2));
     const Lines inverse = 1 / length2;

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace cageproof::adaptive_qmvc {
@@ -53,7 +54,7 @@ inline double ellipse_through(double lo, double hi, std::complex<double> z) {
   return axis + std::sqrt(std::max(0.0, axis * axis - 1));
 }
 
-/// The Gauss-Legendre nodes for `digits` digits, relative to the largest |f|, on a panel of half length `half` whose integrand is analytic inside the ellipse
+/// The Gauss-Legendre nodes for `digits` digits, relative to the largest |f| with most of a digit to spare for sums that cancel, on a panel of half length `half` whose integrand is analytic inside the ellipse
 /// `rho`, grows at most like exp(growth |Re s|) (quadratically, for growth 0) and like distance^-order to its singularities: the least over smaller ellipses of the n with
 /// max|f| rho^(-2n) <= 10^-digits.
 inline int nodes_across(double rho, double half, double growth, double order, double digits) {
@@ -62,7 +63,7 @@ inline int nodes_across(double rho, double half, double growth, double order, do
   for (const double part : {0.96, 0.85, 0.5}) {
     const double log_rho = part * whole;
     // Each derivative makes the integrand's bound that much larger.
-    const double blow_up = 0.4 * order - 0.3 - order * std::log10(1 - part);
+    const double blow_up = 0.4 * order + 0.4 - order * std::log10(1 - part);
     const double reach = std::cosh(log_rho);
     // A basis function times N.x is of degree two; in s, what grows does so by `growth`.
     const double grown = growth == 0 ? 2 * std::log((1 + reach) / 2) : growth * half * (reach - 1);
@@ -117,28 +118,68 @@ inline std::complex<double> inverse_sinh(std::complex<double> z) {
   return {std::log(u * u + v * v) / 2, std::atan2(v, u)};
 }
 
-/// The rule for `digits` digits of an integrand with singularities of that order; panels have at most about `most` nodes.
+namespace detail {
+
+/// How far a pair is from [lo, hi] in v, its width included.
 template <class R>
-OuterRule<R> outer_rule(const SingularPairs<R>& singular, double order, double digits, int most) {
+double distance_of_pair(const SingularPair<R>& pair, const R& lo, const R& hi) {
+  return std::max({0.0, static_cast<double>(R(lo - pair.centre)), static_cast<double>(R(pair.centre - hi))}) + pair.width;
+}
+
+/// Where to cut [lo, hi] so that a pair which the map about `dominant` would leave next to the axis gets a map of its own; nothing where all are wide there.
+template <class R>
+std::optional<R> cut_between(const SingularPairs<R>& singular, const SingularPair<R>& dominant, const R& lo, const R& hi) {
+  constexpr double kNarrow = 0.2;
+  std::optional<R> cut;
+  double narrowest = kNarrow;
+  for (const auto& pair : singular) {
+    const double gap = std::abs(static_cast<double>(R(pair.centre - dominant.centre)));
+    const R middle = (pair.centre + dominant.centre) / 2;
+    const double narrow = distance_of_pair(pair, lo, hi) / gap;
+    if (&pair == &dominant || !(narrow < narrowest) || !(middle > lo) || !(middle < hi)) continue;
+    narrowest = narrow;
+    cut = middle;
+  }
+  return cut;
+}
+
+}  // namespace detail
+
+/// Adds the rules of [lo, hi] for `digits` digits of an integrand with singularities of that order; panels have at most about `most` nodes.
+template <class R>
+void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, double order, double digits, int most, std::vector<OuterRule<R>>& rules) {
   double nearest = std::numeric_limits<double>::infinity();
   const SingularPair<R>* dominant = nullptr;
+  const R length = hi_v - lo_v;
   for (const auto& pair : singular) {
-    const double rho = ellipse_through(0, 1, {static_cast<double>(pair.centre), pair.width});
+    const R along = (pair.centre - lo_v) / length;
+    const double rho = ellipse_through(0, 1, {static_cast<double>(along), pair.width / static_cast<double>(length)});
     if (!(rho < nearest)) continue;
     nearest = rho;
     dominant = &pair;
   }
-  if (!dominant || nearest >= kFarAcross) return plain_rule<R>(nearest, order, digits);
-  OuterRule<R> rule;
+  OuterRule<R>& rule = rules.emplace_back();
+  if (!dominant || nearest >= kFarAcross) {
+    rule = plain_rule<R>(nearest, order, digits);
+    rule.first = lo_v;
+    rule.last = hi_v;
+    return;
+  }
+  if (const auto cut = detail::cut_between(singular, *dominant, lo_v, hi_v)) {
+    rules.pop_back();
+    add_rules(singular, lo_v, *cut, order, digits, most, rules);
+    add_rules(singular, *cut, hi_v, order, digits, most, rules);
+    return;
+  }
   using std::asinh;
   rule.plain = false;
   rule.centre = dominant->centre;
   // Beside the interval, a map as sharp as the singularity would only stretch rounding errors.
-  const double outside = std::max({0.0, -static_cast<double>(dominant->centre), static_cast<double>(dominant->centre) - 1});
+  const double outside = detail::distance_of_pair<R>({dominant->centre, 0}, lo_v, hi_v);
   const double width = std::hypot(std::max(dominant->width, 1e-150), outside);
   rule.width = R(width);
-  rule.first = asinh(R(-rule.centre / rule.width));
-  rule.last = asinh(R((1 - rule.centre) / rule.width));
+  rule.first = asinh(R((lo_v - rule.centre) / rule.width));
+  rule.last = asinh(R((hi_v - rule.centre) / rule.width));
   std::array<std::complex<double>, 8> images;
   std::size_t count = 0;
   for (const auto& pair : singular) {
@@ -152,7 +193,7 @@ OuterRule<R> outer_rule(const SingularPairs<R>& singular, double order, double d
     for (std::size_t i = 0; i < count; ++i) rho = std::min(rho, ellipse_through(lo, hi, images[i]));
     const int nodes = nodes_across(rho, (hi - lo) / 2, 2, order, digits);
     // Singularities on the interval itself have no rule; the panels end somewhere.
-    if (nodes <= most || hi - lo < 0.02) {
+    if (nodes <= most || hi - lo < 1e-4) {
       rule.panels.push_back({lo, hi, std::min(nodes, 2 * most)});
       return;
     }
@@ -170,7 +211,15 @@ OuterRule<R> outer_rule(const SingularPairs<R>& singular, double order, double d
   } else {
     add(add, lo, hi);
   }
-  return rule;
+}
+
+/// The rules of [0, 1].
+template <class R>
+std::vector<OuterRule<R>> outer_rules(const SingularPairs<R>& singular, double order, double digits, int most) {
+  std::vector<OuterRule<R>> rules;
+  rules.reserve(4);
+  add_rules(singular, R(0), R(1), order, digits, most, rules);
+  return rules;
 }
 
 }  // namespace cageproof::adaptive_qmvc

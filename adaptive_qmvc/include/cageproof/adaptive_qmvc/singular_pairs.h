@@ -218,10 +218,10 @@ SingularPairs<R> singular_pairs(const LocalQuad<R>& q) {
   }
   const detail::Factors f = local[0] == 0 ? detail::Factors{0, 0, local[4], local[3], local[2]} : detail::factors_of(local, depth * depth);
   add_pair(f.r, f.t);
-  // The other pair; one that is itself close to the axis is looked for about its own minimum.
+  // The other pair; one that is on the axis but for rounding is looked for about its own minimum, which a third root next to it would displace.
   const double r = f.linear / f.lead, t = f.constant / f.lead;
   if (!(t < 900)) return pairs;
-  if (t - r * r / 4 > 0.0025) {
+  if (t - r * r / 4 > 1e-7) {
     add_pair(r, t);
     return pairs;
   }
