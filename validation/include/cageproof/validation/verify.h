@@ -24,7 +24,7 @@ struct Suite {
   int pairs;             ///< multiprecision evaluations a field of errors may cost
 };
 
-/// quick: under a minute; standard: under five on two cores; full: as long as asked.
+/// On two cores quick takes about five minutes, standard about twenty; full as long as asked.
 const std::vector<Suite>& suites();
 
 struct VerifyOptions {
