@@ -143,6 +143,18 @@ TEST(line_form, is_finite_one_ulp_off_a_twisted_quad) {
     }
 }
 
+TEST(outer_rules, say_where_a_singularity_leaves_them_too_few_nodes) {
+  const auto whole = [](double width) {
+    SingularPairs<double> pairs;
+    pairs.add({0.5, width});
+    pairs.add({0.75, 0.01});
+    return std::ranges::all_of(outer_rules(pairs, 1.5, 12, 36), [](const auto& rule) { return rule.whole; });
+  };
+  EXPECT_TRUE(whole(1e-2));
+  EXPECT_TRUE(whole(1e-12));
+  EXPECT_FALSE(whole(0));
+}
+
 // Moments in double against a fine rule along the line, over feet within, beyond and next to it.
 TEST(line_moments, are_the_integrals_along_a_line) {
   const Vec3<Mp50> direction(1, Mp50(1) / 2, Mp50(-1) / 4);

@@ -127,6 +127,7 @@ Truth truth_from(const Evaluation& chosen, const Sample& sample, int order) {
   const Result<Mp200> wider = evaluate<Mp200>(confirmation, sample, order);
   const Contact contact = contact_of(sample);
   truth.on_element = contact != Contact::None;
+  if (!truth.tensors.converged || !wider.converged) return truth;
   static const Mp100 agreement("1e-30");
   for (int o = 0; o <= order; ++o) {
     const std::vector<Mp100> confirmed = widened(wider.of(o));

@@ -185,6 +185,7 @@ void line_form_in_50_digits(const Query<R>& query, double digits, Result<R>& res
   for (int o = 0; o <= Order; ++o)
     for (std::size_t i = 0; i < wide.of(o).size(); ++i) result.of(o)[i] = static_cast<R>(wide.of(o)[i]);
   result.nodes = wide.nodes;
+  result.converged = wide.converged;
 }
 
 template <int Order, Scalar R>
@@ -212,7 +213,10 @@ void line_form(const Query<R>& query, double digits, Result<R>& result) {
       if (is_within(kDoubleHolds, *q, singular)) return line_form_in_50_digits<Order>(query, digits, result);
     }
     result.nodes = 0;
-    for (const OuterRule<R>& rule : outer_rules(singular, order, digits, static_cast<int>(3 * digits))) result.nodes += add_lines<Order>(*q, rule, digits, sums);
+    for (const OuterRule<R>& rule : outer_rules(singular, order, digits, static_cast<int>(3 * digits))) {
+      result.nodes += add_lines<Order>(*q, rule, digits, sums);
+      result.converged = result.converged && rule.whole;
+    }
   }
   for (int k = 0; k < 4; ++k) {
     const auto& from = sums.corner[k];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rule across the lines of a bilinear quad: a substitution that takes the nearest singularity away, and as many Gauss points as a bound asks for.
+// The rules across the lines of a bilinear quad: substitutions that take the near singularities away, and as many Gauss points as a bound asks for.
 #pragma once
 
 #include "cageproof/core/linear.h"
@@ -43,8 +43,9 @@ struct OuterRule {
   };
   bool plain = true;
   R centre = R(0), width = R(1);
-  R first = R(0), last = R(1);  ///< s (or v) at both ends of [0, 1]; the outermost panels end there exactly
+  R first = R(0), last = R(1);  ///< s (or v) at both ends of its part of [0, 1]; the outermost panels end there exactly
   std::vector<Panel> panels;
+  bool whole = true;  ///< no panel has fewer nodes than its bound asks for
 };
 
 /// Sum of the half axes of the ellipse with foci lo, hi through z, over half the distance of the foci.
@@ -54,9 +55,9 @@ inline double ellipse_through(double lo, double hi, std::complex<double> z) {
   return axis + std::sqrt(std::max(0.0, axis * axis - 1));
 }
 
-/// The Gauss-Legendre nodes for `digits` digits, relative to the largest |f| with most of a digit to spare for sums that cancel, on a panel of half length `half` whose integrand is analytic inside the ellipse
-/// `rho`, grows at most like exp(growth |Re s|) (quadratically, for growth 0) and like distance^-order to its singularities: the least over smaller ellipses of the n with
-/// max|f| rho^(-2n) <= 10^-digits.
+/// The Gauss-Legendre nodes for `digits` digits relative to the largest |f|, with most of a digit to spare for sums that cancel, on a panel of half
+/// length `half`. The integrand is analytic inside the ellipse `rho`, grows at most like exp(growth |Re s|) (quadratically, for growth 0) and like
+/// distance^-order to its singularities. The least over smaller ellipses of the n with max|f| rho^(-2n) <= 10^-digits.
 inline int nodes_across(double rho, double half, double growth, double order, double digits) {
   double least = 1e6;
   const double whole = std::log(std::min(rho, 1e6));
@@ -192,9 +193,10 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
     double rho = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < count; ++i) rho = std::min(rho, ellipse_through(lo, hi, images[i]));
     const int nodes = nodes_across(rho, (hi - lo) / 2, 2, order, digits);
-    // Singularities on the interval itself have no rule; the panels end somewhere.
+    // Singularities on the interval itself have no rule; the panels end somewhere, and say so.
     if (nodes <= most || hi - lo < 1e-4) {
       rule.panels.push_back({lo, hi, std::min(nodes, 2 * most)});
+      rule.whole = rule.whole && nodes <= 2 * most;
       return;
     }
     const double middle = (lo + hi) / 2;
