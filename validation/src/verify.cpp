@@ -28,13 +28,22 @@ using reports::ColourScale;
 // A quad's integral in multiprecision costs as much as that many triangles'.
 constexpr double quad_cost = 30;
 
-// The other evaluations of a quad's weights, and at how many points of a cage each is asked for its properties: integrals take their time.
-struct QuadEvaluation {
-  const char* name;
-  int most_points;
-};
-constexpr std::array quad_evaluations{QuadEvaluation{"riemann-4", 1000}, QuadEvaluation{"tessellated-2", 1000}, QuadEvaluation{"line-12", 1000},
-                                      QuadEvaluation{"gauss-32", 40},    QuadEvaluation{"adaptive", 20},        QuadEvaluation{"multiprecision", 4}};
+// At how many points of a cage a kind's other evaluations are asked for its relations: integrals take their time.
+int affordable_points(std::string_view evaluation, int points) {
+  const int most = evaluation == "multiprecision" ? 4 : evaluation == "adaptive" ? 20 : evaluation.starts_with("gauss-") ? 40 : points;
+  return std::min(points, most);
+}
+
+// Every standard evaluation of a formula but the closed form.
+std::vector<std::string> other_evaluations(std::string_view formula) {
+  std::vector<std::string> names;
+  for (const EvaluationFamily* family : EvaluationRegister::instance().families(formula)) {
+    if (family->pattern == "closed_form") continue;
+    if (family->standard.empty()) names.push_back(family->pattern);
+    names.insert(names.end(), family->standard.begin(), family->standard.end());
+  }
+  return names;
+}
 
 class Run {
  public:
@@ -129,16 +138,18 @@ class Run {
     auto rows = run_cage_campaign(cage, cage_options());
     result_.rows.insert(result_.rows.end(), rows.begin(), rows.end());
     // Whatever a quad's weights are computed with, they must keep the cage's own relations.
-    if (const CoordinateKind* kind = find_coordinate_kind("quad_mean_value"); kind && cage.has_quads() && accepts(*kind, cage))
-      for (const auto& [evaluation, most_points] : quad_evaluations) {
+    for (const CoordinateKind& kind : coordinate_kinds()) {
+      if (kind.direct || !kind.keeps_quads() || !cage.has_quads() || !accepts(kind, cage)) continue;
+      for (const std::string& evaluation : other_evaluations(kind.blocks.front().quad_formula)) {
         CageCampaignOptions campaign = cage_options();
         campaign.evaluation = evaluation;
-        campaign.kinds = kind->name;
-        campaign.points = std::min(campaign.points, most_points);
+        campaign.kinds = kind.name;
+        campaign.points = affordable_points(evaluation, campaign.points);
         campaign.properties_alone = true;
         rows = run_cage_campaign(cage, campaign);
         result_.rows.insert(result_.rows.end(), rows.begin(), rows.end());
       }
+    }
     for (const char* evaluation : {"closed_form", "curl-form"}) {
       rows = run_one_ring_check(
           cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed});
