@@ -31,6 +31,8 @@ libgd-dev                small PNGs inside the report's page
 gnuplot-nox              draws the curves of a report, without a display
 fonts-dejavu-core        lettering of those curves
 libgtest-dev             unit tests
+clang-format             the formatting that CI asks for
+openmpi-bin              tests alone: starts four ranks that measure one run
 libbenchmark-dev         benchmarks
 LIST
 }

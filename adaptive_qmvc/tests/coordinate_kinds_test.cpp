@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Quad, spherical and maximum entropy coordinates against their definitions, by ways of their own.
-#include "cageproof/adaptive_qmvc/maximum_entropy.h"
+#include "cageproof/adaptive_qmvc/coordinates/maximum_entropy.h"
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/gauss_legendre.h"
@@ -17,7 +17,7 @@ namespace {
 using Vec = Vec3<double>;
 
 std::vector<double> at(const Cage& cage, const char* kind, const Vec& point) {
-  return CageCoordinates(cage, *find_coordinate_kind(kind), "closed_form", Triangulation::Shortest).at<double>(point, 0)[0].value;
+  return CageCoordinates(cage, *find_coordinate_kind(kind), CoordinateOptions{}).at<double>(point, 0)[0].value;
 }
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -26,7 +26,8 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   return worst;
 }
 
-// [T18] Eq 11 by a product rule, fine for points far from the cage, quads and triangles alike (a triangle is a quad with two equal corners).
+// [T18] Eq 11 by a product rule, fine for points far from the cage, quads and triangles alike (a triangle is a quad
+// with two equal corners).
 std::vector<double> integrated(const Cage& cage, const Vec& eta) {
   const auto rule = gauss_legendre<double>(60);
   std::vector<double> w(cage.vertices().size(), 0.0);
@@ -40,7 +41,8 @@ std::vector<double> integrated(const Cage& cage, const Vec& eta) {
         const double u = rule.nodes[i], t = rule.nodes[j];
         const std::array<double, 4> basis{(1 - u) * (1 - t), u * (1 - t), u * t, (1 - u) * t};
         const Vec x = basis[0] * q[0] + basis[1] * q[1] + basis[2] * q[2] + basis[3] * q[3] - eta;
-        const Vec n = Vec((1 - t) * (q[1] - q[0]) + t * (q[2] - q[3])).cross(Vec((1 - u) * (q[3] - q[0]) + u * (q[2] - q[1])));
+        const Vec n =
+            Vec((1 - t) * (q[1] - q[0]) + t * (q[2] - q[3])).cross(Vec((1 - u) * (q[3] - q[0]) + u * (q[2] - q[1])));
         const double weight = rule.weights[i] * rule.weights[j] * n.dot(x) / (x.squaredNorm() * x.squaredNorm());
         for (int k = 0; k < 4; ++k) w[v[k]] += basis[k] * weight;
       }
@@ -51,8 +53,10 @@ std::vector<double> integrated(const Cage& cage, const Vec& eta) {
 }
 
 TEST(quad_mean_value, is_its_integral) {
-  for (const auto& [name, point] : {std::pair{"cube", Vec(0.11, -0.07, 0.05)}, {"twisted-bar", Vec(0.1, 0.05, 0.2)},
-                                    {"spiky-box", Vec(0.03, 0.1, 0.02)}, {"l-block", Vec(-0.4, -0.45, 0.03)}}) {
+  for (const auto& [name, point] : {std::pair{"cube", Vec(0.11, -0.07, 0.05)},
+                                    {"twisted-bar", Vec(0.1, 0.05, 0.2)},
+                                    {"spiky-box", Vec(0.03, 0.1, 0.02)},
+                                    {"l-block", Vec(-0.4, -0.45, 0.03)}}) {
     const Cage cage = embedded_cage(name);
     EXPECT_LE(largest_difference(at(cage, "quad_mean_value", point), integrated(cage, point)), 1e-10) << name;
   }
@@ -63,12 +67,12 @@ TEST(quad_mean_value, is_bilinear_on_quads) {
   int asked = 0;
   for (const char* name : {"cube", "twisted-bar", "torus", "spiky-box"}) {
     const Cage cage = embedded_cage(name);
-    const CageCoordinates lambda(cage, *find_coordinate_kind("quad_mean_value"), "closed_form", Triangulation::Shortest);
+    const CageCoordinates lambda(cage, *find_coordinate_kind("quad_mean_value"), CoordinateOptions{});
     for (std::size_t f = 0; f < cage.faces().size(); ++f) {
       if (cage.faces()[f].size() != 4) continue;
       const auto q = cage.quad(f);
       const Vec point = (9 * q[0] + 3 * q[1] + q[2] + 3 * q[3]) / 16;
-      if (lambda.touching(point).empty()) continue;  // rounding moved it off the quad
+      if (lambda.elements().touching(point).empty()) continue;  // rounding moved it off the quad
       const auto found = lambda.at<double>(point, 0)[0].value;
       for (int k = 0; k < 4; ++k) EXPECT_NEAR(found[cage.faces()[f].vertices[k]], kBasis[k], 1e-15) << name << ' ' << f;
       ++asked;
@@ -80,8 +84,10 @@ TEST(quad_mean_value, is_bilinear_on_quads) {
 TEST(quad_mean_value, names_invalid_quads) {
   std::vector<Vec> vertices;
   for (const double z : {0.0, 1.0})
-    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {2.0, -1.0}, {1.0, 0.0}, {2.0, 1.0}}) vertices.emplace_back(x, y, z);
-  const std::vector<Face> faces{{{0, 3, 2, 1}}, {{4, 5, 6, 7}}, {{0, 1, 5, 4}}, {{1, 2, 6, 5}}, {{2, 3, 7, 6}}, {{3, 0, 4, 7}}};
+    for (const auto& [x, y] : {std::pair{0.0, 0.0}, {2.0, -1.0}, {1.0, 0.0}, {2.0, 1.0}})
+      vertices.emplace_back(x, y, z);
+  const std::vector<Face> faces{{{0, 3, 2, 1}}, {{4, 5, 6, 7}}, {{0, 1, 5, 4}},
+                                {{1, 2, 6, 5}}, {{2, 3, 7, 6}}, {{3, 0, 4, 7}}};
   const Vec inside(0.5, 0.01, 0.4);
   const Cage strict = Cage::make("arrowheads", vertices, faces);
   EXPECT_NO_THROW(at(strict, "mean_value", inside));
@@ -119,6 +125,26 @@ TEST(spherical, keeps_the_cube_symmetric_and_reproduces) {
   EXPECT_GE(largest_difference(at(cube, "spherical_mean_value", on), at(cube, "quad_mean_value", on)), 1e-3);
 }
 
+// With a prior of no derivatives.
+std::vector<double> entropy_at(const Cage& cage, std::vector<double> prior, const Vec& point) {
+  Result<double> m, found;
+  m.value = std::move(prior);
+  maximum_entropy(cage.vertices(), m, point, cage.size(), 0, found);
+  return found.value;
+}
+
+TEST(spherical, names_the_evaluation_that_it_does_not_have) {
+  const Cage cube = embedded_cage("cube");
+  const CoordinateKind& kind = coordinate_kind_named("spherical_mean_value");
+  EXPECT_NO_THROW(CageCoordinates(cube, kind, CoordinateOptions{.evaluation = "closed_form"}));
+  try {
+    const CageCoordinates refused(cube, kind, CoordinateOptions{.evaluation = "line-12"});
+    ADD_FAILURE() << "an evaluation was taken that there is not";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "spherical_mean_value has no evaluation 'line-12', only closed_form");
+  }
+}
+
 TEST(maximum_entropy, keeps_a_prior_that_reproduces) {
   const Cage cube = embedded_cage("cube");
   const Vec point(0.1, 0.2, -0.3);
@@ -130,7 +156,7 @@ TEST(maximum_entropy, factors_on_a_cube) {
   const Cage cube = embedded_cage("cube");
   const std::vector<double> prior(8, 3.0);
   for (const Vec& point : {Vec(0.1, 0.2, -0.3), Vec(0.4999, 0, 0.3), Vec(0.49, 0.49, 0.49)}) {
-    const auto found = maximum_entropy(cube.vertices(), prior, point, cube.size());
+    const auto found = entropy_at(cube, prior, point);
     for (int i = 0; i < 8; ++i) {
       double expected = 1;
       for (int c = 0; c < 3; ++c) expected *= 0.5 + 2 * cube.vertices()[i][c] * point[c];
@@ -153,7 +179,7 @@ TEST(maximum_entropy, is_positive_where_the_prior_is_not) {
 TEST(maximum_entropy, has_none_outside_the_hull) {
   const Cage cube = embedded_cage("cube");
   for (const Vec& point : {Vec(0.6, 0, 0), Vec(0.5000001, 0, 0), Vec(3, 4, 5)})
-    EXPECT_TRUE(std::isnan(maximum_entropy(cube.vertices(), std::vector<double>(8, 1.0), point, cube.size())[0]));
+    EXPECT_TRUE(std::isnan(entropy_at(cube, std::vector<double>(8, 1.0), point)[0]));
 }
 
 }  // namespace

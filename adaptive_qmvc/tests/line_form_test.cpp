@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The line form against the integral in two dimensions, and its parts against plain quadrature.
-#include "cageproof/adaptive_qmvc/line_form.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_form.h"
+#include "cageproof/core/evaluation.h"
 #include "cageproof/core/random_stream.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +57,7 @@ TEST_P(line_form_on, is_the_integral_at_all_distances_to_30_digits) {
     const Vec point = at(quad(), 0.375, 0.625) - distance * normal(quad(), 0.375, 0.625);
     const Result<Mp50> integral = evaluate<Mp50>("multiprecision", quad(), point, 2);
     ASSERT_TRUE(integral.converged) << distance;
-    const Result<Mp100> line = evaluate<Mp100>("closed_form", quad(), point, 2);
+    const Result<Mp100> line = evaluate<Mp100>("line_form", quad(), point, 2);
     for (int o = 0; o <= 2; ++o) EXPECT_LT(relative(line.of(o), integral.of(o)), 1e-30) << distance << " order " << o;
   }
 }
@@ -66,8 +67,9 @@ TEST_P(line_form_on, is_the_integral_beside_edges_and_corners) {
     const Vec point = at(quad(), u, v) + 0x1p-12 * Vec(0.5, 0.25, 0.75);
     const Result<Mp50> integral = evaluate<Mp50>("multiprecision", quad(), point, 1);
     ASSERT_TRUE(integral.converged);
-    const Result<Mp100> line = evaluate<Mp100>("closed_form", quad(), point, 1);
-    for (int o = 0; o <= 1; ++o) EXPECT_LT(relative(line.of(o), integral.of(o)), 1e-30) << u << ' ' << v << " order " << o;
+    const Result<Mp100> line = evaluate<Mp100>("line_form", quad(), point, 1);
+    for (int o = 0; o <= 1; ++o)
+      EXPECT_LT(relative(line.of(o), integral.of(o)), 1e-30) << u << ' ' << v << " order " << o;
   }
 }
 
@@ -77,19 +79,21 @@ TEST_P(line_form_on, keeps_all_digits_next_to_a_corner_at_the_origin) {
   for (Vec& c : q) c -= quad()[0];
   for (double distance = 1; distance > 1e-17; distance /= 16) {
     const Vec point = distance * Vec(0.5, 0.25, -0.75);
-    const Result<double> found = evaluate<double>("closed_form", q, point, 2);
-    const Result<Mp100> exact = evaluate<Mp100>("closed_form", q, point, 2);
+    const Result<double> found = evaluate<double>("line_form", q, point, 2);
+    const Result<Mp100> exact = evaluate<Mp100>("line_form", q, point, 2);
     // By homogeneity (Euler) relative changes of the coordinates change tensors at least 1 + o times as much.
-    for (int o = 0; o <= 2; ++o) EXPECT_LT(relative(found.of(o), exact.of(o)), 64 * (2 + o) * 0x1p-53) << distance << " order " << o;
+    for (int o = 0; o <= 2; ++o)
+      EXPECT_LT(relative(found.of(o), exact.of(o)), 64 * (2 + o) * 0x1p-53) << distance << " order " << o;
   }
 }
 
 TEST_P(line_form_on, gives_the_digits_that_its_name_says) {
   for (int i = 0; i < 200; ++i) {
     RandomStream random(1, "line digits", i);
-    const double u = random.uniform(-0.5, 1.5), v = random.uniform(-0.5, 1.5), height = std::pow(10.0, random.uniform(-4, 1));
+    const double u = random.uniform(-0.5, 1.5), v = random.uniform(-0.5, 1.5),
+                 height = std::pow(10.0, random.uniform(-4, 1));
     const Vec point = at(quad(), u, v) + height * normal(quad(), u, v);
-    const Result<double> full = evaluate<double>("closed_form", quad(), point, 2);
+    const Result<double> full = evaluate<double>("line_form", quad(), point, 2);
     for (const auto& [name, digits] : {std::pair{"line-4", 4}, std::pair{"line-8", 8}, std::pair{"line-12", 12}}) {
       const Result<double> few = evaluate<double>(name, quad(), point, 2);
       for (int o = 0; o <= 2; ++o) {
@@ -104,7 +108,7 @@ TEST_P(line_form_on, gives_the_digits_that_its_name_says) {
 TEST_P(line_form_on, diverges_on_the_quad) {
   // Dyadic corners and parameters: exactly on.
   for (const auto& [u, v] : {std::pair{0.375, 0.625}, std::pair{0.0, 0.5}, std::pair{1.0, 1.0}}) {
-    const Result<double> found = evaluate<double>("closed_form", quad(), at(quad(), u, v), 1);
+    const Result<double> found = evaluate<double>("line_form", quad(), at(quad(), u, v), 1);
     for (const double w : found.value) EXPECT_EQ(w, std::numeric_limits<double>::infinity());
     for (const double w : found.gradient) EXPECT_TRUE(std::isnan(w));
   }
@@ -122,8 +126,8 @@ TEST(line_form, sees_the_peak_beside_the_long_side_of_a_trapezoid) {
   const Vec point(-0.5 + 0x1p-35, 0, -0.5 + 0x1p-35);
   const Result<Mp50> integral = evaluate<Mp50>("multiprecision", q, point, 1);
   ASSERT_TRUE(integral.converged);
-  const Result<Mp100> line = evaluate<Mp100>("closed_form", q, point, 1);
-  const Result<double> found = evaluate<double>("closed_form", q, point, 1);
+  const Result<Mp100> line = evaluate<Mp100>("line_form", q, point, 1);
+  const Result<double> found = evaluate<double>("line_form", q, point, 1);
   for (int o = 0; o <= 1; ++o) {
     EXPECT_LT(relative(line.of(o), integral.of(o)), 1e-30) << o;
     // A rounding of the corners' coordinates moves them by that part of the distance.
@@ -137,8 +141,8 @@ TEST(line_form, is_finite_one_ulp_off_a_twisted_quad) {
     for (const double direction : {-9.0, 9.0}) {
       Vec point = at(kTwisted, u, 0.375);
       point[2] = std::nextafter(point[2], direction);
-      const Result<double> found = evaluate<double>("closed_form", kTwisted, point, 0);
-      const Result<Mp100> exact = evaluate<Mp100>("closed_form", kTwisted, point, 0);
+      const Result<double> found = evaluate<double>("line_form", kTwisted, point, 0);
+      const Result<Mp100> exact = evaluate<Mp100>("line_form", kTwisted, point, 0);
       EXPECT_LT(relative(found.value, exact.value), 1e-15) << u;
     }
 }
@@ -148,7 +152,9 @@ TEST(outer_rules, say_where_a_singularity_leaves_them_too_few_nodes) {
     SingularPairs<double> pairs;
     pairs.add({0.5, width});
     pairs.add({0.75, 0.01});
-    return std::ranges::all_of(outer_rules(pairs, 1.5, 12, 36), [](const auto& rule) { return rule.whole; });
+    OuterRules<double> across;
+    find_outer_rules(pairs, 1.5, 12, 36, across);
+    return std::ranges::all_of(across.rules, [](const auto& rule) { return rule.whole; });
   };
   EXPECT_TRUE(whole(1e-2));
   EXPECT_TRUE(whole(1e-12));
@@ -177,7 +183,8 @@ TEST(line_moments, are_the_integrals_along_a_line) {
           for (int n = 0; n < 40; ++n) {
             const Mp50 w = lo + (hi - lo) * (i + rule.nodes[n]) / panels;
             const Mp50 s = k * sinh(w);
-            sum += rule.weights[n] * (hi - lo) / panels * k * cosh(w) * pow(s, j) / pow(Mp50((s * s + k * k) * length2), p);
+            sum += rule.weights[n] * (hi - lo) / panels * k * cosh(w) * pow(s, j) /
+                   pow(Mp50((s * s + k * k) * length2), p);
           }
         return static_cast<double>(sum);
       };
@@ -185,9 +192,12 @@ TEST(line_moments, are_the_integrals_along_a_line) {
       const double outside = std::max({0.0, -foot, foot - 1});
       const double bound = 64 * 0x1p-53 * (1 + 8 / std::hypot(height, outside));
       const double sizes[3]{integral(0, 2), integral(0, 3), integral(0, 4)};
-      for (int j = 0; j <= 2; ++j) EXPECT_NEAR(m.p2[j], integral(j, 2), bound * sizes[0]) << foot << ' ' << height << ' ' << j;
-      for (int j = 0; j <= 3; ++j) EXPECT_NEAR(m.p3[j], integral(j, 3), bound * sizes[1]) << foot << ' ' << height << ' ' << j;
-      for (int j = 0; j <= 4; ++j) EXPECT_NEAR(m.p4[j], integral(j, 4), bound * sizes[2]) << foot << ' ' << height << ' ' << j;
+      for (int j = 0; j <= 2; ++j)
+        EXPECT_NEAR(m.p2[j], integral(j, 2), bound * sizes[0]) << foot << ' ' << height << ' ' << j;
+      for (int j = 0; j <= 3; ++j)
+        EXPECT_NEAR(m.p3[j], integral(j, 3), bound * sizes[1]) << foot << ' ' << height << ' ' << j;
+      for (int j = 0; j <= 4; ++j)
+        EXPECT_NEAR(m.p4[j], integral(j, 4), bound * sizes[2]) << foot << ' ' << height << ' ' << j;
     }
 }
 

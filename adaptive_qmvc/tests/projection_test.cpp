@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "quads.h"
 
-#include "cageproof/adaptive_qmvc/misprints.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/misprints.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ TEST(Projection, LeavesPointsOfTheQuadWhereTheyAre) {
     RandomStream random(1, "on-quad", i);
     const Quad<Real> q = random_valid_quad(random);
     const double u = random.uniform(), v = random.uniform();
-    const SeenQuad<Real> s(q, combined(q, basis_at(u, v)));
-    const auto [pu, pv] = project(s, kernel(s));
+    const PairFrame<Real> s(q, combined(q, basis_at(u, v)));
+    const auto [pu, pv] = project(s, null_vector(s));
     worst = std::max({worst, std::abs(pu - u), std::abs(pv - v)});
   }
   RecordProperty("worst", std::to_string(worst));
@@ -36,18 +36,18 @@ TEST(Projection, MeetsValidQuadsWithinTheirBorders) {
       Vec4<Real> b(random.uniform(), random.uniform(), random.uniform(), random.uniform());
       eta = combined(q, Vec4<Real>(b / b.sum()));
     }
-    const SeenQuad<Real> s(q, eta);
-    const Vec4<Real> kappa = kernel(s);
+    const PairFrame<Real> s(q, eta);
+    const Vec4<Real> kappa = null_vector(s);
     inner += inside_hull(kappa);
     const Vec3<Real> step = inside_hull(kappa) ? Vec3<Real>(Vec3<Real>::Zero()) : to_hull(s, kappa);
-    const SeenQuad<Real> on_hull = s.moved(step);
+    const PairFrame<Real> on_hull = s.moved(step);
     const Vec3<Real> d = mean_vector(on_hull).normalized();
     const auto [u, v] = project(s, kappa);
     ASSERT_TRUE(u >= 0 && u <= 1 && v >= 0 && v <= 1);
     const Vec3<Real> x = combined(on_hull.p, basis_at(u, v));
     on_line = std::max(on_line, x.cross(d).norm());
-    // The hull's own coordinates, through the kernel there, are not below zero but for rounding.
-    const Vec4<Real> k = kernel(on_hull);
+    // The hull's own coordinates, through the null vector there, are not below zero but for rounding.
+    const Vec4<Real> k = null_vector(on_hull);
     excess = std::max(excess, -(k / k.sum()).minCoeff());
   }
   EXPECT_GE(inner, 2000);
@@ -65,17 +65,18 @@ TEST(Projection, SolvesQuadraticsWithoutCancellation) {
   EXPECT_EQ(quadratic_roots(0., 2., -1.)[0], .5);
 }
 
-// Eq 25: the absolute triangle weights are the integrals with exponent 4; those with the printed 3 are not in proportion.
+// Eq 25: the absolute triangle weights are the integrals with exponent 4; those with the printed 3 are not in
+// proportion.
 TEST(Misprints, HullKernelNeedsTheFourthPower) {
   const Quad<Real> q = lifted_square(.5);
   const std::array<Vec3<Real>, 3> t{q[0], q[1], q[3]};
   const Vec3<Real> eta(.3, .4, -1.2);
   const auto& rule = gauss_legendre<double>(40);
-  const SeenQuad<Real> s(q, eta);
+  const PairFrame<Real> s(q, eta);
   const auto m = face_mean_vectors(s)[0];
   const std::array<Pair, 3> opposite{k13, k03, k01};
   Vec3<Real> closed;
-  for (int c = 0; c < 3; ++c) closed[c] = std::abs(m.dot(s.cross[opposite[c]]) / kernel(s)[2]) / s.unit;
+  for (int c = 0; c < 3; ++c) closed[c] = std::abs(m.dot(s.cross[opposite[c]]) / null_vector(s)[2]) / s.unit;
   const Vec3<Real> four = as_printed::face_weights(t, eta, 4, rule), three = as_printed::face_weights(t, eta, 3, rule);
   EXPECT_LT((four - closed).norm() / closed.norm(), 1e-13);
   const Vec3<Real> ratio = three.cwiseQuotient(closed);
@@ -93,12 +94,12 @@ TEST(Misprints, HullProjectionNeedsItsSum) {
     const Vec3<Real> move = random_point(random, 1);
     for (auto& corner : q) corner += move;
     const Vec3<Real> eta = move + random_point(random, 1.5);
-    const SeenQuad<Real> s(q, eta);
-    const Vec4<Real> kappa = kernel(s);
+    const PairFrame<Real> s(q, eta);
+    const Vec4<Real> kappa = null_vector(s);
     if (inside_hull(kappa)) continue;
     ++outer;
     const auto within = [&](const Vec3<Real>& x) {
-      const Vec4<Real> k = kernel(SeenQuad<Real>(q, x));
+      const Vec4<Real> k = null_vector(PairFrame<Real>(q, x));
       return (k / k.sum()).minCoeff() > -1e-9;
     };
     const Vec3<Real> right = eta + s.unit * to_hull(s, kappa), printed = as_printed::to_hull(s, q);
@@ -121,7 +122,7 @@ TEST(Misprints, RowParameterNeedsItsDivision) {
     for (auto& corner : q) corner *= 2;
     const double u = random.uniform(.1, .9), v = random.uniform(.1, .9);
     const Vec3<Real> x = combined(q, basis_at(u, v));
-    const SeenQuad<Real> s(q, x);
+    const PairFrame<Real> s(q, x);
     const Vec3<Real> e = (s.p[1] + v * s.along[k12]) - (s.p[0] + v * s.along[k03]);
     const double bare = as_printed::row_parameter(s, v, Vec3<Real>(Vec3<Real>::Zero()));
     printed = std::max(printed, std::abs(bare - u));
@@ -134,7 +135,7 @@ TEST(Misprints, RowParameterNeedsItsDivision) {
 
 TEST(Misprints, MembershipTestDividesByZeroForPlanarQuads) {
   const Quad<Real> q = lifted_square(0);
-  const Vec4<Real> k = kernel(SeenQuad<Real>(q, Vec3<Real>(.25, .5, 1)));
+  const Vec4<Real> k = null_vector(PairFrame<Real>(q, Vec3<Real>(.25, .5, 1)));
   EXPECT_EQ(k.sum(), 0);
   EXPECT_GT(k.norm(), 0);
   EXPECT_FALSE(std::isfinite(as_printed::parameters_of_kernel(k).first));

@@ -2,7 +2,7 @@
 // What the room's tests share: quads, points, and the definition as a plain sum in two dimensions.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/riemann.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/riemann.h"
 #include "cageproof/core/evaluation.h"
 #include "cageproof/core/gauss_legendre.h"
 #include "cageproof/core/random_stream.h"
@@ -29,7 +29,8 @@ inline Vec3<double> random_point(RandomStream& random, double reach) {
 /// A valid quad about the origin, of size 1.
 inline Quad<double> random_valid_quad(RandomStream& random) {
   for (;;) {
-    Quad<double> q{Vec3<double>(-.5, -.5, 0), Vec3<double>(.5, -.5, 0), Vec3<double>(.5, .5, 0), Vec3<double>(-.5, .5, 0)};
+    Quad<double> q{Vec3<double>(-.5, -.5, 0), Vec3<double>(.5, -.5, 0), Vec3<double>(.5, .5, 0),
+                   Vec3<double>(-.5, .5, 0)};
     for (auto& corner : q) corner += random_point(random, .25);
     if (!invalid_because(q)) return q;
   }
@@ -43,7 +44,8 @@ Vec3<R> combined(const Quad<R>& q, const Vec4<R>& w) {
 }
 
 inline Vec3<double> normal_at(const Quad<double>& q, double u, double v) {
-  const Vec3<double> along_u = (1 - v) * (q[1] - q[0]) + v * (q[2] - q[3]), along_v = (1 - u) * (q[3] - q[0]) + u * (q[2] - q[1]);
+  const Vec3<double> along_u = (1 - v) * (q[1] - q[0]) + v * (q[2] - q[3]),
+                     along_v = (1 - u) * (q[3] - q[0]) + u * (q[2] - q[1]);
   return along_u.cross(along_v);
 }
 
@@ -93,7 +95,7 @@ Vec4<R> evaluated(const std::string& name, const Quad<R>& q, const Vec3<R>& eta)
 /// |A w - m| over |m| + sum |w_i| |p_i|.
 template <Scalar R>
 double linear_residual(const Quad<R>& q, const Vec3<R>& eta, const Vec4<R>& w) {
-  const SeenQuad<R> s(q, eta);
+  const PairFrame<R> s(q, eta);
   const Vec3<R> m = mean_vector(s);
   R size = m.norm();
   for (int i = 0; i < 4; ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "quads.h"
 
-#include "cageproof/adaptive_qmvc/misprints.h"
-#include "cageproof/adaptive_qmvc/singular_solution.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/misprints.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/singular_solution.h"
 
 #include <gtest/gtest.h>
 
@@ -10,30 +10,32 @@ namespace cageproof::adaptive_qmvc {
 namespace {
 
 template <Scalar R>
-void expect_kernel_and_solution_of_svd(double tolerance) {
-  double kernels = 0, solutions = 0, printed = 10, unit_kernel = 0;
+void expect_null_vector_and_solution_of_svd(double tolerance) {
+  double null_vectors = 0, solutions = 0, printed = 10, unit_null_vector = 0;
   for (int i = 0; i < 50; ++i) {
     RandomStream random(5, "svd", i);
-    const SeenQuad<R> s(convert_quad<R>(random_valid_quad(random)), convert<R>(random_point(random, 1.5)));
+    const PairFrame<R> s(convert_quad<R>(random_valid_quad(random)), convert<R>(random_point(random, 1.5)));
     const Vec3<R> m = mean_vector(s);
-    const Vec4<R> k = kernel(s), w = minimal_norm_solution(s, k, m);
+    const Vec4<R> k = null_vector(s), w = minimal_norm_solution(s, k, m);
     const auto svd = singular_solution(s, m);
-    const R side = svd.kernel.dot(k) < 0 ? R(-1) : R(1);
-    kernels = std::max(kernels, relative_difference<R>(Vec4<R>(k / k.norm()), Vec4<R>(side * svd.kernel)));
+    const R side = svd.null_vector.dot(k) < 0 ? R(-1) : R(1);
+    null_vectors =
+        std::max(null_vectors, relative_difference<R>(Vec4<R>(k / k.norm()), Vec4<R>(side * svd.null_vector)));
     solutions = std::max(solutions, relative_difference<R>(w, svd.minimal_norm));
     printed = std::min(printed, relative_difference<R>(as_printed::minimal_norm_solution(s, k, m), svd.minimal_norm));
     const Vec4<R> mixed = minimal_norm_solution(s, Vec4<R>(k / k.norm()), m);
-    unit_kernel = std::max(unit_kernel, relative_difference<R>(mixed, svd.minimal_norm));
+    unit_null_vector = std::max(unit_null_vector, relative_difference<R>(mixed, svd.minimal_norm));
   }
   if (std::same_as<R, double>)
-    std::printf("Eq 28: against the SVD %.1e, as printed %.2f, with Eq 18's unit kernel %.1f\n", solutions, printed, unit_kernel);
-  EXPECT_LT(kernels, tolerance);
+    std::printf("Eq 28: against the SVD %.1e, as printed %.2f, with Eq 18's unit null vector %.1f\n", solutions,
+                printed, unit_null_vector);
+  EXPECT_LT(null_vectors, tolerance);
   EXPECT_LT(solutions, tolerance);
   EXPECT_NEAR(printed, 2, 1e-6);
 }
-TEST(KernelSolution, IsThatOfTheSvd) {
-  expect_kernel_and_solution_of_svd<double>(1e-9);
-  expect_kernel_and_solution_of_svd<Mp50>(1e-44);
+TEST(LinearSolution, IsThatOfTheSvd) {
+  expect_null_vector_and_solution_of_svd<double>(1e-9);
+  expect_null_vector_and_solution_of_svd<Mp50>(1e-44);
 }
 
 template <Scalar R>
@@ -56,19 +58,22 @@ TEST(Weights, OfTheSchemeSolveEquation17) {
   EXPECT_LT(worst_residual<double>("riemann-4", 2000), 1e-13);
   EXPECT_LT(worst_residual<Mp50>("riemann-4", 20), 1e-48);
 }
-// Next to the plane of a planar quad the matrix of Eq 17 is nearly singular: Eq 28 alone loses a digit a decade, 3e-8 at 1e-8.
+// Next to the plane of a planar quad the matrix of Eq 17 is nearly singular: Eq 28 alone loses a digit a decade, 3e-8
+// at 1e-8.
 TEST(Weights, SolveEquation17NextToThePlaneOfAPlanarQuad) {
   double worst = 0;
   for (int i = 0; i < 1500; ++i) {
     RandomStream random(10, "planar", i);
     const auto tilted = [](double x, double y, double z) { return Vec3<double>(x, .6 * y - .8 * z, .8 * y + .6 * z); };
     const Quad<double> q{tilted(0, 0, 0), tilted(1, .1, 0), tilted(1.2, .9, 0), tilted(-.1, 1, 0)};
-    const Vec3<double> eta = tilted(random.uniform(-.3, 1.3), random.uniform(-.3, 1.3), std::pow(10, -random.uniform(1, 14)));
+    const Vec3<double> eta =
+        tilted(random.uniform(-.3, 1.3), random.uniform(-.3, 1.3), std::pow(10, -random.uniform(1, 14)));
     worst = std::max(worst, linear_residual<double>(q, eta, evaluated<double>("riemann-4", q, eta)));
   }
   EXPECT_LT(worst, 1e-13);
 }
-// A triangulation's border is the quad's, so its mean vector is too; and interpolation on triangles keeps linear functions.
+// A triangulation's border is the quad's, so its mean vector is too; and interpolation on triangles keeps linear
+// functions.
 TEST(Weights, OfTheTessellationSolveEquation17) {
   EXPECT_LT(worst_residual<double>("tessellated-5", 100), 1e-10);
   EXPECT_LT(worst_residual<Mp50>("tessellated-3", 6), 1e-38);
@@ -79,7 +84,9 @@ TEST(Weights, ConvergeToTheIntegral) {
   const Quad<double> q = random_valid_quad(random);
   const Vec3<double> eta(.4, -.3, .9);
   const Vec4<double> truth = integrated_weights(q, eta, .5, .5);
-  const auto error = [&](const std::string& name) { return relative_difference<double>(evaluated<double>(name, q, eta), truth); };
+  const auto error = [&](const std::string& name) {
+    return relative_difference<double>(evaluated<double>(name, q, eta), truth);
+  };
   double last = 1;
   for (const int n : {4, 8, 16, 32, 64}) {
     const double now = error("riemann-" + std::to_string(n));
@@ -125,21 +132,24 @@ TEST(PoleGuard, BoundsTheWeightsAroundExtendedDiagonals) {
     RandomStream random(9, "diagonal", i);
     const Quad<double> q = random_valid_quad(random);
     const Vec3<double> on_line = q[0] + random.uniform(1.3, 2) * (q[2] - q[0]);
-    zero = std::max(zero, mean_vector(SeenQuad<double>(q, on_line)).norm());
-    const auto weights = [&](const Vec3<double>& at, const PoleGuard& guard) { return quad_weights<double>(q, at, 4, work, guard); };
+    zero = std::max(zero, mean_vector(PairFrame<double>(q, on_line)).norm());
+    const auto weights = [&](const Vec3<double>& at, const PoleGuard& guard) {
+      return quad_weights<double>(q, at, 4, work, guard);
+    };
     const double reach = std::pow(10, -random.uniform(0.5, 4));
     const Vec3<double> eta = on_line + random_point(random, reach);
-    const SeenQuad<double> s(q, eta);
-    const Vec4<double> k = kernel(s), w = weights(eta, {});
+    const PairFrame<double> s(q, eta);
+    const Vec4<double> k = null_vector(s), w = weights(eta, {});
     const auto [u, v] = project(s, k);
     poles += omega(s, 4, u, v, work).dot(minimal_norm_solution(s, k, mean_vector(s))) <= 0;
-    const Vec4<double> truth = evaluated<double>("closed_form", q, eta);
+    const Vec4<double> truth = evaluated<double>("line_form", q, eta);
     bare = std::max(bare, relative_difference<double>(weights(eta, off), truth));
     guarded = std::max(guarded, relative_difference<double>(w, truth));
     step = std::max(step, relative_difference<double>(weights(eta + 1e-7 * random_point(random, 1), {}), w));
   }
-  std::printf("around extended diagonals, n = 4: Omega.wbar <= 0 at %d of 200; worst error %.1e guarded, %.1e without\n", poles,
-              guarded, bare);
+  std::printf(
+      "around extended diagonals, n = 4: Omega.wbar <= 0 at %d of 200; worst error %.1e guarded, %.1e without\n", poles,
+      guarded, bare);
   EXPECT_LT(zero, 1e-14);
   EXPECT_GT(poles, 10);
   EXPECT_GT(bare, 1);
@@ -156,7 +166,8 @@ TEST(Weights, AreInfiniteOnTheQuadAndZeroInItsPlane) {
   EXPECT_EQ(evaluated<double>("riemann-4", flat, {1.25, .5, 0}), Vec4<double>(0, 0, 0, 0));
   EXPECT_EQ(evaluated<double>("riemann-4", bent, {.5, .5, .125}), Vec4<double>(inf, inf, inf, inf));
   const Vec3<Mp50> on_bent(Mp50(.5), Mp50(.5), Mp50(.125));
-  EXPECT_TRUE(evaluated<Mp50>("riemann-4", convert_quad<Mp50>(bent), on_bent)[3] == std::numeric_limits<Mp50>::infinity());
+  EXPECT_TRUE(evaluated<Mp50>("riemann-4", convert_quad<Mp50>(bent), on_bent)[3] ==
+              std::numeric_limits<Mp50>::infinity());
   EXPECT_TRUE(evaluated<double>("riemann-4", bent, {.5, .5, .126}).allFinite());
   EXPECT_EQ(evaluated<double>("tessellated-5", flat, {.25, 0, 0}), Vec4<double>(inf, inf, 0, 0));
 }
@@ -174,7 +185,8 @@ TEST(Families, TakeCountsFrom1To512) {
   const auto& all = EvaluationRegister::instance();
   for (const char* good : {"riemann-1", "riemann-512", "tessellated-1", "tessellated-512"})
     EXPECT_TRUE(all.find("quad.mean_value", good)) << good;
-  for (const char* bad : {"riemann-0", "riemann-513", "riemann-04", "riemann-", "riemann-4x", "riemann", "tessellated--1"})
+  for (const char* bad :
+       {"riemann-0", "riemann-513", "riemann-04", "riemann-", "riemann-4x", "riemann", "tessellated--1"})
     EXPECT_FALSE(all.find("quad.mean_value", bad)) << bad;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cageproof_bench: takes Google Benchmark's own options (--benchmark_filter, --benchmark_format=json, --benchmark_out ...).
+// cageproof_bench: takes Google Benchmark's own options (--benchmark_filter, --benchmark_format=json, --benchmark_out
+// ...).
 #include "pair_benchmarks.h"
 #include "pairs.h"
 

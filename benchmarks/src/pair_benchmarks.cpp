@@ -56,10 +56,10 @@ std::vector<std::string> register_pair_benchmarks() {
       if (!evaluation || !evaluation->supports<double>()) continue;
       for (int order = 0; order <= evaluation->max_order(); ++order) {
         names.push_back(fmt::format("pair/{}/{}/{}", formula.name, evaluation_name, kOrderNames[order]));
-        benchmark::RegisterBenchmark(
-            names.back().c_str(),
-            [evaluation = *evaluation, inputs, order](benchmark::State& state) { run(state, evaluation, *inputs, order); })
-            ->Unit(benchmark::kMicrosecond);
+        benchmark::RegisterBenchmark(names.back().c_str(), [evaluation = *evaluation, inputs,
+                                                            order](benchmark::State& state) {
+          run(state, evaluation, *inputs, order);
+        })->Unit(benchmark::kMicrosecond);
       }
     }
   }

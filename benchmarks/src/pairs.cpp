@@ -31,8 +31,7 @@ double longest_side(const std::vector<Vec>& corners) {
 double extent(const std::vector<Vec>& corners) {
   if (corners.size() == 2) return (corners[1] - corners[0]).norm();
   Vec sum = Vec::Zero();
-  for (std::size_t k = 2; k < corners.size(); ++k)
-    sum += (corners[k - 1] - corners[0]).cross(corners[k] - corners[0]);
+  for (std::size_t k = 2; k < corners.size(); ++k) sum += (corners[k - 1] - corners[0]).cross(corners[k] - corners[0]);
   return sum.norm() / 2;
 }
 

@@ -17,9 +17,9 @@ struct Pair {
 /// How many pairs a formula is timed on.
 inline constexpr int kPairCount = 200;
 
-/// kPairCount pairs for elements of that kind, the same in every run: the longest side is one, the area (a segment's length) at
-/// least 0.1, the point 0.5 to 1.5 sides from the centroid in any direction. Nothing is exactly degenerate: closed forms
-/// take their usual branches, quadrature rules do their usual work.
+/// kPairCount pairs for elements of that kind, the same in every run: the longest side is one, the area (a segment's
+/// length) at least 0.1, the point 0.5 to 1.5 sides from the centroid in any direction. Nothing is exactly degenerate:
+/// closed forms take their usual branches, quadrature rules do their usual work.
 std::vector<Pair> generic_pairs(ElementKind element);
 
 }  // namespace cageproof::benchmarks

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The far form's error bound, against the edge form in 50 digits.
-#include "cageproof/closed_form/triangle/triangle_form.h"
+#include "cageproof/closed_form/triangle/engine/closed_form.h"
 #include "cageproof/core/random_stream.h"
 
 #include <gtest/gtest.h>
 
-namespace cageproof::closed_form {
+namespace cageproof::closed_form::triangle {
 namespace {
 
 using R = Mp50;
@@ -34,7 +34,8 @@ double difference(const std::array<Taylor<R, N>, C>& a, const std::array<Taylor<
 double worst_weight_ratio(const Frame<R>& f, int n) {
   const auto far = FarForm<R, 2, 2>(f, n).mean_value(), edge = EvenForm<R, 2>(f).mean_value();
   double worst = 0;
-  for (int k = 0; k <= 2; ++k) worst = std::max(worst, difference<3, 2>(far, edge, k) / far_error(n, ellipse_of_distance(f), -4, k));
+  for (int k = 0; k <= 2; ++k)
+    worst = std::max(worst, difference<3, 2>(far, edge, k) / far_error(n, ellipse_of_distance(f), -4, k));
   return worst;
 }
 
@@ -66,7 +67,8 @@ TEST(far_form, error_is_below_its_bound) {
     RandomStream random(21, "far", i);
     const Triangle<double> t = random_triangle(random, i % 3 == 0 ? 0.01 : 1);
     Vec3<double> direction(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-    if (i % 4 == 0) direction = (t[1] - t[0]) + 1e-3 * direction;  // in line with an edge, where the segment's end is nearest
+    if (i % 4 == 0)
+      direction = (t[1] - t[0]) + 1e-3 * direction;  // in line with an edge, where the segment's end is nearest
     const Vec3<double> centre = (t[0] + t[1] + t[2]) / 3;
     const double size = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
     const Vec3<double> eta = centre + random.uniform(1.3, 6) * size * direction.normalized();
@@ -102,15 +104,15 @@ TEST(far_form, weights_keep_the_bound_of_the_distance_down_to_a_quarter_of_the_t
 TEST(far_form, more_points_are_asked_for_closer_by) {
   int last = 2;
   for (const double rho : {1e6, 1e3, 1e2, 30.0, 10.0, 5.0}) {
-    const auto n = far_points(rho, -3, 4, far_tolerance, 64);
+    const auto n = far_points(rho, -3, 4, kFarTolerance, 64);
     ASSERT_TRUE(n.has_value());
     EXPECT_GE(*n, last);
-    EXPECT_LE(far_error(*n, rho, -3, 4), far_tolerance);
+    EXPECT_LE(far_error(*n, rho, -3, 4), kFarTolerance);
     last = *n;
   }
   EXPECT_GT(last, 8);
-  EXPECT_FALSE(far_points(1.5, -3, 4, far_tolerance, kFarLimit).has_value());
+  EXPECT_FALSE(far_points(1.5, -3, 4, kFarTolerance, kFarLimit).has_value());
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form
+}  // namespace cageproof::closed_form::triangle

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/closed_form/triangle/triangle_form.h"
+#include "cageproof/closed_form/triangle/affine_single_layer.h"
+#include "cageproof/closed_form/triangle/biharmonic_double_layer.h"
+#include "cageproof/closed_form/triangle/biharmonic_single_layer.h"
+#include "cageproof/closed_form/triangle/double_layer.h"
+#include "cageproof/closed_form/triangle/kelvin_displacement.h"
+#include "cageproof/closed_form/triangle/kelvin_traction.h"
+#include "cageproof/closed_form/triangle/mean_value.h"
+#include "cageproof/closed_form/triangle/single_layer.h"
+#include "cageproof/closed_form/triangle/solid_angle.h"
 #include "cageproof/core/random_stream.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-namespace cageproof::closed_form {
+namespace cageproof::closed_form::triangle {
 namespace {
 
 using Vec = Vec3<double>;
@@ -92,7 +100,8 @@ TEST(border, no_limit_is_not_a_number_and_what_exists_is_finite) {
 template <class F>
 void expect_sign_of_growth(int order, const Vec& on, std::span<const double> parameters = {}) {
   const auto limit = evaluate<F>(flat, on, order, parameters);
-  const auto near = evaluate<F>(flat, Vec(on - Vec(0, 0, 1e-12)), order, parameters), nearer = evaluate<F>(flat, Vec(on - Vec(0, 0, 1e-13)), order, parameters);
+  const auto near = evaluate<F>(flat, Vec(on - Vec(0, 0, 1e-12)), order, parameters),
+             nearer = evaluate<F>(flat, Vec(on - Vec(0, 0, 1e-13)), order, parameters);
   int infinite = 0;
   const auto look = [&](double at, double a, double b) {
     if (!std::isinf(at)) return;
@@ -103,7 +112,8 @@ void expect_sign_of_growth(int order, const Vec& on, std::span<const double> par
     if (order == 0) look(limit.value[c], near.value[c], nearer.value[c]);
     for (int i = 0; i < 3; ++i) {
       if (order == 1) look(limit.gradient[c][i], near.gradient[c][i], nearer.gradient[c][i]);
-      for (int j = 0; order == 2 && j < 3; ++j) look(limit.hessian[c](i, j), near.hessian[c](i, j), nearer.hessian[c](i, j));
+      for (int j = 0; order == 2 && j < 3; ++j)
+        look(limit.hessian[c](i, j), near.hessian[c](i, j), nearer.hessian[c](i, j));
     }
   }
   EXPECT_GT(infinite, 0);
@@ -135,8 +145,9 @@ TEST(border, incompressible_traction_has_its_limit_from_inside) {
 }
 
 TEST(values, finite_at_every_special_position) {
-  for (const Vec& p : {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0), Vec(0.5, 0, 0), Vec(2, 0, 0), Vec(-1, 0, 0), Vec(0, -3, 0),
-                       Vec(-1, 2, 0), Vec(0.25, 0.25, 0), Vec(0, 0, 1), Vec(1, 0, -1e-300), Vec(1e-200, 0, 0)}) {
+  for (const Vec& p :
+       {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0), Vec(0.5, 0, 0), Vec(2, 0, 0), Vec(-1, 0, 0), Vec(0, -3, 0),
+        Vec(-1, 2, 0), Vec(0.25, 0.25, 0), Vec(0, 0, 1), Vec(1, 0, -1e-300), Vec(1e-200, 0, 0)}) {
     EXPECT_TRUE(std::isfinite(evaluate<SingleLayer>(flat, p, 0).value[0]));
     EXPECT_TRUE(std::isfinite(evaluate<SolidAngle>(flat, p, 0).value[0]));
     EXPECT_TRUE(std::isfinite(evaluate<DoubleLayer>(flat, p, 0).value[1]));
@@ -149,10 +160,13 @@ TEST(scaling, extreme_units_neither_overflow_nor_underflow) {
   const Vec p(0.3, 0.1, -0.4);
   for (const double unit : {1e-100, 1e100}) {
     const Triangle<double> t{Vec(unit * flat[0]), Vec(unit * flat[1]), Vec(unit * flat[2])};
-    EXPECT_NEAR(evaluate<SingleLayer>(t, Vec(unit * p), 0).value[0] / (unit * evaluate<SingleLayer>(flat, p, 0).value[0]), 1, 1e-14);
+    EXPECT_NEAR(
+        evaluate<SingleLayer>(t, Vec(unit * p), 0).value[0] / (unit * evaluate<SingleLayer>(flat, p, 0).value[0]), 1,
+        1e-14);
     EXPECT_NEAR(evaluate<SolidAngle>(t, Vec(unit * p), 0).value[0], evaluate<SolidAngle>(flat, p, 0).value[0], 1e-14);
-    EXPECT_NEAR(evaluate<DoubleLayer>(t, Vec(unit * p), 1).gradient[1].norm() * unit / evaluate<DoubleLayer>(flat, p, 1).gradient[1].norm(), 1,
-                1e-13);
+    EXPECT_NEAR(evaluate<DoubleLayer>(t, Vec(unit * p), 1).gradient[1].norm() * unit /
+                    evaluate<DoubleLayer>(flat, p, 1).gradient[1].norm(),
+                1, 1e-13);
   }
 }
 
@@ -167,4 +181,4 @@ TEST(far_away, single_layers_keep_their_digits) {
 }
 
 }  // namespace
-}  // namespace cageproof::closed_form
+}  // namespace cageproof::closed_form::triangle

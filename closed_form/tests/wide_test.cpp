@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/closed_form/triangle/frame.h"
+#include "cageproof/closed_form/triangle/engine/frame.h"
 #include "cageproof/core/random_stream.h"
 
 #include <gtest/gtest.h>
@@ -7,21 +7,21 @@
 namespace cageproof::closed_form {
 namespace {
 
-Mp100 exact(const TwoDoubles& x) { return Mp100(x.high) + Mp100(x.low); }
+Mp100 exact(const DoubleDouble& x) { return Mp100(x.high) + Mp100(x.low); }
 
-TEST(two_doubles, differences_of_doubles_are_exact) {
+TEST(double_double, differences_of_doubles_are_exact) {
   for (int i = 0; i < 1000; ++i) {
     RandomStream random(7, "wide", i);
     const double a = random.uniform(-1, 1), b = random.uniform(-1, 1) * std::pow(2.0, random.below(60) - 30);
-    EXPECT_TRUE(exact(TwoDoubles::sum(a, -b)) == Mp100(a) - Mp100(b));
+    EXPECT_TRUE(exact(DoubleDouble::sum(a, -b)) == Mp100(a) - Mp100(b));
   }
 }
 
-TEST(two_doubles, sums_and_products_keep_a_hundred_bits) {
+TEST(double_double, sums_and_products_keep_a_hundred_bits) {
   for (int i = 0; i < 1000; ++i) {
     RandomStream random(8, "wide", i);
-    const TwoDoubles a(random.uniform(-1, 1), random.uniform(-1, 1) * 0x1p-54);
-    const TwoDoubles b(random.uniform(-1, 1), random.uniform(-1, 1) * 0x1p-54);
+    const DoubleDouble a(random.uniform(-1, 1), random.uniform(-1, 1) * 0x1p-54);
+    const DoubleDouble b(random.uniform(-1, 1), random.uniform(-1, 1) * 0x1p-54);
     EXPECT_TRUE(abs(exact(a + b) - (exact(a) + exact(b))) <= Mp100(0x1p-102));
     EXPECT_TRUE(abs(exact(a * b) - exact(a) * exact(b)) <= Mp100(0x1p-100));
   }
@@ -36,7 +36,7 @@ TEST(frame, the_side_of_the_plane_and_of_the_edges_is_exact) {
     for (auto& v : t) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     const double a = i % 2 == 0 ? 0.3 : 0.0;
     const Vec3<double> eta = a * t[0] + 0.25 * t[1] + (0.75 - a) * t[2];
-    const Frame<double> frame(t, eta);
+    const triangle::Frame<double> frame(t, eta);
     const Vec3<Mp200> p0 = convert<Mp200>(t[0]), p1 = convert<Mp200>(t[1]), p2 = convert<Mp200>(t[2]);
     const Vec3<Mp200> x = convert<Mp200>(eta);
     const Vec3<Mp200> normal = Vec3<Mp200>(p1 - p0).cross(Vec3<Mp200>(p2 - p0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/cage.h"
 
+#include "cageproof/core/element.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/quad_geometry.h"
 #include "cage_checks.h"
@@ -18,6 +19,11 @@ Mp100 squared_distance(const Vec3<double>& a, const Vec3<double>& b) {
 }
 
 }  // namespace
+
+ElementKind Face::kind() const {
+  const int corners = size();
+  return corners == 2 ? ElementKind::Segment : corners == 3 ? ElementKind::Triangle : ElementKind::Quad;
+}
 
 std::string_view name_of(Triangulation rule) { return rule == Triangulation::Shortest ? "shortest" : "fan"; }
 
@@ -41,6 +47,46 @@ Cage Cage::make(std::string name, std::vector<Vec3<double>> vertices, std::vecto
   cage.faces_ = std::move(faces);
   cage.allows_invalid_quads_ = options.allow_invalid_quads;
   return cage;
+}
+
+Cage Cage::make_polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
+                        CageOptions options) {
+  const cage_checks::Candidate candidate{name, vertices, segments, 2};
+  cage_checks::check_coordinates(candidate);
+  cage_checks::check_plane(candidate);
+  cage_checks::check_indices(candidate);
+  cage_checks::check_loops(candidate);
+  if (cage_checks::turning(candidate) < 0) {
+    if (!options.flip_inward)
+      throw InputError(name +
+                       ": the segments run clockwise (negative area), from segment 0 on; --flip-inward reverses them");
+    for (Face& segment : segments) std::swap(segment.vertices[0], segment.vertices[1]);
+  }
+  Cage cage;
+  cage.dimension_ = 2;
+  cage.name_ = std::move(name);
+  cage.vertices_ = std::move(vertices);
+  cage.faces_ = std::move(segments);
+  return cage;
+}
+
+Cage Cage::with(std::vector<Vec3<double>> vertices, std::vector<Face> faces) const {
+  const CageOptions options{.allow_invalid_quads = allows_invalid_quads_};
+  return dimension_ == 2 ? make_polygon(name_, std::move(vertices), std::move(faces), options)
+                         : make(name_, std::move(vertices), std::move(faces), options);
+}
+
+Cage::Parts Cage::parts(bool keep_quads, Triangulation rule) const {
+  Parts parts;
+  if (keep_quads || !has_quads()) {
+    parts.elements = faces_;
+    for (std::size_t f = 0; f < faces_.size(); ++f) parts.face_of.push_back(static_cast<int>(f));
+    return parts;
+  }
+  Triangles split = triangulate(rule);
+  for (const auto& t : split.triangles) parts.elements.push_back({{t[0], t[1], t[2], -1}});
+  parts.face_of = std::move(split.face_of);
+  return parts;
 }
 
 std::array<Vec3<double>, 4> Cage::quad(std::size_t f) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cage_checks.h"
 
+#include "cageproof/core/linear.h"
+
 #include "cageproof/core/input_error.h"
 
 #include <fmt/format.h>
@@ -76,7 +78,7 @@ void check_indices(const Candidate& cage) {
     const Face& face = cage.faces[f];
     for (int k = 0; k < 4; ++k) {
       const int vertex = face.vertices[k];
-      if (k == 3 && vertex == -1) continue;
+      if (k >= cage.least_corners && vertex == -1) continue;
       if (vertex < 0 || vertex >= count)
         fail_face(cage, f, fmt::format("index {} is out of range, there are {} vertices", vertex, count));
       if (std::find(face.vertices.begin(), face.vertices.begin() + k, vertex) != face.vertices.begin() + k)
@@ -139,6 +141,39 @@ void check_fans(const Candidate& cage) {
     if (walked != faces_at[v])
       fail_vertex(cage, v, fmt::format("its {} faces form more than one fan: not a manifold", faces_at[v]));
   }
+}
+
+void check_plane(const Candidate& cage) {
+  for (std::size_t i = 0; i < cage.vertices.size(); ++i)
+    if (cage.vertices[i][2] != 0) fail_vertex(cage, i, "a polygon lies in the plane z = 0");
+}
+
+void check_loops(const Candidate& cage) {
+  std::vector<int> begins(cage.vertices.size(), 0), ends = begins;
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    const auto& v = cage.faces[f].vertices;
+    if (cage.faces[f].size() != 2) fail_face(cage, f, "a polygon's elements are segments");
+    if (cage.vertices[v[0]] == cage.vertices[v[1]])
+      fail_face(cage, f, fmt::format("degenerate: vertices {} and {} coincide", v[0], v[1]));
+    ++begins[v[0]];
+    ++ends[v[1]];
+  }
+  for (std::size_t v = 0; v < cage.vertices.size(); ++v)
+    if (begins[v] != 1 || ends[v] != 1)
+      fail_vertex(cage, v,
+                  fmt::format("{} segments begin and {} end there: a polygon has one of each", begins[v], ends[v]));
+}
+
+int turning(const Candidate& cage) {
+  const Vec3<Exact> origin = convert<Exact>(cage.vertices.front());
+  Exact area = 0;
+  for (const Face& segment : cage.faces) {
+    const Vec3<Exact> a = convert<Exact>(cage.vertices[segment.vertices[0]]) - origin,
+                      b = convert<Exact>(cage.vertices[segment.vertices[1]]) - origin;
+    area += a[0] * b[1] - a[1] * b[0];
+  }
+  if (area == 0) fail(cage, "the cage encloses no area");
+  return area > 0 ? 1 : -1;
 }
 
 int orientation(const Candidate& cage) {

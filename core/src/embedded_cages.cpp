@@ -162,14 +162,23 @@ Surface spiky_box() {
   return s;
 }
 
+// The unit square, in the plane.
+Surface square() {
+  Surface s;
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) s.vertices.emplace_back(x, y, 0);
+  for (int k = 0; k < 4; ++k) s.faces.push_back({{k, (k + 1) % 4, -1, -1}});
+  return s;
+}
+
 struct Row {
   std::string_view name;
   Surface (*make)();
+  bool polygon = false;
 };
 
-constexpr std::array kRows{Row{"cube", cube},          Row{"icosphere", icosphere},     Row{"torus", torus},
-                           Row{"l-block", l_block},    Row{"twisted-bar", twisted_bar}, Row{"thin-box", thin_box},
-                           Row{"spiky-box", spiky_box}};
+constexpr std::array kRows{Row{"cube", cube},           Row{"icosphere", icosphere},     Row{"torus", torus},
+                           Row{"l-block", l_block},     Row{"twisted-bar", twisted_bar}, Row{"thin-box", thin_box},
+                           Row{"spiky-box", spiky_box}, Row{"square", square, true}};
 
 }  // namespace
 
@@ -183,7 +192,8 @@ Cage embedded_cage(std::string_view name) {
   for (const Row& row : kRows)
     if (row.name == name) {
       Surface surface = row.make();
-      return Cage::make(std::string(name), std::move(surface.vertices), std::move(surface.faces));
+      const auto make = row.polygon ? Cage::make_polygon : Cage::make;
+      return make(std::string(name), std::move(surface.vertices), std::move(surface.faces), {});
     }
   throw InputError(
       fmt::format("no embedded cage is called \"{}\"; there are {}", name, fmt::join(embedded_cage_names(), ", ")));

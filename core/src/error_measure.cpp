@@ -4,7 +4,10 @@
 #include "cageproof/core/run_result.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
+#include <stdexcept>
 
 namespace cageproof {
 
@@ -36,10 +39,22 @@ double ErrorHistogram::quantile(double q) const {
   std::uint64_t seen = 0;
   for (std::size_t i = 0; i + 1 < counts_.size(); ++i) {
     seen += counts_[i];
-    if (seen >= wanted)
-      return std::min(max_, std::pow(10.0, lowest_decade + static_cast<double>(i) / bins_per_decade));
+    if (seen >= wanted) return std::min(max_, std::pow(10.0, lowest_decade + static_cast<double>(i) / bins_per_decade));
   }
   return max_;
+}
+
+ErrorHistogram ErrorHistogram::restored(const std::array<std::uint64_t, bin_count + 2>& counts, std::uint64_t nonfinite,
+                                        double max) {
+  ErrorHistogram histogram;
+  histogram.counts_ = counts;
+  histogram.count_ = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  histogram.nonfinite_ = nonfinite;
+  histogram.max_ = max;
+  if (!(max >= 0) || nonfinite > counts.back() || std::isinf(max) != (nonfinite > 0) ||
+      (histogram.count_ == 0 && max > 0))
+    throw std::invalid_argument("no histogram has these counts");
+  return histogram;
 }
 
 namespace {
@@ -48,17 +63,32 @@ bool worse(double error_a, std::uint64_t sample_a, double error_b, std::uint64_t
   return error_a != error_b ? error_a > error_b : sample_a < sample_b;
 }
 
+// Every number of an input, bit for bit.
+std::vector<std::uint64_t> bits_of(const WorstCase& c) {
+  std::vector<std::uint64_t> bits{static_cast<std::uint64_t>(c.asked)};
+  const auto add = [&](double x) { bits.push_back(std::bit_cast<std::uint64_t>(x)); };
+  add(c.parameter);
+  for (const Vec3<double>& corner : c.corners) std::ranges::for_each(corner, add);
+  std::ranges::for_each(c.point, add);
+  std::ranges::for_each(c.parameters, add);
+  return bits;
+}
+
+bool worse(const WorstCase& a, const WorstCase& b) {
+  if (a.error != b.error || a.sample != b.sample) return worse(a.error, a.sample, b.error, b.sample);
+  return bits_of(a) < bits_of(b);
+}
+
 }  // namespace
 
 bool WorstCases::wants(double error, std::uint64_t sample) const {
   return cases_.size() < capacity_ ||
-         (!cases_.empty() && worse(error, sample, cases_.back().error, cases_.back().sample));
+         (!cases_.empty() && !worse(cases_.back().error, cases_.back().sample, error, sample));
 }
 
 void WorstCases::add(WorstCase worst_case) {
   if (!wants(worst_case.error, worst_case.sample)) return;
-  const auto place = std::ranges::find_if(
-      cases_, [&](const WorstCase& c) { return worse(worst_case.error, worst_case.sample, c.error, c.sample); });
+  const auto place = std::ranges::find_if(cases_, [&](const WorstCase& c) { return worse(worst_case, c); });
   cases_.insert(place, std::move(worst_case));
   if (cases_.size() > capacity_) cases_.pop_back();
 }

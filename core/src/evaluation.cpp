@@ -1,9 +1,66 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/evaluation.h"
 
+#include "cageproof/core/input_error.h"
+
 #include <algorithm>
+#include <stdexcept>
 
 namespace cageproof {
+
+Evaluation::Evaluation(std::string_view formula, std::string_view name, EvaluationFacts facts)
+    : formula_(find_formula(formula)), name_(name), facts_(std::make_shared<const EvaluationFacts>(std::move(facts))) {
+  if (formula_ == nullptr)
+    throw std::logic_error("an evaluation of " + std::string(formula) + ", which the catalogue does not have");
+}
+
+template <Scalar R>
+void Evaluation::operator()(const Query<R>& query, Result<R>& result) const {
+  const EvaluationFunctions<R>& functions = of<R>();
+  if (functions.point) return functions.point(query, result);
+  result.reset(formula_->components(), formula_->dim(), query.order);
+  Statement statement;
+  functions.batch(Batch<R>{query.corners, {&query.point, 1}, query.order, query.parameters, query.finite_part},
+                  output_of(*formula_, result, statement));
+  result.stated_digits = statement.digits;
+  result.converged = statement.converged;
+  result.nodes = statement.nodes;
+}
+
+template <Scalar R>
+void Evaluation::operator()(const Batch<R>& batch, const BatchOutput<R>& output) const {
+  const EvaluationFunctions<R>& functions = of<R>();
+  if (functions.batch) return functions.batch(batch, output);
+  // The result's arrays are kept from point to point.
+  Result<R> result;
+  for (std::size_t p = 0; p < batch.points.size(); ++p) {
+    functions.point(Query<R>{batch.corners, batch.points[p], batch.order, batch.parameters, batch.finite_part}, result);
+    for (int o = 0; o <= batch.order; ++o) output.put(p, o, result.of(o));
+    output.state(p, result.statement());
+  }
+}
+
+template <Scalar R>
+void Evaluation::together(std::span<const Evaluation* const> members, const Batch<R>& batch,
+                          std::span<const BatchOutput<R>> outputs) {
+  const typename EvaluationFunctions<R>::Joint joint = members.front()->of<R>().joint;
+  const bool shared = joint != nullptr && members.size() > 1 &&
+                      std::ranges::all_of(members, [&](const Evaluation* e) { return e->of<R>().joint == joint; });
+  if (shared) return joint(members, batch, outputs);
+  for (std::size_t m = 0; m < members.size(); ++m) (*members[m])(batch, outputs[m]);
+}
+
+#define CAGEPROOF_INSTANTIATE(R)                                                             \
+  template void Evaluation::operator()<R>(const Query<R>&, Result<R>&) const;                \
+  template void Evaluation::operator()<R>(const Batch<R>&, const BatchOutput<R>&) const;     \
+  template void Evaluation::together<R>(std::span<const Evaluation* const>, const Batch<R>&, \
+                                        std::span<const BatchOutput<R>>);
+CAGEPROOF_INSTANTIATE(float)
+CAGEPROOF_INSTANTIATE(double)
+CAGEPROOF_INSTANTIATE(Mp50)
+CAGEPROOF_INSTANTIATE(Mp100)
+CAGEPROOF_INSTANTIATE(Mp200)
+#undef CAGEPROOF_INSTANTIATE
 
 EvaluationRegister& EvaluationRegister::instance() {
   static EvaluationRegister instance;
@@ -16,22 +73,64 @@ std::vector<const EvaluationFamily*> EvaluationRegister::families(std::string_vi
   std::vector<const EvaluationFamily*> found;
   for (const EvaluationFamily& family : families_)
     if (family.formula == formula) found.push_back(&family);
-  std::ranges::sort(found, {}, [](const EvaluationFamily* f) { return f->pattern; });
+  std::ranges::sort(found, {},
+                    [](const EvaluationFamily* f) { return std::pair(f->role != Role::Recommended, f->pattern); });
   return found;
 }
 
 std::optional<Evaluation> EvaluationRegister::find(std::string_view formula, std::string_view name) const {
-  for (const EvaluationFamily* family : families(formula))
-    if (auto evaluation = family->make(name)) return evaluation;
+  for (const EvaluationFamily* family : families(formula)) {
+    const bool is_alias = !family->alias.empty() && name == family->alias;
+    if (auto evaluation = family->make(is_alias ? std::string_view(family->pattern) : name)) return evaluation;
+  }
   return std::nullopt;
 }
 
+std::optional<Evaluation> EvaluationRegister::with_role(std::string_view formula, Role role) const {
+  const EvaluationFamily* found = nullptr;
+  for (const EvaluationFamily* family : families(formula)) {
+    const bool better = found == nullptr || (found->standard.empty() && !family->standard.empty());
+    if (family->role == role && better) found = family;
+  }
+  if (found == nullptr) return std::nullopt;
+  return found->example();
+}
+
 std::vector<std::string> EvaluationRegister::standard(std::string_view formula) const {
-  std::vector<std::string> names;
+  std::vector<std::pair<bool, std::string>> names;
   for (const EvaluationFamily* family : families(formula))
-    names.insert(names.end(), family->standard.begin(), family->standard.end());
-  std::ranges::sort(names, {}, [](const std::string& name) { return std::pair(name != "closed_form", name); });
-  return names;
+    for (const std::string& name : family->standard) names.emplace_back(family->role != Role::Recommended, name);
+  std::ranges::sort(names);
+  std::vector<std::string> sorted;
+  for (auto& [later, name] : names) sorted.push_back(std::move(name));
+  return sorted;
+}
+
+EvaluationFamily single_family(std::string_view formula, std::string_view name, EvaluationFacts facts, bool standard,
+                               std::function<void(Evaluation&)> fill) {
+  const auto make = [formula = std::string(formula), name = std::string(name), facts,
+                     fill = std::move(fill)](std::string_view asked) -> std::optional<Evaluation> {
+    if (asked != name) return std::nullopt;
+    Evaluation evaluation(formula, name, facts);
+    fill(evaluation);
+    return evaluation;
+  };
+  EvaluationFamily family{std::string(formula), std::string(name), facts.role, {}, make};
+  if (standard) family.standard = {family.pattern};
+  return family;
+}
+
+Evaluation evaluation_named(std::string_view formula, std::string_view name) {
+  auto found = EvaluationRegister::instance().find(formula, name);
+  if (!found)
+    throw InputError(std::string(formula) + " has no evaluation '" + std::string(name) + "'; see `cageproof list`");
+  return std::move(*found);
+}
+
+const Formula& formula_named(std::string_view name) {
+  const Formula* found = find_formula(name);
+  if (found == nullptr) throw InputError("unknown formula '" + std::string(name) + "'; see `cageproof list`");
+  return *found;
 }
 
 }  // namespace cageproof

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exact arithmetic for predicates: rational vectors, and roots of quadratics as p + q sqrt(d), whose signs are decidable.
+// Exact arithmetic for predicates: rational vectors, and roots of quadratics as p + q sqrt(d), whose signs are
+// decidable.
 #pragma once
 
 #include "cageproof/core/linear.h"

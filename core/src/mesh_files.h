@@ -39,9 +39,6 @@ double finite_number(std::string_view token, const Place& place);
 std::string extension_of(const std::filesystem::path& path);
 
 Mesh read_obj(const std::filesystem::path& path);
-Mesh read_ply(const std::filesystem::path& path);
-Mesh read_stl(const std::filesystem::path& path);
-Mesh read_vtp(const std::filesystem::path& path);
 
 /// A PLY file after its check. VTK 9.1's reader crashes on what is not whole, and on legal files too (colours that are
 /// not all bytes, lines that end in CR, a last line without end); it takes other elements for faces, knows no point

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace cageproof {
 namespace {
@@ -57,14 +58,21 @@ std::vector<Vec3<double>> read_text_points(const std::filesystem::path& path) {
   return points;
 }
 
+// Made when first asked for, so that readers may be added from any file before main.
+std::map<std::string, MeshReader, std::less<>>& readers() {
+  static std::map<std::string, MeshReader, std::less<>> instance{{".obj", mesh_files::read_obj}};
+  return instance;
+}
+
 }  // namespace
+
+RegisterMeshReader::RegisterMeshReader(std::string_view extension, MeshReader reader) {
+  readers().emplace(extension, reader);
+}
 
 Mesh read_mesh(const std::filesystem::path& path) {
   const std::string extension = mesh_files::extension_of(path);
-  if (extension == ".obj") return mesh_files::read_obj(path);
-  if (extension == ".ply") return mesh_files::read_ply(path);
-  if (extension == ".stl") return mesh_files::read_stl(path);
-  if (extension == ".vtp") return mesh_files::read_vtp(path);
+  if (const auto reader = readers().find(extension); reader != readers().end()) return reader->second(path);
   Place{path}.fail(fmt::format(
       "unknown extension \"{}\"; meshes are .obj, .ply, .stl or .vtp, points also .csv, .xyz or .txt", extension));
 }

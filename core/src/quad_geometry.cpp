@@ -22,8 +22,8 @@ bool finite(const Quad<double>& q) {
   return std::ranges::all_of(q, [](const Vec& v) { return v.allFinite(); });
 }
 
-// Normals of the triangles at the corners, n_i = e_(i-1) x e_i: the projection along n_j turns at corner i by n_i . n_j. A sign is decided in double
-// where the filter proves it, else exactly.
+// Normals of the triangles at the corners, n_i = e_(i-1) x e_i: the projection along n_j turns at corner i by n_i .
+// n_j. A sign is decided in double where the filter proves it, else exactly.
 class CornerNormals {
  public:
   explicit CornerNormals(const Quad<double>& q) : q_(q) {
@@ -99,8 +99,9 @@ std::optional<Exact3> normal_of(const std::array<Exact3, 4>& q) {
   return std::nullopt;
 }
 
-// A point of the quad's plane. Rows run from P = a + v f along w = e + v g; the point, at the origin, lies on the row's line where P x w = 0, a quadratic
-// in v (whose roots Eq 19 of [T18] writes down for convex quads). Either root may do for quads that are not convex.
+// A point of the quad's plane. Rows run from P = a + v f along w = e + v g; the point, at the origin, lies on the row's
+// line where P x w = 0, a quadratic in v (whose roots Eq 19 of [T18] writes down for convex quads). Either root may do
+// for quads that are not convex.
 std::optional<BilinearPoint> on_plane_quad(const std::array<Exact3, 4>& q, const Exact3& point) {
   if (const auto found = on_border(q, point)) return found;
   const auto normal = normal_of(q);
@@ -124,14 +125,15 @@ std::optional<BilinearPoint> on_plane_quad(const std::array<Exact3, 4>& q, const
       if (from.sign() * way > 0 || from.plus(along).sign() * way < 0) break;
       const Mp200 s = v.value(), r = -from.value() / along.value();
       const auto number = [](const Mp200& m) { return std::clamp(static_cast<double>(m), 0.0, 1.0); };
-      return BilinearPoint{number(r), number(s), {number((1 - r) * (1 - s)), number(r * (1 - s)), number(r * s), number((1 - r) * s)}};
+      return BilinearPoint{
+          number(r), number(s), {number((1 - r) * (1 - s)), number(r * (1 - s)), number(r * s), number((1 - r) * s)}};
     }
   }
   return std::nullopt;
 }
 
-// The kernel of Eq 17 ([T18] Eq 26, any scale): the point's barycentric coordinates in the tetrahedron of the corners. They are bilinear basis functions
-// where all have one sign and k_0 k_2 = k_1 k_3.
+// The kernel of Eq 17 ([T18] Eq 26, any scale): the point's barycentric coordinates in the tetrahedron of the corners.
+// They are bilinear basis functions where all have one sign and k_0 k_2 = k_1 k_3.
 template <class R, class V>
 std::array<R, 4> kernel(const std::array<V, 4>& a) {
   const auto det = [&](int i, int j, int k) {
@@ -164,7 +166,8 @@ std::optional<BilinearPoint> on_twisted_quad(const std::array<Exact3, 4>& q, con
   const Rational sum = k[0] + k[1] + k[2] + k[3];
   for (Rational& x : k) x /= sum;
   if (*std::ranges::min_element(k) < 0 || k[0] * k[2] != k[1] * k[3]) return std::nullopt;
-  return BilinearPoint{exact::rounded(k[1] + k[2]), exact::rounded(k[2] + k[3]),
+  return BilinearPoint{exact::rounded(k[1] + k[2]),
+                       exact::rounded(k[2] + k[3]),
                        {exact::rounded(k[0]), exact::rounded(k[1]), exact::rounded(k[2]), exact::rounded(k[3])}};
 }
 
@@ -187,7 +190,8 @@ std::optional<std::string> invalid_because(const Quad<double>& q) {
     if (turns[i][0] * turns[i][2] < 0 && turns[i][1] * turns[i][3] < 0)
       return fmt::format("it crosses itself (a bow-tie), seen along the normal of its {}", around(i));
   for (int i = 0; i < 4; ++i)
-    if (std::ranges::min(turns[i]) <= 0) return fmt::format("it folds over: it is not convex, seen along the normal of its {}", around(i));
+    if (std::ranges::min(turns[i]) <= 0)
+      return fmt::format("it folds over: it is not convex, seen along the normal of its {}", around(i));
   return std::nullopt;
 }
 

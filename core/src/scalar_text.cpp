@@ -48,12 +48,10 @@ std::string format_scalar(const R& x) {
   }
 }
 
-std::string format_hex(double x) {
-  return std::isfinite(x) ? fmt::format("{:a}", x) : format_scalar(x);
-}
+std::string format_hex(double x) { return std::isfinite(x) ? fmt::format("{:a}", x) : format_scalar(x); }
 
-#define CAGEPROOF_INSTANTIATE(R)                                 \
-  template std::optional<R> parse_scalar<R>(std::string_view);   \
+#define CAGEPROOF_INSTANTIATE(R)                               \
+  template std::optional<R> parse_scalar<R>(std::string_view); \
   template std::string format_scalar<R>(const R&);
 CAGEPROOF_INSTANTIATE(float)
 CAGEPROOF_INSTANTIATE(double)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/embedded_cages.h"
 
+#include "cageproof/core/element.h"
 #include "support.h"
 
 #include <cmath>
@@ -14,6 +15,13 @@ using testing_support::expect_parts;
 using testing_support::input_error_of;
 using testing_support::volume;
 
+std::vector<Cage> surfaces() {
+  std::vector<Cage> found;
+  for (const auto name : embedded_cage_names())
+    if (Cage cage = embedded_cage(name); cage.dimension() == 3) found.push_back(std::move(cage));
+  return found;
+}
+
 int quads_of(const Cage& cage) {
   return static_cast<int>(std::ranges::count(cage.faces(), 4, [](const Face& face) { return face.size(); }));
 }
@@ -26,8 +34,8 @@ double bulge(const Cage& cage, const Face& face) {
 }
 
 TEST(embedded_cages, have_the_stated_names_and_order) {
-  const std::vector<std::string_view> names{"cube",        "icosphere", "torus",    "l-block",
-                                            "twisted-bar", "thin-box",  "spiky-box"};
+  const std::vector<std::string_view> names{"cube",        "icosphere", "torus",     "l-block",
+                                            "twisted-bar", "thin-box",  "spiky-box", "square"};
   EXPECT_EQ(embedded_cage_names(), names);
   for (const auto name : names) EXPECT_EQ(embedded_cage(name).name(), name);
 }
@@ -35,7 +43,7 @@ TEST(embedded_cages, have_the_stated_names_and_order) {
 TEST(embedded_cages, are_small_and_of_order_one) {
   for (const auto name : embedded_cage_names()) {
     const Cage cage = embedded_cage(name);
-    EXPECT_LE(cage.triangulate(Triangulation::Shortest).triangles.size(), 100u) << name;
+    EXPECT_LE(cage.parts(false, Triangulation::Shortest).elements.size(), 100u) << name;
     EXPECT_GT(cage.size(), 1) << name;
     EXPECT_LT(cage.size(), 5) << name;
   }
@@ -60,24 +68,22 @@ TEST(embedded_cages, have_the_counts_and_volume_of_their_shape) {
 }
 
 TEST(embedded_cages, have_the_genus_of_their_shape) {
-  for (const auto name : embedded_cage_names()) {
-    const Cage cage = embedded_cage(name);
+  for (const Cage& cage : surfaces()) {
     std::set<std::pair<int, int>> edges;
     for (const Face& face : cage.faces())
       for (int k = 0; k < face.size(); ++k)
         edges.insert(std::minmax(face.vertices[k], face.vertices[(k + 1) % face.size()]));
     const auto characteristic =
         static_cast<int>(cage.vertices().size() + cage.faces().size()) - static_cast<int>(edges.size());
-    EXPECT_EQ(characteristic, name == "torus" ? 0 : 2) << name;
+    EXPECT_EQ(characteristic, cage.name() == "torus" ? 0 : 2) << cage.name();
   }
 }
 
 TEST(embedded_cages, only_the_twisted_bar_has_curved_quads) {
-  for (const auto name : embedded_cage_names()) {
-    const Cage cage = embedded_cage(name);
+  for (const Cage& cage : surfaces()) {
     int curved = 0;
     for (const Face& face : cage.faces()) curved += bulge(cage, face) > 1e-14;
-    EXPECT_EQ(curved, name == "twisted-bar" ? 16 : 0) << name;
+    EXPECT_EQ(curved, cage.name() == "twisted-bar" ? 16 : 0) << cage.name();
   }
 }
 
@@ -94,6 +100,21 @@ TEST(embedded_cages, torus_encloses_less_than_the_round_one) {
   const double round = 2 * std::numbers::pi * std::numbers::pi * 0.16;
   EXPECT_LT(volume(embedded_cage("torus")), round);
   EXPECT_GT(volume(embedded_cage("torus")), 0.7 * round);
+}
+
+TEST(embedded_cages, square_is_the_unit_square_counter_clockwise) {
+  const Cage cage = embedded_cage("square");
+  EXPECT_EQ(cage.dimension(), 2);
+  ASSERT_EQ(cage.faces().size(), 4u);
+  double twice_area = 0;
+  for (const Face& face : cage.faces()) {
+    EXPECT_EQ(face.kind(), ElementKind::Segment);
+    const Vec3<double>&a = cage.vertices()[face.vertices[0]], &b = cage.vertices()[face.vertices[1]];
+    EXPECT_DOUBLE_EQ((b - a).norm(), 1);
+    EXPECT_EQ(a[2], 0);
+    twice_area += a[0] * b[1] - a[1] * b[0];
+  }
+  EXPECT_DOUBLE_EQ(twice_area, 2);
 }
 
 TEST(embedded_cages, unknown_name_lists_those_there_are) {

@@ -171,10 +171,11 @@ TEST(read_cage, names_file_and_face_of_invalid_cages) {
   expect_parts(input_error_of([&] { read_cage(points); }), {"points.obj: no faces"});
 }
 
-TEST(read_cage, gives_back_every_embedded_cage) {
+TEST(read_cage, gives_back_every_embedded_surface) {
   const TemporaryFolder folder;
   for (const auto name : embedded_cage_names()) {
     const Cage cage = embedded_cage(name);
+    if (cage.dimension() != 3) continue;  // files hold surfaces
     std::string text;
     for (const auto& v : cage.vertices()) text += fmt::format("v {} {} {}\n", v[0], v[1], v[2]);
     for (const Face& face : cage.faces()) {

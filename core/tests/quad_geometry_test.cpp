@@ -25,9 +25,13 @@ void expect_reason(const Q& q, const std::string& part) {
   EXPECT_NE(reason->find(part), std::string::npos) << *reason;
 }
 
-Vec at(const Q& q, const BilinearPoint& p) { return p.basis[0] * q[0] + p.basis[1] * q[1] + p.basis[2] * q[2] + p.basis[3] * q[3]; }
+Vec at(const Q& q, const BilinearPoint& p) {
+  return p.basis[0] * q[0] + p.basis[1] * q[1] + p.basis[2] * q[2] + p.basis[3] * q[3];
+}
 
-Vec at(const Q& q, double u, double v) { return (1 - u) * (1 - v) * q[0] + u * (1 - v) * q[1] + u * v * q[2] + (1 - u) * v * q[3]; }
+Vec at(const Q& q, double u, double v) {
+  return (1 - u) * (1 - v) * q[0] + u * (1 - v) * q[1] + u * v * q[2] + (1 - u) * v * q[3];
+}
 
 void expect_on(const Q& q, const Vec& point, double u, double v) {
   const auto found = on_quad(q, point);

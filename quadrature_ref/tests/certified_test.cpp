@@ -123,8 +123,10 @@ TEST(Certified, declines_where_nothing_converges) {
 // At nu = 1/2 the traction's kernel vanishes in the plane, and so, exactly, does the ball; its gradient does not.
 TEST(Certified, vanishing_tensors_are_exact_zeros) {
   const Vec3<double> beside(3, 0, 1);
-  for (const auto& [formula, nu] : std::vector<std::pair<std::string, std::optional<double>>>{
-           {"triangle.kelvin_traction", .5}, {"triangle.double_layer", std::nullopt}, {"triangle.mean_value", std::nullopt}}) {
+  for (const auto& [formula, nu] :
+       std::vector<std::pair<std::string, std::optional<double>>>{{"triangle.kelvin_traction", .5},
+                                                                  {"triangle.double_layer", std::nullopt},
+                                                                  {"triangle.mean_value", std::nullopt}}) {
     const auto r = enclosed(formula, kEighth, beside, 2, {}, nu);
     EXPECT_TRUE(r.converged) << formula;
     for (std::size_t i = 0; i < r.value.size(); ++i) EXPECT_TRUE(r.value[i] == 0 && r.value_radius[i] == 0) << formula;
@@ -146,14 +148,16 @@ TEST(Certified, precisions_agree) {
   int index = 0;
   for (const Sample& sample : regime_samples(5)) {
     const std::string formula = index++ % 3 == 0 ? "triangle.mean_value" : "triangle.double_layer";
-    const auto coarse = enclosed<Mp200>(formula, sample.corners, sample.point, 2, {.first_bits = 128, .most_bits = 128});
+    const auto coarse =
+        enclosed<Mp200>(formula, sample.corners, sample.point, 2, {.first_bits = 128, .most_bits = 128});
     const auto fine = enclosed<Mp200>(formula, sample.corners, sample.point, 2, {.first_bits = 512, .most_bits = 512});
     EXPECT_TRUE(fine.converged) << formula << ' ' << sample.regime;
     for (int o = 0; o <= 2; ++o)
       for (std::size_t i = 0; i < fine.of(o).size(); ++i) {
         const Mp200 &a = coarse.of(o)[i], &b = fine.of(o)[i], &ra = coarse.radius_of(o)[i], &rb = fine.radius_of(o)[i];
         if (isnan(a)) continue;  // nothing known at 128 bits
-        EXPECT_TRUE(abs(Mp200(a - b)) <= ra + rb && rb <= ra) << formula << ' ' << sample.regime << ' ' << o << ' ' << i;
+        EXPECT_TRUE(abs(Mp200(a - b)) <= ra + rb && rb <= ra)
+            << formula << ' ' << sample.regime << ' ' << o << ' ' << i;
       }
   }
 }
@@ -170,8 +174,8 @@ TEST(Certified, independent_integrator_lies_inside_and_nothing_near_it) {
     std::vector<Mp50> parameters;
     for (const Mp100& p : parameters_of(formula)) parameters.emplace_back(p);
     Result<Mp50> integral;
-    (*EvaluationRegister::instance().find(formula, "multiprecision"))({corners, convert<Mp50>(sample.point), 2, parameters},
-                                                                     integral);
+    (*EvaluationRegister::instance().find(formula, "multiprecision"))(
+        {corners, convert<Mp50>(sample.point), 2, parameters}, integral);
     for (int o = 0; o <= 2; ++o) {
       Mp100 norm = 0, widest = 0;
       for (const Mp50& x : integral.of(o)) norm = std::max(norm, Mp100(abs(x)));
@@ -198,7 +202,8 @@ TEST(Certified, orders_asked_alone_are_the_same) {
       const auto some = enclosed(name, kEighth, point, order);
       EXPECT_TRUE(some.of(order + 1).empty() && some.radius_of(order + 1).empty()) << name;
       for (std::size_t i = 0; i < some.of(order).size(); ++i)
-        EXPECT_TRUE(abs(Mp100(some.of(order)[i] - all.of(order)[i])) <= some.radius_of(order)[i] + all.radius_of(order)[i]);
+        EXPECT_TRUE(abs(Mp100(some.of(order)[i] - all.of(order)[i])) <=
+                    some.radius_of(order)[i] + all.radius_of(order)[i]);
     }
   }
 }

@@ -114,8 +114,9 @@ TEST(Quad, multiprecision_keeps_its_word_and_the_mean_vector) {
 
 // Derivatives of both sides of sum_k w_k (q_k - eta) = m: the right one's by central differences of step 1e-19.
 TEST(Quad, derivatives_of_the_mean_vector_relation) {
-  for (const QuadSample& s : {QuadSample{"twisted", kTwisted, {.4, .5, -.2}}, QuadSample{"planar", kPlanar, {1.5, .3, .01}},
-                              QuadSample{"saddle", kSaddle, on(kSaddle, .5, .5) + Vec(0, 0, .001)}}) {
+  for (const QuadSample& s :
+       {QuadSample{"twisted", kTwisted, {.4, .5, -.2}}, QuadSample{"planar", kPlanar, {1.5, .3, .01}},
+        QuadSample{"saddle", kSaddle, on(kSaddle, .5, .5) + Vec(0, 0, .001)}}) {
     const auto r = evaluate_quad<Mp50>("multiprecision", s, 2);
     const Quad<Mp50> q = wide(s.corners);
     const Vec3<Mp100> eta = convert<Mp100>(s.point);
@@ -156,8 +157,9 @@ TEST(Quad, derivatives_of_the_mean_vector_relation) {
 
 // A hat function of the whole is the combination of its four quarters' hats with its values at their corners.
 TEST(Quad, is_the_sum_over_its_four_quarters) {
-  for (const QuadSample& s : {QuadSample{"twisted", kTwisted, on(kTwisted, .25, .25) + Vec(0, 0, 1e-3)},
-                              QuadSample{"planar", kPlanar, {.3, .4, -.2}}, QuadSample{"saddle", kSaddle, {.9, -.1, .3}}}) {
+  for (const QuadSample& s :
+       {QuadSample{"twisted", kTwisted, on(kTwisted, .25, .25) + Vec(0, 0, 1e-3)},
+        QuadSample{"planar", kPlanar, {.3, .4, -.2}}, QuadSample{"saddle", kSaddle, {.9, -.1, .3}}}) {
     const Quad<Mp50> q = wide(s.corners);
     const Vec3<Mp50> point = convert<Mp50>(s.point);
     const auto whole = evaluate_quad<Mp50>("multiprecision", q, point, 2);
@@ -177,7 +179,8 @@ TEST(Quad, is_the_sum_over_its_four_quarters) {
           const std::size_t entries = r.of(o).size() / 4;
           for (int k = 0; k < 4; ++k)
             for (int c = 0; c < 4; ++c)
-              for (std::size_t e = 0; e < entries; ++e) sum.of(o)[c * entries + e] += hat[k][c] * r.of(o)[k * entries + e];
+              for (std::size_t e = 0; e < entries; ++e)
+                sum.of(o)[c * entries + e] += hat[k][c] * r.of(o)[k * entries + e];
         }
       }
     for (int o = 0; o < 3; ++o) EXPECT_LT(log10_error(sum.of(o), whole.of(o)), -28) << s.kind << o;
@@ -216,12 +219,13 @@ TEST(Quad, adaptive_is_honest) {
   for (const QuadSample& s : samples()) {
     const Result<Mp50>& truth = references()[count++];
     const auto found = evaluate_quad<double>("adaptive", s, 0);
-    EXPECT_LE(found.nodes, kQuadAdaptiveNodeLimit);
+    EXPECT_LE(found.nodes, kAdaptiveNodeLimit);
     if (found.stated_digits > 0) {
       EXPECT_LE(log10_error(found.value, truth.value), -found.stated_digits) << s.kind;
     }
     met += found.converged;
-    if (s.point.norm() < 100 && s.kind.starts_with("twisted")) met_float += evaluate_quad<float>("adaptive", s, 1).converged;
+    if (s.point.norm() < 100 && s.kind.starts_with("twisted"))
+      met_float += evaluate_quad<float>("adaptive", s, 1).converged;
   }
   EXPECT_EQ(met, count);
   EXPECT_GE(met_float, 8);
@@ -243,7 +247,8 @@ TEST(Quad, without_a_limit_on_the_quad_and_without_geometry) {
   bad.corners[2][1] = std::numeric_limits<double>::infinity();
   const QuadSample line{"line", {Vec(0, 0, 0), Vec(1, 0, 0), Vec(2, 0, 0), Vec(3, 0, 0)}, {.1, .1, .1}};
   for (const char* name : {"gauss-4", "adaptive", "multiprecision"})
-    for (const QuadSample& s : {bad, line}) EXPECT_TRUE(std::isnan(evaluate_quad<double>(name, s, 1).gradient[0])) << name;
+    for (const QuadSample& s : {bad, line})
+      EXPECT_TRUE(std::isnan(evaluate_quad<double>(name, s, 1).gradient[0])) << name;
 }
 
 TEST(Quad, units_of_length_change_nothing_but_the_scale) {

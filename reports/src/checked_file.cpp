@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/checked_file.h"
 
+#include "aside.h"
+
 #include "cageproof/core/input_error.h"
 
 #include <fmt/format.h>
-
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -35,18 +35,18 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
 }
 
 void replace_file(const std::filesystem::path& path, std::string_view bytes) {
-  const std::filesystem::path aside =
-      path.parent_path() / fmt::format(".{}.partial-{}", path.filename().string(), ::getpid());
+  remove_leftovers(path);
+  const std::filesystem::path fresh = aside(path, 0);
   std::error_code ignored;
   try {
-    write_file(aside, bytes);
+    write_file(fresh, bytes);
   } catch (const InputError&) {
-    std::filesystem::remove(aside, ignored);
+    std::filesystem::remove(fresh, ignored);
     throw;
   }
-  if (std::rename(aside.c_str(), path.c_str()) == 0) return;
+  if (std::rename(fresh.c_str(), path.c_str()) == 0) return;
   const int reason = errno;
-  std::filesystem::remove(aside, ignored);
+  std::filesystem::remove(fresh, ignored);
   errno = reason;
   fail("write", path);
 }

@@ -28,6 +28,7 @@ const ImageField::Array& array_named(const std::vector<ImageField::Array>& array
                                      std::size_t samples);
 
 /// Several components are shown by their magnitude; what is beyond given limits takes the colour at that end.
-Colours colours_of(const ImageField::Array& array, ColourScale scale, std::optional<ColourLimits> limits = std::nullopt);
+Colours colours_of(const ImageField::Array& array, ColourScale scale,
+                   std::optional<ColourLimits> limits = std::nullopt);
 
 }  // namespace cageproof::reports

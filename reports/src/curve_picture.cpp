@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "curve_picture.h"
 
+#include "cageproof/core/role.h"
+#include "digest.h"
 #include "figure.h"
 
 #include <fmt/format.h>
@@ -25,24 +27,29 @@ constexpr std::size_t kManyPoints = 40;
 class Styles {
  public:
   explicit Styles(const RunResult& result) {
-    note(evaluations_, "closed_form");
+    note(evaluations_, std::string(leading));
     note(scalars_, "double");
-    for (const ResultCurve& curve : result.curves) note(evaluations_, curve.evaluation), note(scalars_, curve.scalar);
+    for (const ResultCurve& curve : result.curves) note(evaluations_, key_of(curve)), note(scalars_, curve.scalar);
   }
   std::string line(const ResultCurve& curve) const {
-    const std::size_t k = index(evaluations_, curve.evaluation), scalar = index(scalars_, curve.scalar);
+    const std::size_t k = index(evaluations_, key_of(curve)), scalar = index(scalars_, curve.scalar);
     return fmt::format("linecolor rgb '{}' dashtype {} linewidth {} pointtype {} pointsize {}", colour(curve),
                        scalar % 5 + 1, k == 0 && scalar == 0 ? 1.8 : 1,
                        kShapes[k % kShapes.size()][scalar == 0 ? 0 : 1],
                        curve.errors.size() > kManyPoints ? 0.25 : 0.6);
   }
   const char* colour(const ResultCurve& curve) const {
-    return kColours[index(evaluations_, curve.evaluation) % kColours.size()];
+    return kColours[index(evaluations_, key_of(curve)) % kColours.size()];
   }
 
  private:
   static void note(std::vector<std::string>& names, const std::string& name) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  // Recommended evaluations look alike, whatever their names.
+  static constexpr std::string_view leading = name_of(Role::Recommended);
+  static std::string key_of(const ResultCurve& curve) {
+    return is_recommended(curve.subject, curve.evaluation) ? std::string(leading) : curve.evaluation;
   }
   static std::size_t index(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) - names.begin();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "digest.h"
 
-#include "cageproof/core/formula.h"
+#include "cageproof/core/evaluation.h"
 #include "figure.h"
 
 #include <fmt/format.h>
@@ -22,6 +22,11 @@ const ResultRow* ErrorTable::at(const std::string& regime, const Column& column,
         row->scalar == column.scalar)
       return row;
   return nullptr;
+}
+
+bool is_recommended(const std::string& formula, const std::string& evaluation) {
+  const auto found = EvaluationRegister::instance().find(formula, evaluation);
+  return found && found->role() == Role::Recommended;
 }
 
 std::string verdict_line(const RunResult& result) {
@@ -55,11 +60,7 @@ std::vector<std::string> subjects(const RunResult& result, Section section) {
     if (row.section == section) rows.push_back(&row);
   std::vector<std::string> names =
       distinct(rows, [](const ResultRow* row) -> const std::string& { return row->subject; });
-  const auto rank = [](const std::string& name) {
-    const Formula* formula = find_formula(name);
-    return formula ? formula - catalogue().data() : static_cast<std::ptrdiff_t>(catalogue().size());
-  };
-  std::ranges::stable_sort(names, {}, rank);
+  std::ranges::stable_sort(names, {}, [](const std::string& name) { return rank_of(name); });
   return names;
 }
 
@@ -73,8 +74,8 @@ ErrorTable truth_table(const RunResult& result, const std::string& subject) {
   }
   table.regimes = distinct(table.rows, [](const ResultRow* row) -> const std::string& { return row->regime; });
   // What users run comes first.
-  std::ranges::stable_partition(table.columns, [](const Column& column) {
-    return column.evaluation == "closed_form" && column.scalar == "double";
+  std::ranges::stable_partition(table.columns, [&](const Column& column) {
+    return column.scalar == "double" && is_recommended(subject, column.evaluation);
   });
   return table;
 }

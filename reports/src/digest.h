@@ -26,6 +26,9 @@ struct ErrorTable {
   const ResultRow* at(const std::string& regime, const Column& column, int order) const;
 };
 
+/// Whether an evaluation is a formula's recommended one: what users run, which every table and picture shows first.
+bool is_recommended(const std::string& formula, const std::string& evaluation);
+
 using Rows = std::vector<const ResultRow*>;
 
 /// "all promises kept", or how many are broken, or that nothing was promised.

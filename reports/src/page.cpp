@@ -64,6 +64,21 @@ Data pairs(const std::map<std::string, std::string>& map) {
   return list;
 }
 
+void set_environment(Data& page, const RunResult& result) {
+  Data sessions{Data::type::list}, notes{Data::type::list};
+  for (const Session& session : result.sessions) {
+    Data data;
+    data.set("command_line", session.command_line);
+    data.set("started", session.started);
+    data.set("seconds", fmt::format("{:.1f}", session.seconds));
+    data.set("machine", pairs(session.machine));
+    sessions << data;
+  }
+  for (const std::string& note : result.session_notes) notes << Data(note);
+  page.set("sessions", sessions);
+  set_list(page, "session_notes", notes);
+}
+
 }  // namespace
 
 std::string page(const RunResult& result, const std::vector<CurvePicture>& curves,
@@ -83,11 +98,8 @@ std::string page(const RunResult& result, const std::vector<CurvePicture>& curve
   data.set("version", result.version);
   data.set("suite", result.suite);
   data.set("seed", fmt::format("{}", result.seed));
-  data.set("command_line", result.command_line);
-  data.set("started", result.started);
-  data.set("seconds", fmt::format("{:.1f}", result.seconds));
   data.set("settings", pairs(result.settings));
-  data.set("machine", pairs(result.machine));
+  set_environment(data, result);
   kainjow::mustache::mustache sheet(kPageTemplate);
   if (!sheet.is_valid()) throw std::logic_error("page.mustache: " + sheet.error_message());
   return sheet.render(data);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "report_folder.h"
 
-#include "cageproof/reports/checked_file.h"
+#include "aside.h"
+
 #include "cageproof/core/input_error.h"
+#include "cageproof/reports/checked_file.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <string_view>
 #include <system_error>
 
 namespace cageproof::reports {
@@ -25,10 +25,7 @@ namespace fs = std::filesystem;
   throw InputError(fmt::format("cannot write {}: {}", path.string(), reason));
 }
 
-bool is_of_kind(const fs::path& summary, const FolderKind& kind) {
-  const auto json = nlohmann::json::parse(read_file(summary), nullptr, false);
-  return json.is_object() && json.contains("schema") && json["schema"] == kind.schema;
-}
+[[noreturn]] void fail_by_errno(const fs::path& path) { fail(path, std::generic_category().message(errno)); }
 
 // What is replaced must be ours to replace: a mistyped --out must never cost someone a folder.
 void require_replaceable(const fs::path& out, const FolderKind& kind) {
@@ -37,19 +34,22 @@ void require_replaceable(const fs::path& out, const FolderKind& kind) {
   if (status.type() == fs::file_type::not_found) return;
   if (error) fail(out, error.message());
   if (!fs::is_directory(status)) fail(out, "exists and is no folder");
-  bool any = false;
+  const bool empty = fs::is_empty(out, error);
+  if (error) fail(out, error.message());
+  if (empty) return;
+  const bool ours = kind.holds(out);
+  for (const FolderKind* other : {&report_kind(), &shard_kind(), &field_kind(), &work_precision_kind()})
+    if (!ours && other->holds(out))
+      fail(out, fmt::format("the folder holds {}, which {} does not replace", other->what, kind.what));
   for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
-    any = true;
     const std::string name = entry.path().filename().string();
     if (std::ranges::find(kind.parts, name) == kind.parts.end())
-      fail(out, fmt::format("the folder holds '{}', which is no part of a {}", name, kind.what));
+      fail(out, fmt::format("the folder holds '{}', which is no part of {}", name, kind.what));
   }
   if (error) fail(out, error.message());
-  if (any && !(fs::is_regular_file(out / kind.summary, error) && is_of_kind(out / kind.summary, kind)))
-    fail(out, fmt::format("the folder is not empty and holds no {}", kind.what));
+  if (!ours) fail(out, fmt::format("the folder is not empty and does not hold {}", kind.what));
 }
 
-// The folder itself, so that a link stays a link to the new report and "report/" names what "report" does.
 fs::path resolved(const fs::path& out) {
   if (out.empty()) throw InputError("cannot write the report: its folder has an empty name");
   std::error_code error;
@@ -68,30 +68,48 @@ void make_folder(const fs::path& path) {
   if (error) fail(path, error.message());
 }
 
-}  // namespace
-
-const FolderKind& report_kind() {
-  static const FolderKind kind{"report",
-                               {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "fields", "pictures"},
-                               {"fields", "pictures"},
-                               "summary.json",
-                               "cageproof-summary"};
-  return kind;
+// A fresh folder beside `out`.
+fs::path staging_for(const fs::path& out) {
+  std::error_code error;
+  for (int n = 0;; ++n) {
+    const fs::path candidate = aside(out, n);
+    if (fs::create_directory(candidate, error)) return candidate;
+    if (error) fail(out, error.message());
+  }
 }
 
-ReportFolder::ReportFolder(const fs::path& out, const FolderKind& kind) : kind_(&kind), out_(resolved(out)) {
-  require_replaceable(out_, kind);
-  std::error_code error;
-  for (int n = 0; staging_.empty(); ++n) {
-    const fs::path candidate =
-        out_.parent_path() / fmt::format(".{}.partial-{}-{}", out_.filename().string(), ::getpid(), n);
-    if (fs::create_directory(candidate, error)) staging_ = candidate;
-    else if (error) fail(out_, error.message());
+}  // namespace
+
+fs::path replaceable_folder(const fs::path& out, const FolderKind& kind) {
+  const fs::path path = resolved(out);
+  remove_leftovers(path);
+  require_replaceable(path, kind);
+  return path;
+}
+
+void begin_folder(const fs::path& out, std::string_view file, std::string_view bytes) {
+  const fs::path staging = staging_for(out);
+  std::error_code ignored;
+  try {
+    write_file(staging / file, bytes);
+    // Onto nothing, or an empty folder, the folder itself; into an earlier one, the file.
+    if (std::rename(staging.c_str(), out.c_str()) == 0) return;
+    if (errno != ENOTEMPTY && errno != EEXIST) fail_by_errno(out);
+    if (std::rename((staging / file).c_str(), (out / file).c_str()) != 0) fail_by_errno(out / file);
+  } catch (...) {
+    fs::remove_all(staging, ignored);
+    throw;
   }
+  fs::remove_all(staging, ignored);
+}
+
+ReportFolder::ReportFolder(const fs::path& out, const FolderKind& kind)
+    : kind_(&kind), out_(replaceable_folder(out, kind)), staging_(staging_for(out_)) {
   try {
     for (const std::string_view folder : kind.folders) make_folder(staging_ / folder);
   } catch (...) {
-    fs::remove_all(staging_, error);
+    std::error_code ignored;
+    fs::remove_all(staging_, ignored);
     throw;
   }
 }
@@ -108,7 +126,7 @@ void ReportFolder::commit() {
     committed_ = true;
     return;
   }
-  if (errno != ENOTEMPTY && errno != EEXIST) fail(out_, std::generic_category().message(errno));
+  if (errno != ENOTEMPTY && errno != EEXIST) fail_by_errno(out_);
   std::error_code ignored;
   if (::renameat2(AT_FDCWD, staging_.c_str(), AT_FDCWD, out_.c_str(), RENAME_EXCHANGE) == 0) {
     committed_ = true;
@@ -116,15 +134,15 @@ void ReportFolder::commit() {
     return;
   }
   // Some network file systems cannot exchange: step aside, and back when the second step fails.
-  const fs::path aside = staging_.string() + ".earlier";
-  if (std::rename(out_.c_str(), aside.c_str()) != 0) fail(out_, std::generic_category().message(errno));
+  const fs::path old = earlier(staging_);
+  if (std::rename(out_.c_str(), old.c_str()) != 0) fail_by_errno(out_);
   if (std::rename(staging_.c_str(), out_.c_str()) != 0) {
     const int reason = errno;
-    std::rename(aside.c_str(), out_.c_str());
+    std::rename(old.c_str(), out_.c_str());
     fail(out_, std::generic_category().message(reason));
   }
   committed_ = true;
-  fs::remove_all(aside, ignored);
+  fs::remove_all(old, ignored);
 }
 
 }  // namespace cageproof::reports

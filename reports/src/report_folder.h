@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The folder a report is written in, and its move into place.
+// The folders that the program writes: what each kind may hold, how one is begun, and how it is replaced as a whole.
 #pragma once
 
 #include <filesystem>
@@ -8,23 +8,41 @@
 
 namespace cageproof::reports {
 
-/// What a folder holds, by which one of ours is known again: only such a one, or an empty one, is replaced.
+/// What a folder holds, by which one of ours is known again: only one of the same kind, or an empty one, is replaced.
 struct FolderKind {
-  std::string_view what;                  ///< "report": for messages
-  std::vector<std::string_view> parts;    ///< every entry it may hold
-  std::vector<std::string_view> folders;  ///< of these, the folders
-  std::string_view summary;               ///< the JSON file that says what it is ...
-  std::string_view schema;                ///< ... in its member "schema"
+  std::string_view what;                        ///< "a verification report": for messages
+  std::vector<std::string_view> parts;          ///< every entry it may hold
+  std::vector<std::string_view> folders;        ///< of these, the folders
+  bool (*holds)(const std::filesystem::path&);  ///< whether the folder says that it is of this kind
 };
 
-/// summary.json, summary.md, results.csv, worst.jsonl, index.html, fields/, pictures/.
+/// journal, summary.json, summary.md, results.csv, worst.jsonl, index.html, fields/, pictures/; or the journal alone.
 const FolderKind& report_kind();
+
+/// The journal of one shard.
+const FolderKind& shard_kind();
+
+/// What `field` writes: as a report, without a journal.
+const FolderKind& field_kind();
+
+/// work_precision.csv, work_precision.json, pictures/.
+const FolderKind& work_precision_kind();
+
+/// The folder itself: a link stays a link to what it will hold, and "report/" names what "report" does. Removes what
+/// killed processes left beside it. \throws InputError when it is the root, its parent does not exist or cannot be
+/// written, or it holds anything but one of that kind
+std::filesystem::path replaceable_folder(const std::filesystem::path& out, const FolderKind& kind);
+
+/// Puts a first file into the folder, which is made unless it is there, in one step: nobody ever sees the folder
+/// without the whole file. Other files of an earlier one stay. \param out of replaceable_folder \throws InputError when
+/// it cannot be written
+void begin_folder(const std::filesystem::path& out, std::string_view file, std::string_view bytes);
 
 /// A folder beside the final one; renamed onto it by commit(), removed by the destructor otherwise.
 class ReportFolder {
  public:
-  /// \throws InputError as ReportWriter
-  explicit ReportFolder(const std::filesystem::path& out, const FolderKind& kind = report_kind());
+  /// \throws InputError as replaceable_folder
+  explicit ReportFolder(const std::filesystem::path& out, const FolderKind& kind);
   ~ReportFolder();
   ReportFolder(const ReportFolder&) = delete;
   ReportFolder& operator=(const ReportFolder&) = delete;

@@ -3,6 +3,8 @@
 
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/reports/checked_file.h"
+#include "cageproof/reports/journal.h"
+#include "cageproof/reports/summary.h"
 #include "colours.h"
 #include "curve_picture.h"
 #include "field_picture.h"
@@ -20,7 +22,9 @@
 namespace cageproof::reports {
 
 struct ReportWriter::State {
-  explicit State(const std::filesystem::path& out) : folder(out) {}
+  State(const std::filesystem::path& out, Kind what)
+      : kind(what), folder(out, what == Kind::Field ? field_kind() : report_kind()) {}
+  Kind kind;
   ReportFolder folder;
   std::set<std::string> names;    ///< of fields, so that none overwrites another
   std::vector<Picture> pictures;  ///< drawn by write(), all at once
@@ -33,7 +37,7 @@ struct ReportWriter::State {
   }
 };
 
-ReportWriter::ReportWriter(const std::filesystem::path& out) : state_(std::make_unique<State>(out)) {}
+ReportWriter::ReportWriter(const std::filesystem::path& out, Kind kind) : state_(std::make_unique<State>(out, kind)) {}
 ReportWriter::~ReportWriter() = default;
 
 FieldEntry ReportWriter::write_image(const ImageField& field, const std::string& title, const std::string& shown,
@@ -63,7 +67,8 @@ FieldEntry ReportWriter::write_mesh(const MeshField& field, const std::string& t
 
 void ReportWriter::write(const RunResult& result) {
   const std::filesystem::path& folder = state_->folder.path();
-  write_file(folder / "summary.json", summary_json(result));
+  write_file(folder / "summary.json",
+             summary_json(result, state_->kind == Kind::Field ? "cageproof-field" : "cageproof-summary"));
   write_file(folder / "summary.md", summary_markdown(result));
   write_file(folder / "results.csv", results_csv(result));
   write_file(folder / "worst.jsonl", worst_lines(result));
@@ -73,6 +78,8 @@ void ReportWriter::write(const RunResult& result) {
   draw(pictures, folder);
   write_file(folder / "index.html", page(result, curves, folder));
 }
+
+void ReportWriter::write_journal(std::string_view text) { write_file(state_->folder.path() / journal_file, text); }
 
 void ReportWriter::commit() { state_->folder.commit(); }
 

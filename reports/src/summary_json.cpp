@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "cageproof/reports/summary.h"
+
 #include "json_value.h"
-#include "tables.h"
 
 #include <algorithm>
 
@@ -20,6 +21,17 @@ Json histogram(const std::vector<std::uint64_t>& counts) {
   const auto last = std::find_if(counts.rbegin(), counts.rend(), used).base();
   if (first == counts.end()) return {{"first", 0}, {"counts", Json::array()}};
   return {{"first", first - counts.begin()}, {"counts", std::vector<std::uint64_t>(first, last)}};
+}
+
+// All that may differ between runs with the same findings.
+Json environment(const RunResult& result) {
+  Json sessions = Json::array();
+  for (const Session& session : result.sessions)
+    sessions.push_back({{"started", session.started},
+                        {"seconds", json_number(session.seconds)},
+                        {"command_line", session.command_line},
+                        {"machine", session.machine}});
+  return {{"sessions", sessions}, {"notes", result.session_notes}};
 }
 
 Json row(const ResultRow& row, std::size_t& next_line) {
@@ -50,7 +62,8 @@ Json row(const ResultRow& row, std::size_t& next_line) {
 }
 
 Json erratum_json(const ErratumRow& row) {
-  Json json{{"source", row.source}, {"printed", row.printed}, {"correct", row.correct}, {"measured", !row.formula.empty()}};
+  Json json{
+      {"source", row.source}, {"printed", row.printed}, {"correct", row.correct}, {"measured", !row.formula.empty()}};
   if (row.formula.empty()) return json;
   json.update({{"formula", row.formula},
                {"order", row.order},
@@ -65,14 +78,10 @@ Json erratum_json(const ErratumRow& row) {
 
 }  // namespace
 
-std::string_view name_of(ResultRow::Section section) {
-  return section == ResultRow::Section::Element ? "element" : "cage";
-}
-
-std::string summary_json(const RunResult& result) {
+std::string summary_json(const RunResult& result, std::string_view schema) {
   const auto count = [&](Verdict verdict) { return std::ranges::count(result.rows, verdict, &ResultRow::verdict); };
-  Json json{{"schema", "cageproof-summary"},
-            {"schema_version", 1},
+  Json json{{"schema", schema},
+            {"schema_version", 2},
             {"all_kept", result.all_kept()},
             {"promises",
              {{"kept", count(Verdict::Kept)},
@@ -82,11 +91,7 @@ std::string summary_json(const RunResult& result) {
             {"suite", result.suite},
             {"seed", result.seed},
             {"settings", result.settings},
-            {"run",
-             {{"started", result.started},
-              {"seconds", json_number(result.seconds)},
-              {"command_line", result.command_line},
-              {"machine", result.machine}}},
+            {"environment", environment(result)},
             {"notes", result.notes},
             {"histogram_bins",
              {{"bins_per_decade", ErrorHistogram::bins_per_decade},

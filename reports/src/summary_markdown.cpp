@@ -132,7 +132,8 @@ std::string errata(const RunResult& result) {
             head({"where", "printed", "right", "formula", "order", "evaluation", "regime", "as printed", "corrected"}) +
             measured;
   if (!texts.empty())
-    text += "\nNot measured here: no formula of the catalogue shows them.\n\n" + head({"where", "printed", "right"}) + texts;
+    text += "\nNot measured here: no formula of the catalogue shows them.\n\n" + head({"where", "printed", "right"}) +
+            texts;
   return text;
 }
 
@@ -140,6 +141,19 @@ std::string pairs(const std::string& title, const std::map<std::string, std::str
   if (map.empty()) return "";
   std::string text = fmt::format("\n## {}\n\n", title);
   for (const auto& [key, value] : map) text += fmt::format("* {}: {}\n", escaped(key), escaped(value));
+  return text;
+}
+
+// Last, so that what may differ between runs with the same findings is the file's end.
+std::string environment(const RunResult& result) {
+  std::string text = "\n## Environment\n";
+  for (const Session& session : result.sessions) {
+    text += fmt::format("\n* started: {}, took {:.1f} s\n* command line: {}\n", escaped(session.started),
+                        session.seconds, escaped(session.command_line));
+    for (const auto& [key, value] : session.machine) text += fmt::format("* {}: {}\n", escaped(key), escaped(value));
+  }
+  if (!result.session_notes.empty()) text += "\n";
+  for (const std::string& note : result.session_notes) text += fmt::format("* {}\n", escaped(note));
   return text;
 }
 
@@ -158,10 +172,7 @@ std::string summary_markdown(const RunResult& result) {
   text += errata(result);
   if (!result.notes.empty()) text += "\n## Notes\n\n";
   for (const std::string& note : result.notes) text += fmt::format("* {}\n", escaped(note));
-  text += pairs("Settings", result.settings) + pairs("Machine", result.machine);
-  text += fmt::format("\n## Run\n\n* command line: {}\n* started: {}\n* seconds: {:.1f}\n",
-                      escaped(result.command_line), escaped(result.started), result.seconds);
-  return text;
+  return text + pairs("Settings", result.settings) + environment(result);
 }
 
 }  // namespace cageproof::reports

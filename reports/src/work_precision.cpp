@@ -14,25 +14,15 @@
 #include <array>
 
 namespace cageproof::reports {
-namespace {
-
-const FolderKind& work_precision_kind() {
-  static const FolderKind kind{"work-precision measurement",
-                               {"work_precision.csv", "work_precision.json", "pictures"},
-                               {"pictures"},
-                               "work_precision.json",
-                               "cageproof-work-precision"};
-  return kind;
-}
-
-}  // namespace
-
 std::string work_precision_csv(const WorkPrecision& r) {
-  std::string csv = "subject,where,place,distance,evaluation,order,samples,nonfinite,largest,rms,median,error,unit,nodes,nanoseconds\n";
+  std::string csv =
+      "subject,where,place,distance,evaluation,order,samples,nonfinite,largest,rms,median,error,unit,nodes,"
+      "nanoseconds\n";
   for (const WorkPrecisionRow& row : r.rows)
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(r.subject), csv_field(r.where), csv_field(row.place),
-                       row.distance, csv_field(row.evaluation), r.order, row.samples, row.nonfinite, row.largest, row.rms, row.median,
-                       csv_field(r.error), csv_field(r.unit), row.nodes, row.nanoseconds);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(r.subject), csv_field(r.where),
+                       csv_field(row.place), row.distance, csv_field(row.evaluation), r.order, row.samples,
+                       row.nonfinite, row.largest, row.rms, row.median, csv_field(r.error), csv_field(r.unit),
+                       row.nodes, row.nanoseconds);
   return csv;
 }
 
@@ -49,27 +39,31 @@ std::string work_precision_json(const WorkPrecision& r) {
                     {"median", json_number(row.median)},
                     {"nodes", row.nodes},
                     {"nanoseconds", row.nanoseconds}});
-  const Json all = {{"schema", "cageproof-work-precision"},
-                    {"schema_version", 1},
-                    {"subject", r.subject},
-                    {"where", r.where},
-                    {"error", r.error},
-                    {"unit", r.unit},
-                    {"timed", r.timed},
-                    {"order", r.order},
-                    {"seed", r.seed},
-                    {"settings", r.settings},
-                    {"notes", r.notes},
-                    {"rows", rows},
-                    {"run", {{"version", r.version}, {"command_line", r.command_line}, {"started", r.started}, {"machine", r.machine}}}};
+  const Json all = {
+      {"schema", "cageproof-work-precision"},
+      {"schema_version", 1},
+      {"subject", r.subject},
+      {"where", r.where},
+      {"error", r.error},
+      {"unit", r.unit},
+      {"timed", r.timed},
+      {"order", r.order},
+      {"seed", r.seed},
+      {"settings", r.settings},
+      {"notes", r.notes},
+      {"rows", rows},
+      {"run",
+       {{"version", r.version}, {"command_line", r.command_line}, {"started", r.started}, {"machine", r.machine}}}};
   return dump(all) + "\n";
 }
 
 std::string work_precision_text(const WorkPrecision& r) {
-  std::vector<std::array<std::string, 8>> lines{{"place", "evaluation", "samples", "largest", "rms", "median", "nodes", "ns/" + r.timed}};
+  std::vector<std::array<std::string, 8>> lines{
+      {"place", "evaluation", "samples", "largest", "rms", "median", "nodes", "ns/" + r.timed}};
   for (const WorkPrecisionRow& row : r.rows)
-    lines.push_back({row.place, row.evaluation, fmt::format("{}", row.samples), short_error(row.largest), short_error(row.rms),
-                     short_error(row.median), fmt::format("{:.0f}", row.nodes), fmt::format("{:.0f}", row.nanoseconds)});
+    lines.push_back({row.place, row.evaluation, fmt::format("{}", row.samples), short_error(row.largest),
+                     short_error(row.rms), short_error(row.median), fmt::format("{:.0f}", row.nodes),
+                     fmt::format("{:.0f}", row.nanoseconds)});
   std::array<std::size_t, 8> width{};
   for (const auto& line : lines)
     for (std::size_t c = 0; c < line.size(); ++c) width[c] = std::max(width[c], line[c].size());

@@ -66,24 +66,30 @@ Picture work_precision_picture(const WorkPrecision& result, WorkAxis axis, std::
       std::string lines;
       for (const auto& [w, error] : points) lines += fmt::format("{} {}\n", w, error);
       blocks += fmt::format("$d{} << EOD\n{}EOD\n", block, lines);
-      add(plot, fmt::format("$d{} with linespoints linecolor rgb '{}' pointtype 7 pointsize 0.8 notitle", block, colour));
+      add(plot,
+          fmt::format("$d{} with linespoints linecolor rgb '{}' pointtype 7 pointsize 0.8 notitle", block, colour));
       ++block;
     }
     key += fmt::format(", keyentry with linespoints linecolor rgb '{}' pointtype 7 title {}", colour,
                        gnuplot_text(places[p]));
   }
-  std::string text = blocks + fmt::format(
-      "set logscale xy\nset format '10^{{%T}}'\nset border 3 linecolor rgb '#666666'\nset tics nomirror scale 0.5\n"
-      "set grid xtics ytics linetype 1 linecolor rgb '#e0e0e0' linewidth 0.7\nset xrange [{}:{}]\n"
-      "set yrange [{}:{}]\n"
-      "set title {} noenhanced\nset xlabel {}\nset ylabel {} noenhanced\nset key outside right top noenhanced Left reverse\n",
-      x.low, x.high, y.low, y.high * 3, gnuplot_text(fmt::format("{}, {}", result.subject, result.where)),
-      gnuplot_text(axis == WorkAxis::Nodes ? "quadrature points an element" : "nanoseconds a pair of point and element"),
-      gnuplot_text(fmt::format("largest {} [{}]", result.error, result.unit)));
+  std::string text =
+      blocks +
+      fmt::format(
+          "set logscale xy\nset format '10^{{%T}}'\nset border 3 linecolor rgb '#666666'\nset tics nomirror scale 0.5\n"
+          "set grid xtics ytics linetype 1 linecolor rgb '#e0e0e0' linewidth 0.7\nset xrange [{}:{}]\n"
+          "set yrange [{}:{}]\n"
+          "set title {} noenhanced\nset xlabel {}\nset ylabel {} noenhanced\nset key outside right top noenhanced Left "
+          "reverse\n",
+          x.low, x.high, y.low, y.high * 3, gnuplot_text(fmt::format("{}, {}", result.subject, result.where)),
+          gnuplot_text(axis == WorkAxis::Nodes ? "quadrature points an element"
+                                               : "nanoseconds a pair of point and element"),
+          gnuplot_text(fmt::format("largest {} [{}]", result.error, result.unit)));
   for (const auto& [evaluation, at] : labels)
     // At the right edge to the left of its point, clear of the key.
-    text += fmt::format("set label {} at {},{} {} noenhanced font ',8' textcolor rgb '#444444'\n", gnuplot_text(evaluation), at.first,
-                        at.second, at.first > x.high / 5 ? "right offset -0.4,0.6" : "left offset 0.4,0.6");
+    text +=
+        fmt::format("set label {} at {},{} {} noenhanced font ',8' textcolor rgb '#444444'\n", gnuplot_text(evaluation),
+                    at.first, at.second, at.first > x.high / 5 ? "right offset -0.4,0.6" : "left offset 0.4,0.6");
   text += "plot " + (plot.empty() ? "NaN notitle" : plot) + key;
   return {std::move(file), 800, 460, text + "\n"};
 }

@@ -23,7 +23,7 @@ std::string parameter_name(const Formula* formula, std::size_t k) {
 
 Json json_of(const WorstLine& line) {
   const WorstCase& worst = line.worst;
-  const bool element = line.section == ResultRow::Section::Element;
+  const bool element = line.section == RowKey::Section::Element;
   Json json{{element ? "formula" : "kind", line.subject},
             {"evaluation", line.evaluation},
             {"scalar", line.scalar},
@@ -51,9 +51,8 @@ Json json_of(const WorstLine& line) {
 }
 
 WorstLine line_of(const ResultRow& row, const WorstCase& worst, const RunResult& result) {
-  WorstLine line{row.section, row.subject, row.evaluation, row.scalar, row.regime, row.check, row.place,
-                 row.order,   row.unit,    row.bound,      {},         {},         {},        0,         worst};
-  for (const std::string& flag : {row.section == ResultRow::Section::Element ? row.regime : std::string(), row.place})
+  WorstLine line{row, row.unit, row.bound, {}, {}, {}, 0, worst};
+  for (const std::string& flag : {row.section == RowKey::Section::Element ? row.regime : std::string(), row.place})
     if (!flag.empty()) line.flags.push_back(flag);
   if (const auto rule = result.settings.find("triangulation"); rule != result.settings.end())
     line.triangulation = rule->second;
@@ -113,14 +112,14 @@ class LineReader {
 };
 
 void read_subject(const LineReader& in, WorstLine& line) {
-  line.section = in.has("kind") ? ResultRow::Section::Cage : ResultRow::Section::Element;
+  line.section = in.has("kind") ? RowKey::Section::Cage : RowKey::Section::Element;
   line.subject = in.text(in.has("kind") ? "kind" : "formula");
 }
 
 void read_parameters(const LineReader& in, WorstLine& line) {
   const Json& json = in.at("parameters");
   if (!json.is_object()) in.fail("\"parameters\" is not an object");
-  const Formula* formula = line.section == ResultRow::Section::Element ? find_formula(line.subject) : nullptr;
+  const Formula* formula = line.section == RowKey::Section::Element ? find_formula(line.subject) : nullptr;
   // By name where names are known, else in the order of the line.
   const std::size_t known = formula ? formula->parameters.size() : 0;
   for (std::size_t k = 0; k < known && !json.empty(); ++k) {

@@ -5,16 +5,9 @@
 #include <algorithm>
 #include <bit>
 #include <map>
-#include <tuple>
 
 namespace cageproof::reports {
 namespace {
-
-auto key_of(const WorstLine& line) {
-  return std::tuple(line.subject, line.evaluation, line.scalar, line.check, line.regime, line.place, line.order);
-}
-
-using Key = decltype(key_of(WorstLine()));
 
 // Every number of an input, bit for bit: zero's sign counts.
 std::vector<std::uint64_t> input_of(const WorstLine& line) {
@@ -32,17 +25,18 @@ std::vector<std::uint64_t> input_of(const WorstLine& line) {
 std::size_t merge_worst(const std::filesystem::path& path, const std::vector<WorstLine>& cases, std::size_t few) {
   std::error_code missing;
   std::string text = std::filesystem::exists(path, missing) ? read_file(path) : std::string();
-  std::map<Key, std::vector<WorstLine>> known;
-  for (const WorstLine& line : parse_worst(text, path.string())) known[key_of(line)].push_back(line);
+  std::map<RowKey, std::vector<WorstLine>> known;
+  for (const WorstLine& line : parse_worst(text, path.string())) known[line].push_back(line);
   std::vector<WorstLine> fresh = cases;
   std::ranges::stable_sort(fresh, [](const WorstLine& a, const WorstLine& b) { return a.worst.error > b.worst.error; });
   if (!text.empty() && text.back() != '\n') text += '\n';
   std::size_t added = 0;
   for (const WorstLine& line : fresh) {
-    auto& same = known[key_of(line)];
-    const auto worse = std::ranges::count_if(
-        same, [&](const WorstLine& other) { return other.worst.error >= line.worst.error; });
-    const bool there = std::ranges::any_of(same, [&](const WorstLine& other) { return input_of(other) == input_of(line); });
+    auto& same = known[line];
+    const auto worse =
+        std::ranges::count_if(same, [&](const WorstLine& other) { return other.worst.error >= line.worst.error; });
+    const bool there =
+        std::ranges::any_of(same, [&](const WorstLine& other) { return input_of(other) == input_of(line); });
     if (there || static_cast<std::size_t>(worse) >= few) continue;
     same.push_back(line);
     text += worst_line(line) + "\n";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/formula.h"
+#include "cageproof/reports/summary.h"
 #include "json_value.h"
 #include "sample_run.h"
 #include "tables.h"
@@ -37,21 +38,21 @@ TEST(ReportFiles, AreAFunctionOfTheResultButForTheRun) {
   RunResult run = sample_run(2, 3);
   const auto first = report(run), second = report(run);
   EXPECT_EQ(first, second);
-  run.started = "2031-01-01T00:00:00Z";
-  run.seconds = 1;
-  run.command_line = "cageproof verify --jobs 1";
-  run.machine = {{"processor", "another"}};
+  run.sessions = {{"2031-01-01T00:00:00Z", 1, "cageproof verify --jobs 1", {{"processor", "another"}}},
+                  {"later", 2, "", {}}};
+  run.session_notes = {"a note"};
   const auto other = report(run);
   ASSERT_EQ(other.size(), first.size());
   for (const auto& [name, bytes] : first) {
     if (name == "summary.json") {
       auto a = Json::parse(bytes), b = Json::parse(other.at(name));
-      EXPECT_NE(a["run"], b["run"]);
-      a.erase("run");
-      b.erase("run");
+      EXPECT_NE(a["environment"], b["environment"]);
+      a.erase("environment");
+      b.erase("environment");
       EXPECT_EQ(a, b);
     } else if (name == "summary.md" || name == "index.html") {
-      const auto end = name == "summary.md" ? bytes.find("## Machine") : bytes.find("<footer");
+      const auto end = name == "summary.md" ? bytes.find("## Environment") : bytes.find("<footer");
+      EXPECT_NE(end, std::string::npos);
       EXPECT_EQ(bytes.substr(0, end), other.at(name).substr(0, end)) << name;
     } else {
       EXPECT_EQ(bytes, other.at(name)) << name;
@@ -68,10 +69,10 @@ TEST(ReportFiles, SummaryJsonHoldsEveryFigure) {
   run.notes.push_back("bytes \xff that are no text");
   const Json json = Json::parse(summary_json(run));
   EXPECT_EQ(json["schema"], "cageproof-summary");
-  EXPECT_EQ(json["schema_version"], 1);
+  EXPECT_EQ(json["schema_version"], 2);
   EXPECT_EQ(json["all_kept"], false);
   EXPECT_EQ(json["seed"], run.seed);
-  EXPECT_EQ(json["run"]["seconds"], run.seconds);
+  EXPECT_EQ(json["environment"]["sessions"][0]["seconds"], run.sessions[0].seconds);
   EXPECT_EQ(json["rows"][0]["max"], "inf");
   EXPECT_EQ(json["rows"][0]["max_relative"], "nan");
   EXPECT_EQ(json["curves"][0]["errors"][1], "-inf");
@@ -171,7 +172,7 @@ TEST(ReportFiles, ThePageStandsAlone) {
     EXPECT_TRUE(target.starts_with('#')) << target;
     EXPECT_NE(page.find(fmt::format("id=\"{}\"", target.substr(1))), std::string::npos) << target;
   }
-  const Formula& formula = catalogue()[1];
+  const Formula& formula = (*std::next(catalogue().begin(), 1));
   EXPECT_NE(page.find(std::string(formula.source)), std::string::npos);
 }
 

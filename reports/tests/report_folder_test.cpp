@@ -2,13 +2,16 @@
 // What is on the disk when all goes well, and when it does not.
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/checked_file.h"
+#include "cageproof/reports/run_folder.h"
 #include "sample_run.h"
+#include "small_disk.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#include <csignal>
 #include <cstdlib>
 
 namespace cageproof::reports {
@@ -34,24 +37,6 @@ void write_report(const fs::path& out, const RunResult& run) {
   writer.write(with_field);
   writer.commit();
 }
-
-// No file may grow beyond `bytes`: what a full disk looks like to a program, gnuplot included.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit now{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &now);
-  }
-  ~SmallDisk() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
 
 TEST(ReportFolder, IsNotThereBeforeCommit) {
   const ScratchFolder scratch;
@@ -105,13 +90,13 @@ TEST(ReportFolder, RefusesWhatIsNotItsToReplace) {
 
   const fs::path mine = scratch.path() / "mine";
   fs::create_directories(mine / "pictures");
-  EXPECT_NE(refusal(mine).find("holds no report"), std::string::npos);
+  EXPECT_NE(refusal(mine).find("does not hold a verification report"), std::string::npos);
   write_file(mine / "summary.json", "{\"schema\": \"another\"}");
-  EXPECT_NE(refusal(mine).find("holds no report"), std::string::npos);
+  EXPECT_NE(refusal(mine).find("does not hold a verification report"), std::string::npos);
   write_file(mine / "summary.json", "{\"schema\": \"cageproof-summary\"}");
   EXPECT_EQ(refusal(mine), "");
   write_file(mine / "thesis.tex", "years of work");
-  EXPECT_NE(refusal(mine).find("'thesis.tex', which is no part of a report"), std::string::npos);
+  EXPECT_NE(refusal(mine).find("'thesis.tex', which is no part of a verification report"), std::string::npos);
   EXPECT_EQ(files_below(scratch.path()).size(), 3u);
 }
 
@@ -152,6 +137,118 @@ TEST(ReportFolder, AFullDiskLeavesTheEarlierReport) {
   }
   EXPECT_GT(failures, 8);
   EXPECT_EQ(files_below(out), whole);
+}
+
+void write_field(const fs::path& out) {
+  ReportWriter writer(out, ReportWriter::Kind::Field);
+  RunResult run;
+  run.fields.push_back(writer.write_image(sample_slice("slice", 8), "slice", "relative error", ColourScale::Log10));
+  writer.write(run);
+  writer.commit();
+}
+
+JournalHeader header(int shard = 0, int shards = 1) {
+  JournalHeader h;
+  h.version = "0.1.0";
+  h.units = h.shard_units = 2;
+  h.shard = shard;
+  h.shards = shards;
+  return h;
+}
+
+TEST(ReportFolder, OfOneKindIsNotReplacedByAnother) {
+  const ScratchFolder scratch;
+  const fs::path report = scratch.path() / "report", field = scratch.path() / "field", shard = scratch.path() / "shard";
+  write_report(report, sample_run(1, 1));
+  write_field(field);
+  begin_run(shard, header(1, 4), {});
+  const auto before = files_below(scratch.path());
+  EXPECT_NE(message_of([&] {
+              write_field(report);
+            }).find("the folder holds a verification report, which an error field does not replace"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] {
+              write_report(field, sample_run(1, 1));
+            }).find("the folder holds an error field, which a verification report does not"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { begin_run(field, header(), {}); }).find("holds an error field"), std::string::npos);
+  EXPECT_NE(message_of([&] { write_report(shard, sample_run(1, 1)); }).find("holds a shard of a run"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { begin_run(shard, header(), {}); }).find("holds a shard of a run"), std::string::npos);
+  EXPECT_NE(message_of([&] { begin_run(shard, header(2, 4), {}); }).find("holds shard 1/4, which shard 2/4"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] { begin_run(report, header(2, 4), {}); }).find("holds a verification report"),
+            std::string::npos);
+  EXPECT_EQ(files_below(scratch.path()), before);
+  begin_run(shard, header(1, 4), {});
+  write_field(field);
+  write_report(report, sample_run(1, 1));
+}
+
+TEST(ReportFolder, OfARunThatDiedHoldsItsJournalAndCanBeReplaced) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch.path() / "report";
+  const fs::path journal = begin_run(out, header(), {});
+  EXPECT_EQ(journal, fs::canonical(out) / "journal");
+  EXPECT_EQ(files_below(scratch.path()).size(), 1u);
+  begin_run(out, header(), {});
+  write_report(out, sample_run(1, 1));
+  // The earlier report stays until there is a new one.
+  begin_run(out, header(), {});
+  EXPECT_TRUE(fs::exists(out / "index.html"));
+  EXPECT_EQ(read_journal(journal_in(out)).units_done(), 0u);
+  const JournalWriter somebody_writes(journal);
+  EXPECT_NE(message_of([&] { begin_run(out, header(), {}); }).find("another process writes to it"), std::string::npos);
+  EXPECT_NE(message_of([&] { journal_in(scratch.path()); }).find("there is no journal"), std::string::npos);
+}
+
+// The number of a process that is gone.
+pid_t gone() {
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+  return child;
+}
+
+TEST(ReportFolder, RemovesWhatKilledProcessesLeftAndNothingElse) {
+  const ScratchFolder scratch;
+  char host[256] = "";
+  ::gethostname(host, sizeof host - 1);
+  const pid_t dead = gone();
+  const std::vector<std::string> stale{fmt::format(".report.partial-{}-0@{}", dead, host),
+                                       fmt::format(".report.partial-{}-1", dead)},
+      kept{fmt::format(".report.partial-{}-0@{}", ::getpid(), host),
+           fmt::format(".report.partial-{}-0@elsewhere", dead), fmt::format(".other.partial-{}-0@{}", dead, host),
+           ".report.partial-mine", ".report.partial-"};
+  for (const auto* names : {&stale, &kept})
+    for (const std::string& name : *names) {
+      fs::create_directories(scratch.path() / name / "fields");
+      write_file(scratch.path() / name / "summary.json", "{}");
+    }
+  write_report(scratch.path() / "report", sample_run(1, 1));
+  for (const std::string& name : stale) EXPECT_FALSE(fs::exists(scratch.path() / name)) << name;
+  for (const std::string& name : kept) EXPECT_TRUE(fs::exists(scratch.path() / name / "summary.json")) << name;
+}
+
+TEST(ReportFolder, MovedAsideByAKilledProcessComesBack) {
+  const ScratchFolder scratch;
+  const fs::path out = scratch.path() / "report";
+  begin_run(out, header(), {});
+  const pid_t dead = gone();
+  // Where folders cannot be exchanged, a process may die between the two steps.
+  fs::rename(out, scratch.path() / fmt::format(".report.partial-{}-0.earlier", dead));
+  fs::create_directory(scratch.path() / fmt::format(".report.partial-{}-0", dead));
+  EXPECT_EQ(read_journal(journal_in(out)).header, header());
+  EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()), 1);
+}
+
+TEST(CheckedFile, RemovesWhatKilledProcessesLeft) {
+  const ScratchFolder scratch;
+  const fs::path stale = scratch.path() / fmt::format(".cases.jsonl.partial-{}", gone());
+  write_file(stale, "half");
+  replace_file(scratch.path() / "cases.jsonl", "whole");
+  EXPECT_FALSE(fs::exists(stale));
+  EXPECT_EQ(read_file(scratch.path() / "cases.jsonl"), "whole");
 }
 
 // What writing a report says when `gnuplot` is this shell script; nothing: when there is no gnuplot.

@@ -38,7 +38,8 @@ class WorstMerge : public ::testing::Test {
 };
 
 TEST_F(WorstMerge, KeepsTheWorstFewOfEachKind) {
-  EXPECT_EQ(merge_worst(path(), {line_with(1, 1), line_with(3, 3), line_with(2, 2), line_with(1, 1, "gauss-8")}, 2), 3U);
+  EXPECT_EQ(merge_worst(path(), {line_with(1, 1), line_with(3, 3), line_with(2, 2), line_with(1, 1, "gauss-8")}, 2),
+            3U);
   EXPECT_EQ(errors_in(path()), (std::vector<double>{3, 2, 1}));
   const WorstLine line = read_worst(path())[0];
   EXPECT_EQ(line.worst.asked, 1);
@@ -74,7 +75,8 @@ TEST_F(WorstMerge, ABadFileIsNamedAndLeftAlone) {
   EXPECT_EQ(read_file(path()), text);
   const auto nowhere = scratch_.path() / "nowhere" / "cases.jsonl";
   EXPECT_THROW(merge_worst(nowhere, {line_with(2, 2)}, 2), InputError);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch_.path()), std::filesystem::directory_iterator()), 1)
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(scratch_.path()), std::filesystem::directory_iterator()),
+            1)
       << "something was left aside";
 }
 

@@ -4,8 +4,9 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/random_stream.h"
 #include "cageproof/validation/cage_symmetries.h"
-#include "cageproof/validation/campaign.h"
+#include "cageproof/validation/parallel.h"
 #include "cageproof/validation/promise.h"
+#include "cageproof/validation/verdicts.h"
 
 #include <fmt/format.h>
 
@@ -13,70 +14,48 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace cageproof::validation {
 namespace {
 
-// One row in the making.
-class RowBuilder {
+// The tallies of one kind and evaluation on one cage.
+class CageRows {
  public:
-  RowBuilder(std::string check, std::string unit, std::string place, int order)
-      : check_(std::move(check)), unit_(std::move(unit)), place_(std::move(place)), order_(order) {}
+  CageRows(const Cage& cage, const CageCoordinates& coordinates) {
+    key_.section = RowKey::Section::Cage;
+    key_.subject = coordinates.kind().name;
+    key_.evaluation = coordinates.evaluation();
+    key_.scalar = "double";
+    key_.regime = cage.name();
+  }
 
   /// A NaN is a sample without truth.
   /// \param asked the highest derivative that the coordinates were taken with
-  void add(double error, const Vec3<double>& point, std::uint64_t index, int asked = 2) {
-    if (std::isnan(error)) {
-      ++without_truth_;
-      return;
-    }
-    errors_.add(error);
-    if (worst_.wants(error, index)) worst_.add({error, 0, index, {}, point, {}, asked});
+  void add(const std::string& check, const std::string& unit, std::string_view place, int order, double error,
+           const Vec3<double>& point, std::uint64_t index, int asked = 2) {
+    key_.check = check;
+    key_.place = place;
+    key_.order = order;
+    Tally& tally = found.rows[key_];
+    tally.unit = unit;
+    if (std::isnan(error)) ++tally.without_truth;
+    else tally.add(error, error, index, [&](double e) { return WorstCase{e, 0, index, {}, point, {}, asked}; });
   }
-  ResultRow row(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation) const {
-    ResultRow row;
-    row.section = ResultRow::Section::Cage;
-    row.subject = kind.name;
-    row.evaluation = evaluation;
-    row.scalar = "double";
-    row.regime = cage.name();
-    row.check = check_;
-    row.place = place_;
-    row.order = order_;
-    row.unit = unit_;
-    row.samples = errors_.count();
-    row.nonfinite = errors_.nonfinite();
-    row.without_truth = without_truth_;
-    row.max = row.max_relative = errors_.max();
-    row.p999 = errors_.p999();
-    row.median = errors_.median();
-    row.worst = worst_.cases();
-    row.histogram.assign(errors_.counts().begin(), errors_.counts().end());
-    judge(row);
-    return row;
-  }
+
+  Findings found;
 
  private:
-  std::string check_, unit_, place_;
-  int order_;
-  ErrorHistogram errors_;
-  WorstCases worst_;
-  std::uint64_t without_truth_ = 0;
+  RowKey key_;
 };
-
-// Rows by (check, place, order), in the order of the key.
-using Rows = std::map<std::tuple<std::string, std::string, int>, RowBuilder>;
-
-RowBuilder& row_of(Rows& rows, const std::string& check, const std::string& unit, std::string_view place, int order) {
-  return rows.try_emplace({check, std::string(place), order}, check, unit, std::string(place), order).first->second;
-}
 
 // Kinds that the cage's quads rule out are left out; verify says so.
 std::vector<const CoordinateKind*> kinds_matching(const std::string& pattern, const Cage& cage) {
   std::vector<const CoordinateKind*> found;
   for (const CoordinateKind& kind : coordinate_kinds())
     if (matches(pattern, kind.name) && accepts(kind, cage)) found.push_back(&kind);
-  if (found.empty()) throw InputError(fmt::format("no kind of coordinates matches '{}' and accepts {}", pattern, cage.name()));
+  if (found.empty())
+    throw InputError(fmt::format("no kind of coordinates matches '{}' and accepts {}", pattern, cage.name()));
   return found;
 }
 
@@ -87,59 +66,218 @@ struct PointResult {
   std::array<double, 3> differences{NAN, NAN, NAN};
 };
 
-void add_point(Rows& rows, const CoordinateKind& kind, int order, const CagePoint& p, const PointResult& r) {
+void add_point(CageRows& rows, const CoordinateKind& kind, int order, const CagePoint& p, const PointResult& r) {
   const auto place = name_of(p.place);
   const bool outside = p.place == Place::Outside && !kind.normalised;
   for (int o = 0; o <= order; ++o) {
     const std::string unit = o == 0 ? "relative" : "of the terms";
-    const std::string partition = outside ? "zero_outside" : "partition_of_unity";
-    row_of(rows, partition, unit, place, o).add(r.errors.partition[o], p.point, p.index, order);
-    row_of(rows, "linear_reproduction", unit, place, o).add(r.errors.reproduction[o], p.point, p.index, order);
-    if (!std::isnan(r.truth[o])) row_of(rows, "cage_truth", "relative", place, o).add(r.truth[o], p.point, p.index);
+    rows.add(outside ? "zero_outside" : "partition_of_unity", unit, place, o, r.errors.partition[o], p.point, p.index,
+             order);
+    rows.add("linear_reproduction", unit, place, o, r.errors.reproduction[o], p.point, p.index, order);
+    if (!std::isnan(r.truth[o])) rows.add("cage_truth", "relative", place, o, r.truth[o], p.point, p.index);
   }
-  for (const auto& [check, error] : r.symmetries) row_of(rows, check, "relative", place, 0).add(error, p.point, p.index);
+  for (const auto& [check, error] : r.symmetries) rows.add(check, "relative", place, 0, error, p.point, p.index);
   for (int o = 1; o < 3; ++o)
     if (!std::isnan(r.differences[o]))
-      row_of(rows, "cage_differences", "relative", place, o).add(r.differences[o], p.point, p.index);
+      rows.add("cage_differences", "relative", place, o, r.differences[o], p.point, p.index);
   if (!std::isnan(r.errors.laplacian))
-    row_of(rows, "cage_laplacian", "of the Hessian", place, 2).add(r.errors.laplacian, p.point, p.index);
+    rows.add("cage_laplacian", "of the Hessian", place, 2, r.errors.laplacian, p.point, p.index);
 }
 
-void add_on_cage(Rows& rows, const Cage& cage, const CageCoordinates& coordinates, const CageLocator& locator,
+void add_on_cage(CageRows& rows, const Cage& cage, const CageCoordinates& coordinates, const CageLocator& locator,
                  const CagePoint& p) {
   const auto place = name_of(p.place);
   // Midpoints that rounding moved off the cage prove nothing about it.
-  const bool on = !coordinates.touching(p.point).empty();
+  const bool on = !coordinates.elements().touching(p.point).empty();
   if (!coordinates.kind().normalised)
-    row_of(rows, "linear_reproduction", "relative", place, 0)
-        .add(on ? errors_at(coordinates, cage, p.point, 1, 0).reproduction[0] : NAN, p.point, p.index);
-  row_of(rows, "limit_from_inside", "relative", place, 0)
-      .add(inside_limit_error_at(coordinates, cage, locator, p.point), p.point, p.index);
+    rows.add("linear_reproduction", "relative", place, 0,
+             on ? errors_at(coordinates, cage, p.point, 1, 0).reproduction[0] : NAN, p.point, p.index);
+  rows.add("limit_from_inside", "relative", place, 0, inside_limit_error_at(coordinates, cage, locator, p.point),
+           p.point, p.index);
 }
+
+// The relations of one kind of coordinates, by one evaluation, on a cage.
+class CageMeasurement final : public Measurement {
+ public:
+  CageMeasurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind, const CageCampaignOptions& options)
+      : cage_(std::move(cage)), kind_(kind), options_(options), setup_([this] { return set_up(); }) {}
+
+  std::string name() const override {
+    return fmt::format("{}, {}, {}", cage_->name(), kind_.name, options_.evaluation);
+  }
+
+  int blocks() const override {
+    const std::size_t on = options_.properties_alone ? 0 : cage_->vertices().size() + 3 * cage_->faces().size();
+    return block_count(options_.points + on / 4, 10);
+  }
+
+  Findings measure(int block) const override {
+    const Setup& setup = setup_.get();
+    CageRows rows(*cage_, setup.coordinates);
+    // By turns, so that each block has its share of the points that cost most.
+    for (std::size_t i = block; i < setup.off.size(); i += blocks()) {
+      const CagePoint& p = setup.off[i];
+      if (p.place != Place::TooClose) add_point(rows, kind_, setup.order, p, measured(setup, i));
+    }
+    for (std::size_t i = block; i < setup.on.size(); i += blocks())
+      add_on_cage(rows, *cage_, setup.coordinates, setup.locator, setup.on[i]);
+    return std::move(rows.found);
+  }
+
+ private:
+  struct Setup {
+    CageLocator locator;
+    CageCoordinates coordinates;
+    std::vector<CagePoint> off, on;
+    int order;
+    std::size_t stride;
+    // Where more than properties is asked.
+    std::optional<CageCoordinates> reference;
+    std::optional<CageSymmetries> symmetries;
+  };
+
+  Setup set_up() const {
+    const CageCampaignOptions& o = options_;
+    Setup setup{{*cage_, o.triangulation, kind_.keeps_quads},
+                {*cage_, kind_, o.evaluation, o.triangulation},
+                {},
+                {},
+                0,
+                1,
+                {},
+                {}};
+    setup.off = points_off(*cage_, setup.locator, o.seed, o.points);
+    if (o.properties_alone) return setup;
+    setup.on = points_on(setup.coordinates, *cage_);
+    setup.order = setup.coordinates.max_order();
+    // Every n-th point meets the truth, so that both ways of drawing points are seen.
+    // Matrices of nine numbers in multiprecision cost as much as a quarter of the points does for single ones.
+    const int truth_points = setup.coordinates.blocks()[0].entries() == 1 ? o.truth_points : (o.truth_points + 3) / 4;
+    setup.stride = std::max<std::size_t>(1, setup.off.size() / std::max(1, truth_points)) | 1;
+    setup.reference.emplace(*cage_, kind_, CoordinateOptions{.triangulation = o.triangulation});
+    setup.symmetries.emplace(*cage_, kind_, o.evaluation, o.triangulation);
+    return setup;
+  }
+
+  PointResult measured(const Setup& setup, std::size_t i) const {
+    const CagePoint& p = setup.off[i];
+    PointResult result;
+    result.errors = errors_at(setup.coordinates, *cage_, p.point, expected_sum(kind_, p.place), setup.order);
+    if (options_.properties_alone || i % setup.stride != 0) return result;
+    // Coordinates that exist in double alone would meet themselves.
+    if (setup.reference->is_exact_in(ScalarKind::Digits50))
+      result.truth = truth_errors_at(setup.coordinates, *setup.reference, p.point, setup.order);
+    result.symmetries = setup.symmetries->errors_at(p.point);
+    // Seven sums in 100 digits: a quarter of these points.
+    if (i / setup.stride % 4 == 0 && setup.order == 2) result.differences = setup.symmetries->differences_at(p.point);
+    return result;
+  }
+
+  std::shared_ptr<const Cage> cage_;
+  const CoordinateKind& kind_;
+  CageCampaignOptions options_;
+  Lazy<Setup> setup_;
+};
+
+// Vertices and faces, which fields on the mesh share.
+class MeshShape final : public Measurement {
+ public:
+  explicit MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
+  std::string name() const override { return "the mesh itself"; }
+  int blocks() const override { return 1; }
+  Findings measure(int) const override {
+    Findings findings;
+    findings.meshes[mesh_measured] = {mesh_measured, mesh_->vertices, mesh_->faces, {}};
+    return findings;
+  }
+
+ private:
+  std::shared_ptr<const Mesh> mesh_;
+};
+
+// Partition of unity and linear reproduction at a mesh's points, kept by point.
+class MeshMeasurement final : public Measurement {
+ public:
+  MeshMeasurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind, std::shared_ptr<const Mesh> mesh,
+                  const std::string& mesh_name, int place, const CageCampaignOptions& options)
+      : cage_(std::move(cage)), kind_(kind), mesh_(std::move(mesh)), place_(place), options_(options), setup_([this] {
+          return Setup{{*cage_, options_.triangulation, kind_.keeps_quads},
+                       {*cage_, kind_, options_.evaluation, options_.triangulation}};
+        }) {
+    if (options.mesh_points > 0)
+      stride_ = std::max<std::size_t>(1, (mesh_->vertices.size() + options.mesh_points - 1) / options.mesh_points);
+    empty_.title = fmt::format("{} in {}, {} coordinates: linear reproduction", mesh_name, cage_->name(), kind.name);
+    empty_.shown = fmt::format("{}: linear reproduction", kind.name);
+    empty_.mesh = mesh_measured;
+    empty_.samples = mesh_->vertices.size();
+    empty_.image.name = fmt::format("mesh.{}", kind.name);
+    empty_.image.arrays = {{fmt::format("{}: partition of unity", kind.name), "1", 1, {}},
+                           {empty_.shown, "cage sizes", 1, {}}};
+  }
+
+  std::string name() const override { return fmt::format("mesh in {}, {}", cage_->name(), kind_.name); }
+  int blocks() const override { return block_count(mesh_->vertices.size(), 500); }
+
+  Findings measure(int block) const override {
+    const Setup& setup = setup_.get();
+    CageRows rows(*cage_, setup.coordinates);
+    FieldPart part = empty_;
+    part.first = block_begin(part.samples, block, blocks());
+    for (std::size_t i = part.first; i < block_begin(part.samples, block + 1, blocks()); ++i) {
+      if (i % stride_ != 0) {
+        for (auto& array : part.image.arrays) array.values.push_back(NAN);
+        continue;
+      }
+      const Vec3<double>& point = mesh_->vertices[i];
+      const Place place = setup.locator.place(point);
+      const CageErrors errors = errors_at(setup.coordinates, *cage_, point, expected_sum(kind_, place), 0);
+      // Points nearer than the promise reaches are shown in the field and counted, not judged.
+      const bool judged = place != Place::TooClose;
+      rows.add("partition_of_unity", "relative", "mesh", 0, judged ? errors.partition[0] : NAN, point, i);
+      rows.add("linear_reproduction", "relative", "mesh", 0, judged ? errors.reproduction[0] : NAN, point, i);
+      part.image.arrays[0].values.push_back(errors.partition[0]);
+      part.image.arrays[1].values.push_back(errors.reproduction[0]);
+    }
+    rows.found.fields.emplace(std::pair(place_, part.first), std::move(part));
+    return std::move(rows.found);
+  }
+
+ private:
+  struct Setup {
+    CageLocator locator;
+    CageCoordinates coordinates;
+  };
+  std::shared_ptr<const Cage> cage_;
+  const CoordinateKind& kind_;
+  std::shared_ptr<const Mesh> mesh_;
+  int place_;
+  CageCampaignOptions options_;
+  FieldPart empty_;
+  std::size_t stride_ = 1;  // takes every n-th point, so that what is measured is spread evenly
+  Lazy<Setup> setup_;
+};
 
 }  // namespace
 
 double inside_limit_error_at(const CageCoordinates& coordinates, const Cage& cage, const CageLocator& locator,
                              const Vec3<double>& point) {
-  const std::vector<Touching> on = coordinates.touching(point);
+  const std::vector<Touching> on = coordinates.elements().touching(point);
   if (on.empty()) return NAN;
   Vec3<double> direction = Vec3<double>::Zero();
-  for (const Touching& touch : on) direction -= coordinates.normal_at(touch);
+  for (const Touching& touch : on) direction -= coordinates.elements().normal_at(touch);
   Vec3<double> near = point + 1e-11 * cage.size() * direction.normalized();
   // Against the mean normal lies the inside of all but saddles; there another direction does.
   for (std::uint64_t attempt = 0; !(direction.norm() > 0.1) || !locator.inside(near); ++attempt) {
     if (attempt == 1000) return NAN;
     RandomStream random(1, "inward", attempt);
-    for (int c = 0; c < 3; ++c) direction[c] = random.uniform(-1, 1);
+    for (int c = 0; c < cage.dimension(); ++c) direction[c] = random.uniform(-1, 1);
     near = point + 1e-11 * cage.size() * direction.normalized();
   }
   const auto limit = coordinates.at<double>(point, 0), inside = coordinates.at<double>(near, 0);
   if (!coordinates.kind().missing_because.empty() && std::isnan(limit[0].value[0] + inside[0].value[0])) return NAN;
   double worst = 0;
   for (std::size_t b = 0; b < limit.size(); ++b) {
-    const double unit = std::pow(cage.size(), find_formula(coordinates.kind().blocks[b].formula)->degree);
-    // Normalised weights have no unit.
-    const double scale = coordinates.kind().normalised ? 1 : unit;
+    const double scale = std::pow(cage.size(), coordinates.blocks()[b].degree);
     for (std::size_t i = 0; i < limit[b].value.size(); ++i) {
       const double difference = std::abs(limit[b].value[i] - inside[b].value[i]) / scale;
       if (!(difference <= worst)) worst = std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
@@ -148,70 +286,25 @@ double inside_limit_error_at(const CageCoordinates& coordinates, const Cage& cag
   return worst;
 }
 
-std::vector<ResultRow> run_cage_campaign(const Cage& cage, const CageCampaignOptions& options) {
-  std::vector<ResultRow> all;
-  for (const CoordinateKind* kind : kinds_matching(options.kinds, cage)) {
-    const CageLocator locator(cage, options.triangulation, kind->keeps_quads());
-    const auto off = points_off(cage, locator, options.seed, options.points);
-    const CageCoordinates coordinates(cage, *kind, options.evaluation, options.triangulation);
-    const auto on = options.properties_alone ? std::vector<CagePoint>{} : points_on(coordinates, cage);
-    const CageCoordinates reference(cage, *kind, "closed_form", options.triangulation);
-    const CageSymmetries symmetries(cage, *kind, options.evaluation, options.triangulation);
-    const int order = options.properties_alone ? 0 : coordinates.max_order();
-    std::vector<PointResult> results(off.size());
-    // Every n-th point meets the truth, so that both ways of drawing points are seen.
-    // Matrices of nine numbers in multiprecision cost as much as a quarter of the points does for single ones.
-    const int truth_points = coordinates.entries(0) == 1 ? options.truth_points : (options.truth_points + 3) / 4;
-    const std::size_t stride = std::max<std::size_t>(1, off.size() / std::max(1, truth_points)) | 1;
-    for_each_parallel(off.size(), options.jobs, [&](std::size_t i) {
-      if (off[i].place == Place::TooClose) return;
-      results[i].errors = errors_at(coordinates, cage, off[i].point, expected_sum(*kind, off[i].place), order);
-      if (options.properties_alone || i % stride != 0) return;
-      // Coordinates that exist in double alone would meet themselves.
-      if (!kind->direct) results[i].truth = truth_errors_at(coordinates, reference, off[i].point, order);
-      results[i].symmetries = symmetries.errors_at(off[i].point);
-      // Seven sums in 100 digits: a quarter of these points.
-      if (i / stride % 4 == 0 && order == 2) results[i].differences = symmetries.differences_at(off[i].point);
-    });
-    Rows rows;
-    for (std::size_t i = 0; i < off.size(); ++i)
-      if (off[i].place != Place::TooClose) add_point(rows, *kind, order, off[i], results[i]);
-    for (const CagePoint& p : on) add_on_cage(rows, cage, coordinates, locator, p);
-    for (const auto& [key, row] : rows) all.push_back(row.row(cage, *kind, options.evaluation));
-  }
-  return all;
+Measurements cage_measurements(const std::shared_ptr<const Cage>& cage, const CageCampaignOptions& options) {
+  Measurements measurements;
+  for (const CoordinateKind* kind : kinds_matching(options.kinds, *cage))
+    measurements.push_back(std::make_unique<CageMeasurement>(cage, *kind, options));
+  return measurements;
 }
 
-MeshErrors run_mesh_campaign(const Cage& cage, const std::vector<Vec3<double>>& points,
-                             const CageCampaignOptions& options) {
-  MeshErrors result;
-  result.field.vertices = points;
-  for (const CoordinateKind* kind : kinds_matching(options.kinds, cage)) {
-    const CageLocator locator(cage, options.triangulation, kind->keeps_quads());
-    std::vector<Place> places(points.size());
-    for_each_parallel(points.size(), options.jobs, [&](std::size_t i) { places[i] = locator.place(points[i]); });
-    const CageCoordinates coordinates(cage, *kind, options.evaluation, options.triangulation);
-    std::vector<CageErrors> errors(points.size());
-    for_each_parallel(points.size(), options.jobs, [&](std::size_t i) {
-      errors[i] = errors_at(coordinates, cage, points[i], expected_sum(*kind, places[i]), 0);
-    });
-    RowBuilder partition("partition_of_unity", "relative", "mesh", 0), reproduction("linear_reproduction", "relative", "mesh", 0);
-    ImageField::Array ones{fmt::format("{}: partition of unity", kind->name), "1", 1, {}};
-    ImageField::Array positions{fmt::format("{}: linear reproduction", kind->name), "cage sizes", 1, {}};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      // Points nearer than the promise reaches are shown in the field and counted, not judged.
-      const bool judged = places[i] != Place::TooClose;
-      partition.add(judged ? errors[i].partition[0] : NAN, points[i], i);
-      reproduction.add(judged ? errors[i].reproduction[0] : NAN, points[i], i);
-      ones.values.push_back(errors[i].partition[0]);
-      positions.values.push_back(errors[i].reproduction[0]);
-    }
-    result.rows.push_back(partition.row(cage, *kind, options.evaluation));
-    result.rows.push_back(reproduction.row(cage, *kind, options.evaluation));
-    result.field.arrays.push_back(std::move(ones));
-    result.field.arrays.push_back(std::move(positions));
-  }
-  return result;
+std::unique_ptr<const Measurement> mesh_shape(std::shared_ptr<const Mesh> mesh) {
+  return std::make_unique<MeshShape>(std::move(mesh));
+}
+
+std::unique_ptr<const Measurement> mesh_measurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+                                                    std::shared_ptr<const Mesh> mesh, const std::string& mesh_name,
+                                                    int place, const CageCampaignOptions& options) {
+  return std::make_unique<MeshMeasurement>(std::move(cage), kind, std::move(mesh), mesh_name, place, options);
+}
+
+std::vector<ResultRow> run_cage_campaign(const Cage& cage, const CageCampaignOptions& options) {
+  return judged(measure_all(cage_measurements(std::make_shared<const Cage>(cage), options), options.jobs).rows).rows;
 }
 
 }  // namespace cageproof::validation

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Sums of one derivative entry over all coordinates, weighted with one and with positions, and the terms' sizes. A number counts as that
-// multiple of the identity, and norms are those of matrices over that of the identity.
+// Sums of one derivative entry over all coordinates, weighted with one and with positions, and the terms' sizes. A
+// number counts as that multiple of the identity, and norms are those of matrices over that of the identity.
 struct Sums {
   Mat3<double> ones = Mat3<double>::Zero();
   double ones_size = 0;
@@ -18,27 +18,36 @@ struct Sums {
   double positions_size = 0;
 };
 
-double norm_of(const Mat3<double>& m) { return m.norm() / std::sqrt(3.0); }
+// Of the space; in the plane the third row and column are zero.
+Mat3<double> identity_of(int dim) {
+  Mat3<double> identity = Mat3<double>::Zero();
+  for (int i = 0; i < dim; ++i) identity(i, i) = 1;
+  return identity;
+}
 
-Sums sums_of(const CageCoordinates& coordinates, const Cage& cage, const std::vector<Result<double>>& blocks, int order,
-             int derivative) {
+double norm_of(const Mat3<double>& m, int dim) { return m.norm() / std::sqrt(static_cast<double>(dim)); }
+
+Sums sums_of(const CageCoordinates& coordinates, const Cage& cage, const std::vector<Result<double>>& results,
+             int order, int derivative) {
   Sums s;
-  const std::size_t derivatives = order == 0 ? 1 : order == 1 ? 3 : 9;
-  for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
-    const auto reproduces = coordinates.kind().blocks[b].reproduces;
-    if (reproduces == CoordinateBlock::Reproduces::Nothing) continue;
-    const bool vertices = reproduces == CoordinateBlock::Reproduces::Vertices;
-    const std::size_t width = coordinates.entries(b);
-    for (int i = 0; i < coordinates.size(b); ++i) {
-      const double* from = &blocks[b].of(order)[i * width * derivatives + derivative];
-      Mat3<double> c = *from * Mat3<double>::Identity();
-      for (std::size_t e = 0; width > 1 && e < width; ++e) c(e / 3, e % 3) = from[e * derivatives];
-      const Vec3<double> v = vertices ? cage.vertices()[i] : Vec3<double>(coordinates.normal_factor(b) * coordinates.normals()[i]);
+  const int dim = coordinates.dimension();
+  const std::size_t derivatives = derivative_count(dim, order);
+  for (std::size_t b = 0; b < results.size(); ++b) {
+    const CoordinateBlock& block = coordinates.blocks()[b];
+    if (block.reproduces == Reproduces::Nothing) continue;
+    const bool vertices = block.reproduces == Reproduces::Vertices;
+    const std::size_t width = block.entries();
+    for (int i = 0; i < block.size; ++i) {
+      const double* from = &results[b].of(order)[i * width * derivatives + derivative];
+      Mat3<double> c = *from * identity_of(dim);
+      for (std::size_t e = 0; width > 1 && e < width; ++e) c(e / dim, e % dim) = from[e * derivatives];
+      const Vec3<double> v =
+          vertices ? cage.vertices()[i] : Vec3<double>(block.normal_factor * coordinates.elements().normals()[i]);
       s.positions += c * v;
-      s.positions_size += norm_of(c) * v.norm();
+      s.positions_size += norm_of(c, dim) * v.norm();
       if (!vertices) continue;
       s.ones += c;
-      s.ones_size += norm_of(c);
+      s.ones_size += norm_of(c, dim);
     }
   }
   return s;
@@ -49,22 +58,21 @@ double over(double error, double size) {
   return error == 0 ? 0 : error / size;
 }
 
-double laplacian_error(const CageCoordinates& coordinates, const std::vector<Result<double>>& blocks) {
+double laplacian_error(const CageCoordinates& coordinates, const std::vector<Result<double>>& results) {
+  using Trace = CoordinateBlock::Trace;
   double worst = nan;
-  const auto& kind = coordinates.kind();
-  for (std::size_t b = 0; b < blocks.size() && !kind.normalised; ++b) {
-    const Formula& formula = *find_formula(kind.blocks[b].formula);
-    const std::vector<double>* partner = nullptr;
-    if (formula.laplacian.kind == Laplacian::Kind::Unknown) continue;
-    for (std::size_t other = 0; other < blocks.size(); ++other)
-      if (kind.blocks[other].formula == formula.laplacian.formula) partner = &blocks[other].value;
+  const std::size_t dim = coordinates.dimension();
+  for (std::size_t b = 0; b < results.size(); ++b) {
+    const Trace& expected = coordinates.blocks()[b].trace;
+    if (expected.kind == Trace::Kind::Unknown) continue;
+    const std::vector<double>* partner = expected.kind == Trace::Kind::Block ? &results[expected.block].value : nullptr;
     double difference = 0, size = 0;
-    for (std::size_t i = 0; i < blocks[b].value.size(); ++i) {
+    for (std::size_t i = 0; i < results[b].value.size(); ++i) {
       double trace = partner ? -(*partner)[i] : 0;
-      for (int a = 0; a < 9; ++a) {
-        const double h = blocks[b].hessian[9 * i + a];
+      for (std::size_t a = 0; a < dim * dim; ++a) {
+        const double h = results[b].hessian[dim * dim * i + a];
         size += h * h;
-        if (a % 4 == 0) trace += h;
+        if (a % (dim + 1) == 0) trace += h;
       }
       difference += trace * trace;
     }
@@ -85,12 +93,13 @@ CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const
   CageErrors errors{{nan, nan, nan}, {nan, nan, nan}, nan};
   const auto blocks = coordinates.at<double>(point, order);
   if (!coordinates.kind().missing_because.empty() && std::isnan(blocks[0].value[0])) return errors;
+  const int dim = coordinates.dimension();
   for (int o = 0; o <= order; ++o) {
-    const int entries = o == 0 ? 1 : o == 1 ? 3 : 9;
+    const int entries = static_cast<int>(derivative_count(dim, o));
     double ones = 0, positions = 0, ones_size = 0, positions_size = 0;
     for (int e = 0; e < entries; ++e) {
       const Sums s = sums_of(coordinates, cage, blocks, o, e);
-      const double one = norm_of(s.ones - (o == 0 ? expected : 0) * Mat3<double>::Identity());
+      const double one = norm_of(s.ones - (o == 0 ? expected : 0) * identity_of(dim), dim);
       Vec3<double> position = s.positions;
       if (o == 0) position -= expected * point;
       if (o == 1) position[e] -= expected;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/cage_symmetries.h"
 
+#include "element/element_sampling.h"
+#include "turn.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,18 +12,6 @@ namespace cageproof::validation {
 namespace {
 
 constexpr double scale = 0x1p10;  // a power of two, so that the scaled input is exact
-
-// Axes permuted with signs, so that the turned input is exact.
-Vec3<double> turn(const Vec3<double>& v) { return {v[1], -v[2], -v[0]}; }
-
-// A matrix as it would be without the turn.
-void turn_back(double* matrix) {
-  Mat3<double> q;
-  for (int i = 0; i < 3; ++i) q.col(i) = turn(Vec3<double>::Unit(i));
-  using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  Eigen::Map<Rows> m(matrix);
-  m = (q.transpose() * m * q).eval();
-}
 
 template <Scalar R>
 double relative_difference(const std::vector<R>& a, const std::vector<R>& b) {
@@ -34,100 +25,144 @@ double relative_difference(const std::vector<R>& a, const std::vector<R>& b) {
   return error == 0 ? 0 : static_cast<double>(R(sqrt(R(error / size))));
 }
 
+// New corners along edges come first, in the edges' order, then those within.
+std::pair<int, int> rank_of_corner(const std::array<double, 4>& basis, int corners) {
+  int along = 0;
+  while (along < corners && (basis[along] == 0 || basis[(along + 1) % corners] == 0)) ++along;
+  return {corners - static_cast<int>(std::ranges::count(std::span(basis).first(corners), 0.0)), along};
+}
+
+// What scaling adds to the coordinates of an element whose kernel has the logarithm of the distance, over the unit's
+// power.
+double logarithm(const CoordinateBlock& block, double unit, const std::vector<Vec3<double>>& corners,
+                 const ElementType& type) {
+  if (block.logarithmic == 0) return 0;
+  const double measure = type.extent(corners).norm();
+  return block.logarithmic * std::log(unit) * (block.per_vertex ? measure / type.corners : measure);
+}
+
 }  // namespace
 
-CageSymmetries::Variant CageSymmetries::variant(std::string check, const std::string& name,
-                                                const std::vector<Vec3<double>>& vertices, const std::vector<Face>& faces,
-                                                const CoordinateKind& kind, const std::string& evaluation) const {
-  const CageOptions options{.allow_invalid_quads = allow_invalid_quads_};
-  Variant v{std::move(check), {Cage::make(name, vertices, faces, options), kind, evaluation, Triangulation::Fan}, {}, {}, 1, false};
-  for (int i = 0; i < static_cast<int>(vertices.size()); ++i) v.vertex_parts.push_back({i});
-  for (int t = 0; t < static_cast<int>(faces.size()); ++t) v.element_of.push_back(t);
+CageSymmetries::Variant CageSymmetries::variant(std::string check, const Cage& cage, const CoordinateKind& kind,
+                                                const std::string& evaluation) const {
+  Variant v{std::move(check), {cage, kind, evaluation, Triangulation::Fan}, {}, {}};
+  for (int i = 0; i < static_cast<int>(cage.vertices().size()); ++i) v.shares.push_back({{i, 1.0}});
+  for (int t = 0; t < static_cast<int>(cage.faces().size()); ++t) v.element_of.push_back(t);
   return v;
+}
+
+CageSymmetries::Subdivision CageSymmetries::subdivision() const {
+  const CageElements& elements = base_.elements();
+  Subdivision finer{elements.vertices(), {}, {}, {}};
+  for (int i = 0; i < static_cast<int>(finer.vertices.size()); ++i) finer.shares.push_back({{i, 1.0}});
+  // By the vertices that have a share in it, in rising order: neighbours give theirs the other way round.
+  std::map<std::vector<int>, int> known;
+  for (int i = 0; i < static_cast<int>(finer.vertices.size()); ++i) known[{i}] = i;
+  for (std::size_t e = 0; e < elements.count(); ++e) {
+    const ElementType& type = elements.type(e);
+    const auto vertices = elements.vertices_of(e);
+    const auto key_of = [&](const std::array<double, 4>& basis) {
+      std::vector<int> key;
+      for (int k = 0; k < type.corners; ++k)
+        if (basis[k] != 0) key.push_back(vertices[k]);
+      std::ranges::sort(key);
+      return key;
+    };
+    std::vector<std::array<double, 4>> corners;
+    for (const ElementPart& part : type.parts) corners.insert(corners.end(), part.begin(), part.begin() + type.corners);
+    std::ranges::stable_sort(corners, {}, [&](const auto& basis) { return rank_of_corner(basis, type.corners); });
+    for (const auto& basis : corners) {
+      const auto [place, is_new] = known.try_emplace(key_of(basis), static_cast<int>(finer.vertices.size()));
+      if (!is_new) continue;
+      Vec3<double> at = Vec3<double>::Zero();
+      auto& shares = finer.shares.emplace_back();
+      for (int k = 0; k < type.corners; ++k) {
+        if (basis[k] == 0) continue;
+        at += basis[k] * elements.vertices()[vertices[k]];
+        shares.push_back({vertices[k], basis[k]});
+      }
+      finer.vertices.push_back(at);
+    }
+    for (const ElementPart& part : type.parts) {
+      Face& face = finer.elements.emplace_back();
+      for (int k = 0; k < type.corners; ++k) face.vertices[k] = known.at(key_of(part[k]));
+      finer.element_of.push_back(static_cast<int>(e));
+    }
+  }
+  return finer;
 }
 
 CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
                                Triangulation rule)
-    : size_(cage.size()), allow_invalid_quads_(cage.allows_invalid_quads()), base_(cage, kind, evaluation, rule) {
-  const auto& vertices = cage.vertices();
-  std::vector<Vec3<double>> scaled, turned, finer = vertices;
-  for (const auto& v : vertices) {
+    : size_(cage.size()), base_(cage, kind, evaluation, rule) {
+  const Turn turn(cage.dimension());
+  const CageElements& elements = base_.elements();
+  std::vector<Vec3<double>> scaled, turned;
+  for (const auto& v : cage.vertices()) {
     scaled.push_back(scale * v);
     turned.push_back(turn(v));
   }
-  std::vector<Face> faces, permuted, parts;
-  std::vector<int> part_of;
-  std::map<std::pair<int, int>, int> midpoints;
-  std::vector<std::vector<int>> ends;
-  for (int i = 0; i < static_cast<int>(vertices.size()); ++i) ends.push_back({i});
-  const auto midpoint = [&](int a, int b) {
-    const auto [place, added] = midpoints.try_emplace(std::minmax(a, b), static_cast<int>(finer.size()));
-    if (added) {
-      finer.push_back((vertices[a] + vertices[b]) / 2);
-      ends.push_back({a, b});
-    }
-    return place->second;
-  };
-  for (const Face& element : base_.elements()) {
-    const auto& v = element.vertices;
-    const int n = element.size(), last = v[n - 1];
-    faces.push_back(element);
-    permuted.push_back(n == 3 ? Face{{v[1], v[2], v[0], -1}} : Face{{v[1], v[2], v[3], v[0]}});
-    std::array<int, 4> middle{};
-    for (int k = 0; k < n; ++k) middle[k] = midpoint(v[k], v[(k + 1) % n]);
-    const int element_index = static_cast<int>(faces.size()) - 1, before = middle[n - 1];
-    if (n == 3) {
-      parts.insert(parts.end(), {{{v[0], middle[0], before, -1}}, {{middle[0], v[1], middle[1], -1}}, {{before, middle[1], last, -1}},
-                                 {{middle[0], middle[1], before, -1}}});
-    } else {
-      // The parts of a bilinear quad at u = 1/2 and v = 1/2 are bilinear quads.
-      const int centre = static_cast<int>(finer.size());
-      finer.push_back((vertices[v[0]] + vertices[v[1]] + vertices[v[2]] + vertices[v[3]]) / 4);
-      ends.push_back({v.begin(), v.end()});
-      parts.insert(parts.end(), {{{v[0], middle[0], centre, before}}, {{middle[0], v[1], middle[1], centre}},
-                                 {{centre, middle[1], v[2], middle[2]}}, {{before, centre, middle[2], last}}});
-    }
-    part_of.insert(part_of.end(), 4, element_index);
+  std::vector<Face> permuted = elements.all();
+  bool any_cyclic = false;
+  for (std::size_t e = 0; e < elements.count(); ++e) {
+    if (!sampling_of(elements.type(e).kind).cyclic) continue;
+    any_cyclic = true;
+    const auto corners = std::span(permuted[e].vertices).first(elements.type(e).corners);
+    std::ranges::rotate(corners, corners.begin() + 1);
   }
-  variants_.push_back(variant("cage_scaling", cage.name(), scaled, faces, kind, evaluation));
+  variants_.push_back(variant("cage_scaling", cage.with(scaled, elements.all()), kind, evaluation));
   variants_.back().unit = scale;
-  variants_.push_back(variant("cage_rigid_motion", cage.name(), turned, faces, kind, evaluation));
+  variants_.push_back(variant("cage_rigid_motion", cage.with(turned, elements.all()), kind, evaluation));
   variants_.back().turned = true;
-  variants_.push_back(variant("cage_corner_permutation", cage.name(), vertices, permuted, kind, evaluation));
-  // What is no sum over faces has no reason to stay when they are divided.
-  if (kind.direct) return;
-  variants_.push_back(variant("cage_subdivision", cage.name(), finer, parts, kind, evaluation));
-  variants_.back().vertex_parts = ends;
-  variants_.back().element_of = part_of;
+  if (any_cyclic)
+    variants_.push_back(variant("cage_corner_permutation", cage.with(cage.vertices(), permuted), kind, evaluation));
+  // Kinds that are not sums over elements may change when elements are subdivided, so the check skips them.
+  if (!kind.is_sum()) return;
+  Subdivision finer = subdivision();
+  variants_.push_back(variant("cage_subdivision", cage.with(finer.vertices, finer.elements), kind, evaluation));
+  variants_.back().shares = std::move(finer.shares);
+  variants_.back().element_of = std::move(finer.element_of);
+}
+
+// A variant's coordinates as the base's should be: without the turn and the unit, shares added where they belong.
+std::vector<double> CageSymmetries::folded(const Variant& v, std::size_t b, const Result<double>& found) const {
+  const CoordinateBlock& block = base_.blocks()[b];
+  const std::size_t width = block.entries();
+  std::vector<double> result(block.size * width, 0.0);
+  const std::vector<double> plain =
+      v.turned ? Turn(base_.dimension()).undo(found.value, block.shape.space_indices()) : found.value;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const double x = plain[i] / std::pow(v.unit, block.degree);
+    const std::size_t coordinate = i / width, entry = i % width;
+    if (!block.per_vertex) result[v.element_of[coordinate] * width + entry] += x;
+    else
+      for (const Share& share : v.shares[coordinate]) result[share.vertex * width + entry] += x * share.weight;
+  }
+  if (v.unit == 1) return result;
+  const CageElements& elements = base_.elements();
+  for (std::size_t e = 0; e < elements.count(); ++e) {
+    const double term = logarithm(block, v.unit, elements.corners(e), elements.type(e));
+    if (term == 0) continue;
+    const int own = static_cast<int>(e);
+    for (const int slot : block.per_vertex ? elements.vertices_of(e) : std::span(&own, 1))
+      for (std::size_t entry = 0; entry < width; entry += block.shape.columns + 1) result[slot * width + entry] -= term;
+  }
+  return result;
 }
 
 std::map<std::string, double> CageSymmetries::errors_at(const Vec3<double>& point) const {
   std::map<std::string, double> errors;
   const auto expected = base_.at<double>(point, 0);
   for (const Variant& v : variants_) {
-    const auto found = v.coordinates.at<double>(v.turned ? turn(point) : Vec3<double>(v.unit * point), 0);
+    const Vec3<double> changed = v.turned ? Turn(base_.dimension())(point) : Vec3<double>(v.unit * point);
+    const auto found = v.coordinates.at<double>(changed, 0);
     double& worst = errors[v.check];
     if (!base_.kind().missing_because.empty() && std::isnan(expected[0].value[0]) && std::isnan(found[0].value[0])) {
       worst = std::numeric_limits<double>::quiet_NaN();
       continue;
     }
-    for (std::size_t b = 0; b < found.size(); ++b) {
-      const Formula& formula = *find_formula(base_.kind().blocks[b].formula);
-      const int degree = base_.kind().normalised ? 0 : formula.degree;
-      std::vector<double> folded(expected[b].value.size(), 0.0);
-      const std::size_t width = base_.entries(static_cast<int>(b));
-      std::vector<double> plain = found[b].value;
-      for (std::size_t i = 0; v.turned && width == 9 && i < plain.size(); i += width) turn_back(&plain[i]);
-      for (std::size_t i = 0; i < plain.size(); ++i) {
-        const double x = plain[i] / std::pow(v.unit, degree);
-        const std::size_t coordinate = i / width, entry = i % width;
-        if (!formula.shape.per_corner) folded[v.element_of[coordinate] * width + entry] += x;
-        else
-          for (const int to : v.vertex_parts[coordinate])
-            folded[to * width + entry] += x / static_cast<double>(v.vertex_parts[coordinate].size());
-      }
-      worst = std::max(worst, relative_difference(folded, expected[b].value));
-    }
+    for (std::size_t b = 0; b < found.size(); ++b)
+      worst = std::max(worst, relative_difference(folded(v, b, found[b]), expected[b].value));
   }
   return errors;
 }
@@ -136,21 +171,26 @@ std::array<double, 3> CageSymmetries::differences_at(const Vec3<double>& point) 
   const Vec3<Mp100> eta = convert<Mp100>(point);
   // Far below the distance to the cage, far above the rounding of 100 digits.
   const Mp100 step = Mp100(size_) * Mp100("1e-30");
-  const auto exact = base_.at_off_cage<Mp100>(eta, 2);
+  const auto exact = base_.at<Mp100>(eta, 2);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  // A point without coordinates has no derivatives either.
+  if (!base_.kind().missing_because.empty() && isnan(exact[0].value[0])) return {none, none, none};
   auto differences = exact;
-  for (int a = 0; a < 3; ++a) {
+  const int dim = base_.dimension();
+  for (int a = 0; a < dim; ++a) {
     Vec3<Mp100> plus = eta, minus = eta;
     plus[a] += step;
     minus[a] -= step;
-    const auto up = base_.at_off_cage<Mp100>(plus, 1), down = base_.at_off_cage<Mp100>(minus, 1);
+    const auto up = base_.at<Mp100>(plus, 1), down = base_.at<Mp100>(minus, 1);
     for (std::size_t b = 0; b < exact.size(); ++b)
       for (int o = 1; o <= 2; ++o)
         for (std::size_t i = 0; i < up[b].of(o - 1).size(); ++i)
-          differences[b].of(o)[3 * i + a] = (up[b].of(o - 1)[i] - down[b].of(o - 1)[i]) / (2 * step);
+          differences[b].of(o)[dim * i + a] = (up[b].of(o - 1)[i] - down[b].of(o - 1)[i]) / (2 * step);
   }
   std::array<double, 3> worst{std::numeric_limits<double>::quiet_NaN(), 0, 0};
   for (std::size_t b = 0; b < exact.size(); ++b)
-    for (int o = 1; o <= 2; ++o) worst[o] = std::max(worst[o], relative_difference(differences[b].of(o), exact[b].of(o)));
+    for (int o = 1; o <= 2; ++o)
+      worst[o] = std::max(worst[o], relative_difference(differences[b].of(o), exact[b].of(o)));
   return worst;
 }
 

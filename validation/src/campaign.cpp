@@ -7,31 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 namespace cageproof::validation {
 namespace {
-
-// What one (evaluation, scalar, check, order) has found so far; merging does not depend on order.
-struct Tally {
-  ErrorHistogram errors;
-  WorstCases worst;
-  std::uint64_t without_truth = 0, declined = 0;
-  double max_relative = 0;
-  std::vector<double> by_parameter;
-
-  void merge(const Tally& other) {
-    errors.merge(other.errors);
-    worst.merge(other.worst);
-    without_truth += other.without_truth;
-    declined += other.declined;
-    max_relative = std::max(max_relative, other.max_relative);
-    by_parameter.resize(std::max(by_parameter.size(), other.by_parameter.size()), -1);
-    for (std::size_t i = 0; i < other.by_parameter.size(); ++i)
-      by_parameter[i] = std::max(by_parameter[i], other.by_parameter[i]);
-  }
-};
 
 // One check of one evaluation in one scalar: a job's smallest part.
 struct Part {
@@ -46,20 +25,24 @@ struct Part {
 struct Plan {
   const Formula* formula;
   const Regime* regime;
-  Evaluation reference;  // the closed form, in multiprecision
+  std::optional<TruthSource> source;  // none where nothing is asked
   std::vector<Part> parts;
 };
 
-using Tallies = std::vector<std::array<Tally, 3>>;  // by part, then order
-
-bool is_quadrature(const Evaluation& evaluation) { return evaluation.name() != "closed_form"; }
+// Whether an evaluation is one that people rely on, and quick enough to be asked at every sample: no rule or scheme,
+// whose errors are known to be large, and nothing adaptive.
+bool takes_every_sample(const Evaluation& evaluation) {
+  const Role role = evaluation.role();
+  return role != Role::Rule && role != Role::Scheme && evaluation.cost() < CostClass::Adaptive;
+}
 
 // Steps through all decades of a sweep, whose lengths seven does not divide.
 constexpr int wide_stride = 7;
 
-// Where truths are integrals themselves, a quarter of the samples; then whatever else is measured against them costs little.
-CampaignOptions affordable(CampaignOptions options, const Evaluation& reference) {
-  if (reference.substitutes().truths.empty()) return options;
+// Where truths are integrals themselves, a quarter of the samples; then whatever else is measured against them costs
+// little.
+CampaignOptions affordable(CampaignOptions options, const TruthSource& source) {
+  if (!source.is_costly()) return options;
   options.samples = (options.samples + 3) / 4;
   options.quadrature_divisor = 1;
   return options;
@@ -75,22 +58,23 @@ Part part_for(const Check& check, const Evaluation& evaluation, ScalarKind scala
     case Check::Cost::Truths: return strided(std::max(wide_stride, options.quadrature_divisor), options.samples);
     case Check::Cost::Evaluations: break;
   }
-  const bool every = !is_quadrature(evaluation) && scalar != ScalarKind::Float;
+  const bool every = takes_every_sample(evaluation) && scalar != ScalarKind::Float;
   return strided(every ? 1 : options.quadrature_divisor, options.samples);
 }
 
 Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOptions& options) {
   Plan plan{&formula, &regime, {}, {}};
   auto& evaluations = EvaluationRegister::instance();
-  plan.reference = *evaluations.find(formula.name, "closed_form");
+  if (!has_truth_source(formula) || !exists_for(regime, formula.element)) return plan;
+  plan.source = truth_source(formula);
   for (const auto& check : checks())
     for (const std::string& name : evaluations.standard(formula.name)) {
       // The gate is asked for whatever else is: without it there is no truth.
-      if (!matches(options.evaluations, name) && check->role() != Check::Role::Gate) continue;
       const Evaluation evaluation = *evaluations.find(formula.name, name);
+      if (!matches_evaluation(options.evaluations, evaluation) && check->role() != Check::Role::Gate) continue;
       for (const ScalarKind scalar : scalar_kinds) {
         if (!evaluation.supports(scalar) || !check->applies(formula, evaluation, scalar, regime.name)) continue;
-        plan.parts.push_back(part_for(*check, evaluation, scalar, affordable(options, plan.reference)));
+        plan.parts.push_back(part_for(*check, evaluation, scalar, affordable(options, *plan.source)));
       }
     }
   return plan;
@@ -107,106 +91,76 @@ void record(const Part& part, const Plan& plan, const Sample& sample, const std:
       case Finding::Status::Declined: ++tally.declined; continue;
       case Finding::Status::Measured: break;
     }
-    tally.errors.add(finding.error);
-    tally.max_relative = std::max(tally.max_relative, finding.relative);
-    if (tally.worst.wants(finding.error, sample.index))
-      tally.worst.add({finding.error, sample.parameter, sample.index, sample.corners, sample.point, sample.parameters});
+    tally.add(finding.error, finding.relative, sample.index, [&](double error) {
+      return WorstCase{error, sample.parameter, sample.index, sample.corners, sample.point, sample.parameters};
+    });
     const std::size_t decades = plan.regime->parameters.size();
-    if (decades == 0 || part.check->role() != Check::Role::Truth) continue;
-    tally.by_parameter.resize(decades, -1);
-    double& largest = tally.by_parameter[sample.index % decades];
-    largest = std::max(largest, finding.error);
+    if (decades > 0 && part.check->role() == Check::Role::Truth)
+      tally.add_to_curve(sample.index % decades, decades, finding.error);
   }
 }
 
-constexpr int block_size = 16;
+// A formula in a regime; sample i of all its parts is made, and its truth found, once.
+class ElementMeasurement final : public Measurement {
+ public:
+  ElementMeasurement(Plan plan, std::uint64_t seed) : plan_(std::move(plan)), seed_(seed) {
+    for (const Part& part : plan_.parts) end_ = std::max(end_, part.end);
+    // Costly checks take few samples, the first ones: blocks of less would leave a thread alone with them.
+    constexpr int least = 16;
+    block_size_ = std::max(least, ((end_ + most_blocks - 1) / most_blocks + least - 1) / least * least);
+  }
+  std::string name() const override { return fmt::format("{}, {}", plan_.formula->name, plan_.regime->name); }
+  int blocks() const override { return std::max(1, (end_ + block_size_ - 1) / block_size_); }
 
-// Samples [first, first + block_size) of a plan, in one scalar's rounding.
-void run_block(const Plan& plan, const CampaignOptions& options, int first, Tallies& tallies) {
-  const auto takes = [](const Part& part, int i) { return i % part.divisor == 0 && i < part.end; };
-  for (int i = first; i < first + block_size; ++i) {
-    if (std::ranges::none_of(plan.parts, [&](const Part& part) { return takes(part, i); })) continue;
-    const Sample exact = make_sample(*plan.formula, *plan.regime, options.seed, i);
+  Findings measure(int block) const override {
+    std::vector<std::array<Tally, 3>> tallies(plan_.parts.size());
+    for (int i = block * block_size_; i < std::min(end_, (block + 1) * block_size_); ++i) measure_sample(i, tallies);
+    Findings findings;
+    for (std::size_t p = 0; p < plan_.parts.size(); ++p)
+      for (int o = 0; o < 3; ++o) {
+        Tally& tally = tallies[p][o];
+        if (tally.empty()) continue;
+        tally.unit = plan_.parts[p].check->unit();
+        findings.rows[key_of(plan_.parts[p], o)].merge(tally);
+      }
+    return findings;
+  }
+
+ private:
+  static bool takes(const Part& part, int i) { return i % part.divisor == 0 && i < part.end; }
+
+  void measure_sample(int i, std::vector<std::array<Tally, 3>>& tallies) const {
+    if (std::ranges::none_of(plan_.parts, [&](const Part& part) { return takes(part, i); })) return;
+    const Sample exact = make_sample(*plan_.formula, *plan_.regime, seed_, i);
     for (const bool single : {false, true}) {
       std::optional<Truth> truth;
       const Sample sample = single ? rounded_to(ScalarKind::Float, exact) : exact;
-      for (std::size_t p = 0; p < plan.parts.size(); ++p) {
-        const Part& part = plan.parts[p];
+      for (std::size_t p = 0; p < plan_.parts.size(); ++p) {
+        const Part& part = plan_.parts[p];
         if ((part.scalar == ScalarKind::Float) != single || !takes(part, i)) continue;
-        if (!truth) truth = truth_from(plan.reference, sample, 2);
+        if (!truth) truth = truth_from(*plan_.source, sample, 2);
         const int order = std::min(2, part.evaluation.max_order());
-        record(part, plan, sample,
-               part.check->measure({*plan.formula, part.evaluation, part.scalar, sample, order, *truth}), tallies[p]);
+        record(part, plan_, sample,
+               part.check->measure({*plan_.formula, part.evaluation, part.scalar, sample, order, *truth}), tallies[p]);
       }
     }
   }
-}
 
-void add_results(const Plan& plan, const Tallies& tallies, CampaignResult& result) {
-  for (std::size_t p = 0; p < plan.parts.size(); ++p) {
-    const Part& part = plan.parts[p];
-    for (int o = 0; o < 3; ++o) {
-      const Tally& tally = tallies[p][o];
-      if (tally.errors.count() + tally.without_truth + tally.declined == 0) continue;
-      ResultRow row;
-      row.subject = plan.formula->name;
-      row.evaluation = part.evaluation.name();
-      row.scalar = name_of(part.scalar);
-      row.regime = plan.regime->name;
-      row.check = part.check->name();
-      row.order = o;
-      row.unit = part.check->unit();
-      row.samples = tally.errors.count();
-      row.nonfinite = tally.errors.nonfinite();
-      row.without_truth = tally.without_truth;
-      row.declined = tally.declined;
-      row.max = tally.errors.max();
-      row.p999 = tally.errors.p999();
-      row.median = tally.errors.median();
-      row.max_relative = tally.max_relative;
-      row.worst = tally.worst.cases();
-      row.histogram.assign(tally.errors.counts().begin(), tally.errors.counts().end());
-      judge(row);
-      if (!tally.by_parameter.empty()) {
-        ResultCurve curve{row.subject, row.evaluation, row.scalar, row.regime, row.check, o,
-                          std::string(plan.regime->parameter_name), {}, {}};
-        for (std::size_t i = 0; i < tally.by_parameter.size(); ++i)
-          if (tally.by_parameter[i] >= 0) {
-            curve.parameters.push_back(plan.regime->parameters[i]);
-            curve.errors.push_back(tally.by_parameter[i]);
-          }
-        result.curves.push_back(std::move(curve));
-      }
-      result.rows.push_back(std::move(row));
-    }
+  RowKey key_of(const Part& part, int order) const {
+    RowKey key;
+    key.subject = plan_.formula->name;
+    key.evaluation = part.evaluation.name();
+    key.scalar = name_of(part.scalar);
+    key.regime = plan_.regime->name;
+    key.check = part.check->name();
+    key.order = order;
+    return key;
   }
-}
 
-bool has_role(const ResultRow& row, Check::Role role) {
-  const Check* check = find_check(row.check);
-  return check && check->role() == role;
-}
-
-// Where the closed form in multiprecision has not agreed with the integral, nothing that was measured against it counts.
-void withdraw_unproven(CampaignResult& result) {
-  const auto same_place = [](const ResultRow& a, const ResultRow& b) {
-    return a.subject == b.subject && a.regime == b.regime && a.order == b.order;
-  };
-  for (const ResultRow& gate : result.rows) {
-    if (!has_role(gate, Check::Role::Gate) || gate.verdict == Verdict::Kept) continue;
-    result.notes.push_back(
-        gate.samples == 0
-            ? fmt::format("{}, {}, order {}: the integral confirmed the truth on none of {} samples (no limit, or fewer than "
-                          "30 digits)", gate.subject, gate.regime, gate.order, gate.without_truth)
-            : fmt::format("{}, {}, order {}: the closed form in multiprecision is not the integral; nothing measured against "
-                          "it counts", gate.subject, gate.regime, gate.order));
-    for (ResultRow& row : result.rows)
-      if (!has_role(row, Check::Role::Gate) && !has_role(row, Check::Role::Proof) && same_place(row, gate)) {
-        row.verdict = Verdict::NotPromised;
-        row.reason = "the truth is not confirmed by the integral here";
-      }
-  }
-}
+  Plan plan_;
+  std::uint64_t seed_;
+  int end_ = 0, block_size_ = 0;
+};
 
 template <class Range, class Name>
 auto matching(const Range& range, const std::string& pattern, std::string_view what, Name name) {
@@ -219,62 +173,36 @@ auto matching(const Range& range, const std::string& pattern, std::string_view w
 
 }  // namespace
 
-void judge(ResultRow& row) {
-  const Promise promise =
-      promise_for({row.check, row.subject, row.evaluation, row.scalar, row.regime, row.order});
-  row.bound = promise.bound;
-  row.reason = promise.reason;
-  // A row that measured nothing keeps no promise and breaks none.
-  // Off the element every limit exists: a sample without truth there is a failure of the closed form itself (in float it may have rounded
-  // onto the element, or out of range).
-  const bool off_element = row.section == ResultRow::Section::Element && !row.regime.starts_with("on-");
-  if (row.bound && off_element && row.without_truth > 0 && has_role(row, Check::Role::Truth) && row.scalar != "float") {
-    row.verdict = Verdict::Broken;
-    row.reason = "the closed form in multiprecision has no value on some samples";
-    return;
-  }
-  if (row.bound && row.samples == 0) row.reason = "no sample had a truth, or a statement, to be measured against";
-  row.verdict = !row.bound || row.samples == 0 ? Verdict::NotPromised
-                : row.max <= *row.bound        ? Verdict::Kept
-                                               : Verdict::Broken;
-}
-
-CampaignResult run_campaign(const CampaignOptions& options) {
-  std::vector<Plan> plans;
+Measurements element_measurements(const CampaignOptions& options) {
+  Measurements measurements;
   bool any_part = false;
   const auto name_of_row = [](const auto& row) { return row.name; };
   for (const Formula* formula : matching(catalogue(), options.formulas, "formula", name_of_row))
     for (const Regime* regime : matching(regimes(), options.regimes, "regime", name_of_row)) {
-      plans.push_back(plan_for(*formula, *regime, options));
-      for (const Part& part : plans.back().parts)
-        any_part = any_part || matches(options.evaluations, part.evaluation.name());
+      Plan plan = plan_for(*formula, *regime, options);
+      for (const Part& part : plan.parts)
+        any_part = any_part || matches_evaluation(options.evaluations, part.evaluation);
+      if (plan.parts.empty()) continue;
+      measurements.push_back(std::make_unique<ElementMeasurement>(std::move(plan), options.seed));
     }
-  if (!any_part)
-    throw InputError(fmt::format("no evaluation matches '{}'; see `cageproof list`", options.evaluations));
+  if (!any_part) throw InputError(fmt::format("no evaluation matches '{}'; see `cageproof list`", options.evaluations));
+  return measurements;
+}
 
-  int end = 0;
-  for (const Plan& plan : plans)
-    for (const Part& part : plan.parts) end = std::max(end, part.end);
-  const std::size_t blocks = (end + block_size - 1) / block_size;
-  std::vector<Tallies> tallies(plans.size() * blocks);
-  std::atomic<std::size_t> done{0};
-  for_each_parallel(tallies.size(), options.jobs, [&](std::size_t task) {
-    const Plan& plan = plans[task / blocks];
-    tallies[task].resize(plan.parts.size());
-    run_block(plan, options, static_cast<int>(task % blocks) * block_size, tallies[task]);
-    if (options.progress) options.progress(++done, tallies.size());
-  });
+std::vector<std::string> notes_on_truth(const std::string& formulas) {
+  std::vector<std::string> notes;
+  for (const Formula& formula : catalogue())
+    if (matches(formulas, formula.name) && has_truth_source(formula) && truth_source(formula).is_integral)
+      notes.push_back(fmt::format(
+          "{}: no recommended evaluation; the truth is the integral in 100 digits, confirmed to 30 by the one in 50",
+          formula.name));
+  return notes;
+}
 
-  CampaignResult result;
-  for (std::size_t p = 0; p < plans.size(); ++p) {
-    Tallies merged(plans[p].parts.size());
-    for (std::size_t b = 0; b < blocks; ++b)
-      for (std::size_t part = 0; part < merged.size(); ++part)
-        for (int o = 0; o < 3; ++o) merged[part][o].merge(tallies[p * blocks + b][part][o]);
-    add_results(plans[p], merged, result);
-  }
-  withdraw_unproven(result);
-  return result;
+Judged run_campaign(const CampaignOptions& options) {
+  Judged found = judged(measure_all(element_measurements(options), options.jobs, options.progress).rows);
+  for (std::string& note : notes_on_truth(options.formulas)) found.notes.push_back(std::move(note));
+  return found;
 }
 
 }  // namespace cageproof::validation

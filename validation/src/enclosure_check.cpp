@@ -5,24 +5,23 @@
 namespace cageproof::validation {
 namespace {
 
-constexpr std::string_view enclosing = "certified";
-
-/// The closed form in multiprecision, that is the truth, lies in the enclosure of the defining integral.
+/// The recommended evaluation in multiprecision, that is the truth, lies in the enclosure of the defining integral.
 class EnclosureCheck final : public Check {
  public:
   std::string_view name() const override { return "enclosure"; }
   std::string_view unit() const override { return "of the radius"; }
   std::string_view description() const override {
-    return "closed form in multiprecision: distance from the middle of a rigorous enclosure of the integral";
+    return "recommended evaluation in multiprecision: distance from the middle of a rigorous enclosure of the integral";
   }
   Role role() const override { return Role::Proof; }
   Cost cost(ScalarKind) const override { return Cost::Enclosure; }
-  bool applies(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
-    return evaluation.name() == "closed_form" && scalar == ScalarKind::Digits100 &&
-           EvaluationRegister::instance().find(formula.name, enclosing);
+  bool applies(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar,
+               std::string_view) const override {
+    return is_recommended(evaluation) && scalar == ScalarKind::Digits100 &&
+           EvaluationRegister::instance().with_role(formula.name, cageproof::Role::Enclosure);
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
-    const auto certified = EvaluationRegister::instance().find(in.formula.name, enclosing);
+    const auto certified = EvaluationRegister::instance().with_role(in.formula.name, cageproof::Role::Enclosure);
     const Result<Mp100> ball = evaluate<Mp100>(*certified, in.sample, in.order);
     const Result<Mp100> closed = evaluate<Mp100>(in.evaluation, in.sample, in.order);
     std::array<Finding, 3> findings;

@@ -14,16 +14,17 @@ namespace {
 
 namespace published = closed_form::published;
 
-void measure(const ErrataOptions& options, ErratumRow& row) {
+void fill_in(const ErrataOptions& options, ErratumRow& row) {
   const Formula& formula = *find_formula(row.formula);
   const Regime& regime = *find_regime(row.regime);
-  const auto found = [&](std::string_view name) { return *EvaluationRegister::instance().find(row.formula, name); };
-  const Evaluation printed = found(row.evaluation), corrected = found("published"), reference = found("closed_form");
+  const Evaluation printed = evaluation_named(row.formula, row.evaluation);
+  const Evaluation corrected = *EvaluationRegister::instance().with_role(row.formula, Role::Printed);
+  const Evaluation reference = truth_source(formula).evaluation;
   const bool on_element = row.regime.starts_with("on-");
   for (std::uint64_t i = 0; row.samples < static_cast<std::uint64_t>(options.samples); ++i) {
     const Sample sample = make_sample(formula, regime, options.seed, i);
     // Special cases are those that are met exactly, not one ulp off.
-    if (on_element && contact_of(sample) == Contact::None) continue;
+    if (on_element && contact_of(formula.element, sample) == Contact::Off) continue;
     ++row.samples;
     Truth truth;
     truth.tensors = evaluate<Mp100>(reference, sample, row.order);  // campaigns prove it against the integral
@@ -39,9 +40,8 @@ void measure(const ErrataOptions& options, ErratumRow& row) {
   }
 }
 
-}  // namespace
-
-std::vector<ErratumRow> measure_errata(const ErrataOptions& options) {
+// Every row without its figures.
+std::vector<ErratumRow> unmeasured(const ErrataOptions& options) {
   std::vector<ErratumRow> rows;
   for (const published::Erratum& erratum : published::errata()) {
     ErratumRow row;
@@ -51,15 +51,48 @@ std::vector<ErratumRow> measure_errata(const ErrataOptions& options) {
     if (erratum.affected.empty()) rows.push_back(row);
     for (const published::Affected& affected : erratum.affected) {
       if (!matches(options.formulas, affected.formula)) continue;
-      ErratumRow measured = row;
-      measured.formula = affected.formula;
-      measured.order = affected.order;
-      measured.evaluation = evaluation_name(erratum.as_printed);
-      measured.regime = erratum.regime;
-      measure(options, measured);
-      rows.push_back(measured);
+      ErratumRow& found = rows.emplace_back(row);
+      found.formula = affected.formula;
+      found.order = affected.order;
+      found.evaluation = evaluation_name(erratum.as_printed);
+      found.regime = erratum.regime;
     }
   }
+  return rows;
+}
+
+// A row a block.
+class ErrataMeasurement final : public Measurement {
+ public:
+  explicit ErrataMeasurement(const ErrataOptions& options) : options_(options), rows_(unmeasured(options)) {}
+
+  std::string name() const override { return "errata"; }
+  int blocks() const override { return static_cast<int>(rows_.size()); }
+
+  Findings measure(int block) const override {
+    ErratumRow row = rows_[block];
+    if (!row.formula.empty()) fill_in(options_, row);
+    Findings findings;
+    findings.errata.emplace(block, std::move(row));
+    return findings;
+  }
+
+ private:
+  ErrataOptions options_;
+  std::vector<ErratumRow> rows_;
+};
+
+}  // namespace
+
+std::unique_ptr<const Measurement> errata_measurement(const ErrataOptions& options) {
+  return std::make_unique<ErrataMeasurement>(options);
+}
+
+std::vector<ErratumRow> measure_errata(const ErrataOptions& options) {
+  Measurements measurements;
+  measurements.push_back(errata_measurement(options));
+  std::vector<ErratumRow> rows;
+  for (auto& [place, row] : measure_all(measurements, options.jobs).errata) rows.push_back(std::move(row));
   return rows;
 }
 

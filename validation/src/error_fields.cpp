@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/error_fields.h"
 
+#include "cageproof/core/input_error.h"
 #include "cageproof/validation/cage_campaign.h"
-#include "cageproof/validation/campaign.h"
+#include "cageproof/validation/parallel.h"
+#include "cageproof/validation/truth.h"
+#include "element/element_sampling.h"
 
 #include <fmt/format.h>
 
@@ -42,6 +45,57 @@ std::string file_name(const Cage& cage) {
   return name;
 }
 
+std::string name_of_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
+                          Triangulation rule, const char* what) {
+  return fmt::format("{}.{}.{}.{}", file_name(cage), kind.name,
+                     CageCoordinates(cage, kind, evaluation, rule).evaluation(), what);
+}
+
+SlicePlan grid_of(const ImageField& field) { return {field.origin, field.spacing, field.points}; }
+
+// Arrays with room for so many values each.
+void make_room(std::vector<ImageField::Array>& arrays, std::size_t count) {
+  for (ImageField::Array& array : arrays) array.values.resize(count);
+}
+
+// Sample i of the grid into entry `at` of each array.
+void sample_into(std::vector<ImageField::Array>& arrays, std::size_t at, const FieldPlan::Sampler& sampler,
+                 const Vec3<double>& point) {
+  std::vector<double> values(arrays.size());
+  sampler(point, values);
+  for (std::size_t a = 0; a < arrays.size(); ++a) arrays[a].values[at] = values[a];
+}
+
+class FieldMeasurement final : public Measurement {
+ public:
+  FieldMeasurement(FieldPlan plan, int place, const std::string& title, const std::string& shown)
+      : place_(place),
+        grid_(grid_of(plan.field)),
+        empty_{title, shown, "", count_of(grid_), 0, std::move(plan.field)},
+        sampler_(std::move(plan.prepare)) {}
+
+  std::string name() const override { return "field " + empty_.image.name; }
+  int blocks() const override { return block_count(empty_.samples, 200); }
+
+  Findings measure(int block) const override {
+    const FieldPlan::Sampler& sampler = sampler_.get();
+    FieldPart part = empty_;
+    part.first = block_begin(part.samples, block, blocks());
+    const std::size_t count = block_begin(part.samples, block + 1, blocks()) - part.first;
+    make_room(part.image.arrays, count);
+    for (std::size_t i = 0; i < count; ++i) sample_into(part.image.arrays, i, sampler, point_of(grid_, part.first + i));
+    Findings findings;
+    findings.fields.emplace(std::pair(place_, part.first), std::move(part));
+    return findings;
+  }
+
+ private:
+  int place_;
+  SlicePlan grid_;
+  FieldPart empty_;
+  Lazy<FieldPlan::Sampler> sampler_;
+};
+
 }  // namespace
 
 SlicePlan slice_through(const Cage& cage, int resolution) {
@@ -63,73 +117,125 @@ SlicePlan slice_through(const Cage& cage, int resolution) {
   return slice;
 }
 
-ImageField reproduction_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
-                              Triangulation rule, int resolution, int jobs, const std::vector<double>& parameters) {
-  const SlicePlan slice = slice_through(cage, resolution);
-  const CageCoordinates coordinates(cage, kind, evaluation, rule, parameters);
-  const CageLocator locator(cage, rule, kind.keeps_quads());
-  ImageField field = empty_field(slice, fmt::format("{}.{}.{}.reproduction", file_name(cage), kind.name, evaluation));
-  const std::size_t count = count_of(slice);
-  field.arrays = {{"partition of unity", "1", 1, std::vector<double>(count)},
-                  {"linear reproduction", "cage sizes", 1, std::vector<double>(count)}};
-  for_each_parallel(count, jobs, [&](std::size_t i) {
-    const Vec3<double> p = point_of(slice, i);
-    const Place place = locator.place(p);
-    const CageErrors errors = errors_at(coordinates, cage, p, expected_sum(kind, place), 0);
-    const bool shown = place != Place::TooClose;
-    field.arrays[0].values[i] = shown ? errors.partition[0] : masked;
-    field.arrays[1].values[i] = shown ? errors.reproduction[0] : masked;
-  });
+ImageField sampled(const FieldPlan& plan, int jobs) {
+  ImageField field = plan.field;
+  const SlicePlan grid = grid_of(field);
+  const FieldPlan::Sampler sampler = plan.prepare();
+  make_room(field.arrays, count_of(grid));
+  for_each_parallel(count_of(grid), jobs,
+                    [&](std::size_t i) { sample_into(field.arrays, i, sampler, point_of(grid, i)); });
   return field;
 }
 
-ImageField coordinate_error_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
-                                  Triangulation rule, int resolution, int jobs) {
-  const SlicePlan slice = slice_through(cage, resolution);
-  const CageCoordinates coordinates(cage, kind, evaluation, rule);
-  const CageCoordinates reference(cage, kind, "closed_form", rule);
-  ImageField field = empty_field(slice, fmt::format("{}.{}.{}.error", file_name(cage), kind.name, evaluation));
-  const std::size_t count = count_of(slice);
-  field.arrays = {{"relative error", "1", 1, std::vector<double>(count)}};
-  for_each_parallel(count, jobs, [&](std::size_t i) {
-    field.arrays[0].values[i] = truth_errors_at(coordinates, reference, point_of(slice, i), 0)[0];
-  });
-  return field;
+std::unique_ptr<const Measurement> field_measurement(FieldPlan plan, int place, const std::string& title,
+                                                     const std::string& shown) {
+  return std::make_unique<FieldMeasurement>(std::move(plan), place, title, shown);
 }
 
-ImageField coordinate_difference_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation, const std::string& other,
-                                       Triangulation rule, int resolution, int jobs) {
-  const SlicePlan slice = slice_through(cage, resolution);
-  const CageCoordinates first(cage, kind, evaluation, rule), second(cage, kind, other, rule);
-  ImageField field = empty_field(slice, fmt::format("{}.{}.{}.difference", file_name(cage), kind.name, evaluation));
-  const std::size_t count = count_of(slice);
-  field.arrays = {{"difference", "1", 1, std::vector<double>(count)}};
-  for_each_parallel(count, jobs, [&](std::size_t i) {
-    const auto a = first.at<double>(point_of(slice, i), 0), b = second.at<double>(point_of(slice, i), 0);
-    double worst = 0;
-    for (std::size_t block = 0; block < a.size(); ++block)
-      for (std::size_t k = 0; k < a[block].value.size(); ++k) {
-        const double d = std::abs(a[block].value[k] - b[block].value[k]);
-        worst = std::isnan(d) ? std::numeric_limits<double>::infinity() : std::max(worst, d);
-      }
-    field.arrays[0].values[i] = worst;
-  });
-  return field;
+FieldPlan reproduction_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+                             const std::string& evaluation, Triangulation rule, int resolution,
+                             const std::vector<double>& parameters) {
+  FieldPlan plan;
+  plan.field =
+      empty_field(slice_through(*cage, resolution), name_of_field(*cage, kind, evaluation, rule, "reproduction"));
+  plan.field.arrays = {{"partition of unity", "1", 1, {}}, {"linear reproduction", "cage sizes", 1, {}}};
+  plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
+    const auto coordinates =
+        std::make_shared<const CageCoordinates>(*cage, kind, CoordinateOptions{evaluation, rule, parameters});
+    const auto locator = std::make_shared<const CageLocator>(*cage, rule, kind.keeps_quads);
+    return [=, &kind](const Vec3<double>& p, std::span<double> values) {
+      const Place place = locator->place(p);
+      const CageErrors errors = errors_at(*coordinates, *cage, p, expected_sum(kind, place), 0);
+      const bool shown = place != Place::TooClose;
+      values[0] = shown ? errors.partition[0] : masked;
+      values[1] = shown ? errors.reproduction[0] : masked;
+    };
+  };
+  return plan;
 }
 
-ImageField formula_error_field(const std::vector<std::array<Vec3<double>, 3>>& triangles, const Formula& formula,
+FieldPlan coordinate_error_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+                                 const std::string& evaluation, Triangulation rule, int resolution) {
+  FieldPlan plan;
+  plan.field = empty_field(slice_through(*cage, resolution), name_of_field(*cage, kind, evaluation, rule, "error"));
+  plan.field.arrays = {{"relative error", "1", 1, {}}};
+  plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
+    const auto coordinates = std::make_shared<const CageCoordinates>(*cage, kind, evaluation, rule);
+    const auto reference =
+        std::make_shared<const CageCoordinates>(*cage, kind, CoordinateOptions{.triangulation = rule});
+    return [=](const Vec3<double>& p, std::span<double> values) {
+      values[0] = truth_errors_at(*coordinates, *reference, p, 0)[0];
+    };
+  };
+  return plan;
+}
+
+FieldPlan coordinate_difference_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+                                      const std::string& evaluation, const std::string& other, Triangulation rule,
+                                      int resolution) {
+  FieldPlan plan;
+  plan.field =
+      empty_field(slice_through(*cage, resolution), name_of_field(*cage, kind, evaluation, rule, "difference"));
+  plan.field.arrays = {{"difference", "1", 1, {}}};
+  plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
+    const auto first = std::make_shared<const CageCoordinates>(*cage, kind, evaluation, rule);
+    const auto second = std::make_shared<const CageCoordinates>(*cage, kind, other, rule);
+    return [=](const Vec3<double>& p, std::span<double> values) {
+      const auto a = first->at<double>(p, 0), b = second->at<double>(p, 0);
+      double worst = 0;
+      for (std::size_t block = 0; block < a.size(); ++block)
+        for (std::size_t k = 0; k < a[block].value.size(); ++k) {
+          const double d = std::abs(a[block].value[k] - b[block].value[k]);
+          worst = std::isnan(d) ? std::numeric_limits<double>::infinity() : std::max(worst, d);
+        }
+      values[0] = worst;
+    };
+  };
+  return plan;
+}
+
+ElementSlice slice_of(ElementKind kind, int resolution) {
+  const FieldShape& shape = sampling_of(kind).field;
+  ElementSlice found;
+  for (int k = 0; k < corner_count(kind); ++k) found.corners.emplace_back(shape.corners[k].data());
+  const int steps = resolution - 1;
+  found.slice = {Vec3<double>(shape.origin.data()),
+                 {shape.extent[0] / steps, shape.extent[1] / steps, 1},
+                 {resolution, resolution, 1}};
+  return found;
+}
+
+std::vector<std::vector<Vec3<double>>> elements_of(const Cage& cage, ElementKind kind, Triangulation rule) {
+  for (const bool keep_quads : {false, true}) {
+    const CageElements elements(cage, keep_quads, rule);
+    std::vector<std::vector<Vec3<double>>> found;
+    for (std::size_t e = 0; e < elements.count(); ++e)
+      if (elements.type(e).kind == kind) found.push_back(elements.corners(e));
+    if (!found.empty()) return found;
+  }
+  throw InputError(fmt::format("{} has no {}", cage.name(), name_of(kind)));
+}
+
+ImageField formula_error_field(const std::vector<std::vector<Vec3<double>>>& elements, const Formula& formula,
                                const Evaluation& evaluation, int order, const SlicePlan& slice, int jobs) {
-  const Evaluation reference = *EvaluationRegister::instance().find(formula.name, "closed_form");
-  ImageField field = empty_field(
-      slice, fmt::format("{}.{}.{}", formula.name, evaluation.name(), order == 0 ? "value" : order == 1 ? "gradient" : "hessian"));
+  for (const auto& corners : elements)
+    if (static_cast<int>(corners.size()) != formula.corners())
+      throw InputError(
+          fmt::format("{} lives on a {}, not on {} corners", formula.name, name_of(formula.element), corners.size()));
+  const Evaluation reference = truth_source(formula).evaluation;
+  ImageField field = empty_field(slice, fmt::format("{}.{}.{}", formula.name, evaluation.name(),
+                                                    order == 0   ? "value"
+                                                    : order == 1 ? "gradient"
+                                                                 : "hessian"));
   const std::size_t count = count_of(slice);
-  field.arrays = {{"value", "1", 1, std::vector<double>(count)}, {"relative error", "1", 1, std::vector<double>(count)}};
+  field.arrays = {{"value", "1", 1, std::vector<double>(count)},
+                  {"relative error", "1", 1, std::vector<double>(count)}};
   std::vector<double> presets;
   for (const Parameter& p : formula.parameters) presets.push_back(p.preset);
   for_each_parallel(count, jobs, [&](std::size_t i) {
     Mp100 error = 0, size = 0;
-    for (const auto& t : triangles) {
-      const Sample sample{{t.begin(), t.end()}, point_of(slice, i), presets, 0, i};
+    for (const auto& corners : elements) {
+      const Sample sample{corners, point_of(slice, i), presets, 0, i};
       const Result<double> f = evaluate<double>(evaluation, sample, order);
       const Result<Mp50> truth = evaluate<Mp50>(reference, sample, order);
       for (std::size_t k = 0; k < f.of(order).size(); ++k) {
@@ -139,7 +245,7 @@ ImageField formula_error_field(const std::vector<std::array<Vec3<double>, 3>>& t
       }
     }
     field.arrays[0].values[i] = static_cast<double>(Mp100(sqrt(size)));
-    field.arrays[1].values[i] = !isfinite(size) ? masked
+    field.arrays[1].values[i] = !isfinite(size)    ? masked
                                 : !isfinite(error) ? std::numeric_limits<double>::infinity()
                                 : error == 0       ? 0
                                                    : static_cast<double>(Mp100(sqrt(error / size)));

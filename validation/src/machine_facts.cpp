@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/verify.h"
+#include "cageproof/validation/machine_facts.h"
+
+#include "build_id.h"
+#include "cageproof/core/scalar.h"
 
 #include <boost/version.hpp>
 #include <fmt/chrono.h>
 #include <tbb/version.h>
+
+#include <gnu/libc-version.h>
 
 #include <fstream>
 #include <thread>
@@ -24,6 +29,9 @@ std::map<std::string, std::string> machine_facts() {
   return {{"processor", processor()},
           {"threads", fmt::format("{}", std::thread::hardware_concurrency())},
           {"compiler", __VERSION__},
+          {"C library", fmt::format("glibc {}", gnu_get_libc_version())},
+          {program_build, build_id()},
+          {elementary_functions, elementary_function_variant()},
           {"Boost", BOOST_LIB_VERSION},
           {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"MPFR", mpfr_get_version()},

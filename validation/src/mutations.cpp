@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mutations.h"
 
+#include "element/element_sampling.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +10,8 @@ namespace cageproof::validation {
 namespace {
 
 using Vec = Vec3<double>;
+
+// Draws stand in statements of their own, since C++ leaves the order of function arguments and of most operands open.
 
 int vertex_count(const Sample& s) { return static_cast<int>(s.corners.size()) + 1; }
 
@@ -19,12 +23,13 @@ Vec& random_vertex(Sample& s, RandomStream& random) {
   return random.below(2) == 0 ? s.point : vertex(s, random.below(vertex_count(s)));
 }
 
-double size_of(const Sample& s) {
-  double size = 0;
-  for (std::size_t i = 0; i < s.corners.size(); ++i)
-    size = std::max(size, (s.corners[(i + 1) % s.corners.size()] - s.corners[i]).norm());
-  return size;
+// One of a vertex's coordinates, in the element's space.
+double& random_coordinate(const Formula& formula, Sample& s, RandomStream& random) {
+  Vec& v = random_vertex(s, random);
+  return v[random.below(formula.dim())];
 }
+
+double size_of(const Sample& s) { return longest_edge<double>(s.corners); }
 
 double random_sign(RandomStream& random) { return random.below(2) == 0 ? -1 : 1; }
 
@@ -50,45 +55,51 @@ Edge random_edge(const Sample& s, RandomStream& random) {
   return {s.corners[e], s.corners[(e + 1) % s.corners.size()] - s.corners[e]};
 }
 
-Vec normal_of(const Sample& s) { return (s.corners[1] - s.corners[0]).cross(s.corners[2] - s.corners[0]).normalized(); }
+const SearchShape& shape_of(const Formula& formula) { return sampling_of(formula.element).search; }
 
-// The nearest point of a random corner, edge's line or plane, where foot and away are those of `from`.
-Vec foot_on_feature(const Sample& s, const Vec& from, RandomStream& random) {
+// Of flat elements their normal; of bilinear quads that of their area.
+Vec normal_of(const Formula& formula, const Sample& s) {
+  return type_of(formula.element).extent(s.corners).normalized();
+}
+
+// The nearest point of a random corner, edge's line or the surface.
+Vec foot_on_feature(const Formula& formula, const Sample& s, RandomStream& random) {
   const int kind = random.below(3);
   const Edge edge = random_edge(s, random);
   if (kind == 0) return edge.start;
-  if (kind == 1) return edge.start + (from - edge.start).dot(edge.along) / edge.along.squaredNorm() * edge.along;
-  const Vec n = normal_of(s);
-  return from - (from - edge.start).dot(n) * n;
+  if (kind == 1) return edge.start + (s.point - edge.start).dot(edge.along) / edge.along.squaredNorm() * edge.along;
+  return shape_of(formula).foot(s.corners, s.point);
 }
 
-void step_by_size(const Formula&, Sample& s, RandomStream& random) {
+void step_by_size(const Formula& formula, Sample& s, RandomStream& random) {
   Vec& v = random_vertex(s, random);
-  v[random.below(3)] += size_of(s) * random_step(random, -17, 0);
+  const double step = size_of(s) * random_step(random, -17, 0);
+  v[random.below(formula.dim())] += step;
 }
 
-void step_by_itself(const Formula&, Sample& s, RandomStream& random) {
+void step_by_itself(const Formula& formula, Sample& s, RandomStream& random) {
   Vec& v = random_vertex(s, random);
-  v[random.below(3)] *= 1 + random_step(random, -16, 0);
+  const double factor = 1 + random_step(random, -16, 0);
+  v[random.below(formula.dim())] *= factor;
 }
 
-void one_ulp(const Formula&, Sample& s, RandomStream& random) {
-  double& x = random_vertex(s, random)[random.below(3)];
+void one_ulp(const Formula& formula, Sample& s, RandomStream& random) {
+  double& x = random_coordinate(formula, s, random);
   const double towards = random_sign(random) * HUGE_VAL;
-  // Zero's own neighbour is 1e-324, which no size explains.
+  // One ulp off zero is a denormal (5e-324), far below any element's size, so it is left out.
   if (x == 0) return;
   for (int k = 1 + random.below(3); k > 0; --k) x = std::nextafter(x, towards);
 }
 
-void snap_coordinate(const Formula&, Sample& s, RandomStream& random) {
+void snap_coordinate(const Formula& formula, Sample& s, RandomStream& random) {
   Vec& v = random_vertex(s, random);
-  const int c = random.below(3), other = random.below(vertex_count(s) + 1);
+  const int c = random.below(formula.dim()), other = random.below(vertex_count(s) + 1);
   v[c] = other == vertex_count(s) ? 0.0 : vertex(s, other)[c];
 }
 
 // Fewer bits: where products become exact, and where coordinates meet.
-void round_coordinate(const Formula&, Sample& s, RandomStream& random) {
-  double& x = random_vertex(s, random)[random.below(3)];
+void round_coordinate(const Formula& formula, Sample& s, RandomStream& random) {
+  double& x = random_coordinate(formula, s, random);
   const int bits = random.below(50);
   int exponent = 0;
   const double mantissa = std::frexp(x, &exponent);
@@ -97,36 +108,43 @@ void round_coordinate(const Formula&, Sample& s, RandomStream& random) {
 
 void along_edge(const Formula&, Sample& s, RandomStream& random) {
   const Edge edge = random_edge(s, random);
-  random_vertex(s, random) += random_step(random, -16, 0.5) * edge.along;
+  const double step = random_step(random, -16, 0.5);
+  random_vertex(s, random) += step * edge.along;
 }
 
-void across_edge(const Formula&, Sample& s, RandomStream& random) {
-  const Vec beside = random_edge(s, random).along.cross(normal_of(s));
-  random_vertex(s, random) += random_step(random, -16, 0.5) * beside;
+void across_edge(const Formula& formula, Sample& s, RandomStream& random) {
+  const Vec beside = shape_of(formula).across(s.corners, random_edge(s, random).along);
+  const double step = random_step(random, -16, 0.5);
+  random_vertex(s, random) += step * beside;
 }
 
-void off_plane(const Formula&, Sample& s, RandomStream& random) {
-  const Vec n = size_of(s) * normal_of(s);
-  random_vertex(s, random) += random_step(random, -16, 0.5) * n;
+void off_surface(const Formula& formula, Sample& s, RandomStream& random) {
+  const Vec n = size_of(s) * normal_of(formula, s);
+  const double step = random_step(random, -16, 0.5);
+  random_vertex(s, random) += step * n;
 }
 
-void scale_distance(const Formula&, Sample& s, RandomStream& random) {
-  const Vec foot = foot_on_feature(s, s.point, random);
+void scale_distance(const Formula& formula, Sample& s, RandomStream& random) {
+  const Vec foot = foot_on_feature(formula, s, random);
   s.point = foot + power_of_two(random) * (s.point - foot);
 }
 
-void onto_feature(const Formula&, Sample& s, RandomStream& random) { s.point = foot_on_feature(s, s.point, random); }
+void onto_feature(const Formula& formula, Sample& s, RandomStream& random) {
+  s.point = foot_on_feature(formula, s, random);
+}
 
 // The foot at the origin: there doubles carry the distance to full precision.
-void foot_to_origin(const Formula&, Sample& s, RandomStream& random) {
-  const Vec foot = foot_on_feature(s, s.point, random);
+void foot_to_origin(const Formula& formula, Sample& s, RandomStream& random) {
+  const Vec foot = foot_on_feature(formula, s, random);
   for (Vec& corner : s.corners) corner -= foot;
   s.point -= foot;
 }
 
-void shift_all(const Formula&, Sample& s, RandomStream& random) {
+void shift_all(const Formula& formula, Sample& s, RandomStream& random) {
   const double length = size_of(s) * random_step(random, -3, 8);
-  const Vec by = length * Vec(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  Vec by = Vec::Zero();
+  for (int c = 0; c < formula.dim(); ++c) by[c] = random.uniform(-1, 1);
+  by *= length;
   for (Vec& corner : s.corners) corner += by;
   s.point += by;
 }
@@ -137,30 +155,31 @@ void scale_all(const Formula&, Sample& s, RandomStream& random) {
   s.point *= factor;
 }
 
-// One corner towards, or away from, the opposite edge (sliver) or the next corner (needle).
+// One corner towards, or away from, the line of its neighbours (sliver) or the next corner (needle).
 void change_aspect(const Formula&, Sample& s, RandomStream& random) {
   const std::size_t n = s.corners.size(), k = random.below(static_cast<int>(n));
   Vec& corner = s.corners[k];
   const Vec& a = s.corners[(k + 1) % n];
   const Vec along = s.corners[(k + n - 1) % n] - a;
-  const Vec foot = random.below(2) == 0 ? a : Vec(a + (corner - a).dot(along) / along.squaredNorm() * along);
+  const bool needle = random.below(2) == 0 || along == Vec::Zero();
+  const Vec foot = needle ? a : Vec(a + (corner - a).dot(along) / along.squaredNorm() * along);
   corner = foot + power_of_two(random) * (corner - foot);
 }
 
-void turn_over(const Formula&, Sample& s, RandomStream& random) {
+void turn_over(const Formula& formula, Sample& s, RandomStream& random) {
   const int kind = random.below(3);
   if (kind == 0) return std::ranges::reverse(s.corners), void();
   if (kind == 1) return std::ranges::rotate(s.corners, s.corners.begin() + 1), void();
-  const int a = random.below(3), b = (a + 1) % 3;
+  const int a = random.below(formula.dim()), b = (a + 1) % formula.dim();
   for (Vec& corner : s.corners) std::swap(corner[a], corner[b]);
   std::swap(s.point[a], s.point[b]);
 }
 
-void point_anew(const Formula&, Sample& s, RandomStream& random) {
+void point_anew(const Formula& formula, Sample& s, RandomStream& random) {
   const double a = random.uniform(-0.5, 1.5), b = random.uniform(-0.5, 1.5);
   const double height = size_of(s) * random_step(random, -18, 1);
-  s.point = s.corners[0] + a * (s.corners[1] - s.corners[0]) + b * (s.corners[2] - s.corners[0]);
-  if (random.below(4) != 0) s.point += height * normal_of(s);
+  s.point = shape_of(formula).at(s.corners, a, b);
+  if (random.below(4) != 0) s.point += height * normal_of(formula, s);
 }
 
 void change_parameter(const Formula& formula, Sample& s, RandomStream& random) {
@@ -177,16 +196,23 @@ void change_parameter(const Formula& formula, Sample& s, RandomStream& random) {
   }
 }
 
-constexpr std::array all{
-    Mutation{"step by size", step_by_size},         Mutation{"step by itself", step_by_itself},
-    Mutation{"one ulp", one_ulp},                   Mutation{"snap coordinate", snap_coordinate},
-    Mutation{"round coordinate", round_coordinate}, Mutation{"along edge", along_edge},
-    Mutation{"across edge", across_edge},           Mutation{"off plane", off_plane},
-    Mutation{"scale distance", scale_distance},     Mutation{"onto feature", onto_feature},
-    Mutation{"foot to origin", foot_to_origin},     Mutation{"shift all", shift_all},
-    Mutation{"scale all", scale_all},               Mutation{"change aspect", change_aspect},
-    Mutation{"turn over", turn_over},               Mutation{"point anew", point_anew},
-    Mutation{"change parameter", change_parameter}};
+constexpr std::array all{Mutation{"step by size", step_by_size},
+                         Mutation{"step by itself", step_by_itself},
+                         Mutation{"one ulp", one_ulp},
+                         Mutation{"snap coordinate", snap_coordinate},
+                         Mutation{"round coordinate", round_coordinate},
+                         Mutation{"along edge", along_edge},
+                         Mutation{"across edge", across_edge},
+                         Mutation{"off surface", off_surface},
+                         Mutation{"scale distance", scale_distance},
+                         Mutation{"onto feature", onto_feature},
+                         Mutation{"foot to origin", foot_to_origin},
+                         Mutation{"shift all", shift_all},
+                         Mutation{"scale all", scale_all},
+                         Mutation{"change aspect", change_aspect},
+                         Mutation{"turn over", turn_over},
+                         Mutation{"point anew", point_anew},
+                         Mutation{"change parameter", change_parameter}};
 
 }  // namespace
 

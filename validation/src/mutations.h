@@ -7,7 +7,8 @@
 
 namespace cageproof::validation {
 
-/// Changes a sample of a formula at random, as its name says. The result may be outside of what a search may propose.
+/// Changes a sample of a formula at random, as its name says; never out of its space. The result may be outside of what
+/// a search may propose.
 struct Mutation {
   std::string_view name;
   void (*apply)(const Formula& formula, Sample& sample, RandomStream& random);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/one_ring.h"
 
-#include "cageproof/core/input_error.h"
 #include "cageproof/validation/cage_points.h"
-#include "cageproof/validation/campaign.h"
+#include "cageproof/validation/parallel.h"
 #include "cageproof/validation/truth.h"
+#include "cageproof/validation/verdicts.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 namespace cageproof::validation {
 namespace {
 
-constexpr const char* formula_name = "triangle.double_layer";
+const std::string formula_name(one_ring_formula);
 constexpr double clearance = 2e-2;  // in cage sizes
 
 struct Errors {
@@ -56,71 +56,84 @@ Errors errors_at(const Cage& cage, const std::vector<std::array<int, 3>>& triang
   return errors;
 }
 
-ResultRow row_of(const Cage& cage, const std::string& evaluation, const char* check, int order,
-                 const std::vector<CagePoint>& points, const std::vector<double>& errors) {
-  ErrorHistogram histogram;
-  WorstCases worst;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    histogram.add(errors[i]);
-    if (worst.wants(errors[i], points[i].index)) worst.add({errors[i], 0, points[i].index, {}, points[i].point, {}});
-  }
-  ResultRow row;
-  row.section = ResultRow::Section::Cage;
-  row.subject = formula_name;
-  row.evaluation = evaluation;
-  row.scalar = "double";
-  row.regime = cage.name();
-  row.check = check;
-  row.place = "off";
-  row.order = order;
-  row.unit = "relative";
-  row.samples = histogram.count();
-  row.nonfinite = histogram.nonfinite();
-  row.max = row.max_relative = histogram.max();
-  row.p999 = histogram.p999();
-  row.median = histogram.median();
-  row.worst = worst.cases();
-  row.histogram.assign(histogram.counts().begin(), histogram.counts().end());
-  judge(row);
-  return row;
+Evaluation reference_evaluation() { return truth_source(formula_named(formula_name)).evaluation; }
+
+Evaluation chosen(const OneRingOptions& options) {
+  if (options.evaluation.empty()) return *EvaluationRegister::instance().with_role(formula_name, Role::Recommended);
+  return evaluation_named(formula_name, options.evaluation);
 }
 
-Evaluation evaluation_named(const std::string& name) {
-  const auto found = EvaluationRegister::instance().find(formula_name, name);
-  if (!found) throw InputError(fmt::format("{} has no evaluation '{}'; see `cageproof list`", formula_name, name));
-  return *found;
-}
-
-}  // namespace
-
-double one_ring_error_at(const Cage& cage, const OneRingOptions& options, std::string_view check, int order,
-                         const Vec3<double>& point) {
-  const Errors errors = errors_at(cage, cage.triangulate(options.triangulation).triangles,
-                                  evaluation_named(options.evaluation), evaluation_named("closed_form"), point);
-  return check == "own_derivative" ? errors.own[order] : errors.sum[order];
-}
-
-std::vector<ResultRow> run_one_ring_check(const Cage& cage, const OneRingOptions& options) {
-  const Evaluation evaluation = evaluation_named(options.evaluation), reference = evaluation_named("closed_form");
+// Off the cage, by at least the clearance.
+std::vector<CagePoint> points_for(const Cage& cage, const OneRingOptions& options) {
   const CageLocator locator(cage, options.triangulation);
   std::vector<CagePoint> points = points_off(cage, locator, options.seed, 4 * options.points);
   std::erase_if(points, [&](const CagePoint& p) { return locator.distance(p.point) < clearance * cage.size(); });
   points.resize(std::min<std::size_t>(points.size(), options.points));
-  const auto triangles = cage.triangulate(options.triangulation).triangles;
-  std::array<std::vector<double>, 3> own, sum;
-  for (const CagePoint& p : points) {
-    const Errors errors = errors_at(cage, triangles, evaluation, reference, p.point);
-    for (int o = 1; o < 3; ++o) {
-      own[o].push_back(errors.own[o]);
-      sum[o].push_back(errors.sum[o]);
+  return points;
+}
+
+class OneRingMeasurement final : public Measurement {
+ public:
+  OneRingMeasurement(std::shared_ptr<const Cage> cage, const OneRingOptions& options)
+      : cage_(std::move(cage)),
+        evaluation_(chosen(options)),
+        reference_(reference_evaluation()),
+        triangles_(cage_->triangulate(options.triangulation).triangles),
+        blocks_(block_count(options.points, 4)),
+        points_([this, options] { return points_for(*cage_, options); }) {}
+
+  std::string name() const override { return fmt::format("{}, one ring, {}", cage_->name(), evaluation_.name()); }
+  int blocks() const override { return blocks_; }
+
+  Findings measure(int block) const override {
+    const std::vector<CagePoint>& points = points_.get();
+    Findings findings;
+    for (std::size_t i = block; i < points.size(); i += blocks_) {
+      const Errors errors = errors_at(*cage_, triangles_, evaluation_, reference_, points[i].point);
+      for (int o = 1; o < 3; ++o) {
+        add(findings, "own_derivative", o, errors.own[o], points[i]);
+        add(findings, "one_ring_sum", o, errors.sum[o], points[i]);
+      }
     }
+    return findings;
   }
-  std::vector<ResultRow> rows;
-  for (int o = 1; o < 3; ++o) {
-    rows.push_back(row_of(cage, options.evaluation, "own_derivative", o, points, own[o]));
-    rows.push_back(row_of(cage, options.evaluation, "one_ring_sum", o, points, sum[o]));
+
+ private:
+  void add(Findings& findings, const char* check, int order, double error, const CagePoint& p) const {
+    Tally& tally = findings.rows[{RowKey::Section::Cage, formula_name, evaluation_.name(), "double", cage_->name(),
+                                  check, "off", order}];
+    tally.unit = "relative";
+    tally.add(error, error, p.index, [&](double e) { return WorstCase{e, 0, p.index, {}, p.point, {}}; });
   }
-  return rows;
+
+  std::shared_ptr<const Cage> cage_;
+  Evaluation evaluation_, reference_;
+  std::vector<std::array<int, 3>> triangles_;
+  int blocks_;
+  Lazy<std::vector<CagePoint>> points_;
+};
+
+}  // namespace
+
+bool one_ring_exists_on(const Cage& cage) { return cage.dimension() == formula_named(formula_name).dim(); }
+
+double one_ring_error_at(const Cage& cage, const OneRingOptions& options, std::string_view check, int order,
+                         const Vec3<double>& point) {
+  const Errors errors = errors_at(cage, cage.triangulate(options.triangulation).triangles, chosen(options),
+                                  reference_evaluation(), point);
+  return check == "own_derivative" ? errors.own[order] : errors.sum[order];
+}
+
+std::unique_ptr<const Measurement> one_ring_measurement(std::shared_ptr<const Cage> cage,
+                                                        const OneRingOptions& options) {
+  return std::make_unique<OneRingMeasurement>(std::move(cage), options);
+}
+
+std::vector<ResultRow> run_one_ring_check(const Cage& cage, const OneRingOptions& options) {
+  if (!one_ring_exists_on(cage)) return {};
+  Measurements measurements;
+  measurements.push_back(one_ring_measurement(std::make_shared<const Cage>(cage), options));
+  return judged(measure_all(measurements, options.jobs).rows).rows;
 }
 
 }  // namespace cageproof::validation

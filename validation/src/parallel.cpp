@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/campaign.h"
+#include "cageproof/validation/parallel.h"
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include <atomic>
 
 namespace cageproof::validation {
 
@@ -11,8 +13,21 @@ void for_each_parallel(std::size_t count, int jobs, const std::function<void(std
   const int threads = jobs > 0 ? jobs : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(threads);
+  // A range cut in halves would begin half of it last. Tasks that take long come first where that matters, and the
+  // threads end together.
+  std::atomic<std::size_t> next{0};
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { task(i); }, tbb::simple_partitioner{});
+    tbb::parallel_for(
+        0, threads,
+        [&](int) {
+          try {
+            for (std::size_t i = next++; i < count; i = next++) task(i);
+          } catch (...) {
+            next = count;
+            throw;
+          }
+        },
+        tbb::simple_partitioner{});
   });
 }
 

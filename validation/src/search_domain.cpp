@@ -2,6 +2,7 @@
 #include "search_domain.h"
 
 #include "cageproof/validation/truth.h"
+#include "element/element_sampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,37 +28,36 @@ bool parameters_allowed(const Formula& formula, const Sample& sample) {
 }  // namespace
 
 bool in_search_domain(const Formula& formula, const Sample& sample) {
-  if (sample.corners.size() != 3 || !sample.point.allFinite() || !parameters_allowed(formula, sample)) return false;
-  double largest = sample.point.cwiseAbs().maxCoeff();
-  for (const auto& corner : sample.corners) {
-    if (!corner.allFinite()) return false;
-    largest = std::max(largest, corner.cwiseAbs().maxCoeff());
+  const SearchShape& shape = sampling_of(formula.element).search;
+  const std::size_t n = sample.corners.size();
+  if (static_cast<int>(n) != formula.corners() || !parameters_allowed(formula, sample)) return false;
+  double largest = 0;
+  std::vector<Vec> corners;
+  for (std::size_t k = 0; k <= n; ++k) {
+    const Vec3<double>& v = k < n ? sample.corners[k] : sample.point;
+    if (!v.allFinite()) return false;
+    for (int c = formula.dim(); c < 3; ++c)
+      if (v[c] != 0) return false;
+    largest = std::max(largest, v.cwiseAbs().maxCoeff());
+    if (k < n) corners.push_back(convert<Mp200>(v));
   }
-  std::array<Vec, 3> to_corner, edge;
-  for (int i = 0; i < 3; ++i) {
-    to_corner[i] = convert<Mp200>(sample.point) - convert<Mp200>(sample.corners[i]);
-    edge[i] = convert<Mp200>(sample.corners[(i + 1) % 3]) - convert<Mp200>(sample.corners[i]);
-  }
-  const Mp200 size_squared = std::max({edge[0].squaredNorm(), edge[1].squaredNorm(), edge[2].squaredNorm()});
-  const double size = static_cast<double>(Mp200(sqrt(size_squared)));
+  const Vec point = convert<Mp200>(sample.point);
+  const Mp200 longest = longest_edge<Mp200>(corners), size_squared = longest * longest;
+  const double size = static_cast<double>(longest);
   if (size < SearchDomain::smallest_size || size > SearchDomain::largest_size) return false;
   if (largest > SearchDomain::largest_coordinate * size) return false;
-  const Vec normal = edge[0].cross(edge[1]);
-  const Mp200 normal_squared = normal.squaredNorm();
-  const auto aspect_below = [&](double aspect) {
-    const Mp200 area = size_squared * aspect;
-    return normal_squared < area * area;
-  };
-  if (aspect_below(SearchDomain::smallest_aspect)) return false;
-  if (contact_of(sample) == Contact::Border &&
-      (aspect_below(SearchDomain::smallest_border_aspect) || largest > SearchDomain::largest_border_coordinate * size))
+  const Mp200 aspect = shape.aspect(corners);
+  if (aspect < SearchDomain::smallest_aspect || !shape.valid(sample.corners)) return false;
+  if (contact_of(formula.element, sample) == Contact::Border &&
+      (aspect < SearchDomain::smallest_border_aspect || largest > SearchDomain::largest_border_coordinate * size))
     return false;
-  for (int i = 0; i < 3; ++i) {
-    const Mp200 line = edge[i].cross(to_corner[i]).squaredNorm() / edge[i].squaredNorm();
-    if (!apart(to_corner[i].squaredNorm(), size_squared) || !apart(line, size_squared)) return false;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec to_corner = point - corners[k], edge = corners[(k + 1) % n] - corners[k];
+    const Mp200 line = edge.cross(to_corner).squaredNorm() / edge.squaredNorm();
+    if (!apart(to_corner.squaredNorm(), size_squared) || !apart(line, size_squared)) return false;
   }
-  const Mp200 height = normal.dot(to_corner[0]);
-  return apart(height * height / normal_squared, size_squared);
+  const Mp200 off_surface = sampling_of(formula.element).exact.off_surface(corners, point);
+  return apart(off_surface * off_surface, size_squared);
 }
 
 }  // namespace cageproof::validation

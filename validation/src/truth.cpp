@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/truth.h"
 
+#include "element/element_sampling.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,40 +34,47 @@ std::vector<Mp100> difference(std::vector<Mp100> a, const std::vector<Mp100>& b)
   return a;
 }
 
-// Relative step of the one-sided differences: their error, 1e-30 over the distance to a singularity, leaves 13 digits at 1e-16.
+// Relative step of the one-sided differences: their error, 1e-30 over the distance to a singularity, leaves 13 digits
+// at 1e-16.
 const Mp100& step() {
   static const Mp100 h("1e-30");
   return h;
 }
 
-// Signed, unscaled height of the point over its triangle: positive outside.
-Mp100 height(const Query<Mp100>& query) {
-  const Vec3<Mp100> a = query.corners[1] - query.corners[0], b = query.corners[2] - query.corners[0];
-  const Vec3<Mp100> normal = a.cross(b);
-  return normal.dot(Vec3<Mp100>(query.point - query.corners[0]));
+// Calls `f(vertex, axis)` for each coordinate of the input that is not zero.
+template <Scalar R, class F>
+void for_each_coordinate(const Formula& formula, QueryOf<R>& input, F&& f) {
+  for (int vertex = 0; vertex <= input.point_vertex(); ++vertex)
+    for (int axis = 0; axis < formula.dim(); ++axis)
+      if (input.coordinate(vertex, axis) != 0) f(vertex, axis);
+}
+
+// On a face the function may jump: only moves that keep to its inner side are its own change.
+bool leaves_the_inner_side(const Formula& formula, const Query<Mp100>& query) {
+  return sampling_of(formula.element).exact.height(query.corners, query.point) > 0;
 }
 
 void add_conditioning(const Evaluation& reference, const Sample& sample, int order, Truth& truth) {
   QueryOf<Mp100> input(sample, order);
   Result<Mp100> moved;
-  for (int k = 0; k < input.coordinate_count(); ++k) {
-    Mp100& x = input.coordinate(k);
-    if (x == 0) continue;
+  for_each_coordinate(reference.formula(), input, [&](int vertex, int axis) {
+    Mp100& x = input.coordinate(vertex, axis);
     const Mp100 original = x;
     x = original * (1 + step());
-    // On a face the function jumps: only moves that keep to its inner side are its own change.
-    if (truth.on_element && height(input.query()) > 0) x = original * (1 - step());
+    if (truth.on_element && leaves_the_inner_side(reference.formula(), input.query())) x = original * (1 - step());
     reference(input.query(), moved);
     x = original;
     for (int o = 0; o <= order; ++o)
       if (truth.exists[o] && all_finite(moved.of(o)))
         truth.conditioned[o] += norm(difference(moved.of(o), truth.tensors.of(o))) / step();
-  }
+  });
 }
 
-// As add_conditioning, from an evaluation in 50 digits that is right to twelve: steps are 1e-6 of what it takes to change a tensor.
+// As add_conditioning, from an evaluation in 50 digits that is right to twelve: steps are 1e-6 of what it takes to
+// change a tensor.
 void add_rough_conditioning(const Evaluation& rough, const Sample& sample, int order, Truth& truth) {
   QueryOf<Mp50> input(sample, order);
+  QueryOf<Mp100> wide_input(sample, order);
   Result<Mp50> base, moved;
   rough(input.query(), base);
   Mp100 reach = 1;
@@ -70,11 +83,17 @@ void add_rough_conditioning(const Evaluation& rough, const Sample& sample, int o
       const Mp100 length = truth.norm[o - 1] / truth.norm[o];
       if (o == 1 || length < reach) reach = length;
     }
-  for (int k = 0; k < input.coordinate_count(); ++k) {
-    Mp50& x = input.coordinate(k);
-    if (x == 0) continue;
+  for_each_coordinate(rough.formula(), input, [&](int vertex, int axis) {
+    Mp50& x = input.coordinate(vertex, axis);
     const Mp50 original = x;
-    const Mp50 relative = Mp50("1e-6") * std::min(Mp50(1), Mp50(reach) / abs(x));
+    Mp50 relative = Mp50("1e-6") * std::min(Mp50(1), Mp50(reach) / abs(x));
+    if (truth.on_element) {
+      Mp100& wide = wide_input.coordinate(vertex, axis);
+      const Mp100 wide_original = wide;
+      wide = wide_original * (1 + Mp100(relative));
+      if (leaves_the_inner_side(rough.formula(), wide_input.query())) relative = -relative;
+      wide = wide_original;
+    }
     x = original * (1 + relative);
     rough(input.query(), moved);
     x = original;
@@ -82,15 +101,49 @@ void add_rough_conditioning(const Evaluation& rough, const Sample& sample, int o
       std::vector<Mp50> change = moved.of(o);
       for (std::size_t i = 0; i < change.size(); ++i) change[i] -= base.of(o)[i];
       const std::vector<Mp100> wide = widened(change);
-      if (truth.exists[o] && all_finite(wide)) truth.conditioned[o] += norm(wide) / Mp100(relative);
+      if (truth.exists[o] && all_finite(wide)) truth.conditioned[o] += norm(wide) / Mp100(abs(relative));
     }
-  }
+  });
 }
 
-const Evaluation& substitute(const Evaluation& reference, const std::string& name, std::optional<Evaluation>& storage) {
-  if (name.empty()) return reference;
-  storage = EvaluationRegister::instance().find(reference.formula(), name);
-  return *storage;
+// The evaluation of that name, or the given one where there is no name.
+Evaluation named_or(const Evaluation& evaluation, const std::string& name) {
+  return name.empty() ? evaluation : evaluation_named(evaluation.formula().name, name);
+}
+
+std::optional<TruthSource> find_truth_source(const Formula& formula) {
+  auto& known = EvaluationRegister::instance();
+  const auto recommended = known.with_role(formula.name, Role::Recommended);
+  if (recommended && recommended->supports<Mp100>() && recommended->supports<Mp200>()) {
+    const auto& substitutes = recommended->substitutes();
+    return TruthSource{.evaluation = *recommended,
+                       .values = named_or(*recommended, substitutes.truths),
+                       .confirmation = named_or(*recommended, substitutes.confirmations),
+                       .yardstick = named_or(*recommended, substitutes.yardsticks),
+                       .rough_yardstick = !substitutes.yardsticks.empty()};
+  }
+  const auto integral = known.with_role(formula.name, Role::Integral);
+  if (!integral) return std::nullopt;
+  return TruthSource{.evaluation = *integral,
+                     .values = *integral,
+                     .confirmation = *integral,
+                     .yardstick = *integral,
+                     .rough_yardstick = true,
+                     .is_integral = true};
+}
+
+// What the truth's tensors must agree with, and whether it stands behind them.
+struct Confirmation {
+  std::array<std::vector<Mp100>, 3> tensors;
+  bool converged = false;
+};
+
+template <Scalar R>
+Confirmation confirmed_in(const Evaluation& evaluation, const Sample& sample, int order) {
+  const Result<R> found = evaluate<R>(evaluation, sample, order);
+  Confirmation confirmation{{}, found.converged};
+  for (int o = 0; o <= order; ++o) confirmation.tensors[o] = widened(found.of(o));
+  return confirmation;
 }
 
 }  // namespace
@@ -101,43 +154,40 @@ Mp100 norm(const std::vector<Mp100>& tensor) {
   return sqrt(sum);
 }
 
-Contact contact_of(const Sample& sample) {
-  if (sample.corners.size() != 3) return Contact::None;
-  // 200 digits hold the products of three doubles exactly over 100 decades.
-  std::array<Vec3<Mp200>, 3> p;
-  for (int i = 0; i < 3; ++i) p[i] = convert<Mp200>(sample.corners[i]) - convert<Mp200>(sample.point);
-  const Vec3<Mp200> normal = Vec3<Mp200>(p[1] - p[0]).cross(Vec3<Mp200>(p[2] - p[0]));
-  if (normal.dot(p[0]) != 0) return Contact::None;
-  Contact contact = Contact::Face;
-  for (int i = 0; i < 3; ++i) {
-    const Mp200 side = p[i].cross(p[(i + 1) % 3]).dot(normal);
-    if (side < 0) return Contact::None;
-    if (side == 0) contact = Contact::Border;
-  }
-  return contact;
+Contact contact_of(ElementKind element, const Sample& sample) {
+  return type_of(element).contact(sample.corners, sample.point).contact;
 }
 
-Truth truth_from(const Evaluation& chosen, const Sample& sample, int order) {
+TruthSource truth_source(const Formula& formula) {
+  auto found = find_truth_source(formula);
+  if (!found)
+    throw InputError(fmt::format(
+        "{} has neither a recommended evaluation in multiprecision nor the integral: nothing gives its truth",
+        formula.name));
+  return std::move(*found);
+}
+
+bool has_truth_source(const Formula& formula) { return find_truth_source(formula).has_value(); }
+
+Truth truth_from(const TruthSource& source, const Sample& sample, int order) {
   Truth truth;
-  std::optional<Evaluation> for_truths, for_confirmations, for_yardsticks;
-  const Evaluation& reference = substitute(chosen, chosen.substitutes().truths, for_truths);
-  const Evaluation& confirmation = substitute(chosen, chosen.substitutes().confirmations, for_confirmations);
-  const Evaluation& rough = substitute(chosen, chosen.substitutes().yardsticks, for_yardsticks);
-  truth.tensors = evaluate<Mp100>(reference, sample, order);
-  const Result<Mp200> wider = evaluate<Mp200>(confirmation, sample, order);
-  const Contact contact = contact_of(sample);
-  truth.on_element = contact != Contact::None;
-  if (!truth.tensors.converged || !wider.converged) return truth;
+  truth.tensors = evaluate<Mp100>(source.values, sample, order);
+  const Confirmation confirmation = source.is_integral ? confirmed_in<Mp50>(source.confirmation, sample, order)
+                                                       : confirmed_in<Mp200>(source.confirmation, sample, order);
+  const Contact contact = contact_of(source.evaluation.formula().element, sample);
+  truth.on_element = contact != Contact::Off;
+  if (!truth.tensors.converged || !confirmation.converged) return truth;
   static const Mp100 agreement("1e-30");
   for (int o = 0; o <= order; ++o) {
-    const std::vector<Mp100> confirmed = widened(wider.of(o));
+    const std::vector<Mp100>& confirmed = confirmation.tensors[o];
     if (!all_finite(truth.tensors.of(o)) || !all_finite(confirmed)) continue;
     truth.norm[o] = norm(confirmed);
     truth.exists[o] = norm(difference(truth.tensors.of(o), confirmed)) <= agreement * truth.norm[o];
     truth.conditioned[o] = truth.norm[o];
   }
-  if (for_yardsticks) add_rough_conditioning(rough, sample, order, truth);
-  else if (contact != Contact::Border) add_conditioning(reference, sample, order, truth);
+  if (contact == Contact::Border) return truth;
+  if (source.rough_yardstick) add_rough_conditioning(source.yardstick, sample, order, truth);
+  else add_conditioning(source.values, sample, order, truth);
   return truth;
 }
 
@@ -164,8 +214,8 @@ double relative_error(const Result<R>& f, const Truth& truth, int order) {
   return error_over(f, truth, order, truth.norm[order]);
 }
 
-#define CAGEPROOF_INSTANTIATE(R)                                                               \
-  template double conditioned_error<R>(const Result<R>&, const Truth&, int, const Mp100&);     \
+#define CAGEPROOF_INSTANTIATE(R)                                                           \
+  template double conditioned_error<R>(const Result<R>&, const Truth&, int, const Mp100&); \
   template double relative_error<R>(const Result<R>&, const Truth&, int);
 CAGEPROOF_INSTANTIATE(float)
 CAGEPROOF_INSTANTIATE(double)

@@ -21,10 +21,12 @@ class TruthCheck final : public Check {
   Role role() const override { return Role::Truth; }
   std::string_view description() const override { return "against the truth, in units of rounding times conditioning"; }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
-    // In multiprecision the closed form is the truth's own source: `integral` is its check.
-    return evaluation.name() != "multiprecision" &&
-           (scalar == ScalarKind::Double ||
-            (scalar == ScalarKind::Float && (evaluation.name() == "closed_form" || evaluation.name() == "published")));
+    // In multiprecision the recommended evaluation is the truth's own source: `integral` is its check. Float is asked
+    // for where people compute in it.
+    const cageproof::Role role = evaluation.role();
+    if (role == cageproof::Role::Integral) return false;
+    return scalar == ScalarKind::Double ||
+           (scalar == ScalarKind::Float && (role == cageproof::Role::Recommended || role == cageproof::Role::Printed));
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     return with_scalar(in.scalar, [&]<Scalar R>() {
@@ -54,7 +56,7 @@ class RelativeCheck final : public Check {
   std::string_view unit() const override { return "units of u"; }
   std::string_view description() const override { return "plain relative error, norm-wise, in units of rounding"; }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
-    return evaluation.name() == "accurate" && scalar == ScalarKind::Double;
+    return evaluation.role() == cageproof::Role::Stated && scalar == ScalarKind::Double;
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     const Result<double> f = evaluate<double>(in.evaluation, in.sample, in.order);
@@ -73,23 +75,28 @@ class RelativeCheck final : public Check {
   }
 };
 
-/// The closed form in multiprecision against the integral of the kernel: what lets it stand in for the truth.
+/// The recommended evaluation in multiprecision against the integral of the kernel: what lets it stand in for the
+/// truth. Where there is no integral, no sample has a truth, and nothing measured counts.
 class IntegralCheck final : public Check {
  public:
   std::string_view name() const override { return "integral"; }
   Role role() const override { return Role::Gate; }
   std::string_view unit() const override { return "relative"; }
   std::string_view description() const override {
-    return "closed form in multiprecision against the multiprecision integral of the kernel";
+    return "recommended evaluation in multiprecision against the multiprecision integral of the kernel";
   }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
-    return evaluation.name() == "closed_form" && scalar == ScalarKind::Digits100;
+    return is_recommended(evaluation) && scalar == ScalarKind::Digits100;
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
-    const auto integral = EvaluationRegister::instance().find(in.formula.name, "multiprecision");
+    std::array<Finding, 3> findings;
+    const auto integral = EvaluationRegister::instance().with_role(in.formula.name, cageproof::Role::Integral);
+    if (!integral) {
+      for (int o = 0; o <= in.order; ++o) findings[o].status = Finding::Status::NoTruth;
+      return findings;
+    }
     const Result<Mp100> closed = evaluate<Mp100>(in.evaluation, in.sample, in.order);
     const Result<Mp50> truth = evaluate<Mp50>(*integral, in.sample, in.order);
-    std::array<Finding, 3> findings;
     for (int o = 0; o <= in.order; ++o) {
       std::vector<Mp100> reference;
       bool limit = true;

@@ -2,17 +2,21 @@
 #include "cageproof/validation/error_fields.h"
 
 #include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/input_error.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 
 namespace cageproof::validation {
 namespace {
 
 std::vector<double> sorted_difference(const char* evaluation) {
-  const Cage cage = embedded_cage("twisted-bar");
-  auto values = coordinate_difference_field(cage, *find_coordinate_kind("quad_mean_value"), evaluation, "closed_form", Triangulation::Shortest, 9, 0)
+  const auto cage = std::make_shared<const Cage>(embedded_cage("twisted-bar"));
+  auto values = sampled(coordinate_difference_field(cage, *find_coordinate_kind("quad_mean_value"), evaluation,
+                                                    "closed_form", Triangulation::Shortest, 9),
+                        0)
                     .arrays.front()
                     .values;
   std::ranges::sort(values);
@@ -26,6 +30,53 @@ TEST(coordinate_difference_field, shows_what_the_scheme_is_off_by_and_nothing_of
   EXPECT_GT(coarse[median], 1e-5);
   EXPECT_LT(coarse.back(), 0.1);
   EXPECT_LT(fine[median], coarse[median] / 10);
+}
+
+TEST(formula_error_field, takes_elements_of_the_formulas_kind) {
+  for (const char* name : {"triangle.double_layer", "quad.mean_value"}) {
+    const Formula& formula = formula_named(name);
+    const ElementSlice one = slice_of(formula.element, 7);
+    ASSERT_EQ(static_cast<int>(one.corners.size()), formula.corners());
+    const auto recommended = *EvaluationRegister::instance().with_role(name, Role::Recommended);
+    const ImageField field = formula_error_field({one.corners}, formula, recommended, 0, one.slice, 0);
+    ASSERT_EQ(field.arrays[1].values.size(), 49u);
+    for (const double error : field.arrays[1].values) EXPECT_LT(error, 1e-9) << name;
+    EXPECT_THROW(formula_error_field({{one.corners[0], one.corners[1]}}, formula, recommended, 0, one.slice, 0),
+                 InputError);
+  }
+}
+
+TEST(formula_error_field, shows_an_evaluation_that_is_wrong) {
+  const Formula& formula = formula_named("quad.mean_value");
+  const ElementSlice one = slice_of(formula.element, 7);
+  const auto field =
+      formula_error_field({one.corners}, formula, evaluation_named(formula.name, "riemann-4"), 0, one.slice, 0);
+  EXPECT_GT(*std::ranges::max_element(field.arrays[1].values), 1e-3);
+}
+
+TEST(elements_of, are_quads_as_they_are_or_split) {
+  const Cage cage = embedded_cage("l-block");  // 8 quads, 4 triangles
+  EXPECT_EQ(elements_of(cage, ElementKind::Quad, Triangulation::Shortest).size(), 8u);
+  EXPECT_EQ(elements_of(cage, ElementKind::Triangle, Triangulation::Shortest).size(), 20u);
+  EXPECT_EQ(elements_of(embedded_cage("square"), ElementKind::Segment, Triangulation::Shortest).size(), 4u);
+  EXPECT_THROW(elements_of(cage, ElementKind::Segment, Triangulation::Shortest), InputError);
+}
+
+TEST(field_measurement, finds_in_blocks_what_sampling_all_finds) {
+  const auto cage = std::make_shared<const Cage>(embedded_cage("cube"));
+  const auto plan = reproduction_field(cage, *find_coordinate_kind("green"), "gauss-4", Triangulation::Shortest, 31);
+  Measurements measurements;
+  measurements.push_back(field_measurement(plan, 3, "title", "partition of unity"));
+  EXPECT_GT(measurements[0]->blocks(), 3);
+  const FieldPart field = whole_fields(measure_all(measurements, 3)).at(3);
+  const ImageField expected = sampled(plan, 1);
+  for (int a = 0; a < 2; ++a) {
+    ASSERT_EQ(field.image.arrays[a].values.size(), 31u * 31u);
+    for (std::size_t i = 0; i < 31 * 31; ++i)
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(field.image.arrays[a].values[i]),
+                std::bit_cast<std::uint64_t>(expected.arrays[a].values[i]))
+          << i;
+  }
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ double edge_distance(std::span<const Vec3<double>> corners, const Vec3<double>& 
 
 // Of the order of the truth times 1e-6, largest where the distance to the first edge is 1e-5: a peak a decade wide.
 Evaluation with_peak() {
-  const Evaluation good = *EvaluationRegister::instance().find(std::string(formula().name), "closed_form");
-  Evaluation bad(std::string(formula().name), "closed_form", "wrong next to an edge");
-  bad.set<double>([good](const Query<double>& query, Result<double>& result) {
+  const Evaluation good = evaluation_named(formula().name, "closed_form");
+  Evaluation bad(formula().name, "closed_form", {.description = "wrong next to an edge", .role = Role::Recommended});
+  bad.set_point<double>([good](const Query<double>& query, Result<double>& result) {
     good(query, result);
     const double decades = std::log10(edge_distance(query.corners, query.point)) + 5;
     for (double& x : result.value) x *= 1 + 1e-6 * std::exp(-decades * decades);
@@ -40,7 +40,6 @@ HuntOptions peak_options() {
   HuntOptions options;
   options.formula = &formula();
   options.evaluation = with_peak();
-  options.reference = *EvaluationRegister::instance().find(std::string(formula().name), "closed_form");
   options.check = find_check("truth");
   options.regimes = "generic";  // 0.1 sizes away: the samples see exp(-16) of the peak
   options.budget = 1500;
@@ -50,8 +49,8 @@ HuntOptions peak_options() {
 bool same(const HuntResult& a, const HuntResult& b) {
   return a.evaluations == b.evaluations && a.without_truth == b.without_truth &&
          std::ranges::equal(a.worst, b.worst, [](const HuntedCase& x, const HuntedCase& y) {
-           return x.worst.error == y.worst.error && x.worst.corners == y.worst.corners && x.worst.point == y.worst.point &&
-                  x.regime == y.regime && x.against_integral == y.against_integral;
+           return x.worst.error == y.worst.error && x.worst.corners == y.worst.corners &&
+                  x.worst.point == y.worst.point && x.regime == y.regime && x.against_integral == y.against_integral;
          });
 }
 
@@ -84,7 +83,7 @@ TEST(hunt, is_the_same_for_any_number_of_threads) {
 TEST(hunt, finds_results_that_are_not_finite) {
   HuntOptions options = peak_options();
   const Evaluation good = options.evaluation;
-  options.evaluation.set<double>([good](const Query<double>& query, Result<double>& result) {
+  options.evaluation.set_point<double>([good](const Query<double>& query, Result<double>& result) {
     good(query, result);
     if (query.point[2] == query.corners[1][2]) result.value[0] = std::numeric_limits<double>::quiet_NaN();
   });
@@ -101,6 +100,30 @@ TEST(hunt, refuses_what_cannot_be_asked) {
   EXPECT_THROW(hunt(options), InputError);
   options = peak_options();
   options.scalar = ScalarKind::Float;
+  EXPECT_THROW(hunt(options), InputError);
+}
+
+TEST(hunt, measures_quads) {
+  HuntOptions options;
+  options.formula = find_formula("quad.mean_value");
+  options.evaluation = evaluation_named(options.formula->name, "riemann-4");
+  options.check = find_check("truth");
+  options.regimes = "near-*";
+  options.budget = 60;
+  const HuntResult found = hunt(options);
+  EXPECT_GT(found.evaluations, 40u);
+  ASSERT_FALSE(found.worst.empty());
+  EXPECT_EQ(found.worst.front().worst.corners.size(), 4u);
+  EXPECT_GT(found.worst.front().worst.error, 1e6);
+}
+
+TEST(hunt, that_measures_nothing_is_an_error) {
+  HuntOptions options = peak_options();
+  options.budget = 20;
+  options.evaluation.set_point<double>([](const Query<double>& query, Result<double>& result) {
+    result.reset(1, 3, query.order);
+    result.converged = false;
+  });
   EXPECT_THROW(hunt(options), InputError);
 }
 
@@ -132,6 +155,34 @@ TEST(search_domain, holds_every_sample_of_the_regimes_and_nothing_degenerate) {
   EXPECT_FALSE(in_search_domain(formula(), bad)) << "a parameter too many";
 }
 
+TEST(search_domain, holds_samples_of_every_kind_of_element_and_nothing_degenerate) {
+  for (const ElementKind kind : element_kinds) {
+    const Formula& of_kind = *std::ranges::find(catalogue(), kind, &Formula::element);
+    for (const Regime& regime : regimes()) {
+      if (!exists_for(regime, kind)) continue;
+      int inside = 0;
+      for (std::uint64_t i = 0; i < 60; ++i) inside += in_search_domain(of_kind, make_sample(of_kind, regime, 3, i));
+      // Quads on an edge or at a corner may be thinner than the domain's border allows.
+      EXPECT_GE(inside, regime.name.starts_with("on-") ? 30 : 60) << name_of(kind) << ' ' << regime.name;
+    }
+    Sample sample = make_sample(of_kind, *find_regime("generic"), 3, 0);
+    EXPECT_TRUE(in_search_domain(of_kind, sample));
+    const Sample good = sample;
+    sample.corners[1] = sample.corners[0];
+    EXPECT_FALSE(in_search_domain(of_kind, sample)) << name_of(kind);
+    sample = good;
+    sample.corners.push_back(sample.point);
+    EXPECT_FALSE(in_search_domain(of_kind, sample)) << name_of(kind);
+  }
+  const Formula& plane = *std::ranges::find(catalogue(), ElementKind::Segment, &Formula::element);
+  Sample off = make_sample(plane, *find_regime("generic"), 3, 0);
+  off.point[2] = 0.5;
+  EXPECT_FALSE(in_search_domain(plane, off)) << "not in the plane";
+  const Formula& quads = *find_formula("quad.mean_value");
+  const Sample bow_tie{{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, {0.2, 0.3, 1}, {}, 0, 0};
+  EXPECT_FALSE(in_search_domain(quads, bow_tie)) << "crosses itself";
+}
+
 TEST(search_domain, keeps_parameters_where_the_formula_is_defined) {
   const Formula& kelvin = *find_formula("triangle.kelvin_displacement");
   Sample sample{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0.25, 0.25, 1}, {1, 0.3}, 0, 0};
@@ -140,6 +191,30 @@ TEST(search_domain, keeps_parameters_where_the_formula_is_defined) {
   EXPECT_FALSE(in_search_domain(kelvin, sample));
   sample.parameters = {-1, 0.3};
   EXPECT_FALSE(in_search_domain(kelvin, sample));
+}
+
+TEST(mutations, of_every_kind_of_element_change_samples_and_never_leave_their_space) {
+  for (const ElementKind kind : element_kinds) {
+    const Formula& of_kind = *std::ranges::find(catalogue(), kind, &Formula::element);
+    for (const Mutation& mutation : mutations()) {
+      int changed = 0, inside = 0;
+      for (std::uint64_t i = 0; i < 100; ++i) {
+        RandomStream random(1, mutation.name, i);
+        const Sample before = make_sample(of_kind, *find_regime("near-line"), 1, i);
+        Sample after = before;
+        mutation.apply(of_kind, after, random);
+        changed += after.point != before.point || after.corners != before.corners;
+        inside += in_search_domain(of_kind, after);
+        for (int c = of_kind.dim(); c < 3; ++c) {
+          EXPECT_EQ(after.point[c], 0) << mutation.name;
+          for (const auto& corner : after.corners) EXPECT_EQ(corner[c], 0) << mutation.name;
+        }
+      }
+      if (mutation.name == "change parameter") continue;  // none of these formulas has any
+      EXPECT_GT(changed, 30) << name_of(kind) << ' ' << mutation.name;
+      EXPECT_GT(inside, 20) << name_of(kind) << ' ' << mutation.name;
+    }
+  }
 }
 
 TEST(mutations, each_changes_samples_and_stays_mostly_where_a_search_may_look) {
@@ -151,7 +226,8 @@ TEST(mutations, each_changes_samples_and_stays_mostly_where_a_search_may_look) {
       const Sample before = make_sample(kelvin, *find_regime("near-edge"), 1, i);
       Sample after = before;
       mutation.apply(kelvin, after, random);
-      changed += after.point != before.point || after.corners != before.corners || after.parameters != before.parameters;
+      changed +=
+          after.point != before.point || after.corners != before.corners || after.parameters != before.parameters;
       inside += in_search_domain(kelvin, after);
     }
     EXPECT_GT(changed, 30) << mutation.name;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The curl form's gradient is wrong triangle by triangle and right for a closed cage's sums; a gradient is right in both.
+// The curl form's gradient is wrong triangle by triangle and right for a closed cage's sums; a gradient is right in
+// both.
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/evaluation.h"
 #include "cageproof/core/input_error.h"
@@ -38,18 +39,16 @@ TEST(one_ring, gradients_are_right_in_both) {
 
 // A wrong sign in the curl form would be a plug-in's mistake: neither sums nor triangles are right then.
 TEST(one_ring, broken_derivatives_are_found) {
-  const auto make = [](std::string_view name) -> std::optional<Evaluation> {
-    if (name != "negated") return std::nullopt;
-    const Evaluation good = *EvaluationRegister::instance().find("triangle.double_layer", "curl-form");
-    Evaluation bad("triangle.double_layer", "negated", "broken on purpose");
-    bad.set<double>([good](const Query<double>& query, Result<double>& result) {
+  const auto fill = [](Evaluation& bad) {
+    const Evaluation good = evaluation_named("triangle.double_layer", "curl-form");
+    bad.set_point<double>([good](const Query<double>& query, Result<double>& result) {
       good(query, result);
       for (double& x : result.gradient) x = -x;
       for (double& x : result.hessian) x = -x;
     });
-    return bad;
   };
-  const RegisterEvaluation negated{{"triangle.double_layer", "negated", {}, make}};
+  const RegisterEvaluation negated{single_family(
+      "triangle.double_layer", "negated", {.description = "broken on purpose", .role = Role::Foreign}, false, fill)};
   for (const ResultRow& row : rows_of("cube", "negated")) {
     EXPECT_GT(row.max, 0.1) << row.check;
     EXPECT_EQ(row.verdict, Verdict::Broken) << row.check;

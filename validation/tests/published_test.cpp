@@ -9,10 +9,14 @@
 namespace cageproof::validation {
 namespace {
 
-const std::vector<std::string> kPublished{"triangle.single_layer",           "triangle.double_layer",
-                                          "triangle.solid_angle",            "triangle.biharmonic_single_layer",
-                                          "triangle.biharmonic_double_layer", "triangle.affine_single_layer",
-                                          "triangle.kelvin_displacement",    "triangle.kelvin_traction"};
+const std::vector<std::string> kPublished{"triangle.single_layer",
+                                          "triangle.double_layer",
+                                          "triangle.solid_angle",
+                                          "triangle.biharmonic_single_layer",
+                                          "triangle.biharmonic_double_layer",
+                                          "triangle.affine_single_layer",
+                                          "triangle.kelvin_displacement",
+                                          "triangle.kelvin_traction"};
 
 template <Scalar R>
 double error_of(const Result<R>& found, const Result<Mp50>& integral, int order) {
@@ -55,7 +59,8 @@ class published_form : public testing::TestWithParam<std::string> {
   }
 };
 
-// Tractions diverge on borders, but for the incompressible limit, of which Appendix C says nothing: they are not among these.
+// Tractions diverge on borders, but for the incompressible limit, of which Appendix C says nothing: they are not among
+// these.
 class published_form_on_border : public published_form {};
 
 std::vector<std::string> printed_on_border() {
@@ -70,13 +75,11 @@ TEST_P(published_form_on_border, is_the_limit_from_inside_on_an_edge) { expect_i
 TEST_P(published_form_on_border, is_the_limit_from_inside_at_a_vertex) { expect_integral("on-vertex", 1, 1e-28); }
 TEST_P(published_form, holds_in_the_plane) { expect_integral("on-plane", 1, 1e-28); }
 
-INSTANTIATE_TEST_SUITE_P(formulas, published_form, testing::ValuesIn(kPublished), [](const auto& name) {
-  return name.param.substr(name.param.find('.') + 1);
-});
+INSTANTIATE_TEST_SUITE_P(formulas, published_form, testing::ValuesIn(kPublished),
+                         [](const auto& name) { return name.param.substr(name.param.find('.') + 1); });
 
-INSTANTIATE_TEST_SUITE_P(formulas, published_form_on_border, testing::ValuesIn(printed_on_border()), [](const auto& name) {
-  return name.param.substr(name.param.find('.') + 1);
-});
+INSTANTIATE_TEST_SUITE_P(formulas, published_form_on_border, testing::ValuesIn(printed_on_border()),
+                         [](const auto& name) { return name.param.substr(name.param.find('.') + 1); });
 
 TEST(errata, misprints_are_wrong_and_corrections_right) {
   const auto rows = measure_errata({.samples = 3});

@@ -80,8 +80,8 @@ TEST(stored_cases, that_can_no_longer_be_run_are_named_by_their_line) {
 
 TEST(stored_cases, of_the_program_can_be_run_and_keep_their_promises) {
   for (const ResultRow& row : replay_stored(stored_worst_cases(), stored_cases_file, "*", "*", 0)) {
-    EXPECT_NE(row.verdict, Verdict::Broken) << row.subject << ' ' << row.evaluation << ' ' << row.check << ' ' << row.order
-                                            << ' ' << row.max;
+    EXPECT_NE(row.verdict, Verdict::Broken)
+        << row.subject << ' ' << row.evaluation << ' ' << row.check << ' ' << row.order << ' ' << row.max;
     EXPECT_EQ(row.without_truth, 0U) << row.subject << ' ' << row.evaluation << ' ' << row.check << ' ' << row.order;
   }
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "register_form.h"
+#include "cageproof/closed_form/triangle/biharmonic_single_layer.h"
 
-namespace cageproof::closed_form {
+#include "engine/register_form.h"
+
+namespace cageproof::closed_form::triangle {
 namespace {
 
 const RegisterForm<BiharmonicSingleLayer> registered{"triangle.biharmonic_single_layer"};
 
 }  // namespace
-}  // namespace cageproof::closed_form
+}  // namespace cageproof::closed_form::triangle

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "register_form.h"
+#include "cageproof/closed_form/triangle/kelvin_displacement.h"
 
-namespace cageproof::closed_form {
+#include "engine/register_form.h"
+
+namespace cageproof::closed_form::triangle {
 namespace {
 
 const RegisterForm<KelvinDisplacement> registered{"triangle.kelvin_displacement"};
 
 }  // namespace
-}  // namespace cageproof::closed_form
+}  // namespace cageproof::closed_form::triangle

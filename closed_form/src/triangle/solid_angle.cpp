@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "register_form.h"
+#include "cageproof/closed_form/triangle/solid_angle.h"
 
-namespace cageproof::closed_form {
+#include "engine/register_form.h"
+
+namespace cageproof::closed_form::triangle {
 namespace {
 
 const RegisterForm<SolidAngle> registered{"triangle.solid_angle"};
 
 }  // namespace
-}  // namespace cageproof::closed_form
+}  // namespace cageproof::closed_form::triangle

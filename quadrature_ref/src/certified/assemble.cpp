@@ -7,13 +7,13 @@ namespace cageproof::quadrature_ref::certified {
 namespace {
 
 // Contracts one index, of `stride` between its entries, of a tensor in the frame with the axes.
-void turn_index(std::vector<Real>& tensor, std::size_t stride, const Sight& sight) {
+void turn_index(std::vector<Real>& tensor, std::size_t stride, const Frame& frame) {
   for (std::size_t first = 0; first < tensor.size(); ++first) {
     if (first / stride % 3 != 0) continue;
     const std::array<Real, 3> old{tensor[first], tensor[first + stride], tensor[first + 2 * stride]};
     for (int i = 0; i < 3; ++i) {
       Real sum;
-      for (int a = 0; a < 3; ++a) add_product(sum, sight.axes[a][i], old[a]);
+      for (int a = 0; a < 3; ++a) add_product(sum, frame.axes[a][i], old[a]);
       tensor[first + i * stride] = std::move(sum);
     }
   }
@@ -21,7 +21,7 @@ void turn_index(std::vector<Real>& tensor, std::size_t stride, const Sight& sigh
 
 }  // namespace
 
-Kernel::Kernel(const Definition& definition) : definition_(&definition) {
+DifferentiatedKernel::DifferentiatedKernel(const Definition& definition) : definition_(&definition) {
   for (const Polynomial& component : definition.components) {
     terms_[0].push_back({component});
     auto& gradient = terms_[1].emplace_back();
@@ -32,7 +32,7 @@ Kernel::Kernel(const Definition& definition) : definition_(&definition) {
   }
 }
 
-MomentRange Kernel::moments(int order) const {
+MomentRange DifferentiatedKernel::moments(int order) const {
   MomentRange range(terms_[0][0][0].terms().begin()->first.q % 2 != 0);
   for (int o = 0; o <= order; ++o)
     for (const auto& component : terms_[o])
@@ -42,7 +42,7 @@ MomentRange Kernel::moments(int order) const {
   return range;
 }
 
-bool Kernel::weakly_singular(int order) const {
+bool DifferentiatedKernel::weakly_singular(int order) const {
   for (const auto& component : terms_[order])
     for (const Polynomial& entry : component)
       for (const auto& [monomial, factor] : entry.terms())
@@ -50,11 +50,11 @@ bool Kernel::weakly_singular(int order) const {
   return true;
 }
 
-std::vector<Real> Kernel::tensor(int order, const Sight& sight, const Moments& moments,
-                                 const std::vector<Real>& parameters) const {
+std::vector<Real> DifferentiatedKernel::tensor(int order, const Frame& frame, const Moments& moments,
+                                               const std::vector<Real>& parameters) const {
   const std::vector<Real> constants = definition_->constants(parameters);
   std::vector<Real> heights{Real(1)};
-  for (int i = 1; i <= 8; ++i) heights.push_back(heights.back() * sight.height);
+  for (int i = 1; i <= 8; ++i) heights.push_back(heights.back() * frame.height);
 
   std::vector<Real> result;
   for (int corner = 0; corner < (definition_->per_corner ? 3 : 1); ++corner)
@@ -66,11 +66,11 @@ std::vector<Real> Kernel::tensor(int order, const Sight& sight, const Moments& m
           const auto [a, b, c] = m.powers;
           Real moment = moments.at(a, b, m.q);
           if (definition_->per_corner) {
-            const auto& hat = sight.hat[corner];
+            const auto& hat = frame.hat[corner];
             moment = moment * hat[0] + moments.at(a + 1, b, m.q) * hat[1] + moments.at(a, b + 1, m.q) * hat[2];
           }
           // In the plane a term with its height is zero, whatever the moment.
-          if (c > 0 && sight.in_plane) continue;
+          if (c > 0 && frame.in_plane) continue;
           if (m.constant != 0) moment = moment * constants[m.constant - 1];
           add_product(sum, moment * factor, heights[c]);
         }
@@ -86,13 +86,13 @@ std::vector<Real> Kernel::tensor(int order, const Sight& sight, const Moments& m
   // All indices but the corner's: two of a matrix, one a derivative.
   const int rank = (definition_->components.size() == 9 ? 2 : 0) + order;
   std::size_t stride = 1;
-  for (int index = 0; index < rank; ++index, stride *= 3) turn_index(result, stride, sight);
+  for (int index = 0; index < rank; ++index, stride *= 3) turn_index(result, stride, frame);
   return result;
 }
 
-const Kernel& kernel_of(std::string_view formula) {
-  static const std::vector<Kernel> all(definitions().begin(), definitions().end());
-  for (const Kernel& kernel : all)
+const DifferentiatedKernel& kernel_of(std::string_view formula) {
+  static const std::vector<DifferentiatedKernel> all(definitions().begin(), definitions().end());
+  for (const DifferentiatedKernel& kernel : all)
     if (kernel.definition().formula == formula) return kernel;
   throw std::out_of_range("no definition of " + std::string(formula));
 }

@@ -8,9 +8,9 @@
 namespace cageproof::quadrature_ref::certified {
 
 /// A definition with the derivatives of its kernel up to order 2.
-class Kernel {
+class DifferentiatedKernel {
  public:
-  explicit Kernel(const Definition& definition);
+  explicit DifferentiatedKernel(const Definition& definition);
   const Definition& definition() const { return *definition_; }
 
   /// The moments that orders 0 to `order` need.
@@ -18,7 +18,8 @@ class Kernel {
   /// Whether the integral of this order converges with the point on the triangle, and is continuous there.
   bool weakly_singular(int order) const;
   /// The tensor of one order, entries as in Result. \param parameters in the order of Formula::parameters
-  std::vector<Real> tensor(int order, const Sight& sight, const Moments& moments, const std::vector<Real>& parameters) const;
+  std::vector<Real> tensor(int order, const Frame& frame, const Moments& moments,
+                           const std::vector<Real>& parameters) const;
 
  private:
   const Definition* definition_;
@@ -27,6 +28,6 @@ class Kernel {
 };
 
 /// The kernel of a formula. \throws std::out_of_range when it has no definition
-const Kernel& kernel_of(std::string_view formula);
+const DifferentiatedKernel& kernel_of(std::string_view formula);
 
 }  // namespace cageproof::quadrature_ref::certified

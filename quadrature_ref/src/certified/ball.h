@@ -34,8 +34,14 @@ class Real {
   Real(int n) : Real() { arb_set_si(x_, n); }
   Real(const Real& o) : Real() { arb_set(x_, o.x_); }
   Real(Real&& o) noexcept : Real() { arb_swap(x_, o.x_); }
-  Real& operator=(const Real& o) { arb_set(x_, o.x_); return *this; }
-  Real& operator=(Real&& o) noexcept { arb_swap(x_, o.x_); return *this; }
+  Real& operator=(const Real& o) {
+    arb_set(x_, o.x_);
+    return *this;
+  }
+  Real& operator=(Real&& o) noexcept {
+    arb_swap(x_, o.x_);
+    return *this;
+  }
   ~Real() { arb_clear(x_); }
 
   /// Exactly this scalar. \pre finite
@@ -57,8 +63,8 @@ class Real {
   arb_srcptr raw() const { return x_; }
   bool is_zero() const { return arb_is_zero(x_) != 0; }
   bool is_finite() const { return arb_is_finite(x_) != 0; }
-  /// log2 of an upper bound of the absolute value, roughly: an estimate, no bound itself. Minus infinity for 0, infinity
-  /// where there is no bound.
+  /// log2 of an upper bound of the absolute value, roughly: an estimate, no bound itself. Minus infinity for 0,
+  /// infinity where there is no bound.
   double log2_size() const {
     mag_t m;
     mag_init(m);
@@ -82,8 +88,14 @@ class Complex {
   Complex(const Real& re, const Real& im) : Complex() { acb_set_arb_arb(x_, re.raw(), im.raw()); }
   Complex(const Complex& o) : Complex() { acb_set(x_, o.x_); }
   Complex(Complex&& o) noexcept : Complex() { acb_swap(x_, o.x_); }
-  Complex& operator=(const Complex& o) { acb_set(x_, o.x_); return *this; }
-  Complex& operator=(Complex&& o) noexcept { acb_swap(x_, o.x_); return *this; }
+  Complex& operator=(const Complex& o) {
+    acb_set(x_, o.x_);
+    return *this;
+  }
+  Complex& operator=(Complex&& o) noexcept {
+    acb_swap(x_, o.x_);
+    return *this;
+  }
   ~Complex() { acb_clear(x_); }
 
   acb_ptr raw() { return x_; }
@@ -93,31 +105,31 @@ class Complex {
   acb_t x_;
 };
 
-#define CAGEPROOF_BALL_OPERATOR(op, function)                  \
-  inline Real operator op(const Real& a, const Real& b) {      \
-    Real c;                                                    \
-    arb_##function(c.raw(), a.raw(), b.raw(), working_bits);   \
-    return c;                                                  \
-  }                                                            \
+#define CAGEPROOF_BALL_OPERATOR(op, function)                      \
+  inline Real operator op(const Real& a, const Real& b) {          \
+    Real c;                                                        \
+    arb_##function(c.raw(), a.raw(), b.raw(), working_bits);       \
+    return c;                                                      \
+  }                                                                \
   inline Complex operator op(const Complex& a, const Complex& b) { \
-    Complex c;                                                 \
-    acb_##function(c.raw(), a.raw(), b.raw(), working_bits);   \
-    return c;                                                  \
-  }                                                            \
-  inline Complex operator op(const Complex& a, const Real& b) { \
-    Complex c;                                                 \
+    Complex c;                                                     \
+    acb_##function(c.raw(), a.raw(), b.raw(), working_bits);       \
+    return c;                                                      \
+  }                                                                \
+  inline Complex operator op(const Complex& a, const Real& b) {    \
+    Complex c;                                                     \
     acb_##function##_arb(c.raw(), a.raw(), b.raw(), working_bits); \
-    return c;                                                  \
-  }                                                            \
-  inline Real operator op(const Real& a, int b) {              \
-    Real c;                                                    \
-    arb_##function##_si(c.raw(), a.raw(), b, working_bits);    \
-    return c;                                                  \
-  }                                                            \
-  inline Complex operator op(const Complex& a, int b) {        \
-    Complex c;                                                 \
-    acb_##function##_si(c.raw(), a.raw(), b, working_bits);    \
-    return c;                                                  \
+    return c;                                                      \
+  }                                                                \
+  inline Real operator op(const Real& a, int b) {                  \
+    Real c;                                                        \
+    arb_##function##_si(c.raw(), a.raw(), b, working_bits);        \
+    return c;                                                      \
+  }                                                                \
+  inline Complex operator op(const Complex& a, int b) {            \
+    Complex c;                                                     \
+    acb_##function##_si(c.raw(), a.raw(), b, working_bits);        \
+    return c;                                                      \
   }
 CAGEPROOF_BALL_OPERATOR(+, add)
 CAGEPROOF_BALL_OPERATOR(-, sub)
@@ -163,7 +175,9 @@ inline Complex log(const Complex& a) {
   return c;
 }
 inline void sinh_cosh(const Real& a, Real& s, Real& c) { arb_sinh_cosh(s.raw(), c.raw(), a.raw(), working_bits); }
-inline void sinh_cosh(const Complex& a, Complex& s, Complex& c) { acb_sinh_cosh(s.raw(), c.raw(), a.raw(), working_bits); }
+inline void sinh_cosh(const Complex& a, Complex& s, Complex& c) {
+  acb_sinh_cosh(s.raw(), c.raw(), a.raw(), working_bits);
+}
 inline Real asinh(const Real& a) {
   Real c;
   arb_asinh(c.raw(), a.raw(), working_bits);

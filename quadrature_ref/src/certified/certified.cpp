@@ -83,20 +83,20 @@ struct Attempt {
 };
 
 template <Scalar R>
-std::optional<Attempt> attempt(const Kernel& kernel, const Query<R>& query, int bits) {
+std::optional<Attempt> attempt(const DifferentiatedKernel& kernel, const Query<R>& query, int bits) {
   const WorkingBits working(bits);
-  const auto sight = sight_of(query);
-  if (!sight) return std::nullopt;
+  const auto frame = frame_of(query);
+  if (!frame) return std::nullopt;
   std::vector<Real> parameters;
   for (const R& p : query.parameters) parameters.push_back(Real::exactly(p));
   Attempt found;
-  const Moments moments = integrate_moments(*sight, kernel.moments(query.order), bits - guard_bits, found.nodes);
+  const Moments moments = integrate_moments(*frame, kernel.moments(query.order), bits - guard_bits, found.nodes);
   for (int order = 0; order <= query.order; ++order) {
-    if (sight->on_triangle && !kernel.weakly_singular(order)) {
+    if (frame->on_triangle && !kernel.weakly_singular(order)) {
       found.all_orders = false;
       continue;
     }
-    found.tensors[order] = kernel.tensor(order, *sight, moments, parameters);
+    found.tensors[order] = kernel.tensor(order, *frame, moments, parameters);
     found.bits = std::min(found.bits, bits_of(found.tensors[order]));
   }
   return found;
@@ -111,11 +111,12 @@ int next_bits(int bits, double reached, int wanted) {
 }  // namespace
 
 template <Scalar R>
-void integrate_certified(std::string_view formula, const Query<R>& query, Result<R>& result, const CertifiedEffort& effort) {
+void integrate_certified(std::string_view formula, const Query<R>& query, Result<R>& result,
+                         const CertifiedEffort& effort) {
   [[maybe_unused]] static thread_local const ThreadCaches caches;
-  const Kernel& kernel = kernel_of(formula);
-  const auto components = static_cast<int>(kernel.definition().components.size()) * (kernel.definition().per_corner ? 3 : 1);
-  result.reset(components, 3, query.order);
+  const DifferentiatedKernel& kernel = kernel_of(formula);
+  const Formula& row = formula_named(formula);
+  result.reset(row.components(), row.dim(), query.order);
   std::optional<Attempt> best;
   std::size_t nodes = 0;
   for (int bits = effort.first_bits; bits <= effort.most_bits;) {
@@ -157,18 +158,19 @@ namespace {
 [[maybe_unused]] const bool registered = [] {
   for (const Definition& definition : definitions()) {
     const std::string formula(definition.formula);
-    const auto make = [formula](std::string_view name) -> std::optional<Evaluation> {
-      if (name != "certified") return std::nullopt;
-      Evaluation evaluation(formula, "certified", "a ball that contains the integral, by ball arithmetic");
-      for (const ScalarKind kind : scalar_kinds)
-        with_scalar(kind, [&]<Scalar R>() {
-          evaluation.set<R>([formula](const Query<R>& query, Result<R>& result) {
-            integrate_certified(formula, query, result);
-          });
-        });
-      return evaluation;
-    };
-    EvaluationRegister::instance().add({formula, "certified", {}, make});
+    EvaluationRegister::instance().add(
+        single_family(formula, "certified",
+                      {.description = "a ball that contains the integral, by ball arithmetic",
+                       .role = Role::Enclosure,
+                       .cost = CostClass::Multiprecision},
+                      false, [formula](Evaluation& evaluation) {
+                        for (const ScalarKind kind : scalar_kinds)
+                          with_scalar(kind, [&]<Scalar R>() {
+                            evaluation.set_point<R>([formula](const Query<R>& query, Result<R>& result) {
+                              integrate_certified(formula, query, result);
+                            });
+                          });
+                      }));
   }
   return true;
 }();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Kernels as sums of constant * integer * x1^a x2^b x3^c r^(-q) in the triangle's frame, x3 = x.n, and their derivatives.
+// Kernels as sums of constant * integer * x1^a x2^b x3^c r^(-q) in the triangle's frame, x3 = x.n, and their
+// derivatives.
 #pragma once
 
 #include "ball.h"
@@ -43,11 +44,11 @@ class Polynomial {
   Terms terms_;
 };
 
-Polynomial coordinate(int i);               ///< x_i
-Polynomial inverse_distance(int q);         ///< r^(-q)
-Polynomial constant(int number);            ///< the definition's constant of that number, from 1
+Polynomial coordinate(int i);        ///< x_i
+Polynomial inverse_distance(int q);  ///< r^(-q)
+Polynomial constant(int number);     ///< the definition's constant of that number, from 1
 
-/// A formula's kernel, typed in from its definition once more: nothing of triangle/*.cpp is used.
+/// A formula's kernel, typed in from its definition once more: nothing of src/kernel is used.
 struct Definition {
   std::string_view formula;
   bool per_corner;                     ///< weighted with the hat function of each corner

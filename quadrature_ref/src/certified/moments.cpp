@@ -12,12 +12,12 @@ constexpr slong rough_bits = 64;    // of bounds and estimates
 constexpr int hopeless_depth = 12;  // bisections of a panel
 constexpr int bound_boxes = 4;      // that cover half an ellipse
 
-// Along an edge tau = distance sinh v, r = distance cosh v: no root, and no singularity closer than pi/2 to the real line
-// but those of the elementary functions' forms.
+// Along an edge tau = distance sinh v, r = distance cosh v: no root, and no singularity closer than pi/2 to the real
+// line but those of the elementary functions' forms.
 template <class Number>
 class EdgeIntegrand {
  public:
-  EdgeIntegrand(const EdgeSight& edge, const Real& height, const RadialRange& range)
+  EdgeIntegrand(const EdgeFrame& edge, const Real& height, const RadialRange& range)
       : edge_(edge), height_(height), height_square_(edge.height * edge.height), table(range) {
     arb_abs(height_.raw(), height_.raw());
     for (int i = 0; i < 2; ++i) across_[i] = edge.outward[i] * edge.height;
@@ -33,7 +33,7 @@ class EdgeIntegrand {
   }
 
  private:
-  const EdgeSight& edge_;
+  const EdgeFrame& edge_;
   Real height_, height_square_;
   std::array<Real, 2> across_;
 
@@ -45,19 +45,22 @@ class EdgeIntegrand {
 
 // A stretch of an edge, and what bounds the integrand's size on the ellipse about it with foci at its ends.
 struct Panel {
-  const EdgeSight* edge;
+  const EdgeFrame* edge;
   Real middle, half;
-  double rho = 0;                // sum of the ellipse's semi-axes over half
+  double rho = 0;  // sum of the ellipse's semi-axes over half
   std::array<Real, 2> y_bound;
-  std::vector<Real> bounds;      // |r H(m + 1, q)|
+  std::vector<Real> bounds;  // |r H(m + 1, q)|
   int nodes = 0;
 };
 
 class Integrator {
  public:
-  Integrator(const Sight& sight, const MomentRange& range, int goal)
-      : sight_(sight), range_(range), goal_(goal),
-        radial_{range.highest_q(), std::max(3, range.highest_degree() + 1)}, result_(range),
+  Integrator(const Frame& frame, const MomentRange& range, int goal)
+      : frame_(frame),
+        range_(range),
+        goal_(goal),
+        radial_{range.highest_q(), std::max(3, range.highest_degree() + 1)},
+        result_(range),
         scale_(radial_.count() * stride(), -HUGE_VAL) {}
 
   Moments run(std::size_t& nodes) {
@@ -83,7 +86,7 @@ class Integrator {
 
   std::vector<Panel> coarse_panels() const {
     std::vector<Panel> panels;
-    for (const EdgeSight& edge : sight_.edges) {
+    for (const EdgeFrame& edge : frame_.edges) {
       if (edge.passes) continue;  // the factor in front of the integral is zero
       const Real v0 = asinh(edge.first / edge.distance), v1 = asinh(edge.last / edge.distance);
       const Real range = v1 - v0;
@@ -97,7 +100,7 @@ class Integrator {
   // Estimates: they decide what is spent, and prove nothing.
   void note_scale(const Panel& panel) {
     const WorkingBits rough(rough_bits);
-    EdgeIntegrand<Real> f(*panel.edge, sight_.height, radial_);
+    EdgeIntegrand<Real> f(*panel.edge, frame_.height, radial_);
     for (const int side : {-1, 0, 1}) {
       f.set(panel.middle + panel.half * side);
       const double common = panel.half.log2_size() + panel.edge->height.log2_size() + f.r.log2_size();
@@ -134,7 +137,7 @@ class Integrator {
     panel.bounds.assign(scale_.size(), Real(0));
     panel.y_bound = {Real(0), Real(0)};
     const auto raise = [](Real& to, const Real& by) { arb_max(to.raw(), to.raw(), by.raw(), MAG_BITS + 2); };
-    EdgeIntegrand<Complex> f(*panel.edge, sight_.height, radial_);
+    EdgeIntegrand<Complex> f(*panel.edge, frame_.height, radial_);
     for (int box = 0; box < bound_boxes; ++box) {
       // The integrand at the conjugate is the conjugate: the upper half is enough.
       const Real re = (panel.middle + major * (2 * box + 1 - bound_boxes) / bound_boxes).widened(major / bound_boxes);
@@ -179,7 +182,7 @@ class Integrator {
 
   void add(const Panel& panel) {
     Moments sum(range_);
-    EdgeIntegrand<Real> f(*panel.edge, sight_.height, radial_);
+    EdgeIntegrand<Real> f(*panel.edge, frame_.height, radial_);
     const auto rule = half_rule(panel.nodes, working_bits);
     Real weighted, power, term;
     for (std::size_t node = 0; node < rule->nodes.size(); ++node)
@@ -224,7 +227,7 @@ class Integrator {
       for (int b = 0; b <= m; ++b, ++at) out[at] = b == 0 ? out[at - m] * y[0] : out[at - m - 1] * y[1];
   }
 
-  const Sight& sight_;
+  const Frame& frame_;
   const MomentRange& range_;
   int goal_;
   RadialRange radial_;
@@ -243,8 +246,8 @@ void MomentRange::include(int degree, int q) {
 
 int MomentRange::highest_degree() const { return *std::ranges::max_element(degrees_); }
 
-Moments integrate_moments(const Sight& sight, const MomentRange& range, int goal, std::size_t& nodes) {
-  return Integrator(sight, range, goal).run(nodes);
+Moments integrate_moments(const Frame& frame, const MomentRange& range, int goal, std::size_t& nodes) {
+  return Integrator(frame, range, goal).run(nodes);
 }
 
 }  // namespace cageproof::quadrature_ref::certified

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "radial.h"
-#include "sight.h"
+#include "frame.h"
 
 namespace cageproof::quadrature_ref::certified {
 
@@ -27,7 +27,8 @@ class MomentRange {
 class Moments {
  public:
   explicit Moments(const MomentRange& range)
-      : range_(range), stride_((range.highest_degree() + 1) * (range.highest_degree() + 2) / 2),
+      : range_(range),
+        stride_((range.highest_degree() + 1) * (range.highest_degree() + 2) / 2),
         values_(stride_ * ((range.highest_q() - range.lowest_q()) / 2 + 1)) {}
   const MomentRange& range() const { return range_; }
   Real& at(int a, int b, int q) { return values_[index(a, b, q)]; }
@@ -49,6 +50,6 @@ class Moments {
 /// much is spent; what was reached is in the radii
 /// \param nodes is increased by the number of nodes spent
 /// \pre moments with q >= a + b + 2 are not used where the point lies on the triangle
-Moments integrate_moments(const Sight& sight, const MomentRange& range, int goal, std::size_t& nodes);
+Moments integrate_moments(const Frame& frame, const MomentRange& range, int goal, std::size_t& nodes);
 
 }  // namespace cageproof::quadrature_ref::certified

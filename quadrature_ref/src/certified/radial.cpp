@@ -8,10 +8,11 @@ namespace {
 //   r^(2-q) = (k+1-q) w H(k, q) + (k-1) d^2 H(k-2, q)          k >= 2      (1)
 //   r^(2-q) - d^(2-q) = (2-q) w H(1, q)                                    (2)
 //   r^(2-q) = (2-q) w H(k, q) + (k-1) H(k-2, q-2)              k >= 2      (3)
-//   (q-2) d^2 H(k, q) = r^(2-q) + (q-3-k) H(k, q-2)            from (3) at k+2 and H(k, q-2) = w H(k+2, q) + d^2 H(k, q)   (4)
+//   (q-2) d^2 H(k, q) = r^(2-q) + (q-3-k) H(k, q-2)            from (3) at k+2 and H(k, q-2) = w H(k+2, q) + d^2 H(k,
+//   q)   (4)
 
 // Upper bounds of |w|/d^2 below which the series is used: it converges below one. On real numbers speed decides.
-double series_limit(const Real&) { return -2; }      // 1/4
+double series_limit(const Real&) { return -2; }        // 1/4
 double series_limit(const Complex&) { return -0.15; }  // 0.9
 
 double log2_size(const Real& a) { return a.log2_size(); }
@@ -108,8 +109,8 @@ void RadialTable<Number>::set_from_elementary(const Number& w, const Number& r, 
     at(1, q) = q == 2 ? log(r / d) * inverse : (power(q) - Number(power_of_height)) * inverse / (2 - q);  // (2)
     power_of_height = power_of_height / square;
     for (int k = 2; k <= top; ++k)
-      at(k, q) = k + 1 == q ? (at(k - 2, q - 2) - power(q) / (q - 2)) * inverse                           // (3)
-                            : (power(q) - at(k - 2, q) * square * (k - 1)) * inverse / (k + 1 - q);       // (1)
+      at(k, q) = k + 1 == q ? (at(k - 2, q - 2) - power(q) / (q - 2)) * inverse                      // (3)
+                            : (power(q) - at(k - 2, q) * square * (k - 1)) * inverse / (k + 1 - q);  // (1)
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The radial integrals H(k, q) = int_0^1 s^k (s^2 w + d^2)^(-q/2) ds, elementary functions of w, in real and complex balls.
+// The radial integrals H(k, q) = int_0^1 s^k (s^2 w + d^2)^(-q/2) ds, elementary functions of w, in real and complex
+// balls.
 #pragma once
 
 #include "ball.h"
@@ -9,7 +10,7 @@
 
 namespace cageproof::quadrature_ref::certified {
 
-/// Powers q of one parity, from lowest_power(q) to highest, and k up to highest_k.
+/// Powers q of one parity, from lowest_q() to highest_q, and exponents k from 0 to highest_k.
 struct RadialRange {
   int highest_q;
   int highest_k;  ///< >= 3

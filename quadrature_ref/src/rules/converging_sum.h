@@ -2,8 +2,8 @@
 // Integrals at any number of digits: what the multiprecision evaluation asks for twice.
 #pragma once
 
-#include "gauss.h"
-#include "polar_cells.h"
+#include "elementary.h"
+#include "finish.h"
 
 #include <functional>
 #include <tuple>
@@ -31,7 +31,6 @@ class ConvergingSum {
   ConvergingSum(const Integrand& integrand, const Query<Mp200>& query)
       : integrand_(integrand),
         order_(query.order),
-        components_(integrand.formula.components()),
         parameters_(convert_all<Mp50>(query.parameters), convert_all<Mp100>(query.parameters),
                     convert_all<Mp200>(query.parameters)) {}
 
@@ -42,12 +41,14 @@ class ConvergingSum {
     return converted;
   }
   template <Scalar W>
-  std::span<const W> parameters() const {
-    return std::get<std::vector<W>>(parameters_);
+  KernelTask<W> task() const {
+    return integrand_.task<W>(std::get<std::vector<W>>(parameters_), order_);
   }
-  Result<Mp200> empty() const {
-    Result<Mp200> sums;
-    sums.reset(components_, 3, order_);
+  /// Tensors of zeros.
+  template <Scalar W = Mp200>
+  Result<W> empty() const {
+    Result<W> sums;
+    integrand_.reset(sums, order_);
     return sums;
   }
   /// Adds sums of a narrower scalar.
@@ -63,7 +64,6 @@ class ConvergingSum {
 
   const Integrand& integrand_;
   int order_;
-  int components_;
 
  private:
   std::tuple<std::vector<Mp50>, std::vector<Mp100>, std::vector<Mp200>> parameters_;
@@ -82,42 +82,33 @@ double agreement(const std::vector<Mp200>& a, const std::vector<Mp200>& b, doubl
 /// Two rules, the second 6 digits better by design, until they agree to `digits` or four attempts are spent.
 Answer converge(ConvergingSum& sum, double digits, int order);
 
-/// Gauss-Legendre on the collapsed square, for points at least 1.5 longest edges away.
-class FarSum final : public ConvergingSum {
- public:
-  FarSum(const Integrand& integrand, const LocalTriangle<Mp200>& triangle, const Query<Mp200>& query);
-  Result<Mp200> at(double digits) override;
-
- private:
-  template <Scalar W>
-  Result<Mp200> at_precision(int n);
-
-  const LocalTriangle<Mp200>& triangle_;
-  double log10_rate_;  ///< digits gained by one more point a side
+/// What a point on the element needs for the limit from inside.
+struct Inside {
+  /// The sum after the point was moved inside by a distance, in the local unit of length.
+  std::function<std::unique_ptr<ConvergingSum>(const Mp200& inward)> moved;
+  std::array<Mp200, 2> inward;            ///< two distances, the second one nearer
+  std::array<double, 3> log10_natural{};  ///< of an order's tensor: the size that its unit of length gives it
 };
 
-/// Polar cells, each with the points and the precision that its share demands.
-class PolarSum final : public ConvergingSum {
- public:
-  PolarSum(const Integrand& integrand, PolarFrame<Mp200> frame, const Query<Mp200>& query);
-  Result<Mp200> at(double digits) override;
+/// The limit from inside: an order's tensors at the two distances agree, are both next to nothing (the limit is zero),
+/// or there is no limit, and the order's tensor and digits are NaN.
+Answer limit_from_inside(const Inside& inside, double digits, int order);
 
- private:
-  template <Scalar W>
-  void add_cell(const PolarFrame<W>& frame, const PolarCell& cell, CellPoints points, Result<Mp200>& total);
-  /// The sum with an absolute error of about 10^log10_error[order].
-  Result<Mp200> with_error(const std::array<double, 3>& log10_error);
-  /// Finds masses and norms.
-  void scout();
+/// Sets a multiprecision evaluation's result: tensors scaled back from units of 2^exponent, and what it states.
+template <Scalar R>
+void set_answer(const Formula& formula, int exponent, const Answer& answer, int order, Result<R>& result) {
+  finish(formula, exponent, answer.sums, result);
+  result.nodes = answer.sums.nodes;
+  for (int o = 0; o <= order; ++o)
+    result.stated_digits = std::fmin(result.stated_digits, answer.digits[o]);  // ignores NaN
+  if (result.stated_digits < 0) result.stated_digits = 0;
+  result.converged = result.stated_digits >= kDigitsPromised;
+}
 
-  PolarFrame<Mp200> exact_frame_;
-  PolarFrame<Mp50> frame50_;
-  PolarFrame<Mp100> frame100_;
-  std::vector<PolarCell> cells_;
-  std::vector<std::array<double, 3>> mass_;  ///< log10, a cell and order
-  std::array<double, 3> norm_{};             ///< log10, an order
-  bool scouted_ = false;
-  int more_directions_ = 0;  ///< on rings; alternates, so that comparing two sums tests the directions as well
-};
+/// Digits that the multiprecision evaluations aim at.
+template <Scalar R>
+double digits_wanted() {
+  return std::same_as<R, Mp100> || std::same_as<R, Mp200> ? 60 : kDigitsPromised;
+}
 
 }  // namespace cageproof::quadrature_ref

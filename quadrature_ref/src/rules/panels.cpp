@@ -36,11 +36,12 @@ int nodes_for(double lo, double hi, const Singularities& singular, double digits
   return std::isfinite(least) ? std::max(1, static_cast<int>(std::ceil(std::min(least, 1e6)))) : 1;
 }
 
-std::vector<double> panel_ends(double lo, double hi, const Singularities& singular, const PanelDesign& design) {
+void set_panel_ends(double lo, double hi, const Singularities& singular, const PanelDesign& design,
+                    std::vector<double>& ends) {
   const auto fits = [&](double from, double to) {
     return nodes_for(from, to, singular, design.digits) <= design.nodes;
   };
-  std::vector<double> ends{lo};
+  ends.assign(1, lo);
   while (!fits(ends.back(), hi)) {
     double step = 0.05, too_long = hi - ends.back();
     while (too_long > 1.05 * step) {
@@ -50,7 +51,6 @@ std::vector<double> panel_ends(double lo, double hi, const Singularities& singul
     ends.push_back(ends.back() + step);
   }
   ends.push_back(hi);
-  return ends;
 }
 
 }  // namespace cageproof::quadrature_ref

@@ -2,13 +2,17 @@
 // How many Gauss-Legendre points an interval needs, and how to cut a long one: from where the integrand is singular.
 #pragma once
 
+#include <boost/container/static_vector.hpp>
+
 #include <complex>
+#include <span>
 #include <vector>
 
 namespace cageproof::quadrature_ref {
 
-/// Points of the complex plane where the integrand is singular; their conjugates are implied.
-using Singularities = std::vector<std::complex<double>>;
+/// Points of the complex plane where the integrand is singular; their conjugates are implied. Five are the most that a
+/// frame has.
+using Singularities = boost::container::static_vector<std::complex<double>, 5>;
 
 /// The number of Gauss-Legendre points for `digits` decimal digits (relative to the integrand's maximum) on [lo, hi]:
 /// the least of max|f| rho^(-2n) over the Bernstein ellipses that keep off the singularities, for integrands that grow
@@ -21,7 +25,8 @@ struct PanelDesign {
   double digits;
 };
 
-/// Panel boundaries from lo to hi, both included. \pre lo <= hi
-std::vector<double> panel_ends(double lo, double hi, const Singularities& singular, const PanelDesign& design);
+/// Sets `ends` to the panels' boundaries from lo to hi, both included. \pre lo <= hi, finite
+void set_panel_ends(double lo, double hi, const Singularities& singular, const PanelDesign& design,
+                    std::vector<double>& ends);
 
 }  // namespace cageproof::quadrature_ref

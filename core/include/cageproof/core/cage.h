@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A cage: a closed, oriented, manifold surface of triangles and quads, validated once.
+// A cage: a closed, oriented boundary, validated once: in space a manifold surface of triangles and quads, in the plane
+// polygons.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/vector.h"
 
 #include <array>
 #include <string>
@@ -11,16 +12,27 @@
 
 namespace cageproof {
 
-/// Three or four vertex indices, counter-clockwise seen from outside; a triangle's fourth is -1.
+enum class ElementKind;
+
+/// One element of a cage's boundary: as many vertex indices as it has corners, the others -1. Triangles and quads run
+/// counter-clockwise seen from outside; segments have the cage on their left.
 struct Face {
   std::array<int, 4> vertices{-1, -1, -1, -1};
-  int size() const { return vertices[3] < 0 ? 3 : 4; }
+  /// Corners: indices that are not -1.
+  int size() const {
+    int count = 0;
+    while (count < 4 && vertices[count] >= 0) ++count;
+    return count;
+  }
+  /// The element with so many corners.
+  ElementKind kind() const;
 };
 
 /// What may be repaired instead of rejected.
 struct CageOptions {
   bool flip_inward = false;  ///< reverse all faces of a cage whose normals point inward
-  /// Quads may have coinciding corners, three on a line, cross themselves or fold over; for coordinates that keep quads.
+  /// Quads may have coinciding corners, three on a line, cross themselves or fold over; for coordinates that keep
+  /// quads.
   bool allow_invalid_quads = false;
 };
 
@@ -47,7 +59,19 @@ class Cage {
   static Cage make(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> faces,
                    CageOptions options = {});
 
+  /// A polygon in the plane, or several (one within another bounds a hole, and runs clockwise).
+  /// \param vertices with third coordinate zero \param segments from vertex to vertex
+  /// \throws InputError naming the first segment (or vertex) at fault: empty input, a coordinate that is not finite or
+  /// not in the plane; index out of
+  ///   range or repeated, unused vertex; a segment without length; a vertex where not exactly one segment ends and one
+  ///   begins; no area, or clockwise orientation (negative area) unless options.flip_inward. Exact. Intersections are
+  ///   not looked for.
+  static Cage make_polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
+                           CageOptions options = {});
+
   const std::string& name() const { return name_; }
+  /// Of the space that the cage lies in: 2 or 3.
+  int dimension() const { return dimension_; }
   const std::vector<Vec3<double>>& vertices() const { return vertices_; }
   const std::vector<Face>& faces() const { return faces_; }
   bool has_quads() const;
@@ -63,9 +87,19 @@ class Cage {
     std::vector<int> face_of;
   };
   Triangles triangulate(Triangulation rule) const;
+  /// The faces as elements: as they are, or quads split by `rule`. `face_of[e]` is the face that element e is, or is
+  /// part of.
+  struct Parts {
+    std::vector<Face> elements;
+    std::vector<int> face_of;
+  };
+  Parts parts(bool keep_quads, Triangulation rule) const;
+  /// The same cage with other vertices and faces, of the same dimension. \throws InputError as make
+  Cage with(std::vector<Vec3<double>> vertices, std::vector<Face> faces) const;
 
  private:
   Cage() = default;
+  int dimension_ = 3;
   std::string name_;
   std::vector<Vec3<double>> vertices_;
   std::vector<Face> faces_;

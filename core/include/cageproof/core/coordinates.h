@@ -1,48 +1,126 @@
 // SPDX-License-Identifier: MIT
-// Cage coordinates: sums of a formula over a cage's faces, one block of coordinates a formula.
+// Cage coordinates: a kind of coordinates, prepared for one cage, asked at points. How they are computed (sums over
+// elements, a system solved once a cage, directly) is the kind's own affair.
 #pragma once
 
-#include "cageproof/core/cage.h"
+#include "cageproof/core/cage_elements.h"
 #include "cageproof/core/evaluation.h"
 
-#include <functional>
+#include <list>
+#include <memory>
 
 namespace cageproof {
 
-/// One block of a kind of coordinates: a coordinate (a number, or a 3 x 3 matrix) a vertex where its formula has one tensor a corner, else
-/// one a triangle.
-struct CoordinateBlock {
-  std::string_view label;    ///< "phi", "psi" ...
-  std::string_view formula;  ///< of the catalogue
-  /// What the block multiplies when a linear map is reproduced: the vertices, the triangles' outward unit normals, or nothing.
-  enum class Reproduces { Vertices, Normals, Nothing } reproduces;
+/// What a block of coordinates multiplies when a linear map is reproduced.
+enum class Reproduces { Vertices, Normals, Nothing };
+
+/// One block of a kind that is a sum over elements. The kernel is resolved to `<element>.<kernel>` on each element of
+/// the cage.
+struct SummedBlock {
+  std::string_view label;   ///< "phi", "psi" ...
+  std::string_view kernel;  ///< "double_layer"
+  Reproduces reproduces;
   /// What the normals are multiplied with, from the formula's parameters; null for one.
   double (*normal_factor)(std::span<const double> parameters) = nullptr;
-  /// What quads are summed with, of the same shape; empty where quads become triangles.
-  std::string_view quad_formula = {};
 };
 
-/// Coordinates of one point, one a vertex, summing to one; NaN where there are none. Safe from any thread.
-using DirectCoordinates = std::function<std::vector<double>(const Vec3<double>& point)>;
+/// One block of prepared coordinates: a coordinate (a number, or a matrix) a vertex, or one an element.
+struct CoordinateBlock {
+  std::string label;
+  bool per_vertex;
+  int size;     ///< coordinates: the number of vertices, or of elements
+  Shape shape;  ///< of one coordinate
+  Reproduces reproduces = Reproduces::Nothing;
+  double normal_factor = 1;  ///< of blocks that reproduce normals
+  /// The power of the unit of length that coordinates grow with, and Formula::logarithmic.
+  int degree = 0;
+  double logarithmic = 0;
+  /// The trace of the Hessian: nothing known, zero, or another block.
+  struct Trace {
+    enum class Kind { Unknown, Zero, Block } kind = Kind::Unknown;
+    std::size_t block = 0;
+  } trace = {};
+
+  /// Numbers of a coordinate.
+  int entries() const { return shape.entries(); }
+};
+
+/// All coordinates of one block at a block of points: tensors[o] is [point][coordinate][entry][derivatives].
+template <Scalar R>
+struct CoordinateTable {
+  std::array<std::vector<R>, 3> tensors;
+  std::array<std::size_t, 3> stride{};  ///< numbers a point
+};
+
+/// A kind prepared for one cage. Safe from any thread.
+class PreparedCoordinates {
+ public:
+  virtual ~PreparedCoordinates() = default;
+  virtual const std::vector<CoordinateBlock>& blocks() const = 0;
+  virtual int max_order() const = 0;
+  /// What results call the way the coordinates are computed: the name of the formulas' evaluation.
+  virtual std::string evaluation() const { return std::string(name_of(Role::Recommended)); }
+  /// Whether values in multiprecision have that precision's digits.
+  virtual bool is_exact_in(ScalarKind scalar) const = 0;
+  /// One table a block, sized and set to zero by the caller. Where a point is exactly a double and lies on the cage,
+  /// values are the limits from inside: interpolating kinds give the basis functions; derivatives that do not exist are
+  /// NaN. Points without coordinates are NaN. \pre order <= max_order()
+  virtual void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const = 0;
+  virtual void fill(std::span<const Vec3<double>> points, int order,
+                    std::span<CoordinateTable<double>> tables) const = 0;
+  virtual void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const = 0;
+  virtual void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const = 0;
+};
+
+/// Implements PreparedCoordinates::fill by `template <Scalar R> void compute(points, order, tables) const` of the
+/// derived class.
+template <class Derived>
+class CoordinatesIn : public PreparedCoordinates {
+ public:
+  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
+    own().compute(points, order, tables);
+  }
+  void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
+    own().compute(points, order, tables);
+  }
+  void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
+    own().compute(points, order, tables);
+  }
+  void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const override {
+    own().compute(points, order, tables);
+  }
+
+ private:
+  const Derived& own() const { return static_cast<const Derived&>(*this); }
+};
+
+/// What a kind is prepared with.
+struct CoordinateOptions {
+  std::string evaluation = {};  ///< of its formulas; empty for each formula's recommended one
+  Triangulation triangulation = Triangulation::Shortest;
+  std::vector<double> parameters = {};  ///< in the order of parameters_of(kind); empty for their defaults
+};
 
 /// A kind of cage coordinates.
 struct CoordinateKind {
   std::string_view name;
   std::string_view source;
-  std::vector<CoordinateBlock> blocks;
-  bool normalised;  ///< divided by their sum (mean value coordinates), and interpolating on the cage
-  /// For kinds that are no sum over faces: makes what computes all coordinates of a point, in double and without derivatives. Their one block
-  /// states the shape.
-  DirectCoordinates (*direct)(const Cage& cage, std::string_view evaluation) = nullptr;
+  /// Of sums over elements; empty for kinds that compute otherwise.
+  std::vector<SummedBlock> blocks = {};
+  bool normalised = false;   ///< divided by their sum (mean value coordinates), and interpolating on the cage
+  bool keeps_quads = false;  ///< the cage's quads stay bilinear surfaces
+  /// Of kinds that are no sums over elements: the dimension of their cages, and what prepares them. Null for sums.
+  int own_dimension = 3;
+  std::shared_ptr<const PreparedCoordinates> (*prepare)(const Cage& cage, const CoordinateOptions& options) = nullptr;
   /// Why there may be points without coordinates; empty for kinds that have them everywhere.
   std::string_view missing_because = {};
 
-  /// Whether the cage's quads stay whole.
-  bool keeps_quads() const { return !blocks.front().quad_formula.empty(); }
+  bool is_sum() const { return prepare == nullptr; }
 };
 
-/// mean_value, quad_mean_value, green, biharmonic, somigliana, and those that rooms linked into the program add, by name.
-std::span<const CoordinateKind> coordinate_kinds();
+/// The kinds that are sums over elements (mean_value, quad_mean_value, green, biharmonic, somigliana), then those that
+/// rooms linked into the program add, by name. Kinds stay where they are.
+const std::list<CoordinateKind>& coordinate_kinds();
 
 /// Adds a kind at program start: `const RegisterCoordinateKind r{...};` at namespace scope of a .cpp.
 struct RegisterCoordinateKind {
@@ -52,74 +130,57 @@ struct RegisterCoordinateKind {
 /// The parameters of a kind's formulas, which they share; none for most kinds.
 const std::vector<Parameter>& parameters_of(const CoordinateKind& kind);
 
+/// The formulas that a kind sums on a cage's elements, each once.
+std::vector<const Formula*> formulas_of(const CoordinateKind& kind, const Cage& cage);
+
 /// The kind of that name, or null.
 const CoordinateKind* find_coordinate_kind(std::string_view name);
 
-/// Whether the kind has coordinates in the cage: it triangulates quads, or all are valid, or the cage allows others.
-bool accepts(const CoordinateKind& kind, const Cage& cage);
+/// The kind of that name. \throws InputError where there is none
+const CoordinateKind& coordinate_kind_named(std::string_view name);
 
-/// A triangle or quad that a point lies on, exactly, and its basis functions there: hat functions, or bilinear ones.
-struct Touching {
-  int element;
-  std::array<double, 4> basis;
-};
+/// Whether the kind exists on a cage like this one: all its kernels have formulas on the cage's elements.
+bool exists_on(const CoordinateKind& kind, const Cage& cage);
+
+/// Whether the kind has coordinates in the cage: it exists on it, and it triangulates quads, or all are valid, or the
+/// cage allows others.
+bool accepts(const CoordinateKind& kind, const Cage& cage);
 
 /// Coordinates of points in one cage. Keeps a reference to the kind, copies of the rest; safe from any thread.
 class CageCoordinates {
  public:
-  /// \param parameters in the order of parameters_of(kind); empty for their defaults
-  /// \param evaluation of the quads' formula for kinds that keep quads; triangles then take it where they have it, else closed_form
-  /// \throws InputError when a block's formula has no evaluation of that name, a parameter is out of range, or a kind that keeps quads
-  ///   meets an invalid one that the cage does not allow
+  /// \throws InputError when a block's formula has no evaluation of that name, a parameter is out of range, the kind
+  /// does not exist on the
+  ///   cage, or a kind that keeps quads meets an invalid one that the cage does not allow
+  CageCoordinates(const Cage& cage, const CoordinateKind& kind, CoordinateOptions options);
+  /// \param evaluation of the quads' formulas for kinds that keep quads; triangles then take it where they have it,
+  /// else the recommended one
   CageCoordinates(const Cage& cage, const CoordinateKind& kind, std::string_view evaluation, Triangulation rule,
-                  std::vector<double> parameters = {});
+                  std::vector<double> parameters = {})
+      : CageCoordinates(cage, kind, CoordinateOptions{std::string(evaluation), rule, std::move(parameters)}) {}
 
   const CoordinateKind& kind() const { return *kind_; }
-  /// What is summed over: the cage's faces, quads as triangles unless the kind keeps them.
-  const std::vector<Face>& elements() const { return elements_; }
-  std::vector<Vec3<double>> corners(int element) const;
-  /// Outward unit normals of triangles, and of quads' area vectors.
-  const std::vector<Vec3<double>>& normals() const { return normals_; }
-  /// The outward unit normal where a point touches; of a bilinear quad, there.
-  Vec3<double> normal_at(const Touching& touch) const;
-  /// How block b is evaluated on an element. \pre the kind is a sum over elements
-  const Evaluation& evaluation_on(int b, int element) const {
-    return elements_[element].size() == 3 ? evaluations_[b] : quad_evaluations_[b];
-  }
-  /// Coordinates of block b: the number of vertices or of elements.
-  int size(int b) const;
-  /// Numbers a coordinate of block b: 1, or 9 for a 3 x 3 matrix, row by row.
-  int entries(int b) const;
-  /// What block b multiplies the normals with when a linear map is reproduced.
-  double normal_factor(int b) const;
-  int max_order() const { return max_order_; }
+  /// The cage's elements, quads as triangles unless the kind keeps them.
+  const CageElements& elements() const { return *elements_; }
+  const std::vector<CoordinateBlock>& blocks() const { return prepared_->blocks(); }
+  int dimension() const { return elements_->dimension(); }
+  int max_order() const { return prepared_->max_order(); }
+  /// The name of the formulas' evaluation; where elements differ, that of quads.
+  std::string evaluation() const { return prepared_->evaluation(); }
+  bool is_exact_in(ScalarKind scalar) const { return prepared_->is_exact_in(scalar); }
 
-  /// One result a block: value [coordinate][entry], gradient [coordinate][entry][i], Hessian [coordinate][entry][i][j].
-  /// On the cage the values are the limits from inside: interpolating kinds give the basis functions; derivatives that do not
-  /// exist are NaN. \pre order <= max_order()
+  /// A block of points: one table a block of coordinates, as PreparedCoordinates::fill.
   template <Scalar R>
-  std::vector<Result<R>> at(const Vec3<double>& point, int order) const;
+  std::vector<CoordinateTable<R>> at(std::span<const Vec3<R>> points, int order) const;
 
-  /// As `at`, for a point known to lie off the cage, in the scalar's own precision.
+  /// One point: one result a block.
   template <Scalar R>
-  std::vector<Result<R>> at_off_cage(const Vec3<R>& point, int order) const;
-
-  /// The elements that the point lies on, border included, decided exactly; the basis functions are rounded.
-  std::vector<Touching> touching(const Vec3<double>& point) const;
+  std::vector<Result<R>> at(const Vec3<R>& point, int order) const;
 
  private:
-  template <Scalar R>
-  Result<R> block_at(int b, const Vec3<R>& eta, int order, const std::vector<Touching>& on) const;
-
   const CoordinateKind* kind_;
-  std::vector<Vec3<double>> vertices_;
-  std::vector<Face> elements_;
-  std::vector<Vec3<double>> normals_;
-  std::vector<Evaluation> evaluations_;       // of blocks, on triangles
-  std::vector<Evaluation> quad_evaluations_;  // of blocks, on quads; empty for kinds that keep none
-  DirectCoordinates direct_;
-  std::vector<double> parameters_;
-  int max_order_ = 2;
+  std::shared_ptr<const CageElements> elements_;
+  std::shared_ptr<const PreparedCoordinates> prepared_;
 };
 
 }  // namespace cageproof

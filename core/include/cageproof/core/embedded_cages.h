@@ -6,7 +6,8 @@
 
 namespace cageproof {
 
-/// Names of the embedded cages, in report order: cube, icosphere, torus, l-block, twisted-bar, thin-box, spiky-box.
+/// Names of the embedded cages, in report order: cube, icosphere, torus, l-block, twisted-bar, thin-box, spiky-box; in
+/// the plane square.
 std::vector<std::string_view> embedded_cage_names();
 
 /// The embedded cage of that name.

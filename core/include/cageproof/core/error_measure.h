@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The error vocabulary: log-binned histograms, and the worst inputs kept exactly. All of it merges without regard to order.
+// The error vocabulary: log-binned histograms, and the worst inputs kept exactly. All of it merges without regard to
+// order.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/vector.h"
 
 #include <array>
 #include <cstdint>
@@ -10,8 +11,9 @@
 
 namespace cageproof {
 
-/// Counts of errors, ten bins a decade from 1e-6 to 1e24, with the exact maximum. Errors are >= 0, or infinite for a result that is not
-/// finite where the truth is. Merging is associative and commutative, so any schedule gives the same histogram.
+/// Counts of errors, ten bins a decade from 1e-6 to 1e24, with the exact maximum. Errors are >= 0, or infinite for a
+/// result that is not finite where the truth is. Merging is associative and commutative, so any schedule gives the same
+/// histogram.
 class ErrorHistogram {
  public:
   static constexpr int bins_per_decade = 10;
@@ -33,6 +35,10 @@ class ErrorHistogram {
   double p999() const { return quantile(0.999); }
   /// counts()[0]: below 1e-6; [1 .. bin_count]: the bins; [bin_count + 1]: above 1e24 and infinite.
   const std::array<std::uint64_t, bin_count + 2>& counts() const { return counts_; }
+  /// The histogram that had these counts(), nonfinite() and max().
+  /// \throws std::invalid_argument when there is none
+  static ErrorHistogram restored(const std::array<std::uint64_t, bin_count + 2>& counts, std::uint64_t nonfinite,
+                                 double max);
 
  private:
   std::array<std::uint64_t, bin_count + 2> counts_{};
@@ -46,17 +52,18 @@ struct WorstCase {
   double error = 0;      ///< in the row's unit; infinite for a non-finite result
   double parameter = 0;  ///< the regime's parameter (distance, aspect, unit ...); 0 where there is none
   std::uint64_t sample = 0;
-  std::vector<Vec3<double>> corners;  ///< the element; empty for a cage check
+  std::vector<Vec3<double>> corners = {};  ///< the element; empty for a cage check
   Vec3<double> point = Vec3<double>::Zero();
-  std::vector<double> parameters;  ///< in the order of Formula::parameters
-  int asked = 2;                   ///< highest derivative of the query: forms may differ by it
+  std::vector<double> parameters = {};  ///< in the order of Formula::parameters
+  int asked = 2;                        ///< highest derivative of the query: forms may differ by it
 };
 
-/// The k worst cases, by falling error, then by rising sample number; independent of the order of insertion.
+/// The k worst cases, by falling error, then by rising sample number, then by the bits of the input: independent of the
+/// order of insertion.
 class WorstCases {
  public:
   explicit WorstCases(std::size_t capacity = 5) : capacity_(capacity) {}
-  /// True when a case of that error would be kept: ask before building an expensive case.
+  /// False when a case of that error would not be kept: ask before building an expensive case.
   bool wants(double error, std::uint64_t sample) const;
   void add(WorstCase worst_case);
   void merge(const WorstCases& other);

@@ -2,10 +2,12 @@
 // An evaluation: one way to compute one formula, generic over the scalar; and the register of all of them.
 #pragma once
 
-#include "cageproof/core/formula.h"
+#include "cageproof/core/batch.h"
+#include "cageproof/core/role.h"
 
 #include <functional>
-#include <limits>
+#include <list>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -13,131 +15,160 @@
 
 namespace cageproof {
 
-/// The input of an evaluation.
-template <Scalar R>
-struct Query {
-  std::span<const Vec3<R>> corners;  ///< the element's corners, corner_count(element) of them
-  Vec3<R> point = Vec3<R>::Zero();   ///< eta
-  int order = 0;                     ///< highest derivative wanted: 0 value, 1 gradient, 2 Hessian
-  std::span<const R> parameters{};   ///< in the order of Formula::parameters
-  /// On an element's border, where a value diverges like the distance's logarithm: leave that term out. Cages need it, in whose sums the
-  /// terms of neighbours cancel. Evaluations without it give no finite value there.
-  bool finite_part = false;
+class Evaluation;
+
+/// What an evaluation says of itself.
+struct EvaluationFacts {
+  std::string description;
+  Role role = Role::Rule;
+  CostClass cost = CostClass::Nodes;
+  bool states_error = false;  ///< whether it states how many digits it stands behind (Statement::digits)
+  int max_order = 2;          ///< highest derivative it gives
+  /// Evaluations of the formula that stand in for this one in multiprecision because they stop at fewer digits:
+  /// `truths` at 34 or more, `confirmations` at some more, so that other nodes are taken where the digits decide them,
+  /// `yardsticks` at 12 or more. Empty: this one is quick enough itself.
+  struct Substitutes {
+    std::string truths, confirmations, yardsticks;
+  } substitutes = {};
 };
 
-/// The output of an evaluation: tensors with respect to the point, the last index the fastest.
+/// How an evaluation computes in one scalar; at least one of `batch` and `point` is set where it does. Thread-safe,
+/// without memory of earlier calls.
 template <Scalar R>
-struct Result {
-  std::vector<R> value;     ///< [component]
-  std::vector<R> gradient;  ///< [component][i], empty when order < 1
-  std::vector<R> hessian;   ///< [component][i][j], empty when order < 2
-  /// Radii about the entries of each tensor within which the formula's value is proven to lie, infinite where nothing
-  /// is; empty when the evaluation proves nothing.
-  std::vector<R> value_radius, gradient_radius, hessian_radius;
-  /// Decimal digits, relative and norm-wise, that the evaluation itself stands behind for the worst tensor asked for;
-  /// NaN where it makes no statement (closed forms, fixed rules).
-  double stated_digits = std::numeric_limits<double>::quiet_NaN();
-  /// False where an evaluation with a tolerance (adaptive, multiprecision) could not meet it.
-  bool converged = true;
-  std::size_t nodes = 0;  ///< kernel evaluations spent; 0 for closed forms
-
-  /// Sizes the arrays for `components` tensors in `dim` dimensions up to `order` and sets them to zero.
-  void reset(int components, int dim, int order) {
-    value.assign(components, R(0));
-    gradient.assign(order >= 1 ? components * dim : 0, R(0));
-    hessian.assign(order >= 2 ? components * dim * dim : 0, R(0));
-    for (int o = 0; o < 3; ++o) radius_of(o).clear();
-    stated_digits = std::numeric_limits<double>::quiet_NaN();
-    converged = true;
-    nodes = 0;
-  }
-  /// The tensor of derivative order 0, 1 or 2.
-  const std::vector<R>& of(int order) const { return order == 0 ? value : order == 1 ? gradient : hessian; }
-  std::vector<R>& of(int order) { return order == 0 ? value : order == 1 ? gradient : hessian; }
-  /// The radii of derivative order 0, 1 or 2.
-  const std::vector<R>& radius_of(int order) const {
-    return order == 0 ? value_radius : order == 1 ? gradient_radius : hessian_radius;
-  }
-  std::vector<R>& radius_of(int order) {
-    return order == 0 ? value_radius : order == 1 ? gradient_radius : hessian_radius;
-  }
+struct EvaluationFunctions {
+  /// Computes a block of points of one element.
+  std::function<void(const Batch<R>&, const BatchOutput<R>&)> batch;
+  /// Computes one point; gives radii too.
+  std::function<void(const Query<R>&, Result<R>&)> point;
+  /// Computes several formulas of one element for a block of points at once and shares between them what they have in
+  /// common (the element as the point sees it, moments). Given: evaluations with this same function, one output each.
+  using Joint = void (*)(std::span<const Evaluation* const> members, const Batch<R>& batch,
+                         std::span<const BatchOutput<R>> outputs);
+  Joint joint = nullptr;
 };
 
 /// One way to compute one formula.
 class Evaluation {
  public:
-  template <Scalar R>
-  using Function = std::function<void(const Query<R>&, Result<R>&)>;
-
   Evaluation() = default;
-  Evaluation(std::string formula, std::string name, std::string description, int max_order = 2)
-      : formula_(std::move(formula)), name_(std::move(name)), description_(std::move(description)),
-        max_order_(max_order) {}
+  Evaluation(std::string_view formula, std::string_view name, EvaluationFacts facts);
 
-  const std::string& formula() const { return formula_; }
+  const Formula& formula() const { return *formula_; }
   const std::string& name() const { return name_; }
-  const std::string& description() const { return description_; }
-  int max_order() const { return max_order_; }  ///< highest derivative it gives
-  /// Whether it states how many digits it stands behind (Result::stated_digits).
-  bool states_error() const { return states_error_; }
-  void set_states_error() { states_error_ = true; }
-  /// Evaluations of the formula that stand in for this one in multiprecision because they stop at fewer digits: `truths` at 34 or more, `confirmations` at some
-  /// more, so that other nodes are taken where the digits decide them, `yardsticks` at 12 or more. Empty: this one is quick enough itself.
-  struct Substitutes {
-    std::string truths, confirmations, yardsticks;
-  };
-  const Substitutes& substitutes() const { return substitutes_; }
-  void set_substitutes(Substitutes names) { substitutes_ = std::move(names); }
+  const EvaluationFacts& facts() const { return *facts_; }
+  const std::string& description() const { return facts_->description; }
+  Role role() const { return facts_->role; }
+  CostClass cost() const { return facts_->cost; }
+  int max_order() const { return facts_->max_order; }
+  bool states_error() const { return facts_->states_error; }
+  const EvaluationFacts::Substitutes& substitutes() const { return facts_->substitutes; }
 
   template <Scalar R>
-  void set(Function<R> f) { std::get<Function<R>>(functions_) = std::move(f); }
+  void set_batch(std::function<void(const Batch<R>&, const BatchOutput<R>&)> f) {
+    of<R>().batch = std::move(f);
+  }
   template <Scalar R>
-  bool supports() const { return static_cast<bool>(std::get<Function<R>>(functions_)); }
+  void set_point(std::function<void(const Query<R>&, Result<R>&)> f) {
+    of<R>().point = std::move(f);
+  }
+  /// \param payload what the function needs to know of this member, alive for the whole program
+  template <Scalar R>
+  void set_joint(typename EvaluationFunctions<R>::Joint f, const void* payload) {
+    of<R>().joint = f;
+    payload_ = payload;
+  }
+  const void* joint_payload() const { return payload_; }
+
+  template <Scalar R>
+  bool supports() const {
+    return of<R>().batch || of<R>().point;
+  }
   bool supports(ScalarKind kind) const {
     return with_scalar(kind, [&]<Scalar R>() { return supports<R>(); });
   }
-  /// \pre supports<R>() and query.order <= max_order(); throws std::bad_function_call otherwise.
+  /// One point. \pre supports<R>() and query.order <= max_order()
   template <Scalar R>
-  void operator()(const Query<R>& query, Result<R>& result) const { std::get<Function<R>>(functions_)(query, result); }
+  void operator()(const Query<R>& query, Result<R>& result) const;
+  /// A block of points. \pre as above
+  template <Scalar R>
+  void operator()(const Batch<R>& batch, const BatchOutput<R>& output) const;
+  /// Several formulas on one element; shares work where the evaluations can. \pre as above, one output each
+  template <Scalar R>
+  static void together(std::span<const Evaluation* const> members, const Batch<R>& batch,
+                       std::span<const BatchOutput<R>> outputs);
 
  private:
-  std::string formula_, name_, description_;
-  int max_order_ = 2;
-  bool states_error_ = false;
-  Substitutes substitutes_;
-  std::tuple<Function<float>, Function<double>, Function<Mp50>, Function<Mp100>, Function<Mp200>> functions_;
+  template <Scalar R>
+  const EvaluationFunctions<R>& of() const {
+    return std::get<EvaluationFunctions<R>>(functions_);
+  }
+  template <Scalar R>
+  EvaluationFunctions<R>& of() {
+    return std::get<EvaluationFunctions<R>>(functions_);
+  }
+
+  const Formula* formula_ = nullptr;
+  std::string name_;
+  std::shared_ptr<const EvaluationFacts> facts_;
+  const void* payload_ = nullptr;
+  std::tuple<EvaluationFunctions<float>, EvaluationFunctions<double>, EvaluationFunctions<Mp50>,
+             EvaluationFunctions<Mp100>, EvaluationFunctions<Mp200>>
+      functions_;
 };
 
 /// Evaluations that share one way of computing, for one formula: `closed_form`, or all `gauss-N`.
 struct EvaluationFamily {
   std::string formula;
-  std::string pattern;                ///< "closed_form", "gauss-<N>": what `list` shows
+  std::string pattern;  ///< "closed_form", "gauss-<N>": what `list` shows
+  Role role = Role::Rule;
   /// The members that verification runs and `list` names; none where a check alone asks for the one member, which is
   /// named as the pattern.
   std::vector<std::string> standard;
   /// The member of that name, or nothing when the name is not of this family.
   std::function<std::optional<Evaluation>(std::string_view name)> make;
+  /// Another name that people and stored cases may use for the pattern; empty for none.
+  std::string alias = {};
+  /// The members that work-precision studies show, coarse to fine; empty for none.
+  std::vector<std::string> studied = {};
+
+  /// A member that stands for all: the first standard one, or the one of the pattern's name.
+  Evaluation example() const { return *make(standard.empty() ? pattern : standard.front()); }
 };
 
-/// The evaluations of all rooms linked into the program. Rooms add theirs when the program starts.
+/// The evaluations of all rooms linked into the program. Rooms add theirs when the program starts. Families stay where
+/// they are.
 class EvaluationRegister {
  public:
   static EvaluationRegister& instance();
   void add(EvaluationFamily family);
-  /// The families of a formula, sorted by pattern.
+  /// The families of a formula: the recommended one first, then by pattern.
   std::vector<const EvaluationFamily*> families(std::string_view formula) const;
-  /// The evaluation of that name, or nothing.
+  /// The evaluation of that name or alias, or nothing.
   std::optional<Evaluation> find(std::string_view formula, std::string_view name) const;
-  /// The standard members of all families of a formula, `closed_form` first, then by name.
+  /// The formula's evaluation of that role: the first standard member of the first family with the role that has any,
+  /// else the member of the pattern's name of the first with the role; nothing where no family has it.
+  std::optional<Evaluation> with_role(std::string_view formula, Role role) const;
+  /// The standard members of all families of a formula, the recommended one first, then by name.
   std::vector<std::string> standard(std::string_view formula) const;
 
  private:
-  std::vector<EvaluationFamily> families_;
+  std::list<EvaluationFamily> families_;
 };
 
 /// Adds a family at program start: `const RegisterEvaluation r{...};` at namespace scope of the evaluation's .cpp.
 struct RegisterEvaluation {
   explicit RegisterEvaluation(EvaluationFamily family) { EvaluationRegister::instance().add(std::move(family)); }
 };
+
+/// The family of one evaluation that has the pattern for its name.
+/// \param fill sets its functions
+EvaluationFamily single_family(std::string_view formula, std::string_view name, EvaluationFacts facts, bool standard,
+                               std::function<void(Evaluation&)> fill);
+
+/// The evaluation of that name. \throws InputError naming formula and evaluation where there is none
+Evaluation evaluation_named(std::string_view formula, std::string_view name);
+
+/// The formula of that name. \throws InputError where there is none
+const Formula& formula_named(std::string_view name);
 
 }  // namespace cageproof

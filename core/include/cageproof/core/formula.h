@@ -1,24 +1,29 @@
 // SPDX-License-Identifier: MIT
-// A formula: a row of the catalogue, and everything that checks, benchmarks and reports may know of it.
+// A formula: a kernel on an element, a row of the catalogue, and everything that checks, benchmarks and reports may
+// know of it.
 #pragma once
 
 #include "cageproof/core/element.h"
 
 #include <cmath>
+#include <cstddef>
+#include <list>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace cageproof {
 
-/// A formula's parameter (Poisson ratio, shear modulus): name, default and open range, with the limits that exist beside it.
+/// A formula's parameter (Poisson ratio, shear modulus): name, default and open range, with the limits that exist
+/// beside it.
 struct Parameter {
   std::string_view name;
   double preset;
   double lowest;
   double highest;
-  bool includes_highest = false;  ///< the limit `highest` itself is allowed
-  bool includes_infinity = false; ///< the limits +-infinity are allowed
+  bool includes_highest = false;   ///< the limit `highest` itself is allowed
+  bool includes_infinity = false;  ///< the limits +-infinity are allowed
 
   /// Whether the formula is defined for this value.
   bool allows(double value) const {
@@ -27,11 +32,16 @@ struct Parameter {
   }
 };
 
-/// How a formula's tensor is made up: one tensor an element, or one a corner; the tensor has rows x columns entries.
+/// How a formula's tensor is made up: one tensor an element, or one a corner; the tensor has rows x columns entries,
+/// each 1 (a number) or the dimension of the space.
 struct Shape {
   bool per_corner = false;
   int rows = 1;
   int columns = 1;
+
+  int entries() const { return rows * columns; }
+  /// How many of rows and columns run over space, and turn with it: 0 for numbers, 2 for matrices.
+  int space_indices() const { return (rows > 1) + (columns > 1); }
 };
 
 /// What taking the trace of the Hessian must give: nothing known, zero (harmonic), or another formula (biharmonic).
@@ -40,8 +50,8 @@ struct Laplacian {
   std::string_view formula = {};
 };
 
-/// Value just inside minus value just outside a face: number + pi_multiple pi, times the corner's hat function if per corner, times the
-/// identity if the tensor is a matrix.
+/// Value just inside minus value just outside a face: number + pi_multiple pi, times the corner's basis function if per
+/// corner, times the identity if the tensor is a matrix.
 struct FaceJump {
   double number = 0;
   double pi_multiple = 0;
@@ -50,28 +60,55 @@ struct FaceJump {
 
 /// One row of the catalogue. Every relation a campaign checks is stated here as data, so that no check knows a formula.
 struct Formula {
-  std::string_view name;        ///< stable, `element.what`
+  std::string_view name;        ///< stable, `<element>.<kernel>`
   std::string_view symbol;      ///< the papers' symbol
   std::string_view source;      ///< paper keys and equations
   std::string_view definition;  ///< the defining integral, in one line
   ElementKind element;
   Shape shape;
-  int degree;       ///< f(s element, s point) = s^degree f(element, point), s > 0
-  int flip_sign;    ///< +1 or -1: the factor when the element's orientation is reversed
+  int degree;     ///< f(s element, s point) = s^degree f(element, point), s > 0; see `logarithmic`
+  int flip_sign;  ///< +1 or -1: the factor when the element's orientation is reversed
   Laplacian laplacian;
   FaceJump face_jump;
   std::vector<Parameter> parameters;
+  /// Of kernels with the logarithm of the distance: f(s element, s point) = s^degree (f(element, point) + logarithmic
+  /// log(s) |element|), |element| its length; derivatives are homogeneous. Zero for all others.
+  double logarithmic = 0;
 
   int corners() const { return corner_count(element); }
   /// Number of scalars of the value: (corners or 1) x rows x columns.
-  int components() const { return (shape.per_corner ? corners() : 1) * shape.rows * shape.columns; }
+  int components() const { return tensors() * shape.entries(); }
+  /// Tensors of an element: one a corner, or one.
+  int tensors() const { return shape.per_corner ? corners() : 1; }
   int dim() const { return dimension(element); }
+  /// The second half of the name: what is integrated.
+  std::string_view kernel() const { return name.substr(name.find('.') + 1); }
 };
 
-/// All formulas, in the order in which reports list them.
-std::span<const Formula> catalogue();
+/// Derivatives of one number: dim^order.
+constexpr std::size_t derivative_count(int dim, int order) {
+  std::size_t count = 1;
+  for (int o = 0; o < order; ++o) count *= static_cast<std::size_t>(dim);
+  return count;
+}
+
+/// All formulas, in the order in which reports list them: the catalogue's own, then those that others have added, by
+/// name. Rows stay where they are.
+const std::list<Formula>& catalogue();
 
 /// The formula of that name, or null.
 const Formula* find_formula(std::string_view name);
+
+/// The formula of a kernel on an element, or null where there is none.
+const Formula* find_formula(ElementKind element, std::string_view kernel);
+
+/// The place of a formula in the catalogue; the catalogue's length for an unknown name.
+std::size_t rank_of(std::string_view formula);
+
+/// Adds a row at program start: `const RegisterFormula r{{.name = ...}};` at namespace scope of a .cpp.
+struct RegisterFormula {
+  /// \throws std::logic_error when there is a formula of that name, or the name does not begin with its element's
+  explicit RegisterFormula(Formula formula);
+};
 
 }  // namespace cageproof

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Fixed-size vectors and matrices over any scalar.
+// Vectors over the scalars that formulas are evaluated in.
 #pragma once
 
 #include "cageproof/core/scalar.h"
-
-#include <Eigen/Core>
-#include <Eigen/Geometry>
+#include "cageproof/core/vector.h"
 
 namespace cageproof {
-
-template <class R>
-using Vec3 = Eigen::Matrix<R, 3, 1>;
-template <class R>
-using Mat3 = Eigen::Matrix<R, 3, 3>;
 
 /// The same point in another scalar; exact when To is wider than From.
 template <Scalar To, Scalar From>

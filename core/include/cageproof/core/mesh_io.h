@@ -14,6 +14,15 @@ struct Mesh {
   std::vector<std::vector<int>> faces;  ///< polygons as in the file; empty for a point set
 };
 
+/// Reads the meshes of one extension (".ply"), throwing what read_mesh says.
+using MeshReader = Mesh (*)(const std::filesystem::path& path);
+
+/// Adds a reader at program start: `const RegisterMeshReader r{...};` at namespace scope of a .cpp. OBJ is core's own;
+/// the library cageproof_mesh_readers adds PLY, STL and VTP, for which it needs VTK.
+struct RegisterMeshReader {
+  RegisterMeshReader(std::string_view extension, MeshReader reader);
+};
+
 /// Reads OBJ, PLY, STL (equal vertices merged) or VTP, by extension; polygons and vertex order are kept. Coordinates
 /// are correctly rounded to double, except that STL is single precision. Relative OBJ indices count back from the last
 /// vertex; materials, normals and texture coordinates are ignored. It redirects VTK's messages, so one call at a time.

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
-// On which side of a triangle's plane, and of its edges, a point lies: decided exactly.
+// On which side of a segment's line, of a triangle's plane, and of its edges, a point lies: decided exactly.
 #pragma once
 
 #include "cageproof/core/element.h"
 
 namespace cageproof {
 
+/// In the plane: +1 on the side that the segment's normal points to (the right of s0 -> s1), -1 on the other, 0 exactly
+/// on its line, for any finite doubles. Third coordinates are not looked at.
+int side_of_line(const Segment<double>& s, const Vec3<double>& point);
+
 /// +1 on the side that the triangle's normal points to, -1 on the other, 0 exactly in its plane: the sign of
 /// ((t1 - t0) x (t2 - t0)) . (point - t0), for any finite doubles (CGAL's filtered exact predicates).
 int side_of_plane(const Triangle<double>& t, const Vec3<double>& point);
 
-/// For a point in the triangle's plane: +1 on the triangle's side of the line through corners `edge` and `edge` + 1, -1 on the other, 0 on it.
-/// \pre side_of_plane(t, point) == 0 and the triangle's area is not zero
+/// For a point in the triangle's plane: +1 on the triangle's side of the line through corners `edge` and `edge` + 1, -1
+/// on the other, 0 on it. \pre side_of_plane(t, point) == 0 and the triangle's area is not zero
 int side_of_edge(const Triangle<double>& t, int edge, const Vec3<double>& point);
 
 }  // namespace cageproof

@@ -10,10 +10,10 @@
 
 namespace cageproof {
 
-/// The first reason why a quad is not valid, or nothing for one that is: its projections onto the four planes through three
-/// successive corners are strictly convex, with no angle of 180 degrees ([T18] Definition 1). Reasons, in this order, with corners counted
-/// from 0: a coordinate is not finite, two corners coincide, three corners lie on a line, it crosses itself (bow-tie), it folds
-/// over. Exact for any finite doubles.
+/// The first reason why a quad is not valid, or nothing for one that is: its projections onto the four planes through
+/// three successive corners are strictly convex, with no angle of 180 degrees ([T18] Definition 1). Reasons, in this
+/// order, with corners counted from 0: a coordinate is not finite, two corners coincide, three corners lie on a line,
+/// it crosses itself (bow-tie), it folds over. Exact for any finite doubles.
 std::optional<std::string> invalid_because(const Quad<double>& q);
 
 /// Whether the four corners lie in one plane, exactly.
@@ -25,10 +25,11 @@ struct BilinearPoint {
   std::array<double, 4> basis{};
 };
 
-/// The parameters of a point that lies on the quad, border included, or nothing. Whether it does is decided exactly for any finite
-/// doubles ([T18] Section 3.3 without its thresholds and its division by zero); parameters and basis are rounded. For a planar quad: the
-/// roots of the quadratic that Eq 19 solves, for others the kernel of Eq 17. Where an invalid quad covers a point more than once, some
-/// parameters that reproduce it. Nothing for coordinates that are not finite.
+/// The parameters of a point that lies on the quad, border included, or nothing. Whether it does is decided exactly for
+/// any finite doubles ([T18] Section 3.3 without its thresholds and its division by zero); parameters and basis are
+/// rounded. For a planar quad: the roots of the quadratic that Eq 19 solves, for others the kernel of Eq 17. Where an
+/// invalid quad covers a point more than once, some parameters that reproduce it. Nothing for coordinates that are not
+/// finite.
 std::optional<BilinearPoint> on_quad(const Quad<double>& q, const Vec3<double>& point);
 
 }  // namespace cageproof

@@ -2,7 +2,7 @@
 // The result of a verification run: what validation hands to reports.
 #pragma once
 
-#include "cageproof/core/error_measure.h"
+#include "cageproof/core/tally.h"
 
 #include <map>
 #include <optional>
@@ -16,21 +16,14 @@ enum class Verdict { Kept, Broken, NotPromised };
 /// "kept", "BROKEN", "not promised".
 std::string_view name_of(Verdict verdict);
 
-/// One line of the results: one check of one evaluation in one regime (or on one cage) at one derivative order.
-struct ResultRow {
-  enum class Section { Element, Cage } section = Section::Element;
-  std::string subject;     ///< formula, or kind of cage coordinates
-  std::string evaluation;  ///< closed_form, gauss-8 ...
-  std::string scalar;      ///< float, double, mp50 ...
-  std::string regime;      ///< near-edge ...; for a cage its name
-  std::string check;       ///< truth, scaling ...; partition_of_unity ...
-  std::string place;       ///< for a cage: inside, outside, on-face, on-edge, on-vertex, mesh; else empty
-  int order = 0;           ///< 0 value, 1 gradient, 2 Hessian
-  std::string unit;        ///< of max, p999, median and bound: "conditioned", "relative", "absolute"
+/// One line of the results: a row key and the figures of its tally, judged.
+struct ResultRow : RowKey {
+  std::string unit;  ///< of max, p999, median and bound: "conditioned", "relative", "absolute"
   std::uint64_t samples = 0;
-  std::uint64_t nonfinite = 0;      ///< results that are not finite where the truth is
-  std::uint64_t without_truth = 0;  ///< samples where no truth exists (the limit diverges) or none could be reached: not counted as errors
-  std::uint64_t declined = 0;       ///< samples where an evaluation with a tolerance said that it could not meet it
+  std::uint64_t nonfinite = 0;  ///< results that are not finite where the truth is
+  std::uint64_t without_truth =
+      0;  ///< samples where no truth exists (the limit diverges) or none could be reached: not counted as errors
+  std::uint64_t declined = 0;  ///< samples where an evaluation with a tolerance said that it could not meet it
   double max = 0;
   double p999 = 0;
   double median = 0;
@@ -43,9 +36,7 @@ struct ResultRow {
 };
 
 /// Largest error against the regime's parameter: one curve of a picture.
-struct ResultCurve {
-  std::string subject, evaluation, scalar, regime, check;
-  int order = 0;
+struct ResultCurve : RowKey {
   std::string parameter_name;      ///< "distance / size", "aspect" ...
   std::vector<double> parameters;  ///< rising or falling, one a decade
   std::vector<double> errors;      ///< largest found, in conditioned units; infinite where a result was not finite
@@ -75,16 +66,24 @@ struct ErratumRow {
   double corrected_error = 0;   ///< and of the corrected form
 };
 
+/// One process that measured for a run. Two runs with the same findings may differ in their sessions and in nothing
+/// else.
+struct Session {
+  std::string started;  ///< ISO 8601, UTC
+  double seconds = 0;   ///< until its last unit of work was done
+  std::string command_line;
+  std::map<std::string, std::string> machine;  ///< processor, threads, compiler, library versions
+};
+
 /// A whole run.
 struct RunResult {
   std::string version;
   std::string suite;
   std::uint64_t seed = 0;
-  std::string command_line;
   std::map<std::string, std::string> settings;  ///< triangulation, cage file ...: what the figures depend on
-  std::map<std::string, std::string> machine;   ///< processor, compiler, library versions
-  std::string started;                          ///< ISO 8601, UTC
-  double seconds = 0;
+  std::vector<Session> sessions;
+  /// What is to be said of the sessions: that their processors compute logarithms differently ...
+  std::vector<std::string> session_notes;
   std::vector<ResultRow> rows;
   std::vector<ResultCurve> curves;
   std::vector<FieldEntry> fields;

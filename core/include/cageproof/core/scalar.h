@@ -29,14 +29,14 @@ inline constexpr bool is_multiprecision = boost::multiprecision::is_number<T>::v
 
 /// What a formula may be evaluated in.
 template <class T>
-concept Scalar = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, Mp50> ||
-                 std::same_as<T, Mp100> || std::same_as<T, Mp200>;
+concept Scalar = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, Mp50> || std::same_as<T, Mp100> ||
+    std::same_as<T, Mp200>;
 
 enum class ScalarKind { Float, Double, Digits50, Digits100, Digits200 };
 
 /// All kinds, in the order of rising precision.
-inline constexpr std::array scalar_kinds{ScalarKind::Float, ScalarKind::Double, ScalarKind::Digits50, ScalarKind::Digits100,
-                                         ScalarKind::Digits200};
+inline constexpr std::array scalar_kinds{ScalarKind::Float, ScalarKind::Double, ScalarKind::Digits50,
+                                         ScalarKind::Digits100, ScalarKind::Digits200};
 
 /// "float", "double", "mp50", "mp100", "mp200": the command line's and the reports' names.
 constexpr std::string_view name_of(ScalarKind kind) {

@@ -8,13 +8,13 @@
 
 namespace cageproof {
 
-/// Reads a whole decimal ("0.1", "1e-300") or hexadecimal ("0x1.8p-3") number, correctly rounded to R; "nan", "inf", "-inf" too.
-/// Nothing when the text is anything else.
+/// Reads a whole decimal ("0.1", "1e-300") or hexadecimal ("0x1.8p-3") number, correctly rounded to R; "nan", "inf",
+/// "-inf" too. Nothing when the text is anything else.
 template <Scalar R>
 std::optional<R> parse_scalar(std::string_view text);
 
-/// The shortest decimal that parse_scalar<R> reads back exactly (float, double), or max_digits10 digits (multiprecision);
-/// "nan", "inf", "-inf".
+/// The shortest decimal that parse_scalar<R> reads back exactly (float, double), or max_digits10 digits
+/// (multiprecision); "nan", "inf", "-inf".
 template <Scalar R>
 std::string format_scalar(const R& x);
 

@@ -15,10 +15,10 @@ struct WorkPrecisionRow {
   std::string place;    ///< "interior", "1e-2" ... (distance from the cage, in its sizes), or a regime
   double distance = 0;  ///< of the place, in cage sizes; 0 where there is none
   std::uint64_t samples = 0;
-  std::uint64_t nonfinite = 0;        ///< errors that are not finite
+  std::uint64_t nonfinite = 0;              ///< errors that are not finite
   double largest = 0, rms = 0, median = 0;  ///< of the errors, in WorkPrecision::unit
-  double nodes = 0;                   ///< mean kernel evaluations of one formula on one element; 0 for closed forms
-  double nanoseconds = 0;             ///< of what WorkPrecision::timed says, all formulas of the subject, one thread
+  double nodes = 0;        ///< mean kernel evaluations of one formula on one element; 0 for closed forms
+  double nanoseconds = 0;  ///< of what WorkPrecision::timed says, all formulas of the subject, one thread
 };
 
 /// A whole measurement.
@@ -27,7 +27,8 @@ struct WorkPrecision {
   std::string where;    ///< the cage, or "one element"
   std::string error;    ///< what the errors are: "partition of unity residual", "conditioned error"
   std::string unit;     ///< "1", "u"
-  std::string timed = "pair";  ///< what nanoseconds are of: a "pair" of point and element, or a "point" with the whole cage
+  std::string timed =
+      "pair";  ///< what nanoseconds are of: a "pair" of point and element, or a "point" with the whole cage
   int order = 0;
   std::uint64_t seed = 0;
   std::string version, command_line, started;

@@ -12,39 +12,42 @@
 
 namespace cageproof::quadrature_ref {
 
-/// A point xi of the element's surface, as the point eta sees it. 2D segments leave z at zero.
+/// Corners of the element with the most of them.
+inline constexpr int kMostCorners = 4;
+
+/// A point xi of the element, as the point eta sees it. In the plane every third coordinate is zero.
 /// Kernels are linear in the normal: on a curved element `normal` is N = xi_u x xi_v, `height` x.N, and `weight` leaves
 /// the area element |N| out.
 template <Scalar R>
 struct Node {
-  Vec3<R> x = Vec3<R>::Zero();  ///< xi - eta
-  std::array<R, 4> hat{};  ///< basis function of each corner at xi; entries beyond the element's corners are unused
-  Vec3<R> normal = Vec3<R>::Zero();  ///< of the surface at xi: of unit length on flat elements
-  R height{};  ///< x . normal, stated by the rule: a dot product loses it next to the element's plane
-  R weight{};  ///< of the rule, with the area element on flat elements
+  Vec3<R> x = Vec3<R>::Zero();  ///< xi - eta, in the rule's unit of length
+  std::array<R, kMostCorners>
+      hat{};  ///< basis function of each corner at xi; entries beyond the element's corners are unused
+  Vec3<R> normal = Vec3<R>::Zero();  ///< of the element at xi: of unit length on flat elements
+  R height{};    ///< x . normal, stated by the rule: a dot product loses it next to the element's plane or line
+  R weight{};    ///< of the rule, with the length or area element on flat elements
+  R log_unit{};  ///< natural logarithm of the rule's unit of length: what log |x| lacks of the distance's own logarithm
 };
 
-/// Appends nodes of a flat element, their positions and weights to be set, until there are `count`.
+/// What is asked of a kernel, the same at all nodes.
 template <Scalar R>
-void grow_flat(std::vector<Node<R>>& nodes, std::size_t count, const Vec3<R>& normal, const R& height) {
-  while (nodes.size() < count) {
-    Node<R>& node = nodes.emplace_back();
-    node.normal = normal;
-    node.height = height;
-  }
-}
+struct KernelTask {
+  std::span<const R> parameters;  ///< in the order of Formula::parameters
+  int order = 0;                  ///< highest derivative
+  int corners =
+      0;  ///< how many corners' basis functions weight the tensor, which gives a tensor each; 0: the tensor alone
+};
 
-/// The integrand of one formula at one precision.
+/// The integrand of one formula at one precision, in a space of one dimension.
 template <Scalar R>
 class Kernel {
  public:
   virtual ~Kernel() = default;
   /// Adds the sum over the nodes of weight * integrand to `sums.value`, of its gradient with respect to eta to
   /// `sums.gradient` if order >= 1, and the entries i <= j of its Hessian to `sums.hessian` if order >= 2
-  /// (fill_symmetric does the rest). \param parameters in the order of Formula::parameters \pre `sums` was reset for
-  /// the formula's components and at least that order; no node lies at eta
-  virtual void accumulate(std::span<const Node<R>> nodes, std::span<const R> parameters, int order,
-                          Result<R>& sums) const = 0;
+  /// (fill_symmetric does the rest). \pre `sums` was reset for the tensors that the task asks for and at least its
+  /// order; no node lies at eta
+  virtual void accumulate(std::span<const Node<R>> nodes, const KernelTask<R>& task, Result<R>& sums) const = 0;
 };
 
 /// Copies the Hessians' entries i < j to j, i.
@@ -55,29 +58,71 @@ void fill_symmetric(Result<R>& sums, int dim) {
       for (int j = 0; j < i; ++j) sums.hessian[first + i * dim + j] = sums.hessian[first + j * dim + i];
 }
 
-/// One formula's kernel at every precision.
+/// A kernel at every precision, in the plane, in space or in both.
 class KernelSet {
  public:
   template <Scalar R>
   using Pointer = std::unique_ptr<const Kernel<R>>;
 
+  /// \param dim of the space: 2 or 3
   template <Scalar R>
-  void set(Pointer<R> kernel) {
-    std::get<Pointer<R>>(kernels_) = std::move(kernel);
+  void set(int dim, Pointer<R> kernel) {
+    of<R>()[dim - 2] = std::move(kernel);
   }
+  /// \pre it was set
   template <Scalar R>
-  const Kernel<R>& at() const {
-    return *std::get<Pointer<R>>(kernels_);
+  const Kernel<R>& at(int dim) const {
+    return *of<R>()[dim - 2];
+  }
+  /// Whether the kernel is defined in that dimension: at every precision.
+  bool defined_in(int dim) const {
+    return std::apply([&](const auto&... of_scalar) { return (of_scalar[dim - 2] && ...); }, kernels_);
   }
 
  private:
-  std::tuple<Pointer<float>, Pointer<double>, Pointer<Mp50>, Pointer<Mp100>, Pointer<Mp200>> kernels_;
+  template <Scalar R>
+  using InDimensions = std::array<Pointer<R>, 2>;
+  template <Scalar R>
+  InDimensions<R>& of() {
+    return std::get<InDimensions<R>>(kernels_);
+  }
+  template <Scalar R>
+  const InDimensions<R>& of() const {
+    return std::get<InDimensions<R>>(kernels_);
+  }
+
+  std::tuple<InDimensions<float>, InDimensions<double>, InDimensions<Mp50>, InDimensions<Mp100>, InDimensions<Mp200>>
+      kernels_;
 };
 
-/// What a rule integrates: the catalogue's row (components, degree of homogeneity) and its kernels. Refers to both.
+/// What a rule integrates: the catalogue's row (element, tensors, degree of homogeneity) and its kernels. Refers to
+/// both.
 struct Integrand {
   const Formula& formula;
   const KernelSet& kernels;
+
+  template <Scalar R>
+  const Kernel<R>& kernel() const {
+    return kernels.at<R>(formula.dim());
+  }
+  template <Scalar R>
+  KernelTask<R> task(std::span<const R> parameters, int order) const {
+    return {parameters, order, formula.shape.per_corner ? formula.corners() : 0};
+  }
+  /// Sizes the tensors up to `order` and sets them to zero.
+  template <Scalar R>
+  void reset(Result<R>& tensors, int order) const {
+    tensors.reset(formula.components(), formula.dim(), order);
+  }
+};
+
+/// Registers a kernel with all rules of the elements it lives on, at program start: `const RegisterKernel
+/// r{"my_kernel", ...};` at namespace scope of the kernel's .cpp. Each element of a dimension that the kernel is
+/// defined in, for which the catalogue has a row
+/// `<element>.<kernel>` by the time that evaluations are asked for, gets them; the row says whether basis functions
+/// weight the tensor.
+struct RegisterKernel {
+  RegisterKernel(std::string_view kernel, std::shared_ptr<const KernelSet> kernels);
 };
 
 }  // namespace cageproof::quadrature_ref

@@ -1,39 +1,38 @@
 // SPDX-License-Identifier: MIT
-// Ways to integrate a kernel over a bilinear quad, in its two parameters, and their registration for a formula.
+// Ways to integrate a kernel over a bilinear quad, in its two parameters.
 //
 // The quad is xi(u, v) = sum_k Phi_k q_k over [0, 1]^2, N = xi_u x xi_v, its kernels are integrated against N du dv
-// ([T18] Eq 3-4, 11); hat functions are Phi_k. No variable is integrated in closed form. All rules: the geometry is
+// ([T18] Eq 3-4, 11); basis functions are Phi_k. No variable is integrated in closed form. All rules: the geometry is
 // scaled by a power of two before, and the tensors are scaled back by the formula's degree of homogeneity, so that no
 // unit of length over- or underflows on the way. A quad on a line, or an input that is not finite, gives NaN.
-// `Result::nodes` counts the kernel evaluations.
+// `nodes` of the statement counts the kernel evaluations.
 #pragma once
 
+#include "cageproof/quadrature_ref/adaptive_limits.h"
 #include "cageproof/quadrature_ref/kernel.h"
 
-namespace cageproof::quadrature_ref {
+namespace cageproof::quadrature_ref::quad {
 
-/// N x N Gauss-Legendre points in (u, v). Converges geometrically with the ratio of the point's distance to the quad's
-/// size; useless closer than the nodes' spacing.
+/// N x N Gauss-Legendre points in (u, v), for a block of points. Converges geometrically with the ratio of the point's
+/// distance to the quad's size; useless closer than the nodes' spacing.
 ///
 /// \pre 1 <= n <= 256
 template <Scalar R>
-void integrate_quad_gauss(const Integrand& integrand, int n, const Query<R>& query, Result<R>& result);
+void integrate_gauss(const Integrand& integrand, int n, const Batch<R>& batch, const BatchOutput<R>& output);
 
-/// The relative tolerance of integrate_quad_adaptive, norm-wise for each derivative order.
+/// The relative tolerance of integrate_adaptive, norm-wise for each derivative order: all is computed in double.
 template <Scalar R>
-double quad_adaptive_tolerance() {
+double adaptive_tolerance() {
   return std::same_as<R, float> ? 1e-4 : 1e-10;
 }
-/// integrate_quad_adaptive gives up before it spends more kernel evaluations than this.
-inline constexpr std::size_t kQuadAdaptiveNodeLimit = 200'000;
 
 /// In double (float and multiprecision too: inputs are taken exactly, tensors have double's digits). Cells about the
-/// nearest point as in integrate_quad_multiprecision; on each two rules, of which the finer one counts and the
+/// nearest point as in integrate_multiprecision; on each two rules, of which the finer one counts and the
 /// difference is the cell's error; cells are bisected until for every derivative order asked the bound (sum of the
-/// differences, and of rounding) is below the tolerance. `converged` is false when the work limit or rounding prevents
-/// that, `stated_digits` comes from the bound in both cases. On the quad nothing converges: NaN.
+/// differences, and of rounding) is below the tolerance. `converged` is false when kAdaptiveNodeLimit or rounding
+/// prevents that, `stated_digits` comes from the bound in both cases. On the quad nothing converges: NaN.
 template <Scalar R>
-void integrate_quad_adaptive(const Integrand& integrand, const Query<R>& query, Result<R>& result);
+void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 
 /// The reference: the integral to at least 30 digits (60 for Mp100 and Mp200), norm-wise for each derivative order, for
 /// points at any distance. The parameter square is cut into triangles at the point nearest to eta; in each, sinh
@@ -43,19 +42,9 @@ void integrate_quad_adaptive(const Integrand& integrand, const Query<R>& query, 
 /// agree (the better one is returned), the least over the orders asked; `converged` is stated_digits >= 30.
 ///
 /// On the quad (nearer than 1e-120 of its extent) the weights grow like the inverse distance and no order has a limit:
-/// all entries are NaN, `stated_digits` too, and `converged` is true, as that is certain.
+/// all entries are NaN, `stated_digits` too, and `converged` is true, as that is certain of mean value weights. (Weakly
+/// singular kernels on quads have limits, which this does not take.)
 template <Scalar R>
-void integrate_quad_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result);
+void integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 
-/// Adds the families gauss-<N>, adaptive and multiprecision of a quad formula to the register.
-void register_quad_rules(const std::string& formula, std::shared_ptr<const KernelSet> kernels);
-
-/// Registers a formula's kernel with all rules at program start: `const RegisterQuadKernel r{...};` in the kernel's
-/// .cpp.
-struct RegisterQuadKernel {
-  RegisterQuadKernel(const std::string& formula, std::shared_ptr<const KernelSet> kernels) {
-    register_quad_rules(formula, std::move(kernels));
-  }
-};
-
-}  // namespace cageproof::quadrature_ref
+}  // namespace cageproof::quadrature_ref::quad

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Ways to integrate a kernel over a triangle, and their registration for a formula.
+// Ways to integrate a kernel over a triangle.
 //
 // All of them: the geometry is scaled by a power of two before, and the tensors are scaled back by the formula's degree
 // of homogeneity, so that no unit of length over- or underflows on the way. A triangle without area, or an input that
-// is not finite, gives NaN. `Result::nodes` counts the kernel evaluations.
+// is not finite, gives NaN. `nodes` of the statement counts the kernel evaluations. Rules of fixed size take blocks of
+// points and ask for no memory at a point; results do not depend on the block.
 #pragma once
 
+#include "cageproof/quadrature_ref/adaptive_limits.h"
 #include "cageproof/quadrature_ref/kernel.h"
 
-namespace cageproof::quadrature_ref {
+namespace cageproof::quadrature_ref::triangle {
 
 /// N x N Gauss-Legendre points on the square collapsed onto the triangle (towards corner 0): N points a side.
 /// Exact for polynomials of degree 2N - 2. Converges geometrically with the ratio of the point's distance to the
@@ -17,7 +19,7 @@ namespace cageproof::quadrature_ref {
 ///
 /// \pre 1 <= n <= 256
 template <Scalar R>
-void integrate_gauss(const Integrand& integrand, int n, const Query<R>& query, Result<R>& result);
+void integrate_gauss(const Integrand& integrand, int n, const Batch<R>& batch, const BatchOutput<R>& output);
 
 /// The rule of [C23] (Section 5, Implementation): the triangle in three quads at its centroid and edge midpoints, n x n
 /// Gauss-Legendre points on each, 3 n^2 in all. Exact for polynomials of degree 2n - 2; symmetric in the corners;
@@ -25,32 +27,25 @@ void integrate_gauss(const Integrand& integrand, int n, const Query<R>& query, R
 ///
 /// \pre 1 <= n <= 256
 template <Scalar R>
-void integrate_three_quads(const Integrand& integrand, int n, const Query<R>& query, Result<R>& result);
+void integrate_three_quads(const Integrand& integrand, int n, const Batch<R>& batch, const BatchOutput<R>& output);
 
 /// Polar coordinates about the point of the triangle nearest to eta, tau = distance sinh w along rays and s = height
 /// sinh v along edges, n-point Gauss-Legendre on panels whose length is bounded so that each gives about n digits
 /// (polar_cells.h). Converges geometrically at every distance. float is computed in double and rounded. No sign of the
 /// area cancels, but what cancels in the kernel itself does: next to the face, Hessians lose (size / distance)^2 units.
 /// On the triangle: eta is moved against the normal (to the inside) by 1e-16 of its distance to the border; values
-/// are then the limit from inside, derivatives are not to be trusted. In double about 0.2 ms, half of it geometry.
+/// are then the limit from inside, derivatives are not to be trusted. In double about 0.2 ms, half of it geometry in
+/// 200 digits (whose elementary functions ask MPFR for memory).
 ///
 /// \pre 2 <= n <= 64
 template <Scalar R>
-void integrate_near_singular(const Integrand& integrand, int n, const Query<R>& query, Result<R>& result);
-
-/// The relative tolerance of integrate_adaptive, norm-wise for each derivative order.
-template <Scalar R>
-double adaptive_tolerance() {
-  return std::same_as<R, float> ? 1e-4 : std::same_as<R, double> ? 1e-10 : 1e-15;
-}
-/// integrate_adaptive gives up before it spends more kernel evaluations than this.
-inline constexpr std::size_t kAdaptiveNodeLimit = 200'000;
+void integrate_near_singular(const Integrand& integrand, int n, const Batch<R>& batch, const BatchOutput<R>& output);
 
 /// Bisects rectangles in the variables of integrate_near_singular, 15 x 15 Gauss-Kronrod points on each, until for
 /// every derivative order asked the bound (sum of the differences to the embedded 7-point rules, and of rounding) is
-/// below the tolerance. `converged` is false when the work limit or rounding prevents that: next to the face, where a
-/// Hessian keeps no ten digits in double. `stated_digits` comes from the bound in both cases. float is computed in
-/// double, multiprecision in 50 digits. Ends within 20 ms in double. On the triangle: eta moved inside by 1e-16 and
+/// below adaptive_tolerance. `converged` is false when kAdaptiveNodeLimit or rounding prevents that: next to the face,
+/// where a Hessian keeps no ten digits in double. `stated_digits` comes from the bound in both cases. float is computed
+/// in double, multiprecision in 50 digits. Ends within 20 ms in double. On the triangle: eta moved inside by 1e-16 and
 /// 1e-14 of its clearance; converged where the two agree to the tolerance.
 template <Scalar R>
 void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Result<R>& result);
@@ -71,16 +66,4 @@ void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Resul
 template <Scalar R>
 void integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 
-/// Adds the families gauss-<N>, three-quad-<P>, near-singular-<N>, adaptive and multiprecision of a triangle formula to
-/// the register.
-void register_triangle_rules(const std::string& formula, std::shared_ptr<const KernelSet> kernels);
-
-/// Registers a formula's kernel with all rules at program start: `const RegisterTriangleKernel r{...};` in the kernel's
-/// .cpp.
-struct RegisterTriangleKernel {
-  RegisterTriangleKernel(const std::string& formula, std::shared_ptr<const KernelSet> kernels) {
-    register_triangle_rules(formula, std::move(kernels));
-  }
-};
-
-}  // namespace cageproof::quadrature_ref
+}  // namespace cageproof::quadrature_ref::triangle

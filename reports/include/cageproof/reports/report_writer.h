@@ -7,13 +7,15 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 namespace cageproof::reports {
 
 /// How a field's values become colours.
 enum class ColourScale { Linear, Log10 };
 
-/// Values at the ends of the colours, 0 < low < high on a logarithmic scale; the same limits make pictures of different runs comparable.
+/// Values at the ends of the colours, 0 < low < high on a logarithmic scale; the same limits make pictures of different
+/// runs comparable.
 struct ColourLimits {
   double low, high;
 };
@@ -21,14 +23,18 @@ struct ColourLimits {
 /// A report folder, written aside (`.NAME.partial-...` next to it) and renamed into place: a run that dies leaves no
 /// half report, and an earlier report stays whole until the new one replaces it in one step.
 ///
-/// The folder holds summary.json, summary.md, results.csv, worst.jsonl, index.html, fields/ and pictures/. Apart from
-/// RunResult::started, seconds, command_line and machine (object "run" of summary.json; the ends of summary.md and
-/// index.html), every byte is a function of the other results.
+/// The folder holds summary.json, summary.md, results.csv, worst.jsonl, index.html, fields/ and pictures/; that of a
+/// verification its journal too. Apart from RunResult::sessions and session_notes (object "environment" of
+/// summary.json; section "environment", the last, of summary.md and index.html), every byte is a function of the other
+/// results.
 class ReportWriter {
  public:
+  /// What the folder is, by which it is known again: one kind never replaces the other.
+  enum class Kind { Verification, Field };
   /// \param out the report's folder; its parent must exist. An empty folder or an earlier report there is replaced.
-  /// \throws InputError when the parent is missing or cannot be written, or `out` holds anything but a report
-  explicit ReportWriter(const std::filesystem::path& out);
+  /// \throws InputError when the parent is missing or cannot be written, or `out` holds anything but a report of that
+  /// kind
+  explicit ReportWriter(const std::filesystem::path& out, Kind kind = Kind::Verification);
   /// Removes what was written unless commit() was reached.
   ~ReportWriter();
   ReportWriter(const ReportWriter&) = delete;
@@ -50,6 +56,9 @@ class ReportWriter {
   /// Writes all files of a run; fields must have been written before. A run may have fields and no rows.
   /// \throws InputError when a file cannot be written, or gnuplot is missing or fails
   void write(const RunResult& result);
+
+  /// Writes the journal that the report was made of. \param text of journal_text
+  void write_journal(std::string_view text);
 
   /// Puts the report in its place.
   /// \pre write() was called

@@ -10,16 +10,8 @@
 namespace cageproof::reports {
 
 /// One line: a worst case and the row it belongs to.
-struct WorstLine {
-  ResultRow::Section section = ResultRow::Section::Element;
-  std::string subject;  ///< formula, or kind of cage coordinates
-  std::string evaluation;
-  std::string scalar;
-  std::string regime;  ///< for a cage its name
-  std::string check;
-  std::string place;  ///< empty but for a cage
-  int order = 0;      ///< 0 value, 1 gradient, 2 Hessian
-  std::string unit;   ///< of error and bound
+struct WorstLine : RowKey {
+  std::string unit;  ///< of error and bound
   std::optional<double> bound;
   std::vector<std::string> flags;  ///< what the input exercises: the regime, or the place
   std::string triangulation;       ///< RunResult::settings["triangulation"], or empty
@@ -44,10 +36,10 @@ std::vector<WorstLine> read_worst(const std::filesystem::path& path);
 /// The same from text, which may hold no line. \param name what messages call the file
 std::vector<WorstLine> parse_worst(std::string_view text, std::string_view name);
 
-/// Adds cases to a worst-case file, made if it is missing. Every line that is there stays as it is. Of the new cases those
-/// stay that are among the `few` worst of old and new with the same formula, evaluation, scalar, check, regime, place and
-/// order, and whose input is not there already. The file is replaced in one step. Returns how many were added.
-/// \throws InputError as read_worst, and when the file cannot be written
+/// Adds cases to a worst-case file, made if it is missing. Every line that is there stays as it is. Of the new cases
+/// those stay that are among the `few` worst of old and new with the same formula, evaluation, scalar, check, regime,
+/// place and order, and whose input is not there already. The file is replaced in one step. Returns how many were
+/// added. \throws InputError as read_worst, and when the file cannot be written
 std::size_t merge_worst(const std::filesystem::path& path, const std::vector<WorstLine>& cases, std::size_t few);
 
 }  // namespace cageproof::reports

@@ -19,13 +19,14 @@ struct SurfacePoint {
   Vec3<double> point, normal;
 };
 
-/// A cage's surface that answers where points lie: triangulated, or with its quads kept as bilinear surfaces.
+/// A cage's boundary that answers where points lie: its segments, or its surface, triangulated or with its quads kept
+/// as bilinear surfaces.
 class CageLocator {
  public:
   CageLocator(const Cage& cage, Triangulation rule, bool keep_quads = false);
 
   int patches() const { return static_cast<int>(patches_.size()); }
-  /// Of a triangle or a bilinear quad. \param s, r in [0, 1]
+  /// Of an element of the boundary. \param s, r in [0, 1]; a segment takes the first alone
   SurfacePoint surface_point(int patch, double s, double r) const;
   /// Distance to the cage; a lower bound at most 0.1 % below it where bilinear quads are near.
   double distance(const Vec3<double>& point) const;
@@ -39,9 +40,10 @@ class CageLocator {
 
  private:
   struct Patch {
-    std::array<Vec3<double>, 4> corners;
-    int size, face;
+    ElementKind kind;
+    std::vector<Vec3<double>> corners;
   };
+  int dimension_;
   std::vector<Patch> patches_;
   double size_;
 };
@@ -52,11 +54,12 @@ struct CagePoint {
   std::uint64_t index;
 };
 
-/// `count` points off the cage: in the box half as large again, and next to faces at 1e-1 ... 1e-6 sizes on both sides; point i is a
-/// function of (seed, cage name, i).
+/// `count` points off the cage: in the box half as large again, and next to faces at 1e-1 ... 1e-6 sizes on both sides;
+/// point i is a function of (seed, cage name, i).
 std::vector<CagePoint> points_off(const Cage& cage, const CageLocator& locator, std::uint64_t seed, int count);
 
-/// All vertices, edge midpoints, and of each element one point (of bilinear quads two): where doubles represent them exactly, they lie on the cage.
+/// All vertices, midpoints of edges that elements share, and points within each element (ElementType::interior_points):
+/// where doubles represent them exactly, they lie on the cage.
 std::vector<CagePoint> points_on(const CageCoordinates& coordinates, const Cage& cage);
 
 }  // namespace cageproof::validation

@@ -2,9 +2,10 @@
 // A campaign: formulas x evaluations x regimes x samples, from one seed, on all cores, with one result.
 #pragma once
 
-#include "cageproof/core/run_result.h"
 #include "cageproof/validation/check.h"
+#include "cageproof/validation/measurement.h"
 #include "cageproof/validation/regime.h"
+#include "cageproof/validation/verdicts.h"
 
 namespace cageproof::validation {
 
@@ -14,29 +15,25 @@ struct CampaignOptions {
   std::string evaluations = "*";
   std::string regimes = "*";
   std::uint64_t seed = 1;
-  int samples = 1000;          ///< a formula and regime, in double
-  int quadrature_divisor = 7;  ///< quadrature rules and float take every n-th of them; prime to every sweep's length
-  int integral_samples = 4;    ///< a formula and regime, for the multiprecision integral
-  /// A formula and regime, enclosed rigorously; not limited by `samples`. 1000 is a proof run: 40 minutes on two free cores.
+  int samples = 1000;          ///< for each formula and regime, in double
+  int quadrature_divisor = 7;  ///< rules, schemes and float take every n-th of them; prime to every sweep's length
+  int integral_samples = 4;    ///< for each formula and regime, for the multiprecision integral
+  /// For each formula and regime, enclosed rigorously; not limited by `samples`. 1000 is a proof run: 40 minutes on two
+  /// free cores.
   int enclosures = 1;
-  int jobs = 0;                ///< threads; 0: all cores
+  int jobs = 0;                                                     ///< threads; 0: all cores
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< called from any thread
 };
 
-/// Rows and curves of a campaign, and notes on what the integral reached. Independent of `jobs`, byte for byte.
-struct CampaignResult {
-  std::vector<ResultRow> rows;
-  std::vector<ResultCurve> curves;
-  std::vector<std::string> notes;
-};
-
+/// One a formula and regime.
 /// \throws InputError when a pattern matches nothing
-CampaignResult run_campaign(const CampaignOptions& options);
+Measurements element_measurements(const CampaignOptions& options);
 
-/// Sets bound, reason and verdict of a row from the table of promises.
-void judge(ResultRow& row);
+/// One note for each formula of a glob whose truth is the integral, since it has no recommended evaluation.
+std::vector<std::string> notes_on_truth(const std::string& formulas);
 
-/// Runs `task(i)` for i in [0, count) on `jobs` threads (0: all cores).
-void for_each_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& task);
+/// Measures and judges them. Independent of `jobs`, byte for byte.
+/// \throws InputError as element_measurements
+Judged run_campaign(const CampaignOptions& options);
 
 }  // namespace cageproof::validation

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Error fields on slices: through a cage, or across one triangle.
+// Error fields on slices: through a cage, or across one element.
 #pragma once
 
 #include "cageproof/core/coordinates.h"
-#include "cageproof/core/run_result.h"
+#include "cageproof/validation/measurement.h"
 #include "cageproof/validation/sample.h"
+
+#include <span>
 
 namespace cageproof::validation {
 
@@ -17,24 +19,55 @@ struct SlicePlan {
 /// The slice through the middle of a cage's box, at right angles to its shortest side, a tenth larger than the box.
 SlicePlan slice_through(const Cage& cage, int resolution);
 
+/// A field that is still to be sampled.
+struct FieldPlan {
+  ImageField field;  ///< grid and arrays, without values
+  /// Makes what samples it: gives one number an array, at a point of the grid. Safe from any thread.
+  using Sampler = std::function<void(const Vec3<double>& point, std::span<double> values)>;
+  std::function<Sampler()> prepare;
+};
+
+/// All samples. \param jobs threads; 0: all cores
+ImageField sampled(const FieldPlan& plan, int jobs);
+
+/// The field in blocks. \param place in the report, \param title what is shown, \param shown the array that the picture
+/// shows
+std::unique_ptr<const Measurement> field_measurement(FieldPlan plan, int place, const std::string& title,
+                                                     const std::string& shown);
+/// An element of each kind that shows its errors well, and a slice of resolution x resolution samples that cuts it: the
+/// element and what surrounds it.
+struct ElementSlice {
+  std::vector<Vec3<double>> corners;
+  SlicePlan slice;
+};
+ElementSlice slice_of(ElementKind kind, int resolution);
+
+/// The corners of a cage's elements of one kind: of quads as they are, of triangles those of its triangulation.
+/// \throws InputError where the cage has none
+std::vector<std::vector<Vec3<double>>> elements_of(const Cage& cage, ElementKind kind, Triangulation rule);
+
 /// Partition of unity and linear reproduction on a slice (arrays of those names, raw errors).
+/// \param evaluation empty for each formula's recommended one
 /// \param parameters in the order of parameters_of(kind); empty for their defaults
-ImageField reproduction_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
-                              Triangulation rule, int resolution, int jobs, const std::vector<double>& parameters = {});
+FieldPlan reproduction_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+                             const std::string& evaluation, Triangulation rule, int resolution,
+                             const std::vector<double>& parameters = {});
 
-/// Relative error of a kind of coordinates against the closed form in 50 digits on a slice: array `relative error`, the
-/// largest over the blocks.
-ImageField coordinate_error_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
-                                  Triangulation rule, int resolution, int jobs);
+/// Relative error of a kind of coordinates against the recommended evaluation in 50 digits on a slice: array `relative
+/// error`, the largest over the blocks.
+FieldPlan coordinate_error_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+                                 const std::string& evaluation, Triangulation rule, int resolution);
 
-/// How far one evaluation of a kind of coordinates is from another, both in double, on a slice: array `difference`, the largest of a coordinate. For errors far
-/// above rounding, where a truth in 50 digits would only cost time.
-ImageField coordinate_difference_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation, const std::string& other,
-                                       Triangulation rule, int resolution, int jobs);
+/// How far one evaluation of a kind of coordinates is from another, both in double, on a slice: array `difference`, the
+/// largest of a coordinate. For errors far above rounding, where a truth in 50 digits would only cost time.
+FieldPlan coordinate_difference_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+                                      const std::string& evaluation, const std::string& other, Triangulation rule,
+                                      int resolution);
 
-/// Relative error of one formula on a slice, norm-wise over all triangles, against the closed form in 50 digits; arrays
-/// `value` (norm over all triangles) and `relative error`.
-ImageField formula_error_field(const std::vector<std::array<Vec3<double>, 3>>& triangles, const Formula& formula,
+/// Relative error of one formula on a slice, norm-wise over all elements, against its truth's source in 50 digits;
+/// arrays `value` (norm over all elements) and `relative error`. \param elements corners of elements of the formula's
+/// kind \throws InputError for an element of another kind, or where nothing gives the formula's truth
+ImageField formula_error_field(const std::vector<std::vector<Vec3<double>>>& elements, const Formula& formula,
                                const Evaluation& evaluation, int order, const SlicePlan& slice, int jobs);
 
 }  // namespace cageproof::validation

@@ -15,11 +15,10 @@ inline constexpr std::string_view hunted_regime = "hunted";
 struct HuntOptions {
   const Formula* formula = nullptr;
   Evaluation evaluation;
-  Evaluation reference;          ///< the truth's source: the closed form, in multiprecision
   const Check* check = nullptr;  ///< whose error is to be made large
   ScalarKind scalar = ScalarKind::Double;
-  int order = 0;  ///< the query's, and of the tensor that is looked at
-  std::string regimes = "*";
+  int order = 0;                ///< the query's, and of the tensor that is looked at
+  std::string regimes = "*";    ///< glob; those that do not exist for the formula's element are left out
   std::uint64_t budget = 1000;  ///< inputs measured
   std::uint64_t seed = 1;
   int jobs = 0;          ///< threads; 0: all cores
@@ -32,7 +31,8 @@ struct HuntOptions {
 struct HuntedCase {
   WorstCase worst;
   std::string_view regime;  ///< where the climb started; `worst` has the sample number and parameter of the start
-  /// Relative difference of the closed form in multiprecision and the integral; nothing where the integral has no 30 digits.
+  /// Relative difference of the truth and the integral; nothing where the integral has no 30 digits, or is the truth
+  /// itself.
   std::optional<double> against_integral;
 };
 
@@ -43,10 +43,11 @@ struct HuntResult {
   std::uint64_t declined = 0;  ///< times the evaluation said that it could not meet its tolerance
 };
 
-/// Two fifths of the budget are samples of the regimes in turn. From the worst of each regime climbs start, which keep every
-/// change that makes the error larger, each with a random stream of its own: the result is a function of the options,
-/// whatever the number of threads. Inputs lie within the hull of the regimes (src/search_domain.h).
-/// \throws InputError when no regime matches, or the check is not asked of the evaluation in this scalar and order
+/// Two fifths of the budget are samples of the regimes in turn. From the worst of each regime climbs start, which keep
+/// every change that makes the error larger, each with a random stream of its own: the result is a function of the
+/// options, whatever the number of threads. Inputs lie within the hull of the regimes (src/search_domain.h). \throws
+/// InputError when no regime matches, the check is not asked of the evaluation in this scalar and order, nothing gives
+///   the formula's truth, or nothing could be measured at any input
 HuntResult hunt(const HuntOptions& options);
 
 }  // namespace cageproof::validation

@@ -2,6 +2,8 @@
 // The table of promised bounds: the one place where a bound is written.
 #pragma once
 
+#include "cageproof/core/evaluation.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,5 +27,8 @@ Promise promise_for(const PromiseKey& key);
 
 /// Whether `text` matches a pattern with `*` and `?`.
 bool matches(std::string_view pattern, std::string_view text);
+
+/// Whether a pattern names an evaluation, by its name or by the other one that its family has.
+bool matches_evaluation(std::string_view pattern, const Evaluation& evaluation);
 
 }  // namespace cageproof::validation

@@ -2,12 +2,18 @@
 #pragma once
 
 #include "cageproof/core/cage.h"
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/tally.h"
+#include "cageproof/validation/check.h"
 
 namespace cageproof::validation {
 
-/// Re-runs a worst case of a row, from its names alone, and returns its error in the row's unit; NaN where there is no truth.
-/// \throws InputError when a name is unknown (formula, evaluation, scalar, check, kind) or a cage cannot be read
-double replay(const ResultRow& row, const WorstCase& worst, Triangulation rule);
+/// Re-runs a worst case of a row, from its names alone: what the row's check finds there now at the row's order (an
+/// error in the row's unit, or why there is none). \throws InputError when a name is unknown (formula, evaluation,
+/// scalar, check, kind), the input is none of the formula, a cage cannot be read, or
+///   the check is not asked of the evaluation
+Finding replay(const RowKey& row, const WorstCase& worst, Triangulation rule);
+
+/// Throws what replay would throw for a case of a single element, and measures nothing.
+void require_replayable(const RowKey& row, const WorstCase& worst);
 
 }  // namespace cageproof::validation

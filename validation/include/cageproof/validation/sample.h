@@ -27,12 +27,10 @@ class QueryOf {
   }
   /// Valid while this object lives.
   Query<R> query() const { return {corners_, point_, order_, parameters_}; }
-  /// Coordinate k of the input: the corners' coordinates, then the point's.
-  R& coordinate(int k) {
-    const int corner = k / 3;
-    return corner < static_cast<int>(corners_.size()) ? corners_[corner][k % 3] : point_[k % 3];
-  }
-  int coordinate_count() const { return 3 * (static_cast<int>(corners_.size()) + 1); }
+  /// A vertex's coordinate: vertices are the corners, then the point. Elements in the plane have two that may change.
+  R& coordinate(int vertex, int axis) { return vertex < point_vertex() ? corners_[vertex][axis] : point_[axis]; }
+  /// The point's number among the vertices, which are one more.
+  int point_vertex() const { return static_cast<int>(corners_.size()); }
 
  private:
   std::vector<Vec3<R>> corners_;

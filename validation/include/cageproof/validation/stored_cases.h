@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The regression set: worst cases that hunts have found, kept in validation/data/worst_cases.jsonl and replayed in every run.
+// The regression set: worst cases that hunts have found, kept in validation/data/worst_cases.jsonl and replayed in
+// every run.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/validation/measurement.h"
 
 #include <string_view>
 
@@ -14,10 +15,20 @@ std::string_view stored_worst_cases();
 /// Its name in messages and reports.
 inline constexpr std::string_view stored_cases_file = "validation/data/worst_cases.jsonl";
 
-/// Measures the cases of a worst-case file afresh: one row, in the regime `hunted`, a formula, evaluation, scalar, check and
-/// order, judged by the table of promises. Patterns are globs; a case that they leave out is read all the same.
-/// \param text the file, \param name what messages call it, \param jobs threads; 0: all cores
-/// \throws InputError naming the line: what read_worst refuses, a case of a cage, or one that can no longer be run
+/// What a worst-case file amounts to.
+struct StoredCases {
+  std::unique_ptr<const Measurement> measurement;  ///< null where there is no case
+  std::size_t cases = 0;
+};
+
+/// The cases of a worst-case file, to be measured afresh: a row, in the regime `hunted`, for each formula, evaluation,
+/// scalar, check and order. Patterns are globs; a case that they leave out is read all the same. \param text the file,
+/// \param name what messages call it \throws InputError naming the line: what read_worst refuses, a case of a cage, or
+/// one that can no longer be run
+StoredCases stored_measurement(std::string_view text, std::string_view name, const std::string& formulas,
+                               const std::string& evaluations);
+
+/// Measures and judges them. \param jobs threads; 0: all cores. \throws InputError as stored_measurement
 std::vector<ResultRow> replay_stored(std::string_view text, std::string_view name, const std::string& formulas,
                                      const std::string& evaluations, int jobs);
 

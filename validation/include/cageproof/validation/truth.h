@@ -8,25 +8,48 @@
 
 namespace cageproof::validation {
 
+/// What a formula's truth is computed with: the recommended evaluation where it computes in multiprecision, which a
+/// campaign proves against the integral; else the integral itself.
+struct TruthSource {
+  Evaluation evaluation;  ///< the recommended one, or the integral
+  Evaluation values;      ///< gives the truth, in 100 digits: the evaluation, or what stands in for it
+  /// Confirms the truth to 30 digits: the evaluation in 200 digits, or what stands in for it from other nodes; of
+  /// integrals, the integral in 50 digits, which stops at 30 where the one in 100 digits goes on to 60.
+  Evaluation confirmation;
+  /// Gives the differences that the yardstick is made of: right to all digits, or where it is rough to twelve.
+  Evaluation yardstick;
+  bool rough_yardstick = false;
+  bool is_integral = false;
+
+  /// Whether a truth costs as much as an integral in multiprecision, so that a campaign should take fewer samples.
+  bool is_costly() const { return rough_yardstick; }
+};
+
+/// What the formula's truth comes from. \throws InputError where it has neither of both
+TruthSource truth_source(const Formula& formula);
+
+/// Whether truth_source() has an answer.
+bool has_truth_source(const Formula& formula);
+
 /// Value, gradient and Hessian at a sample, in multiprecision, and per order the denominator of the conditioned error,
 /// |truth| + sum_k |x_k| |d truth/d x_k| over the coordinates x_k of the element and the point.
 struct Truth {
   Result<Mp100> tensors;
-  /// False for an order where no limit exists (diverges on the element) or where two precisions do not agree to 30 digits.
+  /// False for an order where no limit exists (diverges on the element) or where two precisions do not agree to 30
+  /// digits.
   std::array<bool, 3> exists{false, false, false};
   std::array<Mp100, 3> norm{};
   std::array<Mp100, 3> conditioned{};
-  /// True when the point lies exactly on the triangle. Within it the yardstick counts only moves to its inner side, since the function
-  /// may jump; on its border it is the norm alone.
+  /// True when the point lies exactly on the element. Within it the yardstick counts only moves to its inner side,
+  /// since the function may jump; on its border it is the norm alone.
   bool on_element = false;
 };
 
 /// Norm of all entries of a tensor: the square root of the sum of squares.
 Mp100 norm(const std::vector<Mp100>& tensor);
 
-/// The truth from an evaluation in multiprecision (100 digits, confirmed with 200).
-/// \param reference an evaluation that has proven itself against the integral, or the integral
-Truth truth_from(const Evaluation& reference, const Sample& sample, int order);
+/// The truth at a sample.
+Truth truth_from(const TruthSource& source, const Sample& sample, int order);
 
 /// |f - truth| over the conditioned denominator, in units of `u`; infinite for a result that is not finite.
 /// \pre truth.exists[order]
@@ -37,8 +60,7 @@ double conditioned_error(const Result<R>& f, const Truth& truth, int order, cons
 template <Scalar R>
 double relative_error(const Result<R>& f, const Truth& truth, int order);
 
-/// Where a sample's point lies on its triangle, in exact arithmetic.
-enum class Contact { None, Face, Border };
-Contact contact_of(const Sample& sample);
+/// Where a sample's point lies on its element, decided exactly.
+Contact contact_of(ElementKind element, const Sample& sample);
 
 }  // namespace cageproof::validation

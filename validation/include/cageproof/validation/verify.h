@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The main job: campaigns on elements, properties on cages, fields, and a report.
+// The main job: campaigns on elements, properties on cages and fields are measured into a journal; a report is made of
+// a journal.
 #pragma once
 
 #include "cageproof/core/cage.h"
@@ -20,11 +21,12 @@ struct Suite {
   int enclosures;        ///< a formula and regime, enclosed rigorously
   int cage_points;       ///< a cage, off it
   int truth_points;      ///< of these, against multiprecision
+  int mesh_points;       ///< of a mesh, at most, for each kind of coordinates; 0: all
   int slice;             ///< samples a side of the fields of linear reproduction
   int pairs;             ///< multiprecision evaluations a field of errors may cost
 };
 
-/// On two cores quick takes about five minutes, standard about twenty; full as long as asked.
+/// quick is the default, for a verdict in minutes; standard takes some twenty on two cores, full as long as asked.
 const std::vector<Suite>& suites();
 
 struct VerifyOptions {
@@ -36,20 +38,44 @@ struct VerifyOptions {
   std::optional<Mesh> mesh;  ///< points to try the cage at
   std::string mesh_name;
   Triangulation triangulation = Triangulation::Shortest;
+  int shard = 0, shards = 1;  ///< measure part `shard` of `shards` alone, and make no report
+  bool resume = false;        ///< `out` holds the journal of this run, to go on with
   std::filesystem::path out;
   std::string command_line;
-  /// Called as stages go on: what is being done, and how much of it.
-  std::function<void(const std::string& stage, std::size_t done, std::size_t all)> progress;
+  /// Called as units of work end.
+  std::function<void(std::size_t done, std::size_t all)> progress;
 };
 
-/// Runs, writes the report and returns what it found.
-/// \throws InputError for patterns that match nothing and reports that cannot be written
-RunResult verify(const VerifyOptions& options);
+/// What a process has done for a run.
+struct Verified {
+  std::optional<RunResult> report;         ///< nothing for a shard
+  std::size_t units = 0;                   ///< of the run or shard
+  std::size_t measured = 0;                ///< of these, by this process
+  double seconds = 0;                      ///< of this process, without drawing
+  std::vector<std::string> session_notes;  ///< RunResult::session_notes
+};
 
-/// Version, processor, compiler and libraries.
-std::map<std::string, std::string> machine_facts();
+/// Measures into `out`/journal; of a whole run, makes the report.
+/// \throws InputError for patterns that match nothing, reports that cannot be written, and runs that cannot be resumed:
+/// there is no journal, or it is of
+///   another version, of other options (each named with both values) or of another shard
+Verified verify(const VerifyOptions& options);
 
-/// Now, ISO 8601, UTC.
-std::string timestamp();
+/// The options of the run in a folder, by the names they have on the command line, and "shard" as "I/N".
+/// \throws InputError when there is no journal
+std::map<std::string, std::string> options_of_run(const std::filesystem::path& folder);
+
+/// Makes the report of a finished run afresh, from its journal alone.
+/// \throws InputError when there is none, or it is unfinished or of a shard
+RunResult report_again(const std::filesystem::path& folder);
+
+/// Makes one run of its shards, and its report.
+/// \throws InputError when parts are of different runs, overlap, are missing or unfinished, each named, or `out` cannot
+/// be written
+RunResult merge_shards(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& out);
+
+/// The text of summary.json for a journal, finished or not.
+/// \throws InputError when it cannot be read
+std::string summary_of_journal(const std::filesystem::path& journal);
 
 }  // namespace cageproof::validation

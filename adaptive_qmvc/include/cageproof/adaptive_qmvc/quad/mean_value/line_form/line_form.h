@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// The line form: mean value weights of a bilinear quad with gradient and Hessian, by quadrature in one dimension.
+//
+// For fixed v the point xi(., v) runs along a straight line, where the integral is elementary (line_moments.h); across
+// the lines Gauss-Legendre panels do the rest (outer_rule.h).
+#pragma once
+
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_values.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
+#include "cageproof/core/batch.h"
+#include "cageproof/core/quad_geometry.h"
+
+#include <algorithm>
+
+namespace cageproof::adaptive_qmvc {
+
+/// The weights' sums over lines: for each corner value, gradient, Hessian (xx, xy, xz, yy, yz, zz).
+template <class R, int Order>
+struct WeightSums {
+  static constexpr int entries = Order == 0 ? 1 : Order == 1 ? 4 : 10;
+  std::array<std::array<R, entries>, 4> corner{};
+};
+
+/// Adds one line, all of whose entries are multiplied with `weight`.
+/// \param v the line
+/// \param s its step from the centre of `area`
+template <int Order, class R>
+void add_line(const QuadFrame<R>& q, const LineArea<R>& area, const R& v, const R& s, const R& weight, double digits,
+              WeightSums<R, Order>& sums) {
+  using std::sqrt;
+  const Vec3<R> a = q.start(v), e = q.direction(v);
+  const Vec3<R> end = a + e;
+  const double length2 = static_cast<double>(e.dot(e)), start2 = static_cast<double>(a.dot(a)),
+               end2 = static_cast<double>(end.dot(end));
+  // Where the ends' distances sum up to `kFarAlongLine` lengths; their squares alone often tell.
+  const auto ends = [&] { return (std::sqrt(start2) + std::sqrt(end2)) / std::sqrt(length2); };
+  LineMoments<R> m;
+  if (2 * (start2 + end2) < kFarAlongLine * kFarAlongLine * length2 || ends() < kFarAlongLine) {
+    m = moments_about_foot<Order>(a, e, area.square(s), digits);
+  } else {
+    m = moments_by_gauss<Order>(a, e, gauss_rule<R>(length2 > 0 ? nodes_along_line(ends(), Order, digits) : 2));
+  }
+  const R g1 = q.g10 + v * q.g11;
+  const R g0 = q.g00 + v * q.g01 + m.origin * g1;
+  // f0 and f1: the integrals of the kernel and of s times the kernel.
+  std::array<std::array<R, WeightSums<R, Order>::entries>, 2> f;
+  for (int c = 0; c < 2; ++c) f[c][0] = g0 * m.p2[c] + g1 * m.p2[c + 1];
+  if constexpr (Order >= 1) {
+    const Vec3<R> x = a + m.origin * e;
+    const Vec3<R> n1 = e.cross(q.w);
+    const Vec3<R> n0 = e.cross(q.b) + m.origin * n1;
+    for (int c = 0; c < 2; ++c) {
+      const R h0 = g0 * m.p3[c] + g1 * m.p3[c + 1], h1 = g0 * m.p3[c + 1] + g1 * m.p3[c + 2];
+      for (int i = 0; i < 3; ++i) f[c][1 + i] = 4 * (x[i] * h0 + e[i] * h1) - (n0[i] * m.p2[c] + n1[i] * m.p2[c + 1]);
+      if constexpr (Order >= 2) {
+        const R k0 = 24 * (g0 * m.p4[c] + g1 * m.p4[c + 1]), k1 = 24 * (g0 * m.p4[c + 1] + g1 * m.p4[c + 2]),
+                k2 = 24 * (g0 * m.p4[c + 2] + g1 * m.p4[c + 3]);
+        // The symmetric products of x and of e with what follows.
+        const Vec3<R> by_x = (k0 / 2) * x + k1 * e - 4 * (m.p3[c] * n0 + m.p3[c + 1] * n1);
+        const Vec3<R> by_e = (k2 / 2) * e - 4 * (m.p3[c + 1] * n0 + m.p3[c + 2] * n1);
+        for (int i = 0, entry = 4; i < 3; ++i)
+          for (int j = i; j < 3; ++j, ++entry) {
+            f[c][entry] = x[i] * by_x[j] + x[j] * by_x[i] + e[i] * by_e[j] + e[j] * by_e[i];
+            if (i == j) f[c][entry] -= 4 * h0;
+          }
+      }
+    }
+  }
+  const R right = weight * v, left = weight - right;
+  const R rest = 1 - m.origin;
+  for (int k = 0; k < WeightSums<R, Order>::entries; ++k) {
+    const R far = m.origin * f[0][k] + f[1][k], near = rest * f[0][k] - f[1][k];
+    sums.corner[0][k] += left * near;
+    sums.corner[1][k] += left * far;
+    sums.corner[2][k] += right * far;
+    sums.corner[3][k] += right * near;
+  }
+}
+
+/// Adds a panel's lines for values in double, in packs of four; those of weight zero fill the last one.
+inline void add_values(const QuadFrame<double>& q, const LineArea<double>& area, const OuterRule<double>& rule,
+                       double lo, double hi, const GaussLegendre<double>& gauss, double digits, LineValues& values,
+                       WeightSums<double, 0>& sums) {
+  const int count = static_cast<int>(gauss.nodes.size());
+  for (int first = 0; first < count; first += 4) {
+    Lines at, weight;
+    for (int i = 0; i < 4; ++i) {
+      const int k = std::min(first + i, count - 1);
+      at[i] = gauss.nodes[k];
+      weight[i] = first + i < count ? gauss.weights[k] : 0;
+    }
+    at = lo + (hi - lo) * at;
+    weight *= hi - lo;
+    Lines s = at, v = at;
+    if (!rule.plain) {
+      // sinh and cosh: what their difference cancels is below the roundings of the width.
+      const Lines grown = (rule.width / 2) * at.exp(), shrunk = (rule.width / 2) * (-at).exp();
+      s = grown - shrunk;
+      weight *= grown + shrunk;
+      v = rule.centre + s;
+    }
+    if (values.add(v, s, weight)) continue;
+    for (int i = 0; i < 4 && first + i < count; ++i) add_line<0, double>(q, area, v[i], s[i], weight[i], digits, sums);
+  }
+}
+
+/// Adds all lines of a rule. Returns how many.
+template <int Order, class R>
+std::size_t add_lines(const QuadFrame<R>& q, const OuterRule<R>& rule, std::span<const Panel> panels, double digits,
+                      WeightSums<R, Order>& sums) {
+  constexpr bool values_only = Order == 0 && std::same_as<R, double>;
+  const R centre = rule.plain ? R(0) : rule.centre;
+  const LineArea<R> area(q, centre);
+  std::size_t lines = 0;
+  [[maybe_unused]] std::conditional_t<values_only, LineValues, std::nullptr_t> values = [&] {
+    if constexpr (values_only) return LineValues(q, area, digits);
+    else return nullptr;
+  }();
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const Panel& panel = panels[p];
+    const R lo = p == 0 ? rule.first : R(panel.lo), hi = p + 1 == panels.size() ? rule.last : R(panel.hi);
+    const GaussLegendre<R>& gauss = gauss_rule<R>(panel.nodes);
+    lines += panel.nodes;
+    if constexpr (values_only) {
+      add_values(q, area, rule, lo, hi, gauss, digits, values, sums);
+      continue;
+    }
+    for (int i = 0; i < panel.nodes; ++i) {
+      const R at = lo + (hi - lo) * gauss.nodes[i];
+      R weight = (hi - lo) * gauss.weights[i];
+      if (rule.plain) {
+        add_line(q, area, at, at, weight, digits, sums);
+        continue;
+      }
+      using std::exp;
+      const R grown = rule.width / 2 * exp(at), shrunk = rule.width * rule.width / (4 * grown);
+      const R s = grown - shrunk;
+      weight *= grown + shrunk;
+      add_line(q, area, R(rule.centre + s), s, weight, digits, sums);
+    }
+  }
+  if constexpr (values_only) {
+    const std::array<double, 4> corners = values.corners();
+    for (int k = 0; k < 4; ++k) sums.corner[k][0] += corners[k];
+  }
+  return lines;
+}
+
+/// Whether the point is that close to the quad, in units of the sides across the lines, or to its nearest corner, in
+/// units of the extent.
+template <Scalar R>
+bool is_within(double distance, const QuadFrame<R>& q, const SingularPairs<R>& singular) {
+  const auto close = [&](const SingularPair<R>& pair) {
+    return pair.width < distance && pair.centre > R(-1e-6) && pair.centre < R(1 + 1e-6);
+  };
+  return std::ranges::any_of(singular, close) || q.a.dot(q.a) < R(distance * distance);
+}
+
+/// Whether the point lies on the quad, exactly, for inputs that are doubles; others are taken to be off it.
+template <Scalar R>
+bool lies_on_quad(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
+  Quad<double> q;
+  Vec3<double> eta;
+  for (int i = 0; i < 3; ++i) {
+    eta[i] = static_cast<double>(point[i]);
+    if (R(eta[i]) != point[i]) return false;
+    for (int k = 0; k < 4; ++k) {
+      q[k][i] = static_cast<double>(corners[k][i]);
+      if (R(q[k][i]) != corners[k][i]) return false;
+    }
+  }
+  return on_quad(q, eta).has_value();
+}
+
+/// Nearer than this, doubles hold too little of the distance.
+inline constexpr double kDoubleHolds = 0x1p-46;
+
+/// The four weights with derivatives, in the caller's order of corners; the tensors of each order one after the other.
+template <class R>
+struct WeightTensors {
+  std::array<R, 4> value;
+  std::array<R, 12> gradient;
+  std::array<R, 36> hessian;
+
+  std::span<R> of(int order) {
+    if (order == 0) return value;
+    if (order == 1) return gradient;
+    return hessian;
+  }
+};
+
+/// Weights ([T18] Eq 11) with derivatives up to Order, to `digits` digits of the integral. On the quad they diverge:
+/// values are infinite, derivatives NaN. NaN for an input that is not finite. The statement says how many lines were
+/// taken, and whether the rules across them could meet the digits.
+template <int Order, Scalar R>
+Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, double digits, WeightTensors<R>& weights);
+
+/// As line_form, for points so close to the quad that differences of coordinates say too little.
+template <int Order, Scalar R>
+Statement line_form_in_50_digits(std::span<const Vec3<R>> corners, const Vec3<R>& point, double digits,
+                                 WeightTensors<R>& weights) {
+  std::array<Vec3<Mp50>, 4> wide_corners;
+  for (int k = 0; k < 4; ++k) wide_corners[k] = convert<Mp50>(corners[k]);
+  WeightTensors<Mp50> wide;
+  const Statement statement = line_form<Order, Mp50>(wide_corners, convert<Mp50>(point), digits, wide);
+  for (int o = 0; o <= Order; ++o)
+    for (std::size_t i = 0; i < wide.of(o).size(); ++i) weights.of(o)[i] = static_cast<R>(wide.of(o)[i]);
+  return statement;
+}
+
+template <int Order, Scalar R>
+Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, double digits, WeightTensors<R>& weights) {
+  using std::ldexp;
+  Statement statement;
+  const auto q = quad_frame<R>(corners, point);
+  if (!q) {
+    for (int o = 0; o <= Order; ++o) std::ranges::fill(weights.of(o), std::numeric_limits<R>::quiet_NaN());
+    return statement;
+  }
+  // The weights grow like 1/distance; in the line's variable their integrand has half an order more, and each
+  // derivative adds one.
+  constexpr double order = Order + 1.5;
+  WeightSums<R, Order> sums;
+  if (const double rho = ellipse_from_distance(*q); rho >= far_across<R, Order>) {
+    const Panel panel = plain_panel(rho, order, digits);
+    statement.nodes = add_lines<Order>(*q, OuterRule<R>{}, {&panel, 1}, digits, sums);
+  } else {
+    const SingularPairs<R> singular = singular_pairs(*q);
+    if (is_within(1e-12, *q, singular) && lies_on_quad<R>(corners, point)) {
+      std::ranges::fill(weights.value, std::numeric_limits<R>::infinity());
+      for (int o = 1; o <= Order; ++o) std::ranges::fill(weights.of(o), std::numeric_limits<R>::quiet_NaN());
+      return statement;
+    }
+    if constexpr (!is_multiprecision<R>) {
+      if (is_within(kDoubleHolds, *q, singular))
+        return line_form_in_50_digits<Order, R>(corners, point, digits, weights);
+    }
+    thread_local OuterRules<R> across;
+    find_outer_rules(singular, order, digits, static_cast<int>(3 * digits), across);
+    for (const OuterRule<R>& rule : across.rules) {
+      statement.nodes += add_lines<Order>(*q, rule, across.panels_of(rule), digits, sums);
+      statement.converged = statement.converged && rule.whole;
+    }
+  }
+  for (int k = 0; k < 4; ++k) {
+    const auto& from = sums.corner[k];
+    const int to = q->corner[k];
+    weights.value[to] = ldexp(q->sign * from[0], -q->exponent);
+    if constexpr (Order >= 1)
+      for (int i = 0; i < 3; ++i) weights.gradient[3 * to + i] = ldexp(q->sign * from[1 + i], -2 * q->exponent);
+    if constexpr (Order >= 2)
+      for (int i = 0, entry = 4; i < 3; ++i)
+        for (int j = i; j < 3; ++j, ++entry)
+          weights.hessian[9 * to + 3 * i + j] = weights.hessian[9 * to + 3 * j + i] =
+              ldexp(q->sign * from[entry], -3 * q->exponent);
+  }
+  return statement;
+}
+
+}  // namespace cageproof::adaptive_qmvc

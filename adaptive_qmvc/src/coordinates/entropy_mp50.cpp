@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "entropy.h"
+
+CAGEPROOF_MAXIMUM_ENTROPY(cageproof::Mp50)

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Spherical mean value coordinates (Langer, Belyaev, Seidel 2006; [T18] Section 5).
+#include "rounded.h"
+#include "spherical_derivatives.h"
+
+#include "cageproof/core/coordinates.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/quad_geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace cageproof::adaptive_qmvc {
+namespace {
+
+class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
+ public:
+  explicit SphericalCoordinates(const Cage& cage)
+      : elements_(cage, true, Triangulation::Shortest),
+        triangle_(*EvaluationRegister::instance().with_role("triangle.mean_value", Role::Recommended)) {
+    blocks_.push_back({.label = "lambda",
+                       .per_vertex = true,
+                       .size = static_cast<int>(elements_.vertices().size()),
+                       .shape = {},
+                       .reproduces = Reproduces::Vertices});
+  }
+  const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
+  int max_order() const override { return 2; }
+  std::string evaluation() const override { return "closed_form"; }
+  bool is_exact_in(ScalarKind scalar) const override { return scalar != ScalarKind::Digits200; }
+
+  template <Scalar R>
+  void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
+    if constexpr (std::same_as<R, float>) {
+      compute_in_double(points, tables,
+                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
+    } else {
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        if (!put_limit(points[p], p, order, tables[0])) {
+          if (order == 0) put<R>(points[p], p, order, tables[0]);
+          else put<SecondOrder<R>>(points[p], p, order, tables[0]);
+        }
+      }
+    }
+  }
+
+ private:
+  // Coordinates of a point on the cage: hat functions, linear on borders, mean value coordinates within planar quads.
+  // False off it, and within other quads, where there is no such limit and coordinates are as elsewhere. Points that
+  // are no doubles are taken to lie off the cage.
+  template <Scalar R>
+  bool put_limit(const Vec3<R>& eta, std::size_t point, int order, CoordinateTable<R>& table) const {
+    const Vec3<double> rounded = convert<double>(eta);
+    if (convert<R>(rounded) != eta) return false;
+    for (const Touching& touch : elements_.touching(rounded))
+      if (const auto on = limit<R>(touch, rounded)) {
+        const auto vertices = elements_.vertices_of(touch.element);
+        for (std::size_t k = 0; k < vertices.size(); ++k)
+          table.tensors[0][point * table.stride[0] + vertices[k]] += (*on)[k];
+        for (int o = 1; o <= order; ++o)
+          std::fill_n(table.tensors[o].begin() + static_cast<std::ptrdiff_t>(point * table.stride[o]), table.stride[o],
+                      std::numeric_limits<R>::quiet_NaN());
+        return true;
+      }
+    return false;
+  }
+
+  template <Scalar R>
+  std::optional<std::array<R, 4>> limit(const Touching& touch, const Vec3<double>& eta) const {
+    const std::array<double, 4>& b = touch.basis;
+    if (elements_.type(touch.element).kind == ElementKind::Triangle || std::ranges::count(b, 0.0) >= 2)
+      return std::array<R, 4>{R(b[0]), R(b[1]), R(b[2]), R(b[3])};
+    const Quad<double> q = quad(touch.element);
+    if (!is_planar(q)) return std::nullopt;
+    return planar_coordinates<R>({convert<R>(q[0]), convert<R>(q[1]), convert<R>(q[2]), convert<R>(q[3])},
+                                 convert<R>(eta));
+  }
+
+  // The sum over all elements, divided by its total.
+  template <class N, Scalar R>
+  void put(const Vec3<R>& eta, std::size_t point, int order, CoordinateTable<R>& table) const {
+    std::vector<N> found(elements_.vertices().size(), N(R(0)));
+    Result<R> of_triangle;
+    for (std::size_t e = 0; e < elements_.count(); ++e) {
+      const auto vertices = elements_.vertices_of(e);
+      if (elements_.type(e).kind == ElementKind::Quad) {
+        const CornerWeights<N> weights = quad_weights<N>(quad(e), eta);
+        for (std::size_t k = 0; k < 4; ++k) found[vertices[k]] += weights[k];
+      } else {
+        // Three directions leave no choice: the coordinates are those of triangles.
+        std::array<Vec3<R>, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = convert<R>(elements_.vertices()[vertices[k]]);
+        triangle_(Query<R>{corners, eta, order, {}}, of_triangle);
+        for (std::size_t k = 0; k < 3; ++k) found[vertices[k]] += number<N>(of_triangle, order, k);
+      }
+    }
+    N sum(R(0));
+    for (const N& w : found) sum += w;
+    for (std::size_t v = 0; v < found.size(); ++v) store<N>(found[v] /= sum, v, point, order, table);
+  }
+
+  template <class N, Scalar R>
+  static CornerWeights<N> quad_weights(const Quad<double>& q, const Vec3<R>& eta) {
+    if constexpr (std::same_as<N, R>)
+      return SphericalQuad<R>({convert<R>(q[0]), convert<R>(q[1]), convert<R>(q[2]), convert<R>(q[3])}, eta).weights;
+    else return spherical_weights<R>(q, eta);
+  }
+
+  // Entry k of a result, with its derivatives up to `order`.
+  template <class N, Scalar R>
+  static N number(const Result<R>& result, int order, std::size_t k) {
+    N x(result.value[k]);
+    if constexpr (!std::same_as<N, R>)
+      for (std::size_t i = 0; i < 3; ++i) {
+        x.gradient[i] = result.gradient[3 * k + i];
+        for (std::size_t j = i; order >= 2 && j < 3; ++j) x.hessian[N::entry(i, j)] = result.hessian[9 * k + 3 * i + j];
+      }
+    return x;
+  }
+
+  template <class N, Scalar R>
+  static void store(const N& x, std::size_t vertex, std::size_t point, int order, CoordinateTable<R>& table) {
+    const auto at = [&](int o) { return &table.tensors[o][point * table.stride[o] + vertex * derivative_count(3, o)]; };
+    *at(0) = value_of(x);
+    if constexpr (!std::same_as<N, R>) {
+      std::ranges::copy(x.gradient, at(1));
+      if (order < 2) return;
+      R* const hessian = at(2);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) hessian[3 * i + j] = x.hessian[N::entry(i, j)];
+    }
+  }
+
+  Quad<double> quad(std::size_t e) const {
+    const auto vertices = elements_.vertices_of(e);
+    const auto& at = elements_.vertices();
+    return {at[vertices[0]], at[vertices[1]], at[vertices[2]], at[vertices[3]]};
+  }
+
+  CageElements elements_;
+  Evaluation triangle_;
+  std::vector<CoordinateBlock> blocks_;
+};
+
+std::shared_ptr<const PreparedCoordinates> prepare(const Cage& cage, const CoordinateOptions& options) {
+  if (!options.evaluation.empty() && options.evaluation != "closed_form")
+    throw InputError(fmt::format("spherical_mean_value has no evaluation '{}', only closed_form", options.evaluation));
+  return std::make_shared<SphericalCoordinates>(cage);
+}
+
+const RegisterCoordinateKind kind{{.name = "spherical_mean_value",
+                                   .source = "Langer, Belyaev, Seidel 2006; [T18] Section 5",
+                                   .normalised = true,
+                                   .keeps_quads = true,
+                                   .prepare = prepare}};
+
+}  // namespace
+}  // namespace cageproof::adaptive_qmvc

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Registers evaluations of quad.mean_value whose name ends in a count.
+#pragma once
+
+#include "cageproof/core/counted_name.h"
+#include "cageproof/core/evaluation.h"
+
+namespace cageproof::adaptive_qmvc {
+
+/// The family `<stem>-<n>`, n = 1 ... 512: values alone. `studied`: EvaluationFamily::studied. `weights` is a callable
+/// with `template operator()<R>(batch, n, output)`.
+template <class Weights>
+EvaluationFamily counted_family(std::string stem, std::vector<std::string> standard, std::vector<std::string> studied,
+                                std::string description, Weights weights) {
+  const std::string formula = "quad.mean_value";
+  const auto make = [=](std::string_view name) -> std::optional<Evaluation> {
+    const auto n = number_after(stem + "-", name);
+    if (!n || *n > 512) return std::nullopt;
+    Evaluation made(formula, name,
+                    {.description = description, .role = Role::Scheme, .cost = CostClass::Nodes, .max_order = 0});
+    for (const ScalarKind kind : scalar_kinds)
+      with_scalar(kind, [&]<Scalar R>() {
+        made.set_batch<R>([weights, n = *n](const Batch<R>& batch, const BatchOutput<R>& output) {
+          weights.template operator()<R>(batch, n, output);
+        });
+      });
+    return made;
+  };
+  return {formula, stem + "-<n>", Role::Scheme, std::move(standard), make, {}, std::move(studied)};
+}
+
+}  // namespace cageproof::adaptive_qmvc

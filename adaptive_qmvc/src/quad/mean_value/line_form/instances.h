@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The line form for a block of points at every order, compiled one file a scalar.
+#pragma once
+
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_form.h"
+
+namespace cageproof::adaptive_qmvc {
+
+/// line_form at each point of the batch, at the batch's order.
+template <Scalar R>
+void line_batch(const Batch<R>& batch, double digits, const BatchOutput<R>& output);
+
+template <int Order, Scalar R>
+void line_batch_of_order(const Batch<R>& batch, double digits, const BatchOutput<R>& output) {
+  WeightTensors<R> weights;
+  for (std::size_t p = 0; p < batch.points.size(); ++p) {
+    output.state(p, line_form<Order, R>(batch.corners, batch.points[p], digits, weights));
+    for (int o = 0; o <= Order; ++o) output.put(p, o, weights.of(o));
+  }
+}
+
+}  // namespace cageproof::adaptive_qmvc
+
+#define CAGEPROOF_LINE_BATCH(R)                                                                                      \
+  template <>                                                                                                        \
+  void cageproof::adaptive_qmvc::line_batch<R>(const Batch<R>& batch, double digits, const BatchOutput<R>& output) { \
+    if (batch.order == 0) line_batch_of_order<0>(batch, digits, output);                                             \
+    else if (batch.order == 1) line_batch_of_order<1>(batch, digits, output);                                        \
+    else line_batch_of_order<2>(batch, digits, output);                                                              \
+  }

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "instances.h"
+
+CAGEPROOF_RIEMANN_WEIGHTS(cageproof::Mp50)

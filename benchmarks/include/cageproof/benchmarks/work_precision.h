@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Work-precision: the error of evaluations and the time they take, measured on the same inputs.
+#pragma once
+
+#include "cageproof/core/coordinates.h"
+#include "cageproof/core/work_precision.h"
+#include "cageproof/validation/cage_points.h"
+#include "cageproof/validation/regime.h"
+
+namespace cageproof::benchmarks {
+
+struct WorkPrecisionOptions {
+  std::vector<std::string> evaluations;  ///< empty: those of default_work_precision_evaluations
+  std::vector<double> parameters;        ///< empty: the defaults of a kind, the samples' own of a formula
+  Triangulation triangulation = Triangulation::Shortest;
+  std::uint64_t seed = 1;
+  int samples = 32;           ///< a place
+  int order = 0;              ///< of formulas; cages are asked for values alone
+  bool by_parameter = false;  ///< a place for each parameter of a regime (distance ...), instead of one for all
+  bool relative = false;      ///< relative errors of formulas, norm-wise, instead of conditioned ones
+  double seconds = 0.2;       ///< timed at least, an evaluation and place
+  int jobs = 0;               ///< threads for the errors; times are always taken on one
+};
+
+/// Points at about the same distance from a cage.
+struct PointGroup {
+  std::string place;
+  double distance;  ///< in cage sizes; of "interior" the least
+  std::vector<validation::CagePoint> points;
+};
+
+/// Points inside: "interior", at least 1e-1 sizes from the cage, then 1e-1 ... 1e-4 sizes from a random point of a face
+/// and no nearer to any other. A group has fewer than `count` where the cage is too thin for them.
+std::vector<PointGroup> groups_inside(const Cage& cage, const validation::CageLocator& locator, std::uint64_t seed,
+                                      int count);
+
+/// Given points by decade of distance, the farthest first; those nearer than 1e-6 sizes, on which no bound is promised,
+/// left out.
+std::vector<PointGroup> groups_of(const Cage& cage, const validation::CageLocator& locator,
+                                  const std::vector<Vec3<double>>& points);
+
+/// Largest and root-mean-square residual of the partition of unity, and the time of all formulas of the kind on one
+/// triangle. \throws InputError when the kind's formulas lack an evaluation, all such named
+WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, const std::vector<PointGroup>& groups,
+                                  const WorkPrecisionOptions& options);
+
+/// Errors at the samples of regimes, against the formula's truth.
+/// \throws InputError when the formula lacks an evaluation, or that derivative of it, all such named
+WorkPrecision formula_work_precision(const Formula& formula, const std::vector<const validation::Regime*>& regimes,
+                                     const WorkPrecisionOptions& options);
+
+/// The evaluations shown when none are asked for: schemes and rules as their families propose
+/// (EvaluationFamily::studied), the recommended evaluation, the printed ones; those of them that all the formulas have.
+std::vector<std::string> default_work_precision_evaluations(const std::vector<std::string_view>& formulas);
+
+}  // namespace cageproof::benchmarks

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/benchmarks/coordinate_times.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/validation/parallel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+namespace cageproof::benchmarks {
+
+using namespace validation;
+namespace {
+
+// Seconds a point, from points spread over all of them: at least `seconds` of them, or each once.
+double seconds_a_point(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& points, double seconds,
+                       double& sink) {
+  using Clock = std::chrono::steady_clock;
+  // Tables that an evaluation builds at its first call are no part of its time.
+  sink += coordinates.at<double>(points.front(), 0).front().value.front();
+  std::size_t stride = static_cast<std::size_t>(0.618 * static_cast<double>(points.size())) | 1;
+  while (std::gcd(stride, points.size()) != 1) ++stride;
+  const auto start = Clock::now();
+  double elapsed = 0;
+  std::size_t done = 0;
+  while (done < points.size() && elapsed < seconds) {
+    sink += coordinates.at<double>(points[done * stride % points.size()], 0).front().value.front();
+    ++done;
+    elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  return elapsed / static_cast<double>(done);
+}
+
+double difference(const std::vector<double>& found, const std::vector<Mp50>& truth) {
+  double worst = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double d = std::abs(static_cast<double>(Mp50(Mp50(found[i]) - truth[i])));
+    worst = std::isfinite(d) ? std::max(worst, d) : HUGE_VAL;
+  }
+  return worst;
+}
+
+void summarise(std::vector<double> errors, WorkPrecisionRow& row) {
+  row.samples = errors.size();
+  row.nonfinite = std::ranges::count(errors, HUGE_VAL);
+  std::erase(errors, HUGE_VAL);
+  if (errors.empty()) return;
+  std::ranges::sort(errors);
+  double squares = 0;
+  for (const double e : errors) squares += e * e;
+  row.largest = errors.back();
+  row.rms = std::sqrt(squares / static_cast<double>(errors.size()));
+  row.median = errors[(errors.size() - 1) / 2];
+}
+
+}  // namespace
+
+std::vector<KindAndEvaluation> table_one() {
+  // The schemes as verification runs them, and the rule that costs what a closed form does: the line form to fewer
+  // digits.
+  std::vector<KindAndEvaluation> what{{"mean_value", ""}};
+  std::string quick;
+  for (const Role role : {Role::Scheme, Role::Rule})
+    for (const EvaluationFamily* family : EvaluationRegister::instance().families("quad.mean_value")) {
+      if (family->role != role || family->standard.empty() ||
+          (role == Role::Rule && family->example().cost() != CostClass::Direct))
+        continue;
+      for (const std::string& name : family->standard) what.push_back({"quad_mean_value", name});
+      if (role == Role::Rule) quick = family->standard.front();
+    }
+  what.insert(what.end(), {{"quad_mean_value", ""}, {"spherical_mean_value", ""}, {"maximum_entropy", quick}});
+  return what;
+}
+
+WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>& points,
+                               const std::vector<KindAndEvaluation>& what, const WorkPrecisionOptions& options) {
+  if (points.empty()) throw InputError(fmt::format("{}: no point to compute coordinates at", cage.name()));
+  WorkPrecision result;
+  result.subject = "whole coordinates";
+  result.where = fmt::format("{}, {} points", cage.name(), points.size());
+  result.error = "difference from quad mean value coordinates";
+  result.unit = "1";
+  result.timed = "point";
+  result.seed = options.seed;
+  const CageCoordinates reference(cage, coordinate_kind_named("quad_mean_value"),
+                                  CoordinateOptions{.triangulation = options.triangulation});
+  const std::size_t count = std::min<std::size_t>(options.samples, points.size());
+  std::vector<Vec3<double>> compared;
+  for (std::size_t i = 0; i < count; ++i) compared.push_back(points[i * points.size() / count]);
+  std::vector<std::vector<Mp50>> truth(count);
+  for_each_parallel(count, options.jobs,
+                    [&](std::size_t i) { truth[i] = reference.at<Mp50>(compared[i], 0).front().value; });
+  double sink = 0;
+  for (const auto& [kind, evaluation] : what) {
+    const CageCoordinates coordinates(cage, coordinate_kind_named(kind), evaluation, options.triangulation);
+    WorkPrecisionRow row;
+    row.place = kind;
+    row.evaluation = coordinates.evaluation();
+    std::vector<double> errors(count);
+    for_each_parallel(count, options.jobs, [&](std::size_t i) {
+      errors[i] = difference(coordinates.at<double>(compared[i], 0).front().value, truth[i]);
+    });
+    summarise(std::move(errors), row);
+    row.nanoseconds = 1e9 * seconds_a_point(coordinates, points, std::max(1.0, options.seconds), sink);
+    result.notes.push_back(fmt::format("{}, {}: {:.0f} ms for the mesh", kind, row.evaluation,
+                                       row.nanoseconds * static_cast<double>(points.size()) / 1e6));
+    result.rows.push_back(std::move(row));
+  }
+  // What is computed must be used, or it may be left out.
+  if (std::isnan(sink)) result.notes.emplace_back("some points have no coordinates");
+  return result;
+}
+
+}  // namespace cageproof::benchmarks

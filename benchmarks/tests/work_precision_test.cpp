@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/benchmarks/work_precision.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace cageproof::benchmarks {
+
+using namespace validation;
+namespace {
+
+constexpr double known_error = 1e-3;
+constexpr double known_nanoseconds = 2e5;
+
+// Seven nodes, a thousandth too large, and at least 0.2 ms.
+void fill_fake(Evaluation& bad) {
+  const Evaluation good = evaluation_named("triangle.double_layer", "closed_form");
+  bad.set_point<double>([good](const Query<double>& query, Result<double>& result) {
+    const auto start = std::chrono::steady_clock::now();
+    good(query, result);
+    for (double& x : result.value) x *= 1 + known_error;
+    result.nodes = 7;
+    const std::chrono::nanoseconds least(static_cast<int>(known_nanoseconds));
+    while (std::chrono::steady_clock::now() - start < least) continue;
+  });
+}
+const RegisterEvaluation fake{single_family(
+    "triangle.double_layer", "seven-nodes",
+    {.description = "wrong by a known amount, and slow", .role = Role::Foreign, .max_order = 0}, false, fill_fake)};
+
+const CoordinateKind& phi_alone() {
+  static const CoordinateKind kind{
+      .name = "phi alone", .source = "", .blocks = {{"phi", "double_layer", Reproduces::Vertices}}};
+  return kind;
+}
+
+WorkPrecisionOptions quick(std::vector<std::string> evaluations) {
+  WorkPrecisionOptions options;
+  options.evaluations = std::move(evaluations);
+  options.samples = 3;
+  options.seconds = 0;
+  options.jobs = 1;
+  return options;
+}
+
+std::vector<PointGroup> cube_groups(int count) {
+  const Cage cube = embedded_cage("cube");
+  return groups_inside(cube, CageLocator(cube, Triangulation::Shortest), 1, count);
+}
+
+TEST(work_precision, shows_a_known_error_its_nodes_and_its_time) {
+  const auto options = quick({"seven-nodes", "closed_form"});
+  const auto result = cage_work_precision(embedded_cage("cube"), phi_alone(), cube_groups(3), options);
+  ASSERT_EQ(result.rows.size(), 10u);
+  for (const WorkPrecisionRow& row : result.rows) {
+    EXPECT_EQ(row.samples, 3u);
+    EXPECT_EQ(row.nonfinite, 0u);
+    if (row.evaluation == "closed_form") {
+      EXPECT_LT(row.largest, 1e-12) << row.place;
+      EXPECT_EQ(row.nodes, 0);
+      continue;
+    }
+    // A sum of one, a thousandth too large.
+    EXPECT_NEAR(row.largest, known_error, 1e-11) << row.place;
+    EXPECT_NEAR(row.rms, known_error, 1e-11) << row.place;
+    EXPECT_NEAR(row.median, known_error, 1e-11) << row.place;
+    EXPECT_EQ(row.nodes, 7);
+    EXPECT_GE(row.nanoseconds, known_nanoseconds);
+  }
+}
+
+TEST(work_precision, measures_conditioned_errors_of_a_formula) {
+  const auto result = formula_work_precision(*find_formula("triangle.double_layer"), {find_regime("generic")},
+                                             quick({"seven-nodes", "closed_form"}));
+  ASSERT_EQ(result.rows.size(), 2u);
+  // The denominator is at least the value: a relative error of 1e-3 is at most 1e-3 / u, and far more than rounding.
+  const double u = unit_roundoff<double>();
+  EXPECT_LE(result.rows[0].largest, known_error / u * 1.001);
+  EXPECT_GT(result.rows[0].largest, known_error / u / 1000);
+  EXPECT_GE(result.rows[0].largest, result.rows[0].median);
+  EXPECT_LE(result.rows[1].largest, 64);
+}
+
+TEST(work_precision, names_every_evaluation_that_is_missing) {
+  try {
+    cage_work_precision(embedded_cage("cube"), phi_alone(), cube_groups(1),
+                        quick({"nonsense", "closed_form", "gauss-0"}));
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    for (const char* word : {"'nonsense'", "'gauss-0'", "triangle.double_layer"})
+      EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+  }
+  auto options = quick({"seven-nodes"});
+  options.order = 1;
+  EXPECT_THROW(formula_work_precision(*find_formula("triangle.double_layer"), {find_regime("generic")}, options),
+               InputError);
+}
+
+TEST(work_precision, points_inside_are_as_far_as_their_group_says) {
+  const Cage cube = embedded_cage("cube");
+  const CageLocator locator(cube, Triangulation::Shortest);
+  const auto groups = cube_groups(20);
+  ASSERT_EQ(groups.size(), 5u);
+  for (const PointGroup& group : groups) {
+    EXPECT_EQ(group.points.size(), 20u) << group.place;
+    for (const CagePoint& p : group.points) {
+      EXPECT_TRUE(locator.inside(p.point));
+      const double distance = locator.distance(p.point) / cube.size();
+      EXPECT_GE(distance, 0.999 * group.distance);
+      if (group.place != "interior") {
+        EXPECT_LE(distance, 1.001 * group.distance);
+      }
+    }
+  }
+}
+
+TEST(work_precision, given_points_are_grouped_by_decade) {
+  const Cage cube = embedded_cage("cube");
+  const CageLocator locator(cube, Triangulation::Shortest);
+  std::vector<Vec3<double>> points;
+  for (const PointGroup& group : cube_groups(2))
+    for (const CagePoint& p : group.points) points.push_back(p.point);
+  points.push_back(cube.vertices()[0]);
+  points.push_back(Vec3<double>(100, 0, 0));
+  std::size_t grouped = 0;
+  double last = HUGE_VAL;
+  for (const PointGroup& group : groups_of(cube, locator, points)) {
+    EXPECT_LT(group.distance, last);
+    last = group.distance;
+    grouped += group.points.size();
+    for (const CagePoint& p : group.points) EXPECT_EQ(p.place == Place::Outside, p.point[0] == 100);
+  }
+  EXPECT_EQ(grouped, points.size() - 1);
+}
+
+}  // namespace
+}  // namespace cageproof::benchmarks

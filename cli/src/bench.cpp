@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/reports/work_precision.h"
+#include "cageproof/benchmarks/coordinate_times.h"
+#include "cageproof/validation/machine_facts.h"
+#include "cageproof/benchmarks/work_precision.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iostream>
+
+namespace cageproof::cli {
+namespace {
+
+struct Arguments {
+  CageArguments cage{.file = "cube"};
+  std::string kind, formula, points, out, command_line;
+  std::vector<std::string> regimes{"generic", "near-face"}, parameters;
+  benchmarks::WorkPrecisionOptions options;
+  bool csv = false, coordinates = false;
+};
+
+WorkPrecision measure_cage(const Arguments& a, benchmarks::WorkPrecisionOptions options) {
+  const CoordinateKind* kind = &coordinate_kind_named(a.kind);
+  options.parameters = parameters_from(a.parameters, parameters_of(*kind), kind->name);
+  options.triangulation = a.cage.rule();
+  const Cage cage = a.cage.load();
+  const validation::CageLocator locator(cage, options.triangulation, kind->keeps_quads);
+  const auto groups = a.points.empty() ? benchmarks::groups_inside(cage, locator, options.seed, options.samples)
+                                       : benchmarks::groups_of(cage, locator, load_points(a.points).vertices);
+  WorkPrecision result = benchmarks::cage_work_precision(cage, *kind, groups, options);
+  result.settings = {{"triangulation", a.cage.triangulate}, {"points", a.points.empty() ? "random" : a.points}};
+  return result;
+}
+
+WorkPrecision measure_formula(const Arguments& a, benchmarks::WorkPrecisionOptions options) {
+  const Formula* formula = &formula_named(a.formula);
+  if (!a.parameters.empty()) options.parameters = parameters_from(a.parameters, formula->parameters, formula->name);
+  std::vector<const validation::Regime*> regimes;
+  for (const std::string& name : a.regimes) {
+    regimes.push_back(validation::find_regime(name));
+    if (!regimes.back()) throw InputError(fmt::format("unknown regime '{}'; see `cageproof list`", name));
+  }
+  return benchmarks::formula_work_precision(*formula, regimes, options);
+}
+
+WorkPrecision measure_coordinates(const Arguments& a) {
+  const Cage cage = a.cage.load();
+  std::vector<Vec3<double>> points;
+  if (a.points.empty()) {
+    const validation::CageLocator locator(cage, a.cage.rule());
+    for (const auto& group : benchmarks::groups_inside(cage, locator, a.options.seed, 400))
+      for (const auto& p : group.points) points.push_back(p.point);
+  } else {
+    points = load_points(a.points).vertices;
+  }
+  benchmarks::WorkPrecisionOptions options = a.options;
+  options.triangulation = a.cage.rule();
+  std::vector<benchmarks::KindAndEvaluation> what;
+  for (const std::string& evaluation : options.evaluations) what.push_back({"quad_mean_value", evaluation});
+  WorkPrecision result =
+      benchmarks::coordinate_times(cage, points, what.empty() ? benchmarks::table_one() : what, options);
+  result.settings = {{"triangulation", a.cage.triangulate}, {"points", a.points.empty() ? "random" : a.points}};
+  return result;
+}
+
+WorkPrecision measure(const Arguments& a) {
+  if (a.coordinates) return measure_coordinates(a);
+  return a.kind.empty() ? measure_formula(a, a.options) : measure_cage(a, a.options);
+}
+
+int run(const Arguments& a) {
+  // Before anything is measured: a folder that cannot be written should not cost a wait.
+  std::unique_ptr<reports::WorkPrecisionWriter> writer;
+  if (!a.out.empty()) writer = std::make_unique<reports::WorkPrecisionWriter>(a.out);
+  const std::string started = validation::timestamp();
+  WorkPrecision result = measure(a);
+  result.version = CAGEPROOF_VERSION;
+  result.command_line = a.command_line;
+  result.started = started;
+  result.machine = validation::machine_facts();
+  result.settings["parameters"] = fmt::format("{}", fmt::join(a.parameters, " "));
+  result.settings["seconds timed at least"] = fmt::format("{}", a.options.seconds);
+  std::cout << (a.csv ? reports::work_precision_csv(result) : reports::work_precision_text(result));
+  if (writer) writer->write(result);
+  return success;
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, Action& action, const std::string& command_line) {
+  CLI::App* command = app.add_subcommand("bench", "work-precision: time and error of evaluations side by side");
+  auto a = std::make_shared<Arguments>();
+  a->command_line = command_line;
+  CLI::Option_group* what = command->add_option_group("what is measured");
+  what->require_option(1);
+  CLI::Option* kind =
+      what->add_option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic or somigliana");
+  CLI::Option* formula = what->add_option("--formula", a->formula, "one formula of the catalogue");
+  what->add_flag("--coordinates", a->coordinates,
+                 "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1, or quad_mean_value by those "
+                 "of --evaluations");
+  a->cage.add_to(*command, false);
+  command->get_option("--cage")->excludes(formula)->default_str("cube");
+  command
+      ->add_option("--points", a->points, "a mesh, or text with three numbers a line, instead of random points inside")
+      ->excludes(formula);
+  command->add_option("--regime", a->regimes, "regimes of a formula's samples")
+      ->delimiter(',')
+      ->excludes(kind)
+      ->capture_default_str();
+  command->add_option("--evaluations", a->options.evaluations, "what is compared")->delimiter(',');
+  command->add_option("--parameter", a->parameters, "mu=..., nu=...");
+  command->add_option("--order", a->options.order, "of a formula: 0 value, 1 gradient, 2 Hessian")
+      ->check(CLI::Range(0, 2))
+      ->excludes(kind);
+  command->add_option("--samples", a->options.samples, "a distance or regime")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->add_option("--seed", a->options.seed, "of all samples")->capture_default_str();
+  command
+      ->add_flag("--by-parameter", a->options.by_parameter,
+                 "a formula's errors at each distance (or what else the regime sweeps) by themselves")
+      ->excludes(kind);
+  command->add_flag("--relative", a->options.relative, "a formula's relative instead of conditioned errors")
+      ->excludes(kind);
+  command->add_option("--seconds", a->options.seconds, "timed at least, an evaluation and place")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
+  command->add_option("--jobs", a->options.jobs, "threads for the errors; 0: all cores")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->add_flag("--csv", a->csv, "as CSV");
+  command->add_option("--out", a->out, "a folder for CSV, JSON and pictures");
+  command->callback([&action, a] { action = [a] { return run(*a); }; });
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/scalar_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::cli {
+
+void CageArguments::add_to(CLI::App& command, bool required) {
+  command.add_option("--cage", file, "cage: a file (OBJ, PLY, STL, VTP), or the name of an embedded cage")
+      ->required(required);
+  command.add_flag("--flip-inward", flip_inward, "turn a cage whose normals point inward");
+  command
+      .add_option("--triangulate", triangulate,
+                  "how quads become triangles: shortest diagonal, or fan from the first corner")
+      ->check(CLI::IsMember({"shortest", "fan"}))
+      ->capture_default_str();
+}
+
+Cage CageArguments::load() const {
+  const auto names = embedded_cage_names();
+  if (std::ranges::find(names, file) != names.end()) return embedded_cage(file);
+  return read_cage(file, {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
+}
+
+std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known,
+                                    std::string_view owner) {
+  std::vector<double> values;
+  for (const Parameter& p : known) values.push_back(p.preset);
+  for (const std::string& text : given) {
+    const auto equals = text.find('=');
+    const auto found = std::ranges::find(known, std::string_view(text).substr(0, equals), &Parameter::name);
+    if (equals == std::string::npos || found == known.end())
+      throw InputError(fmt::format("--parameter {}: {} has no such parameter; write name=value", text, owner));
+    const std::string number = text.substr(equals + 1);
+    const std::optional<double> value = number == "inf"    ? HUGE_VAL
+                                        : number == "-inf" ? -HUGE_VAL
+                                                           : parse_scalar<double>(number);
+    if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, number));
+    if (!found->allows(*value)) throw InputError(fmt::format("--parameter {}: out of range for {}", text, owner));
+    values[found - known.begin()] = *value;
+  }
+  return values;
+}
+
+Mesh load_points(const std::string& file) {
+  const auto extension = std::filesystem::path(file).extension();
+  const bool text = extension == ".csv" || extension == ".xyz" || extension == ".txt";
+  return text ? Mesh{read_points(file), {}} : read_mesh(file);
+}
+
+}  // namespace cageproof::cli

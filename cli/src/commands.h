@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The commands of `cageproof`. Each adds its options to the command line and sets what to run.
+#pragma once
+
+#include "cageproof/core/formula.h"
+#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/run_result.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace cageproof::cli {
+
+/// Exit codes, stable.
+enum ExitCode { success = 0, promise_broken = 1, bad_input = 2 };
+
+/// Runs the chosen command; returns its exit code.
+using Action = std::function<int()>;
+
+void add_list(CLI::App& app, Action& action);
+void add_eval(CLI::App& app, Action& action);
+void add_coordinates(CLI::App& app, Action& action);
+void add_verify(CLI::App& app, Action& action, const std::string& command_line);
+void add_merge(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+void add_field(CLI::App& app, Action& action, const std::string& command_line);
+void add_replay(CLI::App& app, Action& action);
+void add_hunt(CLI::App& app, Action& action);
+void add_bench(CLI::App& app, Action& action, const std::string& command_line);
+
+/// Prints what is broken and the verdict on standard output; what is to be said of the run's sessions on standard
+/// error. \param out the report's folder
+ExitCode print_verdict(const RunResult& result, const std::string& out);
+
+/// Options that every command with a cage shares.
+struct CageArguments {
+  std::string file;  ///< a mesh file, or the name of an embedded cage
+  bool flip_inward = false;
+  bool allow_invalid_quads = false;  ///< an option of commands whose coordinates keep quads
+  std::string triangulate = "shortest";
+
+  void add_to(CLI::App& command, bool required);
+  /// \throws InputError as read_cage; names of embedded cages are taken first
+  Cage load() const;
+  Triangulation rule() const { return triangulate == "fan" ? Triangulation::Fan : Triangulation::Shortest; }
+};
+
+/// Values of `known` from texts "nu=0.3", "nu=inf"; what is not given takes its default.
+/// \param owner the formula or kind that has them, for messages
+/// \throws InputError for a text that is none, an unknown name, or a value out of range
+std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known,
+                                    std::string_view owner);
+
+/// Points with the faces that they carry, if any: a mesh file, or text.
+/// \throws InputError as read_mesh and read_points
+Mesh load_points(const std::string& file);
+
+}  // namespace cageproof::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/reports/checked_file.h"
+#include "cageproof/reports/compare.h"
+#include "cageproof/reports/journal.h"
+#include "cageproof/validation/verify.h"
+
+#include <fmt/format.h>
+
+namespace cageproof::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string before, after, names;
+};
+
+// A report's folder, its summary.json, or a journal, which is judged now.
+std::string summary_of(const fs::path& path) {
+  std::error_code ignored;
+  fs::path file = path;
+  if (fs::is_directory(path, ignored))
+    file = fs::exists(path / "summary.json", ignored) ? path / "summary.json" : path / reports::journal_file;
+  return reports::find_journal_header(file) ? validation::summary_of_journal(file) : reports::read_file(file);
+}
+
+int run(const Arguments& a) {
+  const reports::Renamed renamed = a.names.empty() ? reports::Renamed() : reports::read_renamed(a.names);
+  const reports::Comparison found =
+      reports::compare_summaries(summary_of(a.before), summary_of(a.after), renamed, a.before, a.after);
+  for (const std::string& line : found.differing) fmt::print("differs: {}\n", line);
+  for (const std::string& line : found.gone) fmt::print("only in {}: {}\n", a.before, line);
+  for (const std::string& line : found.added) fmt::print("only in {}: {}\n", a.after, line);
+  fmt::print("{} equal, {} differ, {} only in {}, {} only in {}\n", found.equal, found.differing.size(),
+             found.gone.size(), a.before, found.added.size(), a.after);
+  return found.same() ? success : promise_broken;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand(
+      "compare", "figures and verdicts that differ between two reports or journals; exit 1 when any does");
+  auto a = std::make_shared<Arguments>();
+  command->add_option("old", a->before, "a report's folder, its summary.json, or a journal")->required();
+  command->add_option("new", a->after, "another")->required();
+  command->add_option(
+      "--names", a->names,
+      R"(JSON object {"old": "new"} of names that changed; "subject/old" in that subject's rows alone)");
+  command->callback([&action, a] { action = [a] { return run(*a); }; });
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "coordinate_table.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/scalar_text.h"
+#include "cageproof/reports/vtk_text.h"
+#include "cageproof/validation/parallel.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <xtensor/xadapt.hpp>
+#include <xtensor/xnpy.hpp>
+
+#include <algorithm>
+
+namespace cageproof::cli {
+namespace {
+
+constexpr const char* axes = "xyz";
+
+// "", "_dx", "_dxy": the derivative that entry i of the last indices is.
+std::string derivative_name(std::size_t i, int dim, int order) {
+  std::string letters(order, ' ');
+  for (int o = order - 1; o >= 0; --o, i /= dim) letters[o] = axes[i % dim];
+  return order == 0 ? "" : "_d" + letters;
+}
+
+// "" of a number, "_xy" of a matrix's entry.
+std::string entry_name(int entry, const Shape& shape) {
+  return shape.entries() == 1 ? "" : fmt::format("_{}{}", axes[entry / shape.columns], axes[entry % shape.columns]);
+}
+
+void add_columns(const CoordinateBlock& block, int dim, int order, CoordinateColumns& table) {
+  constexpr std::array titles{"", " gradient", " Hessian"};
+  const std::size_t first = table.names.size();
+  for (int i = 0; i < block.size; ++i)
+    for (int e = 0; e < block.entries(); ++e)
+      for (std::size_t d = 0; d < derivative_count(dim, order); ++d)
+        table.names.push_back(
+            fmt::format("{}_{}{}{}", block.label, i, entry_name(e, block.shape), derivative_name(d, dim, order)));
+  table.groups.push_back({block.label + titles[order], table.names.size() - first});
+}
+
+}  // namespace
+
+CoordinateColumns coordinate_columns(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& points,
+                                     int order, int jobs) {
+  if (order > coordinates.max_order())
+    throw InputError(fmt::format("{} by {} gives derivatives up to order {}, not {}", coordinates.kind().name,
+                                 coordinates.evaluation(), coordinates.max_order(), order));
+  CoordinateColumns table;
+  for (const CoordinateBlock& block : coordinates.blocks())
+    for (int o = 0; o <= order; ++o) add_columns(block, coordinates.dimension(), o, table);
+  const std::size_t columns = table.names.size();
+  table.values.resize(points.size() * columns);
+  // Blocks of points share what evaluations prepare for an element.
+  constexpr std::size_t together = 64;
+  validation::for_each_parallel((points.size() + together - 1) / together, jobs, [&](std::size_t part) {
+    const std::size_t first = part * together, count = std::min(together, points.size() - first);
+    const auto found = coordinates.at<double>(std::span(points).subspan(first, count), order);
+    for (std::size_t p = 0; p < count; ++p) {
+      double* to = &table.values[(first + p) * columns];
+      for (const CoordinateTable<double>& block : found)
+        for (int o = 0; o <= order; ++o)
+          to = std::copy_n(block.tensors[o].data() + p * block.stride[o], block.stride[o], to);
+    }
+  });
+  return table;
+}
+
+std::string csv_text(const CoordinateColumns& table) {
+  std::string text = fmt::format("{}\n", fmt::join(table.names, ","));
+  for (std::size_t i = 0; i < table.values.size(); ++i) {
+    text += format_scalar(table.values[i]);
+    text += (i + 1) % table.names.size() == 0 ? '\n' : ',';
+  }
+  return text;
+}
+
+std::string npy_text(const CoordinateColumns& table) {
+  const std::vector<std::size_t> shape{table.values.size() / table.names.size(), table.names.size()};
+  return xt::dump_npy(xt::adapt(table.values, shape));
+}
+
+std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh) {
+  MeshField field{"coordinates", mesh.vertices, mesh.faces, {}};
+  const std::size_t columns = table.names.size();
+  std::size_t first = 0;
+  for (const CoordinateColumns::Group& group : table.groups) {
+    ImageField::Array array{group.label, "1", static_cast<int>(group.columns), {}};
+    for (std::size_t p = 0; p < mesh.vertices.size(); ++p)
+      for (std::size_t i = 0; i < group.columns; ++i) array.values.push_back(table.values[p * columns + first + i]);
+    first += group.columns;
+    field.arrays.push_back(std::move(array));
+  }
+  return reports::vtp_text(field);
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Coordinates of many points as one table, and its text in each file format.
+#pragma once
+
+#include "cageproof/core/coordinates.h"
+#include "cageproof/core/mesh_io.h"
+
+#include <string>
+#include <vector>
+
+namespace cageproof::cli {
+
+/// A row a point. Columns: block by block; in a block all values, then all first derivatives, then all second ones, as
+/// far as they are asked for: `phi_0`, `phi_0_dx`, `phi_0_dxy`; of matrices `T_0_xy`, `T_0_xy_dz`, `T_0_xy_dzz`.
+struct CoordinateColumns {
+  std::vector<std::string> names;
+  std::vector<double> values;  ///< row by row
+  /// Consecutive columns that belong together: a block's tensors of one order.
+  struct Group {
+    std::string label;  ///< `phi`, `phi gradient`, `phi Hessian`
+    std::size_t columns;
+  };
+  std::vector<Group> groups;
+};
+
+/// \param order highest derivative \param jobs threads; 0: all cores
+/// \throws InputError when the coordinates have no derivatives of that order
+CoordinateColumns coordinate_columns(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& points,
+                                     int order, int jobs);
+
+/// A header, then a row a point.
+std::string csv_text(const CoordinateColumns& table);
+/// points x columns.
+std::string npy_text(const CoordinateColumns& table);
+/// The mesh with an array a group.
+std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh);
+
+}  // namespace cageproof::cli

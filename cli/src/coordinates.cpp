@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+#include "coordinate_table.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/reports/checked_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <span>
+
+namespace cageproof::cli {
+namespace {
+
+struct Arguments {
+  CageArguments cage;
+  std::string points, kind, evaluation, out;
+  std::vector<std::string> parameters;
+  int order = 0, jobs = 0;
+};
+
+void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
+
+// Says how many points have no coordinates, and why. Values come first in a row; derivatives may be NaN on the cage.
+void warn_of_missing(const CoordinateColumns& table, std::size_t points, const CoordinateKind& kind) {
+  std::size_t missing = 0;
+  for (std::size_t p = 0; p < points; ++p) {
+    const auto values = std::span(table.values).subspan(p * table.names.size(), table.groups.front().columns);
+    missing += std::ranges::any_of(values, [](double x) { return std::isnan(x); });
+  }
+  if (missing > 0)
+    warn(fmt::format("{} of {} points have no {} coordinates (nan): {}", missing, points, kind.name,
+                     kind.missing_because.empty() ? "the cage's quads are not valid there" : kind.missing_because));
+}
+
+int run(const Arguments& a) {
+  const CoordinateKind& kind = coordinate_kind_named(a.kind);
+  if (a.cage.allow_invalid_quads && !kind.keeps_quads)
+    throw InputError(fmt::format("--allow-invalid-quads: {} splits quads in triangles", kind.name));
+  const std::string extension = std::filesystem::path(a.out).extension();
+  if (!a.out.empty() && extension != ".csv" && extension != ".npy" && extension != ".vtp")
+    throw InputError(fmt::format("{}: cannot write '{}' files; use .csv, .npy or .vtp", a.out, extension));
+  const Cage cage = a.cage.load();
+  if (cage.allows_invalid_quads())
+    for (const std::string& fault : invalid_quads(cage))
+      warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
+  const Mesh mesh = load_points(a.points);
+  const CageCoordinates coordinates(
+      cage, kind,
+      CoordinateOptions{a.evaluation, a.cage.rule(), parameters_from(a.parameters, parameters_of(kind), kind.name)});
+  const CoordinateColumns table = coordinate_columns(coordinates, mesh.vertices, a.order, a.jobs);
+  warn_of_missing(table, mesh.vertices.size(), kind);
+  const std::string text = extension == ".npy"   ? npy_text(table)
+                           : extension == ".vtp" ? vtp_text(table, mesh)
+                                                 : csv_text(table);
+  if (a.out.empty()) std::cout << text;
+  else reports::replace_file(a.out, text);
+  return success;
+}
+
+std::string names_of_kinds() {
+  std::vector<std::string_view> names;
+  for (const CoordinateKind& kind : coordinate_kinds()) names.push_back(kind.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+void add_coordinates(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("coordinates", "coordinates of points in a cage");
+  auto a = std::make_shared<Arguments>();
+  a->cage.add_to(*command, true);
+  command->add_option("--points", a->points, "a mesh, or text with three numbers a line")->required();
+  command->add_option("--kind", a->kind, names_of_kinds())->required();
+  command->add_flag("--allow-invalid-quads", a->cage.allow_invalid_quads,
+                    "compute with quads that are not valid, of kinds that keep quads");
+  command->add_option("--parameter", a->parameters, "mu=..., nu=... of somigliana; nu in (-1, 0.5] or inf or -inf");
+  command->add_option("--evaluation", a->evaluation, "how its formulas are evaluated, instead of as recommended");
+  command->add_option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians")
+      ->check(CLI::Range(0, 2))
+      ->capture_default_str();
+  command->add_option("--out", a->out, ".csv, .npy (points x columns) or .vtp; CSV on standard output if not given");
+  command->add_option("--jobs", a->jobs, "threads; 0: all cores")->check(CLI::Range(0, 1024))->capture_default_str();
+  command->callback([&action, a] { action = [a] { return run(*a); }; });
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+#include "json_line.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/scalar_text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+
+namespace cageproof::cli {
+namespace {
+
+struct EvalOptions {
+  std::string formula, evaluation, scalar = "double";
+  int order = 0;
+};
+
+// float and double as JSON numbers in shortest form; multiprecision, NaN and infinity as strings.
+template <Scalar R>
+std::string array_text(const std::vector<R>& values) {
+  std::string text = "[";
+  for (const R& x : values) {
+    using std::isfinite;
+    if (text.size() > 1) text += ',';
+    const std::string number = format_scalar(x);
+    text += is_multiprecision<R> || !isfinite(x) ? '"' + number + '"' : number;
+  }
+  return text + ']';
+}
+
+template <Scalar R>
+std::array<R, 3> coordinates(const std::array<std::string, 3>& text) {
+  return {*parse_scalar<R>(text[0]), *parse_scalar<R>(text[1]), *parse_scalar<R>(text[2])};
+}
+
+// In 200 digits: a small triangle's area underflows in double, and is none the less an area.
+void require_extent(const QueryText& text, const ElementType& type) {
+  std::vector<Vec3<Mp200>> corners;
+  for (const auto& corner : text.corners) corners.emplace_back(coordinates<Mp200>(corner).data());
+  if (type.degenerate(corners)) throw InputError(std::string(type.degenerate_text));
+}
+
+template <Scalar R>
+void require_finite(const Vec3<R>& v) {
+  using std::isfinite;
+  for (int c = 0; c < 3; ++c)
+    if (!isfinite(v[c])) throw InputError("a coordinate is too large for this scalar");
+}
+
+template <Scalar R>
+std::string evaluated(const QueryText& text, const Formula& formula, const Evaluation& evaluation, int order) {
+  std::vector<Vec3<R>> corners;
+  for (const auto& corner : text.corners) corners.push_back(Eigen::Map<const Vec3<R>>(coordinates<R>(corner).data()));
+  std::vector<R> parameters;
+  for (const std::string& p : text.parameters) parameters.push_back(*parse_scalar<R>(p));
+  require_extent(text, type_of(formula.element));
+  for (const Vec3<R>& corner : corners) require_finite<R>(corner);
+  const Vec3<R> point = Eigen::Map<const Vec3<R>>(coordinates<R>(text.point).data());
+  require_finite<R>(point);
+  Result<R> result;
+  evaluation(Query<R>{corners, point, order, parameters}, result);
+  std::string line = "{\"value\":" + array_text(result.value);
+  if (order >= 1) line += ",\"gradient\":" + array_text(result.gradient);
+  if (order >= 2) line += ",\"hessian\":" + array_text(result.hessian);
+  constexpr std::array<const char*, 3> radius_keys{"value_radius", "gradient_radius", "hessian_radius"};
+  for (int o = 0; o <= order; ++o)
+    if (!result.radius_of(o).empty())
+      line += fmt::format(",\"{}\":{}", radius_keys[o], array_text(result.radius_of(o)));
+  if (!std::isnan(result.stated_digits)) line += fmt::format(",\"stated_digits\":{:.1f}", result.stated_digits);
+  if (!result.converged) line += ",\"converged\":false";
+  return line + '}';
+}
+
+int run(const EvalOptions& options) {
+  const Formula* formula = find_formula(options.formula);
+  if (!formula) throw InputError(fmt::format("unknown formula '{}'; see `cageproof list`", options.formula));
+  const auto evaluation = EvaluationRegister::instance().find(options.formula, options.evaluation);
+  if (!evaluation)
+    throw InputError(
+        fmt::format("{} has no evaluation '{}'; see `cageproof list`", options.formula, options.evaluation));
+  const ScalarKind scalar = *scalar_named(options.scalar);
+  if (!evaluation->supports(scalar) || options.order > evaluation->max_order())
+    throw InputError(fmt::format("{} of {} does not exist in {} at order {}", options.evaluation, options.formula,
+                                 options.scalar, options.order));
+  int code = success;
+  std::size_t number = 0;
+  for (std::string line; std::getline(std::cin, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    try {
+      const QueryText query = parse_query(line, *formula);
+      std::cout << with_scalar(scalar, [&]<Scalar R>() {
+        return evaluated<R>(query, *formula, *evaluation, options.order);
+      }) << '\n';
+    } catch (const InputError& e) {
+      std::cout << nlohmann::ordered_json{{"error", e.what()}, {"line", number}}.dump(
+                       -1, ' ', false, nlohmann::json::error_handler_t::replace)
+                << '\n';
+      code = bad_input;
+    }
+  }
+  if (std::cin.bad() || std::ferror(stdin) != 0) throw InputError("cannot read standard input");
+  return code;
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("eval", "evaluate JSON lines from standard input");
+  auto options = std::make_shared<EvalOptions>();
+  command->add_option("--formula", options->formula, "a formula of the catalogue")->required();
+  command->add_option("--evaluation", options->evaluation, "one of its evaluations")->required();
+  command->add_option("--order", options->order, "0 value, 1 and gradient, 2 and Hessian")
+      ->check(CLI::Range(0, 2))
+      ->capture_default_str();
+  command->add_option("--scalar", options->scalar, "float, double, mp50, mp100 or mp200")
+      ->check(CLI::IsMember({"float", "double", "mp50", "mp100", "mp200"}))
+      ->capture_default_str();
+  command->callback([&action, options] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/reports/report_writer.h"
+#include "cageproof/validation/error_fields.h"
+#include "cageproof/validation/machine_facts.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace cageproof::cli {
+namespace {
+
+struct Arguments {
+  CageArguments cage;
+  std::string formula, kind, evaluation, out, command_line;
+  std::vector<std::string> parameters;
+  std::vector<double> colours;
+  int order = 0, resolution = 0, jobs = 0;
+};
+
+// A field, and what its picture shows of it.
+struct Shown {
+  ImageField field;
+  std::string title, array;
+};
+
+Shown formula_field(const Arguments& a, RunResult& result) {
+  const Formula* formula = find_formula(a.formula);
+  if (!formula) throw InputError(fmt::format("unknown formula '{}'; see `cageproof list`", a.formula));
+  const auto evaluation = EvaluationRegister::instance().find(a.formula, a.evaluation);
+  if (!evaluation)
+    throw InputError(fmt::format("{} has no evaluation '{}'; see `cageproof list`", a.formula, a.evaluation));
+  if (a.order > evaluation->max_order())
+    throw InputError(fmt::format("{} of {} gives no derivatives of order {}", a.evaluation, a.formula, a.order));
+  std::vector<std::vector<Vec3<double>>> elements;
+  validation::SlicePlan slice;
+  std::string where = fmt::format("one {}", name_of(formula->element));
+  if (a.cage.file.empty()) {
+    auto one = validation::slice_of(formula->element, a.resolution > 0 ? a.resolution : 160);
+    elements.push_back(std::move(one.corners));
+    slice = one.slice;
+  } else {
+    const Cage cage = a.cage.load();
+    elements = validation::elements_of(cage, formula->element, a.cage.rule());
+    slice = validation::slice_through(cage, a.resolution > 0 ? a.resolution : 64);
+    where = cage.name();
+    result.settings = {{"cage", cage.name()}, {"triangulation", a.cage.triangulate}};
+  }
+  constexpr std::array orders{"value", "gradient", "Hessian"};
+  return {validation::formula_error_field(elements, *formula, *evaluation, a.order, slice, a.jobs),
+          fmt::format("{}, {} of {}, {}", a.formula, orders[a.order], a.evaluation, where), "relative error"};
+}
+
+Shown kind_field(const Arguments& a, RunResult& result) {
+  const CoordinateKind* kind = find_coordinate_kind(a.kind);
+  if (!kind) throw InputError(fmt::format("unknown kind of coordinates '{}'; see `cageproof list`", a.kind));
+  const auto cage = std::make_shared<const Cage>(a.cage.load());
+  result.settings = {{"cage", cage->name()}, {"triangulation", a.cage.triangulate}};
+  for (const std::string& parameter : a.parameters) result.settings["parameters"] += parameter + " ";
+  const int n = a.resolution > 0 ? a.resolution : 64;
+  const auto plan = validation::reproduction_field(cage, *kind, a.evaluation, a.cage.rule(), n,
+                                                   parameters_from(a.parameters, parameters_of(*kind), kind->name));
+  return {validation::sampled(plan, a.jobs),
+          fmt::format("{}, partition of unity of {}, {}", a.kind, a.evaluation, cage->name()), "partition of unity"};
+}
+
+std::optional<reports::ColourLimits> limits_of(const Arguments& a) {
+  if (a.colours.empty()) return std::nullopt;
+  if (!(0 < a.colours[0] && a.colours[0] < a.colours[1] && std::isfinite(a.colours[1])))
+    throw InputError("--colours: two numbers, 0 < LOW < HIGH");
+  return reports::ColourLimits{a.colours[0], a.colours[1]};
+}
+
+int run(const Arguments& a) {
+  const auto limits = limits_of(a);
+  RunResult result;
+  result.version = CAGEPROOF_VERSION;
+  result.suite = "field";
+  result.sessions = {{validation::timestamp(), 0, a.command_line, validation::machine_facts()}};
+  const auto start = std::chrono::steady_clock::now();
+  reports::ReportWriter writer(a.out, reports::ReportWriter::Kind::Field);
+  const Shown shown = a.kind.empty() ? formula_field(a, result) : kind_field(a, result);
+  result.fields.push_back(
+      writer.write_image(shown.field, shown.title, shown.array, reports::ColourScale::Log10, limits));
+  result.sessions.front().seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  writer.write(result);
+  writer.commit();
+  fmt::print("largest {} {:.3g}; {}/{}, {}/{}\n",
+             a.kind.empty() ? "relative error" : "residual of the partition of unity", result.fields[0].largest, a.out,
+             result.fields[0].data, a.out, result.fields[0].picture);
+  return success;
+}
+
+}  // namespace
+
+void add_field(CLI::App& app, Action& action, const std::string& command_line) {
+  CLI::App* command = app.add_subcommand("field", "the error field of one evaluation, as VTK file and picture");
+  auto a = std::make_shared<Arguments>();
+  a->command_line = command_line;
+  CLI::Option_group* what = command->add_option_group("what is shown");
+  what->require_option(1);
+  CLI::Option* formula = what->add_option("--formula", a->formula, "relative error of a formula of the catalogue");
+  CLI::Option* kind = what->add_option("--kind", a->kind, "partition of unity of a kind of cage coordinates");
+  command->add_option("--evaluation", a->evaluation, "one of its evaluations")->required();
+  command->add_option("--order", a->order, "0 value, 1 gradient, 2 Hessian")
+      ->check(CLI::Range(0, 2))
+      ->capture_default_str()
+      ->excludes(kind);
+  command->add_option("--parameter", a->parameters, "mu=..., nu=... of a kind")->excludes(formula);
+  a->cage.add_to(*command, false);
+  kind->needs(command->get_option("--cage"));
+  command->add_option("--resolution", a->resolution, "samples a side")->check(CLI::Range(2, 4096));
+  command->add_option("--jobs", a->jobs, "threads; 0: all cores")->check(CLI::Range(0, 1024))->capture_default_str();
+  command
+      ->add_option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
+      ->expected(2);
+  command->add_option("--out", a->out, "the report's folder")->required();
+  command->callback([&action, a] { action = [a] { return run(*a); }; });
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "json_line.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/scalar_text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+// Builds a document in which every number is the string it was written as: JSON's doubles would cost mp200 its digits.
+class NumbersAsText {
+ public:
+  bool null() { return put(nullptr); }
+  bool boolean(bool value) { return put(value); }
+  bool number_integer(Json::number_integer_t value) { return put(fmt::format("{}", value)); }
+  bool number_unsigned(Json::number_unsigned_t value) { return put(fmt::format("{}", value)); }
+  bool number_float(Json::number_float_t, const std::string& text) { return put(text); }
+  bool string(std::string& value) { return put(std::move(value)); }
+  bool binary(Json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(Json::object()); }
+  bool start_array(std::size_t) { return open(Json::array()); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool key(std::string& name) {
+    key_ = name;
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& e) {
+    error = e.what();
+    return false;
+  }
+
+  Json root;
+  std::string error;
+
+ private:
+  Json* add(Json value) {
+    if (open_.empty()) {
+      root = std::move(value);
+      return &root;
+    }
+    if (open_.back()->is_object()) return &((*open_.back())[key_] = std::move(value));
+    open_.back()->push_back(std::move(value));
+    return &open_.back()->back();
+  }
+  bool put(Json value) {
+    add(std::move(value));
+    return true;
+  }
+  bool open(Json value) {
+    open_.push_back(add(std::move(value)));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  std::vector<Json*> open_;
+  std::string key_;
+};
+
+std::string number(const Json& value, const std::string& where) {
+  if (!value.is_string()) throw InputError(fmt::format("{} is not a number", where));
+  const auto& text = value.get_ref<const std::string&>();
+  const auto parsed = parse_scalar<Mp200>(text);
+  if (!parsed) throw InputError(fmt::format("{}: '{}' is not a number", where, text));
+  if (!isfinite(*parsed)) throw InputError(fmt::format("{} is not finite", where));
+  return text;
+}
+
+std::array<std::string, 3> point(const Json& value, int dimension, const std::string& where) {
+  if (!value.is_array() || static_cast<int>(value.size()) != dimension)
+    throw InputError(fmt::format("{} must be {} numbers", where, dimension));
+  std::array<std::string, 3> p{"0", "0", "0"};
+  for (int c = 0; c < dimension; ++c) p[c] = number(value[c], fmt::format("{}[{}]", where, c));
+  return p;
+}
+
+std::string parameter(const Json& given, const Parameter& p) {
+  const std::string text =
+      given.contains(p.name) ? number(given[std::string(p.name)], std::string(p.name)) : format_scalar(p.preset);
+  const double x = *parse_scalar<double>(text);
+  if (!p.allows(x))
+    throw InputError(fmt::format("parameter {} = {} is outside ({}, {}{}{}", p.name, text, p.lowest, p.highest,
+                                 p.includes_highest ? "]" : ")", p.includes_infinity ? " and not infinite" : ""));
+  return text;
+}
+
+}  // namespace
+
+QueryText parse_query(const std::string& line, const Formula& formula) {
+  NumbersAsText reader;
+  if (!Json::sax_parse(line, &reader)) throw InputError(fmt::format("malformed JSON: {}", reader.error));
+  const Json& json = reader.root;
+  if (!json.is_object()) throw InputError("not a JSON object");
+  for (const auto& [key, value] : json.items())
+    if (key != "element" && key != "point" && key != "parameters")
+      throw InputError(fmt::format("unknown key \"{}\"", key));
+  for (const char* key : {"element", "point"})
+    if (!json.contains(key)) throw InputError(fmt::format("missing key \"{}\"", key));
+  const Json& element = json["element"];
+  if (!element.is_array() || static_cast<int>(element.size()) != formula.corners())
+    throw InputError(fmt::format("element must be {} corners of a {}", formula.corners(), name_of(formula.element)));
+  QueryText query;
+  for (int k = 0; k < formula.corners(); ++k)
+    query.corners.push_back(point(element[k], formula.dim(), fmt::format("element[{}]", k)));
+  query.point = point(json["point"], formula.dim(), "point");
+  const Json given = json.value("parameters", Json::object());
+  if (!given.is_object()) throw InputError("parameters must be an object");
+  for (const auto& [key, value] : given.items())
+    if (std::ranges::find(formula.parameters, key, &Parameter::name) == formula.parameters.end())
+      throw InputError(fmt::format("{} has no parameter \"{}\"", formula.name, key));
+  for (const Parameter& p : formula.parameters) query.parameters.push_back(parameter(given, p));
+  return query;
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// One line of `eval`'s input, with numbers kept as text so that no scalar loses digits.
+#pragma once
+
+#include "cageproof/core/evaluation.h"
+
+#include <string>
+
+namespace cageproof::cli {
+
+/// An element, a point and parameters, each number as it was written.
+struct QueryText {
+  std::vector<std::array<std::string, 3>> corners;
+  std::array<std::string, 3> point;
+  std::vector<std::string> parameters;  ///< in the order of Formula::parameters, presets filled in
+};
+
+/// Reads {"element":[[x,y,z],...],"point":[x,y,z],"parameters":{...}}; numbers may be JSON numbers or decimal or
+/// hexadecimal strings. Points of 2D elements have two numbers. \throws InputError with the reason, without the line's
+/// number
+QueryText parse_query(const std::string& line, const Formula& formula);
+
+}  // namespace cageproof::cli

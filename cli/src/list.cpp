@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+
+#include "cageproof/core/coordinates.h"
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/validation/check.h"
+#include "cageproof/validation/regime.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+
+namespace cageproof::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json formula_json(const Formula& f) {
+  Json evaluations = Json::array();
+  for (const EvaluationFamily* family : EvaluationRegister::instance().families(f.name)) {
+    Json scalars = Json::array();
+    const Evaluation example = family->example();
+    for (const ScalarKind kind : scalar_kinds)
+      if (example.supports(kind)) scalars.push_back(name_of(kind));
+    evaluations.push_back({{"name", family->pattern},
+                           {"standard", family->standard},
+                           {"role", name_of(family->role)},
+                           {"description", example.description()},
+                           {"max_order", example.max_order()},
+                           {"scalars", scalars}});
+  }
+  Json parameters = Json::array();
+  for (const Parameter& p : f.parameters)
+    parameters.push_back({{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}});
+  return {{"name", f.name},
+          {"symbol", f.symbol},
+          {"source", f.source},
+          {"definition", f.definition},
+          {"element", name_of(f.element)},
+          {"shape", {{"per_corner", f.shape.per_corner}, {"rows", f.shape.rows}, {"columns", f.shape.columns}}},
+          {"degree", f.degree},
+          {"parameters", parameters},
+          {"evaluations", evaluations}};
+}
+
+Json catalogue_json() {
+  Json all = {{"schema", "cageproof-catalogue"}, {"schema_version", 1}, {"formulas", Json::array()}};
+  for (const Formula& f : catalogue()) all["formulas"].push_back(formula_json(f));
+  for (const CoordinateKind& kind : coordinate_kinds()) {
+    Json blocks = Json::array();
+    for (const SummedBlock& b : kind.blocks) blocks.push_back({{"label", b.label}, {"kernel", b.kernel}});
+    all["coordinates"].push_back({{"name", kind.name}, {"source", kind.source}, {"blocks", blocks}});
+  }
+  for (const auto& regime : validation::regimes())
+    all["regimes"].push_back(
+        {{"name", regime.name}, {"parameter", regime.parameter_name}, {"description", regime.description}});
+  for (const auto& check : validation::checks())
+    all["checks"].push_back({{"name", check->name()}, {"unit", check->unit()}, {"description", check->description()}});
+  for (const auto name : embedded_cage_names()) all["cages"].push_back(name);
+  return all;
+}
+
+void print_text() {
+  for (const Formula& f : catalogue()) {
+    fmt::print("{}\n    {} = {}   ({})\n    evaluations:", f.name, f.symbol, f.definition, f.source);
+    for (const EvaluationFamily* family : EvaluationRegister::instance().families(f.name))
+      fmt::print(" {}", family->pattern);
+    fmt::print("\n");
+  }
+  fmt::print("\ncoordinates:");
+  for (const CoordinateKind& kind : coordinate_kinds()) fmt::print(" {}", kind.name);
+  fmt::print("\nregimes:");
+  for (const auto& regime : validation::regimes()) fmt::print(" {}", regime.name);
+  fmt::print("\nchecks:");
+  for (const auto& check : validation::checks()) fmt::print(" {}", check->name());
+  fmt::print("\nembedded cages:");
+  for (const auto name : embedded_cage_names()) fmt::print(" {}", name);
+  fmt::print("\n");
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("list", "the catalogue: formulas, sources, evaluations");
+  auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "as JSON");
+  command->callback([&action, json] {
+    action = [json] {
+      if (*json) std::cout << catalogue_json().dump(2) << '\n';
+      else print_text();
+      return success;
+    };
+  });
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,226 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The command line as a user meets it: what it answers, and how it refuses. Usage: command_line_test.sh PATH_OF_CAGEPROOF
+set -u
+cageproof=$1
+work=$(mktemp -d)
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# refuses WORDS... -- COMMAND...: exit 2, one line on standard error that holds every word, nothing left at $work/out.
+refuses() {
+  local words=()
+  while [ "$1" != -- ]; do words+=("$1"); shift; done
+  shift
+  "$@" >"$work/stdout" 2>"$work/stderr" </dev/null
+  local code=$?
+  [ $code -eq 2 ] || fail "exit $code, not 2: $*"
+  [ "$(wc -l <"$work/stderr")" -eq 1 ] || fail "not one line: $* : $(cat "$work/stderr")"
+  local word
+  for word in "${words[@]}"; do grep -qF -- "$word" "$work/stderr" || fail "no '$word' in: $(cat "$work/stderr")"; done
+  [ ! -e "$work/out" ] || fail "left something behind: $*"
+  rm -rf "$work/out"
+  [ -z "$(find "$work" -name '.out*' -print -quit)" ] || fail "left something aside: $*"
+}
+
+verify_cage() { "$cageproof" verify --suite quick --out "$work/out" --cage "$@"; }
+
+tetrahedron='v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1'
+good_faces='f 1 3 2
+f 1 2 4
+f 2 3 4
+f 1 4 3'
+write() { printf '%s\n' "${@:2}" >"$work/$1"; }
+
+# Bad cages.
+refuses missing.obj -- verify_cage "$work/missing.obj"
+: >"$work/empty.obj"
+refuses empty.obj -- verify_cage "$work/empty.obj"
+write truncated.obj 'v 0 0 0' 'v 1 0'
+refuses truncated.obj:2 -- verify_cage "$work/truncated.obj"
+write words.obj 'v 0 0 0' 'v 1 abc 0'
+refuses words.obj:2 -- verify_cage "$work/words.obj"
+write nan.obj 'v 0 0 nan' "$tetrahedron" "$good_faces"
+refuses nan.obj:1 -- verify_cage "$work/nan.obj"
+write index.obj "$tetrahedron" 'f 1 2 1000000000000'
+refuses index.obj:5 -- verify_cage "$work/index.obj"
+write hole.obj "$tetrahedron" 'f 1 3 2' 'f 1 2 4' 'f 2 3 4'
+refuses hole.obj 'face' -- verify_cage "$work/hole.obj"
+write bowtie.obj 'v 0 0 0' 'v 1 0 0' 'v 1 1 0' 'v 0 1 0' 'v 0 0 1' 'v 1 0 1' 'v 1 1 1' 'v 0 1 1' \
+  'f 1 3 2 4' 'f 5 6 7 8' 'f 1 2 6 5' 'f 2 3 7 6' 'f 3 4 8 7' 'f 4 1 5 8'
+refuses bowtie.obj face -- verify_cage "$work/bowtie.obj"
+write inverted.obj "$tetrahedron" 'f 1 2 3' 'f 1 4 2' 'f 2 4 3' 'f 1 3 4'
+refuses inverted.obj --flip-inward -- verify_cage "$work/inverted.obj"
+write flat.obj "$tetrahedron" 'v 2 0 0' "$good_faces" 'f 1 2 5'
+refuses flat.obj -- verify_cage "$work/flat.obj"
+
+# Bad points and names.
+write points.csv '0.1,0.2,0.3' '0.1,0.2'
+refuses points.csv:2 -- verify_cage cube --points "$work/points.csv"
+refuses --cage -- "$cageproof" verify --points "$work/points.csv" --out "$work/out"
+refuses nonsense -- "$cageproof" verify --formulas nonsense --out "$work/out"
+refuses nonsense -- "$cageproof" verify --evaluations nonsense --out "$work/out"
+refuses nonsense -- "$cageproof" verify --regimes nonsense --out "$work/out"
+refuses suite -- "$cageproof" verify --suite nonsense --out "$work/out"
+refuses nonsense -- "$cageproof" eval --formula nonsense --evaluation closed_form
+refuses gauss-0 -- "$cageproof" eval --formula triangle.single_layer --evaluation gauss-0
+refuses nonsense -- "$cageproof" field --formula nonsense --evaluation closed_form --out "$work/out"
+refuses nonsense -- "$cageproof" coordinates --cage cube --points "$work/missing.csv" --kind nonsense
+refuses missing.csv -- "$cageproof" coordinates --cage cube --points "$work/missing.csv" --kind green
+refuses missing.jsonl -- "$cageproof" replay "$work/missing.jsonl"
+write bad.jsonl '{"formula":'
+refuses bad.jsonl:1 -- "$cageproof" replay "$work/bad.jsonl"
+refuses nonsense -- "$cageproof" hunt --formula nonsense --evaluation closed_form --budget 10
+refuses nonsense -- "$cageproof" hunt --formula triangle.solid_angle --evaluation nonsense --budget 10
+refuses nonsense -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --check nonsense
+refuses nonsense -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --regime nonsense
+refuses budget -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 0
+refuses bad.jsonl:1 -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --out "$work/bad.jsonl"
+refuses "$work/nowhere" -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --out "$work/nowhere/x.jsonl"
+refuses subcommand -- "$cageproof"
+refuses "$work/nowhere" -- "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out "$work/nowhere/out"
+write one.csv '0.1 0.2 0.3'
+refuses .doc -- "$cageproof" coordinates --cage cube --points "$work/one.csv" --kind green --out "$work/out.doc"
+refuses "$work/nowhere" -- "$cageproof" coordinates --cage cube --points "$work/one.csv" --kind green --out "$work/nowhere/x.csv"
+
+# A full disk.
+if [ -e /dev/full ]; then
+  echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1]}' |
+    "$cageproof" eval --formula triangle.single_layer --evaluation closed_form >/dev/full 2>"$work/stderr"
+  [ $? -eq 2 ] || fail "a full disk is not exit 2 for eval"
+fi
+(ulimit -f 40; trap '' XFSZ
+ "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out "$work/out" >/dev/null 2>"$work/stderr")
+[ $? -eq 2 ] || fail "a file that cannot be written is not exit 2: $(cat "$work/stderr")"
+[ ! -e "$work/out/index.html" ] && [ ! -e "$work/out/summary.json" ] || fail "half a report"
+rm -rf "$work/out" # the journal, with which the run would go on
+
+# eval goes on after a bad line, says which, and exits 2.
+printf '%s\n' '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0.25,0.25,"0x1p-4"]}' '{"element":' \
+  '{"element":[[0,0,0],[1,0,0]],"point":[0,0,1]}' '{"element":[[0,0,0],[1,0,0],[2,0,0]],"point":[0,0,1]}' \
+  '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1e999]}' '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0]}' \
+  '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1]}' |
+  "$cageproof" eval --formula triangle.double_layer --evaluation closed_form --order 2 >"$work/stdout"
+[ $? -eq 2 ] || fail "eval with bad lines is not exit 2"
+[ "$(grep -c '"value"' "$work/stdout")" -eq 2 ] || fail "eval: two good lines"
+for n in 2 3 4 5 6; do grep -q "\"error\":.*\"line\":$n}" "$work/stdout" || fail "eval: no error for line $n"; done
+
+# Multiprecision takes and gives more digits than a double has.
+printf '%s\n' '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":["0.1","0.1","0.1"]}' \
+  '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0.1,0.1,0.1]}' '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":["0x1.999999999999ap-4",0.1,0.1]}' |
+  "$cageproof" eval --formula triangle.single_layer --evaluation closed_form --scalar mp100 >"$work/stdout"
+[ "$(sed -n 1p "$work/stdout")" = "$(sed -n 2p "$work/stdout")" ] || fail "a JSON number loses digits in mp100"
+[ "$(sed -n 1p "$work/stdout")" != "$(sed -n 3p "$work/stdout")" ] || fail "a hexadecimal double is not its decimal"
+
+# Enclosures come with their radii, and nothing else does.
+for evaluation in certified closed_form; do
+  echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1]}' |
+    "$cageproof" eval --formula triangle.solid_angle --evaluation $evaluation --order 1 >"$work/$evaluation"
+done
+grep -q '"value_radius":\[[^]]*\],"gradient_radius":\[' "$work/certified" || fail "eval certified: $(cat "$work/certified")"
+! grep -q radius "$work/closed_form" || fail "radii of a closed form"
+"$cageproof" list --json | grep -q '"name": "certified"' || fail "list: no certified"
+
+# coordinates: a row a point, and sums of one.
+write three.csv 'x,y,z' '0.1,0.2,0.3' '-0.2,0.1,0' '0,0,0'
+"$cageproof" coordinates --cage cube --points "$work/three.csv" --kind mean_value >"$work/stdout" || fail "coordinates"
+awk -F, 'NR > 1 { s = 0; for (i = 1; i <= NF; i++) s += $i; if (s < 0.999999999 || s > 1.000000001) exit 1 } END { if (NR != 4) exit 1 }' \
+  "$work/stdout" || fail "coordinates do not sum to one"
+for kind in csv npy vtp; do
+  "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind green --out "$work/c.$kind" && [ -s "$work/c.$kind" ] || fail "$kind"
+done
+
+# Coordinates that keep quads: sums of one, points without coordinates counted, invalid quads named or warned of.
+for kind in quad_mean_value spherical_mean_value maximum_entropy; do
+  "$cageproof" coordinates --cage twisted-bar --points "$work/three.csv" --kind $kind >"$work/stdout" 2>"$work/stderr" || fail "coordinates $kind"
+  awk -F, 'NR > 1 { s = 0; for (i = 1; i <= NF; i++) s += $i; if (s < 0.999999999999 || s > 1.000000000001) exit 1 } END { if (NR != 4) exit 1 }' \
+    "$work/stdout" || fail "$kind coordinates do not sum to one"
+  [ ! -s "$work/stderr" ] || fail "$kind: $(cat "$work/stderr")"
+done
+write far.csv '9,9,9' '0,0,0'
+"$cageproof" coordinates --cage cube --points "$work/far.csv" --kind maximum_entropy >"$work/stdout" 2>"$work/stderr" || fail "maximum_entropy outside"
+grep -q '1 of 2 points' "$work/stderr" || fail "points without coordinates are not counted: $(cat "$work/stderr")"
+[ "$(grep -c nan "$work/stdout")" -eq 1 ] || fail "maximum_entropy: $(cat "$work/stdout")"
+write arrowheads.obj 'v 0 0 0' 'v 2 -1 0' 'v 1 0 0' 'v 2 1 0' 'v 0 0 1' 'v 2 -1 1' 'v 1 0 1' 'v 2 1 1' \
+  'f 1 4 3 2' 'f 5 6 7 8' 'f 1 2 6 5' 'f 2 3 7 6' 'f 3 4 8 7' 'f 4 1 5 8'
+arrowheads() { "$cageproof" coordinates --cage "$work/arrowheads.obj" --points "$work/three.csv" "$@"; }
+arrowheads --kind mean_value >/dev/null || fail "mean_value on arrowheads"
+refuses arrowheads.obj 'face 0' 'folds over' --allow-invalid-quads -- arrowheads --kind quad_mean_value
+refuses --allow-invalid-quads mean_value -- arrowheads --kind mean_value --allow-invalid-quads
+arrowheads --kind quad_mean_value --allow-invalid-quads >"$work/stdout" 2>"$work/stderr" || fail "--allow-invalid-quads"
+[ "$(grep -c 'warning: .*face [01]: .*folds over' "$work/stderr")" -eq 2 ] || fail "no warning of invalid quads: $(cat "$work/stderr")"
+refuses bowtie.obj face bow-tie -- "$cageproof" coordinates --cage "$work/bowtie.obj" --points "$work/three.csv" --kind quad_mean_value
+refuses nonsense -- "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind spherical_mean_value --evaluation nonsense
+
+# verify, its report, and replay.
+"$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes 'near-face' --cage cube --out "$work/report" >"$work/stdout"
+[ $? -eq 0 ] || fail "verify: $(cat "$work/stdout")"
+for file in summary.json summary.md results.csv worst.jsonl index.html fields pictures; do
+  [ -e "$work/report/$file" ] || fail "no $file"
+done
+"$cageproof" replay "$work/report/worst.jsonl" >"$work/stdout" || fail "replay: $(tail -n 3 "$work/stdout")"
+[ "$(wc -l <"$work/stdout")" -eq "$(wc -l <"$work/report/worst.jsonl")" ] || fail "replay: a line a case"
+awk '{ if (!match($0, /: error [^ ]+/)) exit 1; e = substr($0, RSTART + 8, RLENGTH - 8); if (!match($0, /stored [^)]+/)) exit 1
+       s = substr($0, RSTART + 7, RLENGTH - 7); if (e != s) { print; exit 1 } }' "$work/stdout" || fail "replay differs from what was stored"
+grep -q '"regime":"hunted"' "$work/report/worst.jsonl" || fail "verify does not replay the stored worst cases"
+
+# hunt: one line, the same for any number of threads, and cases that replay; a second hunt adds to them.
+hunt() { "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --regime 'near-*' --budget 300 --order 1 "$@"; }
+hunt --jobs 1 --out "$work/hunted.jsonl" >"$work/stdout" || fail "hunt: $(cat "$work/stdout")"
+grep -q 'largest found .* promised 64: kept' "$work/stdout" || fail "hunt does not say what it found: $(cat "$work/stdout")"
+hunt --jobs 2 | diff -q "$work/stdout" - >/dev/null || fail "hunt depends on the number of threads"
+cp "$work/hunted.jsonl" "$work/before.jsonl"
+hunt --seed 2 --out "$work/hunted.jsonl" >/dev/null || fail "a second hunt"
+head -n "$(wc -l <"$work/before.jsonl")" "$work/hunted.jsonl" | diff -q - "$work/before.jsonl" >/dev/null || fail "hunt loses what was there"
+"$cageproof" replay "$work/hunted.jsonl" >"$work/stdout" || fail "replay of hunted cases"
+(cd "$work" && "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out plain >/dev/null) ||
+  fail "a report in the folder that one is in"
+[ -e "$work/plain/index.html" ] || fail "no report under a plain name"
+"$cageproof" field --formula triangle.single_layer --evaluation gauss-4 --resolution 12 --out "$work/field" >/dev/null || fail field
+[ -n "$(find "$work/field/fields" -name '*.vti')" ] || fail "field: no .vti"
+"$cageproof" field --kind somigliana --cage cube --evaluation three-quad-75 --colours 1e-16 1 --resolution 12 --out "$work/residual" >/dev/null ||
+  fail "field --kind"
+[ -n "$(find "$work/residual/pictures" -name '*.png')" ] || fail "field --kind: no picture"
+
+# bench: a line an evaluation and distance, the same errors again, a folder that replaces its own kind alone.
+bench() { "$cageproof" bench --samples 2 --seconds 0 "$@"; }
+errors_of() { cut -d, -f 1-14 "$1"; }
+bench --kind somigliana --cage cube --evaluations three-quad-75,closed_form --parameter nu=0.3 --csv --out "$work/bench" >"$work/bench.csv" ||
+  fail bench
+[ "$(wc -l <"$work/bench.csv")" -eq 11 ] || fail "bench: $(cat "$work/bench.csv")"
+for file in work_precision.csv work_precision.json pictures/error_nodes.png pictures/error_time.png; do
+  [ -s "$work/bench/$file" ] || fail "bench: no $file"
+done
+bench --kind somigliana --cage cube --evaluations three-quad-75,closed_form --parameter nu=0.3 --csv --jobs 1 --out "$work/bench" >"$work/again.csv" ||
+  fail "bench over an earlier one"
+[ "$(errors_of "$work/bench.csv")" = "$(errors_of "$work/again.csv")" ] || fail "bench: other errors with the same seed"
+awk -F, '$5 == "closed_form" && !($9 < 1e-10) || $5 == "three-quad-75" && ($14 != 75 || $3 == "1e-4" && !($9 > 1e-2)) { exit 1 }' \
+  "$work/bench.csv" || fail "bench: $(cat "$work/bench.csv")"
+bench --kind green --points "$work/three.csv" >"$work/stdout" || fail "bench --points"
+bench --formula triangle.solid_angle --order 1 --regime near-face --evaluations gauss-4,closed_form >"$work/stdout" || fail "bench --formula"
+[ "$(grep -c near-face "$work/stdout")" -eq 2 ] || fail "bench --formula: $(cat "$work/stdout")"
+refuses nonsense gauss-0 -- bench --kind somigliana --evaluations nonsense,closed_form,gauss-0 --out "$work/out"
+refuses nonsense -- bench --kind nonsense
+refuses nonsense -- bench --formula nonsense
+refuses nonsense -- bench --formula triangle.solid_angle --regime nonsense
+refuses kind formula -- bench
+refuses kind formula -- bench --kind green --formula triangle.solid_angle
+refuses nu -- bench --kind somigliana --parameter nu=0.7
+refuses missing.csv -- bench --kind green --points "$work/missing.csv"
+refuses "does not replace" -- bench --kind green --out "$work/report"
+refuses "does not replace" -- "$cageproof" field --formula triangle.solid_angle --evaluation gauss-4 --resolution 4 --out "$work/bench"
+refuses --cage -- "$cageproof" field --kind green --evaluation gauss-4 --out "$work/out"
+refuses nonsense -- "$cageproof" field --kind green --cage cube --evaluation nonsense --out "$work/out"
+refuses --colours -- "$cageproof" field --kind green --cage cube --evaluation gauss-4 --colours 1 0 --out "$work/out"
+"$cageproof" list --json | grep -q triangle.mean_value || fail "list --json"
+
+[ $failures -eq 0 ] && echo "all of the command line answers as it should"
+exit $failures

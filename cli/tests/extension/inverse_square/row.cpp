@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A formula without a closed form: its row, and its kernel beside it; its truth is then the integral.
+#include "cageproof/core/formula.h"
+
+namespace cageproof {
+namespace {
+
+const RegisterFormula registered{{.name = "triangle.inverse_square",
+                                  .symbol = "s_t",
+                                  .source = "README, How to add a formula",
+                                  .definition = "int_t 1/r^2",
+                                  .element = ElementKind::Triangle,
+                                  .shape = {},
+                                  .degree = 0,
+                                  .flip_sign = 1,
+                                  .laplacian = {},
+                                  .face_jump = {.diverges = true},
+                                  .parameters = {}}};
+
+}  // namespace
+}  // namespace cageproof

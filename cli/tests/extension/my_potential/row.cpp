@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A formula from outside the catalogue's file, first of its three edits: the row.
+#include "cageproof/core/formula.h"
+
+namespace cageproof {
+namespace {
+
+const RegisterFormula registered{{.name = "triangle.my_potential",
+                                  .symbol = "m_t",
+                                  .source = "README, How to add a formula",
+                                  .definition = "int_t 1/r",
+                                  .element = ElementKind::Triangle,
+                                  .shape = {},
+                                  .degree = 1,
+                                  .flip_sign = 1,
+                                  .laplacian = {Laplacian::Kind::Zero},
+                                  .face_jump = {},
+                                  .parameters = {}}};
+
+}  // namespace
+}  // namespace cageproof

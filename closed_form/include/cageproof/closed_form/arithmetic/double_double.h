@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Twice the digits of double.
+#pragma once
+
+#include "cageproof/core/scalar.h"
+
+#include <cmath>
+
+namespace cageproof::closed_form {
+
+/// The unevaluated sum of two doubles: relative error at most 2^-100 an operation (Dekker 1971, Knuth's two-sum), range
+/// of a double. Logarithms and angles go through MPFR.
+struct DoubleDouble {
+  double high = 0;
+  double low = 0;
+
+  DoubleDouble() = default;
+  DoubleDouble(double h, double l = 0) : high(h), low(l) {}
+  /// Rounded to nearest from any multiprecision number.
+  template <class M>
+  requires is_multiprecision<M>
+  explicit DoubleDouble(const M& x) : high(static_cast<double>(x)), low(static_cast<double>(M(x - high))) {}
+  explicit operator double() const { return high + low; }
+
+  /// a + b, exactly.
+  static DoubleDouble sum(double a, double b) {
+    const double s = a + b;
+    const double t = s - a;
+    return {s, (a - (s - t)) + (b - t)};
+  }
+  friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+    DoubleDouble s = sum(a.high, b.high);
+    const DoubleDouble t = sum(a.low, b.low);
+    s = sum(s.high, s.low + t.high);
+    return sum(s.high, s.low + t.low);
+  }
+  friend DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low}; }
+  friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + (-b); }
+  friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+    const double p = a.high * b.high;
+    return sum(p, std::fma(a.high, b.high, -p) + (a.high * b.low + a.low * b.high));
+  }
+  friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+    const double first = a.high / b.high;
+    const DoubleDouble rest = a - b * first;
+    const double second = rest.high / b.high;
+    return DoubleDouble(first) + DoubleDouble(second) + DoubleDouble((rest - b * second).high / b.high);
+  }
+  DoubleDouble& operator+=(const DoubleDouble& b) { return *this = *this + b; }
+  DoubleDouble& operator-=(const DoubleDouble& b) { return *this = *this - b; }
+  DoubleDouble& operator*=(const DoubleDouble& b) { return *this = *this * b; }
+  DoubleDouble& operator/=(const DoubleDouble& b) { return *this = *this / b; }
+  friend bool operator==(const DoubleDouble& a, const DoubleDouble& b) { return a.high == b.high && a.low == b.low; }
+  friend bool operator<(const DoubleDouble& a, const DoubleDouble& b) {
+    return a.high < b.high || (a.high == b.high && a.low < b.low);
+  }
+  friend bool operator>(const DoubleDouble& a, const DoubleDouble& b) { return b < a; }
+  friend bool operator<=(const DoubleDouble& a, const DoubleDouble& b) { return a < b || a == b; }
+  friend bool operator>=(const DoubleDouble& a, const DoubleDouble& b) { return b <= a; }
+
+  friend DoubleDouble abs(const DoubleDouble& a) { return a.high < 0 ? -a : a; }
+  friend DoubleDouble sqrt(const DoubleDouble& a) {
+    if (a.high == 0) return a;
+    const double root = std::sqrt(a.high);
+    return sum(root, (a - DoubleDouble(root) * root).high / (2 * root));
+  }
+  friend DoubleDouble log(const DoubleDouble& a) { return DoubleDouble(Mp50(log(wide(a)))); }
+  friend DoubleDouble atanh(const DoubleDouble& a) { return DoubleDouble(Mp50(atanh(wide(a)))); }
+  friend DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
+    return DoubleDouble(Mp50(atan2(wide(y), wide(x))));
+  }
+
+ private:
+  static Mp50 wide(const DoubleDouble& a) { return Mp50(a.high) + a.low; }
+};
+
+}  // namespace cageproof::closed_form

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The two evaluations of a triangle formula that we stand behind.
+#pragma once
+
+#include "cageproof/closed_form/triangle/engine/border.h"
+#include "cageproof/closed_form/triangle/engine/refine.h"
+
+namespace cageproof::closed_form::triangle {
+
+/// 128 units of double: half of what is promised, since running bounds are themselves rounded.
+inline constexpr double kAccurateTolerance = 128 * 0x1p-53;
+/// What the far form may be wrong by: a quarter of a rounding.
+inline constexpr double kFarTolerance = 0x1p-55;
+/// Below this height over the longest edge the edge form in double may cancel more than is promised, and is asked for
+/// its error bound.
+inline constexpr double kThinShape = 0.4;
+/// Bounds of running errors exceed what happens ten times over and more; results of the fast form that have one are
+/// kept below this.
+inline constexpr double kFastTolerance = 1000 * 0x1p-53;
+
+/// The scalar that closed forms compute in: float's are computed in double, and rounded.
+template <Scalar R>
+using Working = std::conditional_t<std::same_as<R, float>, double, R>;
+
+/// What a result of `accurate` is good for.
+template <int C>
+using AccurateJet = BoundedJet<C>;
+
+/// The points a side that the far form needs for F here; nothing where the near form is the better choice.
+template <class F, int O>
+std::optional<int> far_points_for(PointMoments<double, O>& at) {
+  if constexpr (F::cancels_nearby) return far_points_for<F, O>(at.frame(), kFarTolerance);
+  else return far_points(at.ellipse(), F::far_power, O + F::extra, kFarTolerance, kFarLimit);
+}
+
+/// The fast one, at a point whose moments other formulas may share; the result does not depend on which do. In double:
+/// far away a few Gauss points, else the near form; on slivers, where that cancels, the near form in more digits
+/// (formulas that cancel nearby: wherever its own error bound says so). In multiprecision: the near form alone. \param
+/// finite_part Batch::finite_part
+template <class F, int O, Scalar R>
+Jet<R, F::components> closed_form(PointMoments<R, O>& at, std::span<const R> parameters, bool finite_part) {
+  const Frame<R>& f = at.frame();
+  int limit = first_divergent<F>(f);
+  if (limit == 0 && finite_part) limit = 1;
+  if constexpr (F::diverges_on_triangle)
+    if (limit < 3) return diverging_weights<F, O, R>(f);
+  if constexpr (std::same_as<R, double>) {
+    if (limit == 3)
+      if (const auto n = far_points_for<F>(at))
+        return finish<F, O, R>(composed<F, O, R>(at.far_moments().template far<F>(*n), parameters), f.unit, limit);
+    if (F::cancels_nearby || f.shape() < kThinShape) {
+      auto result = tracked_near<F, double>(at, parameters, limit);
+      if (result.worst() > kFastTolerance) result = refined<F>(at, parameters, kAccurateTolerance, limit);
+      set_infinities<F, O>(at, parameters, limit, result.jet);
+      return result.jet;
+    }
+  }
+  Jet<R, F::components> jet =
+      finish<F, O, R>(composed<F, O, R>(at.moments().template near<F>(), parameters), f.unit, limit);
+  set_infinities<F, O>(at, parameters, limit, jet);
+  return jet;
+}
+
+/// The fast one of a single formula at a single point. Units and limits: at the formula.
+/// \param t corners, counter-clockwise seen from outside \param eta the point \param parameters F::parameter_count of
+/// them \return value and derivatives up to order O; NaN where a derivative has no limit
+template <class F, int O, Scalar R>
+Jet<R, F::components> closed_form(const Triangle<R>& t, const Vec3<R>& eta, std::span<const R> parameters,
+                                  bool finite_part = false) {
+  if constexpr (std::same_as<R, float>) {
+    const Triangle<double> wide{convert<double>(t[0]), convert<double>(t[1]), convert<double>(t[2])};
+    std::array<double, F::parameter_count> p{};
+    for (int i = 0; i < F::parameter_count; ++i) p[i] = parameters[i];
+    return narrowed<float>(closed_form<F, O, double>(wide, convert<double>(eta), p, finite_part));
+  } else {
+    PointMoments<R, O> at(t, eta);
+    return closed_form<F, O, R>(at, parameters, finite_part);
+  }
+}
+
+/// The careful one, in double: every order to kAccurateTolerance relative to its norm, also where the problem itself is
+/// ill-posed, with a bound of the error that the arithmetic carries along. Arguments as closed_form's.
+template <class F, int O>
+AccurateJet<F::components> accurate(const Triangle<double>& t, const Vec3<double>& eta,
+                                    std::span<const double> parameters, bool finite_part = false) {
+  PointMoments<double, O> at(t, eta);
+  const Frame<double>& f = at.frame();
+  int limit = first_divergent<F>(f);
+  if (limit == 0 && finite_part) limit = 1;
+  if constexpr (F::diverges_on_triangle)
+    if (limit < 3) return {diverging_weights<F, O, double>(f)};
+  const auto n = limit == 3 ? far_points_for<F>(at) : std::nullopt;
+  auto result = n ? tracked_far<F, O>(f, parameters, *n) : tracked_near<F, double>(at, parameters, limit);
+  if (result.worst() > kAccurateTolerance) result = refined<F>(at, parameters, kAccurateTolerance, limit);
+  set_infinities<F, O>(at, parameters, limit, result.jet);
+  return result;
+}
+
+}  // namespace cageproof::closed_form::triangle

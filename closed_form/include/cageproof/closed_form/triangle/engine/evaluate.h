@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// One closed form from given moments: its components, and these as a jet in the caller's units.
+#pragma once
+
+#include "cageproof/closed_form/arithmetic/jet.h"
+#include "cageproof/closed_form/triangle/engine/far_form.h"
+#include "cageproof/closed_form/triangle/engine/kernel.h"
+
+namespace cageproof::closed_form::triangle {
+
+/// A formula's components as Taylor polynomials.
+template <class F, class R, int O>
+using Components = std::array<Taylor<R, O>, F::components>;
+
+/// The moments that a formula takes near the triangle and far from it, for derivatives up to order O.
+template <class F, class R, int O>
+using NearForm = typename F::template Near<F, R, O>;
+template <class F, class R, int O>
+using FarFormOf = FarForm<R, O + F::extra, F::extra == 0 ? O : O + F::extra - 1>;
+
+/// From moments of either kind, up to degree O.
+template <class F, int O, class R, class Form>
+Components<F, R, O> composed(const Form& moments, std::span<const R> parameters) {
+  Components<F, R, O> out;
+  F::compose(moments, parameters, out);
+  return out;
+}
+
+/// From the form near the triangle, up to degree O. \param border_log as EdgeForm's
+template <class F, int O, class R, class... BorderLog>
+Components<F, R, O> near_components(const Frame<R>& frame, std::span<const R> parameters,
+                                    const BorderLog&... border_log) {
+  return composed<F, O, R>(NearForm<F, R, O>(frame, border_log...), parameters);
+}
+
+/// From n x n Gauss-Legendre points, up to degree O.
+template <class F, int O, class R>
+Components<F, R, O> far_components(const Frame<R>& frame, int n, std::span<const R> parameters) {
+  return composed<F, O, R>(FarFormOf<F, R, O>(frame, n), parameters);
+}
+
+/// The points a side that the far form needs for `tolerance` here; nothing where the form near the triangle is the
+/// better choice.
+template <class F, int O, Scalar R>
+std::optional<int> far_points_for(const Frame<R>& frame, double tolerance) {
+  if constexpr (F::cancels_nearby)
+    return far_points(ellipse_of_distance(frame), F::far_power, O + F::extra, tolerance, kCancellingLimit);
+  return far_points(ellipse_of(frame), F::far_power, O + F::extra, tolerance, kFarLimit);
+}
+
+/// The numbers of derivative order o in a polynomial: f, f_i, f_ij for i <= j, with the factor by which a coefficient
+/// is multiplied.
+template <int O>
+constexpr int derivative_factor(int m) {
+  int factor = 1;
+  for (const int e : Monomials<O>::exponents[m]) factor *= e == 2 ? 2 : 1;
+  return factor;
+}
+
+/// Brings components from frame units back to the caller's, as a jet: order k of a formula of degree m scales with
+/// unit^(m - k). Orders from `first_divergent` on have no limit here (the point is on the border) and become NaN.
+template <class F, int O, Scalar R>
+Jet<R, F::components> finish(const Components<F, R, O>& from, const R& unit, int first_divergent) {
+  const auto power = [&unit](int exponent) {
+    if constexpr (is_multiprecision<R>) return R(1);
+    else return R(std::ldexp(R(1), exponent * std::ilogb(unit)));
+  };
+  const std::array<R, 3> scale{power(F::degree), power(F::degree - 1), power(F::degree - 2)};
+  Jet<R, F::components> jet;
+  for (int c = 0; c < F::components; ++c)
+    for (int m = 0; m < Monomials<O>::count; ++m) {
+      const auto& e = Monomials<O>::exponents[m];
+      const int order = e[0] + e[1] + e[2];
+      const R x = order >= first_divergent ? std::numeric_limits<R>::quiet_NaN()
+                                           : R(from[c].c[m] * R(derivative_factor<O>(m)) * scale[order]);
+      if (order == 0) jet.value[c] = x;
+      if (order == 1) jet.gradient[c][e[1] + 2 * e[2]] = x;
+      if (order != 2) continue;
+      const int i = e[0] > 0 ? 0 : e[1] > 0 ? 1 : 2, j = e[2] > 0 ? 2 : e[1] > 0 ? 1 : 0;
+      jet.hessian[c](i, j) = jet.hessian[c](j, i) = x;
+    }
+  return jet;
+}
+
+}  // namespace cageproof::closed_form::triangle

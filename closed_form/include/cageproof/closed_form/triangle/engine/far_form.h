@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// The same moments far away, where closed forms cancel: Gauss-Legendre points on the triangle, as few as an error bound
+// allows.
+#pragma once
+
+#include "cageproof/closed_form/arithmetic/taylor.h"
+#include "cageproof/closed_form/triangle/engine/frame.h"
+#include "cageproof/core/gauss_legendre.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace cageproof::closed_form::triangle {
+
+/// How far the point is, as the Gauss-Legendre rule sees it: on a segment of length l whose ends are r0 and r1 away the
+/// integrand's singularities lie on the ellipse rho + 1/rho = 2 (r0 + r1)/l, and the rule's error falls like rho^(-2n).
+/// This is the smallest rho over all segments within the triangle: (r0 + r1)/l >= 2 (distance of the triangle)/(longest
+/// edge).
+template <class R>
+double ellipse_of(const Frame<R>& f) {
+  using std::sqrt;
+  const Vec3<R> centre = (f.p[0] + f.p[1] + f.p[2]) / R(3);
+  double size = 0, reach = 0;
+  for (int i = 0; i < 3; ++i) {
+    size = std::max(size, static_cast<double>(f.edges[i].length));
+    const Vec3<R> arm = f.p[i] - centre;
+    reach = std::max(reach, static_cast<double>(R(sqrt(arm.dot(arm)))));
+  }
+  const double ratio = 2 * (static_cast<double>(R(sqrt(centre.dot(centre)))) - reach) / size;
+  return ratio > 1 ? ratio + std::sqrt(ratio * ratio - 1) : 1;
+}
+
+/// Squared distance of the triangle from the point.
+template <class R>
+double squared_distance(const Frame<R>& f) {
+  double least = std::numeric_limits<double>::infinity();
+  bool within = true;
+  for (const FrameEdge<R>& e : f.edges) {
+    within = within && e.h >= R(0);
+    const bool foot = e.s0 <= R(0) && e.s1 >= R(0);
+    const double nearest_end = std::min(static_cast<double>(e.r0), static_cast<double>(e.r1));
+    least = std::min(least, foot ? static_cast<double>(e.D2) : nearest_end * nearest_end);
+  }
+  return within ? static_cast<double>(f.d) * static_cast<double>(f.d) : least;
+}
+
+/// The ellipse rho from the distance itself, larger than `ellipse_of` and above 1 down to the triangle: (r0 + r1)/l >=
+/// sqrt(1 + (2 distance/l)^2).
+template <class R>
+double ellipse_of_distance(const Frame<R>& f) {
+  double size = 0;
+  for (const FrameEdge<R>& e : f.edges) size = std::max(size, static_cast<double>(e.length));
+  const double slope = 2 * std::sqrt(squared_distance(f)) / size;
+  return slope + std::sqrt(1 + slope * slope);
+}
+
+/// Bound of the relative error of n x n points for the hat functions times r^p and its derivatives up to degree N,
+/// norm-wise. Two of the degrees that the rule is exact for go to the hat function and the area element.
+inline double far_error(int n, double rho, int p, int degree) {
+  // Each power of 1/r, and each derivative, may raise the integrand on the ellipse once; far_form_test.cpp holds the
+  // constant.
+  const int steepness = std::abs(p) + degree;
+  return 4 * std::pow(1 + 2.0 * n / (steepness + 1), steepness) * std::pow(rho, -2.0 * (n - 1));
+}
+
+/// The fewest points a side that are good to `tolerance`; nothing if more than `limit` would be needed.
+inline std::optional<int> far_points(double rho, int p, int degree, double tolerance, int limit) {
+  // Once the bound is below the tolerance it falls, so that the last number of points decides whether any will do.
+  if (far_error(limit, rho, p, degree) > tolerance) return std::nullopt;
+  for (int n = 2; n <= limit; ++n)
+    if (far_error(n, rho, p, degree) <= tolerance) return n;
+  return std::nullopt;
+}
+
+/// The most points a side that the far form takes where the edge form is the quicker one, and where that cancels long
+/// before (mean value).
+inline constexpr int kFarLimit = 20, kCancellingLimit = 48;
+
+/// A rule's number in the arithmetic of the form.
+template <class R, Scalar S>
+R rule_number(const S& x) {
+  if constexpr (Scalar<R>) return x;
+  else return R(x, std::abs(x));
+}
+
+/// The scalar that a form's rule comes from: tracked doubles take it from double.
+template <class R>
+struct RuleScalar {
+  using type = R;
+};
+template <class T>
+struct RuleScalar<Tracked<T>> {
+  using type = T;
+};
+
+/// A potential's moments far from the triangle, N and M as in EdgeForm. Sums over the points are computed when first
+/// asked for, and kept, within one thread. The frame must outlive it.
+template <class R, int N, int M>
+class FarForm {
+  using S = typename RuleScalar<R>::type;
+
+ public:
+  /// \param n points a side, 2 <= n <= 64
+  FarForm(const Frame<R>& frame, int n) : frame_(frame), rule_(gauss_legendre<S>(n)) {}
+
+  int points() const { return static_cast<int>(rule_.nodes.size()); }
+
+  const Frame<R>& frame() const { return frame_; }
+  Taylor<R, M> omega() const {
+    Taylor<R, M> omega;
+    omega.add_linear(-frame_.d, opposite_normal(), total<M>(kept<-3>(cubes_)));
+    return omega;
+  }
+  Taylor<R, N> J() const { return total<N>(A()); }
+  Taylor<R, N> I() const { return total<N>(hats<1, N>()); }
+  const std::array<Taylor<R, N>, 3>& A() const { return kept<-1>(inverses_); }
+  std::array<Taylor<R, M>, 3> B() const { return times_height<M>(kept<-3>(cubes_)); }
+  /// int Gamma_k x.n/r^4 of each corner.
+  std::array<Taylor<R, N>, 3> mean_value() const { return times_height<N>(hats<-4, N>()); }
+
+ private:
+  Vec3<R> opposite_normal() const { return {-frame_.n[0], -frame_.n[1], -frame_.n[2]}; }
+  template <int D>
+  static Taylor<R, D> total(const std::array<Taylor<R, D>, 3>& parts) {
+    Taylor<R, D> sum = parts[0];
+    sum += parts[1];
+    sum += parts[2];
+    return sum;
+  }
+  // x.n = -(d + n.delta) all over the triangle.
+  template <int D>
+  std::array<Taylor<R, D>, 3> times_height(const std::array<Taylor<R, D>, 3>& parts) const {
+    std::array<Taylor<R, D>, 3> product;
+    for (int k = 0; k < 3; ++k) product[k].add_linear(-frame_.d, opposite_normal(), parts[k]);
+    return product;
+  }
+
+  /// int Gamma_k r^p of each corner: the square collapsed towards corner 0.
+  template <int p, int D>
+  std::array<Taylor<R, D>, 3> hats() const;
+  template <int p, int D>
+  const std::array<Taylor<R, D>, 3>& kept(std::optional<std::array<Taylor<R, D>, 3>>& sums) const {
+    if (!sums) sums = hats<p, D>();
+    return *sums;
+  }
+
+  const Frame<R>& frame_;
+  const GaussLegendre<S>& rule_;
+  mutable std::optional<std::array<Taylor<R, N>, 3>> inverses_;  // of r^-1
+  mutable std::optional<std::array<Taylor<R, M>, 3>> cubes_;     // of r^-3
+};
+
+template <class R, int N, int M>
+template <int p, int D>
+std::array<Taylor<R, D>, 3> FarForm<R, N, M>::hats() const {
+  using std::sqrt;
+  std::array<Taylor<R, D>, 3> sums;
+  const auto& [nodes, weights] = rule_;
+  const auto& corner = frame_.p;
+  Vec3<R> side, base;
+  for (int c = 0; c < 3; ++c) {
+    side[c] = corner[1][c] - corner[0][c];
+    base[c] = corner[2][c] - corner[1][c];
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const R u = rule_number<R>(nodes[i]);
+    std::array<Taylor<R, D>, 3> row;  // sums of sums round less
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+      const R v = rule_number<R>(nodes[j]);
+      Vec3<R> x;
+      for (int c = 0; c < 3; ++c) x[c] = corner[0][c] + u * (side[c] + v * base[c]);
+      const R r2 = x[0] * x[0] + x[1] * x[1] + x[2] * x[2], r = sqrt(r2);
+      R value = frame_.area2 * u * rule_number<R>(weights[i]) * rule_number<R>(weights[j]);
+      if constexpr (p == 1) value *= r;
+      else if constexpr (p == -1) value /= r;
+      else if constexpr (p == -3) value /= r2 * r;
+      else value /= r2 * r2;
+      const Taylor<R, D> power = distance_power<D>(x, value, r, p);
+      const std::array<R, 3> hat{R(1) - u, u * (R(1) - v), u * v};
+      for (int k = 0; k < 3; ++k) row[k].add(hat[k], power);
+    }
+    for (int k = 0; k < 3; ++k) sums[k] += row[k];
+  }
+  return sums;
+}
+
+}  // namespace cageproof::closed_form::triangle

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// A triangle seen from a point: the distances, heights and directions that every closed form is built from.
+#pragma once
+
+#include "cageproof/closed_form/arithmetic/tracked.h"
+#include "cageproof/closed_form/arithmetic/wide.h"
+#include "cageproof/core/orientation.h"
+
+#include <array>
+
+namespace cageproof::closed_form::triangle {
+
+/// One edge from corner e to corner e + 1, seen from the point.
+template <class R>
+struct FrameEdge {
+  Vec3<R> u;    ///< unit direction
+  Vec3<R> nu;   ///< outward in-plane unit normal, u x n
+  R length, h;  ///< h: signed in-plane distance from the point's projection to the line, positive inside
+  R s0, s1;     ///< arc length of the corners from the nearest point, s1 - s0 = length
+  R r0, r1;     ///< distances of the corners
+  R D2;         ///< squared distance of the line: h^2 + d^2
+};
+
+/// Geometry in units of `unit`, a power of two near the largest distance, so that no power of a distance overflows.
+template <class R>
+struct Frame {
+  std::array<Vec3<R>, 3> p;  ///< corners minus point
+  std::array<R, 3> r;        ///< distances of the corners
+  std::array<FrameEdge<R>, 3> edges;
+  Vec3<R> n;       ///< unit normal
+  R d;             ///< signed height of the point: (point - corner).n, negative inside a cage
+  R area2;         ///< twice the area
+  R unit;          ///< the caller's lengths are these times `unit`
+  int far_corner;  ///< the corner farthest from the point
+
+  Frame(const Triangle<R>& t, const Vec3<R>& eta) requires Scalar<R>;
+  /// The same geometry, rounded to a tracked type.
+  template <Scalar S>
+  explicit Frame(const Frame<S>& wider);
+
+  /// Gradient of corner k's hat function (tangent to the triangle).
+  Vec3<R> hat_gradient(int k) const {
+    const FrameEdge<R>& opposite = edges[(k + 1) % 3];
+    const R slope = -opposite.length / area2;
+    return {slope * opposite.nu[0], slope * opposite.nu[1], slope * opposite.nu[2]};
+  }
+  /// Corner k's hat function, extended affinely to the point's projection.
+  R hat(int k) const {
+    const FrameEdge<R>& opposite = edges[(k + 1) % 3];
+    return opposite.h * opposite.length / area2;
+  }
+  /// Twice the area over the squared longest edge: the height over it, relative to its length.
+  R shape() const {
+    R longest = edges[0].length;
+    for (int i = 1; i < 3; ++i)
+      if (edges[i].length > longest) longest = edges[i].length;
+    return area2 / (longest * longest);
+  }
+  /// The distance of the corner `far_corner`, the farthest: never small against the triangle.
+  const R& farthest() const { return r[far_corner]; }
+  /// r[i] - farthest(), to full relative accuracy.
+  R distance_rest(int i) const {
+    if (i == far_corner) return R(0);
+    // Corner i is one edge away from the far one, in one direction or the other.
+    const FrameEdge<R>& e = edges[(far_corner + 1) % 3 == i ? far_corner : i];
+    const R step = e.length * (e.s0 + e.s1) / (e.r0 + e.r1);
+    return (far_corner + 1) % 3 == i ? step : R(-step);
+  }
+  /// True when the point lies on the triangle, its border included.
+  bool on_triangle() const { return d == 0 && edges[0].h >= 0 && edges[1].h >= 0 && edges[2].h >= 0; }
+};
+
+/// The power of two just above x > 0; one for multiprecision, whose exponents do not overflow.
+template <Scalar R>
+R unit_of(const R& x) {
+  if constexpr (is_multiprecision<R>) return R(1);
+  else return std::ldexp(R(1), std::ilogb(x) + 1);
+}
+
+/// Edge i, its in-plane normal e x N and N itself, exactly: 200 digits hold these products of doubles over 30 decades
+/// of size.
+template <Scalar R>
+struct ExactPlane {
+  std::array<Vec3<Mp200>, 3> p;
+  Vec3<Mp200> normal;
+
+  ExactPlane(const Triangle<R>& t, const Vec3<R>& eta, const R& scale) {
+    for (int i = 0; i < 3; ++i) p[i] = convert<Mp200>(Vec3<R>(t[i] * scale)) - convert<Mp200>(Vec3<R>(eta * scale));
+    normal = Vec3<Mp200>(p[1] - p[0]).cross(Vec3<Mp200>(p[2] - p[0]));
+  }
+  R height() const { return static_cast<R>(Mp200(normal.dot(p[0]))); }
+  R beside(int i) const { return static_cast<R>(Mp200(Vec3<Mp200>(p[(i + 1) % 3] - p[i]).cross(normal).dot(p[i]))); }
+};
+
+/// Products of geometry are formed in double-double, good to 2^-104 of their terms; below this multiple of the terms
+/// too few digits are left of them, and they are formed again in 200 digits.
+inline constexpr double kDoubtful = 0x1p-46;
+
+template <class R>
+Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) requires Scalar<R> {
+  using std::abs, std::max, std::sqrt;
+  R largest = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int c = 0; c < 3; ++c) largest = max(largest, R(max(abs(t[i][c] - eta[c]), abs(t[(i + 1) % 3][c] - t[i][c]))));
+  unit = unit_of(largest);
+  const R scale = 1 / unit;
+  std::array<WideVec<Wide<R>>, 3> wp, we;
+  for (int i = 0; i < 3; ++i) {
+    // Scaling by a power of two is exact, so it may come before the difference.
+    wp[i] = wide_difference<R>(t[i] * scale, eta * scale);
+    we[i] = wide_difference<R>(t[(i + 1) % 3] * scale, t[i] * scale);
+    p[i] = narrow<R>(wp[i]);
+    r[i] = sqrt(p[i].dot(p[i]));
+  }
+  far_corner = r[0] >= r[1] ? 0 : 1;
+  if (r[2] > r[far_corner]) far_corner = 2;
+  R terms = 0;  // of the normal's components, before they cancel
+  for (int i = 0; i < 3; ++i) terms = max(terms, R(narrow<R>(we[i]).squaredNorm()));
+  const WideVec<Wide<R>> normal = cross(we[0], we[1]);
+  const Vec3<R> N = narrow<R>(normal);
+  area2 = sqrt(N.dot(N));
+  n = N / area2;
+  int nearest = r[0] <= r[1] ? 0 : 1;
+  if (r[2] < r[nearest]) nearest = 2;
+  R volume = static_cast<R>(dot(normal, wp[nearest]));
+  if constexpr (std::same_as<R, double>) {
+    const int side = side_of_plane(t, eta);
+    if (side != 0 && abs(volume) <= kDoubtful * terms * r[nearest]) volume = ExactPlane<R>(t, eta, scale).height();
+    volume = -side * abs(volume);
+  }
+  d = -volume / area2;
+  for (int i = 0; i < 3; ++i) {
+    FrameEdge<R>& e = edges[i];
+    const int j = (i + 1) % 3;
+    const Vec3<R> vector = narrow<R>(we[i]);
+    e.length = sqrt(vector.dot(vector));
+    e.u = vector / e.length;
+    const WideVec<Wide<R>> outward = cross(we[i], normal);
+    e.nu = narrow<R>(outward) / (e.length * area2);
+    const R near_end = r[i] <= r[j] ? r[i] : r[j];
+    R beside = static_cast<R>(dot(outward, wp[r[i] <= r[j] ? i : j]));
+    if constexpr (std::same_as<R, double>) {
+      if (abs(beside) <= kDoubtful * terms * e.length * near_end) beside = ExactPlane<R>(t, eta, scale).beside(i);
+      if (d == 0) beside = side_of_edge(t, i, eta) * abs(beside);
+    }
+    e.h = beside / (e.length * area2);
+    e.s0 = static_cast<R>(dot(we[i], wp[i])) / e.length;
+    e.s1 = static_cast<R>(dot(we[i], wp[j])) / e.length;
+    e.r0 = r[i];
+    e.r1 = r[j];
+    e.D2 = e.h * e.h + d * d;
+  }
+}
+
+/// A frame's number as a tracked one. In its own type it is the outcome of at most eight roundings, from a wider one it
+/// is rounded once.
+template <class R, Scalar S>
+R tracked_from(const S& x) {
+  using T = decltype(R::value);
+  const T value(x);
+  return R(value, (std::same_as<T, S> ? 8 : 1) * std::abs(static_cast<double>(value)));
+}
+
+template <class R>
+template <Scalar S>
+Frame<R>::Frame(const Frame<S>& wider)
+    : area2(tracked_from<R>(wider.area2)), unit(tracked_from<R>(wider.unit)), far_corner(wider.far_corner) {
+  const auto vector = [](const Vec3<S>& v) {
+    return Vec3<R>(tracked_from<R>(v[0]), tracked_from<R>(v[1]), tracked_from<R>(v[2]));
+  };
+  n = vector(wider.n);
+  d = tracked_from<R>(wider.d);
+  for (int i = 0; i < 3; ++i) {
+    const FrameEdge<S>& from = wider.edges[i];
+    p[i] = vector(wider.p[i]);
+    r[i] = tracked_from<R>(wider.r[i]);
+    edges[i] = {vector(from.u),           vector(from.nu),          tracked_from<R>(from.length),
+                tracked_from<R>(from.h),  tracked_from<R>(from.s0), tracked_from<R>(from.s1),
+                tracked_from<R>(from.r0), tracked_from<R>(from.r1), tracked_from<R>(from.D2)};
+  }
+}
+
+}  // namespace cageproof::closed_form::triangle

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// What formulas on one triangle share at one point: the frame, and every moment that more than one of them may ask for.
+#pragma once
+
+#include "cageproof/closed_form/triangle/engine/evaluate.h"
+
+#include <tuple>
+
+namespace cageproof::closed_form::triangle {
+
+/// The near forms in one arithmetic, each made when a formula first asks for it. The frame must outlive them.
+template <class R, int O>
+class NearMoments {
+ public:
+  explicit NearMoments(const Frame<R>& frame) : frame_(frame) {}
+
+  template <class F>
+  const NearForm<F, R, O>& near() {
+    auto& form = std::get<std::optional<NearForm<F, R, O>>>(forms_);
+    if (!form) form.emplace(frame_);
+    return *form;
+  }
+
+ private:
+  const Frame<R>& frame_;
+  // For formulas with no, one and two extra derivatives, and for even powers.
+  std::tuple<std::optional<EdgeForm<R, O, O>>, std::optional<EdgeForm<R, O + 1, O>>,
+             std::optional<EdgeForm<R, O + 2, O + 1>>, std::optional<EvenForm<R, O>>>
+      forms_;
+};
+
+/// The far forms, each made when a formula first asks for it: formulas that need as many points share them.
+template <class R, int O>
+class FarMoments {
+ public:
+  explicit FarMoments(const Frame<R>& frame) : frame_(frame) {}
+
+  template <class F>
+  const FarFormOf<F, R, O>& far(int n) {
+    auto& forms = std::get<Forms<FarFormOf<F, R, O>>>(forms_);
+    for (auto& form : forms) {
+      if (!form) return form.emplace(frame_, n);
+      if (form->points() == n) return *form;
+    }
+    return forms.back().emplace(frame_, n);
+  }
+
+ private:
+  // Formulas differ in their number of points by the steepest power of the distance, of which there are four.
+  template <class Form>
+  using Forms = std::array<std::optional<Form>, 4>;
+
+  const Frame<R>& frame_;
+  std::tuple<Forms<FarForm<R, O, O>>, Forms<FarForm<R, O + 1, O>>, Forms<FarForm<R, O + 2, O + 1>>> forms_;
+};
+
+/// Near forms that carry a bound of their error, on the same geometry.
+template <class T, int O>
+class TrackedMoments {
+ public:
+  template <Scalar S>
+  explicit TrackedMoments(const Frame<S>& frame) : frame_(frame), near_(frame_) {}
+  TrackedMoments(const TrackedMoments&) = delete;
+  TrackedMoments& operator=(const TrackedMoments&) = delete;
+
+  template <class F>
+  const NearForm<F, Tracked<T>, O>& near() {
+    return near_.template near<F>();
+  }
+
+ private:
+  Frame<Tracked<T>> frame_;
+  NearMoments<Tracked<T>, O> near_;
+};
+
+/// A triangle seen from a point, and all moments that formulas take there for derivatives up to order O. Lives on the
+/// stack of one thread. The triangle and the point must outlive it.
+template <Scalar R, int O>
+class PointMoments {
+ public:
+  PointMoments(const Triangle<R>& t, const Vec3<R>& eta) : frame_(t, eta), moments_(frame_) {}
+  PointMoments(const PointMoments&) = delete;
+  PointMoments& operator=(const PointMoments&) = delete;
+
+  const Frame<R>& frame() const { return frame_; }
+  NearMoments<R, O>& moments() { return moments_; }
+
+ private:
+  Frame<R> frame_;
+  NearMoments<R, O> moments_;
+};
+
+/// In double there are far forms besides, and near forms that bound their error: in double, and from 200 digits of
+/// geometry in double-double and in 200 digits.
+template <int O>
+class PointMoments<double, O> {
+ public:
+  PointMoments(const Triangle<double>& t, const Vec3<double>& eta)
+      : t_(t), eta_(eta), frame_(t, eta), moments_(frame_), far_(frame_) {}
+  PointMoments(const PointMoments&) = delete;
+  PointMoments& operator=(const PointMoments&) = delete;
+
+  const Frame<double>& frame() const { return frame_; }
+  NearMoments<double, O>& moments() { return moments_; }
+  FarMoments<double, O>& far_moments() { return far_; }
+  /// ellipse_of the frame.
+  double ellipse() {
+    if (!ellipse_) ellipse_ = ellipse_of(frame_);
+    return *ellipse_;
+  }
+  template <class T>
+  TrackedMoments<T, O>& tracked() {
+    auto& moments = std::get<std::optional<TrackedMoments<T, O>>>(tracked_);
+    if constexpr (std::same_as<T, double>) {
+      if (!moments) moments.emplace(frame_);
+    } else {
+      if (!moments) moments.emplace(exact());
+    }
+    return *moments;
+  }
+
+ private:
+  // In the frame's unit, so that orders of magnitude are the same.
+  const Frame<Mp200>& exact() {
+    if (!exact_) {
+      const Mp200 unit(frame_.unit);
+      Triangle<Mp200> corners;
+      for (int i = 0; i < 3; ++i) corners[i] = convert<Mp200>(t_[i]) / unit;
+      exact_.emplace(corners, Vec3<Mp200>(convert<Mp200>(eta_) / unit));
+    }
+    return *exact_;
+  }
+
+  const Triangle<double>& t_;
+  const Vec3<double>& eta_;
+  Frame<double> frame_;
+  NearMoments<double, O> moments_;
+  FarMoments<double, O> far_;
+  std::optional<double> ellipse_;
+  std::optional<Frame<Mp200>> exact_;
+  std::tuple<std::optional<TrackedMoments<double, O>>, std::optional<TrackedMoments<DoubleDouble, O>>,
+             std::optional<TrackedMoments<Mp200, O>>>
+      tracked_;
+};
+
+}  // namespace cageproof::closed_form::triangle

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Turns a printed form of [T24] into entries of the register: as it is after the errata, and with a misprint kept.
+#pragma once
+
+#include "../../../put.h"
+#include "instances.h"
+
+#include "cageproof/core/evaluation.h"
+
+namespace cageproof::closed_form::published {
+
+CAGEPROOF_PUBLISHED_SCALARS(extern)
+
+/// The family of one printed form. \param form `form(frame, batch, misprint)` is a Jet at the frame's point for every
+/// scalar \param standard whether verification runs it \param max_order the highest derivative that it gives
+template <class Form>
+EvaluationFamily printed_family(std::string_view formula, std::string_view name, std::string description, bool standard,
+                                Misprint misprint, Form form, int max_order = 2) {
+  const EvaluationFacts facts{
+      .description = std::move(description), .role = Role::Printed, .cost = CostClass::Direct, .max_order = max_order};
+  return single_family(formula, name, facts, standard, [form, misprint](Evaluation& evaluation) {
+    for (const ScalarKind kind : scalar_kinds)
+      with_scalar(kind, [&]<Scalar R>() {
+        evaluation.set_batch<R>([form, misprint](const Batch<R>& batch, const BatchOutput<R>& output) {
+          const Triangle<R> t{batch.corners[0], batch.corners[1], batch.corners[2]};
+          for (std::size_t p = 0; p < batch.points.size(); ++p)
+            put(form(Frame<R>(t, batch.points[p]), batch, misprint), batch.order, p, output);
+        });
+      });
+  });
+}
+
+/// As it is after the errata (`published`, of the standard set), or with a misprint kept.
+template <class Form>
+EvaluationFamily published_family(std::string_view formula, Misprint misprint, std::string description, Form form,
+                                  int max_order = 2) {
+  return printed_family(formula, evaluation_name(misprint), std::move(description), misprint == Misprint::None,
+                        misprint, form, max_order);
+}
+
+}  // namespace cageproof::closed_form::published

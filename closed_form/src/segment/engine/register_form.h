@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Enters a segment formula's evaluation into the register.
+#pragma once
+
+#include "../../joint.h"
+
+#include "cageproof/closed_form/segment/engine/closed_form.h"
+
+namespace cageproof::closed_form::segment {
+
+/// What closed forms on a segment share: the ends, and at each point the frame, all in the scalar that they compute in.
+struct SharedOnSegment {
+  template <Scalar R>
+  struct Element {
+    Segment<Working<R>> s;
+    explicit Element(std::span<const Vec3<R>> ends) : s{convert<Working<R>>(ends[0]), convert<Working<R>>(ends[1])} {}
+  };
+  template <Scalar R, int O>
+  struct At {
+    Frame<Working<R>> frame;
+    At(const Element<R>& element, const Vec3<R>& point) : frame(element.s, convert<Working<R>>(point)) {}
+  };
+};
+
+/// Puts a formula's tensors at a point.
+template <class F>
+struct PutForm {
+  template <Scalar R, int O>
+  static void put(SharedOnSegment::At<R, O>& at, std::span<const R>, bool, std::size_t point,
+                  const BatchOutput<R>& output) {
+    closed_form::put(narrowed<R>(F::template at<O, Working<R>>(at.frame)), O, point, output);
+  }
+};
+
+template <class F>
+inline constexpr Member<SharedOnSegment> member_of = Member<SharedOnSegment>::of<PutForm<F>>();
+
+/// `const RegisterForm<F> registered{"segment.<kernel>"};` at namespace scope of the formula's .cpp.
+template <class F>
+class RegisterForm {
+ public:
+  explicit RegisterForm(std::string_view formula)
+      : evaluation_(single_family(formula, "closed_form",
+                                  {.description = "logarithms and an angle, in forms that do not cancel",
+                                   .role = Role::Recommended,
+                                   .cost = CostClass::Direct},
+                                  true, [](Evaluation& evaluation) { set_member(evaluation, member_of<F>); })) {}
+
+ private:
+  RegisterEvaluation evaluation_;
+};
+
+}  // namespace cageproof::closed_form::segment

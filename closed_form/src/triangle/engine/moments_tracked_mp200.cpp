@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#define CAGEPROOF_MOMENTS_HERE
+#include "shared_instances.h"
+
+namespace cageproof::closed_form::triangle {
+CAGEPROOF_MOMENTS(, Tracked<Mp200>)
+}  // namespace cageproof::closed_form::triangle

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The moments' instantiations, compiled once for all formulas.
+#pragma once
+
+#include "cageproof/closed_form/triangle/engine/closed_form.h"
+
+// The degrees (N, M) that formulas ask for: 0 to 2 for their own derivatives, two more under second derivatives.
+#define CAGEPROOF_MOMENTS(prefix, R)       \
+  prefix template class EdgeForm<R, 0, 0>; \
+  prefix template class EdgeForm<R, 1, 1>; \
+  prefix template class EdgeForm<R, 2, 2>; \
+  prefix template class EdgeForm<R, 2, 1>; \
+  prefix template class EdgeForm<R, 3, 2>; \
+  prefix template class EdgeForm<R, 4, 3>; \
+  prefix template class EvenForm<R, 0>;    \
+  prefix template class EvenForm<R, 1>;    \
+  prefix template class EvenForm<R, 2>;    \
+  prefix template struct Frame<R>;
+
+namespace cageproof::closed_form::triangle {
+#ifndef CAGEPROOF_MOMENTS_HERE
+CAGEPROOF_MOMENTS(extern, double)
+CAGEPROOF_MOMENTS(extern, Mp50)
+CAGEPROOF_MOMENTS(extern, Mp100)
+CAGEPROOF_MOMENTS(extern, Mp200)
+CAGEPROOF_MOMENTS(extern, Tracked<double>)
+CAGEPROOF_MOMENTS(extern, Tracked<DoubleDouble>)
+CAGEPROOF_MOMENTS(extern, Tracked<Mp200>)
+#endif
+}  // namespace cageproof::closed_form::triangle

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// What a campaign keeps: a row key says what was asked, a tally what was found. Tallies merge in any order with the
+// same result.
+#pragma once
+
+#include "cageproof/core/error_measure.h"
+
+#include <compare>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cageproof {
+
+/// What identifies a row of results: one check of one evaluation in one regime (or on one cage) at one derivative
+/// order.
+struct RowKey {
+  enum class Section { Element, Cage } section = Section::Element;
+  std::string subject;     ///< formula, or kind of cage coordinates
+  std::string evaluation;  ///< closed_form, gauss-8 ...
+  std::string scalar;      ///< float, double, mp50 ...
+  std::string regime;      ///< near-edge ...; for a cage its name
+  std::string check;       ///< truth, scaling ...; partition_of_unity ...
+  std::string place;       ///< for a cage: inside, outside, on-face, on-edge, on-vertex, mesh, off; else empty
+  int order = 0;           ///< 0 value, 1 gradient, 2 Hessian
+
+  auto operator<=>(const RowKey&) const = default;
+};
+
+/// "element", "cage".
+std::string_view name_of(RowKey::Section section);
+
+/// What has been found of one row. Memory is bounded, whatever the number of samples.
+struct Tally {
+  std::string unit;  ///< of the errors: "conditioned", "relative" ...
+  ErrorHistogram errors;
+  WorstCases worst;
+  std::uint64_t without_truth = 0;  ///< samples where no truth exists, or none could be reached
+  std::uint64_t declined = 0;       ///< samples where an evaluation with a tolerance said that it could not meet it
+  double max_relative = 0;          ///< largest plain relative error, norm-wise
+  /// Largest error by index of the regime's parameter; negative where nothing was measured. Empty: no curve is drawn.
+  std::vector<double> by_parameter;
+
+  /// Counts a measured error; a NaN counts as infinite. \param sample its number
+  /// \param make_case called with the error for the input, when it is among the worst
+  template <class MakeCase>
+  void add(double error, double relative, std::uint64_t sample, MakeCase make_case) {
+    if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
+    errors.add(error);
+    max_relative = std::max(max_relative, relative);
+    if (worst.wants(error, sample)) worst.add(make_case(error));
+  }
+  /// Notes an error for a regime's curve. \param index of the parameter, below `count`
+  void add_to_curve(std::size_t index, std::size_t count, double error);
+  bool empty() const { return errors.count() + without_truth + declined == 0; }
+  /// \throws std::invalid_argument when both have units and they differ
+  void merge(const Tally& other);
+};
+
+}  // namespace cageproof
+
+template <>
+struct std::hash<cageproof::RowKey> {
+  std::size_t operator()(const cageproof::RowKey& key) const noexcept;
+};

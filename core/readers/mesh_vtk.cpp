@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// PLY, STL and VTP through VTK. What VTK says becomes an InputError and never reaches the terminal.
+#include "../src/mesh_files.h"
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkLogger.h>
+#include <vtkNew.h>
+#include <vtkPLYReader.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringOutputWindow.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <limits>
+#include <new>
+
+namespace cageproof::mesh_files {
+namespace {
+
+// While it lives, VTK writes into it instead of the terminal.
+class VtkMessages {
+ public:
+  VtkMessages() : before_(vtkOutputWindow::GetInstance()), verbosity_(vtkLogger::GetCurrentVerbosityCutoff()) {
+    vtkOutputWindow::SetInstance(window_);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
+  ~VtkMessages() {
+    vtkOutputWindow::SetInstance(before_);
+    vtkLogger::SetStderrVerbosity(verbosity_);
+  }
+  VtkMessages(const VtkMessages&) = delete;
+  VtkMessages& operator=(const VtkMessages&) = delete;
+  /// The first message without VTK's source line and object address; empty when there is none.
+  std::string first() {
+    const std::string text = window_->GetOutput();
+    std::string_view rest = text, line;
+    if (!take_line(rest, line) || !take_line(rest, line)) return text;
+    const std::size_t address = line.find("): ");
+    return std::string(address == std::string_view::npos ? line : line.substr(address + 3));
+  }
+
+ private:
+  vtkNew<vtkStringOutputWindow> window_;
+  vtkSmartPointer<vtkOutputWindow> before_;
+  vtkLogger::Verbosity verbosity_;
+};
+
+Mesh to_mesh(vtkPolyData* data, const Place& place) {
+  Mesh mesh;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
+    const Vec3<double> vertex(data->GetPoint(i));
+    if (!vertex.allFinite()) place.fail(fmt::format("vertex {}: a coordinate is not finite (counted from 0)", i));
+    mesh.vertices.push_back(vertex);
+  }
+  if (mesh.vertices.empty()) place.fail("no vertices");
+  if (data->GetNumberOfStrips() > 0) place.fail("triangle strips; write them as triangles");
+  const auto count = data->GetNumberOfPoints();
+  vtkCellArray* cells = data->GetPolys();
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cells->GetCellAtId(i, size, corners);
+    const auto* wrong = std::find_if(corners, corners + size, [&](vtkIdType v) { return v < 0 || v >= count; });
+    if (wrong != corners + size)
+      place.fail(
+          fmt::format("face {}: index {} is out of range, there are {} vertices (counted from 0)", i, *wrong, count));
+    mesh.faces.emplace_back(corners, corners + size);
+  }
+  return mesh;
+}
+
+// `open` tells the reader what to read.
+template <class Reader, class Open>
+Mesh read_with(const std::filesystem::path& path, Open&& open) {
+  const Place place{path};
+  VtkMessages messages;
+  vtkNew<Reader> reader;
+  try {
+    open(*reader);
+    reader->Update();
+  } catch (const std::bad_alloc&) {
+    place.fail("the file states sizes that do not fit in memory");
+  }
+  if (const std::string message = messages.first(); !message.empty()) place.fail("VTK cannot read it: " + message);
+  return to_mesh(reader->GetOutput(), place);
+}
+
+// Binary: 80 bytes, the number of triangles, 50 bytes each. VTK drops the triangles that a cut file lacks.
+bool is_whole_binary_stl(std::string_view bytes) {
+  static_assert(std::endian::native == std::endian::little);
+  constexpr std::size_t header = 84, record = 50;
+  if (bytes.size() < header) return false;
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + header - sizeof count, sizeof count);
+  return bytes.size() == header + record * count;
+}
+
+Mesh read_ply(const std::filesystem::path& path) {
+  CheckedPly checked = check_ply(path, read_file(path));
+  if (checked.face_count == 0) return {std::move(checked.vertices), {}};
+  Mesh mesh = read_with<vtkPLYReader>(path, [&](vtkPLYReader& reader) {
+    reader.SetReadFromInputString(true);
+    reader.SetInputString(checked.for_vtk);
+  });
+  if (mesh.vertices.size() != checked.vertices.size() || mesh.faces.size() != checked.face_count)
+    Place{path}.fail(fmt::format("VTK read {} vertices and {} faces of {} and {}", mesh.vertices.size(),
+                                 mesh.faces.size(), checked.vertices.size(), checked.face_count));
+  mesh.vertices = std::move(checked.vertices);
+  return mesh;
+}
+
+Mesh read_stl(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path);
+  const bool is_text =
+      bytes.starts_with("solid") && std::ranges::all_of(bytes, [](unsigned char c) { return c < 0x80; });
+  if (!is_text && !is_whole_binary_stl(bytes))
+    Place{path}.fail("neither a text STL nor a binary one of the length that it states (cut off?)");
+  return read_with<vtkSTLReader>(path, [&](vtkSTLReader& reader) { reader.SetFileName(path.c_str()); });
+}
+
+Mesh read_vtp(const std::filesystem::path& path) {
+  read_file(path);
+  return read_with<vtkXMLPolyDataReader>(path, [&](vtkXMLPolyDataReader& reader) {
+    reader.SetFileName(path.c_str());
+    reader.UpdateInformation();
+    reader.SetupUpdateExtent(0, 1, 0);
+    // VTK makes room for what a file states before it looks at what there is.
+    constexpr vtkIdType most = std::numeric_limits<int>::max();
+    if (reader.GetNumberOfPoints() > most || reader.GetNumberOfCells() > most)
+      Place{path}.fail("the number of vertices or faces that it states is out of range");
+  });
+}
+
+const RegisterMeshReader ply{".ply", read_ply}, stl{".stl", read_stl}, vtp{".vtp", read_vtp};
+
+}  // namespace
+}  // namespace cageproof::mesh_files

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/cage_elements.h"
+
+namespace cageproof {
+
+CageElements::CageElements(const Cage& cage, bool keep_quads, Triangulation rule)
+    : dimension_(cage.dimension()), vertices_(cage.vertices()) {
+  Cage::Parts parts = cage.parts(keep_quads, rule);
+  elements_ = std::move(parts.elements);
+  face_of_ = std::move(parts.face_of);
+  for (std::size_t e = 0; e < elements_.size(); ++e) normals_.push_back(type(e).extent(corners(e)).normalized());
+}
+
+std::span<const int> CageElements::vertices_of(std::size_t element) const {
+  return std::span(elements_[element].vertices).first(type(element).corners);
+}
+
+std::vector<Vec3<double>> CageElements::corners(std::size_t element) const {
+  std::vector<Vec3<double>> found;
+  for (const int v : vertices_of(element)) found.push_back(vertices_[v]);
+  return found;
+}
+
+Vec3<double> CageElements::normal_at(const Touching& touch) const {
+  const ElementType& kind = type(touch.element);
+  if (kind.flat) return normals_[touch.element];
+  return kind.normal(corners(touch.element), touch.basis).normalized();
+}
+
+std::vector<Touching> CageElements::touching(const Vec3<double>& point) const {
+  std::vector<Touching> found;
+  std::array<Vec3<double>, 4> corners;
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const auto of_element = vertices_of(e);
+    for (std::size_t k = 0; k < of_element.size(); ++k) corners[k] = vertices_[of_element[k]];
+    const ContactPoint at = type(e).contact(std::span(corners).first(of_element.size()), point);
+    if (at.contact != Contact::Off) found.push_back({static_cast<int>(e), at.basis});
+  }
+  return found;
+}
+
+}  // namespace cageproof

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/coordinates.h"
+
+#include "summed.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
+
+namespace cageproof {
+namespace {
+
+// Defaults filled in, ranges checked.
+std::vector<double> checked_parameters(const CoordinateKind& kind, std::vector<double> parameters) {
+  const std::vector<Parameter>& known = parameters_of(kind);
+  if (parameters.empty())
+    for (const Parameter& p : known) parameters.push_back(p.preset);
+  if (parameters.size() != known.size())
+    throw InputError(fmt::format("{} has {} parameters, not {}", kind.name, known.size(), parameters.size()));
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (!known[i].allows(parameters[i]))
+      throw InputError(
+          fmt::format("{}: the parameter {} = {} is out of range", kind.name, known[i].name, parameters[i]));
+  return parameters;
+}
+
+void require_accepted(const CoordinateKind& kind, const Cage& cage) {
+  if (!exists_on(kind, cage))
+    throw InputError(fmt::format("{}: {} coordinates do not exist on cages of this dimension", cage.name(), kind.name));
+  if (accepts(kind, cage)) return;
+  const auto faults = invalid_quads(cage);
+  const std::string more = faults.size() > 1 ? fmt::format(", and {} more", faults.size() - 1) : "";
+  throw InputError(fmt::format(
+      "{}: {} (faces counted from 0, corners within the face){}; {} wants valid quads, --allow-invalid-quads computes "
+      "all the same",
+      cage.name(), faults.front(), more, kind.name));
+}
+
+}  // namespace
+
+CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, CoordinateOptions options)
+    : kind_(&kind) {
+  options.parameters = checked_parameters(kind, std::move(options.parameters));
+  require_accepted(kind, cage);
+  elements_ = std::make_shared<const CageElements>(cage, kind.keeps_quads, options.triangulation);
+  prepared_ = kind.is_sum() ? prepare_sum(kind, elements_, options) : kind.prepare(cage, options);
+}
+
+template <Scalar R>
+std::vector<CoordinateTable<R>> CageCoordinates::at(std::span<const Vec3<R>> points, int order) const {
+  std::vector<CoordinateTable<R>> tables(blocks().size());
+  for (std::size_t b = 0; b < tables.size(); ++b)
+    for (int o = 0; o <= order; ++o) {
+      tables[b].stride[o] =
+          static_cast<std::size_t>(blocks()[b].size) * blocks()[b].entries() * derivative_count(dimension(), o);
+      tables[b].tensors[o].assign(points.size() * tables[b].stride[o], R(0));
+    }
+  prepared_->fill(points, order, tables);
+  return tables;
+}
+
+template <Scalar R>
+std::vector<Result<R>> CageCoordinates::at(const Vec3<R>& point, int order) const {
+  std::vector<Result<R>> results;
+  for (CoordinateTable<R>& table : at<R>(std::span(&point, 1), order)) {
+    Result<R>& result = results.emplace_back();
+    for (int o = 0; o <= order; ++o) result.of(o) = std::move(table.tensors[o]);
+  }
+  return results;
+}
+
+#define CAGEPROOF_INSTANTIATE(R)                                                                        \
+  template std::vector<CoordinateTable<R>> CageCoordinates::at<R>(std::span<const Vec3<R>>, int) const; \
+  template std::vector<Result<R>> CageCoordinates::at<R>(const Vec3<R>&, int) const;
+CAGEPROOF_INSTANTIATE(float)
+CAGEPROOF_INSTANTIATE(double)
+CAGEPROOF_INSTANTIATE(Mp50)
+CAGEPROOF_INSTANTIATE(Mp100)
+#undef CAGEPROOF_INSTANTIATE
+
+}  // namespace cageproof

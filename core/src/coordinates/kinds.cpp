@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/coordinates.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof {
+namespace {
+
+// c of [T24], below Eq 49: the traction of the identity map is c n. It grows without bound towards nu = 1/2.
+double identity_traction(std::span<const double> p) {
+  const double mu = p[0], nu = p[1];
+  return std::isinf(nu) ? -mu : 2 * mu * (1 + 3 * nu / (1 - 2 * nu));
+}
+
+// Sums of catalogue formulas; other rooms add kinds that compute differently.
+std::list<CoordinateKind> summed_kinds() {
+  const SummedBlock phi{"phi", "double_layer", Reproduces::Vertices}, psi{"psi", "single_layer", Reproduces::Normals};
+  return {
+      {.name = "mean_value",
+       .source = "[T18] Eq 9-14",
+       .blocks = {{"lambda", "mean_value", Reproduces::Vertices}},
+       .normalised = true},
+      {.name = "quad_mean_value",
+       .source = "[T18] Eq 9-11, Algorithm 2",
+       .blocks = {{"lambda", "mean_value", Reproduces::Vertices}},
+       .normalised = true,
+       .keeps_quads = true},
+      {.name = "green", .source = "[T24] Eq 7", .blocks = {phi, psi}},
+      {.name = "biharmonic",
+       .source = "[T24] Eq 1, 3",
+       .blocks = {phi,
+                  psi,
+                  {"phibar", "biharmonic_double_layer", Reproduces::Nothing},
+                  {"psibar", "biharmonic_single_layer", Reproduces::Nothing}}},
+      {.name = "somigliana",
+       .source = "[T24] Eq 47-49, [C23] Eq 8",
+       .blocks = {{"T", "kelvin_traction", Reproduces::Vertices},
+                  {"K", "kelvin_displacement", Reproduces::Normals, identity_traction}}},
+  };
+}
+
+struct Kinds {
+  std::list<CoordinateKind> all = summed_kinds();
+  const std::size_t own = all.size();
+};
+
+// Made when first asked for, so that kinds may be added from any file before main.
+Kinds& kinds() {
+  static Kinds instance;
+  return instance;
+}
+
+// The kinds of elements that a kind of coordinates meets in a cage.
+std::vector<ElementKind> elements_in(const CoordinateKind& kind, const Cage& cage) {
+  std::vector<ElementKind> found;
+  for (const Face& element : cage.parts(kind.keeps_quads, Triangulation::Fan).elements)
+    if (std::ranges::find(found, element.kind()) == found.end()) found.push_back(element.kind());
+  std::ranges::sort(found);
+  return found;
+}
+
+}  // namespace
+
+const std::list<CoordinateKind>& coordinate_kinds() { return kinds().all; }
+
+RegisterCoordinateKind::RegisterCoordinateKind(CoordinateKind kind) {
+  // By name, so that reports do not hang on the order of linking.
+  auto& all = kinds().all;
+  const auto first = std::next(all.begin(), static_cast<std::ptrdiff_t>(kinds().own));
+  all.insert(std::find_if(first, all.end(), [&](const CoordinateKind& k) { return k.name > kind.name; }),
+             std::move(kind));
+}
+
+bool exists_on(const CoordinateKind& kind, const Cage& cage) {
+  if (!kind.is_sum()) return kind.own_dimension == cage.dimension();
+  for (const ElementKind element : elements_in(kind, cage))
+    for (const SummedBlock& block : kind.blocks)
+      if (!find_formula(element, block.kernel)) return false;
+  return true;
+}
+
+bool accepts(const CoordinateKind& kind, const Cage& cage) {
+  return exists_on(kind, cage) && (!kind.keeps_quads || cage.allows_invalid_quads() || invalid_quads(cage).empty());
+}
+
+std::vector<const Formula*> formulas_of(const CoordinateKind& kind, const Cage& cage) {
+  std::vector<const Formula*> found;
+  for (const ElementKind element : elements_in(kind, cage))
+    for (const SummedBlock& block : kind.blocks)
+      if (const Formula* formula = find_formula(element, block.kernel)) found.push_back(formula);
+  return found;
+}
+
+const std::vector<Parameter>& parameters_of(const CoordinateKind& kind) {
+  static const std::vector<Parameter> none;
+  for (const SummedBlock& block : kind.blocks)
+    for (const ElementKind element : element_kinds)
+      if (const Formula* formula = find_formula(element, block.kernel)) return formula->parameters;
+  return none;
+}
+
+const CoordinateKind* find_coordinate_kind(std::string_view name) {
+  for (const CoordinateKind& kind : coordinate_kinds())
+    if (kind.name == name) return &kind;
+  return nullptr;
+}
+
+const CoordinateKind& coordinate_kind_named(std::string_view name) {
+  const CoordinateKind* found = find_coordinate_kind(name);
+  if (found == nullptr)
+    throw InputError("unknown kind of coordinates '" + std::string(name) + "'; see `cageproof list`");
+  return *found;
+}
+
+}  // namespace cageproof

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Weights divided by their sum, with derivatives.
+#pragma once
+
+#include "cageproof/core/linear.h"
+
+#include <array>
+#include <cstddef>
+
+namespace cageproof {
+
+/// lambda = w / W with W = sum of w, and its derivatives by the quotient rule, in place.
+/// \param w value, gradient and Hessian of n weights, the last index the fastest; orders above `order` are not touched
+template <Scalar R>
+void normalise(const std::array<R*, 3>& w, std::size_t n, std::size_t dim, int order) {
+  R sum = 0;
+  Vec3<R> gradient = Vec3<R>::Zero();
+  Mat3<R> hessian = Mat3<R>::Zero();
+  for (std::size_t i = 0; i < n; ++i) {
+    sum += w[0][i];
+    for (std::size_t a = 0; order >= 1 && a < dim; ++a) gradient[a] += w[1][dim * i + a];
+    for (std::size_t a = 0; order >= 2 && a < dim * dim; ++a) hessian(a / dim, a % dim) += w[2][dim * dim * i + a];
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    w[0][i] /= sum;
+    for (std::size_t a = 0; order >= 1 && a < dim; ++a)
+      w[1][dim * i + a] = (w[1][dim * i + a] - w[0][i] * gradient[a]) / sum;
+    for (std::size_t a = 0; order >= 2 && a < dim; ++a)
+      for (std::size_t b = 0; b < dim; ++b) {
+        R& h = w[2][dim * dim * i + dim * a + b];
+        h = (h - w[0][i] * hessian(a, b) - w[1][dim * i + a] * gradient[b] - w[1][dim * i + b] * gradient[a]) / sum;
+      }
+  }
+}
+
+}  // namespace cageproof

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "summed.h"
+
+#include "normalise.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cageproof {
+namespace {
+
+// The evaluations of a kind's blocks on one kind of element; none for kinds of elements that the cage does not have.
+using ElementEvaluations = std::vector<Evaluation>;
+
+CoordinateBlock block_of(const CoordinateKind& kind, const SummedBlock& spec, const Formula& formula,
+                         const CageElements& elements, std::span<const double> parameters) {
+  CoordinateBlock block{
+      .label = std::string(spec.label),
+      .per_vertex = formula.shape.per_corner,
+      .size = static_cast<int>(formula.shape.per_corner ? elements.vertices().size() : elements.count()),
+      .shape = {false, formula.shape.rows, formula.shape.columns},
+      .reproduces = spec.reproduces};
+  if (spec.normal_factor) block.normal_factor = spec.normal_factor(parameters);
+  // Normalised weights have no unit, and no Laplacian of their own.
+  if (kind.normalised) return block;
+  block.degree = formula.degree;
+  block.logarithmic = formula.logarithmic;
+  if (formula.laplacian.kind == Laplacian::Kind::Zero) block.trace.kind = CoordinateBlock::Trace::Kind::Zero;
+  if (formula.laplacian.kind != Laplacian::Kind::Formula) return block;
+  for (std::size_t b = 0; b < kind.blocks.size(); ++b)
+    if (find_formula(formula.element, kind.blocks[b].kernel)->name == formula.laplacian.formula)
+      block.trace = {CoordinateBlock::Trace::Kind::Block, b};
+  return block;
+}
+
+class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
+ public:
+  SummedCoordinates(const CoordinateKind& kind, std::shared_ptr<const CageElements> elements,
+                    const CoordinateOptions& options)
+      : normalised_(kind.normalised), elements_(std::move(elements)), parameters_(options.parameters) {
+    for (std::size_t e = 0; e < elements_->count(); ++e)
+      add_evaluations(kind, elements_->type(e).kind, options.evaluation);
+    const ElementKind first = elements_->type(0).kind;
+    for (const SummedBlock& spec : kind.blocks) {
+      const Formula& formula = *find_formula(first, spec.kernel);
+      blocks_.push_back(block_of(kind, spec, formula, *elements_, parameters_));
+      jumps_.push_back(formula.shape.per_corner && formula.face_jump.number != 0 ? formula.face_jump.number : 0);
+    }
+  }
+
+  const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
+  int max_order() const override { return max_order_; }
+  std::string evaluation() const override {
+    std::string name;
+    for (const ElementEvaluations& of_kind : evaluations_)
+      if (!of_kind.empty()) name = of_kind.front().name();
+    return name;
+  }
+  bool is_exact_in(ScalarKind scalar) const override {
+    return std::ranges::all_of(evaluations_, [&](const ElementEvaluations& of_kind) {
+      return std::ranges::all_of(of_kind, [&](const Evaluation& e) { return e.supports(scalar); });
+    });
+  }
+
+  template <Scalar R>
+  void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
+    std::vector<std::vector<Touching>> on(points.size());
+    bool any_on = false;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      on[p] = touching(points[p]);
+      any_on = any_on || !on[p].empty();
+    }
+    if (!any_on) return sum_off(points, 0, order, tables);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (on[p].empty()) sum_off<R>(points.subspan(p, 1), p, order, tables);
+      else
+        for (std::size_t b = 0; b < blocks_.size(); ++b) sum_on(b, points[p], p, order, on[p], tables[b]);
+    }
+  }
+
+ private:
+  void add_evaluations(const CoordinateKind& kind, ElementKind element, const std::string& name) {
+    ElementEvaluations& found = evaluations_[static_cast<std::size_t>(element)];
+    if (!found.empty()) return;
+    auto& known = EvaluationRegister::instance();
+    for (const SummedBlock& spec : kind.blocks) {
+      const std::string_view formula = find_formula(element, spec.kernel)->name;
+      auto evaluation = name.empty() ? known.with_role(formula, Role::Recommended) : known.find(formula, name);
+      if (!evaluation && name.empty()) evaluation = known.with_role(formula, Role::Integral);
+      // Triangles among quads are computed as the quads are where they can be.
+      const bool companion = kind.keeps_quads && element != ElementKind::Quad;
+      if (!evaluation && companion) evaluation = known.with_role(formula, Role::Recommended);
+      found.push_back(evaluation ? std::move(*evaluation) : evaluation_named(formula, name));
+      max_order_ = std::min(max_order_, found.back().max_order());
+    }
+  }
+
+  // Points that are no doubles are taken to lie off the cage: nobody can put them on it.
+  template <Scalar R>
+  std::vector<Touching> touching(const Vec3<R>& point) const {
+    const Vec3<double> rounded = convert<double>(point);
+    for (int c = 0; c < 3; ++c)
+      if (R(rounded[c]) != point[c]) return {};
+    return elements_->touching(rounded);
+  }
+
+  template <Scalar R>
+  std::span<const Vec3<R>> corners_of(std::size_t e, std::array<Vec3<R>, 4>& storage) const {
+    const auto vertices = elements_->vertices_of(e);
+    for (std::size_t k = 0; k < vertices.size(); ++k) storage[k] = convert<R>(elements_->vertices()[vertices[k]]);
+    return std::span(storage).first(vertices.size());
+  }
+
+  template <Scalar R>
+  BatchOutput<R> output_for(std::size_t b, std::size_t first, CoordinateTable<R>& table) const {
+    BatchOutput<R> output{.stride = table.stride,
+                          .entries = static_cast<std::size_t>(blocks_[b].entries()),
+                          .dim = elements_->dimension(),
+                          .add = true};
+    for (std::size_t o = 0; o < 3; ++o)
+      if (!table.tensors[o].empty()) output.tensors[o] = table.tensors[o].data() + first * table.stride[o];
+    return output;
+  }
+
+  // Points off the cage, which stand in the tables from point `first` on.
+  template <Scalar R>
+  void sum_off(std::span<const Vec3<R>> points, std::size_t first, int order,
+               std::span<CoordinateTable<R>> tables) const {
+    const std::vector<R> parameters(parameters_.begin(), parameters_.end());
+    std::vector<BatchOutput<R>> outputs;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) outputs.push_back(output_for(b, first, tables[b]));
+    std::vector<const Evaluation*> members(blocks_.size());
+    std::array<Vec3<R>, 4> storage;
+    for (std::size_t e = 0; e < elements_->count(); ++e) {
+      const int own_slot = static_cast<int>(e);
+      const ElementEvaluations& evaluations = evaluations_[static_cast<std::size_t>(elements_->type(e).kind)];
+      for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        members[b] = &evaluations[b];
+        outputs[b].slots = blocks_[b].per_vertex ? elements_->vertices_of(e) : std::span(&own_slot, 1);
+      }
+      Evaluation::together<R>(members, Batch<R>{corners_of(e, storage), points, order, parameters}, outputs);
+    }
+    if (!normalised_) return;
+    const std::size_t size = blocks_[0].size;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      std::array<R*, 3> weights{};
+      for (int o = 0; o <= order; ++o) weights[o] = outputs[0].tensors[o] + p * outputs[0].stride[o];
+      normalise(weights, size, elements_->dimension(), order);
+    }
+  }
+
+  // A point on the cage, which stands in the table as point `p`.
+  template <Scalar R>
+  void sum_on(std::size_t b, const Vec3<R>& eta, std::size_t p, int order, const std::vector<Touching>& on,
+              CoordinateTable<R>& table) const {
+    const BatchOutput<R> output = output_for(b, p, table);
+    const std::size_t width = output.entries;
+    // Adds the matrix (or number) times each basis function at the point to its vertex.
+    const auto add_basis = [&](const std::vector<R>& matrix) {
+      const auto vertices = elements_->vertices_of(on.front().element);
+      for (std::size_t c = 0; c < vertices.size(); ++c)
+        for (std::size_t i = 0; i < width; ++i)
+          output.tensors[0][vertices[c] * width + i] += static_cast<R>(on.front().basis[c]) * matrix[i];
+    };
+    if (normalised_) {
+      add_basis({R(1)});
+      for (int o = 1; o <= order; ++o)
+        std::fill_n(output.tensors[o], table.stride[o], std::numeric_limits<R>::quiet_NaN());
+      return;
+    }
+    const bool jumps = jumps_[b] != 0;
+    const std::vector<R> parameters(parameters_.begin(), parameters_.end());
+    std::vector<R> whole(width, R(0));  // what the elements that the point is not on leave of the whole
+    for (std::size_t i = 0; i < width; i += blocks_[b].shape.columns + 1) whole[i] = R(jumps_[b]);
+    std::array<Vec3<R>, 4> storage;
+    Result<R> part;
+    for (std::size_t e = 0; e < elements_->count(); ++e) {
+      const auto vertices = elements_->vertices_of(e);
+      const int own_slot = static_cast<int>(e);
+      const auto touch = std::ranges::find(on, own_slot, &Touching::element);
+      const bool touches = jumps && touch != on.end();
+      const Evaluation& evaluation = evaluations_[static_cast<std::size_t>(elements_->type(e).kind)][b];
+      evaluation(Query<R>{corners_of(e, storage), eta, order, parameters, touches}, part);
+      BatchOutput<R> here = output;
+      here.slots = blocks_[b].per_vertex ? vertices : std::span(&own_slot, 1);
+      for (int o = 0; o <= order; ++o) here.put(0, o, part.of(o));
+      if (!jumps) continue;
+      // On the cage: the sum over all elements of int (basis - basis at the point) kernel, whose integrals exist, and
+      // basis at the point.
+      for (std::size_t i = 0; i < width; ++i) {
+        R all = 0;
+        for (std::size_t k = 0; k < vertices.size(); ++k) all += part.value[k * width + i];
+        if (!touches) whole[i] -= all;
+        else
+          for (std::size_t c = 0; c < vertices.size(); ++c)
+            output.tensors[0][vertices[c] * width + i] -= static_cast<R>(touch->basis[c]) * all;
+      }
+    }
+    if (jumps) add_basis(whole);
+  }
+
+  bool normalised_;
+  std::shared_ptr<const CageElements> elements_;
+  std::vector<double> parameters_;
+  std::array<ElementEvaluations, element_kinds.size()> evaluations_;
+  std::vector<CoordinateBlock> blocks_;
+  std::vector<double> jumps_;  // of blocks, at faces
+  int max_order_ = 2;
+};
+
+}  // namespace
+
+std::shared_ptr<const PreparedCoordinates> prepare_sum(const CoordinateKind& kind,
+                                                       std::shared_ptr<const CageElements> elements,
+                                                       const CoordinateOptions& options) {
+  return std::make_shared<SummedCoordinates>(kind, std::move(elements), options);
+}
+
+}  // namespace cageproof

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "types.h"
+
+namespace cageproof {
+
+const ElementType& type_of(ElementKind kind) {
+  // In the order of ElementKind.
+  static const std::array<const ElementType*, element_kinds.size()> table{&elements::segment(), &elements::triangle(),
+                                                                          &elements::quad()};
+  return *table[static_cast<std::size_t>(kind)];
+}
+
+std::optional<ElementKind> element_named(std::string_view name) {
+  for (const ElementKind kind : element_kinds)
+    if (type_of(kind).name == name) return kind;
+  return std::nullopt;
+}
+
+}  // namespace cageproof

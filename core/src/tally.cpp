@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/tally.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace cageproof {
+
+std::string_view name_of(RowKey::Section section) { return section == RowKey::Section::Element ? "element" : "cage"; }
+
+void Tally::add_to_curve(std::size_t index, std::size_t count, double error) {
+  by_parameter.resize(std::max(by_parameter.size(), count), -1);
+  by_parameter[index] = std::max(by_parameter[index], error);
+}
+
+void Tally::merge(const Tally& other) {
+  if (unit.empty()) unit = other.unit;
+  if (!other.unit.empty() && unit != other.unit)
+    throw std::invalid_argument("tallies in '" + unit + "' and '" + other.unit + "' do not merge");
+  errors.merge(other.errors);
+  worst.merge(other.worst);
+  without_truth += other.without_truth;
+  declined += other.declined;
+  max_relative = std::max(max_relative, other.max_relative);
+  by_parameter.resize(std::max(by_parameter.size(), other.by_parameter.size()), -1);
+  for (std::size_t i = 0; i < other.by_parameter.size(); ++i)
+    by_parameter[i] = std::max(by_parameter[i], other.by_parameter[i]);
+}
+
+}  // namespace cageproof
+
+std::size_t std::hash<cageproof::RowKey>::operator()(const cageproof::RowKey& key) const noexcept {
+  std::size_t seed = static_cast<std::size_t>(key.section) * 3 + static_cast<std::size_t>(key.order);
+  for (const std::string* part : {&key.subject, &key.evaluation, &key.scalar, &key.regime, &key.check, &key.place})
+    seed = seed * 1099511628211U + std::hash<std::string>()(*part);
+  return seed;
+}

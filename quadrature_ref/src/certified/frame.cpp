@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "frame.h"
+
+namespace cageproof::quadrature_ref::certified {
+namespace {
+
+using Vector = std::array<Real, 3>;
+
+Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vector operator/(const Vector& a, const Real& s) { return {a[0] / s, a[1] / s, a[2] / s}; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// What is exact: sums and products of the coordinates, without any rounding.
+struct ExactTriangle {
+  std::array<Vector, 3> corners, edges;              // x of the corners; corner k + 1 minus corner k
+  Vector normal;                                     // twice the area long
+  Real area_squared;                                 // normal . normal
+  Real height;                                       // x . normal
+  std::array<Real, 3> sides;                         // (corner k cross corner k + 1) . normal
+  std::array<Real, 3> lengths_squared, first, last;  // first, last: corner . edge
+};
+
+// Exact arithmetic on a spread of exponents costs as many bits.
+constexpr slong widest_spread = 20000;
+
+template <Scalar R>
+std::optional<ExactTriangle> exact_triangle(const Query<R>& query) {
+  using std::isfinite;
+  slong lowest = 0, highest = 0;
+  bool any = false;
+  const auto read = [&](const Vec3<R>& from, Vector& to) {
+    for (int i = 0; i < 3; ++i) {
+      if (!isfinite(from[i])) return false;
+      to[i] = Real::exactly(from[i]);
+      if (to[i].is_zero()) continue;
+      const double log2 = to[i].log2_size();
+      if (std::abs(log2) > 1e9) return false;
+      const auto exponent = static_cast<slong>(log2);
+      lowest = any ? std::min(lowest, exponent) : exponent;
+      highest = any ? std::max(highest, exponent) : exponent;
+      any = true;
+    }
+    return true;
+  };
+  Vector point;
+  std::array<Vector, 3> at;
+  if (!read(query.point, point)) return std::nullopt;
+  for (int k = 0; k < 3; ++k)
+    if (!read(query.corners[k], at[k])) return std::nullopt;
+  if (highest - lowest > widest_spread) return std::nullopt;
+
+  const WorkingBits exact = WorkingBits::exact();
+  ExactTriangle t;
+  for (int k = 0; k < 3; ++k) {
+    t.corners[k] = at[k] - point;
+    t.edges[k] = at[(k + 1) % 3] - at[k];
+  }
+  t.normal = cross(t.edges[0], t.edges[1]);
+  t.area_squared = dot(t.normal, t.normal);
+  if (t.area_squared.is_zero()) return std::nullopt;
+  t.height = dot(t.corners[0], t.normal);
+  for (int k = 0; k < 3; ++k) {
+    t.sides[k] = dot(cross(t.corners[k], t.corners[(k + 1) % 3]), t.normal);
+    t.lengths_squared[k] = dot(t.edges[k], t.edges[k]);
+    t.first[k] = dot(t.corners[k], t.edges[k]);
+    t.last[k] = dot(t.corners[(k + 1) % 3], t.edges[k]);
+  }
+  return t;
+}
+
+bool nonnegative(const Real& exact) { return arb_is_nonnegative(exact.raw()) != 0; }
+
+}  // namespace
+
+template <Scalar R>
+std::optional<Frame> frame_of(const Query<R>& query) {
+  const auto exact = exact_triangle(query);
+  if (!exact) return std::nullopt;
+  const ExactTriangle& t = *exact;
+  Frame s;
+  const Real twice_area = sqrt(t.area_squared);
+  s.axes[2] = t.normal / twice_area;
+  s.axes[0] = t.edges[0] / sqrt(t.lengths_squared[0]);
+  s.axes[1] = cross(s.axes[2], s.axes[0]);
+  s.height = t.height / twice_area;
+  s.in_plane = t.height.is_zero();
+  s.on_triangle = s.in_plane;
+  for (int k = 0; k < 3; ++k) {
+    EdgeFrame& e = s.edges[k];
+    const Real length = sqrt(t.lengths_squared[k]);
+    e.passes = t.sides[k].is_zero();
+    s.on_triangle = s.on_triangle && nonnegative(t.sides[k]);
+    e.height = t.sides[k] / (twice_area * length);
+    e.distance = sqrt(e.height * e.height + s.height * s.height);
+    e.first = t.first[k] / length;
+    e.last = t.last[k] / length;
+    e.along = {dot(t.edges[k], s.axes[0]) / length, dot(t.edges[k], s.axes[1]) / length};
+    e.outward = {e.along[1], -e.along[0]};
+  }
+  // Corner k's hat function at y: (edge k + 1 cross (y - corner k + 1)) over twice the area.
+  for (int k = 0; k < 3; ++k) {
+    const int opposite = (k + 1) % 3;
+    const Vector& edge = t.edges[opposite];
+    s.hat[k] = {t.sides[opposite] / t.area_squared, -dot(edge, s.axes[1]) / twice_area,
+                dot(edge, s.axes[0]) / twice_area};
+  }
+  return s;
+}
+
+template std::optional<Frame> frame_of<float>(const Query<float>&);
+template std::optional<Frame> frame_of<double>(const Query<double>&);
+template std::optional<Frame> frame_of<Mp50>(const Query<Mp50>&);
+template std::optional<Frame> frame_of<Mp100>(const Query<Mp100>&);
+template std::optional<Frame> frame_of<Mp200>(const Query<Mp200>&);
+
+}  // namespace cageproof::quadrature_ref::certified

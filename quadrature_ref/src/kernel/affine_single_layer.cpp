@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// psi^k = int -Gamma_k G1, [T24] Eq 43: the single layer's kernel, in rows with a tensor a corner.
+#include "green_function.h"
+
+namespace cageproof::quadrature_ref {
+namespace {
+
+const RegisterKernel registered{"affine_single_layer", scalar_kernels<NegativeGreenFunction, 2, 3>()};
+
+}  // namespace
+}  // namespace cageproof::quadrature_ref

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/quadrature_ref/tensor_kernel.h"
+
+namespace cageproof::quadrature_ref {
+namespace {
+
+/// K_t = int (a - b)/r I + b x x'/r^3 with a = 1/(4 pi mu), b = a/(4 (1 - nu)), [C23] Eq 3, [T24] Eq 47.
+template <int Dim, class R>
+class KelvinDisplacement {
+ public:
+  static_assert(Dim == 3, "the plane's has a logarithm");
+  explicit KelvinDisplacement(std::span<const R> parameters)
+      : a_(1 / (4 * pi<R>() * parameters[0])), b_(a_ / (4 * (1 - parameters[1]))) {}
+
+  template <int Order>
+  void jets(const Node<R>& node, std::array<KernelJet<Dim, R>, Dim * Dim>& matrix) const {
+    KernelJet<Dim, R> potential, cube;
+    power_jet<-1, Order>(node, R(a_ - b_), potential);
+    power_jet<-3, Order>(node, b_, cube);
+    for (int i = 0; i < Dim; ++i) {
+      const KernelJet<Dim, R> row = product<Order>(cube, coordinate_jet<Dim>(node, i));
+      for (int j = 0; j < Dim; ++j) {
+        matrix[Dim * i + j] = product<Order>(row, coordinate_jet<Dim>(node, j));
+        if (i == j) add_scaled<Order>(potential, R(1), matrix[Dim * i + j]);
+      }
+    }
+  }
+
+ private:
+  R a_, b_;
+};
+
+const RegisterKernel registered{"kelvin_displacement", tensor_kernels<KelvinDisplacement, 3>()};
+
+}  // namespace
+}  // namespace cageproof::quadrature_ref

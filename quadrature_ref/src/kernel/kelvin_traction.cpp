@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/quadrature_ref/tensor_kernel.h"
+
+namespace cageproof::quadrature_ref {
+namespace {
+
+/// T_t^k = int Gamma_k mu ((a - 2b)(x.n I + n x' - x n')/r^3 + 6b x.n x x'/r^5), [C23] Eq 4; a and b as in K_t, so that
+/// mu cancels.
+template <int Dim, class R>
+class KelvinTraction {
+ public:
+  static_assert(Dim == 3, "the plane's has other powers and factors");
+  explicit KelvinTraction(std::span<const R> parameters)
+      : shear_((1 - 1 / (2 * (1 - parameters[1]))) / (4 * pi<R>())), bulk_(6 / (16 * pi<R>() * (1 - parameters[1]))) {}
+
+  template <int Order>
+  void jets(const Node<R>& node, std::array<KernelJet<Dim, R>, Dim * Dim>& matrix) const {
+    KernelJet<Dim, R> cube, fifth;
+    power_jet<-3, Order>(node, shear_, cube);
+    height_power_jet<-5, Order>(node, bulk_, fifth);
+    const KernelJet<Dim, R> diagonal = product<Order>(cube, height_jet<Dim>(node));
+    for (int i = 0; i < Dim; ++i) {
+      const KernelJet<Dim, R> row = product<Order>(fifth, coordinate_jet<Dim>(node, i));
+      for (int j = i; j < Dim; ++j) {
+        KernelJet<Dim, R>& entry = matrix[Dim * i + j];
+        entry = product<Order>(row, coordinate_jet<Dim>(node, j));
+        if (i == j) {
+          add_scaled<Order>(diagonal, R(1), entry);
+          continue;
+        }
+        // n_i x_j - x_i n_j, of the other sign below the diagonal.
+        KernelJet<Dim, R> turn;
+        add_scaled<Order>(coordinate_jet<Dim>(node, j), node.normal[i], turn);
+        add_scaled<Order>(coordinate_jet<Dim>(node, i), R(-node.normal[j]), turn);
+        const KernelJet<Dim, R> turned = product<Order>(cube, turn);
+        matrix[Dim * j + i] = entry;
+        add_scaled<Order>(turned, R(1), entry);
+        add_scaled<Order>(turned, R(-1), matrix[Dim * j + i]);
+      }
+    }
+  }
+
+ private:
+  R shear_, bulk_;
+};
+
+const RegisterKernel registered{"kelvin_traction", tensor_kernels<KelvinTraction, 3>()};
+
+}  // namespace
+}  // namespace cageproof::quadrature_ref

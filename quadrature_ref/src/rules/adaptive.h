@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// What the adaptive rules of flat elements share: the refinement, how far inside they move a point on the element, and
+// what they state.
+#pragma once
+
+#include "norms.h"
+
+#include "cageproof/quadrature_ref/adaptive_limits.h"
+#include "cageproof/quadrature_ref/kernel.h"
+
+#include <type_traits>
+
+namespace cageproof::quadrature_ref {
+
+/// float is computed in double, multiprecision in 50 digits.
+template <Scalar R>
+using AdaptiveScalar =
+    std::conditional_t<std::same_as<R, float>, double, std::conditional_t<is_multiprecision<R>, Mp50, R>>;
+
+/// How far inside a point on the element is moved where double's range must hold the kernel, in units of its clearance.
+inline constexpr double kInward = 1e-16;
+
+/// What was integrated over one part of the element.
+template <Scalar W>
+struct PartSum {
+  Result<W> sums{};
+  std::array<W, 3> error{};  ///< an order: of the sums, norm-wise
+  std::array<W, 3> mass{};   ///< an order: sum of the nodes' tensors in norm, which rounding is relative to
+};
+
+/// An integral over parts, and what is known of its error.
+template <Scalar W>
+class AdaptiveTotal {
+ public:
+  AdaptiveTotal(const Integrand& integrand, int order) : integrand_(integrand), order_(order) {}
+
+  /// The parts' sum. Its `nodes` counts what was spent on the way as well.
+  const Result<W>& sums() const { return total_; }
+  /// Bound of the relative error, norm-wise, the worst order's.
+  const W& bound() const { return bound_; }
+
+  /// Bisects parts until the bound meets the tolerance; false when it could not, or would spend more than
+  /// kAdaptiveNodeLimit. \param parts each with a PartSum `part` \param nodes_a_part that integrating one spends, at
+  /// most \param integrate sets a part's sums (with nodes), errors and masses \param halve makes a part its first half,
+  /// and returns the second
+  template <class Part, class Integrate, class Halve>
+  bool refine(std::vector<Part>& parts, const W& tolerance, std::size_t nodes_a_part, Integrate integrate,
+              Halve halve) {
+    const auto spend = [&](Part& part) {
+      integrate(part);
+      nodes_ += part.part.sums.nodes;
+    };
+    for (Part& part : parts) spend(part);
+    for (;;) {
+      update(parts);
+      if (bound_ <= tolerance) return true;
+      if (hopeless(tolerance)) return false;
+      const std::size_t count = parts.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        if (!needs_split(parts[i].part, parts.size(), tolerance)) continue;
+        if (nodes_ + 2 * nodes_a_part > kAdaptiveNodeLimit) return update(parts), false;
+        Part half = halve(parts[i]);
+        spend(parts[i]);
+        spend(half);
+        parts.push_back(std::move(half));
+      }
+      if (parts.size() == count) return false;  // what is left is rounding
+    }
+  }
+
+ private:
+  template <class Part>
+  void update(const std::vector<Part>& parts) {
+    using std::isfinite;
+    integrand_.reset(total_, order_);
+    bound_ = 0;
+    for (int o = 0; o <= order_; ++o) {
+      W mass = 0;
+      error_[o] = 0;
+      for (const Part& part : parts) {
+        for (std::size_t k = 0; k < total_.of(o).size(); ++k) total_.of(o)[k] += part.part.sums.of(o)[k];
+        error_[o] += part.part.error[o];
+        mass += part.part.mass[o];
+      }
+      size_[o] = norm(total_.of(o));
+      // A node's position is off by a few roundings, its kernel by about ten times as many.
+      rounding_[o] = 64 * unit_roundoff<W>() * mass;
+      if (mass == 0) continue;
+      const W bound = (error_[o] + rounding_[o]) / size_[o];
+      if (!(bound <= bound_)) bound_ = isfinite(bound) ? bound : std::numeric_limits<W>::infinity();
+    }
+    total_.nodes = nodes_;
+  }
+
+  bool needs_split(const PartSum<W>& part, std::size_t count, const W& tolerance) const {
+    const W share = tolerance / (2 * static_cast<double>(count));
+    for (int o = 0; o <= order_; ++o)
+      if (error_[o] > tolerance * size_[o] / 2 && part.error[o] > share * size_[o]) return true;
+    return false;
+  }
+
+  // Bisection leaves the rounding as it is: true when it alone breaks the tolerance, whatever the tensors turn out to
+  // be.
+  bool hopeless(const W& tolerance) const {
+    for (int o = 0; o <= order_; ++o)
+      if (!(rounding_[o] <= tolerance * (size_[o] + error_[o]))) return true;
+    return false;
+  }
+
+  const Integrand& integrand_;
+  int order_;
+  Result<W> total_;
+  std::array<W, 3> size_{}, error_{}, rounding_{};
+  W bound_ = 0;
+  std::size_t nodes_ = 0;
+};
+
+/// What a refinement came to.
+struct AdaptiveOutcome {
+  bool converged;
+  double bound;  ///< of the relative error, norm-wise, the worst order's
+
+  /// Of a point on the element: takes the sums from farther inside into account, to which those from nearer must be
+  /// equal.
+  template <Scalar W>
+  void compare(const AdaptiveOutcome& at_farther, const Result<W>& farther, Result<W>& nearer, int order,
+               double tolerance) {
+    converged = at_farther.converged && converged;
+    for (int o = 0; o <= order; ++o) bound = std::max(bound, relative_difference(farther.of(o), nearer.of(o)));
+    converged = converged && bound <= tolerance;
+    nearer.nodes += farther.nodes;
+  }
+};
+
+/// Sets a result's statement. Rounding the result to R is part of the error.
+template <Scalar R>
+void state(const AdaptiveOutcome& outcome, std::size_t nodes, Result<R>& result) {
+  result.nodes = nodes;
+  result.converged = outcome.converged;
+  const double bound = outcome.bound + static_cast<double>(unit_roundoff<R>());
+  result.stated_digits = bound < 0.1 ? -std::log10(bound) : 0;
+}
+
+}  // namespace cageproof::quadrature_ref

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "../finish.h"
+#include "quad_frame.h"
+
+#include "cageproof/core/gauss_legendre.h"
+#include "cageproof/quadrature_ref/quad_rules.h"
+
+namespace cageproof::quadrature_ref {
+
+template <Scalar R>
+void quad::integrate_gauss(const Integrand& integrand, int n, const Batch<R>& batch, const BatchOutput<R>& output) {
+  static thread_local std::vector<Node<R>> row;
+  const GaussLegendre<R>& rule = gauss_legendre<R>(n);
+  const Kernel<R>& kernel = integrand.kernel<R>();
+  const KernelTask<R> task = integrand.task(batch.parameters, batch.order);
+  const auto add = [&](const QuadFrame<R>& q, Result<R>& sums) {
+    // About the nearest corner, where rounding leaves the height its digits.
+    const auto nearest = std::ranges::min_element(q.corners, {}, [](const Vec3<R>& p) { return dot(p, p); });
+    const auto corner = nearest - q.corners.begin();
+    const R u = corner == 1 || corner == 2 ? 1 : 0, v = corner >= 2 ? 1 : 0;
+    const QuadExpansion<R> at = expand(q, u, v);
+    row.resize(n);
+    for (Node<R>& node : row) node.log_unit = log_of_unit<R>(q.exponent);
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        at.set(R(rule.nodes[i] - u), R(rule.nodes[j] - v), row[j]);
+        row[j].weight = rule.weights[i] * rule.weights[j];
+      }
+      kernel.accumulate(row, task, sums);
+    }
+    sums.nodes = static_cast<std::size_t>(n) * n;
+  };
+  integrate_block<R>(
+      integrand, batch, output, [&](const Vec3<R>& point) { return quad_frame(batch.corners, point); }, add);
+}
+
+#define CAGEPROOF_INSTANTIATE(R) \
+  template void quad::integrate_gauss<R>(const Integrand&, int, const Batch<R>&, const BatchOutput<R>&);
+CAGEPROOF_INSTANTIATE(float)
+CAGEPROOF_INSTANTIATE(double)
+CAGEPROOF_INSTANTIATE(Mp50)
+CAGEPROOF_INSTANTIATE(Mp100)
+CAGEPROOF_INSTANTIATE(Mp200)
+#undef CAGEPROOF_INSTANTIATE
+
+}  // namespace cageproof::quadrature_ref

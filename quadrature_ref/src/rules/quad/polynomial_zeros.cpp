@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "polynomial_zeros.h"
+
+#include <cmath>
+
+namespace cageproof::quadrature_ref {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Start values: for each segment of the Newton polygon's upper hull as many as it is long, on its radius.
+std::vector<Complex> starts(const std::array<double, 5>& c, int degree) {
+  std::vector<Complex> zeros;
+  for (int i = 0; i < degree;) {
+    int next = i + 1;
+    double steepest = -1e300;
+    for (int j = i + 1; j <= degree; ++j) {
+      if (c[j] == 0) continue;
+      const double slope = (std::log(std::abs(c[j])) - std::log(std::abs(c[i]))) / (j - i);
+      if (slope >= steepest) {
+        steepest = slope;
+        next = j;
+      }
+    }
+    for (int k = i; k < next; ++k)
+      zeros.push_back(std::polar(std::exp(-steepest), 0.7 + 2 * k + 6.2831853 * k / degree));
+    i = next;
+  }
+  return zeros;
+}
+
+}  // namespace
+
+std::vector<Complex> polynomial_zeros(const std::array<double, 5>& coefficients) {
+  const std::array<double, 5>& c = coefficients;
+  int degree = 4;
+  while (degree > 0 && !(std::abs(c[degree]) > std::abs(c[0]) * 1e-240)) --degree;
+  std::vector<Complex> zeros = starts(c, degree);
+  for (int step = 0; step < 80; ++step) {
+    double change = 0;
+    for (int i = 0; i < degree; ++i) {
+      // Of a zero outside the unit circle the inverse is iterated: its powers cannot overflow.
+      const Complex z = zeros[i];
+      const bool outside = std::abs(z) > 1;
+      const Complex y = outside ? 1. / z : z;
+      Complex value = 0, slope = 0;
+      for (int k = 0; k <= degree; ++k) {
+        slope = slope * y + value;
+        value = value * y + c[outside ? k : degree - k];
+      }
+      if (value == 0.) continue;
+      Complex newton = slope / value;  // of the polynomial in y
+      if (outside) newton = static_cast<double>(degree) * y - y * y * newton;
+      for (int j = 0; j < degree; ++j)
+        if (j != i) newton -= 1. / (z - zeros[j]);
+      const Complex move = 1. / newton;
+      if (!std::isfinite(move.real()) || !std::isfinite(move.imag())) continue;
+      zeros[i] -= move;
+      change = std::max(change, std::abs(move) / std::abs(zeros[i]));
+    }
+    if (change < 1e-10) break;
+  }
+  return zeros;
+}
+
+}  // namespace cageproof::quadrature_ref

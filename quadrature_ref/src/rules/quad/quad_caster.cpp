@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "quad_caster.h"
+
+namespace cageproof::quadrature_ref {
+
+template <Scalar W>
+typename QuadCaster<W>::Radius QuadCaster<W>::radius(const QuadCell& cell, const W& w_range, const W& fraction) const {
+  const W cell_length = W(cell.w_hi) - W(cell.w_lo);
+  W sinh_w, cosh_w;
+  sinh_cosh(W(w_range * (W(cell.w_lo) + fraction * cell_length)), sinh_w, cosh_w);
+  const W delta = cell.delta;
+  Radius r;
+  r.rho = delta * sinh_w;
+  r.square = r.rho * r.rho;
+  r.weight = r.rho * delta * cosh_w * w_range * cell_length;
+  return r;
+}
+
+// Turns to the direction at a fraction of the cell's range of tau.
+template <Scalar W>
+void QuadCaster<W>::aim(const QuadSector<W>& sector, const QuadCell& cell, const W& fraction) {
+  const W cell_length = W(cell.t_hi) - W(cell.t_lo);
+  W sinh_tau, cosh_tau;
+  sinh_cosh(W(sector.tau + sector.tau_length * (W(cell.t_lo) + fraction * cell_length)), sinh_tau, cosh_tau);
+  const W s = sector.eps * sinh_tau;
+  ray_weight_ = sector.jacobian * sector.eps * cosh_tau * sector.tau_length * cell_length;
+  du_ = sector.du + s * sector.step_u;
+  dv_ = sector.dv + s * sector.step_v;
+  duv_ = du_ * dv_;
+  for (int i = 0; i < 3; ++i) {
+    direction_[i] = sector.to_edge[i] + s * sector.edge[i];
+    bend_[i] = duv_ * frame_.at.twist[i];
+  }
+}
+
+template <Scalar W>
+void QuadCaster<W>::set_node(const Radius& radius, const W& weight, Node<W>& node) const {
+  frame_.at.set_surface(W(radius.rho * du_), W(radius.rho * dv_), W(radius.square * duv_), node);
+  // A d_u + B d_v cancels in thin quads; `direction_` does not.
+  for (int i = 0; i < 3; ++i) node.x[i] = frame_.at.base[i] + radius.rho * direction_[i] + radius.square * bend_[i];
+  node.weight = weight;
+  node.log_unit = log_unit_;
+}
+
+template <Scalar W>
+void QuadCaster<W>::add_cell(const QuadCell& cell, QuadPoints points, Result<W>& sums) {
+  const GaussLegendre<W>& t_rule = gauss_legendre<W>(points.t);
+  const GaussLegendre<W>& w_rule = gauss_legendre<W>(points.w);
+  const W w_range = inverse_sinh(W(1 / W(cell.delta)));
+  std::vector<Radius> radii;
+  for (int j = 0; j < points.w; ++j) {
+    radii.push_back(radius(cell, w_range, w_rule.nodes[j]));
+    radii.back().weight *= w_rule.weights[j];
+  }
+  nodes_.resize(points.w);
+  for (int i = 0; i < points.t; ++i) {
+    aim(frame_.sectors[cell.sector], cell, t_rule.nodes[i]);
+    const W across = ray_weight_ * t_rule.weights[i];
+    for (int j = 0; j < points.w; ++j) set_node(radii[j], W(across * radii[j].weight), nodes_[j]);
+    kernel_.accumulate(nodes_, task_, sums);
+  }
+  sums.nodes += static_cast<std::size_t>(points.t) * points.w;
+}
+
+template <Scalar W>
+std::array<double, 3> QuadCaster<W>::log10_mass(const QuadCell& cell) {
+  std::array<double, 3> mass;
+  mass.fill(-std::numeric_limits<double>::infinity());
+  const W w_range = inverse_sinh(W(1 / W(cell.delta)));
+  Result<W> sample;
+  nodes_.resize(1);
+  for (int i = 0; i < 3; ++i) {
+    aim(frame_.sectors[cell.sector], cell, W(W(i) / 2));
+    for (int j = 0; j < 3; ++j) {
+      // Not at rho = 0, where the area element vanishes with the largest integrand.
+      const Radius r = radius(cell, w_range, W((W(j) + W(1) / 8) / W(2.125)));
+      set_node(r, W(ray_weight_ * r.weight), nodes_[0]);
+      integrand_.reset(sample, task_.order);
+      kernel_.accumulate(nodes_, task_, sample);
+      for (int o = 0; o <= task_.order; ++o) mass[o] = std::max(mass[o], log10_norm(sample.of(o)));
+    }
+  }
+  return mass;
+}
+
+template class QuadCaster<double>;
+template class QuadCaster<Mp50>;
+template class QuadCaster<Mp100>;
+template class QuadCaster<Mp200>;
+
+}  // namespace cageproof::quadrature_ref

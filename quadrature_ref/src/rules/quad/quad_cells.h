@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// How a quad's frame is cut into cells, and how many points each needs, from the complex zeros of r^2.
+#pragma once
+
+#include "quad_caster.h"
+
+namespace cageproof::quadrature_ref {
+
+/// A cell with what decides its rules.
+struct PlannedCell {
+  QuadCell cell;
+  double half_t = 0, half_w = 0;        ///< half the cell's lengths in tau and w
+  double ellipse_t = 0, ellipse_w = 0;  ///< sum of semi-axes of the largest Bernstein ellipse without a zero of r^2
+};
+
+/// Cells on which rules for `digits` digits cost least, none longer than `longest` in tau or w.
+std::vector<PlannedCell> quad_cells(const PolarQuadFrame<Mp50>& frame, double digits, double longest);
+
+/// Points for `digits` digits relative to the cell's largest integrand.
+QuadPoints points_for(const PlannedCell& cell, double digits);
+
+}  // namespace cageproof::quadrature_ref

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "quad_sum.h"
+
+namespace cageproof::quadrature_ref {
+namespace {
+
+constexpr double kNone = -std::numeric_limits<double>::infinity();
+
+// A quarter of the distance away from c where it is inside, and inside still.
+Mp200 moved(const Mp200& x, const Mp200& step) {
+  if (x == 0 || x == 1) return x;
+  return x * 2 < 1 ? Mp200(x + std::min<Mp200>(step, (1 - x) / 4)) : Mp200(x - std::min<Mp200>(step, x / 4));
+}
+
+}  // namespace
+
+QuadSum::QuadSum(const Integrand& integrand, const QuadFrame<Mp200>& q, const ClosestPoint& c,
+                 const Query<Mp200>& query, double digits)
+    : ConvergingSum(integrand, query) {
+  const PolarQuadFrame<Mp200> frame = polar_quad_frame(q, c.u, c.v);
+  const Mp200 u = moved(c.u, Mp200(frame.distance / length(frame.at.along_u) / 4));
+  const Mp200 v = moved(c.v, Mp200(frame.distance / length(frame.at.along_v) / 4));
+  cuts_[0] = cut(frame, digits, 2.5);
+  cuts_[1] = cut(polar_quad_frame(q, u, v), digits, 2.1);
+  std::array<double, 3> mass;
+  mass.fill(kNone);
+  for (const auto& of_cell : cuts_[0].mass)
+    for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], of_cell[o]);
+  norm_ = norms(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
+}
+
+QuadSum::Cut QuadSum::cut(PolarQuadFrame<Mp200> frame, double digits, double longest) {
+  Cut c{std::move(frame), {}, {}, {}, {}};
+  c.frame50 = convert<Mp50>(c.frame200);
+  c.frame100 = convert<Mp100>(c.frame200);
+  c.cells = quad_cells(c.frame50, digits, longest);
+  QuadCaster<Mp50> caster(c.frame50, integrand_, task<Mp50>());
+  for (const PlannedCell& cell : c.cells) c.mass.push_back(caster.log10_mass(cell.cell));
+  return c;
+}
+
+template <Scalar W>
+void QuadSum::add_cell(const PolarQuadFrame<W>& frame, const PlannedCell& cell, double digits, Result<Mp200>& total) {
+  Result<W> sums = empty<W>();
+  QuadCaster<W>(frame, integrand_, task<W>()).add_cell(cell.cell, points_for(cell, digits), sums);
+  add(sums, total);
+}
+
+Result<Mp200> QuadSum::with_error(const Cut& cut, const std::array<double, 3>& log10_error) {
+  Result<Mp200> total = empty();
+  for (std::size_t i = 0; i < cut.cells.size(); ++i) {
+    double digits = 0;
+    for (int o = 0; o <= order_; ++o)
+      if (cut.mass[i][o] > kNone) digits = std::max(digits, cut.mass[i][o] - log10_error[o]);
+    digits = std::min(digits, kDigitsIn200);
+    if (digits <= kDigitsIn50) add_cell(cut.frame50, cut.cells[i], digits, total);
+    else if (digits <= kDigitsIn100) add_cell(cut.frame100, cut.cells[i], digits, total);
+    else add_cell(cut.frame200, cut.cells[i], digits, total);
+  }
+  return total;
+}
+
+Result<Mp200> QuadSum::at(double digits) {
+  std::array<double, 3> error;
+  for (int o = 0; o <= order_; ++o) error[o] = norm_[o] - digits;
+  const Result<Mp200> sums = with_error(cuts_[next_], error);
+  next_ = 1 - next_;
+  return sums;
+}
+
+}  // namespace cageproof::quadrature_ref

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The integral over a quad at any number of digits, cut differently every time it is asked for.
+#pragma once
+
+#include "../converging_sum.h"
+#include "quad_cells.h"
+
+namespace cageproof::quadrature_ref {
+
+class QuadSum final : public ConvergingSum {
+ public:
+  /// \param c the quad's point nearest to eta \param digits that will be asked for, about
+  QuadSum(const Integrand& integrand, const QuadFrame<Mp200>& q, const ClosestPoint& c, const Query<Mp200>& query,
+          double digits);
+  /// Alternates between two centres and cuts, so that comparing two sums tests both.
+  Result<Mp200> at(double digits) override;
+
+ private:
+  struct Cut {
+    PolarQuadFrame<Mp200> frame200;
+    PolarQuadFrame<Mp50> frame50;
+    PolarQuadFrame<Mp100> frame100;
+    std::vector<PlannedCell> cells;
+    std::vector<std::array<double, 3>> mass;  ///< log10, a cell and order
+  };
+
+  Cut cut(PolarQuadFrame<Mp200> frame, double digits, double longest);
+  template <Scalar W>
+  void add_cell(const PolarQuadFrame<W>& frame, const PlannedCell& cell, double digits, Result<Mp200>& total);
+  /// The sum with an absolute error of about 10^log10_error[order].
+  Result<Mp200> with_error(const Cut& cut, const std::array<double, 3>& log10_error);
+
+  std::array<Cut, 2> cuts_;
+  std::array<double, 3> norm_;  ///< log10, an order
+  int next_ = 0;
+};
+
+}  // namespace cageproof::quadrature_ref

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "rule_family.h"
+
+namespace cageproof::quadrature_ref {
+namespace {
+
+// An evaluation made of a rule and a kernel, which it keeps alive.
+Evaluation evaluation(const RuleFamily& family, std::string_view name, int number, const Formula& row,
+                      const std::shared_ptr<const KernelSet>& kernels) {
+  Evaluation result(row.name, name, family.facts);
+  for (const ScalarKind kind : scalar_kinds)
+    with_scalar(kind, [&]<Scalar R>() {
+      const RuleFunctions<R>& rule = std::get<RuleFunctions<R>>(family.functions);
+      if (rule.block)
+        result.set_batch<R>([&row, &rule, kernels, number](const Batch<R>& batch, const BatchOutput<R>& output) {
+          rule.block(Integrand{row, *kernels}, number, batch, output);
+        });
+      if (rule.point)
+        result.set_point<R>([&row, &rule, kernels, number](const Query<R>& query, Result<R>& tensors) {
+          rule.point(Integrand{row, *kernels}, number, query, tensors);
+        });
+    });
+  return result;
+}
+
+}  // namespace
+
+const std::vector<RuleFamily>& rules_of(ElementKind kind) {
+  // In the order of ElementKind.
+  static const std::array<std::vector<RuleFamily>, element_kinds.size()> table{segment::families(),
+                                                                               triangle::families(), quad::families()};
+  return table[static_cast<std::size_t>(kind)];
+}
+
+void register_rules(ElementKind kind, std::string_view kernel, const std::shared_ptr<const KernelSet>& kernels) {
+  const std::string formula = std::string(name_of(kind)) + "." + std::string(kernel);
+  for (const RuleFamily& family : rules_of(kind))
+    EvaluationRegister::instance().add(
+        {formula,
+         family.pattern,
+         family.facts.role,
+         family.standard,
+         [&family, kernels, formula](std::string_view name) -> std::optional<Evaluation> {
+           const auto number = family.number(name);
+           const Formula* row = number ? find_formula(formula) : nullptr;
+           if (row == nullptr) return std::nullopt;
+           return evaluation(family, name, *number, *row, kernels);
+         },
+         {},
+         family.studied});
+}
+
+RegisterKernel::RegisterKernel(std::string_view kernel, std::shared_ptr<const KernelSet> kernels) {
+  for (const ElementKind kind : element_kinds)
+    if (kernels->defined_in(dimension(kind))) register_rules(kind, kernel, kernels);
+}
+
+}  // namespace cageproof::quadrature_ref

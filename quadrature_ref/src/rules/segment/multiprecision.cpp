@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "../converted.h"
+#include "segment_sum.h"
+
+#include "cageproof/quadrature_ref/segment_rules.h"
+
+namespace cageproof::quadrature_ref {
+namespace {
+
+// Two distances of which the farther one leaves ten digits more than wanted, if the limit is approached linearly.
+Inside inside_of(const Integrand& integrand, const SegmentFrame<Mp200>& s, const Query<Mp200>& query,
+                 const Mp200& clearance, double digits) {
+  const Mp200 farther = clearance * pow(Mp200(10), -digits - 10), nearer = farther / 10000;
+  Inside inside{
+      .moved =
+          [&](const Mp200& inward) { return std::make_unique<SegmentSum>(integrand, arm_frame(s, inward), query); },
+      .inward = {farther, nearer}};
+  for (int order = 0; order <= query.order; ++order)
+    inside.log10_natural[order] = (integrand.formula.degree - order) * log10_magnitude(s.extent);
+  return inside;
+}
+
+}  // namespace
+
+template <Scalar R>
+void segment::integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result) {
+  const double digits = digits_wanted<R>();
+  integrand.reset(result, query.order);
+  const ConvertedQuery<Mp200> exact(query);
+  const auto s = segment_frame(exact.query.corners, exact.query.point);
+  if (!s) return fill_not_a_number(result);
+  Answer answer;
+  if (const OnSegment on = on_segment(*s); on.yes) {
+    answer = limit_from_inside(inside_of(integrand, *s, exact.query, on.clearance, digits), digits, query.order);
+  } else {
+    SegmentSum sum(integrand, arm_frame(*s, Mp200(0)), exact.query);
+    answer = converge(sum, digits, query.order);
+  }
+  set_answer(integrand.formula, s->exponent, answer, query.order, result);
+}
+
+#define CAGEPROOF_INSTANTIATE(R) \
+  template void segment::integrate_multiprecision<R>(const Integrand&, const Query<R>&, Result<R>&);
+CAGEPROOF_INSTANTIATE(float)
+CAGEPROOF_INSTANTIATE(double)
+CAGEPROOF_INSTANTIATE(Mp50)
+CAGEPROOF_INSTANTIATE(Mp100)
+CAGEPROOF_INSTANTIATE(Mp200)
+#undef CAGEPROOF_INSTANTIATE
+
+}  // namespace cageproof::quadrature_ref

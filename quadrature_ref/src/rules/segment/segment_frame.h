@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A segment of the plane as its point sees it.
+#pragma once
+
+#include "../local_corners.h"
+
+#include <optional>
+
+namespace cageproof::quadrature_ref {
+
+/// Ends v_k - eta and the edge v_1 - v_0, and what follows from them.
+template <Scalar R>
+struct SegmentFrame : LocalCorners<R, 2, 1> {
+  Vec3<R> normal;  ///< unit, outward: to the right of v_0 -> v_1
+  R height;        ///< x . normal of every x on the segment
+  R extent;        ///< the segment's length
+};
+
+/// Nothing for a segment without length or an input that is not finite.
+template <Scalar R>
+std::optional<SegmentFrame<R>> segment_frame(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
+  SegmentFrame<R> s;
+  if (!s.set(corners, point)) return std::nullopt;
+  const Vec3<R>& edge = s.edges[0];
+  s.extent = length(edge);
+  if (!(s.extent > 0)) return std::nullopt;
+  s.normal = {edge[1] / s.extent, -edge[0] / s.extent, R(0)};
+  // The nearest end gives the height with the smallest rounding error; dividing last keeps an exact zero.
+  const Vec3<R>& nearest =
+      dot(s.corners[1], s.corners[1]) < dot(s.corners[0], s.corners[0]) ? s.corners[1] : s.corners[0];
+  s.height = (nearest[0] * edge[1] - nearest[1] * edge[0]) / s.extent;
+  return s;
+}
+
+}  // namespace cageproof::quadrature_ref

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "segment_sum.h"
+
+namespace cageproof::quadrature_ref {
+namespace {
+
+constexpr double kNone = -std::numeric_limits<double>::infinity();
+// Fewer points would not even see that an integrand is larger than modelled.
+constexpr int kFewestPoints = 4;
+
+}  // namespace
+
+SegmentSum::SegmentSum(const Integrand& integrand, ArmFrame<Mp200> frame, const Query<Mp200>& query)
+    : ConvergingSum(integrand, query),
+      exact_frame_(std::move(frame)),
+      frame50_(convert<Mp50>(exact_frame_)),
+      frame100_(convert<Mp100>(exact_frame_)) {}
+
+std::array<double, 3> SegmentSum::log10_mass(ArmCaster<Mp50>& caster, const ArmPanel& panel) const {
+  std::array<double, 3> mass;
+  mass.fill(kNone);
+  Result<Mp50> tensors;
+  const Mp50 whole = caster.length(panel);
+  for (int i = 0; i < 3; ++i) {
+    const auto size = caster.sample(panel.arm, Mp50(panel.lo + whole * i / 2), whole, tensors);
+    for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], log10_magnitude(size[o]));
+  }
+  return mass;
+}
+
+SegmentSum::Cut SegmentSum::cut(const PanelDesign& design) {
+  Cut c;
+  set_arm_panels(exact_frame_, design, c.panels);
+  ArmCaster<Mp50> caster(frame50_, integrand_, task<Mp50>());
+  for (const ArmPanel& panel : c.panels) c.mass.push_back(log10_mass(caster, panel));
+  return c;
+}
+
+template <Scalar W>
+void SegmentSum::add_panel(const ArmFrame<W>& frame, const ArmPanel& panel, int n, Result<Mp200>& total) {
+  Result<W> sums = empty<W>();
+  ArmCaster<W>(frame, integrand_, task<W>()).add_panel(panel, n, sums);
+  add(sums, total);
+}
+
+Result<Mp200> SegmentSum::with_error(const Cut& cut, const std::array<double, 3>& log10_error) {
+  Result<Mp200> total = empty();
+  for (std::size_t i = 0; i < cut.panels.size(); ++i) {
+    const ArmPanel& panel = cut.panels[i];
+    double digits = 0;
+    for (int o = 0; o <= order_; ++o)
+      if (cut.mass[i][o] > kNone) digits = std::max(digits, cut.mass[i][o] - log10_error[o]);
+    digits = std::min(digits, kDigitsIn200);
+    const int n = std::max(kFewestPoints, nodes_for(panel.lo, panel.hi, exact_frame_.singular, digits));
+    if (digits <= kDigitsIn50) add_panel(frame50_, panel, n, total);
+    else if (digits <= kDigitsIn100) add_panel(frame100_, panel, n, total);
+    else add_panel(exact_frame_, panel, n, total);
+  }
+  return total;
+}
+
+void SegmentSum::scout(double digits) {
+  const int nodes = digits > 50 ? 64 : 32;
+  cuts_ = {cut({.nodes = nodes, .digits = nodes * .94}), cut({.nodes = nodes * 3 / 4, .digits = nodes * .94})};
+  std::array<double, 3> mass;
+  mass.fill(kNone);
+  for (const auto& of_panel : cuts_[0].mass)
+    for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], of_panel[o]);
+  norm_ = norms(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
+}
+
+Result<Mp200> SegmentSum::at(double digits) {
+  if (cuts_.empty()) scout(digits);
+  std::array<double, 3> error;
+  for (int o = 0; o <= order_; ++o) error[o] = norm_[o] - digits;
+  next_ = 1 - next_;
+  return with_error(cuts_[next_], error);
+}
+
+}  // namespace cageproof::quadrature_ref

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/reports/compare.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/reports/checked_file.h"
+#include "json_value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace cageproof::reports {
+namespace {
+
+// What a list of summary.json is made of: members that say what an entry is about, and its figures.
+struct List {
+  const char *name, *entry;
+  std::vector<const char*> key, figures;
+};
+
+const std::array lists{
+    List{"rows",
+         "row",
+         {"section", "subject", "evaluation", "scalar", "regime", "check", "place", "order"},
+         {"unit", "samples", "nonfinite", "without_truth", "declined", "max", "p999", "median", "max_relative", "bound",
+          "verdict", "histogram"}},
+    List{"curves",
+         "curve",
+         {"subject", "evaluation", "scalar", "regime", "check", "order"},
+         {"parameter_name", "parameters", "errors"}},
+    List{"fields", "field", {"title"}, {"unit", "largest"}},
+    List{"errata",
+         "erratum",
+         {"source", "printed", "formula", "evaluation", "regime", "order"},
+         {"correct", "measured", "samples", "printed_nonfinite", "printed_error", "corrected_error"}}};
+
+Json parsed(std::string_view text, std::string_view name) {
+  Json json = Json::parse(text, nullptr, false);
+  const bool summary = json.is_object() && json.contains("schema") && json["schema"] == "cageproof-summary";
+  if (!summary || !json.contains("rows") || !json["rows"].is_array())
+    throw InputError(fmt::format("{}: not the summary.json of a verification report", name));
+  return json;
+}
+
+std::string text_of(const Json& json) {
+  if (json.is_string()) return json.get<std::string>();
+  const std::string text = dump(json);
+  return text.size() > 40 ? "..." : text;
+}
+
+std::string renamed_word(const Json& entry, const char* member, const Renamed& renamed) {
+  const std::string word = text_of(entry[member]);
+  constexpr std::array names{"subject", "formula", "evaluation", "regime", "check"};
+  if (std::ranges::find(names, std::string_view(member)) == names.end()) return word;
+  for (const char* owner : {"subject", "formula"}) {
+    if (!entry.contains(owner)) continue;
+    if (const auto found = renamed.find(fmt::format("{}/{}", text_of(entry[owner]), word)); found != renamed.end())
+      return found->second;
+  }
+  const auto found = renamed.find(word);
+  return found == renamed.end() ? word : found->second;
+}
+
+// The entries of a list by what they are about, in words.
+std::map<std::string, const Json*> entries(const Json& summary, const List& list, const Renamed& renamed) {
+  std::map<std::string, const Json*> found;
+  if (!summary.contains(list.name)) return found;
+  for (const Json& entry : summary[list.name]) {
+    std::string name = fmt::format("{}:", list.entry);
+    for (const char* member : list.key)
+      if (entry.contains(member) && entry[member] != "") name.append(" ").append(renamed_word(entry, member, renamed));
+    // A report may show one title twice.
+    std::string unique = name;
+    for (int n = 2; !found.try_emplace(unique, &entry).second; ++n) unique = fmt::format("{} ({})", name, n);
+  }
+  return found;
+}
+
+std::string differences(const Json& before, const Json& after, const List& list) {
+  std::string text;
+  for (const char* figure : list.figures) {
+    const Json a = before.contains(figure) ? before[figure] : Json(),
+               b = after.contains(figure) ? after[figure] : Json();
+    if (a != b) text.append(fmt::format("{} {} {} -> {}", text.empty() ? "" : ",", figure, text_of(a), text_of(b)));
+  }
+  return text;
+}
+
+}  // namespace
+
+Renamed read_renamed(const std::filesystem::path& path) {
+  const Json json = Json::parse(read_file(path), nullptr, false);
+  Renamed renamed;
+  if (!json.is_object()) throw InputError(fmt::format("{}: not a JSON object", path.string()));
+  for (const auto& [name, value] : json.items()) {
+    if (!value.is_string())
+      throw InputError(fmt::format("{}: what \"{}\" became is not a string", path.string(), name));
+    renamed[name] = value.get<std::string>();
+  }
+  return renamed;
+}
+
+Comparison compare_summaries(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
+                             std::string_view old_name, std::string_view new_name) {
+  const Json before = parsed(old_text, old_name), after = parsed(new_text, new_name);
+  Comparison result;
+  for (const List& list : lists) {
+    const auto old_entries = entries(before, list, renamed), new_entries = entries(after, list, {});
+    for (const auto& [name, entry] : old_entries) {
+      const auto other = new_entries.find(name);
+      if (other == new_entries.end()) {
+        result.gone.push_back(name);
+        continue;
+      }
+      const std::string text = differences(*entry, *other->second, list);
+      if (text.empty()) ++result.equal;
+      else result.differing.push_back(fmt::format("{}:{}", name, text));
+    }
+    for (const auto& [name, entry] : new_entries)
+      if (!old_entries.contains(name)) result.added.push_back(name);
+  }
+  return result;
+}
+
+}  // namespace cageproof::reports

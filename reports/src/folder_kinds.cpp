@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/reports/checked_file.h"
+#include "cageproof/reports/journal.h"
+#include "report_folder.h"
+
+#include <nlohmann/json.hpp>
+
+namespace cageproof::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool states_schema(const fs::path& file, std::string_view schema) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return false;
+  const auto json = nlohmann::json::parse(read_file(file), nullptr, false);
+  return json.is_object() && json.contains("schema") && json["schema"] == schema;
+}
+
+// Whether it has a journal, of a shard or of a whole run.
+bool has_journal(const fs::path& folder, bool shard) {
+  const auto header = find_journal_header(folder / journal_file);
+  return header && (header->shards > 1) == shard;
+}
+
+}  // namespace
+
+const FolderKind& report_kind() {
+  static const FolderKind kind{
+      "a verification report",
+      {journal_file, "summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "fields", "pictures"},
+      {"fields", "pictures"},
+      [](const fs::path& folder) {
+        return has_journal(folder, false) || states_schema(folder / "summary.json", "cageproof-summary");
+      }};
+  return kind;
+}
+
+const FolderKind& shard_kind() {
+  static const FolderKind kind{
+      "a shard of a run", {journal_file}, {}, [](const fs::path& folder) { return has_journal(folder, true); }};
+  return kind;
+}
+
+const FolderKind& field_kind() {
+  static const FolderKind kind{
+      "an error field",
+      {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "fields", "pictures"},
+      {"fields", "pictures"},
+      [](const fs::path& folder) { return states_schema(folder / "summary.json", "cageproof-field"); }};
+  return kind;
+}
+
+const FolderKind& work_precision_kind() {
+  static const FolderKind kind{
+      "a work-precision measurement",
+      {"work_precision.csv", "work_precision.json", "pictures"},
+      {"pictures"},
+      [](const fs::path& folder) { return states_schema(folder / "work_precision.json", "cageproof-work-precision"); }};
+  return kind;
+}
+
+}  // namespace cageproof::reports

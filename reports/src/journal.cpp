@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/reports/journal.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/reports/checked_file.h"
+#include "findings_json.h"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace cageproof::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view schema = "cageproof-journal";
+constexpr int schema_version = 1;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
+  throw InputError(fmt::format("cannot write {}: {}", path.string(), reason));
+}
+
+Json json_of(const Session& session) {
+  return {{"started", session.started},
+          {"seconds", json_number(session.seconds)},
+          {"command_line", session.command_line},
+          {"machine", session.machine}};
+}
+
+Session session_of(const Json& json) {
+  Session session;
+  session.started = json.at("started").get<std::string>();
+  session.seconds = number_of(json.at("seconds")).value_or(0);
+  session.command_line = json.at("command_line").get<std::string>();
+  session.machine = json.at("machine").get<std::map<std::string, std::string>>();
+  return session;
+}
+
+std::string head(const JournalHeader& header, const std::vector<Session>& sessions) {
+  Json json{{"schema", schema},
+            {"schema_version", schema_version},
+            {"version", header.version},
+            {"options", header.options},
+            {"settings", header.settings},
+            {"notes", header.notes},
+            {"units", header.units},
+            {"shard", header.shard},
+            {"shards", header.shards},
+            {"shard_units", header.shard_units},
+            {"environment", {{"sessions", Json::array()}}}};
+  for (const Session& session : sessions) json["environment"]["sessions"].push_back(json_of(session));
+  return dump(json) + "\n";
+}
+
+bool is_head(const Json& json) { return json.is_object() && json.contains("schema") && json["schema"] == schema; }
+
+JournalHeader header_of(const Json& json) {
+  if (json.at("schema_version") != schema_version) throw std::invalid_argument("a journal of another schema version");
+  JournalHeader header;
+  header.version = json.at("version").get<std::string>();
+  header.options = json.at("options").get<std::map<std::string, std::string>>();
+  header.settings = json.at("settings").get<std::map<std::string, std::string>>();
+  header.notes = json.at("notes").get<std::vector<std::string>>();
+  header.units = json.at("units").get<std::size_t>();
+  header.shard = json.at("shard").get<int>();
+  header.shards = json.at("shards").get<int>();
+  header.shard_units = json.at("shard_units").get<std::size_t>();
+  if (header.shards < 1 || header.shard < 0 || header.shard >= header.shards)
+    throw std::invalid_argument("no such shard");
+  return header;
+}
+
+// Lines after the header. Findings in a line without units are those of the units of a later line.
+class Reader {
+ public:
+  explicit Reader(Journal& journal) : journal_(journal) {}
+
+  void take(const Json& line) {
+    if (line.contains("session")) journal_.sessions.push_back(session_of(line["session"]));
+    Findings found = findings_of(line);
+    open_ = open_ || !found.rows.empty() || !found.fields.empty() || !found.meshes.empty() || !found.errata.empty();
+    journal_.findings.merge(std::move(found));
+    if (line.contains("seconds") && !journal_.sessions.empty()) {
+      double& seconds = journal_.sessions.back().seconds;
+      seconds = std::max(seconds, number_of(line["seconds"]).value_or(0));
+    }
+    if (!line.contains("units")) return;
+    for (const Json& range : line["units"]) take_units(range.at(0).get<std::size_t>(), range.at(1).get<std::size_t>());
+    open_ = false;
+  }
+  /// Whether findings have come whose units have not.
+  bool open() const { return open_; }
+
+ private:
+  void take_units(std::size_t first, std::size_t last) {
+    for (std::size_t unit = first; unit <= last; ++unit) {
+      if (unit >= journal_.done.size()) throw std::invalid_argument(fmt::format("there is no unit {}", unit));
+      if (journal_.done[unit]) throw std::invalid_argument(fmt::format("unit {} is there twice", unit));
+      journal_.done[unit] = true;
+    }
+  }
+  Journal& journal_;
+  bool open_ = false;
+};
+
+std::ifstream opened(const fs::path& path) {
+  std::error_code ignored;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || fs::is_directory(path, ignored))
+    throw InputError(fmt::format("cannot read {}: no journal", path.string()));
+  return file;
+}
+
+}  // namespace
+
+std::optional<JournalHeader> find_journal_header(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  std::ifstream file = opened(path);
+  std::string line;
+  if (!std::getline(file, line) || file.eof()) return std::nullopt;
+  const Json json = Json::parse(line, nullptr, false);
+  if (!is_head(json)) return std::nullopt;
+  try {
+    return header_of(json);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+Journal read_journal(const fs::path& path) {
+  std::ifstream file = opened(path);
+  Journal journal;
+  Reader reader(journal);
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number) {
+    // Each line is written at once with its end: one without is torn.
+    if (file.eof()) break;
+    const auto bad = [&](const std::string& reason) {
+      throw InputError(fmt::format("{}:{}: {}", path.string(), number, reason));
+    };
+    const Json json = Json::parse(line, nullptr, false);
+    if (number == 1 && !is_head(json)) bad("not the journal of a verification");
+    if (json.is_discarded() && file.peek() == std::ifstream::traits_type::eof()) break;
+    if (!json.is_object()) bad("malformed");
+    try {
+      if (number > 1) {
+        reader.take(json);
+        continue;
+      }
+      journal.header = header_of(json);
+      for (const Json& session : json.at("environment").at("sessions")) journal.sessions.push_back(session_of(session));
+      journal.done.resize(journal.header.units);
+    } catch (const Json::exception& error) {
+      bad("malformed");
+    } catch (const std::invalid_argument& error) {
+      bad(error.what());
+    }
+  }
+  if (journal.done.empty() && journal.sessions.empty())
+    throw InputError(path.string() + ": not the journal of a verification");
+  if (reader.open()) throw InputError(path.string() + ": the journal is cut off");
+  return journal;
+}
+
+std::string journal_head(const JournalHeader& header, const Session& session) { return head(header, {session}); }
+
+std::string journal_text(const Journal& journal) {
+  std::string text = head(journal.header, journal.sessions);
+  Findings rest{{}, {}, journal.findings.meshes, journal.findings.errata};
+  for (auto& [place, field] : whole_fields(journal.findings))
+    rest.fields.emplace(std::pair(place, std::size_t{0}), std::move(field));
+  for (const auto& [key, tally] : journal.findings.rows)
+    text += dump(Json{{"rows", Json::array({row_json(key, tally)})}}) + "\n";
+  const Json others = findings_json(rest);
+  for (const auto& [name, list] : others.items())
+    for (const Json& item : list) text += dump(Json{{name, Json::array({item})}}) + "\n";
+  Json units = Json::array();
+  if (journal.header.units > 0) units.push_back(Json::array({std::size_t{0}, journal.header.units - 1}));
+  return text + dump(Json{{"units", units}}) + "\n";
+}
+
+JournalWriter::JournalWriter(const fs::path& path)
+    : path_(path), file_(::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC)) {
+  if (file_ < 0) fail(path_, std::generic_category().message(errno));
+  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(file_);
+    throw InputError(fmt::format("{}: another process writes to it", path_.string()));
+  }
+  // The end of the last line that is whole.
+  const std::string text = read_file(path_);
+  std::size_t end = text.rfind('\n') + 1;
+  if (end > 0) {
+    const std::size_t before = end < 2 ? std::string::npos : text.rfind('\n', end - 2);
+    const std::size_t start = before == std::string::npos ? 0 : before + 1;
+    if (Json::parse(text.substr(start, end - start), nullptr, false).is_discarded()) end = start;
+  }
+  if (end < text.size() && ::ftruncate(file_, static_cast<off_t>(end)) != 0) {
+    const int reason = errno;
+    ::close(file_);
+    fail(path_, std::generic_category().message(reason));
+  }
+}
+
+JournalWriter::~JournalWriter() { ::close(file_); }
+
+void JournalWriter::append(const std::string& line) {
+  const std::scoped_lock lock(mutex_);
+  // After a torn line nothing may follow: torn, the last line can be told and dropped.
+  if (failed_) fail(path_, "a line before could not be written");
+  const ssize_t written = ::write(file_, line.data(), line.size());
+  if (written == static_cast<ssize_t>(line.size())) return;
+  failed_ = true;
+  fail(path_, std::generic_category().message(written < 0 ? errno : ENOSPC));
+}
+
+void JournalWriter::add_session(const Session& session) { append(dump(Json{{"session", json_of(session)}}) + "\n"); }
+
+void JournalWriter::add(std::size_t unit, const Findings& found, double seconds) {
+  Json line{{"units", Json::array({Json::array({unit, unit})})}, {"seconds", json_number(seconds)}};
+  line.update(findings_json(found));
+  append(dump(line) + "\n");
+}
+
+}  // namespace cageproof::reports

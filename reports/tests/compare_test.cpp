@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/reports/compare.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/reports/checked_file.h"
+#include "cageproof/reports/summary.h"
+#include "json_value.h"
+#include "sample_run.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::reports {
+namespace {
+
+Comparison compared(const RunResult& before, const RunResult& after, const Renamed& renamed = {}) {
+  return compare_summaries(summary_json(before), summary_json(after), renamed);
+}
+
+TEST(Compare, FindsReportsEqualThatDifferInOrderReasonsAndEnvironment) {
+  const RunResult before = sample_run(2, 2);
+  RunResult after = before;
+  std::ranges::reverse(after.rows);
+  std::ranges::reverse(after.curves);
+  after.rows[0].reason = "another";
+  after.rows[0].worst.clear();
+  after.sessions.clear();
+  const Comparison found = compared(before, after);
+  EXPECT_TRUE(found.same());
+  EXPECT_EQ(found.equal, before.rows.size() + before.curves.size() + before.errata.size());
+}
+
+// Every figure of a row, one at a time.
+TEST(Compare, NamesEveryFigureThatDiffers) {
+  const RunResult before = sample_run(1, 1);
+  const auto difference = [&](auto change) {
+    RunResult after = before;
+    change(after.rows[0]);
+    const Comparison found = compared(before, after);
+    EXPECT_EQ(found.gone.size() + found.added.size(), 0u);
+    EXPECT_EQ(found.differing.size(), 1u);
+    return found.differing.empty() ? "" : found.differing[0];
+  };
+  const auto expect = [](const std::string& line, const std::string& text) {
+    EXPECT_NE(line.find(text), std::string::npos) << line << " has no " << text;
+  };
+  expect(difference([](ResultRow& row) { row.samples = 7; }), "samples ");
+  expect(difference([](ResultRow& row) { row.nonfinite = 7; }), "nonfinite ");
+  expect(difference([](ResultRow& row) { row.without_truth = 7; }), "without_truth 0 -> 7");
+  expect(difference([](ResultRow& row) { row.declined = 7; }), "declined 0 -> 7");
+  expect(difference([](ResultRow& row) { row.max = HUGE_VAL; }), "-> inf");
+  expect(difference([](ResultRow& row) { row.p999 = std::nextafter(row.p999, 0); }), "p999 ");
+  expect(difference([](ResultRow& row) { row.median = 7; }), "median ");
+  expect(difference([](ResultRow& row) { row.max_relative = 7; }), "max_relative ");
+  expect(difference([](ResultRow& row) { row.bound.reset(); }), "bound 64.0 -> null");
+  expect(difference([](ResultRow& row) { row.verdict = Verdict::NotPromised; }), "verdict kept -> not promised");
+  expect(difference([](ResultRow& row) { row.unit = "u"; }), "unit conditioned -> u");
+  expect(difference([](ResultRow& row) { row.histogram[5] = 1; }), "histogram ");
+  RunResult after = before;
+  after.curves[0].errors[0] += 1;
+  after.errata[0].printed_error += 1;
+  EXPECT_EQ(compared(before, after).differing.size(), 2u);
+}
+
+TEST(Compare, NamesRowsThatOneReportLacks) {
+  const RunResult before = sample_run(1, 1);
+  RunResult after = before;
+  after.rows[0].check = "another";
+  const Comparison found = compared(before, after);
+  ASSERT_EQ(found.gone.size(), 1u);
+  ASSERT_EQ(found.added.size(), 1u);
+  EXPECT_NE(found.gone[0].find(" truth "), std::string::npos);
+  EXPECT_NE(found.added[0].find(" another "), std::string::npos);
+  EXPECT_FALSE(found.same());
+}
+
+TEST(Compare, FollowsNewNames) {
+  const RunResult before = sample_run(2, 1);
+  RunResult after = before;
+  for (auto* list : {&after.rows})
+    for (ResultRow& row : *list) {
+      if (row.evaluation == "quads-75") row.evaluation = "rule-75";
+      if (row.subject == before.rows[0].subject && row.evaluation == "closed_form") row.evaluation = "line_form";
+    }
+  for (ResultCurve& curve : after.curves) {
+    if (curve.evaluation == "quads-75") curve.evaluation = "rule-75";
+    if (curve.subject == before.rows[0].subject && curve.evaluation == "closed_form") curve.evaluation = "line_form";
+  }
+  EXPECT_FALSE(compared(before, after).same());
+  EXPECT_TRUE(compared(before, after, {{"quads-75", "rule-75"}, {before.rows[0].subject + "/closed_form", "line_form"}})
+                  .same());
+}
+
+TEST(Compare, ReadsTheFirstSchema) {
+  const RunResult run = sample_run(1, 1);
+  Json old = Json::parse(summary_json(run));
+  old["schema_version"] = 1;
+  old["run"] = old["environment"]["sessions"][0];
+  old.erase("environment");
+  EXPECT_TRUE(compare_summaries(dump(old), summary_json(run), {}).same());
+}
+
+TEST(Compare, RefusesWhatIsNoSummary) {
+  const std::string good = summary_json(sample_run(1, 1));
+  for (const std::string& bad : {std::string("{"), std::string("{}"), std::string("{\"schema\":\"cageproof-summary\"}"),
+                                 summary_json({}, "cageproof-field")})
+    EXPECT_THROW(compare_summaries(good, bad, {}), InputError);
+  const ScratchFolder scratch;
+  write_file(scratch.path() / "names", "{\"a\": 1}");
+  EXPECT_THROW(read_renamed(scratch.path() / "names"), InputError);
+  write_file(scratch.path() / "names", "{\"a\": \"b\"}");
+  EXPECT_EQ(read_renamed(scratch.path() / "names"), (Renamed{{"a", "b"}}));
+}
+
+}  // namespace
+}  // namespace cageproof::reports

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# scripts/check_format.sh [--fix]: whether every C++ file is as .clang-format has it (Debian 12's clang-format, version 14). Exit 0: all are; 1: some are
+# not, each named.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root"
+mapfile -t files < <(git ls-files '*.cpp' '*.h')
+if [[ ${1-} == --fix ]]; then exec clang-format -i "${files[@]}"; fi
+found=$(clang-format --dry-run --ferror-limit=1 "${files[@]}" 2>&1 | grep -oE '^[^: ]+\.(cpp|h)' | sort -u || true)
+[[ -z $found ]] || {
+  printf '%s\n' "$found" "These are not formatted; scripts/check_format.sh --fix formats them."
+  exit 1
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What a run's figures, or its times, may owe to the machine.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace cageproof::validation {
+
+/// The key of machine_facts() whose value differs between machines on which the same program finds other last digits.
+inline constexpr const char* elementary_functions = "elementary functions";
+
+/// The key whose value tells programs apart.
+inline constexpr const char* program_build = "program's build";
+
+/// Processor, threads, compiler, libraries, and the elementary functions that were picked.
+std::map<std::string, std::string> machine_facts();
+
+/// Which variants of log, atan2, exp ... the C library picked for this processor, and a fingerprint of what they
+/// return: two processes with the same text compute the same.
+std::string elementary_function_variant();
+
+/// Now, ISO 8601, UTC.
+std::string timestamp();
+
+}  // namespace cageproof::validation

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What the makers of samples share. Each draw stands in a statement of its own: within an expression, C++ leaves the
+// order of function arguments and of most operands open.
+#pragma once
+
+#include "cageproof/core/random_stream.h"
+#include "cageproof/validation/sample.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::validation {
+
+/// Coordinates uniform in [-half, half); those beyond `dim` are zero.
+inline Vec3<double> random_in_box(RandomStream& random, double half, int dim) {
+  Vec3<double> v = Vec3<double>::Zero();
+  for (int c = 0; c < dim; ++c) v[c] = random.uniform(-half, half);
+  return v;
+}
+
+/// A unit vector.
+inline Vec3<double> random_direction(RandomStream& random, int dim) {
+  for (;;) {
+    const Vec3<double> v = random_in_box(random, 1, dim);
+    const double length = v.norm();
+    if (length > 0.1 && length < 1) return v / length;
+  }
+}
+
+inline double random_sign(RandomStream& random) { return random.uniform() < 0.5 ? -1 : 1; }
+
+/// Half of the samples put the nearest point of the element at the origin: the only way to be 1e-16 sizes away exactly.
+inline void place_near(Sample& sample, const Vec3<double>& foot, const Vec3<double>& away, RandomStream& random) {
+  if (random.uniform() < 0.5) {
+    for (Vec3<double>& v : sample.corners) v -= foot;
+    sample.point = away;
+  } else {
+    sample.point = foot + away;
+  }
+}
+
+/// Moves the point by one ulp in one coordinate.
+inline void move_by_one_ulp(Sample& sample, RandomStream& random, int dim) {
+  double& x = sample.point[random.below(dim)];
+  // One ulp off zero is a denormal (5e-324), far below any element's size: there the ulp is that of a corner's step.
+  const double size = std::max(std::abs(x), 1.0 / 64);
+  const double ulp = std::nextafter(size, 2.0) - size;
+  x += random_sign(random) * ulp;
+}
+
+/// Starts at another corner.
+inline void permute_corners(Sample& sample, RandomStream& random) {
+  const int first = random.below(static_cast<int>(sample.corners.size()));
+  std::ranges::rotate(sample.corners, sample.corners.begin() + first);
+}
+
+/// A regime's sample in another unit of length.
+inline void change_unit(Sample& sample, double unit) {
+  for (Vec3<double>& v : sample.corners) v *= unit;
+  sample.point *= unit;
+}
+
+/// A regime's sample moved as a whole.
+inline void move_all(Sample& sample, const Vec3<double>& by) {
+  for (Vec3<double>& v : sample.corners) v += by;
+  sample.point += by;
+}
+
+}  // namespace cageproof::validation

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Bilinear quads in space.
+#include "patch.h"
+#include "regimes.h"
+
+#include "cageproof/core/quad_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace quads {
+namespace {
+
+using Vec = Vec3<double>;
+
+Quad<double> quad_of(Corners q) { return {q[0], q[1], q[2], q[3]}; }
+
+template <Scalar R>
+R det(const Vec3<R>& a, const Vec3<R>& b, const Vec3<R>& c) {
+  return a.cross(b).dot(c);
+}
+
+// With q0 + a e1 + b e2 + c d a point of space, e1 and e2 the sides at q0 and d the twist, the surface is c = a b. The
+// height is (c - a b) det(e1, e2, d), whose change at the surface is that of xi_u x xi_v; of a flat quad it is the
+// plane's.
+template <Scalar R>
+R height(CornersIn<R> q, const Vec3<R>& point) {
+  const Vec3<R> e1 = q[1] - q[0], e2 = q[3] - q[0], d = Vec3<R>(q[0] - q[1]) + Vec3<R>(q[2] - q[3]), p = point - q[0];
+  const R whole = det(e1, e2, d), c = det(e1, e2, p);
+  if (whole == 0) return c;
+  return c - det(p, e2, d) * det(e1, p, d) / whole;
+}
+
+Mp200 off_surface(CornersIn<Mp200> q, const Vec3<Mp200>& point) {
+  const Vec3<Mp200> extent = Vec3<Mp200>(q[2] - q[0]).cross(Vec3<Mp200>(q[3] - q[1]));
+  return height<Mp200>(q, point) / Mp200(sqrt(extent.dot(extent)));
+}
+
+template <Scalar R>
+struct Surface {
+  std::span<const Vec3<R>> q;
+  Vec3<R> at(const R& u, const R& v) const {
+    return (1 - v) * ((1 - u) * q[0] + u * q[1]) + v * (u * q[2] + (1 - u) * q[3]);
+  }
+  Vec3<R> along_u(const R& v) const { return (1 - v) * (q[1] - q[0]) + v * (q[2] - q[3]); }
+  Vec3<R> along_v(const R& u) const { return (1 - u) * (q[3] - q[0]) + u * (q[2] - q[1]); }
+};
+
+// One step of Gauss and Newton's towards the nearest point of the whole bilinear surface.
+template <Scalar R>
+void approach(const Surface<R>& surface, const Vec3<R>& point, R& u, R& v) {
+  const Vec3<R> a = surface.along_u(v), b = surface.along_v(u), r = point - surface.at(u, v);
+  const R aa = a.dot(a), ab = a.dot(b), bb = b.dot(b), ar = a.dot(r), br = b.dot(r), whole = aa * bb - ab * ab;
+  if (whole == 0) return;
+  u += (ar * bb - br * ab) / whole;
+  v += (br * aa - ar * ab) / whole;
+}
+
+std::array<Mp100, 4> basis(Corners corners, const Vec& point) {
+  std::array<Vec3<Mp100>, 4> q;
+  for (int k = 0; k < 4; ++k) q[k] = convert<Mp100>(corners[k]);
+  const auto on = on_quad(quad_of(corners), point);
+  Mp100 u = on ? on->u : 0.5, v = on ? on->v : 0.5;
+  // From a double's digits to a hundred, which each step doubles.
+  for (int step = 0; step < 5; ++step) approach<Mp100>({q}, convert<Mp100>(point), u, v);
+  return {Mp100((1 - u) * (1 - v)), Mp100(u * (1 - v)), Mp100(u * v), Mp100((1 - u) * v)};
+}
+
+Vec3<Mp100> normal(CornersIn<Mp100> q, const std::array<Mp100, 4>& at) {
+  const Surface<Mp100> surface{q};
+  const Vec3<Mp100> a = surface.along_u(Mp100(at[2] + at[3])), b = surface.along_v(Mp100(at[1] + at[2]));
+  return a.cross(b);
+}
+
+Mp200 aspect(CornersIn<Mp200> q) {
+  Mp200 least = -1;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3<Mp200> a = q[(k + 1) % 4] - q[k], b = q[(k + 2) % 4] - q[k], n = a.cross(b);
+    const Mp200 squared = n.dot(n);
+    if (least < 0 || squared < least) least = squared;
+  }
+  const Mp200 longest = longest_edge<Mp200>(q);
+  return Mp200(sqrt(least)) / (longest * longest);
+}
+
+Vec at(Corners q, double u, double v) { return Surface<double>{q}.at(u, v); }
+
+Vec foot(Corners q, const Vec& point) {
+  const Surface<double> surface{q};
+  double u = 0.5, v = 0.5;
+  for (int step = 0; step < 12; ++step) approach<double>(surface, point, u, v);
+  return surface.at(u, v);
+}
+
+Vec across(Corners q, const Vec& edge) { return edge.cross((q[2] - q[0]).cross(q[3] - q[1]).normalized()); }
+
+double distance(Corners q, const Vec& point, double enough) { return distance_to_quad(point, quad_of(q), enough); }
+
+int crossings(Corners q, const Vec& origin, const Vec& direction) {
+  return crossings_of_quad(origin, direction, quad_of(q));
+}
+
+SurfacePoint surface_point(Corners c, double s, double r) {
+  const Surface<double> surface{c};
+  return {(1 - s) * (1 - r) * c[0] + s * (1 - r) * c[1] + s * r * c[2] + (1 - s) * r * c[3],
+          surface.along_u(r).cross(surface.along_v(s)).normalized()};
+}
+
+}  // namespace
+}  // namespace quads
+
+const ElementSampling& quad_sampling() {
+  using namespace quads;
+  static const ElementSampling sampling{
+      .kind = ElementKind::Quad,
+      .regimes = quads::regimes(),
+      .cyclic = true,
+      .border_edges = 4,
+      .exact = {.height = height<Mp100>, .off_surface = off_surface, .basis = basis, .normal = normal},
+      .search = {.valid = [](Corners q) { return !invalid_because(quad_of(q)); },
+                 .aspect = aspect,
+                 .at = at,
+                 .foot = foot,
+                 .across = across},
+      .locator = {.distance = distance, .crossings = crossings, .surface_point = surface_point},
+      // Twisted, and cut by the slice from side to side.
+      .field = {.corners = {{{0, 0, 0}, {1, 0, 0}, {0.9, 0.4, -0.8}, {0.1, -0.1, -0.8}}},
+                .origin = {-0.6, -0.8, -0.271},
+                .extent = {2.2, 1.6}}};
+  return sampling;
+}
+
+}  // namespace cageproof::validation

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cageproof/core/run_result.h"
+
+namespace cageproof::validation {
+
+/// Sorts rows as people read them: formulas, regimes, checks and evaluations as their lists have them, then cages; what
+/// no list knows comes last, by name.
+void sort_for_report(std::vector<ResultRow>& rows);
+
+}  // namespace cageproof::validation

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+#include "run_plan.h"
+
+#include "hull_continuity.h"
+#include "run_report.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/campaign.h"
+#include "cageproof/validation/errata.h"
+#include "cageproof/validation/error_fields.h"
+#include "cageproof/validation/one_ring.h"
+#include "cageproof/validation/promise.h"
+#include "cageproof/validation/stored_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+// A quad's integral in multiprecision costs as much as that many triangles'.
+constexpr double quad_cost = 30;
+
+// At how many points of a cage a kind's other evaluations are asked for its relations: integrals take their time.
+int affordable_points(const Evaluation& evaluation, int points) {
+  switch (evaluation.cost()) {
+    case CostClass::Multiprecision: return std::min(points, 4);
+    case CostClass::Adaptive: return std::min(points, 20);
+    case CostClass::Nodes: return evaluation.role() == Role::Rule ? std::min(points, 40) : points;
+    case CostClass::Direct: break;
+  }
+  return points;
+}
+
+// Every standard evaluation of a formula but the recommended one, and those that checks alone ask for.
+std::vector<Evaluation> other_evaluations(const Formula& formula) {
+  std::vector<Evaluation> found;
+  for (const EvaluationFamily* family : EvaluationRegister::instance().families(formula.name)) {
+    if (family->role == Role::Recommended) continue;
+    if (family->standard.empty()) found.push_back(family->example());
+    for (const std::string& name : family->standard) found.push_back(evaluation_named(formula.name, name));
+  }
+  return found;
+}
+
+// Tells inputs apart that have the same name: FNV-1a of their numbers.
+class Fingerprint {
+ public:
+  void add(std::uint64_t word) {
+    hash_ = (hash_ ^ word) * 1099511628211U;
+    hash_ ^= hash_ >> 32;
+  }
+  void add(const std::vector<Vec3<double>>& points) {
+    add(points.size());
+    for (const auto& p : points)
+      for (int c = 0; c < 3; ++c) add(std::bit_cast<std::uint64_t>(p[c]));
+  }
+  void add(std::string_view text) {
+    add(text.size());
+    for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  }
+  std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  std::uint64_t hash_ = 14695981039346656037U;
+};
+
+std::string fingerprint(const Cage& cage) {
+  Fingerprint print;
+  print.add(cage.vertices());
+  for (const Face& face : cage.faces())
+    for (const int v : face.vertices) print.add(static_cast<std::uint64_t>(v + 1));
+  return print.text();
+}
+
+std::string fingerprint(const Mesh& mesh) {
+  Fingerprint print;
+  print.add(mesh.vertices);
+  for (const auto& face : mesh.faces) {
+    print.add(face.size());
+    for (const int v : face) print.add(static_cast<std::uint64_t>(v));
+  }
+  return print.text();
+}
+
+class Planner {
+ public:
+  explicit Planner(const VerifyOptions& options) : options_(options) {}
+
+  RunPlan plan() {
+    if (options_.regimes != hull_regime) add(element_measurements(campaign_options()));
+    auto stored = stored_measurement(stored_worst_cases(), stored_cases_file, options_.formulas, options_.evaluations);
+    if (stored.measurement) add(std::move(stored.measurement));
+    if (matches(options_.formulas, hull_formula) && matches(options_.regimes, hull_regime))
+      add(hull_measurements(options_.evaluations, options_.seed));
+    if (options_.cage) {
+      const auto cage = std::make_shared<const Cage>(*options_.cage);
+      add_cage(cage);
+      if (options_.mesh) add_mesh(cage);
+    } else {
+      for (const auto name : embedded_cage_names()) add_cage(std::make_shared<const Cage>(embedded_cage(name)));
+    }
+    add(errata_measurement({.formulas = options_.formulas, .seed = options_.seed}));
+    for (std::string& note : notes_on_truth(options_.formulas)) plan_.header.notes.push_back(std::move(note));
+    plan_.units = units_of(plan_.measurements);
+    set_header(stored.cases);
+    return std::move(plan_);
+  }
+
+ private:
+  void add(std::unique_ptr<const Measurement> measurement) { plan_.measurements.push_back(std::move(measurement)); }
+  void add(Measurements measurements) {
+    for (auto& measurement : measurements) add(std::move(measurement));
+  }
+
+  // Whether the kind exists on such a cage and sums a formula that is asked for; kinds that compute otherwise are asked
+  // with all formulas alone.
+  bool is_asked(const CoordinateKind& kind, const Cage& cage) const {
+    if (!exists_on(kind, cage)) return false;
+    if (!kind.is_sum()) return options_.formulas == "*";
+    return std::ranges::any_of(formulas_of(kind, cage),
+                               [&](const Formula* formula) { return matches(options_.formulas, formula->name); });
+  }
+
+  CampaignOptions campaign_options() const {
+    CampaignOptions campaign;
+    campaign.formulas = options_.formulas;
+    campaign.evaluations = options_.evaluations;
+    campaign.regimes = options_.regimes;
+    campaign.seed = options_.seed;
+    campaign.samples = options_.suite.samples;
+    campaign.integral_samples = options_.suite.integral_samples;
+    campaign.enclosures = options_.suite.enclosures;
+    return campaign;
+  }
+
+  CageCampaignOptions cage_options() const {
+    CageCampaignOptions campaign;
+    campaign.triangulation = options_.triangulation;
+    campaign.seed = options_.seed;
+    campaign.points = options_.suite.cage_points;
+    campaign.truth_points = options_.suite.truth_points;
+    campaign.mesh_points = options_.suite.mesh_points;
+    return campaign;
+  }
+
+  void add_cage(const std::shared_ptr<const Cage>& cage) {
+    const auto exists = [&](const CoordinateKind& kind) { return is_asked(kind, *cage) && accepts(kind, *cage); };
+    for (const CoordinateKind& kind : coordinate_kinds()) {
+      if (!exists(kind)) continue;
+      CageCampaignOptions campaign = cage_options();
+      campaign.kinds = kind.name;
+      add(cage_measurements(cage, campaign));
+    }
+    // Whatever a quad's weights are computed with, they must keep the cage's own relations.
+    for (const CoordinateKind& kind : coordinate_kinds()) {
+      if (!kind.is_sum() || !kind.keeps_quads || !cage->has_quads() || !exists(kind)) continue;
+      for (const Evaluation& evaluation :
+           other_evaluations(*find_formula(ElementKind::Quad, kind.blocks.front().kernel))) {
+        CageCampaignOptions campaign = cage_options();
+        campaign.evaluation = evaluation.name();
+        campaign.kinds = kind.name;
+        campaign.points = affordable_points(evaluation, campaign.points);
+        campaign.properties_alone = true;
+        add(cage_measurements(cage, campaign));
+      }
+    }
+    if (one_ring_exists_on(*cage) && matches(options_.formulas, one_ring_formula))
+      for (const std::string& evaluation : {std::string(), OneRingOptions{}.evaluation})
+        add(one_ring_measurement(
+            cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed}));
+    for (const CoordinateKind& kind : coordinate_kinds()) {
+      if (!is_asked(kind, *cage)) continue;
+      if (accepts(kind, *cage)) add_fields(cage, kind);
+      else
+        plan_.header.notes.push_back(
+            fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, invalid_quads(*cage).front()));
+    }
+  }
+
+  void add_fields(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind) {
+    const Triangulation rule = options_.triangulation;
+    const int resolution = options_.suite.slice;
+    const auto title = fmt::format("{}, {} coordinates", cage->name(), kind.name);
+    add(field_measurement(reproduction_field(cage, kind, "", rule, resolution), fields_++,
+                          title + ": linear reproduction", "linear reproduction"));
+    if (!kind.is_sum()) return;  // no truth to compare with
+    const auto elements = cage->parts(false, rule).elements.size();
+    const double pairs = static_cast<double>(elements * kind.blocks.size()) * (kind.keeps_quads ? quad_cost : 1);
+    const int side = std::clamp(static_cast<int>(std::sqrt(options_.suite.pairs / pairs)), 6, resolution);
+    add(field_measurement(coordinate_error_field(cage, kind, "", rule, side), fields_++,
+                          title + ": closed form against truth", "relative error"));
+    if (!kind.keeps_quads || !cage->has_quads()) return;
+    const auto scheme = EvaluationRegister::instance().with_role(
+        find_formula(ElementKind::Quad, kind.blocks.front().kernel)->name, Role::Scheme);
+    if (!scheme) return;
+    add(field_measurement(coordinate_difference_field(cage, kind, scheme->name(), "", rule, resolution), fields_++,
+                          fmt::format("{}: error of {}", title, scheme->name()), "difference"));
+  }
+
+  void add_mesh(const std::shared_ptr<const Cage>& cage) {
+    const auto mesh = std::make_shared<const Mesh>(*options_.mesh);
+    plan_.measurements.push_back(mesh_shape(mesh));
+    for (const CoordinateKind& kind : coordinate_kinds())
+      if (is_asked(kind, *cage) && accepts(kind, *cage))
+        add(mesh_measurement(cage, kind, mesh, options_.mesh_name, fields_++, cage_options()));
+  }
+
+  // Options are named as on the command line, where they have a name there.
+  void set_header(std::size_t stored_cases) {
+    const Suite& suite = options_.suite;
+    const auto text = [](const auto& x) { return fmt::format("{}", x); };
+    auto& header = plan_.header;
+    header.version = CAGEPROOF_VERSION;
+    header.options = {{"formulas", options_.formulas},
+                      {"evaluations", options_.evaluations},
+                      {"regimes", options_.regimes},
+                      {"suite", std::string(suite.name)},
+                      {"samples", text(suite.samples)},
+                      {"enclosures", text(suite.enclosures)},
+                      {"seed", text(options_.seed)},
+                      {"triangulate", std::string(name_of(options_.triangulation))},
+                      {"integral samples", text(suite.integral_samples)},
+                      {"points of a cage", text(suite.cage_points)},
+                      {"truths of a cage", text(suite.truth_points)},
+                      {"points of a mesh", text(suite.mesh_points)},
+                      {"fields", fmt::format("{} samples a side, {} truths", suite.slice, suite.pairs)},
+                      {"cage", options_.cage ? options_.cage->name() : ""},
+                      {"points", options_.mesh ? options_.mesh_name : ""}};
+    if (options_.cage) header.options["the cage's content"] = fingerprint(*options_.cage);
+    if (options_.mesh) header.options["the points' content"] = fingerprint(*options_.mesh);
+    // What one program makes of the options another may not, though it calls itself the same.
+    Fingerprint work;
+    for (const Unit& unit : plan_.units)
+      work.add(fmt::format("{} {}", plan_.measurements[unit.measurement]->name(), unit.block));
+    work.add(stored_worst_cases());
+    header.options[work_option] = fmt::format("{} units, {}", plan_.units.size(), work.text());
+    header.settings = {
+        {"triangulation", std::string(name_of(options_.triangulation))},
+        {"samples", text(suite.samples)},
+        {"integral samples", text(suite.integral_samples)},
+        {"enclosures", text(suite.enclosures)},
+        {"formulas", options_.formulas},
+        {"evaluations", options_.evaluations},
+        {"regimes", options_.regimes},
+        {"stored worst cases", fmt::format("{}, replayed in the rows of the regime 'hunted'", stored_cases)}};
+    if (options_.cage) header.settings["cage"] = options_.cage->name();
+    if (options_.mesh) header.settings["points"] = options_.mesh_name;
+    header.units = plan_.units.size();
+    header.shard = options_.shard;
+    header.shards = options_.shards;
+  }
+
+  const VerifyOptions& options_;
+  RunPlan plan_;
+  int fields_ = 0;
+};
+
+}  // namespace
+
+RunPlan plan_run(const VerifyOptions& options) { return Planner(options).plan(); }
+
+}  // namespace cageproof::validation

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// What a verification measures, from its options alone.
+#pragma once
+
+#include "cageproof/reports/journal.h"
+#include "cageproof/validation/measurement.h"
+#include "cageproof/validation/verify.h"
+
+namespace cageproof::validation {
+
+struct RunPlan {
+  Measurements measurements;
+  std::vector<Unit> units;
+  reports::JournalHeader header;
+};
+
+/// \throws InputError for patterns that match nothing, and stored cases that can no longer be run
+RunPlan plan_run(const VerifyOptions& options);
+
+}  // namespace cageproof::validation

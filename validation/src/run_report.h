@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cageproof/reports/journal.h"
+
+namespace cageproof::validation {
+
+/// The option that stands for the list of units of work.
+inline constexpr const char* work_option = "work";
+
+/// What a journal's findings amount to, without the fields.
+RunResult result_of(const reports::Journal& journal);
+
+/// Writes the whole report of a run whose units are all done.
+/// \throws InputError when it cannot be written
+RunResult write_report(const std::filesystem::path& out, const reports::Journal& journal);
+
+/// In what two journals show that they are of different runs: version, options with both values, number of shards.
+/// Empty: they are of one run.
+std::string difference_of_runs(const reports::JournalHeader& before, const reports::JournalHeader& now);
+
+/// What sessions differ in that figures may owe to: the program's build, and the elementary functions of their
+/// processors.
+std::vector<std::string> session_notes(const std::vector<Session>& sessions);
+
+}  // namespace cageproof::validation

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// What the table of element sampling says of each kind of element is true of it.
+#include "element/element_sampling.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/quad_geometry.h"
+#include "cageproof/validation/regime.h"
+#include "cageproof/validation/truth.h"
+#include "turn.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace cageproof::validation {
+namespace {
+
+using Vec = Vec3<double>;
+
+const Formula& formula_on(ElementKind kind) { return *std::ranges::find(catalogue(), kind, &Formula::element); }
+
+std::vector<const Regime*> regimes_of(ElementKind kind) {
+  std::vector<const Regime*> found;
+  for (const Regime& regime : regimes())
+    if (exists_for(regime, kind)) found.push_back(&regime);
+  return found;
+}
+
+std::vector<Vec3<Mp100>> wide(const std::vector<Vec>& corners) {
+  std::vector<Vec3<Mp100>> found;
+  for (const Vec& v : corners) found.push_back(convert<Mp100>(v));
+  return found;
+}
+
+TEST(element_regimes, are_all_of_space_and_those_of_the_plane_that_exist_there) {
+  for (const ElementKind kind : {ElementKind::Triangle, ElementKind::Quad})
+    EXPECT_EQ(regimes_of(kind).size(), regimes().size()) << name_of(kind);
+  std::set<std::string_view> of_segments;
+  for (const Regime* regime : regimes_of(ElementKind::Segment)) of_segments.insert(regime->name);
+  EXPECT_EQ(of_segments, (std::set<std::string_view>{"generic", "near-face", "near-line", "near-vertex", "on-face",
+                                                     "on-vertex", "on-line", "far", "scaled", "offset"}));
+  EXPECT_THROW(make_sample(formula_on(ElementKind::Segment), *find_regime("needle"), 1, 0), InputError);
+}
+
+TEST(element_regimes, every_maker_is_of_a_regime_that_exists) {
+  for (const ElementKind kind : element_kinds)
+    for (const SampleMaker& maker : sampling_of(kind).regimes) EXPECT_TRUE(find_regime(maker.regime)) << maker.regime;
+}
+
+TEST(element_regimes, samples_have_their_elements_corners_and_lie_in_its_space) {
+  for (const ElementKind kind : element_kinds)
+    for (const Regime* regime : regimes_of(kind))
+      for (std::uint64_t i = 0; i < 60; ++i) {
+        const Sample s = make_sample(formula_on(kind), *regime, 3, i);
+        ASSERT_EQ(static_cast<int>(s.corners.size()), corner_count(kind));
+        const double unit = regime->name == "scaled" ? s.parameter : 1;
+        const double longest = longest_edge<double>(s.corners) / unit;
+        EXPECT_GT(longest, 0.3) << name_of(kind) << ' ' << regime->name;
+        EXPECT_LT(longest, 4) << name_of(kind) << ' ' << regime->name;
+        if (dimension(kind) == 3) continue;
+        for (const Vec& v : s.corners) EXPECT_EQ(v[2], 0) << regime->name;
+        EXPECT_EQ(s.point[2], 0) << regime->name;
+      }
+}
+
+TEST(element_regimes, near_samples_lie_as_far_from_the_surface_as_they_say) {
+  for (const ElementKind kind : element_kinds)
+    for (const char* name : {"near-face", "near-line", "near-plane"}) {
+      const Regime& regime = *find_regime(name);
+      // Across an edge's line in space any direction is a sample's.
+      if (!exists_for(regime, kind) || (regime.name == "near-line" && dimension(kind) == 3)) continue;
+      for (std::uint64_t i = 0; i < 200; ++i) {
+        const Sample s = make_sample(formula_on(kind), regime, 3, i);
+        std::vector<Vec3<Mp200>> corners;
+        for (const Vec& v : s.corners) corners.push_back(convert<Mp200>(v));
+        const double off =
+            std::abs(static_cast<double>(sampling_of(kind).exact.off_surface(corners, convert<Mp200>(s.point))));
+        // Of bilinear quads it is the distance up to a factor.
+        const double slack = type_of(kind).flat ? 1e-9 : 0.9;
+        EXPECT_GT(off, (1 - slack) * s.parameter - 1e-15) << name_of(kind) << ' ' << name << ' ' << i;
+        EXPECT_LT(off, (1 + 20 * slack) * s.parameter + 1e-14) << name_of(kind) << ' ' << name << ' ' << i;
+      }
+    }
+}
+
+TEST(element_regimes, on_samples_touch_or_are_one_ulp_off) {
+  for (const ElementKind kind : element_kinds)
+    for (const auto& [name, contact] :
+         {std::pair{"on-face", Contact::Interior}, {"on-edge", Contact::Border}, {"on-vertex", Contact::Border}}) {
+      const Regime& regime = *find_regime(name);
+      if (!exists_for(regime, kind)) continue;
+      int touching = 0, as_named = 0;
+      for (std::uint64_t i = 0; i < 240; ++i) {
+        const Contact found = contact_of(kind, make_sample(formula_on(kind), regime, 3, i));
+        touching += found != Contact::Off;
+        as_named += found == contact;
+      }
+      EXPECT_GT(as_named, 80) << name_of(kind) << ' ' << name;
+      EXPECT_LT(touching, 220) << name_of(kind) << ' ' << name;
+    }
+}
+
+TEST(element_shape, basis_reproduces_the_point_and_the_height_has_the_normals_sign) {
+  for (const ElementKind kind : element_kinds) {
+    const ElementSampling& sampling = sampling_of(kind);
+    int interior = 0;
+    for (std::uint64_t i = 0; i < 120; ++i) {
+      const Sample s = make_sample(formula_on(kind), *find_regime("on-face"), 7, i);
+      const auto corners = wide(s.corners);
+      const Vec3<Mp100> point = convert<Mp100>(s.point);
+      const Mp100 off = sampling.exact.height(corners, point);
+      if (contact_of(kind, s) != Contact::Interior) continue;
+      ++interior;
+      EXPECT_LT(abs(off), 1e-80) << name_of(kind) << ' ' << i;
+      const auto basis = sampling.exact.basis(s.corners, s.point);
+      Vec3<Mp100> at = -point;
+      Mp100 sum = -1;
+      for (std::size_t k = 0; k < corners.size(); ++k) at += basis[k] * corners[k], sum += basis[k];
+      EXPECT_LT(abs(sum), 1e-80);
+      EXPECT_LT(at.dot(at), 1e-160) << name_of(kind) << ' ' << i;
+      const Vec3<Mp100> n = sampling.exact.normal(corners, basis);
+      const Vec3<Mp100> outside = point + Mp100("1e-40") * n, inside = point - Mp100("1e-40") * n;
+      EXPECT_GT(sampling.exact.height(corners, outside), 0) << name_of(kind) << ' ' << i;
+      EXPECT_LT(sampling.exact.height(corners, inside), 0) << name_of(kind) << ' ' << i;
+      // The table of core says which side is outside.
+      const Vec expected =
+          type_of(kind).normal(s.corners, type_of(kind).contact(s.corners, s.point).basis).normalized();
+      const Vec found = convert<double>(n).normalized();
+      EXPECT_NEAR(found.dot(expected), 1, 1e-12);
+    }
+    EXPECT_GT(interior, 50) << name_of(kind);
+  }
+}
+
+TEST(element_shape, feet_lie_on_the_surface_at_right_angles) {
+  for (const ElementKind kind : element_kinds) {
+    const ElementSampling& sampling = sampling_of(kind);
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      const Sample s = make_sample(formula_on(kind), *find_regime("near-face"), 5, 16 * i);  // a tenth away
+      const Vec foot = sampling.search.foot(s.corners, s.point);
+      EXPECT_LT(abs(sampling.exact.height(wide(s.corners), convert<Mp100>(foot))), 1e-14) << name_of(kind) << ' ' << i;
+      EXPECT_LT((s.point - foot).norm(), 0.1 + 1e-9) << name_of(kind) << ' ' << i;
+    }
+  }
+}
+
+TEST(element_locator, surface_points_lie_on_the_element_and_their_normals_point_out) {
+  for (const ElementKind kind : element_kinds) {
+    const LocatorShape& locator = sampling_of(kind).locator;
+    for (std::uint64_t i = 0; i < 60; ++i) {
+      const Sample s = make_sample(formula_on(kind), *find_regime("generic"), 5, i);
+      RandomStream random(4, "surface", i);
+      const double a = random.uniform(), b = random.uniform();
+      const SurfacePoint on = locator.surface_point(s.corners, a, b);
+      EXPECT_LT(locator.distance(s.corners, on.point, HUGE_VAL), 1e-14) << name_of(kind) << ' ' << i;
+      for (const double height : {1e-3, -1e-3}) {
+        const Vec off = on.point + height * on.normal;
+        EXPECT_EQ(sampling_of(kind).exact.height(wide(s.corners), convert<Mp100>(off)) > 0, height > 0);
+        EXPECT_NEAR(locator.distance(s.corners, off, HUGE_VAL), 1e-3, 1.1e-6) << name_of(kind) << ' ' << i;
+      }
+    }
+  }
+}
+
+TEST(element_locator, square_is_where_it_is) {
+  const Cage square = embedded_cage("square");
+  const CageLocator locator(square, Triangulation::Shortest);
+  ASSERT_EQ(locator.patches(), 4);
+  int inside = 0;
+  for (const CagePoint& p : points_off(square, locator, 5, 600)) {
+    EXPECT_EQ(p.point[2], 0);
+    const double dx = std::max(-p.point[0], p.point[0] - 1), dy = std::max(-p.point[1], p.point[1] - 1);
+    const double expected = dx <= 0 || dy <= 0 ? std::abs(std::max(dx, dy)) : std::hypot(dx, dy);
+    EXPECT_NEAR(locator.distance(p.point), expected, 1e-14);
+    if (p.place == Place::TooClose) continue;
+    EXPECT_EQ(p.place == Place::Inside, dx < 0 && dy < 0) << p.point.transpose();
+    inside += p.place == Place::Inside;
+  }
+  EXPECT_GT(inside, 100);
+}
+
+TEST(element_turn, keeps_the_plane_and_turns_tensors_back) {
+  const Turn turn(2);
+  const Vec v(3, 5, 0), w(-2, 7, 0);
+  EXPECT_EQ(turn(v)[2], 0);
+  EXPECT_EQ(turn(v).dot(turn(w)), v.dot(w));
+  EXPECT_NE(turn(v), v);
+  for (const int dim : {2, 3}) {
+    const Turn t(dim);
+    std::vector<double> turned;
+    const Vec a = t(v), b = t(w);
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) turned.push_back(a[i] * b[j]);
+    const auto plain = t.undo(turned, 2);
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) EXPECT_EQ(plain[dim * i + j], v[i] * w[j]) << dim << ' ' << i << ' ' << j;
+  }
+}
+
+}  // namespace
+}  // namespace cageproof::validation

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Units of work: the same whoever takes them, few whatever the samples, dealt out evenly.
+#include "cageproof/validation/campaign.h"
+#include "cageproof/validation/measurement.h"
+#include "cageproof/validation/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <set>
+#include <stdexcept>
+
+namespace cageproof::validation {
+namespace {
+
+class Fake final : public Measurement {
+ public:
+  explicit Fake(int blocks) : blocks_(blocks) {}
+  std::string name() const override { return "fake"; }
+  int blocks() const override { return blocks_; }
+  Findings measure(int block) const override {
+    Findings findings;
+    findings.rows[{}].without_truth = 1ULL << block;
+    return findings;
+  }
+
+ private:
+  int blocks_;
+};
+
+std::vector<Unit> some_units() {
+  Measurements measurements;
+  for (int i = 0; i < 40; ++i) measurements.push_back(std::make_unique<Fake>(i % 3 == 0 ? 16 : 1));
+  return units_of(measurements);
+}
+
+TEST(units, are_each_in_one_shard) {
+  const std::vector<Unit> units = some_units();
+  for (const int shards : {1, 2, 3, 6, 16, 17, 400}) {
+    std::multiset<std::size_t> taken;
+    for (int shard = 0; shard < shards; ++shard)
+      for (const std::size_t unit : units_of_shard(units, shard, shards)) taken.insert(unit);
+    ASSERT_EQ(taken.size(), units.size()) << shards;
+    for (std::size_t unit = 0; unit < units.size(); ++unit) ASSERT_EQ(taken.count(unit), 1u) << shards;
+  }
+}
+
+TEST(units, that_cost_most_are_shared_by_all_shards) {
+  const std::vector<Unit> units = some_units();
+  // Also where the number of shards divides the number of blocks.
+  for (const int shards : {2, 3, 4, 8, 16})
+    for (int shard = 0; shard < shards; ++shard) {
+      int first_blocks = 0;
+      for (const std::size_t unit : units_of_shard(units, shard, shards)) first_blocks += units[unit].block == 0;
+      EXPECT_GE(first_blocks, 40 / shards) << shard << '/' << shards;
+      EXPECT_LE(first_blocks, 40 / shards + 1) << shard << '/' << shards;
+    }
+}
+
+TEST(units, add_up_once_each) {
+  Measurements measurements;
+  measurements.push_back(std::make_unique<Fake>(16));
+  EXPECT_EQ(measure_all(measurements, 3).rows[{}].without_truth, (1ULL << 16) - 1);
+}
+
+TEST(units, are_few_whatever_the_samples) {
+  CampaignOptions options;
+  options.formulas = "triangle.solid_angle";
+  options.regimes = "near-*";
+  for (const int samples : {1, 17, 96, 1000, 100000, 100000000}) {
+    options.samples = samples;
+    for (const auto& measurement : element_measurements(options)) {
+      EXPECT_GE(measurement->blocks(), 1);
+      EXPECT_LE(measurement->blocks(), Measurement::most_blocks) << samples;
+    }
+  }
+}
+
+TEST(units, do_not_change_what_is_found) {
+  CampaignOptions options;
+  options.formulas = "triangle.solid_angle";
+  options.regimes = "near-edge";
+  options.samples = 40;
+  options.enclosures = 0;
+  const auto measurements = element_measurements(options);
+  Findings forwards, backwards;
+  for (int block = 0; block < measurements[0]->blocks(); ++block) forwards.merge(measurements[0]->measure(block));
+  for (int block = measurements[0]->blocks(); block-- > 0;) backwards.merge(measurements[0]->measure(block));
+  ASSERT_EQ(forwards.rows.size(), backwards.rows.size());
+  EXPECT_GT(measurements[0]->blocks(), 2);
+  for (const auto& [key, tally] : forwards.rows) {
+    const Tally& other = backwards.rows.at(key);
+    EXPECT_EQ(tally.errors.counts(), other.errors.counts());
+    EXPECT_EQ(tally.errors.max(), other.errors.max());
+    EXPECT_EQ(tally.max_relative, other.max_relative);
+    EXPECT_EQ(tally.by_parameter, other.by_parameter);
+    for (std::size_t i = 0; i < tally.worst.cases().size(); ++i)
+      EXPECT_EQ(tally.worst.cases()[i].sample, other.worst.cases().at(i).sample);
+  }
+}
+
+TEST(for_each_parallel, runs_each_once_and_ends_at_an_exception) {
+  std::vector<std::atomic<int>> seen(500);
+  for_each_parallel(seen.size(), 4, [&](std::size_t i) { ++seen[i]; });
+  for (const auto& count : seen) EXPECT_EQ(count, 1);
+  std::atomic<int> begun{0};
+  EXPECT_THROW(for_each_parallel(1000000, 4,
+                                 [&](std::size_t) {
+                                   if (++begun >= 10) throw std::runtime_error("enough");
+                                 }),
+               std::runtime_error);
+  EXPECT_LT(begun, 100);
+}
+
+TEST(lazy, makes_its_value_once) {
+  int made = 0;
+  const Lazy<int> value([&] { return ++made; });
+  EXPECT_EQ(made, 0);
+  EXPECT_EQ(value.get() + value.get(), 2);
+}
+
+}  // namespace
+}  // namespace cageproof::validation
