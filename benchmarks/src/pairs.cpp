@@ -56,7 +56,10 @@ std::vector<Pair> generic_pairs(ElementKind element) {
     corners = element_of_size_one(random, corner_count(element), dim);
     Vec centroid = Vec::Zero();
     for (const Vec& v : corners) centroid += v / static_cast<double>(corners.size());
-    point = centroid + random.uniform(0.5, 1.5) * random_in_ball(random, dim).normalized();
+    // Drawn one after the other: the order in which operands are evaluated is open.
+    const double distance = random.uniform(0.5, 1.5);
+    const Vec direction = random_in_ball(random, dim).normalized();
+    point = centroid + distance * direction;
   }
   return pairs;
 }
