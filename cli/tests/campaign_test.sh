@@ -32,7 +32,7 @@ f 2 3 6
 f 4 2 6
 f 1 4 6
 OBJ
-options=(--suite quick --formulas triangle.solid_angle --regimes near-face --samples 40 --enclosures 0 --cage octahedron.obj)
+options=(--suite quick --formulas triangle.double_layer --regimes 'near-*' --samples 40 --enclosures 0 --cage octahedron.obj)
 
 # A report's file without what may differ.
 without_environment() {
@@ -53,7 +53,7 @@ same() {
     files=$((files + 1))
     cmp -s <(without_environment "$1/$file") <(without_environment "$2/$file") || fail "$file differs between $1 and $2"
   done < <(cd "$1" && find . -type f)
-  [ $files -gt 20 ] || fail "$1 is no report"
+  [ $files -gt 15 ] || fail "$1 is no report"
 }
 
 # refuses WORDS... -- COMMAND...: exit 2 and one line on standard error that holds every word.
@@ -68,7 +68,7 @@ refuses() {
   for word in "${words[@]}"; do grep -qF -- "$word" stderr || fail "no '$word' in: $(cat stderr)"; done
 }
 
-lines() { wc -l <"$1" 2>/dev/null || echo 0; }
+lines() { { wc -l <"$1"; } 2>/dev/null || echo 0; }
 
 # wait_for_lines JOURNAL N: until that many units are in it; fails after a minute.
 wait_for_lines() {
@@ -128,8 +128,8 @@ kills() {
   # What cannot be resumed.
   cp -r alone resumed
   refuses 'samples 40, now 41' 'seed 1, now 9' -- "$cageproof" verify --resume resumed --samples 41 --seed 9
-  refuses 'formulas triangle.solid_angle, now triangle.*' -- "$cageproof" verify --resume resumed --formulas 'triangle.*'
-  refuses 'shard 0/1, now 0/2' 'number of shards 1, now 2' -- "$cageproof" verify --resume resumed --shard 0/2
+  refuses 'formulas triangle.double_layer, now triangle.*' -- "$cageproof" verify --resume resumed --formulas 'triangle.*'
+  refuses 'number of shards 1, now 2' -- "$cageproof" verify --resume resumed --shard 0/2
   refuses resume out -- "$cageproof" verify --resume resumed --out resumed
   refuses nowhere 'no journal' -- "$cageproof" verify --resume nowhere
   refuses 'no journal' -- "$cageproof" verify --resume .
@@ -144,12 +144,11 @@ kills() {
   sed 's/"without_truth":0/"without_truth":5/' alone/summary.json >other.json
   "$cageproof" compare alone other.json >compared.txt
   [ $? -eq 1 ] || fail "compare does not exit with 1"
-  grep -q 'differs: row: element triangle.solid_angle.* without_truth 0 -> 5' compared.txt || fail "compare: $(tail -n 3 compared.txt)"
+  grep -q 'differs: row: element triangle.double_layer.* without_truth 0 -> 5' compared.txt || fail "compare: $(tail -n 3 compared.txt)"
   sed 's/"check":"truth"/"check":"verity"/g' alone/summary.json >renamed.json
   "$cageproof" compare alone renamed.json >/dev/null && fail "compare finds a new name equal"
   echo '{"truth": "verity"}' >names.json
   "$cageproof" compare alone renamed.json --names names.json >compared.txt || fail "compare --names: $(tail -n 3 compared.txt)"
-  head -n 9 alone/journal >unfinished
   "$cageproof" compare alone killed/journal >/dev/null || fail "compare with a journal"
   refuses bad.json -- "$cageproof" compare alone bad.json
 }

@@ -17,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 namespace cageproof::reports {
@@ -63,6 +64,13 @@ FieldEntry ReportWriter::write_mesh(const MeshField& field, const std::string& t
   write_file(state_->folder.path() / entry.data, vtp_text(field));
   state_->pictures.push_back(mesh_picture(field, colours, title, entry.picture));
   return entry;
+}
+
+FieldEntry unwritten_entry(const std::vector<ImageField::Array>& arrays, const std::string& title,
+                           const std::string& shown, ColourScale scale) {
+  const auto array = std::ranges::find(arrays, shown, &ImageField::Array::name);
+  if (array == arrays.end()) throw std::invalid_argument(fmt::format("no array '{}'", shown));
+  return {title, array->unit, {}, {}, colours_of(*array, scale).largest};
 }
 
 void ReportWriter::write(const RunResult& result) {

@@ -18,8 +18,9 @@ namespace {
 
 using reports::Journal;
 
+constexpr auto scale = reports::ColourScale::Log10;
+
 FieldEntry write_field(reports::ReportWriter& writer, const FieldPart& part, const Findings& findings) {
-  constexpr auto scale = reports::ColourScale::Log10;
   if (part.mesh.empty()) return writer.write_image(part.image, part.title, part.shown, scale);
   const auto mesh = findings.meshes.find(part.mesh);
   if (mesh == findings.meshes.end()) throw InputError(fmt::format("the journal has no mesh '{}'", part.mesh));
@@ -150,7 +151,11 @@ RunResult merge_shards(const std::vector<std::filesystem::path>& parts, const st
 }
 
 std::string summary_of_journal(const std::filesystem::path& journal) {
-  return reports::summary_json(result_of(reports::read_journal(journal)));
+  const Journal read = reports::read_journal(journal);
+  RunResult result = result_of(read);
+  for (const auto& [place, part] : whole_fields(read.findings))
+    result.fields.push_back(reports::unwritten_entry(part.image.arrays, part.title, part.shown, scale));
+  return reports::summary_json(result);
 }
 
 }  // namespace cageproof::validation

@@ -79,10 +79,10 @@ TEST(element_regimes, near_samples_lie_as_far_from_the_surface_as_they_say) {
         for (const Vec& v : s.corners) corners.push_back(convert<Mp200>(v));
         const double off =
             std::abs(static_cast<double>(sampling_of(kind).exact.off_surface(corners, convert<Mp200>(s.point))));
-        // Of bilinear quads it is the distance up to a factor.
-        const double slack = type_of(kind).flat ? 1e-9 : 0.9;
+        // A curved surface may come nearer elsewhere.
+        const double slack = type_of(kind).flat ? 1e-9 : 0.5;
         EXPECT_GT(off, (1 - slack) * s.parameter - 1e-15) << name_of(kind) << ' ' << name << ' ' << i;
-        EXPECT_LT(off, (1 + 20 * slack) * s.parameter + 1e-14) << name_of(kind) << ' ' << name << ' ' << i;
+        EXPECT_LT(off, (1 + 1e-9) * s.parameter + 1e-14) << name_of(kind) << ' ' << name << ' ' << i;
       }
     }
 }

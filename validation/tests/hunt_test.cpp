@@ -162,8 +162,12 @@ TEST(search_domain, holds_samples_of_every_kind_of_element_and_nothing_degenerat
       if (!exists_for(regime, kind)) continue;
       int inside = 0;
       for (std::uint64_t i = 0; i < 60; ++i) inside += in_search_domain(of_kind, make_sample(of_kind, regime, 3, i));
-      // Quads on an edge or at a corner may be thinner than the domain's border allows.
-      EXPECT_GE(inside, regime.name.starts_with("on-") ? 30 : 60) << name_of(kind) << ' ' << regime.name;
+      // Quads on an edge or at a corner may be thinner than the domain's border allows; a needle made of a quad with a
+      // short side is thinner than the domain.
+      EXPECT_GE(inside, regime.name.starts_with("on-") ? 30
+                        : regime.name == "needle"      ? 55
+                                                       : 60)
+          << name_of(kind) << ' ' << regime.name;
     }
     Sample sample = make_sample(of_kind, *find_regime("generic"), 3, 0);
     EXPECT_TRUE(in_search_domain(of_kind, sample));

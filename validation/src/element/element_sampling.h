@@ -26,8 +26,7 @@ struct ExactShape {
   /// How far a point lies outside, times a length that the element gives: zero on the surface (the segment's line, the
   /// triangle's plane, the bilinear surface), negative on its inner side.
   Mp100 (*height)(CornersIn<Mp100> corners, const Vec3<Mp100>& point);
-  /// The distance from that surface, with the height's sign; next to bilinear surfaces that up to a factor of order
-  /// one.
+  /// The distance from that surface, with the height's sign.
   Mp200 (*off_surface)(CornersIn<Mp200> corners, const Vec3<Mp200>& point);
   /// The corners' basis functions at a point of the element. \pre the point lies on it
   std::array<Mp100, 4> (*basis)(Corners corners, const Vec3<double>& point);

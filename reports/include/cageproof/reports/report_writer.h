@@ -20,6 +20,11 @@ struct ColourLimits {
   double low, high;
 };
 
+/// What the writer gives of a field, without the files: title, unit and largest of the array that would be shown.
+/// \throws std::invalid_argument when no array is named `shown`
+FieldEntry unwritten_entry(const std::vector<ImageField::Array>& arrays, const std::string& title,
+                           const std::string& shown, ColourScale scale);
+
 /// A report folder, written aside (`.NAME.partial-...` next to it) and renamed into place: a run that dies leaves no
 /// half report, and an earlier report stays whole until the new one replaces it in one step.
 ///

@@ -17,27 +17,6 @@ using Vec = Vec3<double>;
 Quad<double> quad_of(Corners q) { return {q[0], q[1], q[2], q[3]}; }
 
 template <Scalar R>
-R det(const Vec3<R>& a, const Vec3<R>& b, const Vec3<R>& c) {
-  return a.cross(b).dot(c);
-}
-
-// With q0 + a e1 + b e2 + c d a point of space, e1 and e2 the sides at q0 and d the twist, the surface is c = a b. The
-// height is (c - a b) det(e1, e2, d), whose change at the surface is that of xi_u x xi_v; of a flat quad it is the
-// plane's.
-template <Scalar R>
-R height(CornersIn<R> q, const Vec3<R>& point) {
-  const Vec3<R> e1 = q[1] - q[0], e2 = q[3] - q[0], d = Vec3<R>(q[0] - q[1]) + Vec3<R>(q[2] - q[3]), p = point - q[0];
-  const R whole = det(e1, e2, d), c = det(e1, e2, p);
-  if (whole == 0) return c;
-  return c - det(p, e2, d) * det(e1, p, d) / whole;
-}
-
-Mp200 off_surface(CornersIn<Mp200> q, const Vec3<Mp200>& point) {
-  const Vec3<Mp200> extent = Vec3<Mp200>(q[2] - q[0]).cross(Vec3<Mp200>(q[3] - q[1]));
-  return height<Mp200>(q, point) / Mp200(sqrt(extent.dot(extent)));
-}
-
-template <Scalar R>
 struct Surface {
   std::span<const Vec3<R>> q;
   Vec3<R> at(const R& u, const R& v) const {
@@ -52,9 +31,50 @@ template <Scalar R>
 void approach(const Surface<R>& surface, const Vec3<R>& point, R& u, R& v) {
   const Vec3<R> a = surface.along_u(v), b = surface.along_v(u), r = point - surface.at(u, v);
   const R aa = a.dot(a), ab = a.dot(b), bb = b.dot(b), ar = a.dot(r), br = b.dot(r), whole = aa * bb - ab * ab;
-  if (whole == 0) return;
+  if (!(whole > 0)) return;
   u += (ar * bb - br * ab) / whole;
   v += (br * aa - ar * ab) / whole;
+}
+
+// Parameters of the nearest point of the whole bilinear surface, in doubles.
+std::array<double, 2> rough_foot(Corners q, const Vec& point) {
+  // In a unit of which no product leaves the exponent range.
+  double largest = point.cwiseAbs().maxCoeff();
+  for (const Vec& corner : q) largest = std::max(largest, corner.cwiseAbs().maxCoeff());
+  const double unit = largest > 0 && std::isfinite(largest) ? std::ldexp(1, -std::ilogb(largest)) : 1;
+  std::array<Vec, 4> scaled;
+  for (int k = 0; k < 4; ++k) scaled[k] = unit * q[k];
+  double u = 0.5, v = 0.5;
+  for (int step = 0; step < 12; ++step) approach<double>({scaled}, Vec(unit * point), u, v);
+  return {u, v};
+}
+
+// The same to the digits of R, which each step doubles.
+template <Scalar R>
+std::array<R, 2> foot_in(CornersIn<R> q, const Vec3<R>& point) {
+  std::array<Vec, 4> rounded;
+  for (int k = 0; k < 4; ++k) rounded[k] = convert<double>(q[k]);
+  const auto [u, v] = rough_foot(rounded, convert<double>(point));
+  std::array<R, 2> at{R(u), R(v)};
+  for (int step = 0; step < 5; ++step) approach<R>({q}, point, at[0], at[1]);
+  return at;
+}
+
+// The implicit equation of the surface would not do: of a quad that rounding twists it is next to the square of the
+// plane's.
+template <Scalar R>
+R height(CornersIn<R> q, const Vec3<R>& point) {
+  const Surface<R> surface{q};
+  const auto [u, v] = foot_in<R>(q, point);
+  const Vec3<R> normal = surface.along_u(v).cross(surface.along_v(u)), off = point - surface.at(u, v);
+  return normal.dot(off);
+}
+
+Mp200 off_surface(CornersIn<Mp200> q, const Vec3<Mp200>& point) {
+  const auto [u, v] = foot_in<Mp200>(q, point);
+  const Surface<Mp200> surface{q};
+  const Vec3<Mp200> normal = surface.along_u(v).cross(surface.along_v(u)), off = point - surface.at(u, v);
+  return normal.dot(off) / Mp200(sqrt(normal.dot(normal)));
 }
 
 std::array<Mp100, 4> basis(Corners corners, const Vec& point) {
@@ -87,10 +107,8 @@ Mp200 aspect(CornersIn<Mp200> q) {
 Vec at(Corners q, double u, double v) { return Surface<double>{q}.at(u, v); }
 
 Vec foot(Corners q, const Vec& point) {
-  const Surface<double> surface{q};
-  double u = 0.5, v = 0.5;
-  for (int step = 0; step < 12; ++step) approach<double>(surface, point, u, v);
-  return surface.at(u, v);
+  const auto [u, v] = rough_foot(q, point);
+  return at(q, u, v);
 }
 
 Vec across(Corners q, const Vec& edge) { return edge.cross((q[2] - q[0]).cross(q[3] - q[1]).normalized()); }
