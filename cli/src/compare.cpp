@@ -41,16 +41,15 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand(
-      "compare", "figures and verdicts that differ between two reports or journals; exit 1 when any does");
+void add_compare(CommandLine& line) {
+  Command command =
+      line.command("compare", "figures and verdicts that differ between two reports or journals; exit 1 when any does");
   auto a = std::make_shared<Arguments>();
-  command->add_option("old", a->before, "a report's folder, its summary.json, or a journal")->required();
-  command->add_option("new", a->after, "another")->required();
-  command->add_option(
-      "--names", a->names,
-      R"(JSON object {"old": "new"} of names that changed; "subject/old" in that subject's rows alone)");
-  command->callback([&action, a] { action = [a] { return run(*a); }; });
+  command.option("old", a->before, "a report's folder, its summary.json, or a journal").required();
+  command.option("new", a->after, "another").required();
+  command.option("--names", a->names,
+                 R"(JSON object {"old": "new"} of names that changed; "subject/old" in that subject's rows alone)");
+  command.runs([a] { return run(*a); });
 }
 
 }  // namespace cageproof::cli

@@ -98,29 +98,23 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-void add_field(CLI::App& app, Action& action, const std::string& command_line) {
-  CLI::App* command = app.add_subcommand("field", "the error field of one evaluation, as VTK file and picture");
+void add_field(CommandLine& line, const std::string& command_line) {
+  Command command = line.command("field", "the error field of one evaluation, as VTK file and picture");
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
-  CLI::Option_group* what = command->add_option_group("what is shown");
-  what->require_option(1);
-  CLI::Option* formula = what->add_option("--formula", a->formula, "relative error of a formula of the catalogue");
-  CLI::Option* kind = what->add_option("--kind", a->kind, "partition of unity of a kind of cage coordinates");
-  command->add_option("--evaluation", a->evaluation, "one of its evaluations")->required();
-  command->add_option("--order", a->order, "0 value, 1 gradient, 2 Hessian")
-      ->check(CLI::Range(0, 2))
-      ->capture_default_str()
-      ->excludes(kind);
-  command->add_option("--parameter", a->parameters, "mu=..., nu=... of a kind")->excludes(formula);
-  a->cage.add_to(*command, false);
-  kind->needs(command->get_option("--cage"));
-  command->add_option("--resolution", a->resolution, "samples a side")->check(CLI::Range(2, 4096));
-  command->add_option("--jobs", a->jobs, "threads; 0: all cores")->check(CLI::Range(0, 1024))->capture_default_str();
-  command
-      ->add_option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
-      ->expected(2);
-  command->add_option("--out", a->out, "the report's folder")->required();
-  command->callback([&action, a] { action = [a] { return run(*a); }; });
+  Command what = command.exactly_one_of("what is shown");
+  const Option formula = what.option("--formula", a->formula, "relative error of a formula of the catalogue");
+  Option kind = what.option("--kind", a->kind, "partition of unity of a kind of cage coordinates");
+  command.option("--evaluation", a->evaluation, "one of its evaluations").required();
+  command.option("--order", a->order, "0 value, 1 gradient, 2 Hessian").in_range(0, 2).showing_default().excludes(kind);
+  command.option("--parameter", a->parameters, "mu=..., nu=... of a kind").excludes(formula);
+  kind.needs(a->cage.add_to(command, false));
+  command.option("--resolution", a->resolution, "samples a side").in_range(2, 4096);
+  command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
+  command.option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
+      .values(2);
+  command.option("--out", a->out, "the report's folder").required();
+  command.runs([a] { return run(*a); });
 }
 
 }  // namespace cageproof::cli
