@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 
-#include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
 #include "cageproof/reports/work_precision.h"
 #include "cageproof/benchmarks/coordinate_times.h"
 #include "cageproof/validation/machine_facts.h"
@@ -42,7 +42,7 @@ WorkPrecision measure_formula(const Arguments& a, benchmarks::WorkPrecisionOptio
   std::vector<const validation::Regime*> regimes;
   for (const std::string& name : a.regimes) {
     regimes.push_back(validation::find_regime(name));
-    if (!regimes.back()) throw InputError(fmt::format("unknown regime '{}'; see `cageproof list`", name));
+    if (!regimes.back()) throw unknown_name("regime", name);
   }
   return benchmarks::formula_work_precision(*formula, regimes, options);
 }

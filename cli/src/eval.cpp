@@ -74,14 +74,10 @@ std::string evaluated(const QueryText& text, const Formula& formula, const Evalu
 }
 
 int run(const EvalOptions& options) {
-  const Formula* formula = find_formula(options.formula);
-  if (!formula) throw InputError(fmt::format("unknown formula '{}'; see `cageproof list`", options.formula));
-  const auto evaluation = EvaluationRegister::instance().find(options.formula, options.evaluation);
-  if (!evaluation)
-    throw InputError(
-        fmt::format("{} has no evaluation '{}'; see `cageproof list`", options.formula, options.evaluation));
+  const Formula& formula = formula_named(options.formula);
+  const Evaluation evaluation = evaluation_named(options.formula, options.evaluation);
   const ScalarKind scalar = *scalar_named(options.scalar);
-  if (!evaluation->supports(scalar) || options.order > evaluation->max_order())
+  if (!evaluation.supports(scalar) || options.order > evaluation.max_order())
     throw InputError(fmt::format("{} of {} does not exist in {} at order {}", options.evaluation, options.formula,
                                  options.scalar, options.order));
   int code = success;
@@ -90,9 +86,9 @@ int run(const EvalOptions& options) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
-      const QueryText query = parse_query(line, *formula);
+      const QueryText query = parse_query(line, formula);
       std::cout << with_scalar(scalar, [&]<Scalar R>() {
-        return evaluated<R>(query, *formula, *evaluation, options.order);
+        return evaluated<R>(query, formula, evaluation, options.order);
       }) << '\n';
     } catch (const InputError& e) {
       std::cout << error_line(e.what(), number) << '\n';

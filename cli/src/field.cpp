@@ -30,41 +30,37 @@ struct Shown {
 };
 
 Shown formula_field(const Arguments& a, RunResult& result) {
-  const Formula* formula = find_formula(a.formula);
-  if (!formula) throw InputError(fmt::format("unknown formula '{}'; see `cageproof list`", a.formula));
-  const auto evaluation = EvaluationRegister::instance().find(a.formula, a.evaluation);
-  if (!evaluation)
-    throw InputError(fmt::format("{} has no evaluation '{}'; see `cageproof list`", a.formula, a.evaluation));
-  if (a.order > evaluation->max_order())
+  const Formula& formula = formula_named(a.formula);
+  const Evaluation evaluation = evaluation_named(a.formula, a.evaluation);
+  if (a.order > evaluation.max_order())
     throw InputError(fmt::format("{} of {} gives no derivatives of order {}", a.evaluation, a.formula, a.order));
   std::vector<std::vector<Vec3<double>>> elements;
   validation::SlicePlan slice;
-  std::string where = fmt::format("one {}", name_of(formula->element));
+  std::string where = fmt::format("one {}", name_of(formula.element));
   if (a.cage.file.empty()) {
-    auto one = validation::slice_of(formula->element, a.resolution > 0 ? a.resolution : 160);
+    auto one = validation::slice_of(formula.element, a.resolution > 0 ? a.resolution : 160);
     elements.push_back(std::move(one.corners));
     slice = one.slice;
   } else {
     const Cage cage = a.cage.load();
-    elements = validation::elements_of(cage, formula->element, a.cage.rule());
+    elements = validation::elements_of(cage, formula.element, a.cage.rule());
     slice = validation::slice_through(cage, a.resolution > 0 ? a.resolution : 64);
     where = cage.name();
     result.settings = {{"cage", cage.name()}, {"triangulation", a.cage.triangulate}};
   }
   constexpr std::array orders{"value", "gradient", "Hessian"};
-  return {validation::formula_error_field(elements, *formula, *evaluation, a.order, slice, a.jobs),
+  return {validation::formula_error_field(elements, formula, evaluation, a.order, slice, a.jobs),
           fmt::format("{}, {} of {}, {}", a.formula, orders[a.order], a.evaluation, where), "relative error"};
 }
 
 Shown kind_field(const Arguments& a, RunResult& result) {
-  const CoordinateKind* kind = find_coordinate_kind(a.kind);
-  if (!kind) throw InputError(fmt::format("unknown kind of coordinates '{}'; see `cageproof list`", a.kind));
+  const CoordinateKind& kind = coordinate_kind_named(a.kind);
   const auto cage = std::make_shared<const Cage>(a.cage.load());
   result.settings = {{"cage", cage->name()}, {"triangulation", a.cage.triangulate}};
   for (const std::string& parameter : a.parameters) result.settings["parameters"] += parameter + " ";
   const int n = a.resolution > 0 ? a.resolution : 64;
-  const auto plan = validation::reproduction_field(cage, *kind, a.evaluation, a.cage.rule(), n,
-                                                   parameters_from(a.parameters, parameters_of(*kind), kind->name));
+  const auto plan = validation::reproduction_field(cage, kind, a.evaluation, a.cage.rule(), n,
+                                                   parameters_from(a.parameters, parameters_of(kind), kind.name));
   return {validation::sampled(plan, a.jobs),
           fmt::format("{}, partition of unity of {}, {}", a.kind, a.evaluation, cage->name()), "partition of unity"};
 }

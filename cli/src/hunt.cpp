@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 
-#include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
 #include "cageproof/core/scalar_text.h"
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/hunt.h"
@@ -29,7 +29,7 @@ std::vector<const validation::Check*> chosen_checks(const Arguments& a) {
   std::vector<const validation::Check*> chosen;
   for (const std::string& name : a.checks) {
     chosen.push_back(validation::find_check(name));
-    if (!chosen.back()) throw InputError(fmt::format("unknown check '{}'; see `cageproof list`", name));
+    if (!chosen.back()) throw unknown_name("check", name);
   }
   if (!chosen.empty()) return chosen;
   chosen.push_back(validation::find_check("truth"));
@@ -98,14 +98,8 @@ bool hunt_one(const Arguments& a, std::vector<reports::WorstLine>& lines) {
 
 int run(Arguments& a) {
   auto& options = a.options;
-  options.formula = find_formula(a.formula);
-  if (!options.formula) throw InputError(fmt::format("unknown formula '{}'; see `cageproof list`", a.formula));
-  const auto find = [&](const std::string& name) {
-    const auto evaluation = EvaluationRegister::instance().find(a.formula, name);
-    if (!evaluation) throw InputError(fmt::format("{} has no evaluation '{}'; see `cageproof list`", a.formula, name));
-    return *evaluation;
-  };
-  options.evaluation = find(a.evaluation);
+  options.formula = &formula_named(a.formula);
+  options.evaluation = evaluation_named(a.formula, a.evaluation);
   options.scalar = *scalar_named(a.scalar);
   if (isatty(STDERR_FILENO) != 0)
     options.improved = [&](const WorstCase& worst, std::string_view regime) {

@@ -2,6 +2,7 @@
 #include "commands.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
 #include "cageproof/validation/verify.h"
 
 #include <fmt/format.h>
@@ -83,6 +84,12 @@ void take_from_run(Arguments& a) {
   a.cage.flip_inward = a.cage.flip_inward || a.cage.file != given;
 }
 
+std::vector<std::string_view> names_of_suites() {
+  std::vector<std::string_view> names;
+  for (const validation::Suite& suite : validation::suites()) names.push_back(suite.name);
+  return names;
+}
+
 int print_shard(const validation::VerifyOptions& options, const validation::Verified& done) {
   fmt::print("shard {}/{}: all {} units of work are done, {} of them now\n", options.shard, options.shards, done.units,
              done.measured);
@@ -100,7 +107,7 @@ int run(Arguments& a) {
   }
   set_shard(a.shard, options);
   const auto suite = std::ranges::find(validation::suites(), a.suite, &validation::Suite::name);
-  if (suite == validation::suites().end()) throw InputError(fmt::format("there is no suite '{}'", a.suite));
+  if (suite == validation::suites().end()) throw unknown_name("suite", a.suite, names_of_suites());
   options.suite = *suite;
   if (a.samples > 0) options.suite.samples = a.samples;
   if (a.enclosures >= 0) options.suite.enclosures = a.enclosures;
@@ -138,9 +145,8 @@ void add_verify(CommandLine& line, const std::string& command_line) {
       .option("--enclosures", a->enclosures,
               "samples a formula and regime that are enclosed rigorously, instead of the suite's; 1000 is a proof run")
       .in_range(0, 1000000);
-  std::vector<std::string> suites;
-  for (const auto& suite : validation::suites()) suites.emplace_back(suite.name);
-  command.option("--suite", a->suite, "how much").one_of(suites).showing_default();
+  const auto suites = names_of_suites();
+  command.option("--suite", a->suite, "how much").one_of({suites.begin(), suites.end()}).showing_default();
   command.option("--seed", a->options.seed, "64-bit seed of all samples").showing_default();
   command.option("--jobs", a->options.jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
   const Option out = command.option("--out", a->out, "the report's folder").showing_default();
