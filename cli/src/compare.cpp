@@ -2,7 +2,7 @@
 #include "commands.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/reports/checked_file.h"
+#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/compare.h"
 #include "cageproof/reports/journal.h"
 #include "cageproof/validation/verify.h"
@@ -24,7 +24,7 @@ std::string summary_of(const fs::path& path) {
   fs::path file = path;
   if (fs::is_directory(path, ignored))
     file = fs::exists(path / "summary.json", ignored) ? path / "summary.json" : path / reports::journal_file;
-  return reports::find_journal_header(file) ? validation::summary_of_journal(file) : reports::read_file(file);
+  return reports::find_journal_header(file) ? validation::summary_of_journal(file) : read_file(file);
 }
 
 int run(const Arguments& a) {
