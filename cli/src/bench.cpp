@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 
-#include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
 #include "cageproof/reports/work_precision.h"
 #include "cageproof/benchmarks/coordinate_times.h"
 #include "cageproof/validation/machine_facts.h"
@@ -42,7 +42,7 @@ WorkPrecision measure_formula(const Arguments& a, benchmarks::WorkPrecisionOptio
   std::vector<const validation::Regime*> regimes;
   for (const std::string& name : a.regimes) {
     regimes.push_back(validation::find_regime(name));
-    if (!regimes.back()) throw InputError(fmt::format("unknown regime '{}'; see `cageproof list`", name));
+    if (!regimes.back()) throw unknown_name("regime", name);
   }
   return benchmarks::formula_work_precision(*formula, regimes, options);
 }
@@ -91,51 +91,42 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, Action& action, const std::string& command_line) {
-  CLI::App* command = app.add_subcommand("bench", "work-precision: time and error of evaluations side by side");
+void add_bench(CommandLine& line, const std::string& command_line) {
+  Command command = line.command("bench", "work-precision: time and error of evaluations side by side");
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
-  CLI::Option_group* what = command->add_option_group("what is measured");
-  what->require_option(1);
-  CLI::Option* kind =
-      what->add_option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic or somigliana");
-  CLI::Option* formula = what->add_option("--formula", a->formula, "one formula of the catalogue");
-  what->add_flag("--coordinates", a->coordinates,
-                 "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1, or quad_mean_value by those "
-                 "of --evaluations");
-  a->cage.add_to(*command, false);
-  command->get_option("--cage")->excludes(formula)->default_str("cube");
+  Command what = command.exactly_one_of("what is measured");
+  const Option kind = what.option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic or somigliana");
+  const Option formula = what.option("--formula", a->formula, "one formula of the catalogue");
+  what.flag("--coordinates", a->coordinates,
+            "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1, or quad_mean_value by those "
+            "of --evaluations");
+  a->cage.add_to(command, false).excludes(formula).showing_default("cube");
+  command.option("--points", a->points, "a mesh, or text with three numbers a line, instead of random points inside")
+      .excludes(formula);
+  command.option("--regime", a->regimes, "regimes of a formula's samples")
+      .separated_by(',')
+      .excludes(kind)
+      .showing_default();
+  command.option("--evaluations", a->options.evaluations, "what is compared").separated_by(',');
+  command.option("--parameter", a->parameters, "mu=..., nu=...");
+  command.option("--order", a->options.order, "of a formula: 0 value, 1 gradient, 2 Hessian")
+      .in_range(0, 2)
+      .excludes(kind);
+  command.option("--samples", a->options.samples, "a distance or regime").in_range(1, 1000000).showing_default();
+  command.option("--seed", a->options.seed, "of all samples").showing_default();
   command
-      ->add_option("--points", a->points, "a mesh, or text with three numbers a line, instead of random points inside")
-      ->excludes(formula);
-  command->add_option("--regime", a->regimes, "regimes of a formula's samples")
-      ->delimiter(',')
-      ->excludes(kind)
-      ->capture_default_str();
-  command->add_option("--evaluations", a->options.evaluations, "what is compared")->delimiter(',');
-  command->add_option("--parameter", a->parameters, "mu=..., nu=...");
-  command->add_option("--order", a->options.order, "of a formula: 0 value, 1 gradient, 2 Hessian")
-      ->check(CLI::Range(0, 2))
-      ->excludes(kind);
-  command->add_option("--samples", a->options.samples, "a distance or regime")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  command->add_option("--seed", a->options.seed, "of all samples")->capture_default_str();
-  command
-      ->add_flag("--by-parameter", a->options.by_parameter,
-                 "a formula's errors at each distance (or what else the regime sweeps) by themselves")
-      ->excludes(kind);
-  command->add_flag("--relative", a->options.relative, "a formula's relative instead of conditioned errors")
-      ->excludes(kind);
-  command->add_option("--seconds", a->options.seconds, "timed at least, an evaluation and place")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  command->add_option("--jobs", a->options.jobs, "threads for the errors; 0: all cores")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command->add_flag("--csv", a->csv, "as CSV");
-  command->add_option("--out", a->out, "a folder for CSV, JSON and pictures");
-  command->callback([&action, a] { action = [a] { return run(*a); }; });
+      .flag("--by-parameter", a->options.by_parameter,
+            "a formula's errors at each distance (or what else the regime sweeps) by themselves")
+      .excludes(kind);
+  command.flag("--relative", a->options.relative, "a formula's relative instead of conditioned errors").excludes(kind);
+  command.option("--seconds", a->options.seconds, "timed at least, an evaluation and place")
+      .in_range(0.0, 3600.0)
+      .showing_default();
+  command.option("--jobs", a->options.jobs, "threads for the errors; 0: all cores").in_range(0, 1024).showing_default();
+  command.flag("--csv", a->csv, "as CSV");
+  command.option("--out", a->out, "a folder for CSV, JSON and pictures");
+  command.runs([a] { return run(*a); });
 }
 
 }  // namespace cageproof::cli

@@ -12,15 +12,17 @@
 
 namespace cageproof::cli {
 
-void CageArguments::add_to(CLI::App& command, bool required) {
-  command.add_option("--cage", file, "cage: a file (OBJ, PLY, STL, VTP), or the name of an embedded cage")
-      ->required(required);
-  command.add_flag("--flip-inward", flip_inward, "turn a cage whose normals point inward");
+Option CageArguments::add_to(Command command, bool required) {
+  const Option cage =
+      command.option("--cage", file, "cage: a file (OBJ, PLY, STL, VTP), or the name of an embedded cage")
+          .required(required);
+  command.flag("--flip-inward", flip_inward, "turn a cage whose normals point inward");
   command
-      .add_option("--triangulate", triangulate,
-                  "how quads become triangles: shortest diagonal, or fan from the first corner")
-      ->check(CLI::IsMember({"shortest", "fan"}))
-      ->capture_default_str();
+      .option("--triangulate", triangulate,
+              "how quads become triangles: shortest diagonal, or fan from the first corner")
+      .one_of({"shortest", "fan"})
+      .showing_default();
+  return cage;
 }
 
 Cage CageArguments::load() const {

@@ -2,33 +2,32 @@
 // The commands of `cageproof`. Each adds its options to the command line and sets what to run.
 #pragma once
 
+#include "command_line.h"
+
 #include "cageproof/core/formula.h"
 #include "cageproof/core/mesh_io.h"
 #include "cageproof/core/run_result.h"
 
-#include <CLI/CLI.hpp>
-
-#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace cageproof::cli {
 
 /// Exit codes, stable.
 enum ExitCode { success = 0, promise_broken = 1, bad_input = 2 };
 
-/// Runs the chosen command; returns its exit code.
-using Action = std::function<int()>;
-
-void add_list(CLI::App& app, Action& action);
-void add_eval(CLI::App& app, Action& action);
-void add_coordinates(CLI::App& app, Action& action);
-void add_verify(CLI::App& app, Action& action, const std::string& command_line);
-void add_merge(CLI::App& app, Action& action);
-void add_report(CLI::App& app, Action& action);
-void add_compare(CLI::App& app, Action& action);
-void add_field(CLI::App& app, Action& action, const std::string& command_line);
-void add_replay(CLI::App& app, Action& action);
-void add_hunt(CLI::App& app, Action& action);
-void add_bench(CLI::App& app, Action& action, const std::string& command_line);
+void add_list(CommandLine& line);
+void add_eval(CommandLine& line);
+void add_coordinates(CommandLine& line);
+void add_verify(CommandLine& line, const std::string& command_line);
+void add_merge(CommandLine& line);
+void add_report(CommandLine& line);
+void add_compare(CommandLine& line);
+void add_field(CommandLine& line, const std::string& command_line);
+void add_replay(CommandLine& line);
+void add_hunt(CommandLine& line);
+void add_bench(CommandLine& line, const std::string& command_line);
 
 /// Prints what is broken and the verdict on standard output; what is to be said of the run's sessions on standard
 /// error. \param out the report's folder
@@ -41,7 +40,8 @@ struct CageArguments {
   bool allow_invalid_quads = false;  ///< an option of commands whose coordinates keep quads
   std::string triangulate = "shortest";
 
-  void add_to(CLI::App& command, bool required);
+  /// \return the option --cage
+  Option add_to(Command command, bool required);
   /// \throws InputError as read_cage; names of embedded cages are taken first
   Cage load() const;
   Triangulation rule() const { return triangulate == "fan" ? Triangulation::Fan : Triangulation::Shortest; }

@@ -2,7 +2,7 @@
 #include "commands.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/reports/checked_file.h"
+#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/compare.h"
 #include "cageproof/reports/journal.h"
 #include "cageproof/validation/verify.h"
@@ -24,7 +24,7 @@ std::string summary_of(const fs::path& path) {
   fs::path file = path;
   if (fs::is_directory(path, ignored))
     file = fs::exists(path / "summary.json", ignored) ? path / "summary.json" : path / reports::journal_file;
-  return reports::find_journal_header(file) ? validation::summary_of_journal(file) : reports::read_file(file);
+  return reports::find_journal_header(file) ? validation::summary_of_journal(file) : read_file(file);
 }
 
 int run(const Arguments& a) {
@@ -41,16 +41,15 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand(
-      "compare", "figures and verdicts that differ between two reports or journals; exit 1 when any does");
+void add_compare(CommandLine& line) {
+  Command command =
+      line.command("compare", "figures and verdicts that differ between two reports or journals; exit 1 when any does");
   auto a = std::make_shared<Arguments>();
-  command->add_option("old", a->before, "a report's folder, its summary.json, or a journal")->required();
-  command->add_option("new", a->after, "another")->required();
-  command->add_option(
-      "--names", a->names,
-      R"(JSON object {"old": "new"} of names that changed; "subject/old" in that subject's rows alone)");
-  command->callback([&action, a] { action = [a] { return run(*a); }; });
+  command.option("old", a->before, "a report's folder, its summary.json, or a journal").required();
+  command.option("new", a->after, "another").required();
+  command.option("--names", a->names,
+                 R"(JSON object {"old": "new"} of names that changed; "subject/old" in that subject's rows alone)");
+  command.runs([a] { return run(*a); });
 }
 
 }  // namespace cageproof::cli

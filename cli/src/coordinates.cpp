@@ -70,22 +70,20 @@ std::string names_of_kinds() {
 
 }  // namespace
 
-void add_coordinates(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("coordinates", "coordinates of points in a cage");
+void add_coordinates(CommandLine& line) {
+  Command command = line.command("coordinates", "coordinates of points in a cage");
   auto a = std::make_shared<Arguments>();
-  a->cage.add_to(*command, true);
-  command->add_option("--points", a->points, "a mesh, or text with three numbers a line")->required();
-  command->add_option("--kind", a->kind, names_of_kinds())->required();
-  command->add_flag("--allow-invalid-quads", a->cage.allow_invalid_quads,
-                    "compute with quads that are not valid, of kinds that keep quads");
-  command->add_option("--parameter", a->parameters, "mu=..., nu=... of somigliana; nu in (-1, 0.5] or inf or -inf");
-  command->add_option("--evaluation", a->evaluation, "how its formulas are evaluated, instead of as recommended");
-  command->add_option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians")
-      ->check(CLI::Range(0, 2))
-      ->capture_default_str();
-  command->add_option("--out", a->out, ".csv, .npy (points x columns) or .vtp; CSV on standard output if not given");
-  command->add_option("--jobs", a->jobs, "threads; 0: all cores")->check(CLI::Range(0, 1024))->capture_default_str();
-  command->callback([&action, a] { action = [a] { return run(*a); }; });
+  a->cage.add_to(command, true);
+  command.option("--points", a->points, "a mesh, or text with three numbers a line").required();
+  command.option("--kind", a->kind, names_of_kinds()).required();
+  command.flag("--allow-invalid-quads", a->cage.allow_invalid_quads,
+               "compute with quads that are not valid, of kinds that keep quads");
+  command.option("--parameter", a->parameters, "mu=..., nu=... of somigliana; nu in (-1, 0.5] or inf or -inf");
+  command.option("--evaluation", a->evaluation, "how its formulas are evaluated, instead of as recommended");
+  command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
+  command.option("--out", a->out, ".csv, .npy (points x columns) or .vtp; CSV on standard output if not given");
+  command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
+  command.runs([a] { return run(*a); });
 }
 
 }  // namespace cageproof::cli

@@ -6,7 +6,6 @@
 #include "cageproof/core/scalar_text.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <iostream>
 
@@ -75,14 +74,10 @@ std::string evaluated(const QueryText& text, const Formula& formula, const Evalu
 }
 
 int run(const EvalOptions& options) {
-  const Formula* formula = find_formula(options.formula);
-  if (!formula) throw InputError(fmt::format("unknown formula '{}'; see `cageproof list`", options.formula));
-  const auto evaluation = EvaluationRegister::instance().find(options.formula, options.evaluation);
-  if (!evaluation)
-    throw InputError(
-        fmt::format("{} has no evaluation '{}'; see `cageproof list`", options.formula, options.evaluation));
+  const Formula& formula = formula_named(options.formula);
+  const Evaluation evaluation = evaluation_named(options.formula, options.evaluation);
   const ScalarKind scalar = *scalar_named(options.scalar);
-  if (!evaluation->supports(scalar) || options.order > evaluation->max_order())
+  if (!evaluation.supports(scalar) || options.order > evaluation.max_order())
     throw InputError(fmt::format("{} of {} does not exist in {} at order {}", options.evaluation, options.formula,
                                  options.scalar, options.order));
   int code = success;
@@ -91,14 +86,12 @@ int run(const EvalOptions& options) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
-      const QueryText query = parse_query(line, *formula);
+      const QueryText query = parse_query(line, formula);
       std::cout << with_scalar(scalar, [&]<Scalar R>() {
-        return evaluated<R>(query, *formula, *evaluation, options.order);
+        return evaluated<R>(query, formula, evaluation, options.order);
       }) << '\n';
     } catch (const InputError& e) {
-      std::cout << nlohmann::ordered_json{{"error", e.what()}, {"line", number}}.dump(
-                       -1, ' ', false, nlohmann::json::error_handler_t::replace)
-                << '\n';
+      std::cout << error_line(e.what(), number) << '\n';
       code = bad_input;
     }
   }
@@ -108,18 +101,16 @@ int run(const EvalOptions& options) {
 
 }  // namespace
 
-void add_eval(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("eval", "evaluate JSON lines from standard input");
+void add_eval(CommandLine& line) {
+  Command command = line.command("eval", "evaluate JSON lines from standard input");
   auto options = std::make_shared<EvalOptions>();
-  command->add_option("--formula", options->formula, "a formula of the catalogue")->required();
-  command->add_option("--evaluation", options->evaluation, "one of its evaluations")->required();
-  command->add_option("--order", options->order, "0 value, 1 and gradient, 2 and Hessian")
-      ->check(CLI::Range(0, 2))
-      ->capture_default_str();
-  command->add_option("--scalar", options->scalar, "float, double, mp50, mp100 or mp200")
-      ->check(CLI::IsMember({"float", "double", "mp50", "mp100", "mp200"}))
-      ->capture_default_str();
-  command->callback([&action, options] { action = [options] { return run(*options); }; });
+  command.option("--formula", options->formula, "a formula of the catalogue").required();
+  command.option("--evaluation", options->evaluation, "one of its evaluations").required();
+  command.option("--order", options->order, "0 value, 1 and gradient, 2 and Hessian").in_range(0, 2).showing_default();
+  command.option("--scalar", options->scalar, "float, double, mp50, mp100 or mp200")
+      .one_of({"float", "double", "mp50", "mp100", "mp200"})
+      .showing_default();
+  command.runs([options] { return run(*options); });
 }
 
 }  // namespace cageproof::cli

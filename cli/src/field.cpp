@@ -30,41 +30,37 @@ struct Shown {
 };
 
 Shown formula_field(const Arguments& a, RunResult& result) {
-  const Formula* formula = find_formula(a.formula);
-  if (!formula) throw InputError(fmt::format("unknown formula '{}'; see `cageproof list`", a.formula));
-  const auto evaluation = EvaluationRegister::instance().find(a.formula, a.evaluation);
-  if (!evaluation)
-    throw InputError(fmt::format("{} has no evaluation '{}'; see `cageproof list`", a.formula, a.evaluation));
-  if (a.order > evaluation->max_order())
+  const Formula& formula = formula_named(a.formula);
+  const Evaluation evaluation = evaluation_named(a.formula, a.evaluation);
+  if (a.order > evaluation.max_order())
     throw InputError(fmt::format("{} of {} gives no derivatives of order {}", a.evaluation, a.formula, a.order));
   std::vector<std::vector<Vec3<double>>> elements;
   validation::SlicePlan slice;
-  std::string where = fmt::format("one {}", name_of(formula->element));
+  std::string where = fmt::format("one {}", name_of(formula.element));
   if (a.cage.file.empty()) {
-    auto one = validation::slice_of(formula->element, a.resolution > 0 ? a.resolution : 160);
+    auto one = validation::slice_of(formula.element, a.resolution > 0 ? a.resolution : 160);
     elements.push_back(std::move(one.corners));
     slice = one.slice;
   } else {
     const Cage cage = a.cage.load();
-    elements = validation::elements_of(cage, formula->element, a.cage.rule());
+    elements = validation::elements_of(cage, formula.element, a.cage.rule());
     slice = validation::slice_through(cage, a.resolution > 0 ? a.resolution : 64);
     where = cage.name();
     result.settings = {{"cage", cage.name()}, {"triangulation", a.cage.triangulate}};
   }
   constexpr std::array orders{"value", "gradient", "Hessian"};
-  return {validation::formula_error_field(elements, *formula, *evaluation, a.order, slice, a.jobs),
+  return {validation::formula_error_field(elements, formula, evaluation, a.order, slice, a.jobs),
           fmt::format("{}, {} of {}, {}", a.formula, orders[a.order], a.evaluation, where), "relative error"};
 }
 
 Shown kind_field(const Arguments& a, RunResult& result) {
-  const CoordinateKind* kind = find_coordinate_kind(a.kind);
-  if (!kind) throw InputError(fmt::format("unknown kind of coordinates '{}'; see `cageproof list`", a.kind));
+  const CoordinateKind& kind = coordinate_kind_named(a.kind);
   const auto cage = std::make_shared<const Cage>(a.cage.load());
   result.settings = {{"cage", cage->name()}, {"triangulation", a.cage.triangulate}};
   for (const std::string& parameter : a.parameters) result.settings["parameters"] += parameter + " ";
   const int n = a.resolution > 0 ? a.resolution : 64;
-  const auto plan = validation::reproduction_field(cage, *kind, a.evaluation, a.cage.rule(), n,
-                                                   parameters_from(a.parameters, parameters_of(*kind), kind->name));
+  const auto plan = validation::reproduction_field(cage, kind, a.evaluation, a.cage.rule(), n,
+                                                   parameters_from(a.parameters, parameters_of(kind), kind.name));
   return {validation::sampled(plan, a.jobs),
           fmt::format("{}, partition of unity of {}, {}", a.kind, a.evaluation, cage->name()), "partition of unity"};
 }
@@ -98,29 +94,23 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-void add_field(CLI::App& app, Action& action, const std::string& command_line) {
-  CLI::App* command = app.add_subcommand("field", "the error field of one evaluation, as VTK file and picture");
+void add_field(CommandLine& line, const std::string& command_line) {
+  Command command = line.command("field", "the error field of one evaluation, as VTK file and picture");
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
-  CLI::Option_group* what = command->add_option_group("what is shown");
-  what->require_option(1);
-  CLI::Option* formula = what->add_option("--formula", a->formula, "relative error of a formula of the catalogue");
-  CLI::Option* kind = what->add_option("--kind", a->kind, "partition of unity of a kind of cage coordinates");
-  command->add_option("--evaluation", a->evaluation, "one of its evaluations")->required();
-  command->add_option("--order", a->order, "0 value, 1 gradient, 2 Hessian")
-      ->check(CLI::Range(0, 2))
-      ->capture_default_str()
-      ->excludes(kind);
-  command->add_option("--parameter", a->parameters, "mu=..., nu=... of a kind")->excludes(formula);
-  a->cage.add_to(*command, false);
-  kind->needs(command->get_option("--cage"));
-  command->add_option("--resolution", a->resolution, "samples a side")->check(CLI::Range(2, 4096));
-  command->add_option("--jobs", a->jobs, "threads; 0: all cores")->check(CLI::Range(0, 1024))->capture_default_str();
-  command
-      ->add_option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
-      ->expected(2);
-  command->add_option("--out", a->out, "the report's folder")->required();
-  command->callback([&action, a] { action = [a] { return run(*a); }; });
+  Command what = command.exactly_one_of("what is shown");
+  const Option formula = what.option("--formula", a->formula, "relative error of a formula of the catalogue");
+  Option kind = what.option("--kind", a->kind, "partition of unity of a kind of cage coordinates");
+  command.option("--evaluation", a->evaluation, "one of its evaluations").required();
+  command.option("--order", a->order, "0 value, 1 gradient, 2 Hessian").in_range(0, 2).showing_default().excludes(kind);
+  command.option("--parameter", a->parameters, "mu=..., nu=... of a kind").excludes(formula);
+  kind.needs(a->cage.add_to(command, false));
+  command.option("--resolution", a->resolution, "samples a side").in_range(2, 4096);
+  command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
+  command.option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
+      .values(2);
+  command.option("--out", a->out, "the report's folder").required();
+  command.runs([a] { return run(*a); });
 }
 
 }  // namespace cageproof::cli

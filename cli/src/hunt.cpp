@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 
-#include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
 #include "cageproof/core/scalar_text.h"
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/hunt.h"
@@ -29,7 +29,7 @@ std::vector<const validation::Check*> chosen_checks(const Arguments& a) {
   std::vector<const validation::Check*> chosen;
   for (const std::string& name : a.checks) {
     chosen.push_back(validation::find_check(name));
-    if (!chosen.back()) throw InputError(fmt::format("unknown check '{}'; see `cageproof list`", name));
+    if (!chosen.back()) throw unknown_name("check", name);
   }
   if (!chosen.empty()) return chosen;
   chosen.push_back(validation::find_check("truth"));
@@ -98,14 +98,8 @@ bool hunt_one(const Arguments& a, std::vector<reports::WorstLine>& lines) {
 
 int run(Arguments& a) {
   auto& options = a.options;
-  options.formula = find_formula(a.formula);
-  if (!options.formula) throw InputError(fmt::format("unknown formula '{}'; see `cageproof list`", a.formula));
-  const auto find = [&](const std::string& name) {
-    const auto evaluation = EvaluationRegister::instance().find(a.formula, name);
-    if (!evaluation) throw InputError(fmt::format("{} has no evaluation '{}'; see `cageproof list`", a.formula, name));
-    return *evaluation;
-  };
-  options.evaluation = find(a.evaluation);
+  options.formula = &formula_named(a.formula);
+  options.evaluation = evaluation_named(a.formula, a.evaluation);
   options.scalar = *scalar_named(a.scalar);
   if (isatty(STDERR_FILENO) != 0)
     options.improved = [&](const WorstCase& worst, std::string_view regime) {
@@ -126,28 +120,20 @@ int run(Arguments& a) {
 
 }  // namespace
 
-void add_hunt(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("hunt", "search for the worst input of one evaluation");
+void add_hunt(CommandLine& line) {
+  Command command = line.command("hunt", "search for the worst input of one evaluation");
   auto a = std::make_shared<Arguments>();
-  command->add_option("--formula", a->formula, "name of a formula")->required();
-  command->add_option("--evaluation", a->evaluation, "name of an evaluation")->required();
-  command->add_option("--budget", a->options.budget, "inputs to measure, a check")
-      ->required()
-      ->check(CLI::Range(1, 1000000000));
-  command->add_option("--order", a->options.order, "derivative order asked and looked at")
-      ->check(CLI::Range(0, 2))
-      ->capture_default_str();
-  command->add_option("--scalar", a->scalar, "scalar")
-      ->check(CLI::IsMember({"double", "float"}))
-      ->capture_default_str();
-  command->add_option("--check", a->checks, "whose error; default: truth, and relative where it is asked");
-  command->add_option("--regime", a->options.regimes, "glob: where climbs start")->capture_default_str();
-  command->add_option("--seed", a->options.seed, "64-bit seed")->capture_default_str();
-  command->add_option("--jobs", a->options.jobs, "threads; 0: all cores")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command->add_option("--out", a->out, "worst-case file to add the worst cases to");
-  command->callback([&action, a] { action = [a] { return run(*a); }; });
+  command.option("--formula", a->formula, "name of a formula").required();
+  command.option("--evaluation", a->evaluation, "name of an evaluation").required();
+  command.option("--budget", a->options.budget, "inputs to measure, a check").required().in_range(1, 1000000000);
+  command.option("--order", a->options.order, "derivative order asked and looked at").in_range(0, 2).showing_default();
+  command.option("--scalar", a->scalar, "scalar").one_of({"double", "float"}).showing_default();
+  command.option("--check", a->checks, "whose error; default: truth, and relative where it is asked");
+  command.option("--regime", a->options.regimes, "glob: where climbs start").showing_default();
+  command.option("--seed", a->options.seed, "64-bit seed").showing_default();
+  command.option("--jobs", a->options.jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
+  command.option("--out", a->out, "worst-case file to add the worst cases to");
+  command.runs([a] { return run(*a); });
 }
 
 }  // namespace cageproof::cli

@@ -123,4 +123,9 @@ QueryText parse_query(const std::string& line, const Formula& formula) {
   return query;
 }
 
+std::string error_line(const std::string& message, std::size_t line) {
+  return nlohmann::ordered_json{{"error", message}, {"line", line}}.dump(-1, ' ', false,
+                                                                         Json::error_handler_t::replace);
+}
+
 }  // namespace cageproof::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One line of `eval`'s input, with numbers kept as text so that no scalar loses digits.
+// Lines of `eval`'s input, with numbers kept as text so that no scalar loses digits, and what answers a bad one.
 #pragma once
 
 #include "cageproof/core/evaluation.h"
@@ -19,5 +19,8 @@ struct QueryText {
 /// hexadecimal strings. Points of 2D elements have two numbers. \throws InputError with the reason, without the line's
 /// number
 QueryText parse_query(const std::string& line, const Formula& formula);
+
+/// {"error":message,"line":line}; bytes that are not UTF-8 are replaced. \param line counted from 1
+std::string error_line(const std::string& message, std::size_t line);
 
 }  // namespace cageproof::cli

@@ -81,16 +81,14 @@ void print_text() {
 
 }  // namespace
 
-void add_list(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("list", "the catalogue: formulas, sources, evaluations");
+void add_list(CommandLine& line) {
+  Command command = line.command("list", "the catalogue: formulas, sources, evaluations");
   auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "as JSON");
-  command->callback([&action, json] {
-    action = [json] {
-      if (*json) std::cout << catalogue_json().dump(2) << '\n';
-      else print_text();
-      return success;
-    };
+  command.flag("--json", *json, "as JSON");
+  command.runs([json] {
+    if (*json) std::cout << catalogue_json().dump(2) << '\n';
+    else print_text();
+    return success;
   });
 }
 

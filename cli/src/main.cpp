@@ -32,30 +32,26 @@ std::string quoted(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Cageproof: every cage-coordinate formula, several independent ways, against its definition."};
-  app.set_version_flag("--version", CAGEPROOF_VERSION);
-  app.require_subcommand(1);
-  cli::Action action;
-  cli::add_list(app, action);
-  cli::add_eval(app, action);
-  cli::add_coordinates(app, action);
-  cli::add_verify(app, action, quoted(argc, argv));
-  cli::add_merge(app, action);
-  cli::add_report(app, action);
-  cli::add_compare(app, action);
-  cli::add_field(app, action, quoted(argc, argv));
-  cli::add_replay(app, action);
-  cli::add_hunt(app, action);
-  cli::add_bench(app, action, quoted(argc, argv));
+  using namespace cli;
+  CommandLine line("Cageproof: every cage-coordinate formula, several independent ways, against its definition.",
+                   CAGEPROOF_VERSION);
+  const std::string as_given = quoted(argc, argv);
+  add_list(line);
+  add_eval(line);
+  add_coordinates(line);
+  add_verify(line, as_given);
+  add_merge(line);
+  add_report(line);
+  add_compare(line);
+  add_field(line, as_given);
+  add_replay(line);
+  add_hunt(line);
+  add_bench(line, as_given);
   try {
-    app.parse(argc, argv);
-    const int code = action();
+    const int code = line.run(argc, argv);
     std::cout.flush();
     if (!std::cout) return complain("cannot write to standard output");
     return code;
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);
-    return complain(fmt::format("{} (see `cageproof --help`)", e.what()));
   } catch (const InputError& e) {
     return complain(e.what());
   } catch (const std::exception& e) {

@@ -17,12 +17,12 @@ int run(const Arguments& a) {
 
 }  // namespace
 
-void add_merge(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("merge", "one report of all shards of a run");
+void add_merge(CommandLine& line) {
+  Command command = line.command("merge", "one report of all shards of a run");
   auto a = std::make_shared<Arguments>();
-  command->add_option("parts", a->parts, "the shards' folders, as `verify --shard` made them")->required();
-  command->add_option("--out", a->out, "the report's folder")->required();
-  command->callback([&action, a] { action = [a] { return run(*a); }; });
+  command.option("parts", a->parts, "the shards' folders, as `verify --shard` made them").required();
+  command.option("--out", a->out, "the report's folder").required();
+  command.runs([a] { return run(*a); });
 }
 
 }  // namespace cageproof::cli

@@ -51,11 +51,11 @@ int run(const std::string& file) {
 
 }  // namespace
 
-void add_replay(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("replay", "re-run stored worst cases exactly");
+void add_replay(CommandLine& line) {
+  Command command = line.command("replay", "re-run stored worst cases exactly");
   auto file = std::make_shared<std::string>();
-  command->add_option("file", *file, "a worst.jsonl")->required();
-  command->callback([&action, file] { action = [file] { return run(*file); }; });
+  command.option("file", *file, "a worst.jsonl").required();
+  command.runs([file] { return run(*file); });
 }
 
 }  // namespace cageproof::cli

@@ -2,6 +2,7 @@
 #include "commands.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
 #include "cageproof/validation/verify.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <mutex>
+#include <optional>
 
 namespace cageproof::cli {
 namespace {
@@ -20,7 +22,7 @@ struct Arguments {
   std::string points, suite = "quick", out = "report", resume, shard = "0/1";
   validation::VerifyOptions options;
   int samples = 0, enclosures = -1;
-  const CLI::App* command = nullptr;  // knows which options are given
+  std::optional<Command> command;  // knows which options are given
 };
 
 // One line on a terminal, rewritten; nothing elsewhere.
@@ -63,8 +65,8 @@ void take_from_run(Arguments& a) {
   const auto run = validation::options_of_run(a.out);
   const auto unless_given = [&](const char* name, auto& value) {
     const auto found = run.find(name);
-    if (found == run.end() || a.command->count(fmt::format("--{}", name)) > 0) return;
-    CLI::detail::lexical_cast(found->second, value);
+    if (found == run.end() || a.command->given(fmt::format("--{}", name))) return;
+    read_value(found->second, value);
   };
   unless_given("formulas", a.options.formulas);
   unless_given("evaluations", a.options.evaluations);
@@ -80,6 +82,12 @@ void take_from_run(Arguments& a) {
   unless_given("cage", a.cage.file);
   // The journal knows what the cage was after any flip.
   a.cage.flip_inward = a.cage.flip_inward || a.cage.file != given;
+}
+
+std::vector<std::string_view> names_of_suites() {
+  std::vector<std::string_view> names;
+  for (const validation::Suite& suite : validation::suites()) names.push_back(suite.name);
+  return names;
 }
 
 int print_shard(const validation::VerifyOptions& options, const validation::Verified& done) {
@@ -99,7 +107,7 @@ int run(Arguments& a) {
   }
   set_shard(a.shard, options);
   const auto suite = std::ranges::find(validation::suites(), a.suite, &validation::Suite::name);
-  if (suite == validation::suites().end()) throw InputError(fmt::format("there is no suite '{}'", a.suite));
+  if (suite == validation::suites().end()) throw unknown_name("suite", a.suite, names_of_suites());
   options.suite = *suite;
   if (a.samples > 0) options.suite.samples = a.samples;
   if (a.enclosures >= 0) options.suite.enclosures = a.enclosures;
@@ -121,39 +129,34 @@ int run(Arguments& a) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, Action& action, const std::string& command_line) {
-  CLI::App* command = app.add_subcommand("verify", "the main job: every formula against its definition, and a report");
+void add_verify(CommandLine& line, const std::string& command_line) {
+  Command command = line.command("verify", "the main job: every formula against its definition, and a report");
   auto a = std::make_shared<Arguments>();
   a->options.command_line = command_line;
   a->command = command;
-  command->add_option("--formulas", a->options.formulas, "glob")->capture_default_str();
-  command->add_option("--evaluations", a->options.evaluations, "glob")->capture_default_str();
-  command->add_option("--regimes", a->options.regimes, "glob")->capture_default_str();
-  a->cage.add_to(*command, false);
-  command->add_option("--points", a->points, "points to try the cage at: a mesh, or text with three numbers a line");
-  command->add_option("--samples", a->samples, "samples a formula and regime, instead of the suite's")
-      ->check(CLI::Range(1, 100000000));
+  command.option("--formulas", a->options.formulas, "glob").showing_default();
+  command.option("--evaluations", a->options.evaluations, "glob").showing_default();
+  command.option("--regimes", a->options.regimes, "glob").showing_default();
+  a->cage.add_to(command, false);
+  command.option("--points", a->points, "points to try the cage at: a mesh, or text with three numbers a line");
+  command.option("--samples", a->samples, "samples a formula and regime, instead of the suite's")
+      .in_range(1, 100000000);
   command
-      ->add_option(
-          "--enclosures", a->enclosures,
-          "samples a formula and regime that are enclosed rigorously, instead of the suite's; 1000 is a proof run")
-      ->check(CLI::Range(0, 1000000));
-  std::vector<std::string> suites;
-  for (const auto& suite : validation::suites()) suites.emplace_back(suite.name);
-  command->add_option("--suite", a->suite, "how much")->check(CLI::IsMember(suites))->capture_default_str();
-  command->add_option("--seed", a->options.seed, "64-bit seed of all samples")->capture_default_str();
-  command->add_option("--jobs", a->options.jobs, "threads; 0: all cores")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  CLI::Option* out = command->add_option("--out", a->out, "the report's folder")->capture_default_str();
-  command->add_option("--shard", a->shard, "I/N: measure part I of N, from 0, alone; `merge` makes the report")
-      ->capture_default_str();
+      .option("--enclosures", a->enclosures,
+              "samples a formula and regime that are enclosed rigorously, instead of the suite's; 1000 is a proof run")
+      .in_range(0, 1000000);
+  const auto suites = names_of_suites();
+  command.option("--suite", a->suite, "how much").one_of({suites.begin(), suites.end()}).showing_default();
+  command.option("--seed", a->options.seed, "64-bit seed of all samples").showing_default();
+  command.option("--jobs", a->options.jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
+  const Option out = command.option("--out", a->out, "the report's folder").showing_default();
+  command.option("--shard", a->shard, "I/N: measure part I of N, from 0, alone; `merge` makes the report")
+      .showing_default();
   command
-      ->add_option(
-          "--resume", a->resume,
-          "folder of a run to go on with; options that are not given are that run's, others must agree with it")
-      ->excludes(out);
-  command->callback([&action, a] { action = [a] { return run(*a); }; });
+      .option("--resume", a->resume,
+              "folder of a run to go on with; options that are not given are that run's, others must agree with it")
+      .excludes(out);
+  command.runs([a] { return run(*a); });
 }
 
 }  // namespace cageproof::cli

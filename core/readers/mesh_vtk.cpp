@@ -101,7 +101,7 @@ bool is_whole_binary_stl(std::string_view bytes) {
 }
 
 Mesh read_ply(const std::filesystem::path& path) {
-  CheckedPly checked = check_ply(path, read_file(path));
+  CheckedPly checked = check_ply(path, read_mesh_file(path));
   if (checked.face_count == 0) return {std::move(checked.vertices), {}};
   Mesh mesh = read_with<vtkPLYReader>(path, [&](vtkPLYReader& reader) {
     reader.SetReadFromInputString(true);
@@ -115,7 +115,7 @@ Mesh read_ply(const std::filesystem::path& path) {
 }
 
 Mesh read_stl(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
+  const std::string bytes = read_mesh_file(path);
   const bool is_text =
       bytes.starts_with("solid") && std::ranges::all_of(bytes, [](unsigned char c) { return c < 0x80; });
   if (!is_text && !is_whole_binary_stl(bytes))
@@ -124,7 +124,7 @@ Mesh read_stl(const std::filesystem::path& path) {
 }
 
 Mesh read_vtp(const std::filesystem::path& path) {
-  read_file(path);
+  read_mesh_file(path);
   return read_with<vtkXMLPolyDataReader>(path, [&](vtkXMLPolyDataReader& reader) {
     reader.SetFileName(path.c_str());
     reader.UpdateInformation();

@@ -2,6 +2,7 @@
 #include "cageproof/core/evaluation.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -129,7 +130,7 @@ Evaluation evaluation_named(std::string_view formula, std::string_view name) {
 
 const Formula& formula_named(std::string_view name) {
   const Formula* found = find_formula(name);
-  if (found == nullptr) throw InputError("unknown formula '" + std::string(name) + "'; see `cageproof list`");
+  if (found == nullptr) throw unknown_name("formula", name);
   return *found;
 }
 

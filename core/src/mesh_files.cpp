@@ -3,14 +3,13 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/scalar_text.h"
+#include "cageproof/core/whole_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 namespace cageproof::mesh_files {
 
@@ -19,16 +18,13 @@ void Place::fail(const std::string& reason) const {
                              : fmt::format("{}:{}: {}", file.string(), line, reason));
 }
 
-std::string read_file(const std::filesystem::path& path) {
+std::string read_mesh_file(const std::filesystem::path& path) {
   const Place place{path};
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) place.fail("no such file");
   if (std::filesystem::is_directory(status)) place.fail("is a directory");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) place.fail("cannot be opened");
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) place.fail("cannot be read");
+  std::string text = read_file(path);
   if (text.empty()) place.fail("the file is empty");
   return text;
 }

@@ -18,7 +18,7 @@ struct Place {
 };
 
 /// The whole file. \throws InputError when it is missing, no file, unreadable or empty
-std::string read_file(const std::filesystem::path& path);
+std::string read_mesh_file(const std::filesystem::path& path);
 
 /// A token as messages show it: quoted, printable, at most 40 characters.
 std::string shown(std::string_view token);

@@ -35,7 +35,7 @@ std::vector<std::string_view> fields_of(std::string_view line, const Place& plac
 }
 
 std::vector<Vec3<double>> read_text_points(const std::filesystem::path& path) {
-  const std::string file = mesh_files::read_file(path);
+  const std::string file = mesh_files::read_mesh_file(path);
   std::string_view text = mesh_files::without_mark(file);
   std::vector<Vec3<double>> points;
   Place place{path};

@@ -95,7 +95,7 @@ std::vector<std::vector<int>> load_faces(const std::filesystem::path& path, std:
 }  // namespace
 
 Mesh read_obj(const std::filesystem::path& path) {
-  const std::string file = read_file(path);
+  const std::string file = read_mesh_file(path);
   const std::string_view text = without_mark(file);
   CheckedObj checked = check_obj(path, text);
   Mesh mesh{std::move(checked.vertices), load_faces(path, text)};

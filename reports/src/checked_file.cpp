@@ -15,8 +15,8 @@
 namespace cageproof::reports {
 namespace {
 
-[[noreturn]] void fail(const char* action, const std::filesystem::path& path) {
-  throw InputError(fmt::format("cannot {} {}: {}", action, path.string(), std::generic_category().message(errno)));
+[[noreturn]] void fail(const std::filesystem::path& path) {
+  throw InputError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(errno)));
 }
 
 struct Close {
@@ -28,10 +28,10 @@ using File = std::unique_ptr<std::FILE, Close>;
 
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
   File file(std::fopen(path.c_str(), "wb"));
-  if (!file) fail("write", path);
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) fail("write", path);
+  if (!file) fail(path);
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) fail(path);
   // A full disk may show only when the last buffer leaves.
-  if (std::fclose(file.release()) != 0) fail("write", path);
+  if (std::fclose(file.release()) != 0) fail(path);
 }
 
 void replace_file(const std::filesystem::path& path, std::string_view bytes) {
@@ -48,17 +48,7 @@ void replace_file(const std::filesystem::path& path, std::string_view bytes) {
   const int reason = errno;
   std::filesystem::remove(fresh, ignored);
   errno = reason;
-  fail("write", path);
-}
-
-std::string read_file(const std::filesystem::path& path) {
-  File file(std::fopen(path.c_str(), "rb"));
-  if (!file) fail("read", path);
-  std::string bytes;
-  char buffer[1 << 16];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) bytes.append(buffer, n);
-  if (std::ferror(file.get())) fail("read", path);
-  return bytes;
+  fail(path);
 }
 
 }  // namespace cageproof::reports

@@ -2,7 +2,7 @@
 #include "cageproof/reports/compare.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/reports/checked_file.h"
+#include "cageproof/core/whole_file.h"
 #include "json_value.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/reports/checked_file.h"
+#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/journal.h"
 #include "report_folder.h"
 

@@ -2,6 +2,7 @@
 #include "gnuplot.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
 #include "small_png.h"
 

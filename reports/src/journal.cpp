@@ -2,7 +2,7 @@
 #include "cageproof/reports/journal.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/reports/checked_file.h"
+#include "cageproof/core/whole_file.h"
 #include "findings_json.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/reports/checked_file.h"
 #include "figure.h"
 #include "page_data.h"
+
+#include "cageproof/core/whole_file.h"
 
 #include <fmt/format.h>
 #include <vtksys/Base64.h>

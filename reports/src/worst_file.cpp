@@ -4,7 +4,7 @@
 #include "cageproof/core/formula.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/scalar_text.h"
-#include "cageproof/reports/checked_file.h"
+#include "cageproof/core/whole_file.h"
 #include "json_value.h"
 
 #include <fmt/format.h>

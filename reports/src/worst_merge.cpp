@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/checked_file.h"
+#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/worst_file.h"
 
 #include <algorithm>

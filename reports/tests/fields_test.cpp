@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/reports/checked_file.h"
+#include "cageproof/core/whole_file.h"
 #include "sample_run.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A journal keeps what was found, exactly, whatever moment its writer died at.
+#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/journal.h"
 
 #include "cageproof/core/input_error.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is on the disk when all goes well, and when it does not.
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/run_folder.h"
 #include "sample_run.h"

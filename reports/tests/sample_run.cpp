@@ -3,7 +3,7 @@
 
 #include "cageproof/core/evaluation.h"
 #include "cageproof/core/random_stream.h"
-#include "cageproof/reports/checked_file.h"
+#include "cageproof/core/whole_file.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/worst_file.h"
 #include "sample_run.h"

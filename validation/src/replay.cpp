@@ -4,6 +4,7 @@
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/mesh_io.h"
+#include "cageproof/core/unknown_name.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/cage_symmetries.h"
 #include "cageproof/validation/check.h"
@@ -26,13 +27,19 @@ struct ElementCase {
   int order;  // that the evaluation is asked for
 };
 
+std::vector<std::string_view> names_of_scalars() {
+  std::vector<std::string_view> names;
+  for (const ScalarKind kind : scalar_kinds) names.push_back(name_of(kind));
+  return names;
+}
+
 ElementCase element_case(const RowKey& row, const WorstCase& worst) {
   const Formula& formula = formula_named(row.subject);
   const Evaluation evaluation = evaluation_named(row.subject, row.evaluation);
   const auto scalar = scalar_named(row.scalar);
-  if (!scalar) throw InputError(fmt::format("unknown scalar '{}'", row.scalar));
+  if (!scalar) throw unknown_name("scalar", row.scalar, names_of_scalars());
   const Check* check = find_check(row.check);
-  if (!check) throw InputError(fmt::format("unknown check '{}'", row.check));
+  if (!check) throw unknown_name("check", row.check);
   if (static_cast<int>(worst.corners.size()) != formula.corners() ||
       worst.parameters.size() != formula.parameters.size())
     throw InputError(fmt::format("not an input of {}", row.subject));
@@ -88,7 +95,7 @@ double replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rule
   if (row.check == "cage_laplacian") return errors.laplacian;
   if (row.check == "linear_reproduction") return errors.reproduction[row.order];
   if (row.check == "partition_of_unity" || row.check == "zero_outside") return errors.partition[row.order];
-  throw InputError(fmt::format("unknown check '{}'", row.check));
+  throw unknown_name("check", row.check);
 }
 
 }  // namespace

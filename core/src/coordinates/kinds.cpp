@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/coordinates.h"
 
-#include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,8 +110,7 @@ const CoordinateKind* find_coordinate_kind(std::string_view name) {
 
 const CoordinateKind& coordinate_kind_named(std::string_view name) {
   const CoordinateKind* found = find_coordinate_kind(name);
-  if (found == nullptr)
-    throw InputError("unknown kind of coordinates '" + std::string(name) + "'; see `cageproof list`");
+  if (found == nullptr) throw unknown_name("kind of coordinates", name);
   return *found;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files as a whole, with every step checked.
+// Files that are written as a whole, with every step checked.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +15,5 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// Writes a whole file aside and renames it into place: whoever reads it finds the old one or the new one, whole.
 /// \throws InputError as write_file
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
-
-/// Reads a whole file.
-/// \throws InputError "cannot read <path>: <reason>"
-std::string read_file(const std::filesystem::path& path);
 
 }  // namespace cageproof::reports

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// The command line: commands, their options, and what they run. CLI11 parses it; its templates are instantiated in
+// command_line.cpp alone, because they cost every file that includes them seconds of compiling.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace cageproof::cli {
+
+/// Runs the chosen command; returns its exit code.
+using Action = std::function<int()>;
+
+/// An option of a command: a handle that can be copied, and that lives as long as the CommandLine.
+class Option {
+ public:
+  explicit Option(CLI::Option* option) : option_(option) {}
+
+  /// The command is refused without this option.
+  Option& required(bool whether = true);
+  /// Values are one of these, and the help lists them.
+  Option& one_of(const std::vector<std::string>& names);
+  /// Values lie in the closed range, and the help shows it.
+  Option& in_range(int lowest, int highest);
+  Option& in_range(double lowest, double highest);
+  /// Takes exactly so many values.
+  Option& values(int count);
+  /// One text holds several values with this character between them.
+  Option& separated_by(char separator);
+  /// The two are not given together.
+  Option& excludes(const Option& other);
+  /// Is not given without the other.
+  Option& needs(const Option& other);
+  /// The help shows the value that the variable has now.
+  Option& showing_default();
+  /// The help shows this text as the default.
+  Option& showing_default(const std::string& text);
+
+ private:
+  CLI::Option* option_;
+};
+
+/// A command, or a group of its options: a handle that can be copied, and that lives as long as the CommandLine.
+class Command {
+ public:
+  /// An option whose value goes to a variable, which must outlive the parsing. A name without dashes is positional.
+  Option option(const std::string& name, std::string& value, const std::string& description);
+  Option option(const std::string& name, int& value, const std::string& description);
+  Option option(const std::string& name, std::uint64_t& value, const std::string& description);
+  Option option(const std::string& name, double& value, const std::string& description);
+  Option option(const std::string& name, std::vector<std::string>& values, const std::string& description);
+  Option option(const std::string& name, std::vector<double>& values, const std::string& description);
+  /// An option without a value.
+  Option flag(const std::string& name, bool& value, const std::string& description);
+  /// A group of options of which exactly one must be given.
+  Command exactly_one_of(const std::string& title);
+  /// Whether the user gave the option of this name, which must exist.
+  bool given(const std::string& name) const;
+  /// What the command does, once the whole command line is read.
+  void runs(Action action);
+
+ private:
+  friend class CommandLine;
+  Command(CLI::App* app, Action* chosen) : app_(app), chosen_(chosen) {}
+
+  CLI::App* app_;
+  Action* chosen_;
+};
+
+/// The commands of the program, of which the user chooses one.
+class CommandLine {
+ public:
+  CommandLine(const std::string& description, const std::string& version);
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  Command command(const std::string& name, const std::string& description);
+  /// Reads the arguments and runs the chosen command, or prints the help or version that was asked for.
+  /// \return the exit code \throws InputError when the arguments are not understood
+  int run(int argc, char** argv);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+  Action chosen_;
+};
+
+/// Reads a value as the command line reads that of an option. \return whether the text is one
+bool read_value(const std::string& text, std::string& value);
+bool read_value(const std::string& text, int& value);
+bool read_value(const std::string& text, std::uint64_t& value);
+
+}  // namespace cageproof::cli
