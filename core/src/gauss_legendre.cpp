@@ -25,7 +25,9 @@ std::unique_ptr<GaussLegendre<R>> make_rule(int n) {
     R x = 2 * k + 1 == n ? R(0) : R(cos(pi<R>() * (4 * k + 3) / (4 * n + 2)));
     R step = 1;
     for (int iteration = 0; iteration < 64 && abs(step) > 4 * unit_roundoff<R>(); ++iteration) {
-      step = x == 0 ? R(0) : Real::from(boost::math::legendre_p(n, Real::to(x)) / boost::math::legendre_p_prime(n, Real::to(x)));
+      step = x == 0
+                 ? R(0)
+                 : Real::from(boost::math::legendre_p(n, Real::to(x)) / boost::math::legendre_p_prime(n, Real::to(x)));
       x -= step;
     }
     const R derivative = Real::from(boost::math::legendre_p_prime(n, Real::to(x)));
