@@ -93,7 +93,7 @@ WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>
   for (std::size_t i = 0; i < count; ++i) compared.push_back(points[i * points.size() / count]);
   std::vector<std::vector<Mp50>> truth(count);
   for_each_parallel(count, options.jobs,
-                    [&](std::size_t i) { truth[i] = reference.at<Mp50>(compared[i], 0).front().value; });
+                    [&](std::size_t i) { truth[i] = reference.at<Mp50>(convert<Mp50>(compared[i]), 0).front().value; });
   double sink = 0;
   for (const auto& [kind, evaluation] : what) {
     const CageCoordinates coordinates(cage, coordinate_kind_named(kind), evaluation, options.triangulation);

@@ -26,7 +26,7 @@ inline int sign(const Rational& x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 inline Mp200 to_mp(const Rational& x) {
   Mp200 result;
-  mpfr_set_q(result.backend().data(), x.backend().data(), MPFR_RNDN);
+  mpfr_set_q(result.data(), x.backend().data(), MPFR_RNDN);
   return result;
 }
 inline double rounded(const Rational& x) { return static_cast<double>(to_mp(x)); }

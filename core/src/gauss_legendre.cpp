@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/gauss_legendre.h"
 
+#include "cageproof/core/mp_number.h"
+
 #include <boost/math/special_functions/legendre.hpp>
 
 #include <cmath>
@@ -16,15 +18,19 @@ std::unique_ptr<GaussLegendre<R>> make_rule(int n) {
   auto rule = std::make_unique<GaussLegendre<R>>();
   rule->nodes.resize(n);
   rule->weights.resize(n);
+  // Boost's polynomials take Boost's numbers.
+  using Real = BoostReal<R>;
   for (int k = 0; k < (n + 1) / 2; ++k) {
     using std::abs, std::cos;
     R x = 2 * k + 1 == n ? R(0) : R(cos(pi<R>() * (4 * k + 3) / (4 * n + 2)));
     R step = 1;
     for (int iteration = 0; iteration < 64 && abs(step) > 4 * unit_roundoff<R>(); ++iteration) {
-      step = x == 0 ? R(0) : R(boost::math::legendre_p(n, x) / boost::math::legendre_p_prime(n, x));
+      step = x == 0
+                 ? R(0)
+                 : Real::from(boost::math::legendre_p(n, Real::to(x)) / boost::math::legendre_p_prime(n, Real::to(x)));
       x -= step;
     }
-    const R derivative = boost::math::legendre_p_prime(n, x);
+    const R derivative = Real::from(boost::math::legendre_p_prime(n, Real::to(x)));
     const R weight = 1 / ((1 - x) * (1 + x) * derivative * derivative);
     rule->nodes[k] = (1 - x) / 2;
     rule->nodes[n - 1 - k] = (1 + x) / 2;

@@ -29,7 +29,7 @@ std::optional<R> parse_scalar(std::string_view text) {
   R x{};
   if constexpr (std::same_as<R, float>) x = std::strtof(copy.c_str(), &end);
   else if constexpr (std::same_as<R, double>) x = std::strtod(copy.c_str(), &end);
-  else mpfr_strtofr(x.backend().data(), copy.c_str(), &end, 0, MPFR_RNDN);
+  else mpfr_strtofr(x.data(), copy.c_str(), &end, 0, MPFR_RNDN);
   if (end != copy.c_str() + copy.size()) return std::nullopt;
   return x;
 }
@@ -41,7 +41,7 @@ std::string format_scalar(const R& x) {
   if (!isfinite(x)) return x > 0 ? "inf" : "-inf";
   if constexpr (is_multiprecision<R>) {
     std::array<char, 256> text{};
-    mpfr_snprintf(text.data(), text.size(), "%.*Re", std::numeric_limits<R>::max_digits10 - 1, x.backend().data());
+    mpfr_snprintf(text.data(), text.size(), "%.*Re", std::numeric_limits<R>::max_digits10 - 1, x.data());
     return text.data();
   } else {
     return fmt::format("{}", x);

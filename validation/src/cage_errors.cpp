@@ -119,7 +119,7 @@ std::array<double, 3> truth_errors_at(const CageCoordinates& coordinates, const 
                                       const Vec3<double>& point, int order) {
   std::array<double, 3> worst{nan, nan, nan};
   const auto found = coordinates.at<double>(point, order);
-  const auto truth = reference.at<Mp50>(point, order);
+  const auto truth = reference.at<Mp50>(convert<Mp50>(point), order);
   for (int o = 0; o <= order; ++o)
     for (std::size_t b = 0; b < found.size(); ++b) {
       Mp50 error = 0, size = 0;

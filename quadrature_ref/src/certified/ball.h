@@ -48,7 +48,7 @@ class Real {
   template <Scalar R>
   static Real exactly(const R& value) {
     Real x;
-    if constexpr (is_multiprecision<R>) arf_set_mpfr(arb_midref(x.x_), value.backend().data());
+    if constexpr (is_multiprecision<R>) arf_set_mpfr(arb_midref(x.x_), value.data());
     else arf_set_d(arb_midref(x.x_), value);
     return x;
   }

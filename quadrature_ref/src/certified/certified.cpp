@@ -42,7 +42,7 @@ template <Scalar R>
 R upwards(const arf_t x) {
   if constexpr (is_multiprecision<R>) {
     R y;
-    arf_get_mpfr(y.backend().data(), x, MPFR_RNDU);
+    arf_get_mpfr(y.data(), x, MPFR_RNDU);
     return y;
   } else {
     const double wide = arf_get_d(x, ARF_RND_CEIL);
@@ -58,7 +58,7 @@ R upwards(const arf_t x) {
 template <Scalar R>
 void round_to(const Real& ball, R& middle, R& radius) {
   using std::isfinite;
-  if constexpr (is_multiprecision<R>) arf_get_mpfr(middle.backend().data(), arb_midref(ball.raw()), MPFR_RNDN);
+  if constexpr (is_multiprecision<R>) arf_get_mpfr(middle.data(), arb_midref(ball.raw()), MPFR_RNDN);
   else middle = static_cast<R>(ball.approximate());
   if (!ball.is_finite() || !isfinite(middle)) {
     middle = std::numeric_limits<R>::quiet_NaN();

@@ -13,7 +13,7 @@ template <Scalar R>
 R inverse_sinh(const R& x) {
   if constexpr (is_multiprecision<R>) {
     R y;
-    mpfr_asinh(y.backend().data(), x.backend().data(), MPFR_RNDN);
+    mpfr_asinh(y.data(), x.data(), MPFR_RNDN);
     return y;
   } else {
     return std::asinh(x);
@@ -23,7 +23,7 @@ R inverse_sinh(const R& x) {
 template <Scalar R>
 void sinh_cosh(const R& x, R& sinh_x, R& cosh_x) {
   if constexpr (is_multiprecision<R>) {
-    mpfr_sinh_cosh(sinh_x.backend().data(), cosh_x.backend().data(), x.backend().data(), MPFR_RNDN);
+    mpfr_sinh_cosh(sinh_x.data(), cosh_x.data(), x.data(), MPFR_RNDN);
   } else {
     sinh_x = std::sinh(x);
     cosh_x = std::cosh(x);
@@ -36,7 +36,7 @@ double log10_magnitude(const R& x) {
   if constexpr (is_multiprecision<R>) {
     if (x == 0) return -std::numeric_limits<double>::infinity();
     long exponent = 0;
-    const double mantissa = mpfr_get_d_2exp(&exponent, x.backend().data(), MPFR_RNDN);
+    const double mantissa = mpfr_get_d_2exp(&exponent, x.data(), MPFR_RNDN);
     return std::log10(std::abs(mantissa)) + static_cast<double>(exponent) * 0.30102999566398119521;
   } else {
     return std::log10(std::abs(x));

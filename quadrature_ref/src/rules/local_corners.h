@@ -44,7 +44,8 @@ struct LocalCorners {
 /// Natural logarithm of the unit 2^exponent.
 template <Scalar R>
 R log_of_unit(int exponent) {
-  return R(exponent) * boost::math::constants::ln_two<R>();
+  if constexpr (is_multiprecision<R>) return exponent * MpConstants<std::numeric_limits<R>::digits10>::ln_two();
+  else return static_cast<R>(exponent) * std::numbers::ln2_v<R>;
 }
 
 }  // namespace cageproof::quadrature_ref

@@ -2,30 +2,26 @@
 // The scalar types every formula is generic over.
 #pragma once
 
-#include <boost/multiprecision/mpfr.hpp>
-// Must follow mpfr.hpp: teaches Eigen the number type.
-#include <boost/multiprecision/eigen.hpp>
+#include "cageproof/core/mp.h"
 
 #include <array>
 #include <concepts>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 namespace cageproof {
 
-/// Multiprecision with `Digits` decimal digits: MPFR, stored in place, expression templates off.
-template <unsigned Digits>
-using Mp = boost::multiprecision::number<
-    boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
-    boost::multiprecision::et_off>;
 using Mp50 = Mp<50>;
 using Mp100 = Mp<100>;
 using Mp200 = Mp<200>;
 
 template <class T>
-inline constexpr bool is_multiprecision = boost::multiprecision::is_number<T>::value;
+inline constexpr bool is_multiprecision = false;
+template <unsigned Digits>
+inline constexpr bool is_multiprecision<Mp<Digits>> = true;
 
 /// What a formula may be evaluated in.
 template <class T>
@@ -82,7 +78,8 @@ R unit_roundoff() {
 /// The ratio of a circle's circumference to its diameter, rounded to R.
 template <Scalar R>
 R pi() {
-  return boost::math::constants::pi<R>();
+  if constexpr (is_multiprecision<R>) return MpConstants<std::numeric_limits<R>::digits10>::pi();
+  else return std::numbers::pi_v<R>;
 }
 
 }  // namespace cageproof
