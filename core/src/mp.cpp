@@ -119,28 +119,32 @@ Mp<D>& Mp<D>::operator/=(const Mp& b) {
 
 template <unsigned D>
 Mp<D> operator+(const Mp<D>& a, const Mp<D>& b) {
-  Mp<D> result = a;
-  return result += b;
+  Mp<D> result;
+  mpfr_add(result.data(), a.data(), b.data(), MPFR_RNDN);
+  return result;
 }
 template <unsigned D>
 Mp<D> operator-(const Mp<D>& a, const Mp<D>& b) {
-  Mp<D> result = a;
-  return result -= b;
+  Mp<D> result;
+  mpfr_sub(result.data(), a.data(), b.data(), MPFR_RNDN);
+  return result;
 }
 template <unsigned D>
 Mp<D> operator*(const Mp<D>& a, const Mp<D>& b) {
-  Mp<D> result = a;
-  return result *= b;
+  Mp<D> result;
+  mpfr_mul(result.data(), a.data(), b.data(), MPFR_RNDN);
+  return result;
 }
 template <unsigned D>
 Mp<D> operator/(const Mp<D>& a, const Mp<D>& b) {
-  Mp<D> result = a;
-  return result /= b;
+  Mp<D> result;
+  mpfr_div(result.data(), a.data(), b.data(), MPFR_RNDN);
+  return result;
 }
 template <unsigned D>
 Mp<D> operator-(const Mp<D>& a) {
-  Mp<D> result = a;
-  writable(result).backend().negate();
+  Mp<D> result;
+  mpfr_neg(result.data(), a.data(), MPFR_RNDN);
   return result;
 }
 template <unsigned D>

@@ -49,12 +49,16 @@ CampaignOptions affordable(CampaignOptions options, const TruthSource& source) {
 }
 
 // The samples that a check takes: every divisor-th below end.
-Part part_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const CampaignOptions& options) {
+Part part_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const Regime& regime,
+              const CampaignOptions& options) {
   const auto strided = [&](int divisor, int end) { return Part{&check, evaluation, scalar, divisor, end}; };
   switch (check.cost(scalar)) {
     case Check::Cost::Enclosure: return strided(wide_stride, wide_stride * options.enclosures);
-    case Check::Cost::Multiprecision:
-      return strided(wide_stride, std::min(options.samples, wide_stride * options.integral_samples));
+    case Check::Cost::Multiprecision: {
+      // Several are asked for so that they spread over a sweep's decades; half of them do where nothing is swept.
+      const int integrals = regime.parameters.empty() ? (options.integral_samples + 1) / 2 : options.integral_samples;
+      return strided(wide_stride, std::min(options.samples, wide_stride * integrals));
+    }
     case Check::Cost::Truths: return strided(std::max(wide_stride, options.quadrature_divisor), options.samples);
     case Check::Cost::Evaluations: break;
   }
@@ -74,7 +78,7 @@ Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOption
       if (!matches_evaluation(options.evaluations, evaluation) && check->role() != Check::Role::Gate) continue;
       for (const ScalarKind scalar : scalar_kinds) {
         if (!evaluation.supports(scalar) || !check->applies(formula, evaluation, scalar, regime.name)) continue;
-        plan.parts.push_back(part_for(*check, evaluation, scalar, affordable(options, *plan.source)));
+        plan.parts.push_back(part_for(*check, evaluation, scalar, regime, affordable(options, *plan.source)));
       }
     }
   return plan;
