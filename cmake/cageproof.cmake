@@ -24,7 +24,7 @@ function(cageproof_room name)
   target_include_directories(cageproof_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(cageproof_${name} PUBLIC ${ARG_LINK} PRIVATE cageproof_flags)
-  # Eigen and Boost.Multiprecision cost 5 s a file without it.
+  # Eigen costs three seconds a file without it.
   if(ARG_HEADERS_OF)
     target_precompile_headers(cageproof_${name} REUSE_FROM ${ARG_HEADERS_OF})
   else()

@@ -11,7 +11,7 @@ build=$root/build/$preset
 
 "$root/scripts/ensure_packages.sh"
 
-# A file with Boost.Multiprecision and Eigen takes up to 2 GB to compile.
+# A file with Eigen in five scalars takes up to 2 GB to compile.
 jobs_that_fit() {
   local cores megabytes
   cores=$(nproc 2>/dev/null || echo 1)
