@@ -132,6 +132,20 @@ struct AdaptiveOutcome {
   }
 };
 
+/// Integrates off the element, or, where the point lies on it, from two distances inside, which must agree.
+/// \param inside whether the point lies on the element (`yes`), and its `clearance` there
+/// \param integrate_at (distance inside, sums) sets the sums and returns their AdaptiveOutcome
+template <Scalar W, class Contact, class IntegrateAt>
+AdaptiveOutcome integrate_off_or_inside(const Contact& inside, int order, double tolerance, IntegrateAt integrate_at,
+                                        Result<W>& sums) {
+  if (!inside.yes) return integrate_at(Mp200(0), sums);
+  AdaptiveOutcome outcome = integrate_at(Mp200(inside.clearance * kInward), sums);
+  Result<W> farther;
+  const AdaptiveOutcome at_farther = integrate_at(Mp200(inside.clearance * kInward * 100), farther);
+  outcome.compare(at_farther, farther, sums, order, tolerance);
+  return outcome;
+}
+
 /// Sets a result's statement. Rounding the result to R is part of the error.
 template <Scalar R>
 void state(const AdaptiveOutcome& outcome, std::size_t nodes, Result<R>& result) {

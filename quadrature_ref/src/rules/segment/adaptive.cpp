@@ -78,14 +78,8 @@ void segment::integrate_adaptive(const Integrand& integrand, const Query<R>& que
   const auto integrate_at = [&](const Mp200& inward, Result<W>& sums) {
     return integrate_from<W>(arm_frame(*s, inward), integrand, task, tolerance, sums);
   };
-  const OnSegment on = on_segment(*s);
   Result<W> sums;
-  AdaptiveOutcome outcome = integrate_at(on.yes ? Mp200(on.clearance * kInward) : Mp200(0), sums);
-  if (on.yes) {
-    Result<W> farther;
-    const AdaptiveOutcome at_farther = integrate_at(Mp200(on.clearance * kInward * 100), farther);
-    outcome.compare(at_farther, farther, sums, query.order, tolerance);
-  }
+  const AdaptiveOutcome outcome = integrate_off_or_inside(on_segment(*s), query.order, tolerance, integrate_at, sums);
   finish(integrand.formula, s->exponent, sums, result);
   state(outcome, sums.nodes, result);
 }

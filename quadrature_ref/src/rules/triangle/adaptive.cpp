@@ -161,14 +161,8 @@ void triangle::integrate_adaptive(const Integrand& integrand, const Query<R>& qu
   const auto integrate_at = [&](const Mp200& inward, Result<W>& sums) {
     return integrate_from<W>(polar_frame(*t, inward), integrand, task, tolerance, sums);
   };
-  const OnTriangle on = on_triangle(*t);
   Result<W> sums;
-  AdaptiveOutcome outcome = integrate_at(on.yes ? Mp200(on.clearance * kInward) : Mp200(0), sums);
-  if (on.yes) {
-    Result<W> farther;
-    const AdaptiveOutcome at_farther = integrate_at(Mp200(on.clearance * kInward * 100), farther);
-    outcome.compare(at_farther, farther, sums, query.order, tolerance);
-  }
+  const AdaptiveOutcome outcome = integrate_off_or_inside(on_triangle(*t), query.order, tolerance, integrate_at, sums);
   finish(integrand.formula, t->exponent, sums, result);
   state(outcome, sums.nodes, result);
 }
