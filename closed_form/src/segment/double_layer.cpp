@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::segment {
 namespace {
 
-const RegisterForm<DoubleLayer> registered{"segment.double_layer"};
+const RegisterForm<DoubleLayer> register_double_layer{"segment.double_layer"};
 
 }  // namespace
 }  // namespace cageproof::closed_form::segment

@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::segment {
 namespace {
 
-const RegisterForm<SingleLayer> registered{"segment.single_layer"};
+const RegisterForm<SingleLayer> register_single_layer{"segment.single_layer"};
 
 }  // namespace
 }  // namespace cageproof::closed_form::segment

@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::triangle {
 namespace {
 
-const RegisterForm<AffineSingleLayer> registered{"triangle.affine_single_layer"};
+const RegisterForm<AffineSingleLayer> register_affine_single_layer{"triangle.affine_single_layer"};
 
 }  // namespace
 }  // namespace cageproof::closed_form::triangle

@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::triangle {
 namespace {
 
-const RegisterForm<BiharmonicDoubleLayer> registered{"triangle.biharmonic_double_layer"};
+const RegisterForm<BiharmonicDoubleLayer> register_biharmonic_double_layer{"triangle.biharmonic_double_layer"};
 
 }  // namespace
 }  // namespace cageproof::closed_form::triangle

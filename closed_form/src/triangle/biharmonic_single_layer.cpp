@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::triangle {
 namespace {
 
-const RegisterForm<BiharmonicSingleLayer> registered{"triangle.biharmonic_single_layer"};
+const RegisterForm<BiharmonicSingleLayer> register_biharmonic_single_layer{"triangle.biharmonic_single_layer"};
 
 }  // namespace
 }  // namespace cageproof::closed_form::triangle

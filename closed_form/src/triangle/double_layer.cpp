@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::triangle {
 namespace {
 
-const RegisterForm<DoubleLayer> registered{"triangle.double_layer"};
+const RegisterForm<DoubleLayer> register_double_layer{"triangle.double_layer"};
 
 }  // namespace
 }  // namespace cageproof::closed_form::triangle

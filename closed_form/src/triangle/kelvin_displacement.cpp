@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::triangle {
 namespace {
 
-const RegisterForm<KelvinDisplacement> registered{"triangle.kelvin_displacement"};
+const RegisterForm<KelvinDisplacement> register_kelvin_displacement{"triangle.kelvin_displacement"};
 
 }  // namespace
 }  // namespace cageproof::closed_form::triangle

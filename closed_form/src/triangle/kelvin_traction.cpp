@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::triangle {
 namespace {
 
-const RegisterForm<KelvinTraction> registered{"triangle.kelvin_traction"};
+const RegisterForm<KelvinTraction> register_kelvin_traction{"triangle.kelvin_traction"};
 
 }  // namespace
 }  // namespace cageproof::closed_form::triangle

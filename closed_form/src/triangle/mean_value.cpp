@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::triangle {
 namespace {
 
-const RegisterForm<MeanValue> registered{"triangle.mean_value"};
+const RegisterForm<MeanValue> register_mean_value{"triangle.mean_value"};
 
 }  // namespace
 }  // namespace cageproof::closed_form::triangle

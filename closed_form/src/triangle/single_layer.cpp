@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::triangle {
 namespace {
 
-const RegisterForm<SingleLayer> registered{"triangle.single_layer"};
+const RegisterForm<SingleLayer> register_single_layer{"triangle.single_layer"};
 
 }  // namespace
 }  // namespace cageproof::closed_form::triangle

@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::triangle {
 namespace {
 
-const RegisterForm<SolidAngle> registered{"triangle.solid_angle"};
+const RegisterForm<SolidAngle> register_solid_angle{"triangle.solid_angle"};
 
 }  // namespace
 }  // namespace cageproof::closed_form::triangle

@@ -32,11 +32,10 @@ struct PutForm {
   template <Scalar R, int O>
   static void put(SharedOnTriangle::At<R, O>& at, std::span<const R> parameters, bool finite_part, std::size_t point,
                   const BatchOutput<R>& output) {
-    if constexpr (std::same_as<R, float>) {
-      std::array<double, F::parameter_count> wide{};
-      for (int i = 0; i < F::parameter_count; ++i) wide[i] = parameters[i];
-      closed_form::put(narrowed<float>(triangle::closed_form<F, O, double>(at.moments, wide, finite_part)), O, point,
-                       output);
+    using W = Working<R>;
+    if constexpr (!std::same_as<R, W>) {
+      const auto wide = widened<F>(parameters);
+      closed_form::put(narrowed<R>(triangle::closed_form<F, O, W>(at.moments, wide, finite_part)), O, point, output);
     } else {
       closed_form::put(triangle::closed_form<F, O, R>(at.moments, parameters, finite_part), O, point, output);
     }

@@ -20,7 +20,6 @@
 namespace cageproof::closed_form::triangle {
 #ifndef CAGEPROOF_MOMENTS_HERE
 CAGEPROOF_MOMENTS(extern, double)
-CAGEPROOF_MOMENTS(extern, Mp50)
 CAGEPROOF_MOMENTS(extern, Mp100)
 CAGEPROOF_MOMENTS(extern, Mp200)
 CAGEPROOF_MOMENTS(extern, Tracked<double>)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts that several printed forms share, instantiated once, in instances.cpp: five scalars of them compile slowly.
+// Parts that several printed forms share, instantiated once, in instances.cpp: they compile slowly.
 #pragma once
 
 #include "cageproof/closed_form/published/triangle/affine_single_layer.h"
@@ -17,6 +17,4 @@
 #define CAGEPROOF_PUBLISHED_SCALARS(how) \
   CAGEPROOF_PUBLISHED_PARTS(how, float)  \
   CAGEPROOF_PUBLISHED_PARTS(how, double) \
-  CAGEPROOF_PUBLISHED_PARTS(how, Mp50)   \
-  CAGEPROOF_PUBLISHED_PARTS(how, Mp100)  \
   CAGEPROOF_PUBLISHED_PARTS(how, Mp200)

@@ -9,13 +9,10 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"
+#include "cageproof/closed_form/arithmetic/working.h"
 #include "cageproof/closed_form/segment/engine/frame.h"
 
 namespace cageproof::closed_form::segment {
-
-/// The scalar that closed forms compute in: float's are computed in double, and rounded.
-template <Scalar R>
-using Working = std::conditional_t<std::same_as<R, float>, double, R>;
 
 /// A single formula at a single point. Units and limits: at the formula.
 /// \param s ends, the outward normal to the right of s0 -> s1; third coordinates are not looked at \param eta the point

@@ -2,6 +2,7 @@
 // The two evaluations of a triangle formula that we stand behind.
 #pragma once
 
+#include "cageproof/closed_form/arithmetic/working.h"
 #include "cageproof/closed_form/triangle/engine/border.h"
 #include "cageproof/closed_form/triangle/engine/refine.h"
 
@@ -17,10 +18,6 @@ inline constexpr double kThinShape = 0.4;
 /// Bounds of running errors exceed what happens ten times over and more; results of the fast form that have one are
 /// kept below this.
 inline constexpr double kFastTolerance = 1000 * 0x1p-53;
-
-/// The scalar that closed forms compute in: float's are computed in double, and rounded.
-template <Scalar R>
-using Working = std::conditional_t<std::same_as<R, float>, double, R>;
 
 /// What a result of `accurate` is good for.
 template <int C>
@@ -61,17 +58,24 @@ Jet<R, F::components> closed_form(PointMoments<R, O>& at, std::span<const R> par
   return jet;
 }
 
+/// A formula's parameters in the scalar that it computes in.
+template <class F, Scalar R>
+std::array<Working<R>, F::parameter_count> widened(std::span<const R> parameters) {
+  std::array<Working<R>, F::parameter_count> wide;
+  for (int i = 0; i < F::parameter_count; ++i) wide[i] = parameters[i];
+  return wide;
+}
+
 /// The fast one of a single formula at a single point. Units and limits: at the formula.
 /// \param t corners, counter-clockwise seen from outside \param eta the point \param parameters F::parameter_count of
 /// them \return value and derivatives up to order O; NaN where a derivative has no limit
 template <class F, int O, Scalar R>
 Jet<R, F::components> closed_form(const Triangle<R>& t, const Vec3<R>& eta, std::span<const R> parameters,
                                   bool finite_part = false) {
-  if constexpr (std::same_as<R, float>) {
-    const Triangle<double> wide{convert<double>(t[0]), convert<double>(t[1]), convert<double>(t[2])};
-    std::array<double, F::parameter_count> p{};
-    for (int i = 0; i < F::parameter_count; ++i) p[i] = parameters[i];
-    return narrowed<float>(closed_form<F, O, double>(wide, convert<double>(eta), p, finite_part));
+  using W = Working<R>;
+  if constexpr (!std::same_as<R, W>) {
+    const Triangle<W> wide{convert<W>(t[0]), convert<W>(t[1]), convert<W>(t[2])};
+    return narrowed<R>(closed_form<F, O, W>(wide, convert<W>(eta), widened<F>(parameters), finite_part));
   } else {
     PointMoments<R, O> at(t, eta);
     return closed_form<F, O, R>(at, parameters, finite_part);

@@ -61,11 +61,9 @@ constexpr int derivative_factor(int m) {
 /// unit^(m - k). Orders from `first_divergent` on have no limit here (the point is on the border) and become NaN.
 template <class F, int O, Scalar R>
 Jet<R, F::components> finish(const Components<F, R, O>& from, const R& unit, int first_divergent) {
-  const auto power = [&unit](int exponent) {
-    if constexpr (is_multiprecision<R>) return R(1);
-    else return R(std::ldexp(R(1), exponent * std::ilogb(unit)));
-  };
-  const std::array<R, 3> scale{power(F::degree), power(F::degree - 1), power(F::degree - 2)};
+  std::array<R, 3> scale{1, 1, 1};
+  if constexpr (!is_multiprecision<R>)
+    for (int order = 0; order < 3; ++order) scale[order] = std::ldexp(R(1), (F::degree - order) * std::ilogb(unit));
   Jet<R, F::components> jet;
   for (int c = 0; c < F::components; ++c)
     for (int m = 0; m < Monomials<O>::count; ++m) {

@@ -1,7 +1,0 @@
-// SPDX-License-Identifier: MIT
-#define CAGEPROOF_MOMENTS_HERE
-#include "shared_instances.h"
-
-namespace cageproof::closed_form::triangle {
-CAGEPROOF_MOMENTS(, Mp50)
-}  // namespace cageproof::closed_form::triangle
