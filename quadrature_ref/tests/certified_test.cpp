@@ -19,7 +19,7 @@ Result<R> enclosed(const std::string& formula, const Triangle<double>& t, const 
   const Triangle<R> corners{convert<R>(t[0]), convert<R>(t[1]), convert<R>(t[2])};
   std::vector<R> parameters;
   for (const Mp100& p : parameters_of(formula)) parameters.push_back(static_cast<R>(p));
-  if (nu) parameters[1] = *nu;
+  if (nu) parameters[1] = static_cast<R>(*nu);
   Result<R> result;
   integrate_certified(formula, Query<R>{corners, convert<R>(point), order, parameters}, result, effort);
   return result;

@@ -21,6 +21,13 @@ class ConvergingSum {
   virtual ~ConvergingSum() = default;
   /// The tensors to about `digits` digits each order (Hessians: entries i <= j), in the local unit of length.
   virtual Result<Mp200> at(double digits) = 0;
+  /// log10 of each order's norm, once `at` was called.
+  const std::array<double, 3>& norm() const { return norm_; }
+  /// Takes the norms, as far as digits go, from a sum that differs little: they need not be found.
+  void take_norm(const std::array<double, 3>& norm) {
+    norm_ = norm;
+    norm_is_known_ = true;
+  }
   /// Kernel evaluations so far.
   std::size_t nodes() const { return nodes_; }
 
@@ -59,8 +66,12 @@ class ConvergingSum {
     nodes_ += part.nodes;
   }
 
-  /// log10 of each order's norm, however much of the integrand's mass (log10, an order) cancels.
-  std::array<double, 3> norms(const std::array<double, 3>& mass, const SumWithError& with_error) const;
+  /// Finds the norms, however much of the integrand's mass (log10, an order) cancels, if they are not known.
+  void find_norm(const std::array<double, 3>& mass, const SumWithError& with_error);
+  /// The absolute errors, log10, of that many digits.
+  std::array<double, 3> error_of(double digits) const {
+    return {norm_[0] - digits, norm_[1] - digits, norm_[2] - digits};
+  }
 
   const Integrand& integrand_;
   int order_;
@@ -68,12 +79,15 @@ class ConvergingSum {
  private:
   std::tuple<std::vector<Mp50>, std::vector<Mp100>, std::vector<Mp200>> parameters_;
   std::size_t nodes_ = 0;
+  std::array<double, 3> norm_{};  ///< log10, an order
+  bool norm_is_known_ = false;
 };
 
 /// Sums of a query off the element, or moved off it.
 struct Answer {
   Result<Mp200> sums;
   std::array<double, 3> digits{};  ///< on which two rules agree, an order
+  double aim = 0;                  ///< the digits that the better rule was asked for
 };
 
 /// Digits on which two tensors agree; `most` for equal ones.
@@ -86,12 +100,15 @@ Answer converge(ConvergingSum& sum, double digits, int order);
 struct Inside {
   /// The sum after the point was moved inside by a distance, in the local unit of length.
   std::function<std::unique_ptr<ConvergingSum>(const Mp200& inward)> moved;
-  std::array<Mp200, 2> inward;            ///< two distances, the second one nearer
+  Mp200 clearance;                        ///< distance to the nearest part of the border that the point is not on
+  bool border = false;                    ///< whether the point is on the border
   std::array<double, 3> log10_natural{};  ///< of an order's tensor: the size that its unit of length gives it
 };
 
-/// The limit from inside: an order's tensors at the two distances agree, are both next to nothing (the limit is zero),
-/// or there is no limit, and the order's tensor and digits are NaN.
+/// The limit from inside, extrapolated from distances far below the clearance: on the element's interior tensors are
+/// power series of the distance h, on its border there are terms h^p log h besides. An order has a limit if the
+/// extrapolations without and with the last terms agree, or are both next to nothing (the limit is zero); otherwise its
+/// tensor and digits are NaN.
 Answer limit_from_inside(const Inside& inside, double digits, int order);
 
 /// Sets a multiprecision evaluation's result: tensors scaled back from units of 2^exponent, and what it states.

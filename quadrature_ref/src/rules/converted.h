@@ -11,7 +11,7 @@ template <Scalar To>
 struct ConvertedBatch {
   template <Scalar From>
   explicit ConvertedBatch(const Batch<From>& from) {
-    for (const Vec3<From>& corner : from.corners) corners.push_back(convert<To>(corner));
+    for (const Vec3<From>& corner : from.corners) corners.push_back(cageproof::convert<To>(corner));
     for (const From& parameter : from.parameters) parameters.push_back(static_cast<To>(parameter));
   }
 
@@ -24,7 +24,7 @@ struct ConvertedQuery {
   template <Scalar From>
   explicit ConvertedQuery(const Query<From>& from)
       : storage(Batch<From>{from.corners, {}, from.order, from.parameters}),
-        query{storage.corners, convert<To>(from.point), from.order, storage.parameters} {}
+        query{storage.corners, cageproof::convert<To>(from.point), from.order, storage.parameters} {}
   ConvertedQuery(const ConvertedQuery&) = delete;
   ConvertedQuery& operator=(const ConvertedQuery&) = delete;
 

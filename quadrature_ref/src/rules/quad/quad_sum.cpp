@@ -26,7 +26,7 @@ QuadSum::QuadSum(const Integrand& integrand, const QuadFrame<Mp200>& q, const Cl
   mass.fill(kNone);
   for (const auto& of_cell : cuts_[0].mass)
     for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], of_cell[o]);
-  norm_ = norms(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
+  find_norm(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
 }
 
 QuadSum::Cut QuadSum::cut(PolarQuadFrame<Mp200> frame, double digits, double longest) {
@@ -61,9 +61,7 @@ Result<Mp200> QuadSum::with_error(const Cut& cut, const std::array<double, 3>& l
 }
 
 Result<Mp200> QuadSum::at(double digits) {
-  std::array<double, 3> error;
-  for (int o = 0; o <= order_; ++o) error[o] = norm_[o] - digits;
-  const Result<Mp200> sums = with_error(cuts_[next_], error);
+  const Result<Mp200> sums = with_error(cuts_[next_], error_of(digits));
   next_ = 1 - next_;
   return sums;
 }

@@ -31,7 +31,6 @@ class QuadSum final : public ConvergingSum {
   Result<Mp200> with_error(const Cut& cut, const std::array<double, 3>& log10_error);
 
   std::array<Cut, 2> cuts_;
-  std::array<double, 3> norm_;  ///< log10, an order
   int next_ = 0;
 };
 

@@ -23,8 +23,8 @@ Foot foot_of(const SegmentFrame<R>& s) {
 OnSegment on_segment(const SegmentFrame<R>& s) {
   const Foot foot = foot_of(s);
   if (s.height != 0 || foot.from_start < 0 || foot.to_end < 0) return {};
-  if (foot.from_start == 0 || foot.to_end == 0) return {true, s.extent};
-  return {true, std::min(foot.from_start, foot.to_end)};
+  if (foot.from_start == 0 || foot.to_end == 0) return {true, true, s.extent};
+  return {true, false, std::min(foot.from_start, foot.to_end)};
 }
 
 ArmFrame<R> arm_frame(const SegmentFrame<R>& s, const R& inward) {

@@ -35,6 +35,7 @@ struct ArmFrame {
 /// Where a point exactly on the segment sits.
 struct OnSegment {
   bool yes = false;
+  bool border = false;  ///< on an end
   Mp200 clearance = 0;  ///< distance to the nearest end that it is not
 };
 

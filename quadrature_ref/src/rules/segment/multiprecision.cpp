@@ -7,14 +7,13 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-// Two distances of which the farther one leaves ten digits more than wanted, if the limit is approached linearly.
 Inside inside_of(const Integrand& integrand, const SegmentFrame<Mp200>& s, const Query<Mp200>& query,
-                 const Mp200& clearance, double digits) {
-  const Mp200 farther = clearance * pow(Mp200(10), -digits - 10), nearer = farther / 10000;
+                 const OnSegment& on) {
   Inside inside{
       .moved =
           [&](const Mp200& inward) { return std::make_unique<SegmentSum>(integrand, arm_frame(s, inward), query); },
-      .inward = {farther, nearer}};
+      .clearance = on.clearance,
+      .border = on.border};
   for (int order = 0; order <= query.order; ++order)
     inside.log10_natural[order] = (integrand.formula.degree - order) * log10_magnitude(s.extent);
   return inside;
@@ -31,7 +30,7 @@ void segment::integrate_multiprecision(const Integrand& integrand, const Query<R
   if (!s) return fill_not_a_number(result);
   Answer answer;
   if (const OnSegment on = on_segment(*s); on.yes) {
-    answer = limit_from_inside(inside_of(integrand, *s, exact.query, on.clearance, digits), digits, query.order);
+    answer = limit_from_inside(inside_of(integrand, *s, exact.query, on), digits, query.order);
   } else {
     SegmentSum sum(integrand, arm_frame(*s, Mp200(0)), exact.query);
     answer = converge(sum, digits, query.order);

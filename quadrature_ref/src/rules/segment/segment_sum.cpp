@@ -66,15 +66,13 @@ void SegmentSum::scout(double digits) {
   mass.fill(kNone);
   for (const auto& of_panel : cuts_[0].mass)
     for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], of_panel[o]);
-  norm_ = norms(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
+  find_norm(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
 }
 
 Result<Mp200> SegmentSum::at(double digits) {
   if (cuts_.empty()) scout(digits);
-  std::array<double, 3> error;
-  for (int o = 0; o <= order_; ++o) error[o] = norm_[o] - digits;
   next_ = 1 - next_;
-  return with_error(cuts_[next_], error);
+  return with_error(cuts_[next_], error_of(digits));
 }
 
 }  // namespace cageproof::quadrature_ref

@@ -34,7 +34,6 @@ class SegmentSum final : public ConvergingSum {
   ArmFrame<Mp50> frame50_;
   ArmFrame<Mp100> frame100_;
   std::vector<Cut> cuts_;
-  std::array<double, 3> norm_{};  ///< log10, an order
   int next_ = 0;
 };
 

@@ -14,13 +14,12 @@ double log10_natural(const Formula& formula, const TriangleFrame<Mp200>& t, int 
   return log10_magnitude(t.twice_area) + (formula.degree - 2 - order) * log10_magnitude(longest);
 }
 
-Inside inside_of(const Integrand& integrand, const LinedTriangle& t, const Query<Mp200>& query,
-                 const Mp200& clearance) {
-  const Mp200 ten = 10;
+Inside inside_of(const Integrand& integrand, const LinedTriangle& t, const Query<Mp200>& query, const OnTriangle& on) {
   Inside inside{
       .moved =
           [&](const Mp200& inward) { return std::make_unique<PolarSum>(integrand, polar_frame(t, inward), query); },
-      .inward = {Mp200(clearance * pow(ten, -40)), Mp200(clearance * pow(ten, -44))}};
+      .clearance = on.clearance,
+      .border = on.border};
   for (int order = 0; order <= query.order; ++order)
     inside.log10_natural[order] = log10_natural(integrand.formula, t, order);
   return inside;
@@ -38,7 +37,7 @@ Answer integral(const Integrand& integrand, const LinedTriangle& t, const Query<
     return converge(sum, digits, query.order);
   }
   if (const OnTriangle on = on_triangle(t); on.yes)
-    return limit_from_inside(inside_of(integrand, t, query, on.clearance), digits, query.order);
+    return limit_from_inside(inside_of(integrand, t, query, on), digits, query.order);
   PolarSum sum(integrand, polar_frame(t, Mp200(0)), query);
   return converge(sum, digits, query.order);
 }

@@ -87,11 +87,12 @@ std::optional<LinedTriangle> lined_triangle(std::span<const Vec3<R>> corners, co
 OnTriangle on_triangle(const LinedTriangle& t) {
   const auto& lines = t.lines;
   if (t.height != 0 || !projects_inside(lines)) return {};
-  OnTriangle result{true, 0};
+  OnTriangle result{.yes = true};
   const auto consider = [&](const R& distance) {
     if (distance > 0 && (result.clearance == 0 || distance < result.clearance)) result.clearance = distance;
   };
   for (int k = 0; k < 3; ++k) {
+    if (lines[k].inside == 0) result.border = true;
     consider(lines[k].inside);
     consider(length(t.corners[k]));
   }

@@ -58,6 +58,7 @@ std::optional<LinedTriangle> lined_triangle(std::span<const Vec3<Mp200>> corners
 /// Where a point exactly on the triangle sits.
 struct OnTriangle {
   bool yes = false;
+  bool border = false;  ///< on an edge or a corner
   Mp200 clearance = 0;  ///< smallest distance that is not zero to an edge's line or a corner
 };
 

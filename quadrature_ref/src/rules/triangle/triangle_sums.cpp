@@ -81,7 +81,7 @@ void PolarSum::scout() {
     mass_.push_back(caster.log10_mass(cell));
     for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], mass_.back()[o]);
   }
-  norm_ = norms(mass, [&](const auto& error) { return with_error(error); });
+  find_norm(mass, [&](const auto& error) { return with_error(error); });
 }
 
 Result<Mp200> PolarSum::at(double digits) {
@@ -91,9 +91,7 @@ Result<Mp200> PolarSum::at(double digits) {
     scouted_ = true;
   }
   more_directions_ = 4 - more_directions_;
-  std::array<double, 3> error;
-  for (int o = 0; o <= order_; ++o) error[o] = norm_[o] - digits;
-  return with_error(error);
+  return with_error(error_of(digits));
 }
 
 }  // namespace cageproof::quadrature_ref

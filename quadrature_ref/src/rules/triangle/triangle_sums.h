@@ -40,7 +40,6 @@ class PolarSum final : public ConvergingSum {
   PolarFrame<Mp100> frame100_;
   std::vector<PolarCell> cells_;
   std::vector<std::array<double, 3>> mass_;  ///< log10, a cell and order
-  std::array<double, 3> norm_{};             ///< log10, an order
   bool scouted_ = false;
   int more_directions_ = 0;  ///< on rings; alternates, so that comparing two sums tests the directions as well
 };
