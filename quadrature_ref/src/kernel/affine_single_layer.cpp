@@ -5,7 +5,7 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-const RegisterKernel registered{"affine_single_layer", scalar_kernels<NegativeGreenFunction, 2, 3>()};
+const RegisterKernel register_affine_single_layer{"affine_single_layer", scalar_kernels<NegativeGreenFunction, 2, 3>()};
 
 }  // namespace
 }  // namespace cageproof::quadrature_ref

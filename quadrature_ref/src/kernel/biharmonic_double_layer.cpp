@@ -16,7 +16,8 @@ struct BiharmonicDoubleLayer {
   }
 };
 
-const RegisterKernel registered{"biharmonic_double_layer", scalar_kernels<BiharmonicDoubleLayer, 3>()};
+const RegisterKernel register_biharmonic_double_layer{"biharmonic_double_layer",
+                                                      scalar_kernels<BiharmonicDoubleLayer, 3>()};
 
 }  // namespace
 }  // namespace cageproof::quadrature_ref

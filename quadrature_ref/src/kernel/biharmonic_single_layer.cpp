@@ -16,7 +16,8 @@ struct BiharmonicSingleLayer {
   }
 };
 
-const RegisterKernel registered{"biharmonic_single_layer", scalar_kernels<BiharmonicSingleLayer, 3>()};
+const RegisterKernel register_biharmonic_single_layer{"biharmonic_single_layer",
+                                                      scalar_kernels<BiharmonicSingleLayer, 3>()};
 
 }  // namespace
 }  // namespace cageproof::quadrature_ref

@@ -16,7 +16,7 @@ struct DoubleLayer {
   }
 };
 
-const RegisterKernel registered{"double_layer", scalar_kernels<DoubleLayer, 2, 3>()};
+const RegisterKernel register_double_layer{"double_layer", scalar_kernels<DoubleLayer, 2, 3>()};
 
 }  // namespace
 }  // namespace cageproof::quadrature_ref

@@ -18,10 +18,11 @@ class KelvinDisplacement {
     power_jet<-1, Order>(node, R(a_ - b_), potential);
     power_jet<-3, Order>(node, b_, cube);
     for (int i = 0; i < Dim; ++i) {
-      const KernelJet<Dim, R> row = product<Order>(cube, coordinate_jet<Dim>(node, i));
-      for (int j = 0; j < Dim; ++j) {
-        matrix[Dim * i + j] = product<Order>(row, coordinate_jet<Dim>(node, j));
-        if (i == j) add_scaled<Order>(potential, R(1), matrix[Dim * i + j]);
+      const KernelJet<Dim, R> row = times_coordinate<Order>(cube, node, i);
+      for (int j = i; j < Dim; ++j) {
+        matrix[Dim * i + j] = times_coordinate<Order>(row, node, j);
+        if (i == j) add<Order>(potential, matrix[Dim * i + j]);
+        else matrix[Dim * j + i] = matrix[Dim * i + j];
       }
     }
   }
@@ -30,7 +31,7 @@ class KelvinDisplacement {
   R a_, b_;
 };
 
-const RegisterKernel registered{"kelvin_displacement", tensor_kernels<KelvinDisplacement, 3>()};
+const RegisterKernel register_kelvin_displacement{"kelvin_displacement", tensor_kernels<KelvinDisplacement, 3>()};
 
 }  // namespace
 }  // namespace cageproof::quadrature_ref

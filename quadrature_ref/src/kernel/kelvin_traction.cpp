@@ -19,22 +19,23 @@ class KelvinTraction {
     power_jet<-3, Order>(node, shear_, cube);
     height_power_jet<-5, Order>(node, bulk_, fifth);
     const KernelJet<Dim, R> diagonal = product<Order>(cube, height_jet<Dim>(node));
+    std::array<KernelJet<Dim, R>, Dim> pull;
+    for (int i = 0; i < Dim; ++i) pull[i] = times_coordinate<Order>(cube, node, i);
     for (int i = 0; i < Dim; ++i) {
-      const KernelJet<Dim, R> row = product<Order>(fifth, coordinate_jet<Dim>(node, i));
+      const KernelJet<Dim, R> row = times_coordinate<Order>(fifth, node, i);
       for (int j = i; j < Dim; ++j) {
         KernelJet<Dim, R>& entry = matrix[Dim * i + j];
-        entry = product<Order>(row, coordinate_jet<Dim>(node, j));
+        entry = times_coordinate<Order>(row, node, j);
         if (i == j) {
-          add_scaled<Order>(diagonal, R(1), entry);
+          add<Order>(diagonal, entry);
           continue;
         }
         // n_i x_j - x_i n_j, of the other sign below the diagonal.
-        KernelJet<Dim, R> turn;
-        add_scaled<Order>(coordinate_jet<Dim>(node, j), node.normal[i], turn);
-        add_scaled<Order>(coordinate_jet<Dim>(node, i), R(-node.normal[j]), turn);
-        const KernelJet<Dim, R> turned = product<Order>(cube, turn);
+        KernelJet<Dim, R> turned;
+        add_scaled<Order>(pull[j], node.normal[i], turned);
+        add_scaled<Order>(pull[i], R(-node.normal[j]), turned);
         matrix[Dim * j + i] = entry;
-        add_scaled<Order>(turned, R(1), entry);
+        add<Order>(turned, entry);
         add_scaled<Order>(turned, R(-1), matrix[Dim * j + i]);
       }
     }
@@ -44,7 +45,7 @@ class KelvinTraction {
   R shear_, bulk_;
 };
 
-const RegisterKernel registered{"kelvin_traction", tensor_kernels<KelvinTraction, 3>()};
+const RegisterKernel register_kelvin_traction{"kelvin_traction", tensor_kernels<KelvinTraction, 3>()};
 
 }  // namespace
 }  // namespace cageproof::quadrature_ref

@@ -16,7 +16,7 @@ struct MeanValue {
   }
 };
 
-const RegisterKernel registered{"mean_value", scalar_kernels<MeanValue, 2, 3>()};
+const RegisterKernel register_mean_value{"mean_value", scalar_kernels<MeanValue, 2, 3>()};
 
 }  // namespace
 }  // namespace cageproof::quadrature_ref

@@ -5,7 +5,7 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-const RegisterKernel registered{"single_layer", scalar_kernels<NegativeGreenFunction, 2, 3>()};
+const RegisterKernel register_single_layer{"single_layer", scalar_kernels<NegativeGreenFunction, 2, 3>()};
 
 }  // namespace
 }  // namespace cageproof::quadrature_ref

@@ -16,7 +16,7 @@ struct SolidAngle {
   }
 };
 
-const RegisterKernel registered{"solid_angle", scalar_kernels<SolidAngle, 3>()};
+const RegisterKernel register_solid_angle{"solid_angle", scalar_kernels<SolidAngle, 3>()};
 
 }  // namespace
 }  // namespace cageproof::quadrature_ref

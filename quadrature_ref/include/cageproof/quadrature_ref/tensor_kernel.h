@@ -22,13 +22,24 @@ KernelJet<Dim, R> product(const KernelJet<Dim, R>& a, const KernelJet<Dim, R>& b
   return p;
 }
 
-/// Coordinate i of x = xi - eta.
-template <int Dim, Scalar R>
-KernelJet<Dim, R> coordinate_jet(const Node<R>& node, int i) {
-  KernelJet<Dim, R> jet;
-  jet.value = node.x[i];
-  jet.gradient[i] = R(-1);
-  return jet;
+/// The product of a jet and coordinate c of x = xi - eta, whose gradient is -1 there, up to Order.
+template <int Order, int Dim, Scalar R>
+KernelJet<Dim, R> times_coordinate(const KernelJet<Dim, R>& a, const Node<R>& node, int c) {
+  const R& x = node.x[c];
+  KernelJet<Dim, R> p;
+  p.value = a.value * x;
+  if constexpr (Order >= 1) {
+    for (int i = 0; i < Dim; ++i) p.gradient[i] = a.gradient[i] * x;
+    p.gradient[c] -= a.value;
+  }
+  if constexpr (Order >= 2)
+    for (int i = 0, entry = 0; i < Dim; ++i)
+      for (int j = i; j < Dim; ++j, ++entry) {
+        p.hessian[entry] = a.hessian[entry] * x;
+        if (i == c) p.hessian[entry] -= a.gradient[j];
+        if (j == c) p.hessian[entry] -= a.gradient[i];
+      }
+  return p;
 }
 
 /// x.n, whose value the rule states.
