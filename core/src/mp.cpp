@@ -13,11 +13,6 @@ namespace {
 
 namespace bm = boost::multiprecision;
 
-template <unsigned D>
-MpNumber<D>& writable(Mp<D>& x) {
-  return const_cast<MpNumber<D>&>(number_of(x));
-}
-
 // What each constructor begins with.
 template <unsigned D, class... Values>
 void construct(void* storage, const Values&... values) {
@@ -31,17 +26,20 @@ void construct(void* storage, const Values&... values) {
 
 }  // namespace
 
+// Numbers are made and copied some fifty times for each that is worked out, so these do without MPFR's calls: a
+// number's bytes are all of it, but for the pointer to its own limbs.
 template <unsigned D>
 Mp<D>::Mp() {
-  construct<D>(&number_);
+  mpfr_custom_init_set(data(), MPFR_ZERO_KIND, 0, bits, limbs());
 }
 template <unsigned D>
-Mp<D>::Mp(const Mp& other) {
-  construct<D>(&number_, number_of(other));
+Mp<D>::Mp(const Mp& other) : number_(other.number_) {
+  mpfr_custom_move(data(), limbs());
 }
 template <unsigned D>
 Mp<D>& Mp<D>::operator=(const Mp& other) {
-  writable(*this) = number_of(other);
+  number_ = other.number_;
+  mpfr_custom_move(data(), limbs());
   return *this;
 }
 template <unsigned D>
@@ -98,22 +96,22 @@ mpfr_srcptr Mp<D>::data() const {
 
 template <unsigned D>
 Mp<D>& Mp<D>::operator+=(const Mp& b) {
-  writable(*this) += number_of(b);
+  mpfr_add(data(), data(), b.data(), MPFR_RNDN);
   return *this;
 }
 template <unsigned D>
 Mp<D>& Mp<D>::operator-=(const Mp& b) {
-  writable(*this) -= number_of(b);
+  mpfr_sub(data(), data(), b.data(), MPFR_RNDN);
   return *this;
 }
 template <unsigned D>
 Mp<D>& Mp<D>::operator*=(const Mp& b) {
-  writable(*this) *= number_of(b);
+  mpfr_mul(data(), data(), b.data(), MPFR_RNDN);
   return *this;
 }
 template <unsigned D>
 Mp<D>& Mp<D>::operator/=(const Mp& b) {
-  writable(*this) /= number_of(b);
+  mpfr_div(data(), data(), b.data(), MPFR_RNDN);
   return *this;
 }
 

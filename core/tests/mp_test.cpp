@@ -116,7 +116,8 @@ TYPED_TEST(mp, copies_are_their_own) {
   std::swap(many[0], many[99]);
   EXPECT_EQ(many[0], 2);
   EXPECT_EQ(many[99], b);
-  a = a;
+  const TypeParam& same = a;
+  a = same;
   EXPECT_LT(abs(a - 1), std::numeric_limits<TypeParam>::epsilon());
 }
 

@@ -78,9 +78,10 @@ class Mp {
   double to_double() const;
   long long to_integer() const;
   unsigned long long to_unsigned() const;
+  std::byte* limbs() { return number_.data() + kHead; }
 
   // A number of Boost's: MPFR's 32 bytes of precision, sign, exponent and pointer, then the limbs. Nothing to destroy.
-  static constexpr std::size_t size = 32 + (bits + 63) / 64 * 8;
+  static constexpr std::size_t kHead = 32, size = kHead + (bits + 63) / 64 * 8;
   alignas(8) std::array<std::byte, size> number_;
 };
 
