@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <memory>
 #include <thread>
 
@@ -102,7 +103,12 @@ void draw(const std::vector<Picture>& pictures, const fs::path& folder) {
   std::vector<std::unique_ptr<Gnuplot>> running;
   for (std::size_t i = 0; i < jobs; ++i) running.push_back(std::make_unique<Gnuplot>(folder, i, scripts[i]));
   for (const auto& process : running) process->finish();
-  for (const Picture& picture : pictures) finish(folder / picture.file);
+  std::vector<std::future<void>> finishing;
+  for (std::size_t job = 0; job < jobs; ++job)
+    finishing.push_back(std::async(std::launch::async, [&, job] {
+      for (std::size_t i = job; i < pictures.size(); i += jobs) finish(folder / pictures[i].file);
+    }));
+  for (auto& job : finishing) job.get();
 }
 
 std::string gnuplot_text(std::string_view text) {

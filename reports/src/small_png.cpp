@@ -22,7 +22,7 @@ std::optional<std::string> small_png(std::string_view bytes, int colours) {
   image->green[index] = gdTrueColorGetGreen(background);
   image->blue[index] = gdTrueColorGetBlue(background);
   int size = 0;
-  const std::unique_ptr<void, void (*)(void*)> small(gdImagePngPtrEx(image.get(), &size, 9), gdFree);
+  const std::unique_ptr<void, void (*)(void*)> small(gdImagePngPtrEx(image.get(), &size, 6), gdFree);
   if (!small) return std::nullopt;
   return std::string(static_cast<const char*>(small.get()), size);
 }

@@ -145,7 +145,7 @@ std::string pairs(const std::string& title, const std::map<std::string, std::str
 }
 
 // Last, so that what may differ between runs with the same findings is the file's end.
-std::string environment(const RunResult& result) {
+std::string environment_section(const RunResult& result) {
   std::string text = "\n## Environment\n";
   for (const Session& session : result.sessions) {
     text += fmt::format("\n* started: {}, took {:.1f} s\n* command line: {}\n", escaped(session.started),
@@ -172,7 +172,7 @@ std::string summary_markdown(const RunResult& result) {
   text += errata(result);
   if (!result.notes.empty()) text += "\n## Notes\n\n";
   for (const std::string& note : result.notes) text += fmt::format("* {}\n", escaped(note));
-  return text + pairs("Settings", result.settings) + environment(result);
+  return text + pairs("Settings", result.settings) + environment_section(result);
 }
 
 }  // namespace cageproof::reports
