@@ -175,11 +175,19 @@ class Planner {
             cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed}));
     for (const CoordinateKind& kind : coordinate_kinds()) {
       if (!is_asked(kind, *cage)) continue;
-      if (accepts(kind, *cage)) add_fields(cage, kind);
-      else
+      if (accepts(kind, *cage)) {
+        if (is_shown(*cage)) add_fields(cage, kind);
+      } else {
         plan_.header.notes.push_back(
             fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, invalid_quads(*cage).front()));
+      }
     }
+  }
+
+  // Fields show where errors sit, and promise nothing: those of larger embedded cages are for suites with time.
+  bool is_shown(const Cage& cage) const {
+    const std::size_t most = options_.suite.shown_elements;
+    return options_.cage || most == 0 || cage.parts(false, options_.triangulation).elements.size() <= most;
   }
 
   void add_fields(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind) {
@@ -216,21 +224,25 @@ class Planner {
     const auto text = [](const auto& x) { return fmt::format("{}", x); };
     auto& header = plan_.header;
     header.version = CAGEPROOF_VERSION;
-    header.options = {{"formulas", options_.formulas},
-                      {"evaluations", options_.evaluations},
-                      {"regimes", options_.regimes},
-                      {"suite", std::string(suite.name)},
-                      {"samples", text(suite.samples)},
-                      {"enclosures", text(suite.enclosures)},
-                      {"seed", text(options_.seed)},
-                      {"triangulate", std::string(name_of(options_.triangulation))},
-                      {"integral samples", text(suite.integral_samples)},
-                      {"points of a cage", text(suite.cage_points)},
-                      {"truths of a cage", text(suite.truth_points)},
-                      {"points of a mesh", text(suite.mesh_points)},
-                      {"fields", fmt::format("{} samples a side, {} truths", suite.slice, suite.pairs)},
-                      {"cage", options_.cage ? options_.cage->name() : ""},
-                      {"points", options_.mesh ? options_.mesh_name : ""}};
+    header.options = {
+        {"formulas", options_.formulas},
+        {"evaluations", options_.evaluations},
+        {"regimes", options_.regimes},
+        {"suite", std::string(suite.name)},
+        {"samples", text(suite.samples)},
+        {"enclosures", text(suite.enclosures)},
+        {"seed", text(options_.seed)},
+        {"triangulate", std::string(name_of(options_.triangulation))},
+        {"integral samples", text(suite.integral_samples)},
+        {"points of a cage", text(suite.cage_points)},
+        {"truths of a cage", text(suite.truth_points)},
+        {"points of a mesh", text(suite.mesh_points)},
+        {"fields", fmt::format("{} samples a side, {} truths{}", suite.slice, suite.pairs,
+                               suite.shown_elements > 0
+                                   ? fmt::format(", of embedded cages with at most {} elements", suite.shown_elements)
+                                   : "")},
+        {"cage", options_.cage ? options_.cage->name() : ""},
+        {"points", options_.mesh ? options_.mesh_name : ""}};
     if (options_.cage) header.options["the cage's content"] = fingerprint(*options_.cage);
     if (options_.mesh) header.options["the points' content"] = fingerprint(*options_.mesh);
     // What one program makes of the options another may not, though it calls itself the same.

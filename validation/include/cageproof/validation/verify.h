@@ -24,6 +24,7 @@ struct Suite {
   int mesh_points;       ///< of a mesh, at most, for each kind of coordinates; 0: all
   int slice;             ///< samples a side of the fields of linear reproduction
   int pairs;             ///< multiprecision evaluations a field of errors may cost
+  int shown_elements;    ///< embedded cages with more elements get no fields; 0: all get them
 };
 
 /// quick is the default, for a verdict in minutes; standard takes some twenty on two cores, full as long as asked.
