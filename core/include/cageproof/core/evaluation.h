@@ -132,7 +132,7 @@ struct EvaluationFamily {
   std::vector<std::string> studied = {};
 
   /// A member that stands for all: the first standard one, or the one of the pattern's name.
-  Evaluation example() const { return *make(standard.empty() ? pattern : standard.front()); }
+  Evaluation example() const { return make(standard.empty() ? pattern : standard.front()).value(); }
 };
 
 /// The evaluations of all rooms linked into the program. Rooms add theirs when the program starts. Families stay where
