@@ -3,6 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/validation/parallel.h"
+#include "summarise.h"
 
 #include <fmt/format.h>
 
@@ -42,19 +43,6 @@ double difference(const std::vector<double>& found, const std::vector<Mp50>& tru
     worst = std::isfinite(d) ? std::max(worst, d) : HUGE_VAL;
   }
   return worst;
-}
-
-void summarise(std::vector<double> errors, WorkPrecisionRow& row) {
-  row.samples = errors.size();
-  row.nonfinite = std::ranges::count(errors, HUGE_VAL);
-  std::erase(errors, HUGE_VAL);
-  if (errors.empty()) return;
-  std::ranges::sort(errors);
-  double squares = 0;
-  for (const double e : errors) squares += e * e;
-  row.largest = errors.back();
-  row.rms = std::sqrt(squares / static_cast<double>(errors.size()));
-  row.median = errors[(errors.size() - 1) / 2];
 }
 
 }  // namespace

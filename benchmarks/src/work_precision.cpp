@@ -5,6 +5,7 @@
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/parallel.h"
 #include "cageproof/validation/truth.h"
+#include "summarise.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -54,19 +55,6 @@ void time(const Work& work, int order, double seconds, WorkPrecisionRow& row) {
   const auto pairs = static_cast<double>(queries.size());
   row.nodes = nodes / (pairs * static_cast<double>(work.evaluations.front().size()));
   row.nanoseconds = 1e9 * elapsed / (passes * pairs);
-}
-
-void summarise(std::vector<double> errors, WorkPrecisionRow& row) {
-  row.samples = errors.size();
-  double squares = 0;
-  for (double& e : errors) {
-    if (!std::isfinite(e)) e = HUGE_VAL, ++row.nonfinite;
-    squares += e * e;
-  }
-  std::ranges::sort(errors);
-  row.largest = errors.back();
-  row.rms = std::sqrt(squares / static_cast<double>(errors.size()));
-  row.median = errors[(errors.size() - 1) / 2];
 }
 
 // One evaluation of each formula; all that are missing in one message.

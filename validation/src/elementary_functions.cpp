@@ -9,6 +9,9 @@
 #include <vector>
 
 #if __has_include(<sys/platform/x86.h>)
+#ifdef __clang__
+#define _Bool bool  // glibc's header is C's here, and Clang has no _Bool in C++
+#endif
 #include <sys/platform/x86.h>
 #endif
 

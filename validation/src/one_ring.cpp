@@ -30,8 +30,8 @@ double relative(const Tensor& a, const Tensor& b) {
 
 Tensor widened(const std::vector<double>& tensor) { return {tensor.begin(), tensor.end()}; }
 
-Errors errors_at(const Cage& cage, const std::vector<std::array<int, 3>>& triangles, const Evaluation& evaluation,
-                 const Evaluation& reference, const Vec3<double>& point) {
+Errors ring_errors_at(const Cage& cage, const std::vector<std::array<int, 3>>& triangles, const Evaluation& evaluation,
+                      const Evaluation& reference, const Vec3<double>& point) {
   Errors errors;
   std::array<Tensor, 3> sum, truth_sum;
   for (int o = 1; o < 3; ++o) sum[o] = truth_sum[o] = Tensor(cage.vertices().size() * (o == 1 ? 3 : 9), Mp100(0));
@@ -89,7 +89,7 @@ class OneRingMeasurement final : public Measurement {
     const std::vector<CagePoint>& points = points_.get();
     Findings findings;
     for (std::size_t i = block; i < points.size(); i += blocks_) {
-      const Errors errors = errors_at(*cage_, triangles_, evaluation_, reference_, points[i].point);
+      const Errors errors = ring_errors_at(*cage_, triangles_, evaluation_, reference_, points[i].point);
       for (int o = 1; o < 3; ++o) {
         add(findings, "own_derivative", o, errors.own[o], points[i]);
         add(findings, "one_ring_sum", o, errors.sum[o], points[i]);
@@ -119,8 +119,8 @@ bool one_ring_exists_on(const Cage& cage) { return cage.dimension() == formula_n
 
 double one_ring_error_at(const Cage& cage, const OneRingOptions& options, std::string_view check, int order,
                          const Vec3<double>& point) {
-  const Errors errors = errors_at(cage, cage.triangulate(options.triangulation).triangles, chosen(options),
-                                  reference_evaluation(), point);
+  const Errors errors = ring_errors_at(cage, cage.triangulate(options.triangulation).triangles, chosen(options),
+                                       reference_evaluation(), point);
   return check == "own_derivative" ? errors.own[order] : errors.sum[order];
 }
 

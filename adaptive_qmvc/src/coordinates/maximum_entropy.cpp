@@ -57,13 +57,14 @@ std::shared_ptr<const PreparedCoordinates> prepare(const Cage& cage, const Coord
   return std::make_shared<MaximumEntropy>(cage, options);
 }
 
-const RegisterCoordinateKind kind{{.name = "maximum_entropy",
-                                   .source = "Hormann, Sukumar 2008; [T18] Section 5",
-                                   .normalised = true,
-                                   .keeps_quads = true,
-                                   .prepare = prepare,
-                                   .missing_because = "outside the convex hull of the vertices whose quad mean value "
-                                                      "coordinates are positive, there are no positive coordinates"}};
+const RegisterCoordinateKind register_maximum_entropy{
+    {.name = "maximum_entropy",
+     .source = "Hormann, Sukumar 2008; [T18] Section 5",
+     .normalised = true,
+     .keeps_quads = true,
+     .prepare = prepare,
+     .missing_because = "outside the convex hull of the vertices whose quad mean value "
+                        "coordinates are positive, there are no positive coordinates"}};
 
 }  // namespace
 }  // namespace cageproof::adaptive_qmvc

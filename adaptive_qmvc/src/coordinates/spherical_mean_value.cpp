@@ -146,17 +146,17 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
   std::vector<CoordinateBlock> blocks_;
 };
 
-std::shared_ptr<const PreparedCoordinates> prepare(const Cage& cage, const CoordinateOptions& options) {
+std::shared_ptr<const PreparedCoordinates> prepare_spherical(const Cage& cage, const CoordinateOptions& options) {
   if (!options.evaluation.empty() && options.evaluation != "closed_form")
     throw InputError(fmt::format("spherical_mean_value has no evaluation '{}', only closed_form", options.evaluation));
   return std::make_shared<SphericalCoordinates>(cage);
 }
 
-const RegisterCoordinateKind kind{{.name = "spherical_mean_value",
-                                   .source = "Langer, Belyaev, Seidel 2006; [T18] Section 5",
-                                   .normalised = true,
-                                   .keeps_quads = true,
-                                   .prepare = prepare}};
+const RegisterCoordinateKind register_spherical_mean_value{{.name = "spherical_mean_value",
+                                                            .source = "Langer, Belyaev, Seidel 2006; [T18] Section 5",
+                                                            .normalised = true,
+                                                            .keeps_quads = true,
+                                                            .prepare = prepare_spherical}};
 
 }  // namespace
 }  // namespace cageproof::adaptive_qmvc
