@@ -6,7 +6,12 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
+command -v clang-format >/dev/null || {
+  echo "clang-format is missing: scripts/ensure_packages.sh installs it" >&2
+  exit 2
+}
 mapfile -t files < <(git ls-files '*.cpp' '*.h')
+((${#files[@]})) || exit 2
 if [[ ${1-} == --fix ]]; then exec clang-format -i "${files[@]}"; fi
 found=$(clang-format --dry-run --ferror-limit=1 "${files[@]}" 2>&1 | grep -oE '^[^: ]+\.(cpp|h)' | sort -u || true)
 [[ -z $found ]] || {

@@ -13,6 +13,7 @@ namespace cageproof::benchmarks {
 /// Sets samples, nonfinite, largest, rms and median. An error that is not finite counts as infinite.
 inline void summarise(std::vector<double> errors, WorkPrecisionRow& row) {
   row.samples = errors.size();
+  if (errors.empty()) return;
   double squares = 0;
   for (double& e : errors) {
     if (!std::isfinite(e)) e = HUGE_VAL, ++row.nonfinite;

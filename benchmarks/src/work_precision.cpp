@@ -31,6 +31,7 @@ struct Work {
 void time(const Work& work, int order, double seconds, WorkPrecisionRow& row) {
   using Clock = std::chrono::steady_clock;
   std::vector<QueryOf<double>> queries;
+  queries.reserve(work.samples.size());
   for (const Sample& sample : work.samples) queries.emplace_back(sample, order);
   Result<double> result;
   double nodes = 0;

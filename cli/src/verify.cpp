@@ -139,11 +139,12 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   command.option("--regimes", a->options.regimes, "glob").showing_default();
   a->cage.add_to(command, false);
   command.option("--points", a->points, "points to try the cage at: a mesh, or text with three numbers a line");
-  command.option("--samples", a->samples, "samples a formula and regime, instead of the suite's")
+  command.option("--samples", a->samples, "samples of each formula in each regime, instead of the suite's")
       .in_range(1, 100000000);
   command
       .option("--enclosures", a->enclosures,
-              "samples a formula and regime that are enclosed rigorously, instead of the suite's; 1000 is a proof run")
+              "samples of each formula in each regime that are enclosed rigorously, instead of the suite's; 1000 is a "
+              "proof run")
       .in_range(0, 1000000);
   const auto suites = names_of_suites();
   command.option("--suite", a->suite, "how much").one_of({suites.begin(), suites.end()}).showing_default();

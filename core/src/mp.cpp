@@ -30,6 +30,7 @@ void construct(void* storage, const Values&... values) {
 // number's bytes are all of it, but for the pointer to its own limbs.
 template <unsigned D>
 Mp<D>::Mp() {
+  static_assert(sizeof(__mpfr_struct) == kHead);
   mpfr_custom_init_set(data(), MPFR_ZERO_KIND, 0, bits, limbs());
 }
 template <unsigned D>

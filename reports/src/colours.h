@@ -5,11 +5,16 @@
 #include "cageproof/core/run_result.h"
 #include "cageproof/reports/report_writer.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace cageproof::reports {
+
+/// Colours of curves: Okabe and Ito's, told apart by people with any colour vision; yellow, too pale for a line, is
+/// left out.
+inline constexpr std::array kCurveColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#444444"};
 
 /// The colour of a sample that is not finite where one is expected (infinite), and of a masked one (NaN).
 inline constexpr const char* kInfiniteColour = "#d62728";

@@ -2,6 +2,7 @@
 #include "curve_picture.h"
 
 #include "cageproof/core/role.h"
+#include "colours.h"
 #include "digest.h"
 #include "figure.h"
 
@@ -16,8 +17,6 @@
 namespace cageproof::reports {
 namespace {
 
-// Okabe and Ito's colours, told apart by people with any colour vision; yellow, too pale for a line, is left out.
-constexpr std::array kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#444444"};
 // Filled and open circle, square, triangle up, triangle down, diamond: filled in double, open in other scalars.
 constexpr std::array<std::array<int, 2>, 5> kShapes{{{7, 6}, {5, 4}, {9, 8}, {11, 10}, {13, 12}}};
 constexpr double kSmallestDrawn = 0.1;
@@ -39,7 +38,7 @@ class Styles {
                        curve.errors.size() > kManyPoints ? 0.25 : 0.6);
   }
   const char* colour(const ResultCurve& curve) const {
-    return kColours[index(evaluations_, key_of(curve)) % kColours.size()];
+    return kCurveColours[index(evaluations_, key_of(curve)) % kCurveColours.size()];
   }
 
  private:

@@ -105,7 +105,7 @@ void draw(const std::vector<Picture>& pictures, const fs::path& folder) {
   for (const auto& process : running) process->finish();
   std::vector<std::future<void>> finishing;
   for (std::size_t job = 0; job < jobs; ++job)
-    finishing.push_back(std::async(std::launch::async, [&, job] {
+    finishing.push_back(std::async([&, job] {
       for (std::size_t i = job; i < pictures.size(); i += jobs) finish(folder / pictures[i].file);
     }));
   for (auto& job : finishing) job.get();

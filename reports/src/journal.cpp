@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view schema = "cageproof-journal";
 constexpr int schema_version = 1;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
+[[noreturn]] void fail_journal(const fs::path& path, const std::string& reason) {
   throw InputError(fmt::format("cannot write {}: {}", path.string(), reason));
 }
 
@@ -191,7 +191,7 @@ std::string journal_text(const Journal& journal) {
 
 JournalWriter::JournalWriter(const fs::path& path)
     : path_(path), file_(::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC)) {
-  if (file_ < 0) fail(path_, std::generic_category().message(errno));
+  if (file_ < 0) fail_journal(path_, std::generic_category().message(errno));
   if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(file_);
     throw InputError(fmt::format("{}: another process writes to it", path_.string()));
@@ -207,7 +207,7 @@ JournalWriter::JournalWriter(const fs::path& path)
   if (end < text.size() && ::ftruncate(file_, static_cast<off_t>(end)) != 0) {
     const int reason = errno;
     ::close(file_);
-    fail(path_, std::generic_category().message(reason));
+    fail_journal(path_, std::generic_category().message(reason));
   }
 }
 
@@ -216,11 +216,11 @@ JournalWriter::~JournalWriter() { ::close(file_); }
 void JournalWriter::append(const std::string& line) {
   const std::scoped_lock lock(mutex_);
   // After a torn line nothing may follow: torn, the last line can be told and dropped.
-  if (failed_) fail(path_, "a line before could not be written");
+  if (failed_) fail_journal(path_, "a line before could not be written");
   const ssize_t written = ::write(file_, line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size())) return;
   failed_ = true;
-  fail(path_, std::generic_category().message(written < 0 ? errno : ENOSPC));
+  fail_journal(path_, std::generic_category().message(written < 0 ? errno : ENOSPC));
 }
 
 void JournalWriter::add_session(const Session& session) { append(dump(Json{{"session", json_of(session)}}) + "\n"); }

@@ -21,51 +21,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
+[[noreturn]] void fail_folder(const fs::path& path, const std::string& reason) {
   throw InputError(fmt::format("cannot write {}: {}", path.string(), reason));
 }
 
-[[noreturn]] void fail_by_errno(const fs::path& path) { fail(path, std::generic_category().message(errno)); }
+[[noreturn]] void fail_by_errno(const fs::path& path) { fail_folder(path, std::generic_category().message(errno)); }
 
 // What is replaced must be ours to replace: a mistyped --out must never cost someone a folder.
 void require_replaceable(const fs::path& out, const FolderKind& kind) {
   std::error_code error;
   const fs::file_status status = fs::status(out, error);
   if (status.type() == fs::file_type::not_found) return;
-  if (error) fail(out, error.message());
-  if (!fs::is_directory(status)) fail(out, "exists and is no folder");
+  if (error) fail_folder(out, error.message());
+  if (!fs::is_directory(status)) fail_folder(out, "exists and is no folder");
   const bool empty = fs::is_empty(out, error);
-  if (error) fail(out, error.message());
+  if (error) fail_folder(out, error.message());
   if (empty) return;
   const bool ours = kind.holds(out);
   for (const FolderKind* other : {&report_kind(), &shard_kind(), &field_kind(), &work_precision_kind()})
     if (!ours && other->holds(out))
-      fail(out, fmt::format("the folder holds {}, which {} does not replace", other->what, kind.what));
+      fail_folder(out, fmt::format("the folder holds {}, which {} does not replace", other->what, kind.what));
   for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
     const std::string name = entry.path().filename().string();
     if (std::ranges::find(kind.parts, name) == kind.parts.end())
-      fail(out, fmt::format("the folder holds '{}', which is no part of {}", name, kind.what));
+      fail_folder(out, fmt::format("the folder holds '{}', which is no part of {}", name, kind.what));
   }
-  if (error) fail(out, error.message());
-  if (!ours) fail(out, fmt::format("the folder is not empty and does not hold {}", kind.what));
+  if (error) fail_folder(out, error.message());
+  if (!ours) fail_folder(out, fmt::format("the folder is not empty and does not hold {}", kind.what));
 }
 
 fs::path resolved(const fs::path& out) {
   if (out.empty()) throw InputError("cannot write the report: its folder has an empty name");
   std::error_code error;
   fs::path path = fs::weakly_canonical(fs::absolute(out), error);
-  if (error) fail(out, error.message());
+  if (error) fail_folder(out, error.message());
   if (!path.has_filename()) path = path.parent_path();
-  if (!path.has_filename()) fail(out, "it is the root of the file system");
+  if (!path.has_filename()) fail_folder(out, "it is the root of the file system");
   if (!fs::is_directory(path.parent_path(), error))
-    fail(out, fmt::format("the folder {} does not exist", path.parent_path().string()));
+    fail_folder(out, fmt::format("the folder {} does not exist", path.parent_path().string()));
   return path;
 }
 
 void make_folder(const fs::path& path) {
   std::error_code error;
   fs::create_directory(path, error);
-  if (error) fail(path, error.message());
+  if (error) fail_folder(path, error.message());
 }
 
 // A fresh folder beside `out`.
@@ -74,7 +74,7 @@ fs::path staging_for(const fs::path& out) {
   for (int n = 0;; ++n) {
     const fs::path candidate = aside(out, n);
     if (fs::create_directory(candidate, error)) return candidate;
-    if (error) fail(out, error.message());
+    if (error) fail_folder(out, error.message());
   }
 }
 
@@ -139,7 +139,7 @@ void ReportFolder::commit() {
   if (std::rename(staging_.c_str(), out_.c_str()) != 0) {
     const int reason = errno;
     std::rename(old.c_str(), out_.c_str());
-    fail(out_, std::generic_category().message(reason));
+    fail_folder(out_, std::generic_category().message(reason));
   }
   committed_ = true;
   fs::remove_all(old, ignored);

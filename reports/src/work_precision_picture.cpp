@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "work_precision_picture.h"
 
+#include "colours.h"
 #include "digest.h"
 
 #include <fmt/format.h>
@@ -14,20 +15,17 @@
 namespace cageproof::reports {
 namespace {
 
-// Okabe and Ito's colours, as in the curves of a report.
-constexpr std::array kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#444444"};
-
 // "three-quad-75" and "three-quad-300" are of one family; a name without a number is its own.
 std::string family_of(const std::string& evaluation) {
   const std::size_t end = evaluation.find_last_not_of("0123456789");
   return evaluation.substr(0, end == evaluation.npos ? 0 : end + 1);
 }
 
-struct Range {
+struct Decades {
   double low, high;
 };
 
-Range decades(const std::vector<double>& values) {
+Decades decades(const std::vector<double>& values) {
   double low = HUGE_VAL, high = 0;
   for (const double v : values)
     if (v > 0 && std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
@@ -41,7 +39,7 @@ Picture work_precision_picture(const WorkPrecision& result, WorkAxis axis, std::
   const auto work = [&](const WorkPrecisionRow& row) { return axis == WorkAxis::Nodes ? row.nodes : row.nanoseconds; };
   std::vector<double> works, errors;
   for (const WorkPrecisionRow& row : result.rows) works.push_back(work(row)), errors.push_back(row.largest);
-  const Range x = decades(works), y = decades(errors);
+  const Decades x = decades(works), y = decades(errors);
   // Exact results take the lower edge, what is not finite the upper one.
   const auto height = [&](double error) { return std::clamp(error, y.low, y.high); };
   const auto place_of = [](const WorkPrecisionRow& row) -> const std::string& { return row.place; };
@@ -51,7 +49,7 @@ Picture work_precision_picture(const WorkPrecision& result, WorkAxis axis, std::
   std::map<std::string, std::pair<double, double>> labels;  // the highest point of each evaluation
   int block = 0;
   for (std::size_t p = 0; p < places.size(); ++p) {
-    const char* colour = kColours[p % kColours.size()];
+    const char* colour = kCurveColours[p % kCurveColours.size()];
     std::map<std::string, std::vector<std::pair<double, double>>> families;
     for (const WorkPrecisionRow& row : result.rows) {
       if (row.place != places[p]) continue;

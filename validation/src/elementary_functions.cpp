@@ -10,9 +10,10 @@
 
 #if __has_include(<sys/platform/x86.h>)
 #ifdef __clang__
-#define _Bool bool  // glibc's header is C's here, and Clang has no _Bool in C++
+#define _Bool bool  // NOLINT: glibc's header is C's here, and Clang has no _Bool in C++
 #endif
 #include <sys/platform/x86.h>
+#undef _Bool
 #endif
 
 namespace cageproof::validation {

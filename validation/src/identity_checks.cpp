@@ -9,8 +9,6 @@
 namespace cageproof::validation {
 namespace {
 
-double size_of(const Sample& sample) { return longest_edge<double>(sample.corners); }
-
 Mp100 norm_of(const std::vector<Mp200>& tensor) {
   std::vector<Mp100> narrow;
   for (const Mp200& x : tensor) narrow.emplace_back(x);
@@ -134,7 +132,7 @@ class DifferencesCheck final : public Check {
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     const Result<Mp200> f = evaluate<Mp200>(in.evaluation, in.sample, in.order);
     // Far below every distance of a regime, far above the rounding of 200 digits.
-    const Mp200 step = Mp200(size_of(in.sample)) * Mp200("1e-40");
+    const Mp200 step = Mp200(longest_edge<double>(in.sample.corners)) * Mp200("1e-40");
     Result<Mp200> plus, minus;
     Result<Mp200> differences;
     differences.reset(in.formula.components(), in.formula.dim(), in.order);
@@ -187,7 +185,7 @@ class FaceJumpCheck final : public Check {
     const std::array<Mp100, 4> basis = shape.basis(in.sample.corners, in.sample.point);
     Vec3<Mp100> n = shape.normal(corners, basis);
     n /= sqrt(n.dot(n));
-    const Mp100 step = Mp100(size_of(in.sample)) * Mp100("1e-40");
+    const Mp100 step = Mp100(longest_edge<double>(in.sample.corners)) * Mp100("1e-40");
     const std::vector<Mp100> parameters(in.sample.parameters.begin(), in.sample.parameters.end());
     const auto at = [&](const Mp100& height) {
       const Vec3<Mp100> point = p + height * n;
@@ -207,7 +205,7 @@ class FaceJumpCheck final : public Check {
     }
     findings[0].status = Finding::Status::Measured;
     // Values that vanish on the face have the element's size alone to be compared with.
-    const Mp100 natural = pow(Mp100(size_of(in.sample)), in.formula.degree);
+    const Mp100 natural = pow(Mp100(longest_edge<double>(in.sample.corners)), in.formula.degree);
     findings[0].error = ratio_of_difference(jump, expected, Mp100(natural + norm(expected)));
     return findings;
   }

@@ -28,7 +28,7 @@ constexpr double quad_cost = 30;
 // At how many points of a cage a kind's other evaluations are asked for its relations: integrals take their time.
 int affordable_points(const Evaluation& evaluation, int points) {
   switch (evaluation.cost()) {
-    case CostClass::Multiprecision: return std::min(points, 4);
+    case CostClass::Multiprecision: return std::clamp(points / 8, 1, 4);
     case CostClass::Adaptive: return std::min(points, 20);
     case CostClass::Nodes: return evaluation.role() == Role::Rule ? std::min(points, 40) : points;
     case CostClass::Direct: break;
@@ -173,15 +173,19 @@ class Planner {
       for (const std::string& evaluation : {std::string(), OneRingOptions{}.evaluation})
         add(one_ring_measurement(
             cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed}));
+    bool left_out = false;
     for (const CoordinateKind& kind : coordinate_kinds()) {
       if (!is_asked(kind, *cage)) continue;
       if (accepts(kind, *cage)) {
         if (is_shown(*cage)) add_fields(cage, kind);
+        else left_out = true;
       } else {
         plan_.header.notes.push_back(
             fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, invalid_quads(*cage).front()));
       }
     }
+    if (left_out)
+      plan_.header.notes.push_back(fmt::format("{}: its error fields are drawn by longer suites", cage->name()));
   }
 
   // Fields show where errors sit, and promise nothing: those of larger embedded cages are for suites with time.

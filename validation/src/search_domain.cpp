@@ -10,7 +10,7 @@
 namespace cageproof::validation {
 namespace {
 
-using Vec = Vec3<Mp200>;
+using WideVec = Vec3<Mp200>;
 
 // A distance, given squared, that is zero or large enough.
 bool apart(const Mp200& squared, const Mp200& size_squared) {
@@ -32,7 +32,7 @@ bool in_search_domain(const Formula& formula, const Sample& sample) {
   const std::size_t n = sample.corners.size();
   if (static_cast<int>(n) != formula.corners() || !parameters_allowed(formula, sample)) return false;
   double largest = 0;
-  std::vector<Vec> corners;
+  std::vector<WideVec> corners;
   for (std::size_t k = 0; k <= n; ++k) {
     const Vec3<double>& v = k < n ? sample.corners[k] : sample.point;
     if (!v.allFinite()) return false;
@@ -41,7 +41,7 @@ bool in_search_domain(const Formula& formula, const Sample& sample) {
     largest = std::max(largest, v.cwiseAbs().maxCoeff());
     if (k < n) corners.push_back(convert<Mp200>(v));
   }
-  const Vec point = convert<Mp200>(sample.point);
+  const WideVec point = convert<Mp200>(sample.point);
   const Mp200 longest = longest_edge<Mp200>(corners), size_squared = longest * longest;
   const double size = static_cast<double>(longest);
   if (size < SearchDomain::smallest_size || size > SearchDomain::largest_size) return false;
@@ -52,7 +52,7 @@ bool in_search_domain(const Formula& formula, const Sample& sample) {
       (aspect < SearchDomain::smallest_border_aspect || largest > SearchDomain::largest_border_coordinate * size))
     return false;
   for (std::size_t k = 0; k < n; ++k) {
-    const Vec to_corner = point - corners[k], edge = corners[(k + 1) % n] - corners[k];
+    const WideVec to_corner = point - corners[k], edge = corners[(k + 1) % n] - corners[k];
     const Mp200 line = edge.cross(to_corner).squaredNorm() / edge.squaredNorm();
     if (!apart(to_corner.squaredNorm(), size_squared) || !apart(line, size_squared)) return false;
   }

@@ -6,11 +6,11 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
 // Orders whose limits agree to fewer digits than that have none; logarithms differ by a tenth.
 constexpr double kLimitDigits = 20;
 
-// Digits by which a norm stands out of the error asked for: with few digits rules miss that error by two or three.
+// Digits by which a norm must exceed the error that a rule was asked for: asked for few digits, a rule's own error can
+// be a thousand times what it was asked for, and would pass for the norm.
 constexpr double kSeen = 4;
 
 // From tensors at distances h, 2h, 4h: one fewer, without the term h^power. A term h^power log h becomes one in
@@ -30,6 +30,7 @@ double agreement(const std::vector<Mp200>& a, const std::vector<Mp200>& b, doubl
   Mp200 square = 0;
   for (std::size_t i = 0; i < a.size(); ++i) square += (a[i] - b[i]) * (a[i] - b[i]);
   if (square == 0) return most;
+  if (isnan(square)) return 0;
   return std::min(most, log10_norm(b) - log10_magnitude(square) / 2);
 }
 
@@ -40,6 +41,7 @@ Answer converge(ConvergingSum& sum, double digits, int order) {
   Result<Mp200> rough = sum.at(aim);
   for (int attempt = 0; attempt < 4; ++attempt) {
     aim += 6;
+    answer.aim = aim;
     answer.sums = sum.at(aim);
     double least = most;
     for (int o = 0; o <= order; ++o) {
@@ -52,12 +54,12 @@ Answer converge(ConvergingSum& sum, double digits, int order) {
     answer.sums = rough;
   }
   answer.sums.nodes = sum.nodes();
-  answer.aim = aim;
   return answer;
 }
 
 Answer limit_from_inside(const Inside& inside, double digits, int order) {
-  // h^3 is below the digits wanted by what the limit may be smaller than the coefficients.
+  // The first term left has the factor h^3: fifteen digits below those wanted, since a limit may be that much smaller
+  // than the coefficients.
   constexpr double kMargin = 15;
   const int times = inside.border ? 2 : 1;
   Mp200 inward = inside.clearance * pow(Mp200(10), Mp200(-(digits + kMargin) / 3));
@@ -84,7 +86,8 @@ Answer limit_from_inside(const Inside& inside, double digits, int order) {
       answer.digits[o] = digits + 8;
       continue;
     }
-    const double limit = agreement(rough.of(o), tensor, digits + 8);
+    // A digit less than the extrapolations share: where the series is another, the last pass halves its error only.
+    const double limit = agreement(rough.of(o), tensor, digits + 9) - 1;
     answer.digits[o] = std::min(answer.digits[o], limit);
     if (limit >= kLimitDigits) continue;
     std::ranges::fill(tensor, std::numeric_limits<Mp200>::quiet_NaN());
@@ -106,7 +109,7 @@ void ConvergingSum::find_norm(const std::array<double, 3>& mass, const SumWithEr
     for (int o = 0; o <= order_; ++o) {
       if (known[o]) continue;
       norm_[o] = std::max(log10_norm(sums.of(o)), error[o]);
-      known[o] = mass[o] == kNone || norm_[o] > error[o] + kSeen;
+      known[o] = mass[o] == kNoMass || norm_[o] > error[o] + kSeen;
       all_known = all_known && known[o];
     }
     if (all_known) return;

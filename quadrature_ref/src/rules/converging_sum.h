@@ -12,6 +12,8 @@ namespace cageproof::quadrature_ref {
 
 /// Digits that the arithmetic of 50, 100 and 200 digits leaves after the rounding of a cell's sums and geometry.
 inline constexpr double kDigitsIn50 = 46, kDigitsIn100 = 95, kDigitsIn200 = 190;
+/// log10 of nothing: of a mass or a norm that is zero.
+inline constexpr double kNoMass = -std::numeric_limits<double>::infinity();
 /// What the multiprecision evaluations converge to or say that they did not.
 inline constexpr double kDigitsPromised = 30;
 

@@ -84,7 +84,7 @@ struct Tessellated {
   }
 };
 
-const RegisterEvaluation registered{
+const RegisterEvaluation register_tessellated{
     counted_family("tessellated", {"tessellated-5"}, {"tessellated-5", "tessellated-40"},
                    "2 n^2 triangles in the quad's place, closed form of each", Tessellated{})};
 

@@ -35,7 +35,7 @@ struct PutForm {
 template <class F>
 inline constexpr Member<SharedOnSegment> member_of = Member<SharedOnSegment>::of<PutForm<F>>();
 
-/// `const RegisterForm<F> registered{"segment.<kernel>"};` at namespace scope of the formula's .cpp.
+/// `const RegisterForm<F> register_<kernel>{"segment.<kernel>"};` at namespace scope of the formula's .cpp.
 template <class F>
 class RegisterForm {
  public:

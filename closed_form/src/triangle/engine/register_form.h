@@ -45,7 +45,7 @@ struct PutForm {
 template <class F>
 inline constexpr Member<SharedOnTriangle> member_of = Member<SharedOnTriangle>::of<PutForm<F>>();
 
-/// `const RegisterForm<F> registered{"triangle.<kernel>"};` at namespace scope of the formula's .cpp.
+/// `const RegisterForm<F> register_<kernel>{"triangle.<kernel>"};` at namespace scope of the formula's .cpp.
 template <class F>
 class RegisterForm {
  public:

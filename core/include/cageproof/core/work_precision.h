@@ -15,8 +15,9 @@ struct WorkPrecisionRow {
   std::string place;    ///< "interior", "1e-2" ... (distance from the cage, in its sizes), or a regime
   double distance = 0;  ///< of the place, in cage sizes; 0 where there is none
   std::uint64_t samples = 0;
-  std::uint64_t nonfinite = 0;              ///< errors that are not finite
-  double largest = 0, rms = 0, median = 0;  ///< of the errors, in WorkPrecision::unit
+  std::uint64_t nonfinite = 0;  ///< errors that are not finite
+  double largest = 0, rms = 0,
+         median = 0;       ///< of the errors, in WorkPrecision::unit; one that is not finite counts as infinite
   double nodes = 0;        ///< mean kernel evaluations of one formula on one element; 0 for closed forms
   double nanoseconds = 0;  ///< of what WorkPrecision::timed says, all formulas of the subject, one thread
 };

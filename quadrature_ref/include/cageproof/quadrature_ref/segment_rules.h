@@ -47,11 +47,11 @@ void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Resul
 /// least over the orders asked; `converged` is stated_digits >= 30. Closer to the segment than about 1e-150 of its
 /// length Hessians cancel more than 200 digits leave, and it says so.
 ///
-/// On the segment: the limit from inside along minus the normal, at two distances of 1e-40 and 1e-44 (1e-70 and 1e-74
-/// for 60 digits) of the point's distance to the ends that it does not lie on. A derivative order whose tensors
-/// disagree there has no limit (at an end: a single layer's gradient, which grows like a logarithm): all its entries
-/// are NaN, and the statements cover the other orders; with no order left, `converged` is false and `stated_digits`
-/// NaN. An order whose limit is zero is exactly zero.
+/// On the segment: the limit from inside along minus the normal, extrapolated from distances around 1e-15 (1e-25 for 60
+/// digits) of the point's distance to the ends that it does not lie on. A derivative order whose extrapolations
+/// disagree has no limit (at an end: a single layer's gradient, which grows like a logarithm): all its entries are NaN,
+/// and the statements cover the other orders; with no order left, `converged` is false and `stated_digits` NaN. An
+/// order whose limit is zero is exactly zero.
 template <Scalar R>
 void integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 

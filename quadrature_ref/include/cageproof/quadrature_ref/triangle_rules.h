@@ -59,10 +59,10 @@ void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Resul
 /// triangle. Closer to the face than about 1e-70 of the triangle's size Hessians cancel more than 200 digits, and it
 /// says so.
 ///
-/// On the triangle: the limit from inside along minus the normal, taken at 1e-40 and 1e-44 of the point's distance to
-/// what it does not lie on (edges, corners). A derivative order whose tensors disagree there has no limit: all its
-/// entries are NaN, and the statements cover the other orders; with no order left, `converged` is false and
-/// `stated_digits` NaN. An order whose limit is zero is exactly zero.
+/// On the triangle: the limit from inside along minus the normal, extrapolated from distances around 1e-15 (1e-25 for
+/// 60 digits) of the point's distance to what it does not lie on (edges, corners). A derivative order whose
+/// extrapolations disagree has no limit: all its entries are NaN, and the statements cover the other orders; with no
+/// order left, `converged` is false and `stated_digits` NaN. An order whose limit is zero is exactly zero.
 template <Scalar R>
 void integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 

@@ -6,11 +6,11 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-using Complex = std::complex<double>;
+using ComplexDouble = std::complex<double>;
 
 // Start values: for each segment of the Newton polygon's upper hull as many as it is long, on its radius.
-std::vector<Complex> starts(const std::array<double, 5>& c, int degree) {
-  std::vector<Complex> zeros;
+std::vector<ComplexDouble> starts(const std::array<double, 5>& c, int degree) {
+  std::vector<ComplexDouble> zeros;
   for (int i = 0; i < degree;) {
     int next = i + 1;
     double steepest = -1e300;
@@ -31,29 +31,29 @@ std::vector<Complex> starts(const std::array<double, 5>& c, int degree) {
 
 }  // namespace
 
-std::vector<Complex> polynomial_zeros(const std::array<double, 5>& coefficients) {
+std::vector<ComplexDouble> polynomial_zeros(const std::array<double, 5>& coefficients) {
   const std::array<double, 5>& c = coefficients;
   int degree = 4;
   while (degree > 0 && !(std::abs(c[degree]) > std::abs(c[0]) * 1e-240)) --degree;
-  std::vector<Complex> zeros = starts(c, degree);
+  std::vector<ComplexDouble> zeros = starts(c, degree);
   for (int step = 0; step < 80; ++step) {
     double change = 0;
     for (int i = 0; i < degree; ++i) {
       // Of a zero outside the unit circle the inverse is iterated: its powers cannot overflow.
-      const Complex z = zeros[i];
+      const ComplexDouble z = zeros[i];
       const bool outside = std::abs(z) > 1;
-      const Complex y = outside ? 1. / z : z;
-      Complex value = 0, slope = 0;
+      const ComplexDouble y = outside ? 1. / z : z;
+      ComplexDouble value = 0, slope = 0;
       for (int k = 0; k <= degree; ++k) {
         slope = slope * y + value;
         value = value * y + c[outside ? k : degree - k];
       }
       if (value == 0.) continue;
-      Complex newton = slope / value;  // of the polynomial in y
+      ComplexDouble newton = slope / value;  // of the polynomial in y
       if (outside) newton = static_cast<double>(degree) * y - y * y * newton;
       for (int j = 0; j < degree; ++j)
         if (j != i) newton -= 1. / (z - zeros[j]);
-      const Complex move = 1. / newton;
+      const ComplexDouble move = 1. / newton;
       if (!std::isfinite(move.real()) || !std::isfinite(move.imag())) continue;
       zeros[i] -= move;
       change = std::max(change, std::abs(move) / std::abs(zeros[i]));

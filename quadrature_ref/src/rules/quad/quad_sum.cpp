@@ -4,8 +4,6 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
-
 // A quarter of the distance away from c where it is inside, and inside still.
 Mp200 moved(const Mp200& x, const Mp200& step) {
   if (x == 0 || x == 1) return x;
@@ -23,7 +21,7 @@ QuadSum::QuadSum(const Integrand& integrand, const QuadFrame<Mp200>& q, const Cl
   cuts_[0] = cut(frame, digits, 2.5);
   cuts_[1] = cut(polar_quad_frame(q, u, v), digits, 2.1);
   std::array<double, 3> mass;
-  mass.fill(kNone);
+  mass.fill(kNoMass);
   for (const auto& of_cell : cuts_[0].mass)
     for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], of_cell[o]);
   find_norm(mass, [&](const auto& error) { return with_error(cuts_[0], error); });
@@ -51,7 +49,7 @@ Result<Mp200> QuadSum::with_error(const Cut& cut, const std::array<double, 3>& l
   for (std::size_t i = 0; i < cut.cells.size(); ++i) {
     double digits = 0;
     for (int o = 0; o <= order_; ++o)
-      if (cut.mass[i][o] > kNone) digits = std::max(digits, cut.mass[i][o] - log10_error[o]);
+      if (cut.mass[i][o] > kNoMass) digits = std::max(digits, cut.mass[i][o] - log10_error[o]);
     digits = std::min(digits, kDigitsIn200);
     if (digits <= kDigitsIn50) add_cell(cut.frame50, cut.cells[i], digits, total);
     else if (digits <= kDigitsIn100) add_cell(cut.frame100, cut.cells[i], digits, total);
@@ -61,7 +59,7 @@ Result<Mp200> QuadSum::with_error(const Cut& cut, const std::array<double, 3>& l
 }
 
 Result<Mp200> QuadSum::at(double digits) {
-  const Result<Mp200> sums = with_error(cuts_[next_], error_of(digits));
+  Result<Mp200> sums = with_error(cuts_[next_], error_of(digits));
   next_ = 1 - next_;
   return sums;
 }

@@ -9,7 +9,7 @@ namespace cageproof::quadrature_ref {
 namespace {
 
 // The frame of a point; one on the segment is moved inside by kInward. Nothing without geometry.
-std::optional<ArmFrame<Mp200>> frame_moved_inward(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point) {
+std::optional<ArmFrame<Mp200>> arm_frame_moved_inward(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point) {
   const auto s = segment_frame(corners, point);
   if (!s) return std::nullopt;
   const OnSegment on = on_segment(*s);
@@ -29,7 +29,7 @@ void segment::integrate_near_singular(const Integrand& integrand, int n, const B
   const KernelTask<W> task = integrand.task<W>(wide.parameters, batch.order);
   integrate_block<W>(
       integrand, batch, output,
-      [&](const Vec3<R>& point) { return frame_moved_inward(exact.corners, cageproof::convert<Mp200>(point)); },
+      [&](const Vec3<R>& point) { return arm_frame_moved_inward(exact.corners, cageproof::convert<Mp200>(point)); },
       [&](const ArmFrame<Mp200>& exact_frame, Result<W>& sums) {
         const auto frame = convert<W>(exact_frame);
         ArmCaster<W> caster(frame, integrand, task);

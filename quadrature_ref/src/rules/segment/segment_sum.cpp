@@ -4,9 +4,8 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
 // Fewer points would not even see that an integrand is larger than modelled.
-constexpr int kFewestPoints = 4;
+constexpr int kFewestOnPanel = 4;
 
 }  // namespace
 
@@ -18,7 +17,7 @@ SegmentSum::SegmentSum(const Integrand& integrand, ArmFrame<Mp200> frame, const 
 
 std::array<double, 3> SegmentSum::log10_mass(ArmCaster<Mp50>& caster, const ArmPanel& panel) const {
   std::array<double, 3> mass;
-  mass.fill(kNone);
+  mass.fill(kNoMass);
   Result<Mp50> tensors;
   const Mp50 whole = caster.length(panel);
   for (int i = 0; i < 3; ++i) {
@@ -49,9 +48,9 @@ Result<Mp200> SegmentSum::with_error(const Cut& cut, const std::array<double, 3>
     const ArmPanel& panel = cut.panels[i];
     double digits = 0;
     for (int o = 0; o <= order_; ++o)
-      if (cut.mass[i][o] > kNone) digits = std::max(digits, cut.mass[i][o] - log10_error[o]);
+      if (cut.mass[i][o] > kNoMass) digits = std::max(digits, cut.mass[i][o] - log10_error[o]);
     digits = std::min(digits, kDigitsIn200);
-    const int n = std::max(kFewestPoints, nodes_for(panel.lo, panel.hi, exact_frame_.singular, digits));
+    const int n = std::max(kFewestOnPanel, nodes_for(panel.lo, panel.hi, exact_frame_.singular, digits));
     if (digits <= kDigitsIn50) add_panel(frame50_, panel, n, total);
     else if (digits <= kDigitsIn100) add_panel(frame100_, panel, n, total);
     else add_panel(exact_frame_, panel, n, total);
@@ -63,7 +62,7 @@ void SegmentSum::scout(double digits) {
   const int nodes = digits > 50 ? 64 : 32;
   cuts_ = {cut({.nodes = nodes, .digits = nodes * .94}), cut({.nodes = nodes * 3 / 4, .digits = nodes * .94})};
   std::array<double, 3> mass;
-  mass.fill(kNone);
+  mass.fill(kNoMass);
   for (const auto& of_panel : cuts_[0].mass)
     for (int o = 0; o <= order_; ++o) mass[o] = std::max(mass[o], of_panel[o]);
   find_norm(mass, [&](const auto& error) { return with_error(cuts_[0], error); });

@@ -7,7 +7,7 @@ namespace cageproof::quadrature_ref {
 namespace {
 
 // Fewer points would not even see that an integrand is larger than modelled.
-constexpr int kFewestPoints = 3;
+constexpr int kFewestInCell = 3;
 
 // Where r vanishes as a function of w: i pi/2 for a ray square to the line of sight, asinh(-1) for one along it.
 const Singularities kRadialSingularities{{0, std::numbers::pi / 2}, {-0.8813735870195430, 0}};
@@ -92,10 +92,10 @@ CellPoints points_for(const PolarFrame<Mp200>& frame, const PolarCell& cell, dou
   const double length = cell.w_hi - cell.w_lo;
   const double lo = cell.reaches_edge ? cell.w_lo + cell.lower * length : cell.w_lo;
   const double hi = cell.reaches_edge ? cell.w_lo + cell.upper * length : cell.w_hi;
-  const int w = std::max(kFewestPoints, nodes_for(lo, hi, kRadialSingularities, digits));
+  const int w = std::max(kFewestInCell, nodes_for(lo, hi, kRadialSingularities, digits));
   if (cell.edge < 0) return {kRingDirections, w};
   const int t = nodes_for(cell.t_lo, cell.t_hi, frame.edges[cell.edge].singular, digits);
-  return {std::max(kFewestPoints, t), w};
+  return {std::max(kFewestInCell, t), w};
 }
 
 }  // namespace cageproof::quadrature_ref

@@ -8,8 +8,6 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-constexpr double kNone = -std::numeric_limits<double>::infinity();
-
 // log10 of the square of the Bernstein radius on the longest edge, from the distance of eta to the centroid.
 double convergence_rate(const TriangleFrame<Mp200>& t) {
   double reach = 0, half_edge = 0;
@@ -63,7 +61,7 @@ Result<Mp200> PolarSum::with_error(const std::array<double, 3>& log10_error) {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     double digits = 0;
     for (int o = 0; o <= order_; ++o)
-      if (mass_[i][o] > kNone) digits = std::max(digits, mass_[i][o] - log10_error[o]);
+      if (mass_[i][o] > kNoMass) digits = std::max(digits, mass_[i][o] - log10_error[o]);
     CellPoints points = points_for(exact_frame_, cells_[i], std::min(digits, kDigitsIn200));
     if (cells_[i].edge < 0) points.t += more_directions_;
     if (digits <= kDigitsIn50) add_cell(frame50_, cells_[i], points, total);
@@ -75,7 +73,7 @@ Result<Mp200> PolarSum::with_error(const std::array<double, 3>& log10_error) {
 
 void PolarSum::scout() {
   std::array<double, 3> mass;
-  mass.fill(kNone);
+  mass.fill(kNoMass);
   RayCaster<Mp50> caster(frame50_, integrand_, task<Mp50>());
   for (const PolarCell& cell : cells_) {
     mass_.push_back(caster.log10_mass(cell));

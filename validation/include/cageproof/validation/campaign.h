@@ -25,7 +25,7 @@ struct CampaignOptions {
   std::function<void(std::size_t done, std::size_t all)> progress;  ///< called from any thread
 };
 
-/// One a formula and regime.
+/// One for each formula in each regime.
 /// \throws InputError when a pattern matches nothing
 Measurements element_measurements(const CampaignOptions& options);
 

@@ -16,9 +16,9 @@ namespace cageproof::validation {
 /// How much a suite does.
 struct Suite {
   std::string_view name;
-  int samples;           ///< a formula and regime
+  int samples;           ///< of each formula in each regime
   int integral_samples;  ///< of these, for the multiprecision integral
-  int enclosures;        ///< a formula and regime, enclosed rigorously
+  int enclosures;        ///< of each formula in each regime, enclosed rigorously
   int cage_points;       ///< a cage, off it
   int truth_points;      ///< of these, against multiprecision
   int mesh_points;       ///< of a mesh, at most, for each kind of coordinates; 0: all

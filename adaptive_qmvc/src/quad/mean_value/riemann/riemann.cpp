@@ -13,7 +13,7 @@ struct Riemann {
   }
 };
 
-const RegisterEvaluation registered{
+const RegisterEvaluation register_riemann{
     counted_family("riemann", {"riemann-4", "riemann-7", "riemann-10"},
                    {"riemann-2", "riemann-4", "riemann-10", "riemann-40", "riemann-160"},
                    "the paper's scheme: Riemann sum of (2n + 1)^2 samples about the projection", Riemann{})};

@@ -7,7 +7,8 @@
 
 #include "cageproof/core/evaluation.h"
 
-#include <vector>
+#include <algorithm>
+#include <array>
 
 namespace cageproof::closed_form::published {
 
@@ -31,7 +32,8 @@ EvaluationFamily printed_family(std::string_view formula, std::string_view name,
         evaluation.set_batch<R>([form, misprint](const Batch<R>& batch, const BatchOutput<R>& output) {
           using W = Computed<R>;
           const Triangle<W> t{convert<W>(batch.corners[0]), convert<W>(batch.corners[1]), convert<W>(batch.corners[2])};
-          const std::vector<W> parameters(batch.parameters.begin(), batch.parameters.end());
+          std::array<W, 2> parameters;
+          std::ranges::copy(batch.parameters, parameters.begin());
           for (std::size_t p = 0; p < batch.points.size(); ++p) {
             const Frame<W> frame(t, convert<W>(batch.points[p]));
             put(narrowed<R>(form(frame, batch.order, std::span<const W>(parameters), misprint)), batch.order, p,
