@@ -58,8 +58,7 @@ TEST(LimitFromInside, states_the_digits_that_are_there) {
 }
 
 TEST(LimitFromInside, what_is_not_a_number_has_none) {
-  const Answer answer =
-      limit([](const Mp200&) { return std::numeric_limits<Mp200>::quiet_NaN(); }, false, 30);
+  const Answer answer = limit([](const Mp200&) { return std::numeric_limits<Mp200>::quiet_NaN(); }, false, 30);
   EXPECT_TRUE(std::isnan(answer.digits[0]));
 }
 
