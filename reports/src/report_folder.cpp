@@ -72,7 +72,7 @@ void make_folder(const fs::path& path) {
 fs::path staging_for(const fs::path& out) {
   std::error_code error;
   for (int n = 0;; ++n) {
-    const fs::path candidate = aside(out, n);
+    fs::path candidate = aside(out, n);
     if (fs::create_directory(candidate, error)) return candidate;
     if (error) fail_folder(out, error.message());
   }
@@ -81,7 +81,7 @@ fs::path staging_for(const fs::path& out) {
 }  // namespace
 
 fs::path replaceable_folder(const fs::path& out, const FolderKind& kind) {
-  const fs::path path = resolved(out);
+  fs::path path = resolved(out);
   remove_leftovers(path);
   require_replaceable(path, kind);
   return path;

@@ -9,11 +9,7 @@
 namespace cageproof::validation {
 namespace {
 
-Mp100 norm_of(const std::vector<Mp200>& tensor) {
-  std::vector<Mp100> narrow;
-  for (const Mp200& x : tensor) narrow.emplace_back(x);
-  return norm(narrow);
-}
+Mp100 norm_of(const std::vector<Mp200>& tensor) { return norm(std::vector<Mp100>(tensor.begin(), tensor.end())); }
 
 /// The trace of the Hessian: zero for harmonic formulas, another formula's value for biharmonic ones.
 class LaplacianCheck final : public Check {
@@ -179,6 +175,7 @@ class FaceJumpCheck final : public Check {
       return findings;
     }
     std::vector<Vec3<Mp100>> corners;
+    corners.reserve(in.sample.corners.size());
     for (const auto& corner : in.sample.corners) corners.push_back(convert<Mp100>(corner));
     const Vec3<Mp100> p = convert<Mp100>(in.sample.point);
     const ExactShape& shape = sampling_of(in.formula.element).exact;

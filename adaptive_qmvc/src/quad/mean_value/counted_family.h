@@ -10,8 +10,8 @@ namespace cageproof::adaptive_qmvc {
 /// The family `<stem>-<n>`, n = 1 ... 512: values alone. `studied`: EvaluationFamily::studied. `weights` is a callable
 /// with `template operator()<R>(batch, n, output)`.
 template <class Weights>
-EvaluationFamily counted_family(std::string stem, std::vector<std::string> standard, std::vector<std::string> studied,
-                                std::string description, Weights weights) {
+EvaluationFamily counted_family(const std::string& stem, std::vector<std::string> standard,
+                                std::vector<std::string> studied, const std::string& description, Weights weights) {
   const std::string formula = "quad.mean_value";
   const auto make = [=](std::string_view name) -> std::optional<Evaluation> {
     const auto n = number_after(stem + "-", name);
