@@ -28,7 +28,7 @@ constexpr double quad_cost = 30;
 // At how many points of a cage a kind's other evaluations are asked for its relations: integrals take their time.
 int affordable_points(const Evaluation& evaluation, int points) {
   switch (evaluation.cost()) {
-    case CostClass::Multiprecision: return std::clamp(points / 8, 1, 4);
+    case CostClass::Multiprecision: return std::min(points, 4);
     case CostClass::Adaptive: return std::min(points, 20);
     case CostClass::Nodes: return evaluation.role() == Role::Rule ? std::min(points, 40) : points;
     case CostClass::Direct: break;
