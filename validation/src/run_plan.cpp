@@ -73,7 +73,7 @@ std::string fingerprint(const Cage& cage) {
   Fingerprint print;
   print.add(cage.vertices());
   for (const Face& face : cage.faces())
-    for (const int v : face.vertices) print.add(static_cast<std::uint64_t>(v + 1));
+    for (const int v : face.vertices) print.add(static_cast<std::uint64_t>(v) + 1);
   return print.text();
 }
 

@@ -30,7 +30,7 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
   }
   const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
   int max_order() const override { return 2; }
-  std::string evaluation() const override { return "closed_form"; }
+  std::string evaluation() const override { return triangle_.name(); }
   bool is_exact_in(ScalarKind scalar) const override { return scalar != ScalarKind::Digits200; }
 
   template <Scalar R>
@@ -147,9 +147,11 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
 };
 
 std::shared_ptr<const PreparedCoordinates> prepare_spherical(const Cage& cage, const CoordinateOptions& options) {
-  if (!options.evaluation.empty() && options.evaluation != "closed_form")
-    throw InputError(fmt::format("spherical_mean_value has no evaluation '{}', only closed_form", options.evaluation));
-  return std::make_shared<SphericalCoordinates>(cage);
+  auto coordinates = std::make_shared<SphericalCoordinates>(cage);
+  const std::string only = coordinates->evaluation();
+  if (!options.evaluation.empty() && options.evaluation != only)
+    throw InputError(fmt::format("spherical_mean_value has no evaluation '{}', only {}", options.evaluation, only));
+  return coordinates;
 }
 
 const RegisterCoordinateKind register_spherical_mean_value{{.name = "spherical_mean_value",

@@ -6,13 +6,13 @@
 namespace cageproof::closed_form::published {
 namespace {
 
-const auto double_layer_form = []<Scalar R>(const Frame<R>& f, int order, std::span<const R>, Misprint misprint) {
-  return double_layer<R>(f, order, misprint);
-};
-const RegisterEvaluation double_layer_published{published_family(
-    "triangle.double_layer", Misprint::None, "Urago's form, [T24] Appendix C after the errata", double_layer_form)};
-const RegisterEvaluation double_layer_appendix_c{published_family(
-    "triangle.double_layer", Misprint::AppendixC, "[T24] with Appendix C as printed", double_layer_form)};
+const RegisterPrinted double_layer_forms{
+    "triangle.double_layer",
+    {{Misprint::None, "Urago's form, [T24] Appendix C after the errata"},
+     {Misprint::AppendixC, "[T24] with Appendix C as printed"}},
+    []<Scalar R>(const Frame<R>& f, int order, std::span<const R>, Misprint misprint) {
+      return double_layer<R>(f, order, misprint);
+    }};
 
 const RegisterEvaluation double_layer_curl{printed_family(
     "triangle.double_layer", "curl-form", "P x d/(2|t|) for the gradient: right for closed cages' sums alone", false,

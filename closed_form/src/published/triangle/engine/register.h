@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
+#include <string>
 
 namespace cageproof::closed_form::published {
 
@@ -44,12 +46,22 @@ EvaluationFamily printed_family(std::string_view formula, std::string_view name,
   });
 }
 
-/// As it is after the errata (`published`, of the standard set), or with a misprint kept.
-template <class Form>
-EvaluationFamily published_family(std::string_view formula, Misprint misprint, std::string description, Form form,
-                                  int max_order = 2) {
-  return printed_family(formula, evaluation_name(misprint), std::move(description), misprint == Misprint::None,
-                        misprint, form, max_order);
-}
+/// One way to read a printed form: as it is after the errata (`published`, of the standard set), or with a misprint
+/// kept.
+struct Reading {
+  Misprint misprint;
+  std::string_view description;
+};
+
+/// `const RegisterPrinted <kernel>_forms{"triangle.<kernel>", {readings...}, form};` at namespace scope of the form's
+/// .cpp. \param form, max_order: as printed_family's
+struct RegisterPrinted {
+  template <class Form>
+  RegisterPrinted(std::string_view formula, std::initializer_list<Reading> readings, Form form, int max_order = 2) {
+    for (const Reading& reading : readings)
+      RegisterEvaluation(printed_family(formula, evaluation_name(reading.misprint), std::string(reading.description),
+                                        reading.misprint == Misprint::None, reading.misprint, form, max_order));
+  }
+};
 
 }  // namespace cageproof::closed_form::published
