@@ -36,7 +36,9 @@ fail() {
 
 # Clang takes two thirds of GCC's time, but for sanitizers, with which it takes longer; so CI compiles everything with both. A folder keeps the
 # compiler that it was first configured with; CC and CXX name others.
-if [[ $preset != asan && -z ${CC-} && -z ${CXX-} ]] && command -v clang-16 >/dev/null && command -v clang++-16 >/dev/null; then export CC=clang-16 CXX=clang++-16; fi
+if [[ $preset != asan && -z ${CC-} && -z ${CXX-} ]] && command -v clang-16 >/dev/null && command -v clang++-16 >/dev/null; then
+  export CC=clang-16 CXX=clang++-16
+fi
 
 # A new package may bring what an earlier, failed configuration did not find: always ask CMake, it is quick.
 cmake -S "$root" --preset "$preset" >"$log" 2>&1 </dev/null || fail "Configuring preset $preset failed."

@@ -54,92 +54,92 @@ struct Header {
   std::vector<Element> elements;
 };
 
-const Type* type_named(std::string_view name, const Place& place) {
+const Type* type_named(std::string_view name, const FileLine& at) {
   const auto found = std::ranges::find_if(kTypes, [&](const Type& t) { return t.name == name || t.alias == name; });
-  if (found == kTypes.end()) place.fail(shown(name) + " is not a PLY type");
+  if (found == kTypes.end()) at.fail(shown(name) + " is not a PLY type");
   return &*found;
 }
 
 // Takes a header line's last token.
-std::string_view take_last(std::string_view& line, const Place& place) {
+std::string_view take_last(std::string_view& line, const FileLine& at) {
   const std::string_view token = take_token(line);
-  if (token.empty() || !take_token(line).empty()) place.fail("a header line has too few or too many words");
+  if (token.empty() || !take_token(line).empty()) at.fail("a header line has too few or too many words");
   return token;
 }
 
-Element parse_element(std::string_view line, const Place& place) {
+Element parse_element(std::string_view line, const FileLine& at) {
   const std::string_view name = take_token(line);
-  const double count = finite_number(take_last(line, place), place);
-  if (!(count >= 0 && count < 0x1p31 && count == std::floor(count))) place.fail("an element's count is out of range");
+  const double count = finite_number(take_last(line, at), at);
+  if (!(count >= 0 && count < 0x1p31 && count == std::floor(count))) at.fail("an element's count is out of range");
   return {name, static_cast<std::size_t>(count), {}};
 }
 
-Property parse_property(std::string_view line, const Place& place) {
+Property parse_property(std::string_view line, const FileLine& at) {
   const std::string_view first = take_token(line);
-  const Type* count_type = first == "list" ? type_named(take_token(line), place) : nullptr;
-  const Type* type = type_named(count_type ? take_token(line) : first, place);
-  if (count_type && count_type->is_real) place.fail("a list's length is no whole number");
-  return {take_last(line, place), type, count_type};
+  const Type* count_type = first == "list" ? type_named(take_token(line), at) : nullptr;
+  const Type* type = type_named(count_type ? take_token(line) : first, at);
+  if (count_type && count_type->is_real) at.fail("a list's length is no whole number");
+  return {take_last(line, at), type, count_type};
 }
 
-void add_element(Header& header, const Element& element, const Place& place) {
+void add_element(Header& header, const Element& element, const FileLine& at) {
   if (std::ranges::find(header.elements, element.name, &Element::name) != header.elements.end())
-    place.fail("element " + shown(element.name) + " occurs twice");
+    at.fail("element " + shown(element.name) + " occurs twice");
   header.elements.push_back(element);
 }
 
-void add_property(Header& header, const Property& property, const Place& place) {
-  if (header.elements.empty()) place.fail("a property before the first element");
+void add_property(Header& header, const Property& property, const FileLine& at) {
+  if (header.elements.empty()) at.fail("a property before the first element");
   auto& properties = header.elements.back().properties;
   if (std::ranges::find(properties, property.name, &Property::name) != properties.end())
-    place.fail("property " + shown(property.name) + " occurs twice");
+    at.fail("property " + shown(property.name) + " occurs twice");
   properties.push_back(property);
 }
 
-Header parse_header(std::string_view& rest, Place& place) {
+Header parse_header(std::string_view& rest, FileLine& at) {
   Header header;
   for (std::string_view line; take_line(rest, line);) {
-    ++place.line;
+    ++at.line;
     const std::string_view keyword = take_token(line);
-    if (place.line == 1) {
-      if (keyword != "ply" || !line.empty()) place.fail("not a PLY file");
+    if (at.line == 1) {
+      if (keyword != "ply" || !line.empty()) at.fail("not a PLY file");
     } else if (keyword == "format") {
       header.format = take_token(line);
-      take_last(line, place);
+      take_last(line, at);
     } else if (keyword == "element") {
-      add_element(header, parse_element(line, place), place);
+      add_element(header, parse_element(line, at), at);
     } else if (keyword == "property") {
-      add_property(header, parse_property(line, place), place);
+      add_property(header, parse_property(line, at), at);
     } else if (keyword == "end_header") {
       for (const Element& element : header.elements)
-        if (element.properties.empty()) place.fail("element " + shown(element.name) + " has no properties");
+        if (element.properties.empty()) at.fail("element " + shown(element.name) + " has no properties");
       return header;
     } else if (keyword != "comment" && keyword != "obj_info") {
-      place.fail(shown(keyword) + " is not a PLY keyword");
+      at.fail(shown(keyword) + " is not a PLY keyword");
     }
   }
-  place.fail("the header has no end");
+  at.fail("the header has no end");
 }
 
 // The body's numbers, one after the other.
 class Body {
  public:
-  Body(std::string_view format, std::string_view rest, Place& place) : rest_(rest), place_(place) {
+  Body(std::string_view format, std::string_view rest, FileLine& at) : rest_(rest), at_(at) {
     is_text_ = format == "ascii";
     if (!is_text_ && format != "binary_little_endian" && format != "binary_big_endian")
-      Place{place.file}.fail("unknown PLY format " + shown(format));
+      FileLine{at.file}.fail("unknown PLY format " + shown(format));
     is_swapped_ = (format == "binary_big_endian") != (std::endian::native == std::endian::big);
-    if (!is_text_) place_.line = 0;
+    if (!is_text_) at_.line = 0;
   }
   void begin_record(std::string_view element, std::size_t index) {
     element_ = element;
     index_ = index;
     if (!is_text_) return;
-    ++place_.line;
+    ++at_.line;
     if (!take_line(rest_, line_)) fail_short();
   }
   double next(const Type& type) {
-    if (is_text_) return finite_number(next_token(), place_);
+    if (is_text_) return finite_number(next_token(), at_);
     if (rest_.size() < type.size) fail_short();
     std::array<char, 8> bytes{};
     std::copy_n(rest_.begin(), type.size, bytes.begin());
@@ -156,7 +156,7 @@ class Body {
     if (is_text_ && !take_token(line_).empty()) fail("more numbers than the header states");
   }
   [[noreturn]] void fail(const std::string& reason) const {
-    place_.fail(fmt::format("{} {}: {}", element_, index_, reason));
+    at_.fail(fmt::format("{} {}: {}", element_, index_, reason));
   }
 
  private:
@@ -170,7 +170,7 @@ class Body {
   std::string_view rest_, line_;
   std::string_view element_;
   std::size_t index_ = 0;
-  Place& place_;
+  FileLine& at_;
   bool is_text_ = false, is_swapped_ = false;
 };
 
@@ -222,15 +222,15 @@ Layout layout_of(const Header& header, const std::filesystem::path& path) {
       for (const std::string_view axis : {"x", "y", "z"})
         if (std::ranges::none_of(element.properties,
                                  [&](const Property& p) { return p.name == axis && !p.count_type; }))
-          Place{path}.fail(fmt::format("vertices have no coordinate \"{}\"", axis));
+          FileLine{path}.fail(fmt::format("vertices have no coordinate \"{}\"", axis));
     } else if (element.name == "face" && element.count > 0) {
       const auto corners = std::ranges::find_if(element.properties, is_corner_list);
-      if (corners == element.properties.end()) Place{path}.fail("faces have no list \"vertex_indices\"");
+      if (corners == element.properties.end()) FileLine{path}.fail("faces have no list \"vertex_indices\"");
       layout.corners = &*corners;
       layout.face_count = element.count;
     }
   }
-  if (layout.vertex_count == 0) Place{path}.fail("no vertices");
+  if (layout.vertex_count == 0) FileLine{path}.fail("no vertices");
   return layout;
 }
 
@@ -245,13 +245,13 @@ std::string header_for_vtk(const Layout& layout) {
 }  // namespace
 
 CheckedPly check_ply(const std::filesystem::path& path, std::string_view text) {
-  Place place{path};
-  const Header header = parse_header(text, place);
+  FileLine at{path};
+  const Header header = parse_header(text, at);
   const Layout layout = layout_of(header, path);
   CheckedPly checked;
   checked.face_count = layout.face_count;
   std::string faces;
-  Body body(header.format, text, place);
+  Body body(header.format, text, at);
   for (const Element& element : header.elements) {
     const bool is_vertex = element.name == "vertex";
     for (std::size_t i = 0; i < element.count; ++i) {

@@ -50,15 +50,15 @@ class VtkMessages {
   vtkLogger::Verbosity verbosity_;
 };
 
-Mesh to_mesh(vtkPolyData* data, const Place& place) {
+Mesh to_mesh(vtkPolyData* data, const FileLine& at) {
   Mesh mesh;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
     const Vec3<double> vertex(data->GetPoint(i));
-    if (!vertex.allFinite()) place.fail(fmt::format("vertex {}: a coordinate is not finite (counted from 0)", i));
+    if (!vertex.allFinite()) at.fail(fmt::format("vertex {}: a coordinate is not finite (counted from 0)", i));
     mesh.vertices.push_back(vertex);
   }
-  if (mesh.vertices.empty()) place.fail("no vertices");
-  if (data->GetNumberOfStrips() > 0) place.fail("triangle strips; write them as triangles");
+  if (mesh.vertices.empty()) at.fail("no vertices");
+  if (data->GetNumberOfStrips() > 0) at.fail("triangle strips; write them as triangles");
   const auto count = data->GetNumberOfPoints();
   vtkCellArray* cells = data->GetPolys();
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
@@ -67,7 +67,7 @@ Mesh to_mesh(vtkPolyData* data, const Place& place) {
     cells->GetCellAtId(i, size, corners);
     const auto* wrong = std::find_if(corners, corners + size, [&](vtkIdType v) { return v < 0 || v >= count; });
     if (wrong != corners + size)
-      place.fail(
+      at.fail(
           fmt::format("face {}: index {} is out of range, there are {} vertices (counted from 0)", i, *wrong, count));
     mesh.faces.emplace_back(corners, corners + size);
   }
@@ -77,17 +77,17 @@ Mesh to_mesh(vtkPolyData* data, const Place& place) {
 // `open` tells the reader what to read.
 template <class Reader, class Open>
 Mesh read_with(const std::filesystem::path& path, Open&& open) {
-  const Place place{path};
+  const FileLine at{path};
   VtkMessages messages;
   vtkNew<Reader> reader;
   try {
     open(*reader);
     reader->Update();
   } catch (const std::bad_alloc&) {
-    place.fail("the file states sizes that do not fit in memory");
+    at.fail("the file states sizes that do not fit in memory");
   }
-  if (const std::string message = messages.first(); !message.empty()) place.fail("VTK cannot read it: " + message);
-  return to_mesh(reader->GetOutput(), place);
+  if (const std::string message = messages.first(); !message.empty()) at.fail("VTK cannot read it: " + message);
+  return to_mesh(reader->GetOutput(), at);
 }
 
 // Binary: 80 bytes, the number of triangles, 50 bytes each. VTK drops the triangles that a cut file lacks.
@@ -108,8 +108,8 @@ Mesh read_ply(const std::filesystem::path& path) {
     reader.SetInputString(checked.for_vtk);
   });
   if (mesh.vertices.size() != checked.vertices.size() || mesh.faces.size() != checked.face_count)
-    Place{path}.fail(fmt::format("VTK read {} vertices and {} faces of {} and {}", mesh.vertices.size(),
-                                 mesh.faces.size(), checked.vertices.size(), checked.face_count));
+    FileLine{path}.fail(fmt::format("VTK read {} vertices and {} faces of {} and {}", mesh.vertices.size(),
+                                    mesh.faces.size(), checked.vertices.size(), checked.face_count));
   mesh.vertices = std::move(checked.vertices);
   return mesh;
 }
@@ -119,7 +119,7 @@ Mesh read_stl(const std::filesystem::path& path) {
   const bool is_text =
       bytes.starts_with("solid") && std::ranges::all_of(bytes, [](unsigned char c) { return c < 0x80; });
   if (!is_text && !is_whole_binary_stl(bytes))
-    Place{path}.fail("neither a text STL nor a binary one of the length that it states (cut off?)");
+    FileLine{path}.fail("neither a text STL nor a binary one of the length that it states (cut off?)");
   return read_with<vtkSTLReader>(path, [&](vtkSTLReader& reader) { reader.SetFileName(path.c_str()); });
 }
 
@@ -132,7 +132,7 @@ Mesh read_vtp(const std::filesystem::path& path) {
     // VTK makes room for what a file states before it looks at what there is.
     constexpr vtkIdType most = std::numeric_limits<int>::max();
     if (reader.GetNumberOfPoints() > most || reader.GetNumberOfCells() > most)
-      Place{path}.fail("the number of vertices or faces that it states is out of range");
+      FileLine{path}.fail("the number of vertices or faces that it states is out of range");
   });
 }
 

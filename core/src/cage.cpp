@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 namespace cageproof {
 namespace {
@@ -20,10 +21,7 @@ Mp100 squared_distance(const Vec3<double>& a, const Vec3<double>& b) {
 
 }  // namespace
 
-ElementKind Face::kind() const {
-  const int corners = size();
-  return corners == 2 ? ElementKind::Segment : corners == 3 ? ElementKind::Triangle : ElementKind::Quad;
-}
+ElementKind Face::kind() const { return kind_with_corners(size()); }
 
 std::string_view name_of(Triangulation rule) { return rule == Triangulation::Shortest ? "shortest" : "fan"; }
 
@@ -104,7 +102,7 @@ std::vector<std::string> invalid_quads(const Cage& cage) {
 }
 
 bool Cage::has_quads() const {
-  return std::ranges::any_of(faces_, [](const Face& face) { return face.size() == 4; });
+  return std::ranges::any_of(faces_, [](const Face& face) { return !type_of(face.kind()).splits.empty(); });
 }
 
 double Cage::size() const {
@@ -118,26 +116,23 @@ double Cage::size() const {
 
 Cage::Triangles Cage::triangulate(Triangulation rule) const {
   Triangles result;
-  const auto add = [&](std::size_t face, int a, int b, int c) {
-    const auto& corner = faces_[face].vertices;
-    result.triangles.push_back({corner[a], corner[b], corner[c]});
+  const auto add = [&](std::size_t face, const std::array<int, 3>& corners) {
+    const auto& vertex = faces_[face].vertices;
+    result.triangles.push_back({vertex[corners[0]], vertex[corners[1]], vertex[corners[2]]});
     result.face_of.push_back(static_cast<int>(face));
   };
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    if (faces_[f].size() == 3) {
-      add(f, 0, 1, 2);
+    const std::span<const ElementSplit> splits = type_of(faces_[f].kind()).splits;
+    if (splits.empty()) {
+      add(f, {0, 1, 2});
       continue;
     }
-    const auto corner = [&](int k) { return vertices_[faces_[f].vertices[k]]; };
-    const bool at_second = rule == Triangulation::Shortest &&
-                           squared_distance(corner(1), corner(3)) < squared_distance(corner(0), corner(2));
-    if (at_second) {
-      add(f, 1, 2, 3);
-      add(f, 1, 3, 0);
-    } else {
-      add(f, 0, 1, 2);
-      add(f, 0, 2, 3);
-    }
+    const auto length = [&](const ElementSplit& split) {
+      const auto& vertex = faces_[f].vertices;
+      return squared_distance(vertices_[vertex[split.diagonal[0]]], vertices_[vertex[split.diagonal[1]]]);
+    };
+    const auto chosen = rule == Triangulation::Shortest ? std::ranges::min_element(splits, {}, length) : splits.begin();
+    for (const auto& triangle : chosen->triangles) add(f, triangle);
   }
   return result;
 }

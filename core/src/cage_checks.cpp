@@ -92,7 +92,7 @@ void check_indices(const Candidate& cage) {
 
 void check_shapes(const Candidate& cage, bool allow_invalid_quads) {
   for (std::size_t f = 0; f < cage.faces.size(); ++f)
-    if (!allow_invalid_quads || cage.faces[f].size() == 3) check_shape(cage, f);
+    if (!allow_invalid_quads || type_of(cage.faces[f].kind()).splits.empty()) check_shape(cage, f);
 }
 
 void check_edges(const Candidate& cage) {
@@ -184,8 +184,10 @@ int orientation(const Candidate& cage) {
     for (int k = 0; k < face.size(); ++k) q[k] = convert<Exact>(cage.vertices[face.vertices[k]]) - origin;
     // Twice a bilinear quad's volume is the sum over both of its splits.
     const auto tetrahedron = [&](int a, int b, int c) { return Exact(q[a].dot(q[b].cross(q[c]))); };
-    if (face.size() == 3) volume += 2 * tetrahedron(0, 1, 2);
-    else volume += tetrahedron(0, 1, 2) + tetrahedron(0, 2, 3) + tetrahedron(1, 2, 3) + tetrahedron(1, 3, 0);
+    const auto splits = type_of(face.kind()).splits;
+    if (splits.empty()) volume += 2 * tetrahedron(0, 1, 2);
+    for (const ElementSplit& split : splits)
+      for (const auto& t : split.triangles) volume += tetrahedron(t[0], t[1], t[2]);
   }
   if (volume == 0) fail(cage, "the cage encloses no volume");
   return volume > 0 ? 1 : -1;

@@ -13,19 +13,19 @@
 
 namespace cageproof::mesh_files {
 
-void Place::fail(const std::string& reason) const {
+void FileLine::fail(const std::string& reason) const {
   throw InputError(line == 0 ? fmt::format("{}: {}", file.string(), reason)
                              : fmt::format("{}:{}: {}", file.string(), line, reason));
 }
 
 std::string read_mesh_file(const std::filesystem::path& path) {
-  const Place place{path};
+  const FileLine at{path};
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) place.fail("no such file");
-  if (std::filesystem::is_directory(status)) place.fail("is a directory");
+  if (!std::filesystem::exists(status)) at.fail("no such file");
+  if (std::filesystem::is_directory(status)) at.fail("is a directory");
   std::string text = read_file(path);
-  if (text.empty()) place.fail("the file is empty");
+  if (text.empty()) at.fail("the file is empty");
   return text;
 }
 
@@ -59,9 +59,9 @@ std::string_view without_mark(std::string_view text) {
   return text;
 }
 
-double finite_number(std::string_view token, const Place& place) {
+double finite_number(std::string_view token, const FileLine& at) {
   const std::optional<double> x = parse_scalar<double>(token);
-  if (!x || !std::isfinite(*x)) place.fail(shown(token) + " is not a finite number");
+  if (!x || !std::isfinite(*x)) at.fail(shown(token) + " is not a finite number");
   return *x;
 }
 

@@ -10,7 +10,7 @@
 namespace cageproof::mesh_files {
 
 /// Where in a file something is wrong. \p line counts from 1; 0 means the whole file.
-struct Place {
+struct FileLine {
   const std::filesystem::path& file;
   std::size_t line = 0;
   /// \throws InputError "file:line: reason"
@@ -32,8 +32,8 @@ std::string_view take_token(std::string_view& rest);
 /// The text without a UTF-8 byte order mark.
 std::string_view without_mark(std::string_view text);
 
-/// The correctly rounded finite number a token states. \throws InputError at `place` when it is none
-double finite_number(std::string_view token, const Place& place);
+/// The correctly rounded finite number a token states. \throws InputError at `at` when it is none
+double finite_number(std::string_view token, const FileLine& at);
 
 /// The extension, in lower case: ".obj".
 std::string extension_of(const std::filesystem::path& path);

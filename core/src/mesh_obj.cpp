@@ -19,52 +19,52 @@ struct CheckedObj {
   std::vector<std::size_t> face_lines;
 };
 
-Vec3<double> check_vertex(std::string_view rest, const Place& place) {
+Vec3<double> check_vertex(std::string_view rest, const FileLine& at) {
   Vec3<double> vertex;
   int count = 0;  // beyond three: a weight, a colour
   for (std::string_view token = take_token(rest); !token.empty(); token = take_token(rest), ++count) {
-    const double x = finite_number(token, place);
+    const double x = finite_number(token, at);
     if (count < 3) vertex[count] = x;
   }
-  if (count < 3) place.fail(fmt::format("a vertex has three coordinates, here are {}", count));
+  if (count < 3) at.fail(fmt::format("a vertex has three coordinates, here are {}", count));
   return vertex;
 }
 
 // A corner is i, i/j, i//k or i/j/k; only i matters here.
-void check_corner(std::string_view token, const Place& place) {
+void check_corner(std::string_view token, const FileLine& at) {
   const std::string_view digits = token.substr(0, token.find('/'));
   int index = 0;
   const auto [end, error] = std::from_chars(digits.begin(), digits.end(), index);
-  if (error == std::errc::result_out_of_range) place.fail("index " + shown(digits) + " is out of range");
+  if (error == std::errc::result_out_of_range) at.fail("index " + shown(digits) + " is out of range");
   if (error != std::errc{} || end != digits.end() || token.find_first_not_of("0123456789/-") != std::string_view::npos)
-    place.fail(shown(token) + " is not a face's corner");
-  if (index == 0) place.fail("index 0 is out of range: OBJ counts from 1");
+    at.fail(shown(token) + " is not a face's corner");
+  if (index == 0) at.fail("index 0 is out of range: OBJ counts from 1");
 }
 
-void check_face(std::string_view rest, const Place& place) {
+void check_face(std::string_view rest, const FileLine& at) {
   int count = 0;
   for (std::string_view token = take_token(rest); !token.empty(); token = take_token(rest), ++count)
-    check_corner(token, place);
-  if (count < 3) place.fail(fmt::format("a face has at least three corners, here are {}", count));
+    check_corner(token, at);
+  if (count < 3) at.fail(fmt::format("a face has at least three corners, here are {}", count));
 }
 
 CheckedObj check_obj(const std::filesystem::path& path, std::string_view text) {
   CheckedObj checked;
-  Place place{path};
+  FileLine at{path};
   for (std::string_view line; take_line(text, line);) {
-    ++place.line;
+    ++at.line;
     const std::string_view keyword = take_token(line);
     if (keyword.empty() || keyword.starts_with('#')) continue;
     if (keyword == "v") {
-      checked.vertices.push_back(check_vertex(line, place));
+      checked.vertices.push_back(check_vertex(line, at));
     } else if (keyword == "f") {
-      check_face(line, place);
-      checked.face_lines.push_back(place.line);
+      check_face(line, at);
+      checked.face_lines.push_back(at.line);
     } else if (!std::isalpha(static_cast<unsigned char>(keyword.front()))) {
-      place.fail(shown(keyword) + " is not an OBJ keyword");
+      at.fail(shown(keyword) + " is not an OBJ keyword");
     }
   }
-  if (checked.vertices.empty()) Place{path}.fail("no vertices");
+  if (checked.vertices.empty()) FileLine{path}.fail("no vertices");
   return checked;
 }
 
@@ -88,7 +88,7 @@ std::vector<std::vector<int>> load_faces(const std::filesystem::path& path, std:
   std::istringstream stream{std::string(text)};
   std::string warning, error;
   if (!tinyobj::LoadObjWithCallback(stream, callback, &result, nullptr, &warning, &error))
-    Place{path}.fail("tinyobjloader cannot read it: " + error);
+    FileLine{path}.fail("tinyobjloader cannot read it: " + error);
   return std::move(result.faces);
 }
 
@@ -103,7 +103,7 @@ Mesh read_obj(const std::filesystem::path& path) {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     for (const int vertex : mesh.faces[f])
       if (vertex < 0 || vertex >= count)
-        Place{path, checked.face_lines.at(f)}.fail(
+        FileLine{path, checked.face_lines.at(f)}.fail(
             fmt::format("vertex {} is out of range, the file has {} vertices", vertex + 1, count));
   return mesh;
 }

@@ -56,7 +56,11 @@ Part part_for(const Check& check, const Evaluation& evaluation, ScalarKind scala
     case Check::Cost::Enclosure: return strided(wide_stride, wide_stride * options.enclosures);
     case Check::Cost::Multiprecision: {
       // Several are asked for so that they spread over a sweep's decades; half of them do where nothing is swept.
-      const int integrals = regime.parameters.empty() ? (options.integral_samples + 1) / 2 : options.integral_samples;
+      // Points on an element lie exactly on it and a rounding off it by turns, and only the latter have all
+      // derivatives: one of each, or no derivative would be confirmed.
+      const int integrals = regime.parameters.empty()
+                                ? std::max(std::min(2, options.integral_samples), (options.integral_samples + 1) / 2)
+                                : options.integral_samples;
       return strided(wide_stride, std::min(options.samples, wide_stride * integrals));
     }
     case Check::Cost::Truths: return strided(std::max(wide_stride, options.quadrature_divisor), options.samples);

@@ -14,10 +14,10 @@ namespace cageproof::validation {
 namespace {
 
 // A name's place in a list, or the list's length; then the name itself.
-using Place = std::pair<std::size_t, std::string>;
+using Rank = std::pair<std::size_t, std::string>;
 
 template <class Range, class Name>
-Place place_in(const Range& range, const std::string& name, Name name_of_item) {
+Rank rank_in(const Range& range, const std::string& name, Name name_of_item) {
   std::size_t place = 0;
   for (const auto& item : range) {
     if (name_of_item(item) == name) break;
@@ -31,27 +31,27 @@ class Order {
   auto key(const RowKey& row) {
     const bool element = row.section == RowKey::Section::Element;
     // A cage's rows stand together, those of a mesh in it last; a formula's rows do.
-    const Place cage = element ? Place() : place_in(embedded_cage_names(), row.regime, std::identity());
-    return std::tuple(row.section, cage, row.place == "mesh", subject(row), element ? regime(row) : Place(),
-                      element ? check(row) : Place(), evaluation(row), scalar(row), row.check, row.place, row.order);
+    const Rank cage = element ? Rank() : rank_in(embedded_cage_names(), row.regime, std::identity());
+    return std::tuple(row.section, cage, row.place == "mesh", subject(row), element ? regime(row) : Rank(),
+                      element ? check(row) : Rank(), evaluation(row), scalar(row), row.check, row.place, row.order);
   }
 
  private:
-  static Place subject(const RowKey& row) {
-    const auto formula = place_in(catalogue(), row.subject, [](const Formula& f) { return f.name; });
+  static Rank subject(const RowKey& row) {
+    const auto formula = rank_in(catalogue(), row.subject, [](const Formula& f) { return f.name; });
     if (row.section == RowKey::Section::Element) return formula;
     const auto& kinds = coordinate_kinds();
-    const auto kind = place_in(kinds, row.subject, [](const CoordinateKind& k) { return k.name; });
-    return kind.first < kinds.size() ? kind : Place{kinds.size() + formula.first, row.subject};
+    const auto kind = rank_in(kinds, row.subject, [](const CoordinateKind& k) { return k.name; });
+    return kind.first < kinds.size() ? kind : Rank{kinds.size() + formula.first, row.subject};
   }
-  static Place regime(const RowKey& row) {
-    return place_in(regimes(), row.regime, [](const Regime& r) { return r.name; });
+  static Rank regime(const RowKey& row) {
+    return rank_in(regimes(), row.regime, [](const Regime& r) { return r.name; });
   }
-  static Place check(const RowKey& row) {
-    return place_in(checks(), row.check, [](const auto& c) { return c->name(); });
+  static Rank check(const RowKey& row) {
+    return rank_in(checks(), row.check, [](const auto& c) { return c->name(); });
   }
-  static Place scalar(const RowKey& row) {
-    return place_in(scalar_kinds, row.scalar, [](ScalarKind kind) { return name_of(kind); });
+  static Rank scalar(const RowKey& row) {
+    return rank_in(scalar_kinds, row.scalar, [](ScalarKind kind) { return name_of(kind); });
   }
   // The one whose evaluations a kind's rows are ordered by: of the element with the most corners.
   static std::string_view leading_formula(const CoordinateKind& kind) {
@@ -62,14 +62,14 @@ class Order {
           leading = formula->name;
     return leading;
   }
-  Place evaluation(const RowKey& row) {
+  Rank evaluation(const RowKey& row) {
     const auto [at, fresh] = evaluations_.try_emplace(row.subject);
     if (fresh) {
       const CoordinateKind* kind = find_coordinate_kind(row.subject);
       at->second =
           EvaluationRegister::instance().standard(kind ? leading_formula(*kind) : std::string_view(row.subject));
     }
-    return place_in(at->second, row.evaluation, std::identity());
+    return rank_in(at->second, row.evaluation, std::identity());
   }
 
   std::map<std::string, std::vector<std::string>> evaluations_;

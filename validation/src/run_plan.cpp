@@ -47,6 +47,12 @@ std::vector<Evaluation> other_evaluations(const Formula& formula) {
   return found;
 }
 
+// A kind's first formula on those of the cage's faces that a triangulation would cut. \pre the cage has such faces
+const Formula& formula_of_kept_faces(const CoordinateKind& kind, const Cage& cage) {
+  const auto face = std::ranges::find_if(cage.faces(), [](const Face& f) { return !type_of(f.kind()).splits.empty(); });
+  return *find_formula(face->kind(), kind.blocks.front().kernel);
+}
+
 // Tells inputs apart that have the same name: FNV-1a of their numbers.
 class Fingerprint {
  public:
@@ -159,8 +165,7 @@ class Planner {
     // Whatever a quad's weights are computed with, they must keep the cage's own relations.
     for (const CoordinateKind& kind : coordinate_kinds()) {
       if (!kind.is_sum() || !kind.keeps_quads || !cage->has_quads() || !exists(kind)) continue;
-      for (const Evaluation& evaluation :
-           other_evaluations(*find_formula(ElementKind::Quad, kind.blocks.front().kernel))) {
+      for (const Evaluation& evaluation : other_evaluations(formula_of_kept_faces(kind, *cage))) {
         CageCampaignOptions campaign = cage_options();
         campaign.evaluation = evaluation.name();
         campaign.kinds = kind.name;
@@ -207,8 +212,7 @@ class Planner {
     add(field_measurement(coordinate_error_field(cage, kind, "", rule, side), fields_++,
                           title + ": closed form against truth", "relative error"));
     if (!kind.keeps_quads || !cage->has_quads()) return;
-    const auto scheme = EvaluationRegister::instance().with_role(
-        find_formula(ElementKind::Quad, kind.blocks.front().kernel)->name, Role::Scheme);
+    const auto scheme = EvaluationRegister::instance().with_role(formula_of_kept_faces(kind, *cage).name, Role::Scheme);
     if (!scheme) return;
     add(field_measurement(coordinate_difference_field(cage, kind, scheme->name(), "", rule, resolution), fields_++,
                           fmt::format("{}: error of {}", title, scheme->name()), "difference"));

@@ -4,6 +4,7 @@
 #include "cageproof/validation/campaign.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/replay.h"
+#include "cageproof/validation/verify.h"
 
 #include <gtest/gtest.h>
 
@@ -74,6 +75,27 @@ TEST(campaign, enclosures_are_as_many_as_asked_whatever_the_samples) {
     EXPECT_EQ(row.verdict, Verdict::Kept) << row.max;
   }
   EXPECT_EQ(rows, 3);
+}
+
+// Nothing confirms a derivative where it diverges: the points a rounding off the element must do so for all regimes.
+TEST(campaign, the_quickest_suite_confirms_derivatives_next_to_the_element) {
+  CampaignOptions options;
+  options.formulas = "triangle.single_layer";
+  options.evaluations = "closed_form";
+  options.samples = suites().front().samples;
+  options.integral_samples = suites().front().integral_samples;
+  options.enclosures = 0;
+  for (const char* regime : {"on-face", "on-edge", "on-vertex"}) {
+    options.regimes = regime;
+    int rows = 0;
+    for (const ResultRow& row : run_campaign(options).rows) {
+      if (row.check != "truth" || row.scalar != "double") continue;
+      ++rows;
+      EXPECT_EQ(row.verdict, Verdict::Kept)
+          << row.subject << ", " << regime << ", order " << row.order << ": " << row.reason;
+    }
+    EXPECT_EQ(rows, 3);
+  }
 }
 
 TEST(campaign, patterns_that_match_nothing_are_bad_input) {

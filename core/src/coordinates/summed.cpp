@@ -91,7 +91,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
       auto evaluation = name.empty() ? known.with_role(formula, Role::Recommended) : known.find(formula, name);
       if (!evaluation && name.empty()) evaluation = known.with_role(formula, Role::Integral);
       // Triangles among quads are computed as the quads are where they can be.
-      const bool companion = kind.keeps_quads && element != ElementKind::Quad;
+      const bool companion = kind.keeps_quads && type_of(element).splits.empty();
       if (!evaluation && companion) evaluation = known.with_role(formula, Role::Recommended);
       found.push_back(evaluation ? std::move(*evaluation) : evaluation_named(formula, name));
       max_order_ = std::min(max_order_, found.back().max_order());

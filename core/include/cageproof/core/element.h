@@ -32,6 +32,13 @@ struct ContactPoint {
 /// One part of a subdivided element: each of its corners in basis functions of the whole's corners.
 using ElementPart = std::array<std::array<double, 4>, 4>;
 
+/// A way to cut an element into two triangles: the corners that the cut joins, and those of the triangles, in the
+/// element's orientation.
+struct ElementSplit {
+  std::array<int, 2> diagonal;
+  std::array<std::array<int, 3>, 2> triangles;
+};
+
 /// Corners of an element, as many as its kind has.
 using Corners = std::span<const Vec3<double>>;
 
@@ -46,6 +53,9 @@ struct ElementType {
   std::string_view degenerate_text;  ///< what a message says of an element without length or area
   /// The parts at the edges' midpoints (of quads at u = 1/2 and v = 1/2), each of the same kind.
   std::span<const ElementPart> parts;
+  /// The ways to cut it into triangles, that of the fan about the first corner first. Empty: a triangulated cage keeps
+  /// it.
+  std::span<const ElementSplit> splits;
   /// Basis functions, in 16ths, of points of the interior that doubles hold where the corners have few bits: where
   /// limits are tried.
   std::span<const std::array<int, 4>> interior_points;
@@ -63,6 +73,9 @@ struct ElementType {
 
 /// The table's row of a kind.
 const ElementType& type_of(ElementKind kind);
+
+/// The kind that has so many corners. \pre there is one
+ElementKind kind_with_corners(int corners);
 
 /// The kind of that name, or nothing.
 std::optional<ElementKind> element_named(std::string_view name);

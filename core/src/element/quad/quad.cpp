@@ -40,6 +40,8 @@ constexpr std::array<double, 4> a{1, 0, 0, 0}, b{0, 1, 0, 0}, c{0, 0, 1, 0}, d{0
     bc{0, .5, .5, 0}, cd{0, 0, .5, .5}, da{.5, 0, 0, .5}, middle{.25, .25, .25, .25};
 constexpr std::array<ElementPart, 4> parts{ElementPart{a, ab, middle, da}, ElementPart{ab, b, bc, middle},
                                            ElementPart{middle, bc, c, cd}, ElementPart{da, middle, cd, d}};
+constexpr std::array<ElementSplit, 2> splits{ElementSplit{{0, 2}, {std::array{0, 1, 2}, std::array{0, 2, 3}}},
+                                             ElementSplit{{1, 3}, {std::array{1, 2, 3}, std::array{1, 3, 0}}}};
 // u = v = 1/2 and u = v = 1/4.
 constexpr std::array<std::array<int, 4>, 2> interior_points{std::array{4, 4, 4, 4}, std::array{9, 3, 1, 3}};
 
@@ -53,6 +55,7 @@ const ElementType& quad() {
                                 .flat = false,
                                 .degenerate_text = "the quad is degenerate: all its corners lie on one line",
                                 .parts = parts,
+                                .splits = splits,
                                 .interior_points = interior_points,
                                 .contact = contact,
                                 .normal = normal,

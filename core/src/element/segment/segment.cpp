@@ -41,6 +41,7 @@ const ElementType& segment() {
       .flat = true,
       .degenerate_text = "the segment is degenerate: its length is zero",
       .parts = parts,
+      .splits = {},
       .interior_points = interior_points,
       .contact = contact,
       .normal = [](Corners corners, const std::array<double, 4>&) { return outward(corners); },

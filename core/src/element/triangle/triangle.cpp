@@ -55,6 +55,7 @@ const ElementType& triangle() {
                                 .flat = true,
                                 .degenerate_text = "the triangle is degenerate: its area is zero",
                                 .parts = parts,
+                                .splits = {},
                                 .interior_points = interior_points,
                                 .contact = contact,
                                 .normal = [](Corners corners, const std::array<double, 4>&) { return area(corners); },
