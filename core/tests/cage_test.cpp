@@ -147,6 +147,9 @@ TEST(cage_rejects, vertex_where_two_fans_meet) {
 
 TEST(cage_rejects, surface_without_volume) {
   expect_parts(error_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{{0, 1, 2, -1}}, {{0, 2, 1, -1}}}), {"no volume"});
+  // A twisted quad against itself: each of its halves with the other's leaves a tetrahedron.
+  expect_parts(error_of({{0, 0, 0}, {1, 0, 0.25}, {1, 1, 0}, {0, 1, 0.25}}, {{{0, 1, 2, 3}}, {{1, 0, 3, 2}}}),
+               {"no volume"});
 }
 
 TEST(cage_accepts, any_unit_and_place) {

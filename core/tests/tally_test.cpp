@@ -57,6 +57,8 @@ TEST(tally, merges_in_any_order_to_the_same) {
     for (int k = 0; k < 12; ++k) (k < attempt % 13 ? left : right).merge(one(order[k]));
     left.merge(right);
     if (expected.empty()) expected = print(left);
+    EXPECT_EQ(left.without_truth, 6u);
+    EXPECT_EQ(left.declined, 12u);
     ASSERT_EQ(print(left), expected) << attempt;
   }
 }
