@@ -135,6 +135,26 @@ TEST(line_form, sees_the_peak_beside_the_long_side_of_a_trapezoid) {
   }
 }
 
+// Zeros have no rounding, so that the distance is exact, and nothing excuses a loss of digits by it.
+TEST(line_form, loses_nothing_to_a_distance_that_is_exact) {
+  const struct {
+    Corners quad;
+    Vec point;
+  } cases[]{{{{0, 1, 0}, {0, 1, 1}, {0, 0, 1}, {0, 0, 0}},
+             {0x1.3068d7d71e89ep-39, 0x1.19f845bd4c36ep-1, 0x1.d24661cf7e7dfp-1}},
+            {{{0x1.755dfde711052p-3, 0x1.07fdd668c000ep+0, 0x1.56403f04f2a42p-2},
+              {0, 0, 0},
+              {1, 0, 0},
+              {0x1.dedbd6c4eee74p-1, 0x1.0ec0a5282fc14p+0, -0x1.7afbf569ffc00p-3}},
+             {0x1.13f9fb4795409p-1, 0x1.0a81431ba37e6p-45, -0x1.295aa4cb4958bp-46}}};
+  for (const auto& [quad, point] : cases) {
+    const Result<Mp50> integral = evaluate<Mp50>("multiprecision", quad, point, 2);
+    ASSERT_TRUE(integral.converged);
+    const Result<double> found = evaluate<double>("line_form", quad, point, 2);
+    for (int o = 0; o <= 2; ++o) EXPECT_LT(relative(found.of(o), integral.of(o)), 256 * 0x1p-53) << o;
+  }
+}
+
 // One ulp off the quad a double's differences are nothing but rounding.
 TEST(line_form, is_finite_one_ulp_off_a_twisted_quad) {
   for (const double u : {0.125, 0.5, 0.875})
@@ -171,7 +191,7 @@ TEST(line_moments, are_the_integrals_along_a_line) {
       const Vec3<Mp50> a = -Mp50(foot) * direction + Mp50(height) * across;
       const Vec3<double> start = convert<double>(a), e = convert<double>(direction);
       const Vec3<double> c = start.cross(e);
-      const LineMoments<double> m = moments_about_foot<2>(start, e, c.dot(c), 17);
+      const LineMoments<double> m = moments_about_foot<2>(start, e, 0.0, 1.0, c.dot(c), 17);
       // In s = k sinh w, panels of length one keep off the singularities at +-i pi/2.
       const Mp50 k = height / sqrt(length2), t0 = -Mp50(foot);
       const auto integral = [&](int j, int p) {

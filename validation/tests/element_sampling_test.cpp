@@ -42,7 +42,7 @@ TEST(element_regimes, are_all_of_space_and_those_of_the_plane_that_exist_there) 
   std::set<std::string_view> of_segments;
   for (const Regime* regime : regimes_of(ElementKind::Segment)) of_segments.insert(regime->name);
   EXPECT_EQ(of_segments, (std::set<std::string_view>{"generic", "near-face", "near-line", "near-vertex", "on-face",
-                                                     "on-vertex", "on-line", "far", "scaled", "offset"}));
+                                                     "on-vertex", "on-line", "aligned", "far", "scaled", "offset"}));
   EXPECT_THROW(make_sample(formula_on(ElementKind::Segment), *find_regime("needle"), 1, 0), InputError);
 }
 
@@ -60,11 +60,30 @@ TEST(element_regimes, samples_have_their_elements_corners_and_lie_in_its_space) 
         const double unit = regime->name == "scaled" ? s.parameter : 1;
         const double longest = longest_edge<double>(s.corners) / unit;
         EXPECT_GT(longest, 0.3) << name_of(kind) << ' ' << regime->name;
-        EXPECT_LT(longest, 4) << name_of(kind) << ' ' << regime->name;
+        EXPECT_LT(longest, regime->name == "aligned" ? 6 : 4) << name_of(kind) << ' ' << regime->name;
         if (dimension(kind) == 3) continue;
         for (const Vec& v : s.corners) EXPECT_EQ(v[2], 0) << regime->name;
         EXPECT_EQ(s.point[2], 0) << regime->name;
       }
+}
+
+TEST(element_regimes, aligned_samples_have_exact_distances_and_zeros_and_are_off_the_element) {
+  for (const ElementKind kind : element_kinds) {
+    const Regime& regime = *find_regime("aligned");
+    int exact = 0, zeros = 0;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      const Sample s = make_sample(formula_on(kind), regime, 3, i);
+      EXPECT_EQ(type_of(kind).contact(s.corners, s.point).contact, Contact::Off) << name_of(kind) << ' ' << i;
+      bool steps = true;  // every coordinate is zero or the distance itself
+      for (int c = 0; c < dimension(kind); ++c) {
+        steps = steps && (s.point[c] == 0 || std::abs(s.point[c]) == s.parameter);
+        zeros += s.point[c] == 0;
+      }
+      exact += steps;
+    }
+    EXPECT_GT(exact, 150) << name_of(kind);
+    EXPECT_GT(zeros, 100) << name_of(kind);
+  }
 }
 
 TEST(element_regimes, near_samples_lie_as_far_from_the_surface_as_they_say) {

@@ -3,6 +3,7 @@
 // order of function arguments and of most operands open.
 #pragma once
 
+#include "cageproof/core/element.h"
 #include "cageproof/core/random_stream.h"
 #include "cageproof/validation/sample.h"
 
@@ -46,6 +47,48 @@ inline void move_by_one_ulp(Sample& sample, RandomStream& random, int dim) {
   const double size = std::max(std::abs(x), 1.0 / 64);
   const double ulp = std::nextafter(size, 2.0) - size;
   x += random_sign(random) * ulp;
+}
+
+/// Coordinates that are integers from -most to most; `flat` ones are zero, as are those beyond `dim`.
+inline Vec3<double> random_integers(RandomStream& random, int most, int dim, int flat = -1) {
+  Vec3<double> v = Vec3<double>::Zero();
+  for (int c = 0; c < dim; ++c) {
+    const int drawn = random.below(2 * most + 1) - most;
+    if (c != flat) v[c] = drawn;
+  }
+  return v;
+}
+
+/// A unit vector along an axis.
+inline Vec3<double> unit_along(int axis) { return Vec3<double>::Unit(axis); }
+
+/// Along an axis, or a step of one, none or minus one along each.
+inline Vec3<double> random_step(RandomStream& random, int dim) {
+  if (random.below(2) == 0) {
+    const int axis = random.below(dim);
+    return random_sign(random) * unit_along(axis);
+  }
+  for (;;) {
+    const Vec3<double> step = random_integers(random, 1, dim);
+    if (step != Vec3<double>::Zero()) return step;
+  }
+}
+
+/// The point that many random steps from `foot`, a point of the element whose coordinates are exact, and off the
+/// element. In two of three samples the whole is moved, exactly, so that `foot` is the origin: then the step is exact
+/// as well.
+inline void place_exactly(Sample& sample, const ElementType& type, const Vec3<double>& foot, double distance,
+                          RandomStream& random) {
+  bool moved = false;
+  do {
+    // Next to coordinates that are not zero a step may be lost in rounding.
+    const bool move = random.below(3) > 0;
+    if (move && !moved)
+      for (Vec3<double>& v : sample.corners) v -= foot;
+    moved = moved || move;
+    const Vec3<double> away = distance * random_step(random, type.dimension);
+    sample.point = moved ? away : Vec3<double>(foot + away);
+  } while (type.contact(sample.corners, sample.point).contact != Contact::Off);
 }
 
 /// Starts at another corner.

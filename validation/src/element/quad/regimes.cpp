@@ -186,6 +186,45 @@ void on_line(double, RandomStream& random, Sample& sample) {
   place_on(sample, 1 + inner_eighth(random), 0, random);
 }
 
+// Corners in small integers, by turns: the unit square of two axes, any in their plane, any in space.
+// \param flat the third axis
+std::vector<Vec> integral(RandomStream& random, std::uint64_t index, int flat) {
+  std::vector<Vec> q(4);
+  if (index % 3 == 0) {
+    const Vec a = unit_along((flat + 1) % 3), b = unit_along((flat + 2) % 3);
+    q = {Vec::Zero(), a, a + b, b};
+  } else {
+    const bool in_plane = index % 3 == 1;
+    do {
+      for (Vec& v : q) v = random_integers(random, in_plane ? 2 : 1, dim, in_plane ? flat : -1);
+    } while (!valid(q));
+  }
+  if (random.below(2) == 1) std::swap(q[1], q[3]);
+  return q;
+}
+
+// Off a point of the face, a side, a corner, or the surface or a side's line beyond.
+void aligned(double distance, RandomStream& random, Sample& sample) {
+  const int flat = random.below(3);
+  sample.corners = integral(random, sample.index, flat);
+  permute_corners(sample, random);
+  const int place = random.below(5);
+  double u = 0, v = 0;
+  if (place == 0) {
+    u = inner_eighth(random);
+    v = inner_eighth(random);
+  }
+  if (place == 1) u = inner_eighth(random);
+  if (place == 3) {
+    u = inner_eighth(random);
+    v = -inner_eighth(random);
+  }
+  if (place == 4) u = random.below(2) == 0 ? 1 + inner_eighth(random) : -inner_eighth(random);
+  const auto& q = sample.corners;
+  const Vec foot = at(q, u, v);
+  place_exactly(sample, type_of(ElementKind::Quad), foot, distance, random);
+}
+
 void far(double distance, RandomStream& random, Sample& sample) {
   sample.corners = well_shaped(random, sample.index);
   sample.point = centroid(sample.corners) + distance * random_direction(random, dim);
@@ -219,13 +258,23 @@ void offset(double distance, RandomStream& random, Sample& sample) {
   move_all(sample, distance * random_direction(random, dim));
 }
 
-constexpr std::array all{
-    SampleMaker{"generic", generic},     SampleMaker{"near-face", near_face}, SampleMaker{"near-plane", near_plane},
-    SampleMaker{"near-edge", near_edge}, SampleMaker{"near-line", near_line}, SampleMaker{"near-vertex", near_vertex},
-    SampleMaker{"on-face", on_face},     SampleMaker{"on-edge", on_edge},     SampleMaker{"on-vertex", on_vertex},
-    SampleMaker{"on-plane", on_plane},   SampleMaker{"on-line", on_line},     SampleMaker{"far", far},
-    SampleMaker{"sliver", sliver},       SampleMaker{"needle", needle},       SampleMaker{"scaled", scaled},
-    SampleMaker{"offset", offset}};
+constexpr std::array all{SampleMaker{"generic", generic},
+                         SampleMaker{"near-face", near_face},
+                         SampleMaker{"near-plane", near_plane},
+                         SampleMaker{"near-edge", near_edge},
+                         SampleMaker{"near-line", near_line},
+                         SampleMaker{"near-vertex", near_vertex},
+                         SampleMaker{"on-face", on_face},
+                         SampleMaker{"on-edge", on_edge},
+                         SampleMaker{"on-vertex", on_vertex},
+                         SampleMaker{"on-plane", on_plane},
+                         SampleMaker{"on-line", on_line},
+                         SampleMaker{"aligned", aligned},
+                         SampleMaker{"far", far},
+                         SampleMaker{"sliver", sliver},
+                         SampleMaker{"needle", needle},
+                         SampleMaker{"scaled", scaled},
+                         SampleMaker{"offset", offset}};
 
 }  // namespace
 

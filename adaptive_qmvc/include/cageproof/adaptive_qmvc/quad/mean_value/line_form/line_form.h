@@ -7,6 +7,7 @@
 
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_values.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
 #include "cageproof/core/batch.h"
 #include "cageproof/core/quad_geometry.h"
@@ -23,26 +24,26 @@ struct WeightSums {
 };
 
 /// Adds one line, all of whose entries are multiplied with `weight`.
-/// \param v the line
-/// \param s its step from the centre of `area`
+/// \param s the line's step from the frame's
 template <int Order, class R>
-void add_line(const QuadFrame<R>& q, const LineArea<R>& area, const R& v, const R& s, const R& weight, double digits,
+void add_line(const LocalFrame<R>& q, const LineArea<R>& area, const R& s, const R& weight, double digits,
               WeightSums<R, Order>& sums) {
   using std::sqrt;
-  const Vec3<R> a = q.start(v), e = q.direction(v);
-  const Vec3<R> end = a + e;
-  const double length2 = static_cast<double>(e.dot(e)), start2 = static_cast<double>(a.dot(a)),
+  const Vec3<R> a = q.start(s), e = q.direction(s);
+  const R first = q.first(), last = q.last();
+  const Vec3<R> start = a + first * e, end = a + last * e;
+  const double length2 = static_cast<double>(e.dot(e)), start2 = static_cast<double>(start.dot(start)),
                end2 = static_cast<double>(end.dot(end));
   // Where the ends' distances sum up to `kFarAlongLine` lengths; their squares alone often tell.
   const auto ends = [&] { return (std::sqrt(start2) + std::sqrt(end2)) / std::sqrt(length2); };
   LineMoments<R> m;
   if (2 * (start2 + end2) < kFarAlongLine * kFarAlongLine * length2 || ends() < kFarAlongLine) {
-    m = moments_about_foot<Order>(a, e, area.square(s), digits);
+    m = moments_about_foot<Order>(a, e, first, last, area.square(s), digits);
   } else {
-    m = moments_by_gauss<Order>(a, e, gauss_rule<R>(length2 > 0 ? nodes_along_line(ends(), Order, digits) : 2));
+    m = moments_by_gauss<Order>(a, e, first, gauss_rule<R>(length2 > 0 ? nodes_along_line(ends(), Order, digits) : 2));
   }
-  const R g1 = q.g10 + v * q.g11;
-  const R g0 = q.g00 + v * q.g01 + m.origin * g1;
+  const R g1 = q.g10 + s * q.g11;
+  const R g0 = q.g00 + s * q.g01 + m.origin * g1;
   // f0 and f1: the integrals of the kernel and of s times the kernel.
   std::array<std::array<R, WeightSums<R, Order>::entries>, 2> f;
   for (int c = 0; c < 2; ++c) f[c][0] = g0 * m.p2[c] + g1 * m.p2[c + 1];
@@ -67,10 +68,10 @@ void add_line(const QuadFrame<R>& q, const LineArea<R>& area, const R& v, const 
       }
     }
   }
-  const R right = weight * v, left = weight - right;
-  const R rest = 1 - m.origin;
+  const R right = weight * (q.v0 + s), left = weight - right;
+  const R along = q.u0 + m.origin, rest = last - m.origin;
   for (int k = 0; k < WeightSums<R, Order>::entries; ++k) {
-    const R far = m.origin * f[0][k] + f[1][k], near = rest * f[0][k] - f[1][k];
+    const R far = along * f[0][k] + f[1][k], near = rest * f[0][k] - f[1][k];
     sums.corner[0][k] += left * near;
     sums.corner[1][k] += left * far;
     sums.corner[2][k] += right * far;
@@ -79,7 +80,7 @@ void add_line(const QuadFrame<R>& q, const LineArea<R>& area, const R& v, const 
 }
 
 /// Adds a panel's lines for values in double, in packs of four; those of weight zero fill the last one.
-inline void add_values(const QuadFrame<double>& q, const LineArea<double>& area, const OuterRule<double>& rule,
+inline void add_values(const LocalFrame<double>& q, const LineArea<double>& area, const OuterRule<double>& rule,
                        double lo, double hi, const GaussLegendre<double>& gauss, double digits, LineValues& values,
                        WeightSums<double, 0>& sums) {
   const int count = static_cast<int>(gauss.nodes.size());
@@ -92,26 +93,26 @@ inline void add_values(const QuadFrame<double>& q, const LineArea<double>& area,
     }
     at = lo + (hi - lo) * at;
     weight *= hi - lo;
-    Lines s = at, v = at;
+    Lines s = at - q.v0;
     if (!rule.plain) {
       // sinh and cosh: what their difference cancels is below the roundings of the width.
       const Lines grown = (rule.width / 2) * at.exp(), shrunk = (rule.width / 2) * (-at).exp();
-      s = grown - shrunk;
+      s = (rule.centre - q.v0) + (grown - shrunk);
       weight *= grown + shrunk;
-      v = rule.centre + s;
     }
-    if (values.add(v, s, weight)) continue;
-    for (int i = 0; i < 4 && first + i < count; ++i) add_line<0, double>(q, area, v[i], s[i], weight[i], digits, sums);
+    if (values.add(s, weight)) continue;
+    for (int i = 0; i < 4 && first + i < count; ++i) add_line<0, double>(q, area, s[i], weight[i], digits, sums);
   }
 }
 
 /// Adds all lines of a rule. Returns how many.
+/// \param q about a point of the lines next to which the rule's are dense
 template <int Order, class R>
-std::size_t add_lines(const QuadFrame<R>& q, const OuterRule<R>& rule, std::span<const Panel> panels, double digits,
+std::size_t add_lines(const LocalFrame<R>& q, const OuterRule<R>& rule, std::span<const Panel> panels, double digits,
                       WeightSums<R, Order>& sums) {
   constexpr bool values_only = Order == 0 && std::same_as<R, double>;
-  const R centre = rule.plain ? R(0) : rule.centre;
-  const LineArea<R> area(q, centre);
+  const LineArea<R> area(q.a, q.e, q.b, q.w);
+  const R centre = rule.centre - q.v0;
   std::size_t lines = 0;
   [[maybe_unused]] std::conditional_t<values_only, LineValues, std::nullptr_t> values = [&] {
     if constexpr (values_only) return LineValues(q, area, digits);
@@ -130,14 +131,13 @@ std::size_t add_lines(const QuadFrame<R>& q, const OuterRule<R>& rule, std::span
       const R at = lo + (hi - lo) * gauss.nodes[i];
       R weight = (hi - lo) * gauss.weights[i];
       if (rule.plain) {
-        add_line(q, area, at, at, weight, digits, sums);
+        add_line(q, area, R(at - q.v0), weight, digits, sums);
         continue;
       }
       using std::exp;
       const R grown = rule.width / 2 * exp(at), shrunk = rule.width * rule.width / (4 * grown);
-      const R s = grown - shrunk;
       weight *= grown + shrunk;
-      add_line(q, area, R(rule.centre + s), s, weight, digits, sums);
+      add_line(q, area, R(centre + (grown - shrunk)), weight, digits, sums);
     }
   }
   if constexpr (values_only) {
@@ -224,7 +224,7 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
   WeightSums<R, Order> sums;
   if (const double rho = ellipse_from_distance(*q); rho >= far_across<R, Order>) {
     const Panel panel = plain_panel(rho, order, digits);
-    statement.nodes = add_lines<Order>(*q, OuterRule<R>{}, {&panel, 1}, digits, sums);
+    statement.nodes = add_lines<Order>(LocalFrame<R>(*q), OuterRule<R>{}, {&panel, 1}, digits, sums);
   } else {
     const SingularPairs<R> singular = singular_pairs(*q);
     if (is_within(1e-12, *q, singular) && lies_on_quad<R>(corners, point)) {
@@ -239,7 +239,9 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
     thread_local OuterRules<R> across;
     find_outer_rules(singular, order, digits, static_cast<int>(3 * digits), across);
     for (const OuterRule<R>& rule : across.rules) {
-      statement.nodes += add_lines<Order>(*q, rule, across.panels_of(rule), digits, sums);
+      const auto local =
+          rule.plain ? LocalFrame<R>(*q) : frame_at<R>(*q, corners, point, std::clamp(rule.centre, rule.lo, rule.hi));
+      statement.nodes += add_lines<Order>(local, rule, across.panels_of(rule), digits, sums);
       statement.converged = statement.converged && rule.whole;
     }
   }

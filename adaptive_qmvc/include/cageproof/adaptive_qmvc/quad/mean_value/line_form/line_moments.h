@@ -20,8 +20,8 @@ const GaussLegendre<R>& gauss_rule(int n) {
   return *rules[n];
 }
 
-/// Integrals over the line a + u e, u in [0, 1], about its point u = origin: the integral of s^j r^(-2p) du, s = u -
-/// origin, r = |a + u e|, for p = 2 (j <= 2), p = 3 (j <= 3, Order >= 1), p = 4 (j <= 4, Order >= 2).
+/// Integrals over the line a + t e, t in [first, first + 1], about its point t = origin: the integral of s^j r^(-2p)
+/// dt, s = t - origin, r = |a + t e|, for p = 2 (j <= 2), p = 3 (j <= 3, Order >= 1), p = 4 (j <= 4, Order >= 2).
 template <class R>
 struct LineMoments {
   R origin;
@@ -68,18 +68,20 @@ std::array<R, N + 1> atan_remainders(const R& y, double digits) {
 
 /// Close to the line: about the foot of the perpendicular from the point, s = t.
 /// \param area |a x e|^2
+/// \param first, last t at the line's ends, one apart
 template <int Order, class R>
-LineMoments<R> moments_about_foot(const Vec3<R>& a, const Vec3<R>& e, const R& area, double digits) {
+LineMoments<R> moments_about_foot(const Vec3<R>& a, const Vec3<R>& e, const R& first, const R& last, const R& area,
+                                  double digits) {
   using std::atan2, std::sqrt;
   const R length2 = e.dot(e);
   const R inverse = 1 / length2;
-  const R t0 = a.dot(e) * inverse, t1 = t0 + 1;
+  const R to_foot = a.dot(e) * inverse, t0 = first + to_foot, t1 = last + to_foot;
   const R k2 = area * inverse * inverse;
   const R product = t0 * t1, d = k2 + product;
   const R r0 = t0 * t0 + k2, r1 = t1 * t1 + k2;
   const R both = 1 / (r0 * r1), i0 = both * r1, i1 = both * r0;
   LineMoments<R> m;
-  m.origin = -t0;
+  m.origin = -to_foot;
   std::array<R, 5> zeroth;  // int t^0 (t^2 + k2)^-p
   // int dt/(t^2 + k2)^p, upwards in p where the foot is within the line or far off it, else as derivatives of
   // atan(k/d)/k by k2.
@@ -112,16 +114,16 @@ LineMoments<R> moments_about_foot(const Vec3<R>& a, const Vec3<R>& e, const R& a
   m.p2 = {zeroth[2] * scale2, difference / 2 * scale2, (zeroth[1] - (k2 - product) * both) / 2 * scale2};
   if constexpr (Order >= 1) {
     const R scale3 = scale2 * inverse;
-    const R first = difference * (i0 + i1) / 4;
-    m.p3 = {zeroth[3] * scale3, first * scale3, (zeroth[2] - (t1 * i1 * i1 - t0 * i0 * i0)) / 4 * scale3,
-            (difference / 2 - k2 * first) * scale3};
+    const R first3 = difference * (i0 + i1) / 4;
+    m.p3 = {zeroth[3] * scale3, first3 * scale3, (zeroth[2] - (t1 * i1 * i1 - t0 * i0 * i0)) / 4 * scale3,
+            (difference / 2 - k2 * first3) * scale3};
     if constexpr (Order >= 2) {
       const R scale4 = scale3 * inverse;
       const R c1 = i1 * i1 * i1, c0 = i0 * i0 * i0;
       const R first4 = difference * (i0 * i0 + both + i1 * i1) / 6;
       const R second3 = (zeroth[2] - (t1 * i1 * i1 - t0 * i0 * i0)) / 4;
       m.p4 = {zeroth[4] * scale4, first4 * scale4, (zeroth[3] - (t1 * c1 - t0 * c0)) / 6 * scale4,
-              (first - k2 * first4) * scale4, (3 * second3 - (t1 * t1 * t1 * c1 - t0 * t0 * t0 * c0)) / 6 * scale4};
+              (first3 - k2 * first4) * scale4, (3 * second3 - (t1 * t1 * t1 * c1 - t0 * t0 * t0 * c0)) / 6 * scale4};
     }
   }
   return m;
@@ -129,13 +131,14 @@ LineMoments<R> moments_about_foot(const Vec3<R>& a, const Vec3<R>& e, const R& a
 
 /// Far from the line: Gauss-Legendre along it, about its middle. Its length may be zero.
 template <int Order, class R>
-LineMoments<R> moments_by_gauss(const Vec3<R>& a, const Vec3<R>& e, const GaussLegendre<R>& rule) {
+LineMoments<R> moments_by_gauss(const Vec3<R>& a, const Vec3<R>& e, const R& first, const GaussLegendre<R>& rule) {
   LineMoments<R> m{};
-  m.origin = R(1) / 2;
+  const R half = R(1) / 2;
+  m.origin = first + half;
   const Vec3<R> middle = a + m.origin * e;
   const R c = middle.dot(middle), b = 2 * middle.dot(e), l = e.dot(e);
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-    const R s = rule.nodes[i] - m.origin;
+    const R s = rule.nodes[i] - half;
     const R inverse = 1 / (c + s * (b + s * l));
     R f = rule.weights[i] * inverse * inverse;
     R term = f;

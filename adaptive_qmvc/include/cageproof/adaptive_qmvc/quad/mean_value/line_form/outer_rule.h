@@ -47,8 +47,9 @@ template <class R>
 struct OuterRule {
   bool plain = true;
   R centre = R(0), width = R(1);
-  R first = R(0), last = R(1);  ///< s (or v) at both ends of its part of [0, 1]; the outermost panels end there exactly
-  bool whole = true;            ///< no panel has fewer nodes than its bound asks for
+  R lo = R(0), hi = R(1);          ///< its part of [0, 1]
+  R first = R(0), last = R(1);     ///< s (or v) at both ends of its part; the outermost panels end there exactly
+  bool whole = true;               ///< no panel has fewer nodes than its bound asks for
   std::size_t begin = 0, end = 0;  ///< its panels among those of OuterRules
 };
 
@@ -188,6 +189,8 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
   }
   OuterRule<R>& rule = out.rules.emplace_back();
   rule.begin = out.panels.size();
+  rule.lo = lo_v;
+  rule.hi = hi_v;
   if (!dominant || nearest >= kFarAcross) {
     out.panels.push_back(plain_panel(nearest, order, digits));
     rule.end = out.panels.size();

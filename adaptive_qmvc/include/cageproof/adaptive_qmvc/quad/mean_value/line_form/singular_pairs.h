@@ -15,12 +15,9 @@ template <class R>
 struct LineArea {
   Vec3<R> c0, c1, c2;
 
-  LineArea(const QuadFrame<R>& q, const R& v) {
-    const Vec3<R> a = q.start(v), e = q.direction(v);
-    c0 = a.cross(e);
-    c1 = q.b.cross(e) + a.cross(q.w);
-    c2 = q.b.cross(q.w);
-  }
+  LineArea(const Vec3<R>& a, const Vec3<R>& e, const Vec3<R>& b, const Vec3<R>& w)
+      : c0(a.cross(e)), c1(b.cross(e) + a.cross(w)), c2(b.cross(w)) {}
+  LineArea(const QuadFrame<R>& q, const R& v) : LineArea(q.start(v), q.direction(v), q.b, q.w) {}
   /// |a x e|^2 at a step s.
   R square(const R& s) const {
     const Vec3<R> c = c0 + s * (c1 + s * c2);

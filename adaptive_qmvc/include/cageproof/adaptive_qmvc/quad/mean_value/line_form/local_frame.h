@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// A bilinear quad about one of its own points, next to the point that it is seen from: what is small there is known to
+// its own rounding, not to that of the quad's size.
+#pragma once
+
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/quad_frame.h"
+#include "cageproof/closed_form/arithmetic/double_double.h"
+#include "cageproof/core/linear.h"
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <span>
+#include <type_traits>
+
+namespace cageproof::adaptive_qmvc {
+
+/// xi - eta = a + t e + s b + s t w at (u0 + t, v0 + s), in the units of a QuadFrame.
+/// N.x = g00 + s g01 + t (g10 + s g11), to a rounding of its terms.
+template <class R>
+struct LocalFrame {
+  R u0 = R(0), v0 = R(0);
+  Vec3<R> a, e, b, w;
+  R g00, g01, g10, g11;
+
+  /// About corner 0.
+  explicit LocalFrame(const QuadFrame<R>& q)
+      : a(q.a), e(q.e), b(q.b), w(q.w), g00(q.g00), g01(q.g01), g10(q.g10), g11(q.g11) {}
+
+  /// About (u0, v0), which eta sees at `a`.
+  LocalFrame(const QuadFrame<R>& q, const R& u, const R& v, const Vec3<R>& seen)
+      : u0(u), v0(v), a(seen), e(q.direction(v)), b(q.b + u * q.w), w(q.w) {
+    const Vec3<R> first = e.cross(w);
+    g00 = a.dot(e.cross(b));
+    g01 = a.dot(w.cross(b));
+    g10 = a.dot(first);
+    g11 = b.dot(first);
+  }
+
+  /// The line v0 + s where t = 0, seen from eta, and its direction.
+  Vec3<R> start(const R& s) const { return a + s * b; }
+  Vec3<R> direction(const R& s) const { return e + s * w; }
+  /// t at the ends of the lines.
+  R first() const { return -u0; }
+  R last() const { return 1 - u0; }
+};
+
+/// The scalar with twice R's digits that a point next to the quad is seen in.
+template <class R>
+using Seen = std::conditional_t<
+    std::same_as<R, double>, closed_form::DoubleDouble,
+    std::conditional_t<std::same_as<R, Mp50>, Mp100, std::conditional_t<std::same_as<R, Mp100>, Mp200, R>>>;
+
+/// xi(u, v) - eta in the units of `q`: differences in twice the digits, then rounded.
+template <Scalar R>
+Vec3<R> seen_at(const QuadFrame<R>& q, std::span<const Vec3<R>> corners, const Vec3<R>& point, const R& u, const R& v) {
+  using std::ldexp;
+  using W = Seen<R>;
+  const R unit = ldexp(R(1), -q.exponent);
+  Vec3<R> seen;
+  for (int i = 0; i < 3; ++i) {
+    std::array<W, 4> x;
+    for (int k = 0; k < 4; ++k) {
+      const R& corner = corners[q.corner[k]][i];
+      if constexpr (std::same_as<R, double>) {
+        const W exact = W::sum(corner, -point[i]);
+        x[k] = W(exact.high * unit, exact.low * unit);
+      } else {
+        x[k] = (W(corner) - W(point[i])) * W(unit);
+      }
+    }
+    const W along = x[1] - x[0], across = x[3] - x[0], twist = (x[2] - x[1]) - across;
+    seen[i] = static_cast<R>(x[0] + W(u) * along + W(v) * (across + W(u) * twist));
+  }
+  return seen;
+}
+
+/// The frame about the point of line v that is nearest to eta.
+template <Scalar R>
+LocalFrame<R> frame_at(const QuadFrame<R>& q, std::span<const Vec3<R>> corners, const Vec3<R>& point, const R& v) {
+  const Vec3<R> a = q.start(v), e = q.direction(v);
+  const R length2 = e.dot(e);
+  const R u = length2 > R(0) ? std::clamp(R(-a.dot(e) / length2), R(0), R(1)) : R(0);
+  return LocalFrame<R>(q, u, v, seen_at<R>(q, corners, point, u, v));
+}
+
+}  // namespace cageproof::adaptive_qmvc
