@@ -160,7 +160,7 @@ WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, 
     throw InputError(fmt::format("{} is no sum of formulas that could be timed one by one", kind.name));
   WorkPrecisionOptions options = given;
   if (options.evaluations.empty())
-    options.evaluations = default_work_precision_evaluations(leading_formulas(kind, cage));
+    options.evaluations = default_work_precision_evaluations(leading_formulas(kind, cage), options.order);
   const auto evaluations = find_all(leading_formulas(kind, cage), options);
   std::vector<double> parameters = options.parameters;
   if (parameters.empty())
@@ -198,7 +198,8 @@ WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, 
 WorkPrecision formula_work_precision(const Formula& formula, const std::vector<const Regime*>& regimes,
                                      const WorkPrecisionOptions& given) {
   WorkPrecisionOptions options = given;
-  if (options.evaluations.empty()) options.evaluations = default_work_precision_evaluations({formula.name});
+  if (options.evaluations.empty())
+    options.evaluations = default_work_precision_evaluations({formula.name}, options.order);
   const auto evaluations = find_all({formula.name}, options);
   const TruthSource source = truth_source(formula);
   WorkPrecision result = empty_measurement(formula.name, options);
@@ -241,7 +242,7 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
   return result;
 }
 
-std::vector<std::string> default_work_precision_evaluations(const std::vector<std::string_view>& formulas) {
+std::vector<std::string> default_work_precision_evaluations(const std::vector<std::string_view>& formulas, int order) {
   const auto& known = EvaluationRegister::instance();
   std::vector<std::string> names;
   for (const Role role : {Role::Scheme, Role::Rule, Role::Recommended, Role::Printed})
@@ -252,7 +253,10 @@ std::vector<std::string> default_work_precision_evaluations(const std::vector<st
       names.insert(names.end(), shown.begin(), shown.end());
     }
   std::erase_if(names, [&](const std::string& name) {
-    return std::ranges::any_of(formulas, [&](auto formula) { return !known.find(formula, name).has_value(); });
+    return std::ranges::any_of(formulas, [&](auto formula) {
+      const auto evaluation = known.find(formula, name);
+      return !evaluation || evaluation->max_order() < order;
+    });
   });
   return names;
 }

@@ -29,8 +29,9 @@ WorkPrecision measure_cage(const Arguments& a, benchmarks::WorkPrecisionOptions 
   options.triangulation = a.cage.rule();
   const Cage cage = a.cage.load();
   const validation::CageLocator locator(cage, options.triangulation, kind->keeps_quads);
-  const auto groups = a.points.empty() ? benchmarks::groups_inside(cage, locator, options.seed, options.samples)
-                                       : benchmarks::groups_of(cage, locator, load_points(a.points).vertices);
+  const auto groups = a.points.empty()
+                          ? benchmarks::groups_inside(cage, locator, options.seed, options.samples)
+                          : benchmarks::groups_of(cage, locator, load_points(a.points, cage.dimension()).vertices);
   WorkPrecision result = benchmarks::cage_work_precision(cage, *kind, groups, options);
   result.settings = {{"triangulation", a.cage.triangulate}, {"points", a.points.empty() ? "random" : a.points}};
   return result;
@@ -55,7 +56,7 @@ WorkPrecision measure_coordinates(const Arguments& a) {
     for (const auto& group : benchmarks::groups_inside(cage, locator, a.options.seed, 400))
       for (const auto& p : group.points) points.push_back(p.point);
   } else {
-    points = load_points(a.points).vertices;
+    points = load_points(a.points, cage.dimension()).vertices;
   }
   benchmarks::WorkPrecisionOptions options = a.options;
   options.triangulation = a.cage.rule();
@@ -96,7 +97,8 @@ void add_bench(CommandLine& line, const std::string& command_line) {
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
   Command what = command.exactly_one_of("what is measured");
-  const Option kind = what.option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic or somigliana");
+  const Option kind =
+      what.option("--kind", a->kind, "cage coordinates that sum formulas: mean_value, green, quad_mean_value ...");
   const Option formula = what.option("--formula", a->formula, "one formula of the catalogue");
   what.flag("--coordinates", a->coordinates,
             "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1, or quad_mean_value by those "

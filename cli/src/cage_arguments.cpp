@@ -6,6 +6,7 @@
 #include "cageproof/core/scalar_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,9 @@ Option CageArguments::add_to(Command command, bool required) {
 Cage CageArguments::load() const {
   const auto names = embedded_cage_names();
   if (std::ranges::find(names, file) != names.end()) return embedded_cage(file);
+  if (std::filesystem::path(file).extension().empty() && !std::filesystem::exists(file))
+    throw InputError(
+        fmt::format("--cage {}: no such file, and no embedded cage of that name ({})", file, fmt::join(names, ", ")));
   return read_cage(file, {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
 }
 
@@ -51,10 +55,17 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
   return values;
 }
 
-Mesh load_points(const std::string& file) {
+Mesh load_points(const std::string& file, int dimension) {
   const auto extension = std::filesystem::path(file).extension();
   const bool text = extension == ".csv" || extension == ".xyz" || extension == ".txt";
-  return text ? Mesh{read_points(file), {}} : read_mesh(file);
+  Mesh mesh = text ? Mesh{read_points(file), {}} : read_mesh(file);
+  if (dimension == 3) return mesh;
+  const auto off = std::ranges::find_if(mesh.vertices, [](const Vec3<double>& p) { return p[2] != 0; });
+  if (off != mesh.vertices.end())
+    throw InputError(
+        fmt::format("{}: point {} (counted from 0) is not in the plane of the cage: its third number is {}", file,
+                    off - mesh.vertices.begin(), format_scalar((*off)[2])));
+  return mesh;
 }
 
 }  // namespace cageproof::cli

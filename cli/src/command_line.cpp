@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <charconv>
+#include <system_error>
 #include <utility>
 
 namespace cageproof::cli {
@@ -68,7 +70,15 @@ Option Command::option(const std::string& name, int& value, const std::string& d
 }
 
 Option Command::option(const std::string& name, std::uint64_t& value, const std::string& description) {
-  return Option(app_->add_option(name, value, description));
+  CLI::Option* option = app_->add_option(name, value, description);
+  // CLI11 takes negative numbers, and those beyond 64 bits, as other ones.
+  option->check([](const std::string& text) {
+    std::uint64_t parsed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parsed);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    return whole ? std::string() : "'" + text + "' is not a number from 0 to 2^64 - 1";
+  });
+  return Option(option);
 }
 
 Option Command::option(const std::string& name, double& value, const std::string& description) {
@@ -112,6 +122,13 @@ Command CommandLine::command(const std::string& name, const std::string& descrip
 }
 
 int CommandLine::run(int argc, char** argv) {
+  // CLI11 would say that a command is missing.
+  const std::string first = argc > 1 ? argv[1] : "";
+  const auto named = [&](const CLI::App* command) { return command->get_name() == first; };
+  if (!first.empty() && app_->get_subcommands(named).empty() && app_->get_option_no_throw(first) == nullptr) {
+    const char* what = first.front() == '-' ? "option" : "command";
+    throw InputError(std::string("unknown ") + what + " '" + first + "' (see `cageproof --help`)");
+  }
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& e) {

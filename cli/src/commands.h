@@ -54,7 +54,8 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
                                     std::string_view owner);
 
 /// Points with the faces that they carry, if any: a mesh file, or text.
-/// \throws InputError as read_mesh and read_points
-Mesh load_points(const std::string& file);
+/// \param dimension of the cage that they are for: in the plane third numbers must be zero
+/// \throws InputError as read_mesh and read_points, and naming a point off the plane
+Mesh load_points(const std::string& file, int dimension);
 
 }  // namespace cageproof::cli

@@ -48,7 +48,7 @@ int run(const Arguments& a) {
   if (cage.allows_invalid_quads())
     for (const std::string& fault : invalid_quads(cage))
       warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
-  const Mesh mesh = load_points(a.points);
+  const Mesh mesh = load_points(a.points, cage.dimension());
   const CageCoordinates coordinates(
       cage, kind,
       CoordinateOptions{a.evaluation, a.cage.rule(), parameters_from(a.parameters, parameters_of(kind), kind.name)});

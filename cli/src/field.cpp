@@ -109,7 +109,7 @@ void add_field(CommandLine& line, const std::string& command_line) {
   command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
   command.option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
       .values(2);
-  command.option("--out", a->out, "the report's folder").required();
+  command.option("--out", a->out, "a folder for the field, its picture and a summary").required();
   command.runs([a] { return run(*a); });
 }
 

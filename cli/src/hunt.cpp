@@ -41,8 +41,10 @@ std::vector<const validation::Check*> chosen_checks(const Arguments& a) {
 }
 
 std::string input_text(const Formula& formula, const WorstCase& worst) {
-  const auto hex = [](const Vec3<double>& p) {
-    return fmt::format("[\"{}\",\"{}\",\"{}\"]", format_hex(p[0]), format_hex(p[1]), format_hex(p[2]));
+  const auto hex = [&](const Vec3<double>& p) {
+    std::vector<std::string> coordinates;
+    for (int c = 0; c < formula.dim(); ++c) coordinates.push_back(fmt::format("\"{}\"", format_hex(p[c])));
+    return fmt::format("[{}]", fmt::join(coordinates, ","));
   };
   std::vector<std::string> corners, parameters;
   for (const auto& corner : worst.corners) corners.push_back(hex(corner));

@@ -30,11 +30,17 @@ class NumbersAsText {
   bool end_object() { return close(); }
   bool end_array() { return close(); }
   bool key(std::string& name) {
+    if (open_.back()->contains(name)) {
+      error = fmt::format("the key \"{}\" occurs twice", name);
+      return false;
+    }
+    // Its place is taken at once: the value may hold keys of its own.
+    (*open_.back())[name] = nullptr;
     key_ = name;
     return true;
   }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& e) {
-    error = e.what();
+  bool parse_error(std::size_t column, const std::string&, const nlohmann::detail::exception&) {
+    error = fmt::format("malformed JSON at column {}", column);
     return false;
   }
 
@@ -99,7 +105,7 @@ std::string parameter(const Json& given, const Parameter& p) {
 
 QueryText parse_query(const std::string& line, const Formula& formula) {
   NumbersAsText reader;
-  if (!Json::sax_parse(line, &reader)) throw InputError(fmt::format("malformed JSON: {}", reader.error));
+  if (!Json::sax_parse(line, &reader)) throw InputError(reader.error);
   const Json& json = reader.root;
   if (!json.is_object()) throw InputError("not a JSON object");
   for (const auto& [key, value] : json.items())

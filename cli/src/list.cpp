@@ -4,6 +4,8 @@
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/validation/check.h"
+#include "cageproof/validation/hunt.h"
+#include "cageproof/validation/promise.h"
 #include "cageproof/validation/regime.h"
 
 #include <fmt/format.h>
@@ -44,6 +46,13 @@ Json formula_json(const Formula& f) {
           {"evaluations", evaluations}};
 }
 
+// Checks that samples of elements are not asked one by one.
+std::vector<std::string_view> other_checks() {
+  std::vector<std::string_view> names = validation::promised_checks();
+  std::erase_if(names, [](std::string_view name) { return validation::find_check(name) != nullptr; });
+  return names;
+}
+
 Json catalogue_json() {
   Json all = {{"schema", "cageproof-catalogue"}, {"schema_version", 1}, {"formulas", Json::array()}};
   for (const Formula& f : catalogue()) all["formulas"].push_back(formula_json(f));
@@ -55,8 +64,17 @@ Json catalogue_json() {
   for (const auto& regime : validation::regimes())
     all["regimes"].push_back(
         {{"name", regime.name}, {"parameter", regime.parameter_name}, {"description", regime.description}});
+  all["regimes"].push_back({{"name", validation::hull_regime},
+                            {"parameter", ""},
+                            {"description", "on and beside the convex hull of a twisted quad; hull_jump alone"}});
+  all["regimes"].push_back({{"name", validation::hunted_regime},
+                            {"parameter", ""},
+                            {"description", "the stored worst cases, measured again in every run"}});
   for (const auto& check : validation::checks())
     all["checks"].push_back({{"name", check->name()}, {"unit", check->unit()}, {"description", check->description()}});
+  for (const std::string_view name : other_checks())
+    all["checks"].push_back(
+        {{"name", name}, {"unit", ""}, {"description", "of whole cages and their elements; docs/errors.md"}});
   for (const auto name : embedded_cage_names()) all["cages"].push_back(name);
   return all;
 }
@@ -72,8 +90,9 @@ void print_text() {
   for (const CoordinateKind& kind : coordinate_kinds()) fmt::print(" {}", kind.name);
   fmt::print("\nregimes:");
   for (const auto& regime : validation::regimes()) fmt::print(" {}", regime.name);
-  fmt::print("\nchecks:");
+  fmt::print(" {} {}\nchecks:", validation::hull_regime, validation::hunted_regime);
   for (const auto& check : validation::checks()) fmt::print(" {}", check->name());
+  for (const std::string_view name : other_checks()) fmt::print(" {}", name);
   fmt::print("\nembedded cages:");
   for (const auto name : embedded_cage_names()) fmt::print(" {}", name);
   fmt::print("\n");

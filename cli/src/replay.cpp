@@ -31,15 +31,13 @@ std::pair<std::string, bool> outcome(const reports::WorstLine& line, const valid
 
 int run(const std::string& file) {
   int code = success;
-  std::size_t number = 0;
   for (const reports::WorstLine& line : reports::read_worst(file)) {
-    ++number;
     validation::Finding finding;
     try {
       finding = validation::replay(line, line.worst,
                                    line.triangulation == "fan" ? Triangulation::Fan : Triangulation::Shortest);
     } catch (const InputError& e) {
-      throw InputError(fmt::format("{}: case {}: {}", file, number, e.what()));
+      throw InputError(fmt::format("{}:{}: {}", file, line.number, e.what()));
     }
     const auto [text, broken] = outcome(line, finding);
     if (broken) code = promise_broken;

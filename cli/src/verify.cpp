@@ -117,7 +117,7 @@ int run(Arguments& a) {
   if (!a.points.empty()) {
     if (!options.cage) throw InputError("--points needs --cage");
     options.mesh_name = a.points;
-    options.mesh = load_points(a.points);
+    options.mesh = load_points(a.points, options.cage->dimension());
   }
   Progress progress;
   options.progress = [&](std::size_t done, std::size_t all) { progress("measuring", done, all); };

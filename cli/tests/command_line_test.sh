@@ -86,6 +86,13 @@ refuses budget -- "$cageproof" hunt --formula triangle.solid_angle --evaluation 
 refuses bad.jsonl:1 -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --out "$work/bad.jsonl"
 refuses "$work/nowhere" -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --out "$work/nowhere/x.jsonl"
 refuses subcommand -- "$cageproof"
+refuses "'nonsense'" command -- "$cageproof" nonsense
+refuses "'--nonsense'" option -- "$cageproof" --nonsense verify
+refuses --seed "'-1'" -- "$cageproof" verify --seed -1 --out "$work/out"
+refuses --seed 18446744073709551616 -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --seed 18446744073709551616
+refuses nowhere 'no such file' cube -- "$cageproof" coordinates --cage nowhere --points "$work/missing.csv" --kind green
+write lifted.csv '0.3,0.4,0' '0.3,0.4,7'
+refuses lifted.csv 'point 1' plane -- "$cageproof" coordinates --cage square --points "$work/lifted.csv" --kind green
 refuses "$work/nowhere" -- "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out "$work/nowhere/out"
 write one.csv '0.1 0.2 0.3'
 refuses .doc -- "$cageproof" coordinates --cage cube --points "$work/one.csv" --kind green --out "$work/out.doc"
@@ -137,6 +144,22 @@ awk -F, 'NR > 1 { s = 0; for (i = 1; i <= NF; i++) s += $i; if (s < 0.999999999 
 for kind in csv npy vtp; do
   "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind green --out "$work/c.$kind" && [ -s "$work/c.$kind" ] || fail "$kind"
 done
+
+# Derivatives on the cage are not finite, and VTK's own reader takes the file all the same.
+write on.csv '0.5,0,0' '0,0,0' '0.25,0.5,0'
+for order in 1 2; do
+  "$cageproof" coordinates --cage cube --points "$work/on.csv" --kind green --order $order --out "$work/on.vtp" || fail "vtp of order $order"
+  "$cageproof" coordinates --cage cube --points "$work/on.vtp" --kind green >/dev/null 2>"$work/stderr" || fail "vtp of order $order: $(cat "$work/stderr")"
+done
+
+# A hunted input of the plane is one that eval takes; a key that occurs twice is none.
+"$cageproof" hunt --formula segment.double_layer --evaluation closed_form --order 1 --budget 20 >"$work/stdout" 2>/dev/null
+grep -o '{"element".*}}' "$work/stdout" | "$cageproof" eval --formula segment.double_layer --evaluation closed_form >/dev/null || fail "eval of a hunted input"
+echo '{"element":[[0,0],[1,0]],"point":[0,1],"point":[0,2]}' | "$cageproof" eval --formula segment.double_layer --evaluation closed_form >"$work/stdout"
+grep -qF '"point\" occurs twice' "$work/stdout" || fail "a key twice: $(cat "$work/stdout")"
+
+# Evaluations without the order asked for are left out of a default comparison.
+"$cageproof" bench --formula triangle.kelvin_traction --regime near-face --order 1 --samples 1 --seconds 0 >"$work/stdout" 2>&1 || fail "bench --order 1: $(cat "$work/stdout")"
 
 # Coordinates that keep quads: sums of one, points without coordinates counted, invalid quads named or warned of.
 for kind in quad_mean_value spherical_mean_value maximum_entropy; do

@@ -24,22 +24,25 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
+// \param named what messages call it
+void write_as(const std::filesystem::path& path, const std::filesystem::path& named, std::string_view bytes) {
+  File file(std::fopen(path.c_str(), "wb"));
+  if (!file) fail(named);
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) fail(named);
+  // A full disk may show only when the last buffer leaves.
+  if (std::fclose(file.release()) != 0) fail(named);
+}
+
 }  // namespace
 
-void write_file(const std::filesystem::path& path, std::string_view bytes) {
-  File file(std::fopen(path.c_str(), "wb"));
-  if (!file) fail(path);
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) fail(path);
-  // A full disk may show only when the last buffer leaves.
-  if (std::fclose(file.release()) != 0) fail(path);
-}
+void write_file(const std::filesystem::path& path, std::string_view bytes) { write_as(path, path, bytes); }
 
 void replace_file(const std::filesystem::path& path, std::string_view bytes) {
   remove_leftovers(path);
   const std::filesystem::path fresh = aside(path, 0);
   std::error_code ignored;
   try {
-    write_file(fresh, bytes);
+    write_as(fresh, path, bytes);
   } catch (const InputError&) {
     std::filesystem::remove(fresh, ignored);
     throw;

@@ -7,6 +7,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -19,9 +20,26 @@
 namespace cageproof::reports {
 namespace {
 
+// VTK's writer stores the range of the vectors' lengths, and its reader takes no infinity or NaN there.
+class FiniteRangeArray : public vtkDoubleArray {
+ public:
+  static FiniteRangeArray* New();
+  FiniteRangeArray(const FiniteRangeArray&) = delete;
+  FiniteRangeArray& operator=(const FiniteRangeArray&) = delete;
+
+ protected:
+  FiniteRangeArray() = default;
+  bool ComputeVectorRange(double range[2]) override {
+    ComputeFiniteVectorRange(range);
+    if (!(range[0] <= range[1])) range[0] = range[1] = 0;
+    return true;
+  }
+};
+vtkStandardNewMacro(FiniteRangeArray);
+
 void add_arrays(vtkDataSet& data, const std::vector<ImageField::Array>& arrays) {
   for (const ImageField::Array& array : arrays) {
-    vtkNew<vtkDoubleArray> values;
+    vtkNew<FiniteRangeArray> values;
     const std::string name = array.unit.empty() ? array.name : fmt::format("{} [{}]", array.name, array.unit);
     values->SetName(name.c_str());
     values->SetNumberOfComponents(array.components);

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "cageproof/validation/measurement.h"
+#include "cageproof/validation/regime.h"
 
 #include <string>
 
 namespace cageproof::validation {
 
-/// The formula and the regime's name in results.
-inline constexpr std::string_view hull_formula = "quad.mean_value", hull_regime = "hull";
+/// The formula in results.
+inline constexpr std::string_view hull_formula = "quad.mean_value";
 
 /// Rows `hull_jump` of quad.mean_value for the evaluations that a glob names among closed_form and riemann-4: the jumps
 /// of value (order 0) and of the numerical derivative along the normal (order 1) at points of the hulls of three

@@ -3,6 +3,7 @@
 
 #include <fnmatch.h>
 
+#include <algorithm>
 #include <array>
 
 namespace cageproof::validation {
@@ -114,6 +115,13 @@ bool is_one_of(std::string_view pattern, std::string_view text) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> promised_checks() {
+  std::vector<std::string_view> names;
+  for (const Row& row : table)
+    if (std::ranges::find(names, row.check) == names.end()) names.push_back(row.check);
+  return names;
+}
 
 bool matches(std::string_view pattern, std::string_view text) {
   return fnmatch(std::string(pattern).c_str(), std::string(text).c_str(), 0) == 0;

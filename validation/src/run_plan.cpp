@@ -9,6 +9,7 @@
 #include "cageproof/validation/campaign.h"
 #include "cageproof/validation/errata.h"
 #include "cageproof/validation/error_fields.h"
+#include "cageproof/validation/hunt.h"
 #include "cageproof/validation/one_ring.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/stored_cases.h"
@@ -98,7 +99,8 @@ class Planner {
   explicit Planner(const VerifyOptions& options) : options_(options) {}
 
   RunPlan plan() {
-    if (options_.regimes != hull_regime) add(element_measurements(campaign_options()));
+    if (options_.regimes != hull_regime && options_.regimes != hunted_regime)
+      add(element_measurements(campaign_options()));
     auto stored = stored_measurement(stored_worst_cases(), stored_cases_file, options_.formulas, options_.evaluations);
     if (stored.measurement) add(std::move(stored.measurement));
     if (matches(options_.formulas, hull_formula) && matches(options_.regimes, hull_regime))
@@ -106,6 +108,9 @@ class Planner {
     if (options_.cage) {
       const auto cage = std::make_shared<const Cage>(*options_.cage);
       add_cage(cage);
+      if (std::ranges::none_of(coordinate_kinds(), [&](const CoordinateKind& kind) { return is_asked(kind, *cage); }))
+        plan_.header.notes.push_back(
+            fmt::format("{}: not judged, no coordinates on it sum the formulas asked for", cage->name()));
       if (options_.mesh) add_mesh(cage);
     } else {
       for (const auto name : embedded_cage_names()) add_cage(std::make_shared<const Cage>(embedded_cage(name)));

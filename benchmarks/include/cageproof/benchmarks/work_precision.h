@@ -51,6 +51,6 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
 
 /// The evaluations shown when none are asked for: schemes and rules as their families propose
 /// (EvaluationFamily::studied), the recommended evaluation, the printed ones; those of them that all the formulas have.
-std::vector<std::string> default_work_precision_evaluations(const std::vector<std::string_view>& formulas);
+std::vector<std::string> default_work_precision_evaluations(const std::vector<std::string_view>& formulas, int order);
 
 }  // namespace cageproof::benchmarks

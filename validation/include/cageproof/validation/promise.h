@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cageproof::validation {
 
@@ -24,6 +25,9 @@ struct PromiseKey {
 
 /// The first row of the table that matches; a row with no bound for anything that none does.
 Promise promise_for(const PromiseKey& key);
+
+/// The checks of the table, in its order, each once: those of elements and those of whole cages.
+std::vector<std::string_view> promised_checks();
 
 /// Whether `text` matches a pattern with `*` and `?`.
 bool matches(std::string_view pattern, std::string_view text);

@@ -16,6 +16,9 @@ struct Regime {
   std::string_view description;
 };
 
+/// The name of rows about the hulls of twisted quads (check hull_jump), which are no samples of a regime.
+inline constexpr std::string_view hull_regime = "hull";
+
 /// All regimes, in report order.
 const std::vector<Regime>& regimes();
 
