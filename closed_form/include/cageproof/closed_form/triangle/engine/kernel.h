@@ -9,7 +9,8 @@
 //   template <class S, class R, int N>
 //   static void compose(const S& s, std::span<const R> parameters, std::array<Taylor<R, N>, components>& out)
 //                 adds the value and its derivatives up to degree N to `out`, from the moments that EdgeForm and
-//                 FarForm (EvenForm) have in common.
+//                 FarForm (EvenForm) have in common: J() is int 1/r, I() int r, omega() int x.n/r^3, A() and B() those
+//                 of 1/r and x.n/r^3 weighted with the hat functions; mean_value() with x.n/r^4.
 // What differs from the bases' members is declared anew.
 #pragma once
 
