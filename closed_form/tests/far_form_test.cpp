@@ -35,7 +35,7 @@ double worst_weight_ratio(const Frame<R>& f, int n) {
   const auto far = FarForm<R, 2, 2>(f, n).mean_value(), edge = EvenForm<R, 2>(f).mean_value();
   double worst = 0;
   for (int k = 0; k <= 2; ++k)
-    worst = std::max(worst, difference<3, 2>(far, edge, k) / far_error(n, ellipse_of_distance(f), -4, k));
+    worst = std::max(worst, difference<3, 2>(far, edge, k) / far_error(n, ellipse_of(f), -4, k));
   return worst;
 }
 
@@ -94,7 +94,7 @@ TEST(far_form, weights_keep_the_bound_of_the_distance_down_to_a_quarter_of_the_t
     const Vec3<double> eta = at + random.uniform(0.25, 1.5) * size * normal;
     const Frame<R> f({convert<R>(t[0]), convert<R>(t[1]), convert<R>(t[2])}, convert<R>(eta));
     // The edge form's 50 digits, less what it cancels, are no measure of smaller errors.
-    const int most = static_cast<int>(36 / (2 * std::log10(ellipse_of_distance(f))));
+    const int most = static_cast<int>(36 / (2 * std::log10(ellipse_of(f))));
     worst = std::max(worst, worst_weight_ratio(f, std::min(5 + i % 40, most)));
   }
   EXPECT_LE(worst, 1);

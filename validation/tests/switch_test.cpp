@@ -29,7 +29,8 @@ Vec3<double> switch_point(const Triangle<double>& t, const Vec3<double>& through
   for (int i = 0; i < 50; ++i) {
     const double middle = (near + far) / 2;
     const bool is_far =
-        cf::far_points_for<F, 2>(cf::Frame<double>(t, Vec3<double>(centre + middle * ray)), cf::kFarTolerance)
+        cf::far_points_for<F, 2>(cf::ellipse_of(cf::Frame<double>(t, Vec3<double>(centre + middle * ray))),
+                                 cf::kFarTolerance)
             .has_value();
     (is_far ? far : near) = middle;
   }
@@ -45,7 +46,7 @@ void expect_no_jump(const std::string& name, int samples) {
     const Triangle<double> t{sample.corners[0], sample.corners[1], sample.corners[2]};
     sample.point = switch_point<F>(t, sample.point);
     const cf::Frame<double> frame(t, sample.point);
-    const auto points = cf::far_points_for<F, 2>(frame, cf::kFarTolerance);
+    const auto points = cf::far_points_for<F, 2>(cf::ellipse_of(frame), cf::kFarTolerance);
     ASSERT_TRUE(points.has_value());
     using Jet = closed_form::Jet<double, F::components>;
     const std::span<const double> parameters(sample.parameters);

@@ -23,13 +23,6 @@ inline constexpr double kFastTolerance = 1000 * 0x1p-53;
 template <int C>
 using AccurateJet = BoundedJet<C>;
 
-/// The points a side that the far form needs for F here; nothing where the near form is the better choice.
-template <class F, int O>
-std::optional<int> far_points_for(PointMoments<double, O>& at) {
-  if constexpr (F::cancels_nearby) return far_points_for<F, O>(at.frame(), kFarTolerance);
-  else return far_points(at.ellipse(), F::far_power, O + F::extra, kFarTolerance, kFarLimit);
-}
-
 /// The fast one, at a point whose moments other formulas may share; the result does not depend on which do. In double:
 /// far away a few Gauss points, else the near form; on slivers, where that cancels, the near form in more digits
 /// (formulas that cancel nearby: wherever its own error bound says so). In multiprecision: the near form alone. \param
@@ -43,7 +36,7 @@ Jet<R, F::components> closed_form(PointMoments<R, O>& at, std::span<const R> par
     if (limit < 3) return diverging_weights<F, O, R>(f);
   if constexpr (std::same_as<R, double>) {
     if (limit == 3)
-      if (const auto n = far_points_for<F>(at))
+      if (const auto n = far_points_for<F, O>(at.ellipse(), kFarTolerance))
         return finish<F, O, R>(composed<F, O, R>(at.far_moments().template far<F>(*n), parameters), f.unit, limit);
     if (F::cancels_nearby || f.shape() < kThinShape) {
       auto result = tracked_near<F, double>(at, parameters, limit);
@@ -93,7 +86,7 @@ AccurateJet<F::components> accurate(const Triangle<double>& t, const Vec3<double
   if (limit == 0 && finite_part) limit = 1;
   if constexpr (F::diverges_on_triangle)
     if (limit < 3) return {diverging_weights<F, O, double>(f)};
-  const auto n = limit == 3 ? far_points_for<F>(at) : std::nullopt;
+  const auto n = limit == 3 ? far_points_for<F, O>(at.ellipse(), kFarTolerance) : std::nullopt;
   auto result = n ? tracked_far<F, O>(f, parameters, *n) : tracked_near<F, double>(at, parameters, limit);
   if (result.worst() > kAccurateTolerance) result = refined<F>(at, parameters, kAccurateTolerance, limit);
   set_infinities<F, O>(at, parameters, limit, result.jet);

@@ -241,6 +241,18 @@ R EdgeForm<R, N, M>::solid_angle() const {
   if (R(10) * abs(numerator) < bulk && R(10) * abs(denominator) < bulk) {
     const R height = abs(d);
     R sum = R(0);
+    if (edge(0).h < R(0) || edge(1).h < R(0) || edge(2).h < R(0)) {
+      // Beside the triangle the angles in its plane sum up to nothing, so that only what the height takes off them is
+      // summed: atan(s height/(h r)) at each end.
+      const auto taken = [&](const FrameEdge<R>& e, const R& s, const R& r) {
+        return e.h < R(0) ? R(atan2(R(-s * height), R(-e.h * r))) : R(atan2(R(s * height), R(e.h * r)));
+      };
+      for (int i = 0; i < 3; ++i) {
+        const FrameEdge<R>& e = edge(i);
+        if (e.h != R(0)) sum += taken(e, e.s0, e.r0) - taken(e, e.s1, e.r1);
+      }
+      return d < R(0) ? sum : R(-sum);
+    }
     for (int i = 0; i < 3; ++i) {
       const FrameEdge<R>& e = edge(i);
       if (e.h == R(0)) continue;

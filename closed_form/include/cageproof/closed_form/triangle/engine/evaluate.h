@@ -39,13 +39,11 @@ Components<F, R, O> far_components(const Frame<R>& frame, int n, std::span<const
   return composed<F, O, R>(FarFormOf<F, R, O>(frame, n), parameters);
 }
 
-/// The points a side that the far form needs for `tolerance` here; nothing where the form near the triangle is the
-/// better choice.
-template <class F, int O, Scalar R>
-std::optional<int> far_points_for(const Frame<R>& frame, double tolerance) {
-  if constexpr (F::cancels_nearby)
-    return far_points(ellipse_of_distance(frame), F::far_power, O + F::extra, tolerance, kCancellingLimit);
-  return far_points(ellipse_of(frame), F::far_power, O + F::extra, tolerance, kFarLimit);
+/// The points a side that the far form needs for `tolerance` at this ellipse_of a frame; nothing where the form near
+/// the triangle is the better choice.
+template <class F, int O>
+std::optional<int> far_points_for(double ellipse, double tolerance) {
+  return far_points(ellipse, F::far_power, O + F::extra, tolerance, F::cancels_nearby ? kCancellingLimit : kFarLimit);
 }
 
 /// The numbers of derivative order o in a polynomial: f, f_i, f_ij for i <= j, with the factor by which a coefficient

@@ -14,24 +14,6 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// How far the point is, as the Gauss-Legendre rule sees it: on a segment of length l whose ends are r0 and r1 away the
-/// integrand's singularities lie on the ellipse rho + 1/rho = 2 (r0 + r1)/l, and the rule's error falls like rho^(-2n).
-/// This is the smallest rho over all segments within the triangle: (r0 + r1)/l >= 2 (distance of the triangle)/(longest
-/// edge).
-template <class R>
-double ellipse_of(const Frame<R>& f) {
-  using std::sqrt;
-  const Vec3<R> centre = (f.p[0] + f.p[1] + f.p[2]) / R(3);
-  double size = 0, reach = 0;
-  for (int i = 0; i < 3; ++i) {
-    size = std::max(size, static_cast<double>(f.edges[i].length));
-    const Vec3<R> arm = f.p[i] - centre;
-    reach = std::max(reach, static_cast<double>(R(sqrt(arm.dot(arm)))));
-  }
-  const double ratio = 2 * (static_cast<double>(R(sqrt(centre.dot(centre)))) - reach) / size;
-  return ratio > 1 ? ratio + std::sqrt(ratio * ratio - 1) : 1;
-}
-
 /// Squared distance of the triangle from the point.
 template <class R>
 double squared_distance(const Frame<R>& f) {
@@ -46,10 +28,12 @@ double squared_distance(const Frame<R>& f) {
   return within ? static_cast<double>(f.d) * static_cast<double>(f.d) : least;
 }
 
-/// The ellipse rho from the distance itself, larger than `ellipse_of` and above 1 down to the triangle: (r0 + r1)/l >=
-/// sqrt(1 + (2 distance/l)^2).
+/// How far the point is, as the Gauss-Legendre rule sees it: on a segment of length l whose ends are r0 and r1 away the
+/// integrand's singularities lie on the ellipse rho + 1/rho = 2 (r0 + r1)/l, and the rule's error falls like rho^(-2n).
+/// A lower bound of rho over all segments within the triangle, above 1 down to the triangle: (r0 + r1)/l >= sqrt(1 + (2
+/// distance/l)^2), l at most the longest edge.
 template <class R>
-double ellipse_of_distance(const Frame<R>& f) {
+double ellipse_of(const Frame<R>& f) {
   double size = 0;
   for (const FrameEdge<R>& e : f.edges) size = std::max(size, static_cast<double>(e.length));
   const double slope = 2 * std::sqrt(squared_distance(f)) / size;
