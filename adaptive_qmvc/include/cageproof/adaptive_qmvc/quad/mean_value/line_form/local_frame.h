@@ -30,6 +30,11 @@ struct LocalFrame {
   /// About (u0, v0), which eta sees at `a`.
   LocalFrame(const QuadFrame<R>& q, const R& u, const R& v, const Vec3<R>& seen)
       : u0(u), v0(v), a(seen), e(q.direction(v)), b(q.b + u * q.w), w(q.w) {
+    if (q.g00 == R(0) && q.g01 == R(0) && q.g10 == R(0) && q.g11 == R(0)) {
+      // In the plane of a flat quad, where a rounding of `a` would be all of the result.
+      g00 = g01 = g10 = g11 = R(0);
+      return;
+    }
     const Vec3<R> first = e.cross(w);
     g00 = a.dot(e.cross(b));
     g01 = a.dot(w.cross(b));
