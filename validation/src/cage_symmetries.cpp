@@ -13,13 +13,15 @@ namespace {
 
 constexpr double scale = 0x1p10;  // a power of two, so that the scaled input is exact
 
+// \param least what the difference is divided by at least, squared
 template <Scalar R>
-double relative_difference(const std::vector<R>& a, const std::vector<R>& b) {
+double relative_difference(const std::vector<R>& a, const std::vector<R>& b, const R& least = R(0)) {
   R error = 0, size = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     error += (a[i] - b[i]) * (a[i] - b[i]);
     size += b[i] * b[i];
   }
+  if (size < least) size = least;
   using std::isfinite, std::sqrt;
   if (!isfinite(error) || !isfinite(size)) return std::numeric_limits<double>::infinity();
   return error == 0 ? 0 : static_cast<double>(R(sqrt(R(error / size))));
@@ -188,9 +190,14 @@ std::array<double, 3> CageSymmetries::differences_at(const Vec3<double>& point) 
           differences[b].of(o)[dim * i + a] = (up[b].of(o - 1)[i] - down[b].of(o - 1)[i]) / (2 * step);
   }
   std::array<double, 3> worst{std::numeric_limits<double>::quiet_NaN(), 0, 0};
+  // In a tetrahedron mean value coordinates are affine: their Hessian is nothing but rounding, and no yardstick.
+  const Mp100 size2 = Mp100(size_) * Mp100(size_);
   for (std::size_t b = 0; b < exact.size(); ++b)
-    for (int o = 1; o <= 2; ++o)
-      worst[o] = std::max(worst[o], relative_difference(differences[b].of(o), exact[b].of(o)));
+    for (int o = 1; o <= 2; ++o) {
+      Mp100 below = 0;
+      for (const Mp100& x : exact[b].of(o - 1)) below += x * x;
+      worst[o] = std::max(worst[o], relative_difference(differences[b].of(o), exact[b].of(o), Mp100(below / size2)));
+    }
   return worst;
 }
 

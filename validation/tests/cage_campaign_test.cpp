@@ -42,6 +42,14 @@ TEST(cage_properties, hold_on_real_cages_where_they_are) {
   }
 }
 
+// Mean value coordinates are affine there: a Hessian that is zero, and a second difference of nothing but rounding.
+TEST(cage_properties, hold_on_tetrahedra) {
+  const std::vector<Face> faces{{{0, 2, 1, -1}}, {{0, 1, 3, -1}}, {{1, 2, 3, -1}}, {{0, 3, 2, -1}}};
+  expect_kept(Cage::make("corner", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, faces), few_points());
+  expect_kept(Cage::make("regular", {{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}, faces, {.flip_inward = true}),
+              few_points());
+}
+
 TEST(cage_properties, fail_for_a_coarse_quadrature) {
   CageCampaignOptions options = few_points();
   options.evaluation = "gauss-4";

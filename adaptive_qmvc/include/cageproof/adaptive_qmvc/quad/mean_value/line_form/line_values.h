@@ -18,20 +18,21 @@ inline constexpr double kWorthNodes = 1.06;
 /// One number for each of four lines.
 using Lines = Eigen::Array<double, 4, 1>;
 
+/// The same in registers: expressions over Lines hold addresses, which Clang 16 carries from place to place and follows
+/// each time, four times as slow.
+using FourInRegisters = double __attribute__((vector_size(4 * sizeof(double))));
+
 /// A vector for each of four lines.
-struct LinesVector {
-  Lines x, y, z;
+struct FourVectors {
+  FourInRegisters x, y, z;
 
   /// p + s q, s one for each line.
-  static LinesVector along(const Vec3<double>& p, const Lines& s, const Vec3<double>& q) {
-    return {p[0] + s * q[0], p[1] + s * q[1], p[2] + s * q[2]};
-  }
-  static LinesVector along(const Vec3<double>& p, const Lines& s, const LinesVector& q) {
-    return {p[0] + s * q.x, p[1] + s * q.y, p[2] + s * q.z};
-  }
-  LinesVector operator+(const LinesVector& o) const { return {x + o.x, y + o.y, z + o.z}; }
-  friend LinesVector operator*(double f, const LinesVector& v) { return {f * v.x, f * v.y, f * v.z}; }
-  Lines dot(const LinesVector& o) const { return x * o.x + y * o.y + z * o.z; }
+  FourVectors(const Vec3<double>& p, const FourInRegisters& s, const Vec3<double>& q)
+      : x(p[0] + s * q[0]), y(p[1] + s * q[1]), z(p[2] + s * q[2]) {}
+  FourVectors(const Vec3<double>& p, const FourInRegisters& s, const FourVectors& q)
+      : x(p[0] + s * q.x), y(p[1] + s * q.y), z(p[2] + s * q.z) {}
+  FourVectors(const FourVectors& p, double s, const FourVectors& q)
+      : x(p.x + s * q.x), y(p.y + s * q.y), z(p.z + s * q.z) {}
 };
 
 /// Sums of the four corners' weights over lines.
@@ -43,30 +44,37 @@ class LineValues {
   /// Adds four lines. False, and nothing added, where one of them is too close.
   /// \param s the lines' steps from the frame's
   bool add(const Lines& s, const Lines& weight) {
-    const LinesVector a = LinesVector::along(q_.a, s, q_.b), e = LinesVector::along(q_.e, s, q_.w);
-    const LinesVector start = a + q_.first() * e, end = a + q_.last() * e;
-    const Lines length2 = e.dot(e);
-    const Lines ends = start.dot(start).sqrt() + end.dot(end).sqrt();
-    const Lines ratios2 = ends.square() / length2;
-    const double ratio2 = ratios2.minCoeff();
-    // A length of zero gives infinity, or, with its ends at the point, no number.
-    if (!(ratios2 > kWorthNodes * kWorthNodes && ratios2 < 1e12).all()) return false;
+    const FourInRegisters at{s[0], s[1], s[2], s[3]};
+    const FourVectors a(q_.a, at, q_.b), e(q_.e, at, q_.w), start(a, q_.first(), e), end(a, q_.last(), e);
+    const FourInRegisters length2 = e.x * e.x + e.y * e.y + e.z * e.z;
+    const FourInRegisters start2 = start.x * start.x + start.y * start.y + start.z * start.z;
+    const FourInRegisters end2 = end.x * end.x + end.y * end.y + end.z * end.z;
+    double ratio2 = 1e12;
+    for (int i = 0; i < 4; ++i) {
+      const double ends = std::sqrt(start2[i]) + std::sqrt(end2[i]);
+      const double own = ends * ends / length2[i];
+      // A length of zero gives infinity, or, with its ends at the point, no number.
+      if (!(own > kWorthNodes * kWorthNodes && own < 1e12)) return false;
+      ratio2 = std::min(ratio2, own);
+    }
     // r^2 = least2 + length2 (t - foot)^2, whose terms do not cancel; N.x = g0 + t g1.
-    const LinesVector c = LinesVector::along(area_.c0, s, LinesVector::along(area_.c1, s, area_.c2));
-    const Lines inverse = 1 / length2;
-    const Lines foot = -a.dot(e) * inverse, least2 = c.dot(c) * inverse;
-    const Lines g0 = q_.g00 + s * q_.g01, g1 = q_.g10 + s * q_.g11;
+    const FourVectors c(area_.c0, at, FourVectors(area_.c1, at, area_.c2));
+    const FourInRegisters inverse = 1 / length2;
+    const FourInRegisters foot = -(a.x * e.x + a.y * e.y + a.z * e.z) * inverse,
+                          least2 = (c.x * c.x + c.y * c.y + c.z * c.z) * inverse;
+    const FourInRegisters g0 = q_.g00 + at * q_.g01, g1 = q_.g10 + at * q_.g11;
     const GaussLegendre<double>& rule = gauss_rule<double>(nodes_along_line(std::sqrt(ratio2), 0, digits_));
-    Lines zeroth = Lines::Zero(), first = Lines::Zero();
+    FourInRegisters sum{}, moment{};
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
       const double u = rule.nodes[k];
       const double t = u + q_.first();
-      const Lines step = t - foot;
-      const Lines square = least2 + length2 * step * step;
-      const Lines f = rule.weights[k] * (g0 + t * g1) / (square * square);
-      zeroth += f;
-      first += u * f;
+      const FourInRegisters step = t - foot;
+      const FourInRegisters square = least2 + length2 * step * step;
+      const FourInRegisters f = rule.weights[k] * (g0 + t * g1) / (square * square);
+      sum += f;
+      moment += u * f;
     }
+    const Lines zeroth(sum[0], sum[1], sum[2], sum[3]), first(moment[0], moment[1], moment[2], moment[3]);
     const Lines all = weight * zeroth, far = weight * first, v = q_.v0 + s;
     left_ += (1 - v) * (all - far);
     left_far_ += (1 - v) * far;
