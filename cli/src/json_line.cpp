@@ -74,12 +74,13 @@ class NumbersAsText {
   std::string key_;
 };
 
-std::string number(const Json& value, const std::string& where) {
+std::string number(const Json& value, const std::string& where, bool may_be_infinite = false) {
   if (!value.is_string()) throw InputError(fmt::format("{} is not a number", where));
   const auto& text = value.get_ref<const std::string&>();
   const auto parsed = parse_scalar<Mp200>(text);
   if (!parsed) throw InputError(fmt::format("{}: '{}' is not a number", where, text));
-  if (!isfinite(*parsed)) throw InputError(fmt::format("{} is not finite", where));
+  if (!isfinite(*parsed) && (!may_be_infinite || isnan(*parsed)))
+    throw InputError(fmt::format("{} is not finite", where));
   return text;
 }
 
@@ -92,8 +93,9 @@ std::array<std::string, 3> point(const Json& value, int dimension, const std::st
 }
 
 std::string parameter(const Json& given, const Parameter& p) {
-  const std::string text =
-      given.contains(p.name) ? number(given[std::string(p.name)], std::string(p.name)) : format_scalar(p.preset);
+  const std::string text = given.contains(p.name)
+                               ? number(given[std::string(p.name)], std::string(p.name), p.includes_infinity)
+                               : format_scalar(p.preset);
   const double x = *parse_scalar<double>(text);
   if (!p.allows(x))
     throw InputError(fmt::format("parameter {} = {} is outside ({}, {}{}{}", p.name, text, p.lowest, p.highest,

@@ -152,6 +152,14 @@ for order in 1 2; do
   "$cageproof" coordinates --cage cube --points "$work/on.vtp" --kind green >/dev/null 2>"$work/stderr" || fail "vtp of order $order: $(cat "$work/stderr")"
 done
 
+# The limit of an infinite Poisson's ratio has a name.
+for nu in '"inf"' '"-inf"' 1e300; do
+  echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1],"parameters":{"nu":'$nu'}}' | "$cageproof" eval --formula triangle.kelvin_displacement --evaluation closed_form
+done >"$work/stdout"
+grep -c '"value":\[0\.' "$work/stdout" | grep -qx 2 || fail "nu = inf: $(cat "$work/stdout")"
+echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,"inf"]}' | "$cageproof" eval --formula triangle.solid_angle --evaluation closed_form >"$work/stdout"
+grep -q 'not finite' "$work/stdout" || fail "a point at infinity: $(cat "$work/stdout")"
+
 # A hunted input of the plane is one that eval takes; a key that occurs twice is none.
 "$cageproof" hunt --formula segment.double_layer --evaluation closed_form --order 1 --budget 20 >"$work/stdout" 2>/dev/null
 grep -o '{"element".*}}' "$work/stdout" | "$cageproof" eval --formula segment.double_layer --evaluation closed_form >/dev/null || fail "eval of a hunted input"
