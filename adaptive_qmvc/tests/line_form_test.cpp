@@ -47,12 +47,12 @@ double relative(const std::vector<A>& a, const std::vector<B>& b) {
   return static_cast<double>(Mp100(sqrt(Mp100(difference / size))));
 }
 
-class line_form_on : public testing::TestWithParam<int> {
+class LineFormOn : public testing::TestWithParam<int> {
  protected:
   const Corners& quad() const { return GetParam() == 0 ? kFlat : GetParam() == 1 ? kTwisted : kStrong; }
 };
 
-TEST_P(line_form_on, is_the_integral_at_all_distances_to_30_digits) {
+TEST_P(LineFormOn, is_the_integral_at_all_distances_to_30_digits) {
   for (const double distance : {3.0, 0.25, 0x1p-10, 0x1p-30}) {
     const Vec point = at(quad(), 0.375, 0.625) - distance * normal(quad(), 0.375, 0.625);
     const Result<Mp50> integral = evaluate<Mp50>("multiprecision", quad(), point, 2);
@@ -62,7 +62,7 @@ TEST_P(line_form_on, is_the_integral_at_all_distances_to_30_digits) {
   }
 }
 
-TEST_P(line_form_on, is_the_integral_beside_edges_and_corners) {
+TEST_P(LineFormOn, is_the_integral_beside_edges_and_corners) {
   for (const auto& [u, v] : {std::pair{0.0, 0.375}, std::pair{1.0, 1.0}, std::pair{-0.25, 0.5}}) {
     const Vec point = at(quad(), u, v) + 0x1p-12 * Vec(0.5, 0.25, 0.75);
     const Result<Mp50> integral = evaluate<Mp50>("multiprecision", quad(), point, 1);
@@ -74,7 +74,7 @@ TEST_P(line_form_on, is_the_integral_beside_edges_and_corners) {
 }
 
 // With the corner at the origin a double says exactly how close the point is, and nothing is ill-conditioned.
-TEST_P(line_form_on, keeps_all_digits_next_to_a_corner_at_the_origin) {
+TEST_P(LineFormOn, keeps_all_digits_next_to_a_corner_at_the_origin) {
   Corners q = quad();
   for (Vec& c : q) c -= quad()[0];
   for (double distance = 1; distance > 1e-17; distance /= 16) {
@@ -87,7 +87,7 @@ TEST_P(line_form_on, keeps_all_digits_next_to_a_corner_at_the_origin) {
   }
 }
 
-TEST_P(line_form_on, gives_the_digits_that_its_name_says) {
+TEST_P(LineFormOn, gives_the_digits_that_its_name_says) {
   for (int i = 0; i < 200; ++i) {
     RandomStream random(1, "line digits", i);
     const double u = random.uniform(-0.5, 1.5), v = random.uniform(-0.5, 1.5),
@@ -105,7 +105,7 @@ TEST_P(line_form_on, gives_the_digits_that_its_name_says) {
   }
 }
 
-TEST_P(line_form_on, diverges_on_the_quad) {
+TEST_P(LineFormOn, diverges_on_the_quad) {
   // Dyadic corners and parameters: exactly on.
   for (const auto& [u, v] : {std::pair{0.375, 0.625}, std::pair{0.0, 0.5}, std::pair{1.0, 1.0}}) {
     const Result<double> found = evaluate<double>("line_form", quad(), at(quad(), u, v), 1);
@@ -118,7 +118,7 @@ std::string kind_of(const testing::TestParamInfo<int>& quad) {
   return quad.param == 0 ? "flat" : quad.param == 1 ? "twisted" : "strongly_twisted";
 }
 
-INSTANTIATE_TEST_SUITE_P(quads, line_form_on, testing::Values(0, 1, 2), kind_of);
+INSTANTIATE_TEST_SUITE_P(quads, LineFormOn, testing::Values(0, 1, 2), kind_of);
 
 // The lines' directions vanish beyond the other side: a double root that once hid the pair next to the point.
 TEST(line_form, sees_the_peak_beside_the_long_side_of_a_trapezoid) {

@@ -61,6 +61,7 @@ WorkPrecision measure_coordinates(const Arguments& a) {
   benchmarks::WorkPrecisionOptions options = a.options;
   options.triangulation = a.cage.rule();
   std::vector<benchmarks::KindAndEvaluation> what;
+  what.reserve(options.evaluations.size());
   for (const std::string& evaluation : options.evaluations) what.push_back({"quad_mean_value", evaluation});
   WorkPrecision result =
       benchmarks::coordinate_times(cage, points, what.empty() ? benchmarks::table_one() : what, options);

@@ -38,6 +38,7 @@ Cage CageArguments::load() const {
 std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known,
                                     std::string_view owner) {
   std::vector<double> values;
+  values.reserve(known.size());
   for (const Parameter& p : known) values.push_back(p.preset);
   for (const std::string& text : given) {
     const auto equals = text.find('=');

@@ -43,10 +43,13 @@ std::vector<const validation::Check*> chosen_checks(const Arguments& a) {
 std::string input_text(const Formula& formula, const WorstCase& worst) {
   const auto hex = [&](const Vec3<double>& p) {
     std::vector<std::string> coordinates;
+    coordinates.reserve(3);
     for (int c = 0; c < formula.dim(); ++c) coordinates.push_back(fmt::format("\"{}\"", format_hex(p[c])));
     return fmt::format("[{}]", fmt::join(coordinates, ","));
   };
   std::vector<std::string> corners, parameters;
+  corners.reserve(worst.corners.size());
+  parameters.reserve(worst.parameters.size());
   for (const auto& corner : worst.corners) corners.push_back(hex(corner));
   for (std::size_t k = 0; k < worst.parameters.size(); ++k)
     parameters.push_back(fmt::format("\"{}\":\"{}\"", formula.parameters[k].name, format_hex(worst.parameters[k])));

@@ -93,9 +93,9 @@ std::array<std::string, 3> point(const Json& value, int dimension, const std::st
 }
 
 std::string parameter(const Json& given, const Parameter& p) {
-  const std::string text = given.contains(p.name)
-                               ? number(given[std::string(p.name)], std::string(p.name), p.includes_infinity)
-                               : format_scalar(p.preset);
+  std::string text = given.contains(p.name)
+                         ? number(given[std::string(p.name)], std::string(p.name), p.includes_infinity)
+                         : format_scalar(p.preset);
   const double x = *parse_scalar<double>(text);
   if (!p.allows(x))
     throw InputError(fmt::format("parameter {} = {} is outside ({}, {}{}{}", p.name, text, p.lowest, p.highest,

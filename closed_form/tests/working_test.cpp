@@ -14,6 +14,7 @@ const std::array<double, 2> kParameters{0.7, 0.3};
 template <Scalar R>
 Result<R> evaluated(const Formula& formula, const std::string& evaluation, const Vec3<double>& point, int order) {
   std::vector<Vec3<R>> corners;
+  corners.reserve(kCorners.size());
   for (const auto& corner : kCorners) corners.push_back(convert<R>(corner));
   const std::vector<R> parameters(kParameters.begin(),
                                   kParameters.begin() + static_cast<std::ptrdiff_t>(formula.parameters.size()));

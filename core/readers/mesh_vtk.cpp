@@ -37,7 +37,7 @@ class VtkMessages {
   VtkMessages& operator=(const VtkMessages&) = delete;
   /// The first message without VTK's source line and object address; empty when there is none.
   std::string first() {
-    const std::string text = window_->GetOutput();
+    std::string text = window_->GetOutput();
     std::string_view rest = text, line;
     if (!take_line(rest, line) || !take_line(rest, line)) return text;
     const std::size_t address = line.find("): ");

@@ -23,7 +23,7 @@ std::string input_error_of(F&& f) {
   try {
     f();
   } catch (const InputError& error) {
-    const std::string message = error.what();
+    std::string message = error.what();
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     return message;
   }

@@ -32,6 +32,7 @@ std::vector<const Regime*> regimes_of(ElementKind kind) {
 
 std::vector<Vec3<Mp100>> wide(const std::vector<Vec>& corners) {
   std::vector<Vec3<Mp100>> found;
+  found.reserve(corners.size());
   for (const Vec& v : corners) found.push_back(convert<Mp100>(v));
   return found;
 }
@@ -95,6 +96,7 @@ TEST(element_regimes, near_samples_lie_as_far_from_the_surface_as_they_say) {
       for (std::uint64_t i = 0; i < 200; ++i) {
         const Sample s = make_sample(formula_on(kind), regime, 3, i);
         std::vector<Vec3<Mp200>> corners;
+        corners.reserve(s.corners.size());
         for (const Vec& v : s.corners) corners.push_back(convert<Mp200>(v));
         const double off =
             std::abs(static_cast<double>(sampling_of(kind).exact.off_surface(corners, convert<Mp200>(s.point))));

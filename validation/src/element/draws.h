@@ -69,7 +69,7 @@ inline Vec3<double> random_step(RandomStream& random, int dim) {
     return random_sign(random) * unit_along(axis);
   }
   for (;;) {
-    const Vec3<double> step = random_integers(random, 1, dim);
+    Vec3<double> step = random_integers(random, 1, dim);
     if (step != Vec3<double>::Zero()) return step;
   }
 }

@@ -4,6 +4,7 @@
 
 #include "cageproof/closed_form/arithmetic/jet.h"
 
+#include <algorithm>
 #include <array>
 
 namespace cageproof::closed_form {
@@ -60,7 +61,7 @@ struct Taylor {
   /// Adds factor * f, up to this polynomial's degree.
   template <int F>
   void add(const R& factor, const Taylor<R, F>& f) {
-    for (int m = 0; m < Monomials<(F < N ? F : N)>::count; ++m) c[m] += factor * f.c[m];
+    for (int m = 0; m < Monomials<std::min(F, N)>::count; ++m) c[m] += factor * f.c[m];
   }
   /// Adds factor * (v . delta) * (the part of degree k - 1 of f) to the part of degree k.
   template <class V, int F>

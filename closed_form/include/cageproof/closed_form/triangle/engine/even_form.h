@@ -133,14 +133,14 @@ std::array<Taylor<R, N>, 3> EvenForm<R, N>::off_plane() const {
 
 template <class R, int N>
 std::array<Taylor<R, N>, 3> EvenForm<R, N>::in_plane() const {
-  Taylor<R, K> hK4;
-  for (int i = 0; i < 3; ++i) hK4.add_linear(frame_.edges[i].h, negative(frame_.edges[i].nu), K4_[i]);
+  Taylor<R, K> heights;
+  for (int i = 0; i < 3; ++i) heights.add_linear(frame_.edges[i].h, negative(frame_.edges[i].nu), K4_[i]);
   std::array<Taylor<R, N>, 3> w;
   for (int k = 0; k < 3; ++k) {
     const Vec3<R> g = frame_.hat_gradient(k);
     Taylor<R, K> y;
     y.add(R(1), weighted(g));
-    y.add_linear(frame_.hat(k), g, hK4);
+    y.add_linear(frame_.hat(k), g, heights);
     w[k].add_linear(R(0), frame_.n, y);
     w[k] *= R(1) / R(2);
   }

@@ -157,8 +157,12 @@ Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) requires Scalar<R> {
 template <class R, Scalar S>
 R tracked_from(const S& x) {
   using T = decltype(R::value);
-  const T value(x);
-  return R(value, (std::same_as<T, S> ? 8 : 1) * std::abs(static_cast<double>(value)));
+  if constexpr (std::same_as<T, S>) {
+    return R(x, 8 * std::abs(static_cast<double>(x)));
+  } else {
+    const T value(x);
+    return R(value, std::abs(static_cast<double>(value)));
+  }
 }
 
 template <class R>
