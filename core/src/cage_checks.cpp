@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cage_checks.h"
 
+#include "cageproof/core/element.h"
 #include "cageproof/core/linear.h"
 
 #include "cageproof/core/input_error.h"
