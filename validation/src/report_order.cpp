@@ -38,10 +38,10 @@ class Order {
 
  private:
   static Rank subject(const RowKey& row) {
-    const auto formula = rank_in(catalogue(), row.subject, [](const Formula& f) { return f.name; });
+    auto formula = rank_in(catalogue(), row.subject, [](const Formula& f) { return f.name; });
     if (row.section == RowKey::Section::Element) return formula;
     const auto& kinds = coordinate_kinds();
-    const auto kind = rank_in(kinds, row.subject, [](const CoordinateKind& k) { return k.name; });
+    auto kind = rank_in(kinds, row.subject, [](const CoordinateKind& k) { return k.name; });
     return kind.first < kinds.size() ? kind : Rank{kinds.size() + formula.first, row.subject};
   }
   static Rank regime(const RowKey& row) {
