@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iostream>
 
 namespace cageproof::cli {
@@ -68,7 +69,9 @@ std::string evaluated(const QueryText& text, const Formula& formula, const Evalu
   for (int o = 0; o <= order; ++o)
     if (!result.radius_of(o).empty())
       line += fmt::format(",\"{}\":{}", radius_keys[o], array_text(result.radius_of(o)));
-  if (!std::isnan(result.stated_digits)) line += fmt::format(",\"stated_digits\":{:.1f}", result.stated_digits);
+  // Rounded down: 15.95 digits are not 16.
+  if (!std::isnan(result.stated_digits))
+    line += fmt::format(",\"stated_digits\":{:.1f}", std::floor(10 * result.stated_digits) / 10);
   if (!result.converged) line += ",\"converged\":false";
   return line + '}';
 }

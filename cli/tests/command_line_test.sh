@@ -152,6 +152,11 @@ for order in 1 2; do
   "$cageproof" coordinates --cage cube --points "$work/on.vtp" --kind green >/dev/null 2>"$work/stderr" || fail "vtp of order $order: $(cat "$work/stderr")"
 done
 
+# Stated digits are rounded down: one rounding of a double is 15.95 digits.
+echo '{"element":[[0,-1,0],[0,0,0],[0,0,1]],"point":["0x1.12e0be826d695p-30","-0x1.000010c6f7a0bp+0",0]}' |
+  "$cageproof" eval --formula triangle.double_layer --evaluation accurate --order 2 >"$work/stdout"
+grep -q '"stated_digits":1[0-5]' "$work/stdout" || fail "16 digits stated: $(cat "$work/stdout")"
+
 # The limit of an infinite Poisson's ratio has a name.
 for nu in '"inf"' '"-inf"' 1e300; do
   echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1],"parameters":{"nu":'$nu'}}' | "$cageproof" eval --formula triangle.kelvin_displacement --evaluation closed_form

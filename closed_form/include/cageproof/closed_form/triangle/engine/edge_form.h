@@ -244,8 +244,8 @@ R EdgeForm<R, N, M>::solid_angle() const {
     if (edge(0).h < R(0) || edge(1).h < R(0) || edge(2).h < R(0)) {
       // Beside the triangle the angles in its plane sum up to nothing, so that only what the height takes off them is
       // summed: atan(s height/(h r)) at each end.
-      const auto taken = [&](const FrameEdge<R>& e, const R& s, const R& r) {
-        return e.h < R(0) ? R(atan2(R(-s * height), R(-e.h * r))) : R(atan2(R(s * height), R(e.h * r)));
+      const auto taken = [&](const FrameEdge<R>& e, const R& along, const R& away) {
+        return e.h < R(0) ? R(atan2(R(-along * height), R(-e.h * away))) : R(atan2(R(along * height), R(e.h * away)));
       };
       for (int i = 0; i < 3; ++i) {
         const FrameEdge<R>& e = edge(i);
