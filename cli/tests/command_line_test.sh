@@ -159,7 +159,8 @@ grep -q '"stated_digits":1[0-5]' "$work/stdout" || fail "16 digits stated: $(cat
 
 # The limit of an infinite Poisson's ratio has a name.
 for nu in '"inf"' '"-inf"' 1e300; do
-  echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1],"parameters":{"nu":'$nu'}}' | "$cageproof" eval --formula triangle.kelvin_displacement --evaluation closed_form
+  echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1],"parameters":{"nu":'$nu'}}' |
+    "$cageproof" eval --formula triangle.kelvin_displacement --evaluation closed_form
 done >"$work/stdout"
 grep -c '"value":\[0\.' "$work/stdout" | grep -qx 2 || fail "nu = inf: $(cat "$work/stdout")"
 echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,"inf"]}' | "$cageproof" eval --formula triangle.solid_angle --evaluation closed_form >"$work/stdout"
@@ -172,7 +173,8 @@ echo '{"element":[[0,0],[1,0]],"point":[0,1],"point":[0,2]}' | "$cageproof" eval
 grep -qF '"point\" occurs twice' "$work/stdout" || fail "a key twice: $(cat "$work/stdout")"
 
 # Evaluations without the order asked for are left out of a default comparison.
-"$cageproof" bench --formula triangle.kelvin_traction --regime near-face --order 1 --samples 1 --seconds 0 >"$work/stdout" 2>&1 || fail "bench --order 1: $(cat "$work/stdout")"
+"$cageproof" bench --formula triangle.kelvin_traction --regime near-face --order 1 --samples 1 --seconds 0 >"$work/stdout" 2>&1 ||
+  fail "bench --order 1: $(cat "$work/stdout")"
 
 # Coordinates that keep quads: sums of one, points without coordinates counted, invalid quads named or warned of.
 for kind in quad_mean_value spherical_mean_value maximum_entropy; do
