@@ -39,6 +39,7 @@ std::array<R, 3> coordinates(const std::array<std::string, 3>& text) {
 // In 200 digits: a small triangle's area underflows in double, and is none the less an area.
 void require_extent(const QueryText& text, const ElementType& type) {
   std::vector<Vec3<Mp200>> corners;
+  corners.reserve(text.corners.size());
   for (const auto& corner : text.corners) corners.emplace_back(coordinates<Mp200>(corner).data());
   if (type.degenerate(corners)) throw InputError(std::string(type.degenerate_text));
 }
@@ -53,8 +54,10 @@ void require_finite(const Vec3<R>& v) {
 template <Scalar R>
 std::string evaluated(const QueryText& text, const Formula& formula, const Evaluation& evaluation, int order) {
   std::vector<Vec3<R>> corners;
+  corners.reserve(text.corners.size());
   for (const auto& corner : text.corners) corners.push_back(Eigen::Map<const Vec3<R>>(coordinates<R>(corner).data()));
   std::vector<R> parameters;
+  parameters.reserve(text.parameters.size());
   for (const std::string& p : text.parameters) parameters.push_back(*parse_scalar<R>(p));
   require_extent(text, type_of(formula.element));
   for (const Vec3<R>& corner : corners) require_finite<R>(corner);
