@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "../types.h"
 
+#include "cageproof/core/exact_geometry.h"
 #include "cageproof/core/linear.h"
 #include "cageproof/core/orientation.h"
 
@@ -21,22 +22,17 @@ ContactPoint contact(Corners c, const Vec3<double>& point) {
     if (side < 0) return {};
     if (side == 0) found = Contact::Border;
   }
-  // 200 digits hold the products of three doubles exactly over 100 decades.
-  std::array<Vec3<Mp200>, 3> p;
-  for (int k = 0; k < 3; ++k) p[k] = convert<Mp200>(corner[k]) - convert<Mp200>(point);
-  const Vec3<Mp200> normal = Vec3<Mp200>(p[1] - p[0]).cross(Vec3<Mp200>(p[2] - p[0]));
-  std::array<Mp200, 3> part;
-  for (int k = 0; k < 3; ++k) part[k] = p[(k + 1) % 3].cross(p[(k + 2) % 3]).dot(normal);
+  const ExactTriangle exact({convert<Mp200>(c[0]), convert<Mp200>(c[1]), convert<Mp200>(c[2])}, convert<Mp200>(point));
   ContactPoint at{found, {}};
-  for (int k = 0; k < 3; ++k) at.basis[k] = static_cast<double>(Mp200(part[k] / normal.dot(normal)));
+  for (int k = 0; k < 3; ++k)
+    at.basis[k] = static_cast<double>(Mp200(exact.beside[(k + 1) % 3] / exact.normal.dot(exact.normal)));
   return at;
 }
 
 Vec3<double> area(Corners c) { return (c[1] - c[0]).cross(c[2] - c[0]); }
 
 bool degenerate(std::span<const Vec3<Mp200>> c) {
-  const Vec3<Mp200> a = c[1] - c[0], b = c[2] - c[0];
-  return a.cross(b) == Vec3<Mp200>::Zero();
+  return ExactTriangle({c[0], c[1], c[2]}, c[0]).normal == Vec3<Mp200>::Zero();
 }
 
 constexpr std::array<double, 4> a{1, 0, 0, 0}, b{0, 1, 0, 0}, c{0, 0, 1, 0}, ab{.5, .5, 0, 0}, bc{0, .5, .5, 0},
