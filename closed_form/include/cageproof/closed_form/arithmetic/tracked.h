@@ -17,24 +17,35 @@ double roundoff_of() {
   else return static_cast<double>(T(std::numeric_limits<T>::epsilon() / 2));
 }
 
+/// What errors of a type are counted in: powers of distances that multiprecision holds may leave double's range.
+template <class T>
+using ErrorOf = std::conditional_t<is_multiprecision<T>, long double, double>;
+
+/// |x| in the type of errors.
+template <class T>
+ErrorOf<T> size_of(const T& x) {
+  if constexpr (is_multiprecision<T>) return std::abs(mpfr_get_ld(x.data(), MPFR_RNDN));
+  else return std::abs(static_cast<double>(x));
+}
+
 /// A value of type T and a bound of its absolute error in units of roundoff_of<T>() (Wilkinson 1986; Higham 2002,
 /// Section 3.3): every operation adds its own rounding to what it passes on. The bound itself is rounded, which is why
 /// acceptance leaves room.
 template <class T>
 struct Tracked {
+  using Error = ErrorOf<T>;
+
   T value{};
-  double error = 0;
+  Error error = 0;
 
   Tracked() = default;
   /// An exact number.
   Tracked(int x) : value(x) {}
   Tracked(double x) : value(x) {}
-  Tracked(const T& v, double e) : value(v), error(e) {}
+  Tracked(const T& v, Error e) : value(v), error(e) {}
 
-  double magnitude() const { return std::abs(static_cast<double>(value)); }
-  static Tracked rounded(const T& v, double e, double roundings = 1) {
-    return {v, e + roundings * std::abs(static_cast<double>(v))};
-  }
+  Error magnitude() const { return size_of(value); }
+  static Tracked rounded(const T& v, Error e, double roundings = 1) { return {v, e + roundings * size_of(v)}; }
 
   friend Tracked operator-(const Tracked& a) { return {T(-a.value), a.error}; }
   friend Tracked operator+(const Tracked& a, const Tracked& b) {
@@ -49,7 +60,7 @@ struct Tracked {
   }
   friend Tracked operator/(const Tracked& a, const Tracked& b) {
     const T quotient = a.value / b.value;
-    const double size = std::abs(static_cast<double>(quotient));
+    const Error size = size_of(quotient);
     return rounded(quotient, (a.error + size * b.error) / remaining(b));
   }
   Tracked& operator+=(const Tracked& b) { return *this = *this + b; }
@@ -66,7 +77,7 @@ struct Tracked {
   friend Tracked sqrt(const Tracked& a) {
     using std::sqrt;
     const T root = sqrt(a.value);
-    const double size = static_cast<double>(root);
+    const Error size = size_of(root);
     return rounded(root, a.error == 0 ? 0 : a.error / (size + std::sqrt(remaining(a))));
   }
   friend Tracked log(const Tracked& a) {
@@ -80,18 +91,20 @@ struct Tracked {
   }
   friend Tracked atan2(const Tracked& y, const Tracked& x) {
     using std::atan2;
-    const double a = x.magnitude(), b = y.magnitude(), reach = std::hypot(a, b);
-    return rounded(
-        T(atan2(y.value, x.value)),
-        (a / reach * y.error + b / reach * x.error) / remaining(Tracked(T(reach), std::hypot(x.error, y.error))),
-        kFunctionRoundings);
+    const Error a = x.magnitude(), b = y.magnitude(), reach = std::hypot(a, b);
+    return rounded(T(atan2(y.value, x.value)),
+                   (a / reach * y.error + b / reach * x.error) / remaining(reach, std::hypot(x.error, y.error)),
+                   kFunctionRoundings);
   }
 
  private:
   /// Mathematical libraries promise an ulp or two for logarithms and angles, not half of one.
   static constexpr double kFunctionRoundings = 4;
   /// The magnitude less its own error: what a divisor may have shrunk to; zero where nothing of it is certain.
-  static double remaining(const Tracked& a) { return std::max(0.0, a.magnitude() - roundoff_of<T>() * a.error); }
+  static Error remaining(const Tracked& a) { return remaining(a.magnitude(), a.error); }
+  static Error remaining(Error magnitude, Error error) {
+    return std::max(Error(0), magnitude - static_cast<Error>(roundoff_of<T>()) * error);
+  }
 };
 
 /// The ratio of a circle's circumference to its diameter, rounded to R.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/wide.h"
+#include "cageproof/core/exact_geometry.h"
 #include "cageproof/core/orientation.h"
 
 #include <algorithm>
@@ -97,16 +98,20 @@ WideVec<Wide<R>> shifted(WideVec<Wide<R>> v, int exponent) {
   return v;
 }
 
-/// e x p over their lengths where doubles' products leave no digits: from 200 digits, which hold the products of
-/// doubles over 60 decades exactly. \param e, p exact differences of doubles, over lengths
-inline double exact_sine(const WideVec<DoubleDouble>& e, const WideVec<DoubleDouble>& p, double lengths) {
-  const auto wide = [](const DoubleDouble& x) { return Mp200(x.high) + Mp200(x.low); };
-  const Mp200 cross = wide(e[0]) * wide(p[1]) - wide(e[1]) * wide(p[0]);
-  return static_cast<double>(Mp200(cross / Mp200(lengths)));
+/// e x p over their lengths, e the segment and p its end `end` seen from the point, from exact differences.
+template <Scalar R>
+R exact_sine(const ExactSegment& x, int end) {
+  const auto square = [](const std::array<Mp200, 2>& v) { return Mp200(v[0] * v[0] + v[1] * v[1]); };
+  return static_cast<R>(Mp200(x.cross / sqrt(square(x.e) * square(x.p[end]))));
+}
+
+template <Scalar R>
+ExactSegment exactly(const Segment<R>& segment, const Vec3<R>& eta) {
+  return {{convert<Mp200>(segment[0]), convert<Mp200>(segment[1])}, convert<Mp200>(eta)};
 }
 
 /// Cross products are formed in double-double, good to 2^-104 of their terms; below this multiple of the terms they are
-/// formed again in 200 digits.
+/// taken from exact differences.
 inline constexpr double kDoubtful = 0x1p-46;
 
 template <Scalar R>
@@ -160,11 +165,15 @@ Frame<R>::Frame(const Segment<R>& segment, const Vec3<R>& eta) : exponent(0), ne
   R cosine = static_cast<R>(plane_dot(e, p)) / (length * near_mantissa);
   if constexpr (std::same_as<R, double>) {
     const int side = side_of_line(segment, eta);
-    if (side != 0 && abs(sine) <= kDoubtful) sine = exact_sine(e, p, length * near_mantissa);
+    if (side != 0 && abs(sine) <= kDoubtful) sine = exact_sine<double>(exactly<double>(segment, eta), near_end);
     sine = side > 0 ? abs(sine) : -abs(sine);  // on the line: minus zero
     if (side == 0) sine = -0.0;
-  } else if (sine == 0) {
-    sine = -R(0);
+  } else {
+    const ExactSegment x = exactly<R>(segment, eta);
+    s = {static_cast<R>(x.before) / length, static_cast<R>(x.after) / length};
+    sine = exact_sine<R>(x, near_end);
+    cosine = s[near_end] / near_mantissa;
+    if (sine == 0) sine = -R(0);
   }
   if (at_end) {
     sine = -1;

@@ -23,13 +23,32 @@ inline constexpr double kFastTolerance = 1000 * 0x1p-53;
 template <int C>
 using AccurateJet = BoundedJet<C>;
 
+/// A formula's parameters in the scalar that it computes in.
+template <class F, Scalar R, Scalar W = Working<R>>
+std::array<W, F::parameter_count> widened(std::span<const R> parameters) {
+  std::array<W, F::parameter_count> wide;
+  for (int i = 0; i < F::parameter_count; ++i) wide[i] = parameters[i];
+  return wide;
+}
+
+/// The points a side of the far form in multiprecision, where it takes over.
+template <class F, int O, Scalar R>
+std::optional<int> multiprecision_far_points(PointMoments<R, O>& at) {
+  return far_points_for<F, O>(at.ellipse(), static_cast<double>(unit_roundoff<R>()), kMultiprecisionLimit);
+}
+
 /// The fast one, at a point whose moments other formulas may share; the result does not depend on which do. In double:
 /// far away a few Gauss points, else the near form; on slivers, where that cancels, the near form in more digits
-/// (formulas that cancel nearby: wherever its own error bound says so). In multiprecision: the near form alone. \param
-/// finite_part Batch::finite_part
+/// (formulas that cancel nearby: wherever its own error bound says so); at extreme points what 200 digits say. In
+/// multiprecision: the near form, up to where it has lost half its digits. \param finite_part Batch::finite_part
 template <class F, int O, Scalar R>
 Jet<R, F::components> closed_form(PointMoments<R, O>& at, std::span<const R> parameters, bool finite_part) {
   const Frame<R>& f = at.frame();
+  if constexpr (std::same_as<R, double>)
+    if (f.extreme) {
+      const auto wide = widened<F, double, Mp200>(parameters);
+      return narrowed<double>(closed_form<F, O, Mp200>(at.beyond(), wide, finite_part));
+    }
   int limit = first_divergent<F>(f);
   if (limit == 0 && finite_part) limit = 1;
   if constexpr (F::diverges_on_triangle)
@@ -44,19 +63,14 @@ Jet<R, F::components> closed_form(PointMoments<R, O>& at, std::span<const R> par
       set_infinities<F, O>(at, parameters, limit, result.jet);
       return result.jet;
     }
+  } else if (limit == 3) {
+    if (const auto n = multiprecision_far_points<F, O>(at))
+      return finish<F, O, R>(far_components<F, O, R>(f, *n, parameters), f.unit, limit);
   }
   Jet<R, F::components> jet =
       finish<F, O, R>(composed<F, O, R>(at.moments().template near<F>(), parameters), f.unit, limit);
   set_infinities<F, O>(at, parameters, limit, jet);
   return jet;
-}
-
-/// A formula's parameters in the scalar that it computes in.
-template <class F, Scalar R>
-std::array<Working<R>, F::parameter_count> widened(std::span<const R> parameters) {
-  std::array<Working<R>, F::parameter_count> wide;
-  for (int i = 0; i < F::parameter_count; ++i) wide[i] = parameters[i];
-  return wide;
 }
 
 /// The fast one of a single formula at a single point. Units and limits: at the formula.
@@ -75,6 +89,21 @@ Jet<R, F::components> closed_form(const Triangle<R>& t, const Vec3<R>& eta, std:
   }
 }
 
+/// `accurate` at an extreme point: the closed form in 200 digits, with its bound. The far form cancels nothing.
+template <class F, int O>
+AccurateJet<F::components> accurate_beyond(PointMoments<double, O>& at, std::span<const double> parameters,
+                                           bool finite_part) {
+  PointMoments<Mp200, O>& wide = at.beyond();
+  int limit = first_divergent<F>(wide.frame());
+  if (limit == 0 && finite_part) limit = 1;
+  AccurateJet<F::components> result;
+  result.jet = narrowed<double>(closed_form<F, O, Mp200>(wide, widened<F, double, Mp200>(parameters), finite_part));
+  if (F::diverges_on_triangle && limit < 3) return result;
+  if (limit == 3 && multiprecision_far_points<F, O>(wide)) result.bound.fill(unit_roundoff<double>());
+  else result.bound = tracked_near<F, Mp200>(at, parameters, limit).bound;
+  return result;
+}
+
 /// The careful one, in double: every order to kAccurateTolerance relative to its norm, also where the problem itself is
 /// ill-posed, with a bound of the error that the arithmetic carries along. Arguments as closed_form's.
 template <class F, int O>
@@ -82,6 +111,7 @@ AccurateJet<F::components> accurate(const Triangle<double>& t, const Vec3<double
                                     std::span<const double> parameters, bool finite_part = false) {
   PointMoments<double, O> at(t, eta);
   const Frame<double>& f = at.frame();
+  if (f.extreme) return accurate_beyond<F, O>(at, parameters, finite_part);
   int limit = first_divergent<F>(f);
   if (limit == 0 && finite_part) limit = 1;
   if constexpr (F::diverges_on_triangle)

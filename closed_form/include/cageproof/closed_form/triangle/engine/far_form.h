@@ -14,18 +14,20 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// Squared distance of the triangle from the point.
+/// Distance of the triangle from the point.
 template <class R>
-double squared_distance(const Frame<R>& f) {
-  double least = std::numeric_limits<double>::infinity();
+R distance_of(const Frame<R>& f) {
+  using std::abs, std::sqrt;
   bool within = true;
+  for (const FrameEdge<R>& e : f.edges) within = within && e.h >= R(0);
+  if (within) return abs(f.d);
+  R least = f.farthest();
   for (const FrameEdge<R>& e : f.edges) {
-    within = within && e.h >= R(0);
     const bool foot = e.s0 <= R(0) && e.s1 >= R(0);
-    const double nearest_end = std::min(static_cast<double>(e.r0), static_cast<double>(e.r1));
-    least = std::min(least, foot ? static_cast<double>(e.D2) : nearest_end * nearest_end);
+    const R nearest = foot ? R(sqrt(e.D2)) : e.r0 < e.r1 ? e.r0 : e.r1;
+    if (nearest < least) least = nearest;
   }
-  return within ? static_cast<double>(f.d) * static_cast<double>(f.d) : least;
+  return least;
 }
 
 /// How far the point is, as the Gauss-Legendre rule sees it: on a segment of length l whose ends are r0 and r1 away the
@@ -34,10 +36,11 @@ double squared_distance(const Frame<R>& f) {
 /// distance/l)^2), l at most the longest edge.
 template <class R>
 double ellipse_of(const Frame<R>& f) {
-  double size = 0;
-  for (const FrameEdge<R>& e : f.edges) size = std::max(size, static_cast<double>(e.length));
-  const double slope = 2 * std::sqrt(squared_distance(f)) / size;
-  return slope + std::sqrt(1 + slope * slope);
+  R size = f.edges[0].length;
+  for (int i = 1; i < 3; ++i)
+    if (f.edges[i].length > size) size = f.edges[i].length;
+  const double slope = 2 * static_cast<double>(R(distance_of(f) / size));
+  return slope + std::hypot(1, slope);
 }
 
 /// Bound of the relative error of n x n points for the hat functions times r^p and its derivatives up to degree N,
@@ -61,12 +64,15 @@ inline std::optional<int> far_points(double rho, int p, int degree, double toler
 /// The most points a side that the far form takes where the edge form is the quicker one, and where that cancels long
 /// before (mean value).
 inline constexpr int kFarLimit = 20, kCancellingLimit = 48;
+/// The same in multiprecision, where the edge form has digits to lose: few, so that the far form takes over where half
+/// of them are lost, and double's far form is judged by the edge form up to there.
+inline constexpr int kMultiprecisionLimit = 12;
 
 /// A rule's number in the arithmetic of the form.
 template <class R, Scalar S>
 R rule_number(const S& x) {
   if constexpr (Scalar<R>) return x;
-  else return R(x, std::abs(x));
+  else return R(x, size_of(x));
 }
 
 /// The scalar that a form's rule comes from: tracked doubles take it from double.

@@ -4,9 +4,11 @@
 
 #include "cageproof/closed_form/arithmetic/tracked.h"
 #include "cageproof/closed_form/arithmetic/wide.h"
+#include "cageproof/core/exact_geometry.h"
 #include "cageproof/core/orientation.h"
 
 #include <array>
+#include <optional>
 
 namespace cageproof::closed_form::triangle {
 
@@ -32,6 +34,9 @@ struct Frame {
   R area2;         ///< twice the area
   R unit;          ///< the caller's lengths are these times `unit`
   int far_corner;  ///< the corner farthest from the point
+  /// In double: powers of distances may leave the range of numbers, or distances that are not zero have become it; all
+  /// else may be without meaning then, and the point is seen in multiprecision instead.
+  bool extreme = false;
 
   Frame(const Triangle<R>& t, const Vec3<R>& eta) requires Scalar<R>;
   /// The same geometry, rounded to a tracked type.
@@ -68,6 +73,14 @@ struct Frame {
   }
   /// True when the point lies on the triangle, its border included.
   bool on_triangle() const { return d == 0 && edges[0].h >= 0 && edges[1].h >= 0 && edges[2].h >= 0; }
+
+ private:
+  void set(const ExactTriangle& x) requires Scalar<R>;
+  void set(const Triangle<R>& t, const Vec3<R>& eta) requires std::same_as<R, double>;
+  void find_far_corner() {
+    far_corner = r[0] >= r[1] ? 0 : 1;
+    if (r[2] > r[far_corner]) far_corner = 2;
+  }
 };
 
 /// The power of two just above x > 0; one for multiprecision, whose exponents do not overflow.
@@ -77,75 +90,116 @@ R unit_of(const R& x) {
   else return std::ldexp(R(1), std::ilogb(x) + 1);
 }
 
-/// Edge i, its in-plane normal e x N and N itself, exactly: 200 digits hold these products of doubles over 30 decades
-/// of size.
-template <Scalar R>
-struct ExactPlane {
-  std::array<Vec3<Mp200>, 3> p;
-  Vec3<Mp200> normal;
-
-  ExactPlane(const Triangle<R>& t, const Vec3<R>& eta, const R& scale) {
-    for (int i = 0; i < 3; ++i) p[i] = convert<Mp200>(Vec3<R>(t[i] * scale)) - convert<Mp200>(Vec3<R>(eta * scale));
-    normal = Vec3<Mp200>(p[1] - p[0]).cross(Vec3<Mp200>(p[2] - p[0]));
-  }
-  R height() const { return static_cast<R>(Mp200(normal.dot(p[0]))); }
-  R beside(int i) const { return static_cast<R>(Mp200(Vec3<Mp200>(p[(i + 1) % 3] - p[i]).cross(normal).dot(p[i]))); }
-};
-
 /// Products of geometry are formed in double-double, good to 2^-104 of their terms; below this multiple of the terms
-/// too few digits are left of them, and they are formed again in 200 digits.
+/// too few digits are left of them, and they are taken from exact differences.
 inline constexpr double kDoubtful = 0x1p-46;
+
+/// Distances below 2^-kExtreme of the largest, and units beyond 2^(2 kExtreme), are extreme in double: eighth powers of
+/// the one and second powers of the other are normal numbers still.
+inline constexpr int kExtreme = 120;
 
 template <class R>
 Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) requires Scalar<R> {
-  using std::abs, std::max, std::sqrt;
-  R largest = 0;
-  for (int i = 0; i < 3; ++i)
-    for (int c = 0; c < 3; ++c) largest = max(largest, R(max(abs(t[i][c] - eta[c]), abs(t[(i + 1) % 3][c] - t[i][c]))));
-  unit = unit_of(largest);
-  const R scale = 1 / unit;
-  std::array<WideVec<Wide<R>>, 3> wp, we;
+  if constexpr (is_multiprecision<R>)
+    set(ExactTriangle({convert<Mp200>(t[0]), convert<Mp200>(t[1]), convert<Mp200>(t[2])}, convert<Mp200>(eta)));
+  else set(t, eta);
+}
+
+template <class R>
+void Frame<R>::set(const ExactTriangle& x) requires Scalar<R> {
+  using std::sqrt;
+  unit = R(1);
+  const auto vector = [](const Vec3<Mp200>& v) {
+    return Vec3<R>(static_cast<R>(v[0]), static_cast<R>(v[1]), static_cast<R>(v[2]));
+  };
   for (int i = 0; i < 3; ++i) {
-    // Scaling by a power of two is exact, so it may come before the difference.
-    wp[i] = wide_difference<R>(t[i] * scale, eta * scale);
-    we[i] = wide_difference<R>(t[(i + 1) % 3] * scale, t[i] * scale);
-    p[i] = narrow<R>(wp[i]);
+    p[i] = vector(x.p[i]);
     r[i] = sqrt(p[i].dot(p[i]));
   }
-  far_corner = r[0] >= r[1] ? 0 : 1;
-  if (r[2] > r[far_corner]) far_corner = 2;
-  R terms = 0;  // of the normal's components, before they cancel
-  for (int i = 0; i < 3; ++i) terms = max(terms, R(narrow<R>(we[i]).squaredNorm()));
-  const WideVec<Wide<R>> normal = cross(we[0], we[1]);
-  const Vec3<R> N = narrow<R>(normal);
+  find_far_corner();
+  const Vec3<R> N = vector(x.normal);
   area2 = sqrt(N.dot(N));
   n = N / area2;
+  d = -static_cast<R>(x.volume) / area2;
+  for (int i = 0; i < 3; ++i) {
+    FrameEdge<R>& e = edges[i];
+    const Vec3<R> along = vector(x.e[i]);
+    e.length = sqrt(along.dot(along));
+    e.u = along / e.length;
+    e.nu = vector(x.outward[i]) / (e.length * area2);
+    e.h = static_cast<R>(x.beside[i]) / (e.length * area2);
+    e.s0 = static_cast<R>(x.before[i]) / e.length;
+    e.s1 = static_cast<R>(x.after[i]) / e.length;
+    e.r0 = r[i];
+    e.r1 = r[(i + 1) % 3];
+    e.D2 = e.h * e.h + d * d;
+  }
+}
+
+template <class R>
+void Frame<R>::set(const Triangle<R>& t, const Vec3<R>& eta) requires std::same_as<R, double> {
+  using std::abs, std::max, std::sqrt;
+  double largest = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int c = 0; c < 3; ++c) largest = max({largest, abs(t[i][c] - eta[c]), abs(t[(i + 1) % 3][c] - t[i][c])});
+  unit = unit_of(largest);
+  extreme = !(abs(std::ilogb(unit)) <= 2 * kExtreme);
+  if (extreme) return;
+  const auto see = [this](double x) { extreme = extreme || !(abs(x) >= std::ldexp(1., -kExtreme)); };
+  const double scale = 1 / unit;
+  std::array<WideVec<DoubleDouble>, 3> wp, we;
+  for (int i = 0; i < 3; ++i) {
+    // Scaling by a power of two is exact, so it may come before the difference.
+    wp[i] = wide_difference<double>(t[i] * scale, eta * scale);
+    we[i] = wide_difference<double>(t[(i + 1) % 3] * scale, t[i] * scale);
+    p[i] = narrow<double>(wp[i]);
+    r[i] = sqrt(p[i].dot(p[i]));
+    if (t[i] != eta) see(p[i].cwiseAbs().maxCoeff());
+  }
+  find_far_corner();
+  double terms = 0;  // of the normal's components, before they cancel
+  for (int i = 0; i < 3; ++i) terms = max(terms, narrow<double>(we[i]).squaredNorm());
+  const WideVec<DoubleDouble> normal = cross(we[0], we[1]);
+  const Vec3<double> N = narrow<double>(normal);
+  area2 = sqrt(N.dot(N));
+  extreme = extreme || !(area2 > kDoubtful * terms);
+  n = N / area2;
+  std::optional<ExactTriangle> exact;  // in the caller's units
+  const auto exactly = [&]() -> const ExactTriangle& {
+    if (!exact)
+      exact.emplace(Triangle<Mp200>{convert<Mp200>(t[0]), convert<Mp200>(t[1]), convert<Mp200>(t[2])},
+                    convert<Mp200>(eta));
+    return *exact;
+  };
+  const auto in_units = [this](const Mp200& x, int degree) {
+    return static_cast<double>(ldexp(x, -degree * std::ilogb(unit)));
+  };
   int nearest = r[0] <= r[1] ? 0 : 1;
   if (r[2] < r[nearest]) nearest = 2;
-  R volume = static_cast<R>(dot(normal, wp[nearest]));
-  if constexpr (std::same_as<R, double>) {
-    const int side = side_of_plane(t, eta);
-    if (side != 0 && abs(volume) <= kDoubtful * terms * r[nearest]) volume = ExactPlane<R>(t, eta, scale).height();
-    volume = -side * abs(volume);
-  }
-  d = -volume / area2;
+  double volume = static_cast<double>(dot(normal, wp[nearest]));
+  const int side = side_of_plane(t, eta);
+  if (side != 0 && abs(volume) <= kDoubtful * terms * r[nearest]) volume = in_units(exactly().volume, 3);
+  d = side * abs(volume) / area2;
+  if (side != 0) see(d);
   for (int i = 0; i < 3; ++i) {
     FrameEdge<R>& e = edges[i];
     const int j = (i + 1) % 3;
-    const Vec3<R> vector = narrow<R>(we[i]);
-    e.length = sqrt(vector.dot(vector));
-    e.u = vector / e.length;
-    const WideVec<Wide<R>> outward = cross(we[i], normal);
-    e.nu = narrow<R>(outward) / (e.length * area2);
-    const R near_end = r[i] <= r[j] ? r[i] : r[j];
-    R beside = static_cast<R>(dot(outward, wp[r[i] <= r[j] ? i : j]));
-    if constexpr (std::same_as<R, double>) {
-      if (abs(beside) <= kDoubtful * terms * e.length * near_end) beside = ExactPlane<R>(t, eta, scale).beside(i);
-      if (d == 0) beside = side_of_edge(t, i, eta) * abs(beside);
+    const Vec3<double> along = narrow<double>(we[i]);
+    e.length = sqrt(along.dot(along));
+    see(e.length);
+    e.u = along / e.length;
+    const WideVec<DoubleDouble> outward = cross(we[i], normal);
+    e.nu = narrow<double>(outward) / (e.length * area2);
+    const double near_end = r[i] <= r[j] ? r[i] : r[j];
+    double beside = static_cast<double>(dot(outward, wp[r[i] <= r[j] ? i : j]));
+    if (abs(beside) <= kDoubtful * terms * e.length * near_end) {
+      beside = in_units(exactly().beside[i], 4);
+      if (!exactly().beside[i].is_zero()) see(beside / (e.length * area2));
     }
+    if (d == 0) beside = side_of_edge(t, i, eta) * abs(beside);
     e.h = beside / (e.length * area2);
-    e.s0 = static_cast<R>(dot(we[i], wp[i])) / e.length;
-    e.s1 = static_cast<R>(dot(we[i], wp[j])) / e.length;
+    e.s0 = static_cast<double>(dot(we[i], wp[i])) / e.length;
+    e.s1 = static_cast<double>(dot(we[i], wp[j])) / e.length;
     e.r0 = r[i];
     e.r1 = r[j];
     e.D2 = e.h * e.h + d * d;
@@ -157,12 +211,8 @@ Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) requires Scalar<R> {
 template <class R, Scalar S>
 R tracked_from(const S& x) {
   using T = decltype(R::value);
-  if constexpr (std::same_as<T, S>) {
-    return R(x, 8 * std::abs(static_cast<double>(x)));
-  } else {
-    const T value(x);
-    return R(value, std::abs(static_cast<double>(value)));
-  }
+  const T value(x);
+  return R(value, (std::same_as<T, S> ? 8 : 1) * size_of(value));
 }
 
 template <class R>

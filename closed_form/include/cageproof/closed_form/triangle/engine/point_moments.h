@@ -84,10 +84,16 @@ class PointMoments {
 
   const Frame<R>& frame() const { return frame_; }
   NearMoments<R, O>& moments() { return moments_; }
+  /// ellipse_of the frame.
+  double ellipse() {
+    if (!ellipse_) ellipse_ = ellipse_of(frame_);
+    return *ellipse_;
+  }
 
  private:
   Frame<R> frame_;
   NearMoments<R, O> moments_;
+  std::optional<double> ellipse_;
 };
 
 /// In double there are far forms besides, and near forms that bound their error: in double, and from 200 digits of
@@ -108,6 +114,15 @@ class PointMoments<double, O> {
     if (!ellipse_) ellipse_ = ellipse_of(frame_);
     return *ellipse_;
   }
+  /// The unit of tracked moments: the frame's, or one for what is extreme.
+  double unit() const { return frame_.extreme ? 1 : frame_.unit; }
+  /// The same triangle and point in multiprecision, for extreme ones.
+  PointMoments<Mp200, O>& beyond() {
+    if (!beyond_)
+      beyond_.emplace(Triangle<Mp200>{convert<Mp200>(t_[0]), convert<Mp200>(t_[1]), convert<Mp200>(t_[2])},
+                      convert<Mp200>(eta_));
+    return *beyond_;
+  }
   template <class T>
   TrackedMoments<T, O>& tracked() {
     auto& moments = std::get<std::optional<TrackedMoments<T, O>>>(tracked_);
@@ -123,7 +138,7 @@ class PointMoments<double, O> {
   // In the frame's unit, so that orders of magnitude are the same.
   const Frame<Mp200>& exact() {
     if (!exact_) {
-      const Mp200 unit(frame_.unit);
+      const Mp200 unit(this->unit());
       Triangle<Mp200> corners;
       for (int i = 0; i < 3; ++i) corners[i] = convert<Mp200>(t_[i]) / unit;
       exact_.emplace(corners, Vec3<Mp200>(convert<Mp200>(eta_) / unit));
@@ -141,6 +156,7 @@ class PointMoments<double, O> {
   std::tuple<std::optional<TrackedMoments<double, O>>, std::optional<TrackedMoments<DoubleDouble, O>>,
              std::optional<TrackedMoments<Mp200, O>>>
       tracked_;
+  std::optional<PointMoments<Mp200, O>> beyond_;
 };
 
 }  // namespace cageproof::closed_form::triangle

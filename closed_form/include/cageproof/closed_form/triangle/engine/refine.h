@@ -18,8 +18,11 @@ struct BoundedJet {
 /// The components rounded to double with their error bounds; orders from `limit` on are left out of the bounds.
 template <class F, int O, class T>
 BoundedJet<F::components> bounded(const Components<F, Tracked<T>, O>& from, const double& unit, int limit) {
+  // Squares of what multiprecision holds may leave double's range.
+  using Sum = std::conditional_t<is_multiprecision<T>, T, double>;
+  const auto squared = [](const Sum& x) { return Sum(x * x); };
   Components<F, double, O> plain;
-  std::array<double, 3> size{}, error{};
+  std::array<Sum, 3> size{}, error{};
   for (int c = 0; c < F::components; ++c)
     for (int m = 0; m < Monomials<O>::count; ++m) {
       const auto& e = Monomials<O>::exponents[m];
@@ -28,14 +31,23 @@ BoundedJet<F::components> bounded(const Components<F, Tracked<T>, O>& from, cons
       plain[c].c[m] = static_cast<double>(x.value);
       // A mixed derivative stands for two entries of the Hessian.
       const double weight = order == 2 && factor == 1 ? 2 : factor * factor;
-      size[order] += weight * plain[c].c[m] * plain[c].c[m];
-      error[order] += weight * x.error * x.error;
+      if constexpr (is_multiprecision<T>) {
+        size[order] += weight * squared(x.value);
+        Sum bound;
+        mpfr_set_ld(bound.data(), x.error, MPFR_RNDU);
+        error[order] += weight * squared(bound);
+      } else {
+        size[order] += weight * squared(plain[c].c[m]);
+        error[order] += weight * squared(x.error);
+      }
     }
   BoundedJet<F::components> result;
   result.jet = finish<F, O, double>(plain, unit, limit);
   for (int o = 0; o <= O && o < limit; ++o) {
     const double rounding = std::same_as<T, double> ? 0 : std::numeric_limits<double>::epsilon() / 2;
-    result.bound[o] = error[o] == 0 ? rounding : roundoff_of<T>() * std::sqrt(error[o] / size[o]) + rounding;
+    using std::sqrt;
+    result.bound[o] = rounding;
+    if (error[o] != Sum(0)) result.bound[o] += roundoff_of<T>() * static_cast<double>(Sum(sqrt(error[o] / size[o])));
     if (!(result.bound[o] < 1)) result.bound[o] = 1;
   }
   return result;
@@ -54,7 +66,7 @@ template <class F, class T, int O>
 BoundedJet<F::components> tracked_near(PointMoments<double, O>& at, std::span<const double> parameters, int limit) {
   const auto tracked = tracked_parameters<F, T>(parameters);
   const auto& moments = at.template tracked<T>().template near<F>();
-  return bounded<F, O, T>(composed<F, O, Tracked<T>>(moments, tracked), at.frame().unit, limit);
+  return bounded<F, O, T>(composed<F, O, Tracked<T>>(moments, tracked), at.unit(), limit);
 }
 
 /// The far form in double, n points a side, with its bound.
