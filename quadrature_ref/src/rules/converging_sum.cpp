@@ -13,6 +13,10 @@ constexpr double kLimitDigits = 20;
 // be a thousand times what it was asked for, and would pass for the norm.
 constexpr double kSeen = 4;
 
+// The most that one sum may cost, in nodes times entries of the tensors: about a second. A node itself costs as much as
+// kEntriesOfNode entries.
+constexpr double kMostWork = 2e7, kEntriesOfNode = 10;
+
 // From tensors at distances h, 2h, 4h: one fewer, without the term h^power. A term h^power log h becomes one in
 // h^power, which a second call cancels.
 void cancel(int power, int order, std::vector<Result<Mp200>>& at) {
@@ -22,6 +26,11 @@ void cancel(int power, int order, std::vector<Result<Mp200>>& at) {
       for (std::size_t i = 0; i < at[j].of(o).size(); ++i)
         at[j].of(o)[i] = (at[j].of(o)[i] * factor - at[j + 1].of(o)[i]) / denominator;
   at.pop_back();
+}
+
+void decline(Answer& answer, int order) {
+  std::ranges::fill(answer.sums.of(order), std::numeric_limits<Mp200>::quiet_NaN());
+  answer.digits[order] = 0;
 }
 
 }  // namespace
@@ -45,6 +54,7 @@ Answer converge(ConvergingSum& sum, double digits, int order) {
     answer.sums = sum.at(aim);
     double least = most;
     for (int o = 0; o <= order; ++o) {
+      if (sum.declines(o)) continue;
       answer.digits[o] = agreement(rough.of(o), answer.sums.of(o), most);
       least = std::min(least, answer.digits[o]);
     }
@@ -53,6 +63,8 @@ Answer converge(ConvergingSum& sum, double digits, int order) {
     rough = std::move(answer.sums);
     answer.sums = rough;
   }
+  for (int o = 0; o <= order; ++o)
+    if (sum.declines(o)) decline(answer, o);
   answer.sums.nodes = sum.nodes();
   return answer;
 }
@@ -65,6 +77,8 @@ Answer limit_from_inside(const Inside& inside, double digits, int order) {
   Mp200 inward = inside.clearance * pow(Mp200(10), Mp200(-(digits + kMargin) / 3));
   const auto nearest = inside.moved(inward);
   Answer answer = converge(*nearest, digits, order);
+  std::array<bool, 3> declined{};
+  for (int o = 0; o <= order; ++o) declined[o] = nearest->declines(o);
   std::vector<Result<Mp200>> at{answer.sums};
   for (int i = 0; i < 3 * times; ++i) {
     inward *= 2;
@@ -72,12 +86,17 @@ Answer limit_from_inside(const Inside& inside, double digits, int order) {
     sum->take_norm(nearest->norm());
     at.push_back(sum->at(answer.aim));
     answer.sums.nodes += sum->nodes();
+    for (int o = 0; o <= order; ++o) declined[o] = declined[o] || sum->declines(o);
   }
   for (const int power : {1, 2})
     for (int i = 0; i < times; ++i) cancel(power, order, at);
   const Result<Mp200> rough = at.front();
   for (int i = 0; i < times; ++i) cancel(3, order, at);
   for (int o = 0; o <= order; ++o) {
+    if (declined[o]) {
+      decline(answer, o);
+      continue;
+    }
     auto& tensor = answer.sums.of(o);
     tensor = at.front().of(o);
     const double tiny = inside.log10_natural[o] - digits - 4;
@@ -108,12 +127,28 @@ void ConvergingSum::find_norm(const std::array<double, 3>& mass, const SumWithEr
     bool all_known = true;
     for (int o = 0; o <= order_; ++o) {
       if (known[o]) continue;
-      norm_[o] = std::max(log10_norm(sums.of(o)), error[o]);
-      known[o] = mass[o] == kNoMass || norm_[o] > error[o] + kSeen;
+      if (!declines(o)) norm_[o] = std::max(log10_norm(sums.of(o)), error[o]);
+      known[o] = declines(o) || mass[o] == kNoMass || norm_[o] > error[o] + kSeen;
       all_known = all_known && known[o];
     }
     if (all_known) return;
   }
+  for (int o = 0; o <= order_; ++o)
+    if (!known[o]) norm_[o] = kDeclined;
+}
+
+bool ConvergingSum::too_much(double nodes) {
+  const Result<Mp200> sizes = empty();
+  double entries = kEntriesOfNode;
+  int highest = -1;
+  for (int o = 0; o <= order_; ++o) {
+    if (declines(o)) continue;
+    highest = o;
+    entries += static_cast<double>(sizes.of(o).size());
+  }
+  if (highest < 0 || nodes * entries <= kMostWork) return false;
+  norm_[highest] = kDeclined;
+  return true;
 }
 
 }  // namespace cageproof::quadrature_ref

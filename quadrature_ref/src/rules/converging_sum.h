@@ -32,6 +32,8 @@ class ConvergingSum {
   }
   /// Kernel evaluations so far.
   std::size_t nodes() const { return nodes_; }
+  /// Whether an order's tensor is not computed, because it would take too much work or cancels beyond 200 digits.
+  bool declines(int order) const { return norm_[order] == kDeclined; }
 
  protected:
   /// The sum with an absolute error of about 10^log10_error[order].
@@ -68,6 +70,9 @@ class ConvergingSum {
     nodes_ += part.nodes;
   }
 
+  /// Whether sums over as many nodes are more work than one is worth; declines the highest order of those that are left
+  /// if so. Sums then leave it out: error_of is infinite.
+  bool too_much(double nodes);
   /// Finds the norms, however much of the integrand's mass (log10, an order) cancels, if they are not known.
   void find_norm(const std::array<double, 3>& mass, const SumWithError& with_error);
   /// The absolute errors, log10, of that many digits.
@@ -79,6 +84,8 @@ class ConvergingSum {
   int order_;
 
  private:
+  static constexpr double kDeclined = std::numeric_limits<double>::infinity();
+
   std::tuple<std::vector<Mp50>, std::vector<Mp100>, std::vector<Mp200>> parameters_;
   std::size_t nodes_ = 0;
   std::array<double, 3> norm_{};  ///< log10, an order

@@ -5,6 +5,7 @@
 #include "cageproof/core/scalar.h"
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace cageproof::quadrature_ref {
@@ -42,6 +43,15 @@ double log10_magnitude(const R& x) {
     return std::log10(std::abs(x));
   }
 }
+
+/// ln |x| for any exponent; minus infinity for 0.
+template <Scalar R>
+double log_magnitude(const R& x) {
+  return log10_magnitude(x) * std::numbers::ln10;
+}
+
+/// asinh(exp(x)), also where exp(x) leaves double's range.
+inline double asinh_of_exp(double x) { return x > 30 ? x + std::numbers::ln2 : std::asinh(std::exp(x)); }
 
 /// log10 of the square root of the sum of squares.
 template <Scalar R>

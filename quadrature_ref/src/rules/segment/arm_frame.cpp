@@ -15,7 +15,7 @@ struct Foot {
 };
 
 Foot foot_of(const SegmentFrame<R>& s) {
-  return {-dot(s.corners[0], s.edges[0]) / s.extent, dot(s.corners[1], s.edges[0]) / s.extent};
+  return {-s.start, s.end};
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include "../local_corners.h"
 
+#include "cageproof/core/exact_geometry.h"
+
 #include <optional>
 
 namespace cageproof::quadrature_ref {
@@ -14,6 +16,7 @@ struct SegmentFrame : LocalCorners<R, 2, 1> {
   Vec3<R> normal;  ///< unit, outward: to the right of v_0 -> v_1
   R height;        ///< x . normal of every x on the segment
   R extent;        ///< the segment's length
+  R start, end;    ///< where along the edge the ends are, seen from the point's projection
 };
 
 /// Nothing for a segment without length or an input that is not finite.
@@ -25,10 +28,20 @@ std::optional<SegmentFrame<R>> segment_frame(std::span<const Vec3<R>> corners, c
   s.extent = length(edge);
   if (!(s.extent > 0)) return std::nullopt;
   s.normal = {edge[1] / s.extent, -edge[0] / s.extent, R(0)};
-  // The nearest end gives the height with the smallest rounding error; dividing last keeps an exact zero.
-  const Vec3<R>& nearest =
-      dot(s.corners[1], s.corners[1]) < dot(s.corners[0], s.corners[0]) ? s.corners[1] : s.corners[0];
-  s.height = (nearest[0] * edge[1] - nearest[1] * edge[0]) / s.extent;
+  if constexpr (std::same_as<R, Mp200>) {
+    const ExactSegment exact({corners[0], corners[1]}, point);
+    const auto per_extent = [&](const R& x) { return R(ldexp(x, -2 * s.exponent) / s.extent); };
+    s.height = -per_extent(exact.cross);
+    s.start = per_extent(exact.before);
+    s.end = per_extent(exact.after);
+  } else {
+    // The nearest end gives the height with the smallest rounding error; dividing last keeps an exact zero.
+    const Vec3<R>& nearest =
+        dot(s.corners[1], s.corners[1]) < dot(s.corners[0], s.corners[0]) ? s.corners[1] : s.corners[0];
+    s.height = (nearest[0] * edge[1] - nearest[1] * edge[0]) / s.extent;
+    s.start = dot(s.corners[0], edge) / s.extent;
+    s.end = dot(s.corners[1], edge) / s.extent;
+  }
   return s;
 }
 

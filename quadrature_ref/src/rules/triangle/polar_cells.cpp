@@ -12,14 +12,18 @@ constexpr int kFewestInCell = 3;
 // Where r vanishes as a function of w: i pi/2 for a ray square to the line of sight, asinh(-1) for one along it.
 const Singularities kRadialSingularities{{0, std::numbers::pi / 2}, {-0.8813735870195430, 0}};
 
-double radial_end(double a_over_distance, double v) { return std::asinh(a_over_distance * std::cosh(v)); }
+// asinh(a/distance cosh v), from the quotient's logarithm.
+double radial_end(double log_quotient, double v) {
+  const double log_cosh = std::abs(v) + std::log1p(std::exp(-2 * std::abs(v))) - std::numbers::ln2;
+  return asinh_of_exp(log_quotient + log_cosh);
+}
 
 // Cells of the panel [t_lo, t_hi] of an edge, for w from w_start to the edge.
-void add_edge_cells(const PolarCell& panel, double v0, double a_over_distance, double w_start,
-                    const PanelDesign& design, std::vector<PolarCell>& cells) {
+void add_edge_cells(const PolarCell& panel, double v0, double log_quotient, double w_start, const PanelDesign& design,
+                    std::vector<PolarCell>& cells) {
   const double v_lo = v0 + panel.t_lo, v_hi = v0 + panel.t_hi;
-  const double least = radial_end(a_over_distance, std::clamp(0.0, v_lo, v_hi));
-  const double most = std::max(radial_end(a_over_distance, v_lo), radial_end(a_over_distance, v_hi));
+  const double least = radial_end(log_quotient, std::clamp(0.0, v_lo, v_hi));
+  const double most = std::max(radial_end(log_quotient, v_lo), radial_end(log_quotient, v_hi));
   static thread_local std::vector<double> ends;
   set_panel_ends(w_start, std::max(most, w_start), kRadialSingularities, design, ends);
   std::size_t fixed = 0;
@@ -56,7 +60,7 @@ void add_edge_cells(const PolarCell& panel, double v0, double a_over_distance, d
 double disc_end(const PolarFrame<Mp200>& frame) {
   if (!frame.interior || frame.edges.size() != 3) return 0;
   double end = std::numeric_limits<double>::infinity();
-  for (const auto& edge : frame.edges) end = std::min(end, std::asinh(static_cast<double>(edge.a / frame.distance)));
+  for (const auto& edge : frame.edges) end = std::min(end, asinh_of_exp(log_magnitude(Mp200(edge.a / frame.distance))));
   return end * (1 - 1e-12);  // inside all edges also after rounding
 }
 
@@ -82,7 +86,7 @@ void set_polar_cells(const PolarFrame<Mp200>& frame, const PanelDesign& design, 
       panel.t_lo = ends[i];
       panel.t_hi = ends[i + 1];
       panel.last = i + 2 == ends.size();
-      add_edge_cells(panel, static_cast<double>(edge.v0), static_cast<double>(edge.a / frame.distance), disc, design,
+      add_edge_cells(panel, static_cast<double>(edge.v0), log_magnitude(Mp200(edge.a / frame.distance)), disc, design,
                      cells);
     }
   }

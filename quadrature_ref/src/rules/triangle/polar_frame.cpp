@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polar_frame.h"
 
+#include "cageproof/core/exact_geometry.h"
+
 #include <numbers>
 
 namespace cageproof::quadrature_ref {
@@ -12,9 +14,12 @@ bool projects_inside(const std::array<EdgeLine, 3>& lines) {
   return std::ranges::all_of(lines, [](const EdgeLine& line) { return line.inside >= 0; });
 }
 
+// The triangle's point c that is nearest to eta: eta's projection, or a point within an edge, or a corner.
 struct Nearest {
-  Vec3<R> x;                      ///< c - eta
-  std::array<bool, 3> on_edge{};  ///< c lies on that edge
+  int edge = -1, corner = -1;
+  Vec3<R> x;  ///< c - eta
+
+  bool on_edge(int k) const { return k == edge || k == corner || (corner >= 0 && k == (corner + 2) % 3); }
 };
 
 Nearest nearest_point(const LinedTriangle& t) {
@@ -22,23 +27,21 @@ Nearest nearest_point(const LinedTriangle& t) {
   Nearest best;
   if (projects_inside(lines)) {
     best.x = t.normal * t.height;
-    for (int k = 0; k < 3; ++k) best.on_edge[k] = lines[k].inside == 0;
+    // Exactly above the border c is on it.
+    for (int k = 0; k < 3; ++k)
+      if (lines[k].inside == 0) best.edge = k;
+    for (int k = 0; k < 3; ++k)
+      if (lines[k].inside == 0 && lines[(k + 2) % 3].inside == 0) best.corner = k;
     return best;
   }
   R best_square = -1;
   for (int k = 0; k < 3; ++k) {
-    const R s = -dot(t.corners[k], lines[k].u);
     Nearest candidate;
-    candidate.on_edge[k] = true;
-    if (s <= 0) {
-      candidate.x = t.corners[k];
-      candidate.on_edge[(k + 2) % 3] = true;
-    } else if (s >= lines[k].length) {
-      candidate.x = t.corners[(k + 1) % 3];
-      candidate.on_edge[(k + 1) % 3] = true;
-    } else {
-      candidate.x = t.corners[k] + lines[k].u * s;
-    }
+    if (lines[k].start >= 0) candidate.corner = k;
+    else if (lines[k].end <= 0) candidate.corner = (k + 1) % 3;
+    else candidate.edge = k;
+    candidate.x = candidate.corner >= 0 ? t.corners[candidate.corner]
+                                        : Vec3<R>(lines[k].nu * lines[k].inside + t.normal * t.height);
     const R square = dot(candidate.x, candidate.x);
     if (best_square < 0 || square < best_square) {
       best_square = square;
@@ -48,38 +51,73 @@ Nearest nearest_point(const LinedTriangle& t) {
   return best;
 }
 
+// An edge's line from c: its distance, where along u the edge starts and ends, and where eta is.
+struct EdgeFromNearest {
+  R away, start, end, along;
+};
+
+// What is small is taken as it is, never as a difference of what is not.
+EdgeFromNearest seen_from(const Nearest& c, const LinedTriangle& t, int k) {
+  const EdgeLine& line = t.lines[k];
+  const int before = (k + 2) % 3, after = (k + 1) % 3;  // the edges that end and start where this one starts and ends
+  const R along = -dot(c.x, line.u);
+  if (c.corner >= 0)
+    return {t.twice_area / line.length, dot(line.u, t.edges[before]), -dot(line.u, t.edges[after]), along};
+  if (c.edge < 0) return {line.inside, line.start, line.end, R(0)};
+  const EdgeLine& on = t.lines[c.edge];
+  const R cosine = dot(line.u, on.u), sine = t.twice_area / (line.length * on.length);
+  if (c.edge == before) {
+    const R start = cosine * on.end;
+    return {sine * on.end, start, start + line.length, along};
+  }
+  const R end = cosine * on.start;
+  return {-sine * on.start, end - line.length, end, along};
+}
+
 // The integrand is singular in v where the ray's foot (cosh v = 0) or r at the edge vanishes, and where w at the edge,
 // asinh of a cosh v / distance, has its branch points.
 Singularities singular_points(const R& a, const R& distance, const R& along, const R& line_distance, double v0) {
   using Complex = std::complex<double>;
   constexpr double kHalfPi = std::numbers::pi / 2;
-  const double branch = std::asinh(static_cast<double>(distance / a));
+  const double branch = asinh_of_exp(log_magnitude(R(distance / a)));
   Singularities points{Complex(-v0, kHalfPi), Complex(branch - v0, kHalfPi), Complex(-branch - v0, kHalfPi)};
-  const Complex edge_zero(static_cast<double>(along / a), static_cast<double>(line_distance / a));
-  if (std::isfinite(std::norm(edge_zero))) {
-    // sinh takes each value twice in the strip 0 < Im v < pi.
-    const Complex v = std::asinh(edge_zero);
-    points.push_back(v - v0);
-    points.push_back(Complex(-v.real() - v0, std::numbers::pi - v.imag()));
-  }
+  const R modulus = sqrt(along * along + line_distance * line_distance);
+  if (modulus == 0) return points;
+  // sinh takes each value twice in the strip 0 < Im v < pi.
+  const double log_modulus = log_magnitude(R(modulus / a));
+  const Complex direction(static_cast<double>(along / modulus), static_cast<double>(line_distance / modulus));
+  const Complex v = log_modulus > 30 ? std::log(direction) + Complex(log_modulus + std::numbers::ln2, 0)
+                                     : std::asinh(std::exp(log_modulus) * direction);
+  points.push_back(v - v0);
+  points.push_back(Complex(-v.real() - v0, std::numbers::pi - v.imag()));
   return points;
 }
 
 }  // namespace
 
 std::optional<LinedTriangle> lined_triangle(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
-  const auto frame = triangle_frame(corners, point);
-  if (!frame) return std::nullopt;
-  LinedTriangle t{*frame, {}};
-  const Vec3<R> area_vector = t.edges[0].cross(t.edges[1]);
+  LinedTriangle t;
+  if (!t.set(corners, point)) return std::nullopt;
+  const ExactTriangle exact({corners[0], corners[1], corners[2]}, point);
+  const auto in_units = [&](const R& x, int degree) { return ldexp(x, -degree * t.exponent); };
+  const auto vector = [&](const Vec3<R>& v, int degree) {
+    return Vec3<R>(in_units(v[0], degree), in_units(v[1], degree), in_units(v[2], degree));
+  };
+  const Vec3<R> area_vector = vector(exact.normal, 2);
+  t.twice_area = length(area_vector);
+  if (!(t.twice_area > 0)) return std::nullopt;
+  t.normal = area_vector / t.twice_area;
+  t.height = in_units(exact.volume, 3) / t.twice_area;
   for (int k = 0; k < 3; ++k) {
+    t.corners[k] = vector(exact.p[k], 1);
+    t.edges[k] = vector(exact.e[k], 1);
     EdgeLine& line = t.lines[k];
     line.length = length(t.edges[k]);
     line.u = t.edges[k] / line.length;
-    line.nu = line.u.cross(t.normal);
-    // Divided last: products of doubles are exact here, so that a point on the edge's line gives exactly zero.
-    const Vec3<R> across = t.edges[k].cross(area_vector);
-    line.inside = dot(across, t.corners[k]) / (line.length * t.twice_area);
+    line.nu = vector(exact.outward[k], 3) / (line.length * t.twice_area);
+    line.inside = in_units(exact.beside[k], 4) / (line.length * t.twice_area);
+    line.start = in_units(exact.before[k], 2) / line.length;
+    line.end = in_units(exact.after[k], 2) / line.length;
   }
   return t;
 }
@@ -107,36 +145,31 @@ PolarFrame<R> polar_frame(const LinedTriangle& t, const R& inward) {
   frame.normal = t.normal;
   frame.height = t.height + inward;
   frame.distance = length(frame.base);
-  frame.interior = std::ranges::none_of(nearest.on_edge, std::identity{});
+  frame.interior = nearest.edge < 0 && nearest.corner < 0;
   frame.exponent = t.exponent;
   frame.along = lines[0].u;
   frame.across = lines[0].nu;
   for (int k = 0; k < 3; ++k) {
-    const int opposite = (k + 2) % 3;  // its hat function vanishes on edge k
-    const R steepness = lines[k].length / t.twice_area;
-    const R to_line = dot(lines[k].nu, Vec3<R>(t.corners[k] - nearest.x));
-    frame.hat[opposite] = nearest.on_edge[k] ? R(0) : R(to_line * steepness);
-    frame.slope_along[opposite] = -dot(lines[k].nu, frame.along) * steepness;
-    frame.slope_across[opposite] = -dot(lines[k].nu, frame.across) * steepness;
-  }
-  for (int k = 0; k < 3; ++k) {
-    if (nearest.on_edge[k]) continue;
     const EdgeLine& line = lines[k];
-    const Vec3<R> to_start = t.corners[k] - nearest.x;
+    const int opposite = (k + 2) % 3;  // its hat function vanishes on edge k
+    const R steepness = line.length / t.twice_area;
+    frame.slope_along[opposite] = -dot(line.nu, frame.along) * steepness;
+    frame.slope_across[opposite] = -dot(line.nu, frame.across) * steepness;
+    frame.hat[opposite] = 0;
+    if (nearest.on_edge(k)) continue;
+    const EdgeFromNearest seen = seen_from(nearest, t, k);
+    frame.hat[opposite] = seen.away * steepness;
+    if (!(seen.away > 0)) continue;
     PolarEdge<R> edge;
     edge.nu = line.nu;
     edge.u = line.u;
-    edge.a = dot(line.nu, to_start);
-    if (!(edge.a > 0)) continue;
-    const R s0 = dot(line.u, to_start);
-    edge.v0 = inverse_sinh(R(s0 / edge.a));
-    edge.v_length = inverse_sinh(R((s0 + line.length) / edge.a)) - edge.v0;
+    edge.a = seen.away;
+    edge.v0 = inverse_sinh(R(seen.start / edge.a));
+    edge.v_length = inverse_sinh(R(seen.end / edge.a)) - edge.v0;
     edge.start = k;
     edge.reach = 2 * edge.a / line.length;
-    const Vec3<R> start = t.corners[k] + t.normal * inward;
-    const Vec3<R> to_line = start - line.u * dot(start, line.u);
-    edge.singular = singular_points(edge.a, frame.distance, R(-dot(frame.base, line.u)), length(to_line),
-                                    static_cast<double>(edge.v0));
+    const R line_distance = sqrt(line.inside * line.inside + frame.height * frame.height);
+    edge.singular = singular_points(edge.a, frame.distance, seen.along, line_distance, static_cast<double>(edge.v0));
     frame.edges.push_back(std::move(edge));
   }
   return frame;

@@ -41,10 +41,10 @@ struct PolarFrame {
 };
 
 /// An edge's line: direction, in-plane outward normal, the edge's length, signed in-plane distance of eta's projection
-/// (> 0 inside).
+/// (> 0 inside), and where along u the edge starts and ends, seen from eta.
 struct EdgeLine {
   Vec3<Mp200> u, nu;
-  Mp200 length, inside;
+  Mp200 length, inside, start, end;
 };
 
 /// A triangle's frame with the lines of its edges.

@@ -58,12 +58,25 @@ void PolarSum::add_cell(const PolarFrame<W>& frame, const PolarCell& cell, CellP
 
 Result<Mp200> PolarSum::with_error(const std::array<double, 3>& log10_error) {
   Result<Mp200> total = empty();
+  std::vector<double> digits_in(cells_.size());
+  std::vector<CellPoints> points_in(cells_.size());
+  double work = 0;
+  do {
+    work = 0;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      double& digits = digits_in[i];
+      digits = 0;
+      for (int o = 0; o <= order_; ++o)
+        if (mass_[i][o] > kNoMass && !declines(o)) digits = std::max(digits, mass_[i][o] - log10_error[o]);
+      CellPoints& points = points_in[i];
+      points = points_for(exact_frame_, cells_[i], std::min(digits, kDigitsIn200));
+      if (cells_[i].edge < 0) points.t += more_directions_;
+      work += points.t * points.w * (digits <= kDigitsIn50 ? 1 : digits <= kDigitsIn100 ? 1.5 : 3);
+    }
+  } while (too_much(work));
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    double digits = 0;
-    for (int o = 0; o <= order_; ++o)
-      if (mass_[i][o] > kNoMass) digits = std::max(digits, mass_[i][o] - log10_error[o]);
-    CellPoints points = points_for(exact_frame_, cells_[i], std::min(digits, kDigitsIn200));
-    if (cells_[i].edge < 0) points.t += more_directions_;
+    const double digits = digits_in[i];
+    const CellPoints points = points_in[i];
     if (digits <= kDigitsIn50) add_cell(frame50_, cells_[i], points, total);
     else if (digits <= kDigitsIn100) add_cell(frame100_, cells_[i], points, total);
     else add_cell(exact_frame_, cells_[i], points, total);
