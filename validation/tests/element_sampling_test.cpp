@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
 
 namespace cageproof::validation {
@@ -123,6 +124,68 @@ TEST(element_regimes, on_samples_touch_or_are_one_ulp_off) {
       EXPECT_GT(as_named, 80) << name_of(kind) << ' ' << name;
       EXPECT_LT(touching, 220) << name_of(kind) << ' ' << name;
     }
+}
+
+// Whether a coordinate is no multiple of 2^-40.
+bool has_many_bits(const Vec& v) {
+  return std::ranges::any_of(std::array{v[0], v[1], v[2]},
+                             [](double x) { return std::ldexp(x, 40) != std::nearbyint(std::ldexp(x, 40)); });
+}
+
+// Exactly on the surface: of bilinear quads to the digits that a search for the nearest point reaches.
+bool on_surface(ElementKind kind, const Sample& s) {
+  std::vector<Vec3<Mp200>> corners;
+  corners.reserve(s.corners.size());
+  for (const Vec& v : s.corners) corners.push_back(convert<Mp200>(v));
+  return abs(sampling_of(kind).exact.off_surface(corners, convert<Mp200>(s.point))) < 1e-90;
+}
+
+TEST(element_regimes, on_samples_have_many_bits_and_few_by_turns) {
+  for (const ElementKind kind : element_kinds)
+    for (const char* name : {"on-face", "on-edge", "on-vertex", "on-plane", "on-line"}) {
+      const Regime& regime = *find_regime(name);
+      if (!exists_for(regime, kind)) continue;
+      int many = 0, few = 0, slanted = 0;
+      for (std::uint64_t i = 0; i < 240; ++i) {
+        const Sample s = make_sample(formula_on(kind), regime, 3, i);
+        if (!on_surface(kind, s)) continue;
+        const bool of_many = has_many_bits(s.point) && has_many_bits(s.corners[1]);
+        many += of_many;
+        few += !has_many_bits(s.point);
+        const Vec n = type_of(kind).extent(s.corners);
+        slanted += of_many && (n.array() != 0).count() > 1;
+      }
+      EXPECT_GT(many, 40) << name_of(kind) << ' ' << name;
+      EXPECT_GT(few, 40) << name_of(kind) << ' ' << name;
+      EXPECT_GT(slanted, 20) << name_of(kind) << ' ' << name;
+      EXPECT_LT(slanted, many) << name_of(kind) << ' ' << name;
+    }
+}
+
+// Where the point lies on the line of an edge, 0 at its start and 1 at its end; nothing where it is on none.
+std::optional<double> share_of_line(const Sample& s) {
+  const auto corners = wide(s.corners);
+  const Vec3<Mp100> point = convert<Mp100>(s.point);
+  for (std::size_t e = 0; e < corners.size(); ++e) {
+    const Vec3<Mp100> edge = corners[(e + 1) % corners.size()] - corners[e], to = point - corners[e];
+    const Vec3<Mp100> off = edge.cross(to);
+    if (off == Vec3<Mp100>::Zero()) return static_cast<double>(Mp100(to.dot(edge) / edge.dot(edge)));
+  }
+  return std::nullopt;
+}
+
+TEST(element_regimes, on_line_samples_lie_before_an_edges_start_and_after_its_end) {
+  for (const ElementKind kind : element_kinds) {
+    int before = 0, after = 0;
+    for (std::uint64_t i = 0; i < 240; ++i) {
+      const auto share = share_of_line(make_sample(formula_on(kind), *find_regime("on-line"), 3, i));
+      if (!share) continue;
+      before += *share < 0;
+      after += *share > 1;
+    }
+    EXPECT_GT(before, 40) << name_of(kind);
+    EXPECT_GT(after, 40) << name_of(kind);
+  }
 }
 
 TEST(element_shape, basis_reproduces_the_point_and_the_height_has_the_normals_sign) {

@@ -3,6 +3,7 @@
 #include "regimes.h"
 
 #include "../draws.h"
+#include "../grid.h"
 
 #include "cageproof/core/quad_geometry.h"
 
@@ -93,9 +94,39 @@ std::vector<Vec> dyadic(RandomStream& random, std::uint64_t index) {
   return q;
 }
 
-// The point with these parameters; every other sample is moved by one ulp in one coordinate.
+// Coordinates of many bits, though points with parameters in eighths are exact; flat ones are parallelograms or
+// trapezoids.
+std::vector<Vec> many_bits(RandomStream& random, std::uint64_t index) {
+  const bool flat = index % 3 == 0;
+  std::vector<Vec> q(4);
+  for (;;) {
+    const GridSteps steps(random, dim, flat ? index / 6 : 0), any(random, dim, 0);
+    const Vec along = steps.draw(random, 128 * grid_spacing), across = steps.draw(random, 128 * grid_spacing);
+    Vec twist = any.draw(random, 256 * grid_spacing) / (index % 3 == 1 ? 4 : 1);
+    if (flat) twist = random.below(2) == 0 ? Vec::Zero() : Vec(-along / 2);
+    const double a = along.norm(), b = across.norm();
+    if (std::min(a, b) < 0.5 || std::max(a, b) > 1.5 || along.cross(across).norm() < 0.5 * a * b) continue;
+    q[0] = random_origin_on_grid(random, dim);
+    q[1] = q[0] + along;
+    q[2] = q[0] + (along + across + twist);
+    q[3] = q[0] + across;
+    if (valid(q)) return q;
+  }
+}
+
+std::vector<Vec> exact(RandomStream& random, std::uint64_t index) {
+  return has_many_bits(index) ? many_bits(random, index) : dyadic(random, index);
+}
+
+// The point with these parameters in eighths, exactly, of corners that exact() makes.
+Vec exactly_at(const std::vector<Vec>& q, double u, double v) {
+  const Vec along = q[1] - q[0], across = q[3] - q[0], twist = q[2] - q[1] - across;
+  return q[0] + (u * along + v * across + u * v * twist);
+}
+
+// Every other sample is moved by one ulp in one coordinate.
 void place_on(Sample& sample, double u, double v, RandomStream& random) {
-  sample.point = at(sample.corners, u, v);
+  sample.point = exactly_at(sample.corners, u, v);
   if (sample.index / 3 % 2 == 0) return;
   move_by_one_ulp(sample, random, dim);
 }
@@ -156,34 +187,36 @@ void near_vertex(double distance, RandomStream& random, Sample& sample) {
 }
 
 void on_face(double, RandomStream& random, Sample& sample) {
-  sample.corners = dyadic(random, sample.index);
+  sample.corners = exact(random, sample.index);
   const double u = inner_eighth(random);
   place_on(sample, u, inner_eighth(random), random);
 }
 
 void on_edge(double, RandomStream& random, Sample& sample) {
-  sample.corners = dyadic(random, sample.index);
+  sample.corners = exact(random, sample.index);
   permute_corners(sample, random);
   place_on(sample, inner_eighth(random), 0, random);
 }
 
 void on_vertex(double, RandomStream& random, Sample& sample) {
-  sample.corners = dyadic(random, sample.index);
+  sample.corners = exact(random, sample.index);
   permute_corners(sample, random);
   place_on(sample, 0, 0, random);
 }
 
 void on_plane(double, RandomStream& random, Sample& sample) {
-  sample.corners = dyadic(random, sample.index);
+  sample.corners = exact(random, sample.index);
   permute_corners(sample, random);
   const double u = inner_eighth(random);
   place_on(sample, u, -inner_eighth(random), random);
 }
 
 void on_line(double, RandomStream& random, Sample& sample) {
-  sample.corners = dyadic(random, sample.index);
+  sample.corners = exact(random, sample.index);
   permute_corners(sample, random);
-  place_on(sample, 1 + inner_eighth(random), 0, random);
+  const bool after = random.below(2) == 0;
+  const double by = inner_eighth(random);
+  place_on(sample, after ? 1 + by : -by, 0, random);
 }
 
 // Corners in small integers, by turns: the unit square of two axes, any in their plane, any in space.

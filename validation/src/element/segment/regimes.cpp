@@ -5,6 +5,7 @@
 #include "regimes.h"
 
 #include "../draws.h"
+#include "../grid.h"
 
 namespace cageproof::validation::segments {
 namespace {
@@ -79,13 +80,25 @@ std::vector<Vec> dyadic(RandomStream& random) {
   return s;
 }
 
+// Coordinates of many bits, though points with hat functions in 16ths are exact.
+std::vector<Vec> many_bits(RandomStream& random, std::uint64_t index) {
+  std::vector<Vec> s(2);
+  do {
+    const GridSteps steps(random, dim, index / 4);
+    s[0] = random_origin_on_grid(random, dim);
+    s[1] = s[0] + steps.draw(random, 16 * grid_spacing);
+  } while ((s[1] - s[0]).norm() < 0.5);
+  return s;
+}
+
 // The point with hat functions (16 - i, i)/16, either way round; every other sample is moved by one ulp in one
 // coordinate.
 void place_on(Sample& sample, int i, RandomStream& random) {
-  sample.corners = dyadic(random);
+  sample.corners = has_many_bits(sample.index) ? many_bits(random, sample.index) : dyadic(random);
   const bool turned = random.below(2) == 1;
   const Vec &from = sample.corners[turned ? 1 : 0], &to = sample.corners[turned ? 0 : 1];
-  sample.point = ((16 - i) * from + i * to) / 16;
+  const Vec along = (to - from) / 16;
+  sample.point = from + i * along;
   if (sample.index % 2 == 1) move_by_one_ulp(sample, random, dim);
 }
 

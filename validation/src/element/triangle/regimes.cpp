@@ -3,6 +3,7 @@
 #include "regimes.h"
 
 #include "../draws.h"
+#include "../grid.h"
 
 #include <numbers>
 
@@ -114,42 +115,69 @@ std::vector<Vec> dyadic(RandomStream& random) {
   return t;
 }
 
-// The point with hat functions (16 - i - j, i, j)/16; every other sample is moved by one ulp in one coordinate.
+// Coordinates of many bits, though points with hat functions in 16ths are exact.
+std::vector<Vec> many_bits(RandomStream& random, std::uint64_t index) {
+  std::vector<Vec> t(3);
+  do {
+    const GridSteps steps(random, dim, index / 4);
+    t[0] = random_origin_on_grid(random, dim);
+    for (int k = 1; k < 3; ++k) t[k] = t[0] + steps.draw(random, 16 * grid_spacing);
+  } while (longest_edge<double>(t) < 0.5 || longest_edge<double>(t) > 3 || aspect(t) < 0.3);
+  return t;
+}
+
+std::vector<Vec> exact(RandomStream& random, std::uint64_t index) {
+  return has_many_bits(index) ? many_bits(random, index) : dyadic(random);
+}
+
+// The point with hat functions (16 - i - j, i, j)/16, exactly, of corners that exact() makes.
+Vec sixteenths(const std::vector<Vec>& t, int i, int j) {
+  const Vec along = (t[1] - t[0]) / 16, across = (t[2] - t[0]) / 16;
+  return t[0] + i * along + j * across;
+}
+
+// Every other sample is moved by one ulp in one coordinate.
 void place_on(Sample& sample, int i, int j, RandomStream& random) {
-  const auto& t = sample.corners;
-  sample.point = ((16 - i - j) * t[0] + i * t[1] + j * t[2]) / 16;
+  sample.point = sixteenths(sample.corners, i, j);
   if (sample.index % 2 == 0) return;
   move_by_one_ulp(sample, random, dim);
 }
 
 void on_face(double, RandomStream& random, Sample& sample) {
-  sample.corners = dyadic(random);
+  sample.corners = exact(random, sample.index);
   const int i = 1 + random.below(14);
   place_on(sample, i, 1 + random.below(15 - i), random);
 }
 
 void on_edge(double, RandomStream& random, Sample& sample) {
-  sample.corners = dyadic(random);
+  sample.corners = exact(random, sample.index);
   place_on(sample, 1 + random.below(15), 0, random);
   permute_corners(sample, random);
 }
 
 void on_vertex(double, RandomStream& random, Sample& sample) {
-  sample.corners = dyadic(random);
+  sample.corners = exact(random, sample.index);
   place_on(sample, 0, 0, random);
   permute_corners(sample, random);
 }
 
 void on_plane(double, RandomStream& random, Sample& sample) {
-  sample.corners = dyadic(random);
+  sample.corners = exact(random, sample.index);
   const int i = 1 + random.below(16);
   place_on(sample, i, -1 - random.below(16), random);
   permute_corners(sample, random);
 }
 
+// Beyond an end: of 16ths of an edge, more than 16 or less than none.
+int beyond_an_end(RandomStream& random) {
+  const bool after = random.below(2) == 0;
+  const int by = 1 + random.below(16);
+  return after ? 16 + by : -by;
+}
+
 void on_line(double, RandomStream& random, Sample& sample) {
-  sample.corners = dyadic(random);
-  place_on(sample, 17 + random.below(16), 0, random);
+  sample.corners = exact(random, sample.index);
+  place_on(sample, beyond_an_end(random), 0, random);
   permute_corners(sample, random);
 }
 
