@@ -51,8 +51,9 @@ const std::vector<Regime>& regimes() {
       {"on-vertex", "", {}, "exactly at a corner, and one ulp off"},
       {"on-plane", "", {}, "exactly in the plane (on the bilinear surface) outside the element, and one ulp off"},
       {"on-line", "", {}, "exactly on an edge's line beyond its ends, and one ulp off"},
-      {"aligned", distance, decades(-1, -16, -1),
-       "corners in small integers, in planes and along edges of the axes; steps along axes off exact points"},
+      {"aligned", distance, decades(0, -16, -1),
+       "corners in small integers, in planes and along edges of the axes; steps along axes off exact points, and over "
+       "the centres of symmetric elements"},
       {"far", distance, decades(1, 8), "many sizes away"},
       {"sliver", "height / size", decades(-1, -10, -1), "cap: one corner close to the opposite edge"},
       {"needle", "width / size", decades(-1, -10, -1), "one short edge"},

@@ -88,6 +88,40 @@ TEST(element_regimes, aligned_samples_have_exact_distances_and_zeros_and_are_off
   }
 }
 
+TEST(element_regimes, aligned_samples_lie_over_the_centres_of_symmetric_elements) {
+  for (const ElementKind kind : element_kinds) {
+    int equally_far = 0, over_centroid = 0, equilateral = 0, right = 0;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      const Sample s = make_sample(formula_on(kind), *find_regime("aligned"), 3, i);
+      const auto corners = wide(s.corners);
+      const Vec3<Mp100> point = convert<Mp100>(s.point);
+      Vec3<Mp100> from_centroid = Vec3<Mp100>::Zero();
+      std::set<Mp100> distances, lengths;
+      bool right_angle = false;
+      const std::size_t n = corners.size();
+      for (std::size_t k = 0; k < n; ++k) {
+        const Vec3<Mp100> to = point - corners[k], edge = corners[(k + 1) % n] - corners[k],
+                          last = corners[(k + n - 1) % n] - corners[k];
+        from_centroid += to;
+        distances.insert(to.dot(to));
+        lengths.insert(edge.dot(edge));
+        right_angle = right_angle || edge.dot(last) == 0;
+      }
+      const Vec3<Mp100> n_of = convert<Mp100>(type_of(kind).extent(s.corners));
+      const Vec3<Mp100> beside = from_centroid.cross(n_of);
+      const bool over = beside == Vec3<Mp100>::Zero();
+      equally_far += distances.size() == 1;
+      over_centroid += over;
+      equilateral += lengths.size() == 1 && (over || distances.size() == 1);
+      right += right_angle && (over || distances.size() == 1);
+    }
+    EXPECT_GT(equally_far, 25) << name_of(kind);
+    EXPECT_GT(over_centroid, 25) << name_of(kind);
+    EXPECT_GT(equilateral, 12) << name_of(kind);
+    if (kind != ElementKind::Segment) EXPECT_GT(right, 12) << name_of(kind);
+  }
+}
+
 TEST(element_regimes, near_samples_lie_as_far_from_the_surface_as_they_say) {
   for (const ElementKind kind : element_kinds)
     for (const char* name : {"near-face", "near-line", "near-plane"}) {

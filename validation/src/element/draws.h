@@ -74,11 +74,12 @@ inline Vec3<double> random_step(RandomStream& random, int dim) {
   }
 }
 
-/// The point that many random steps from `foot`, a point of the element whose coordinates are exact, and off the
-/// element. In two of three samples the whole is moved, exactly, so that `foot` is the origin: then the step is exact
-/// as well.
-inline void place_exactly(Sample& sample, const ElementType& type, const Vec3<double>& foot, double distance,
-                          RandomStream& random) {
+/// The point at a drawn step from `foot`, a point of the element whose coordinates are exact, and off the element. In
+/// two of three samples the whole is moved, exactly, so that `foot` is the origin: then the step is exact as well.
+/// \param draw_step draws the step, as often as the point is not off the element
+template <class DrawStep>
+void place_exactly(Sample& sample, const ElementType& type, const Vec3<double>& foot, RandomStream& random,
+                   DrawStep&& draw_step) {
   bool moved = false;
   do {
     // Next to coordinates that are not zero a step may be lost in rounding.
@@ -86,7 +87,7 @@ inline void place_exactly(Sample& sample, const ElementType& type, const Vec3<do
     if (move && !moved)
       for (Vec3<double>& v : sample.corners) v -= foot;
     moved = moved || move;
-    const Vec3<double> away = distance * random_step(random, type.dimension);
+    const Vec3<double> away = draw_step();
     sample.point = moved ? away : Vec3<double>(foot + away);
   } while (type.contact(sample.corners, sample.point).contact != Contact::Off);
 }

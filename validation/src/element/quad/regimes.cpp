@@ -103,7 +103,7 @@ std::vector<Vec> many_bits(RandomStream& random, std::uint64_t index) {
     const GridSteps steps(random, dim, flat ? index / 6 : 0), any(random, dim, 0);
     const Vec along = steps.draw(random, 128 * grid_spacing), across = steps.draw(random, 128 * grid_spacing);
     Vec twist = any.draw(random, 256 * grid_spacing) / (index % 3 == 1 ? 4 : 1);
-    if (flat) twist = random.below(2) == 0 ? Vec::Zero() : Vec(-along / 2);
+    if (flat) twist = random.below(2) == 0 ? Vec(Vec::Zero()) : Vec(-along / 2);
     const double a = along.norm(), b = across.norm();
     if (std::min(a, b) < 0.5 || std::max(a, b) > 1.5 || along.cross(across).norm() < 0.5 * a * b) continue;
     q[0] = random_origin_on_grid(random, dim);
@@ -217,45 +217,6 @@ void on_line(double, RandomStream& random, Sample& sample) {
   const bool after = random.below(2) == 0;
   const double by = inner_eighth(random);
   place_on(sample, after ? 1 + by : -by, 0, random);
-}
-
-// Corners in small integers, by turns: the unit square of two axes, any in their plane, any in space.
-// \param flat the third axis
-std::vector<Vec> integral(RandomStream& random, std::uint64_t index, int flat) {
-  std::vector<Vec> q(4);
-  if (index % 3 == 0) {
-    const Vec a = unit_along((flat + 1) % 3), b = unit_along((flat + 2) % 3);
-    q = {Vec::Zero(), a, a + b, b};
-  } else {
-    const bool in_plane = index % 3 == 1;
-    do {
-      for (Vec& v : q) v = random_integers(random, in_plane ? 2 : 1, dim, in_plane ? flat : -1);
-    } while (!valid(q));
-  }
-  if (random.below(2) == 1) std::swap(q[1], q[3]);
-  return q;
-}
-
-// Off a point of the face, a side, a corner, or the surface or a side's line beyond.
-void aligned(double distance, RandomStream& random, Sample& sample) {
-  const int flat = random.below(3);
-  sample.corners = integral(random, sample.index, flat);
-  permute_corners(sample, random);
-  const int place = random.below(5);
-  double u = 0, v = 0;
-  if (place == 0) {
-    u = inner_eighth(random);
-    v = inner_eighth(random);
-  }
-  if (place == 1) u = inner_eighth(random);
-  if (place == 3) {
-    u = inner_eighth(random);
-    v = -inner_eighth(random);
-  }
-  if (place == 4) u = random.below(2) == 0 ? 1 + inner_eighth(random) : -inner_eighth(random);
-  const auto& q = sample.corners;
-  const Vec foot = at(q, u, v);
-  place_exactly(sample, type_of(ElementKind::Quad), foot, distance, random);
 }
 
 void far(double distance, RandomStream& random, Sample& sample) {

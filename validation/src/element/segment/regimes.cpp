@@ -108,24 +108,6 @@ void on_vertex(double, RandomStream& random, Sample& sample) { place_on(sample, 
 
 void on_line(double, RandomStream& random, Sample& sample) { place_on(sample, 17 + random.below(16), random); }
 
-// Corners in small integers: along an axis, or anywhere in the plane. Off a point within it, an end, or its line
-// beyond.
-void aligned(double distance, RandomStream& random, Sample& sample) {
-  const int across = random.below(dim);
-  const bool along_axis = sample.index % 3 != 2;
-  auto& s = sample.corners;
-  s.assign(2, Vec::Zero());
-  do {
-    for (Vec& v : s) v = random_integers(random, 2, dim, along_axis ? across : -1);
-  } while (s[0] == s[1]);
-  const int place = random.below(3);
-  int i = 0;  // hat function in 16ths
-  if (place == 0) i = 1 + random.below(15);
-  if (place == 2) i = random.below(2) == 0 ? 17 + random.below(16) : -1 - random.below(16);
-  const Vec foot = ((16 - i) * s[0] + i * s[1]) / 16;
-  place_exactly(sample, type_of(ElementKind::Segment), foot, distance, random);
-}
-
 void far(double distance, RandomStream& random, Sample& sample) {
   sample.corners = well_shaped(random);
   sample.point = middle(sample.corners) + distance * random_direction(random, dim);

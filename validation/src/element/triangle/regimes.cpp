@@ -181,44 +181,6 @@ void on_line(double, RandomStream& random, Sample& sample) {
   permute_corners(sample, random);
 }
 
-// Corners in small integers, by turns: the unit right triangle of two axes, any in their plane, any in space.
-// \param flat the third axis
-std::vector<Vec> integral(RandomStream& random, std::uint64_t index, int flat) {
-  std::vector<Vec> t(3);
-  if (index % 3 == 0) {
-    t = {Vec::Zero(), unit_along((flat + 1) % 3), unit_along((flat + 2) % 3)};
-  } else {
-    const bool in_plane = index % 3 == 1;
-    do {
-      for (Vec& v : t) v = random_integers(random, in_plane ? 2 : 1, dim, in_plane ? flat : -1);
-    } while (!(longest_edge<double>(t) > 0) || aspect(t) < 0.3);
-  }
-  if (random.below(2) == 1) std::swap(t[1], t[2]);
-  return t;
-}
-
-// Off a point of the face, an edge, a corner, or the plane or an edge's line beyond.
-void aligned(double distance, RandomStream& random, Sample& sample) {
-  const int flat = random.below(3);
-  sample.corners = integral(random, sample.index, flat);
-  permute_corners(sample, random);
-  const int place = random.below(5);
-  int i = 0, j = 0;  // hat functions in 16ths
-  if (place == 0) {
-    i = 1 + random.below(14);
-    j = 1 + random.below(15 - i);
-  }
-  if (place == 1) i = 1 + random.below(15);
-  if (place == 3) {
-    i = 1 + random.below(16);
-    j = -1 - random.below(16);
-  }
-  if (place == 4) i = random.below(2) == 0 ? 17 + random.below(16) : -1 - random.below(16);
-  const auto& t = sample.corners;
-  const Vec foot = ((16 - i - j) * t[0] + i * t[1] + j * t[2]) / 16;
-  place_exactly(sample, type_of(ElementKind::Triangle), foot, distance, random);
-}
-
 void far(double distance, RandomStream& random, Sample& sample) {
   sample.corners = well_shaped(random);
   sample.point = centroid(sample.corners) + distance * random_direction(random, dim);

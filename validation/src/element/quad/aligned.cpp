@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Quads in small integers, and points at exact places of them.
+#include "regimes.h"
+
+#include "../draws.h"
+
+#include "cageproof/core/quad_geometry.h"
+
+namespace cageproof::validation::quads {
+namespace {
+
+using Vec = Vec3<double>;
+constexpr int dim = 3;
+
+Vec at(const std::vector<Vec>& q, double u, double v) {
+  return (1 - v) * ((1 - u) * q[0] + u * q[1]) + v * (u * q[2] + (1 - u) * q[3]);
+}
+
+// In eighths, within (0, 1).
+double inner_eighth(RandomStream& random) { return (1 + random.below(7)) / 8.0; }
+
+// Over the middle of a square or rectangle of two axes, of a square across all axes, or of a saddle.
+void over_centre(double distance, RandomStream& random, Sample& sample) {
+  const int flat = random.below(dim);
+  Vec a = unit_along((flat + 1) % dim), b = unit_along((flat + 2) % dim), normal = unit_along(flat), lift = Vec::Zero();
+  switch (random.below(4)) {
+    case 0: break;
+    case 1: a *= 2; break;
+    case 2: lift = 0.5 * normal; break;
+    default:
+      a = {1, -1, 0.5};
+      b = {0.5, 1, 1};
+      normal = {-2, -1, 2};
+  }
+  sample.corners = {Vec::Zero(), a + lift, a + b, b + lift};
+  if (random.below(2) == 1) std::swap(sample.corners[1], sample.corners[3]);
+  permute_corners(sample, random);
+  const Vec up = distance * normal;
+  place_exactly(sample, type_of(ElementKind::Quad), at(sample.corners, 0.5, 0.5), random,
+                [&] { return Vec(random_sign(random) * up); });
+}
+
+}  // namespace
+
+std::vector<Vec> integral(RandomStream& random, std::uint64_t turn, int flat) {
+  std::vector<Vec> q(4);
+  if (turn % 3 == 0) {
+    const Vec a = unit_along((flat + 1) % 3), b = unit_along((flat + 2) % 3);
+    q = {Vec::Zero(), a, a + b, b};
+  } else {
+    const bool in_plane = turn % 3 == 1;
+    do {
+      for (Vec& v : q) v = random_integers(random, in_plane ? 2 : 1, dim, in_plane ? flat : -1);
+    } while (invalid_because({q[0], q[1], q[2], q[3]}));
+  }
+  if (random.below(2) == 1) std::swap(q[1], q[3]);
+  return q;
+}
+
+// Off a point of the face, a side, a corner, or the surface or a side's line beyond; every fourth over a middle.
+void aligned(double distance, RandomStream& random, Sample& sample) {
+  if (sample.index % 4 == 3) return over_centre(distance, random, sample);
+  const int flat = random.below(dim);
+  sample.corners = integral(random, sample.index, flat);
+  permute_corners(sample, random);
+  const int place = random.below(5);
+  double u = 0, v = 0;
+  if (place == 0) {
+    u = inner_eighth(random);
+    v = inner_eighth(random);
+  }
+  if (place == 1) u = inner_eighth(random);
+  if (place == 3) {
+    u = inner_eighth(random);
+    v = -inner_eighth(random);
+  }
+  if (place == 4) u = random.below(2) == 0 ? 1 + inner_eighth(random) : -inner_eighth(random);
+  const Vec foot = at(sample.corners, u, v);
+  place_exactly(sample, type_of(ElementKind::Quad), foot, random,
+                [&] { return Vec(distance * random_step(random, dim)); });
+}
+
+}  // namespace cageproof::validation::quads
