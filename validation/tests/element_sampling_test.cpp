@@ -122,6 +122,35 @@ TEST(element_regimes, aligned_samples_lie_over_the_centres_of_symmetric_elements
   }
 }
 
+TEST(element_regimes, few_samples_see_every_kind_of_parameter_and_a_generic_one_first) {
+  const Formula& kelvin = *find_formula("triangle.kelvin_displacement");
+  const auto nu = [&](const Regime& regime, std::uint64_t i) {
+    return make_sample(kelvin, regime, 1, i).parameters[1];
+  };
+  const double preset = kelvin.parameters[1].preset;
+  const auto is_generic = [&](double x) { return std::isfinite(x) && x != 0 && x != 0.5 && x != preset; };
+  std::set<double> seconds;
+  for (const Regime& regime : regimes()) {
+    EXPECT_TRUE(is_generic(nu(regime, 0))) << regime.name;
+    // The other sample that the gate takes in the suite quick; on the element it alone has derivatives.
+    const double second = nu(regime, 7);
+    if (regime.name.starts_with("on-")) EXPECT_TRUE(is_generic(second)) << regime.name;
+    seconds.insert(std::isinf(second) ? HUGE_VAL : is_generic(second) ? -1 : second);
+    std::array<int, 5> seen{};
+    for (std::uint64_t i = 0; i < 6; ++i) {
+      const double x = nu(regime, i);
+      seen[0] += std::isinf(x);
+      seen[1] += x == 0.5;
+      seen[2] += x == 0;
+      seen[3] += std::isfinite(x) && x < 0;
+      seen[4] += x > 0 && is_generic(x);
+    }
+    EXPECT_TRUE(std::ranges::all_of(seen, [](int count) { return count > 0; })) << regime.name;
+  }
+  // Generic, zero, the default, incompressible, infinite.
+  EXPECT_EQ(seconds, (std::set<double>{-1, 0, preset, 0.5, HUGE_VAL}));
+}
+
 TEST(element_regimes, near_samples_lie_as_far_from_the_surface_as_they_say) {
   for (const ElementKind kind : element_kinds)
     for (const char* name : {"near-face", "near-line", "near-plane"}) {
