@@ -106,6 +106,32 @@ void round_coordinate(const Formula& formula, Sample& s, RandomStream& random) {
   x = std::ldexp(std::nearbyint(std::ldexp(mantissa, bits)), exponent - bits);
 }
 
+// Into a plane (in the plane onto a line) of the axes: the corners, half of the time with the point.
+void flatten(const Formula& formula, Sample& s, RandomStream& random) {
+  const int c = random.below(formula.dim()), height = random.below(vertex_count(s) + 1);
+  const double x = height == vertex_count(s) ? 0.0 : vertex(s, height)[c];
+  for (Vec& corner : s.corners) corner[c] = x;
+  if (random.below(2) == 0) s.point[c] = x;
+}
+
+// An edge, or the way from a corner to the point, along an axis.
+void align(const Formula& formula, Sample& s, RandomStream& random) {
+  Vec& v = random_vertex(s, random);
+  const int from = random.below(static_cast<int>(s.corners.size())), axis = random.below(formula.dim());
+  const double kept = v[axis];
+  v = s.corners[from];
+  v[axis] = kept;
+}
+
+// All coordinates to few bits of the size.
+void round_all(const Formula&, Sample& s, RandomStream& random) {
+  const double size = size_of(s);
+  if (!(size > 0) || !std::isfinite(size)) return;
+  const double unit = std::ldexp(1.0, std::ilogb(size) - 1 - random.below(8));
+  for (int k = 0; k < vertex_count(s); ++k)
+    for (double& x : vertex(s, k)) x = unit * std::nearbyint(x / unit);
+}
+
 void along_edge(const Formula&, Sample& s, RandomStream& random) {
   const Edge edge = random_edge(s, random);
   const double step = random_step(random, -16, 0.5);
@@ -201,6 +227,9 @@ constexpr std::array all{Mutation{"step by size", step_by_size},
                          Mutation{"one ulp", one_ulp},
                          Mutation{"snap coordinate", snap_coordinate},
                          Mutation{"round coordinate", round_coordinate},
+                         Mutation{"flatten", flatten},
+                         Mutation{"align", align},
+                         Mutation{"round all", round_all},
                          Mutation{"along edge", along_edge},
                          Mutation{"across edge", across_edge},
                          Mutation{"off surface", off_surface},

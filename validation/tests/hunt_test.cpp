@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace cageproof::validation {
@@ -89,6 +90,35 @@ TEST(hunt, finds_results_that_are_not_finite) {
   });
   const HuntResult found = hunt(options);
   EXPECT_TRUE(std::isinf(found.worst.front().worst.error));
+}
+
+TEST(hunt, finds_elements_in_planes_and_along_edges_of_the_axes) {
+  // Wrong where several coordinates meet, which no number of random steps and no single snap brings about.
+  const auto in_plane = [](const Query<double>& query) {
+    for (int c = 0; c < 3; ++c)
+      if (query.corners[0][c] == query.corners[1][c] && query.corners[0][c] == query.corners[2][c]) return true;
+    return false;
+  };
+  const auto along_axis = [](const Query<double>& query) {
+    const Vec3<double> edge = query.corners[1] - query.corners[0];
+    return (edge.array() != 0).count() == 1;
+  };
+  const auto of_few_bits = [](const Query<double>& query) {
+    for (const Vec3<double>& v : query.corners)
+      for (const double x : v)
+        if (512 * x != std::nearbyint(512 * x)) return false;
+    return true;
+  };
+  using Place = std::function<bool(const Query<double>&)>;
+  for (const Place& is_wrong : {Place(in_plane), Place(along_axis), Place(of_few_bits)}) {
+    HuntOptions options = peak_options();
+    const Evaluation good = evaluation_named(formula().name, "closed_form");
+    options.evaluation.set_point<double>([good, is_wrong](const Query<double>& query, Result<double>& result) {
+      good(query, result);
+      if (is_wrong(query)) result.value[0] = std::numeric_limits<double>::quiet_NaN();
+    });
+    EXPECT_TRUE(std::isinf(hunt(options).worst.front().worst.error));
+  }
 }
 
 TEST(hunt, refuses_what_cannot_be_asked) {
