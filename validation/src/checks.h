@@ -37,6 +37,13 @@ inline Finding finding_for(const Truth& truth, int order) {
   return finding;
 }
 
+/// Whether a tensor of this size has all of R's digits: neither beyond its range nor next to its smallest numbers.
+template <Scalar R>
+bool representable(const Mp100& size) {
+  if constexpr (is_multiprecision<R>) return true;
+  else return size == 0 || (size < std::numeric_limits<R>::max() / 16 && size > std::numeric_limits<R>::min() * 16);
+}
+
 /// Norm of a difference over a denominator; infinite where either is not finite or the denominator alone is zero.
 template <Scalar R>
 double ratio_of_difference(const std::vector<R>& a, const std::vector<R>& b, const Mp100& denominator) {

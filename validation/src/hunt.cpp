@@ -136,14 +136,13 @@ class Hunter {
 
   // Changes `next` until it may be measured; returns the mutation, or -1 when none was found.
   int proposed(const Climber& from, Climber& next, int last, RandomStream& random) const {
-    const auto all = mutations();
+    const int count = static_cast<int>(mutations().size());
     for (int draw = 0; draw < most_draws; ++draw) {
       next.sample = from.sample;
       const bool again = last >= 0 && random.below(2) == 0;
-      const int kind = again ? last : random.below(static_cast<int>(all.size()));
-      all[kind].apply(*options_.formula, next.sample, random);
-      while (random.below(4) == 0)
-        all[random.below(static_cast<int>(all.size()))].apply(*options_.formula, next.sample, random);
+      const int kind = again ? last : random.below(count);
+      mutate(mutations()[kind], *options_.formula, next.sample, random);
+      while (random.below(4) == 0) mutate(mutations()[random.below(count)], *options_.formula, next.sample, random);
       next.sample = rounded_to(options_.scalar, std::move(next.sample));
       const bool changed = next.sample.corners != from.sample.corners || next.sample.point != from.sample.point ||
                            next.sample.parameters != from.sample.parameters;

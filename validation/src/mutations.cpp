@@ -2,6 +2,7 @@
 #include "mutations.h"
 
 #include "element/element_sampling.h"
+#include "element/tiny.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +31,6 @@ double& random_coordinate(const Formula& formula, Sample& s, RandomStream& rando
 }
 
 double size_of(const Sample& s) { return longest_edge<double>(s.corners); }
-
-double random_sign(RandomStream& random) { return random.below(2) == 0 ? -1 : 1; }
 
 // +-10^x, x uniform.
 double random_step(RandomStream& random, double lowest, double highest) {
@@ -95,6 +94,12 @@ void snap_coordinate(const Formula& formula, Sample& s, RandomStream& random) {
   Vec& v = random_vertex(s, random);
   const int c = random.below(formula.dim()), other = random.below(vertex_count(s) + 1);
   v[c] = other == vertex_count(s) ? 0.0 : vertex(s, other)[c];
+}
+
+void tiny_coordinate(const Formula& formula, Sample& s, RandomStream& random) {
+  double& x = random_coordinate(formula, s, random);
+  const double sign = random_sign(random);
+  x = sign * tiny_distance(random);
 }
 
 // Fewer bits: where products become exact, and where coordinates meet.
@@ -176,7 +181,7 @@ void shift_all(const Formula& formula, Sample& s, RandomStream& random) {
 }
 
 void scale_all(const Formula&, Sample& s, RandomStream& random) {
-  const double factor = random.below(8) == 0 ? std::ldexp(1.0, random.below(601) - 300) : power_of_two(random);
+  const double factor = random.below(8) == 0 ? std::ldexp(1.0, random.below(2001) - 1000) : power_of_two(random);
   for (Vec& corner : s.corners) corner *= factor;
   s.point *= factor;
 }
@@ -226,6 +231,7 @@ constexpr std::array all{Mutation{"step by size", step_by_size},
                          Mutation{"step by itself", step_by_itself},
                          Mutation{"one ulp", one_ulp},
                          Mutation{"snap coordinate", snap_coordinate},
+                         Mutation{"tiny coordinate", tiny_coordinate},
                          Mutation{"round coordinate", round_coordinate},
                          Mutation{"flatten", flatten},
                          Mutation{"align", align},
@@ -246,5 +252,20 @@ constexpr std::array all{Mutation{"step by size", step_by_size},
 }  // namespace
 
 std::span<const Mutation> mutations() { return all; }
+
+void mutate(const Mutation& mutation, const Formula& formula, Sample& sample, RandomStream& random) {
+  double largest = 0;
+  for (const Vec& v : sample.corners) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  const bool extreme = largest > 0 && std::isfinite(largest) && (largest < 1e-100 || largest > 1e100);
+  const int unit = extreme ? std::ilogb(largest) : 0;
+  const auto scale = [&](int exponent) {
+    for (Vec& v : sample.corners)
+      for (double& x : v) x = std::ldexp(x, exponent);
+    for (double& x : sample.point) x = std::ldexp(x, exponent);
+  };
+  if (extreme) scale(-unit);
+  mutation.apply(formula, sample, random);
+  if (extreme) scale(unit);
+}
 
 }  // namespace cageproof::validation

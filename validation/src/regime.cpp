@@ -81,6 +81,11 @@ const std::vector<Regime>& regimes() {
       {"aligned", distance, decades(0, -16, -1),
        "corners in small integers, in planes and along edges of the axes; steps along axes off exact points, and over "
        "the centres of symmetric elements"},
+      {"tiny",
+       "",
+       {},
+       "as aligned, at distances of 1e-17 to 5e-324, in units of 1e-315 to 1e298, 1e9 to 1e110 away, or tilted by a "
+       "denormal"},
       {"far", distance, decades(1, 8), "many sizes away"},
       {"sliver", "height / size", decades(-1, -10, -1), "cap: one corner close to the opposite edge"},
       {"needle", "width / size", decades(-1, -10, -1), "one short edge"},

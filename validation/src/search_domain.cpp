@@ -12,12 +12,6 @@ namespace {
 
 using WideVec = Vec3<Mp200>;
 
-// A distance, given squared, that is zero or large enough.
-bool apart(const Mp200& squared, const Mp200& size_squared) {
-  static const Mp200 least = Mp200(SearchDomain::smallest_distance) * SearchDomain::smallest_distance;
-  return squared == 0 || squared >= least * size_squared;
-}
-
 bool parameters_allowed(const Formula& formula, const Sample& sample) {
   if (sample.parameters.size() != formula.parameters.size()) return false;
   for (std::size_t k = 0; k < sample.parameters.size(); ++k)
@@ -38,26 +32,22 @@ bool in_search_domain(const Formula& formula, const Sample& sample) {
     if (!v.allFinite()) return false;
     for (int c = formula.dim(); c < 3; ++c)
       if (v[c] != 0) return false;
+    if (k == n) break;
     largest = std::max(largest, v.cwiseAbs().maxCoeff());
-    if (k < n) corners.push_back(convert<Mp200>(v));
+    corners.push_back(convert<Mp200>(v));
   }
-  const WideVec point = convert<Mp200>(sample.point);
-  const Mp200 longest = longest_edge<Mp200>(corners), size_squared = longest * longest;
-  const double size = static_cast<double>(longest);
+  const Mp200 size = longest_edge<Mp200>(corners);
   if (size < SearchDomain::smallest_size || size > SearchDomain::largest_size) return false;
-  if (largest > SearchDomain::largest_coordinate * size) return false;
+  const double distance = sample.point.cwiseAbs().maxCoeff();
+  if (largest > SearchDomain::largest_coordinate * size || distance > SearchDomain::largest_distance * size)
+    return false;
   const Mp200 aspect = shape.aspect(corners);
   if (aspect < SearchDomain::smallest_aspect || !shape.valid(sample.corners)) return false;
   if (contact_of(formula.element, sample) == Contact::Border &&
-      (aspect < SearchDomain::smallest_border_aspect || largest > SearchDomain::largest_border_coordinate * size))
+      (aspect < SearchDomain::smallest_border_aspect ||
+       std::max(largest, distance) > SearchDomain::largest_border_coordinate * size))
     return false;
-  for (std::size_t k = 0; k < n; ++k) {
-    const WideVec to_corner = point - corners[k], edge = corners[(k + 1) % n] - corners[k];
-    const Mp200 line = edge.cross(to_corner).squaredNorm() / edge.squaredNorm();
-    if (!apart(to_corner.squaredNorm(), size_squared) || !apart(line, size_squared)) return false;
-  }
-  const Mp200 off_surface = sampling_of(formula.element).exact.off_surface(corners, point);
-  return apart(off_surface * off_surface, size_squared);
+  return true;
 }
 
 }  // namespace cageproof::validation

@@ -30,6 +30,10 @@ class SymmetryCheck : public Check {
     for (int o = 0; o <= in.order; ++o) {
       findings[o] = finding_for(in.truth, o);
       if (in.truth.on_element && !keeps_side()) findings[o].status = Finding::Status::Unasked;
+      // Both results have all of a double's digits, or nothing can be told from them.
+      const Mp100 &norm = in.truth.norm[o], changed_norm = norm * factor(in, o);
+      if (!representable<double>(norm) || !representable<double>(changed_norm))
+        findings[o].status = Finding::Status::NoTruth;
       if (findings[o].status != Finding::Status::Measured) continue;
       const Mp100 yardstick = in.truth.conditioned[o] + Mp100(added(in, o));
       findings[o].error = ratio_of_difference(undo(in, changed.of(o), o), plain.of(o), Mp100(u * yardstick));
@@ -43,6 +47,8 @@ class SymmetryCheck : public Check {
   virtual Sample change(const Formula& formula, Sample sample) const = 0;
   /// The tensor of derivative order `order` as it would be without the change.
   virtual Values undo(const CheckInput& in, Values tensor, int order) const = 0;
+  /// By how much the change multiplies the tensor.
+  virtual Mp100 factor(const CheckInput&, int) const { return 1; }
   /// Norm of what the change adds to the tensor, whose rounding is no fault of the evaluation.
   virtual double added(const CheckInput&, int) const { return 0; }
 };
@@ -61,8 +67,21 @@ class Scaling final : public SymmetryCheck {
     sample.point *= factor;
     return sample;
   }
-  // Towards one, so that nothing overflows that did not before.
-  static int exponent(const Sample& sample) { return sample.corners[1].norm() + sample.point.norm() > 1 ? -20 : 20; }
+  // Towards one, so that nothing overflows that did not before; but up where down would cost denormals their digits.
+  static int exponent(const Sample& sample) {
+    double smallest = 1;
+    const auto look_at = [&](const Vec3<double>& v) {
+      for (const double x : v)
+        if (x != 0) smallest = std::min(smallest, std::abs(x));
+    };
+    for (const auto& corner : sample.corners) look_at(corner);
+    look_at(sample.point);
+    const bool down = sample.corners[1].norm() + sample.point.norm() > 1 && smallest > 0x1p-900;
+    return down ? -20 : 20;
+  }
+  Mp100 factor(const CheckInput& in, int order) const override {
+    return ldexp(Mp100(1), exponent(in.sample) * (in.formula.degree - order));
+  }
   Values undo(const CheckInput& in, Values tensor, int order) const override {
     for (double& x : tensor) x = std::ldexp(x, -exponent(in.sample) * (in.formula.degree - order));
     const double term = logarithm(in, order);
@@ -78,7 +97,7 @@ class Scaling final : public SymmetryCheck {
   static double logarithm(const CheckInput& in, int order) {
     const Formula& formula = in.formula;
     if (formula.logarithmic == 0 || order > 0) return 0;
-    const double measure = type_of(formula.element).extent(in.sample.corners).norm();
+    const double measure = type_of(formula.element).extent(in.sample.corners).stableNorm();
     return formula.logarithmic * exponent(in.sample) * std::numbers::ln2 * measure / formula.tensors();
   }
 };

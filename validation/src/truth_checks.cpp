@@ -7,13 +7,6 @@
 namespace cageproof::validation {
 namespace {
 
-/// Whether a tensor of this size has all of R's digits: neither beyond its range nor next to its smallest numbers.
-template <Scalar R>
-bool representable(const Mp100& size) {
-  if constexpr (is_multiprecision<R>) return true;
-  else return size == 0 || (size < std::numeric_limits<R>::max() / 16 && size > std::numeric_limits<R>::min() * 16);
-}
-
 /// An evaluation against the truth, in conditioned units.
 class TruthCheck final : public Check {
  public:
@@ -137,8 +130,8 @@ class StatedErrorCheck final : public Check {
     for (int o = 0; o <= in.order; ++o) {
       findings[o] = finding_for(in.truth, o);
       if (findings[o].status != Finding::Status::Measured) continue;
-      // A relative statement says nothing about zero.
-      if (in.truth.norm[o] == 0) {
+      // A relative statement says nothing about zero, nor of what a double cannot hold.
+      if (in.truth.norm[o] == 0 || !representable<double>(in.truth.norm[o])) {
         findings[o].status = Finding::Status::NoTruth;
         continue;
       }

@@ -43,8 +43,9 @@ TEST(element_regimes, are_all_of_space_and_those_of_the_plane_that_exist_there) 
     EXPECT_EQ(regimes_of(kind).size(), regimes().size()) << name_of(kind);
   std::set<std::string_view> of_segments;
   for (const Regime* regime : regimes_of(ElementKind::Segment)) of_segments.insert(regime->name);
-  EXPECT_EQ(of_segments, (std::set<std::string_view>{"generic", "near-face", "near-line", "near-vertex", "on-face",
-                                                     "on-vertex", "on-line", "aligned", "far", "scaled", "offset"}));
+  EXPECT_EQ(of_segments,
+            (std::set<std::string_view>{"generic", "near-face", "near-line", "near-vertex", "on-face", "on-vertex",
+                                        "on-line", "aligned", "tiny", "far", "scaled", "offset"}));
   EXPECT_THROW(make_sample(formula_on(ElementKind::Segment), *find_regime("needle"), 1, 0), InputError);
 }
 
@@ -59,13 +60,15 @@ TEST(element_regimes, samples_have_their_elements_corners_and_lie_in_its_space) 
       for (std::uint64_t i = 0; i < 60; ++i) {
         const Sample s = make_sample(formula_on(kind), *regime, 3, i);
         ASSERT_EQ(static_cast<int>(s.corners.size()), corner_count(kind));
+        for (int c = dimension(kind); c < 3; ++c) {
+          for (const Vec& v : s.corners) EXPECT_EQ(v[c], 0) << regime->name;
+          EXPECT_EQ(s.point[c], 0) << regime->name;
+        }
+        if (regime->name == "tiny") continue;
         const double unit = regime->name == "scaled" ? s.parameter : 1;
         const double longest = longest_edge<double>(s.corners) / unit;
         EXPECT_GT(longest, 0.3) << name_of(kind) << ' ' << regime->name;
         EXPECT_LT(longest, regime->name == "aligned" ? 6 : 4) << name_of(kind) << ' ' << regime->name;
-        if (dimension(kind) == 3) continue;
-        for (const Vec& v : s.corners) EXPECT_EQ(v[2], 0) << regime->name;
-        EXPECT_EQ(s.point[2], 0) << regime->name;
       }
 }
 
@@ -149,6 +152,60 @@ TEST(element_regimes, few_samples_see_every_kind_of_parameter_and_a_generic_one_
   }
   // Generic, zero, the default, incompressible, infinite.
   EXPECT_EQ(seconds, (std::set<double>{-1, 0, preset, 0.5, HUGE_VAL}));
+}
+
+// What is next to nothing in a sample of the regime `tiny`.
+struct Extremes {
+  double size = 0;       // the element's longest edge
+  double point = 0;      // the point's largest coordinate
+  double nearest = 1;    // of the point's coordinates, in sizes, but zero
+  double tilt = 1;       // of the corners' coordinates, in sizes, but zero
+  bool slanted = false;  // across two axes at least
+};
+
+Extremes extremes_of(ElementKind kind, const Sample& s) {
+  Extremes found;
+  const auto largest = [](const Vec& v) { return v.cwiseAbs().maxCoeff(); };
+  for (const Vec& v : s.corners) found.size = std::max({found.size, largest(v)});
+  found.point = largest(s.point) / found.size;
+  const auto smallest = [&](const Vec& v, double& least) {
+    for (const double x : v)
+      if (x != 0) least = std::min(least, std::abs(x) / found.size);
+  };
+  smallest(s.point, found.nearest);
+  for (const Vec& v : s.corners) smallest(v, found.tilt);
+  found.slanted = (type_of(kind).extent(s.corners).array() != 0).count() > 1;
+  return found;
+}
+
+TEST(element_regimes, tiny_samples_are_at_all_ends_of_the_exponent_range_and_off_the_element) {
+  const Regime& regime = *find_regime("tiny");
+  for (const ElementKind kind : element_kinds) {
+    int near = 0, denormal = 0, beside_slanted = 0, tilted = 0, small = 0, large = 0, far = 0, in_plane = 0;
+    for (std::uint64_t i = 0; i < 400; ++i) {
+      const Sample s = make_sample(formula_on(kind), regime, 3, i);
+      EXPECT_EQ(type_of(kind).contact(s.corners, s.point).contact, Contact::Off) << name_of(kind) << ' ' << i;
+      const Extremes e = extremes_of(kind, s);
+      EXPECT_GE(e.size, 1e-316);
+      EXPECT_LE(e.size, 1e300);
+      near += e.nearest < 1e-16;
+      denormal += e.nearest < 1e-308 && e.size > 0.1;
+      beside_slanted += e.nearest < 1e-16 && e.slanted && e.point < 1e-16;
+      tilted += e.tilt < 1e-16;
+      small += e.size < 1e-99;
+      large += e.size > 1e98;
+      far += e.point > 1e8;
+      // Exactly, as in a plane of the axes no term of the height is rounded.
+      in_plane += e.nearest < 1e-16 && e.tilt > 1e-3 &&
+                  sampling_of(kind).exact.height(wide(s.corners), convert<Mp100>(s.point)) == 0;
+    }
+    EXPECT_GT(near, 150) << name_of(kind);
+    EXPECT_GT(denormal, 25) << name_of(kind);
+    EXPECT_GT(beside_slanted, 25) << name_of(kind);
+    for (const int count : {tilted, in_plane}) EXPECT_GT(count, 25) << name_of(kind);
+    for (const int count : {small, large}) EXPECT_GT(count, 10) << name_of(kind);
+    EXPECT_GT(far, 25) << name_of(kind);
+  }
 }
 
 TEST(element_regimes, near_samples_lie_as_far_from_the_surface_as_they_say) {

@@ -21,8 +21,10 @@ const Formula& formula() { return *find_formula("triangle.single_layer"); }
 
 // Distance to the line of the first edge, in lengths of it.
 double edge_distance(std::span<const Vec3<double>> corners, const Vec3<double>& point) {
-  const Vec3<double> edge = corners[1] - corners[0];
-  return edge.cross(Vec3<double>(point - corners[0])).norm() / edge.squaredNorm();
+  const Vec3<double> edge = corners[1] - corners[0], to = point - corners[0];
+  const double length = edge.stableNorm();
+  const Vec3<double> along = edge / length;
+  return along.cross(Vec3<double>(to / length)).norm();
 }
 
 // Of the order of the truth times 1e-6, largest where the distance to the first edge is 1e-5: a peak a decade wide.
@@ -121,6 +123,17 @@ TEST(hunt, finds_elements_in_planes_and_along_edges_of_the_axes) {
   }
 }
 
+TEST(hunt, makes_coordinates_next_to_nothing) {
+  HuntOptions options = peak_options();
+  options.evaluation.set_point<double>([](const Query<double>& query, Result<double>& result) {
+    result.reset(1, 3, query.order);
+    const Vec3<double>& corner = query.corners[1];
+    if (corner.cwiseAbs().maxCoeff() > 1e-3 && (corner.array() != 0 && corner.array().abs() < 1e-200).any())
+      result.value[0] = std::numeric_limits<double>::quiet_NaN();
+  });
+  EXPECT_TRUE(std::isinf(hunt(options).worst.front().worst.error));
+}
+
 TEST(hunt, refuses_what_cannot_be_asked) {
   HuntOptions options = peak_options();
   options.regimes = "nonsense";
@@ -172,8 +185,8 @@ TEST(search_domain, holds_every_sample_of_the_regimes_and_nothing_degenerate) {
   bad.point[1] = HUGE_VAL;
   EXPECT_FALSE(in_search_domain(formula(), bad)) << "not finite";
   bad = good;
-  bad.point[2] = 1e-30;
-  EXPECT_FALSE(in_search_domain(formula(), bad)) << "nearer than the yardstick sees";
+  bad.point[2] = 5e-324;
+  EXPECT_TRUE(in_search_domain(formula(), bad)) << "as near as doubles tell";
   bad = good;
   bad.corners[2] = {0, 0.0625, 0};
   bad.point = {0.5, 0, 0};
@@ -249,6 +262,26 @@ TEST(mutations, of_every_kind_of_element_change_samples_and_never_leave_their_sp
       EXPECT_GT(inside, 20) << name_of(kind) << ' ' << mutation.name;
     }
   }
+}
+
+TEST(mutations, change_samples_in_units_whose_products_leave_the_exponent_range) {
+  for (const double unit : {1e-250, 1e250})
+    for (const Mutation& mutation : mutations()) {
+      int changed = 0, inside = 0;
+      for (std::uint64_t i = 0; i < 100; ++i) {
+        RandomStream random(1, mutation.name, i);
+        Sample before = make_sample(formula(), *find_regime("near-line"), 1, i);
+        for (Vec3<double>& corner : before.corners) corner *= unit;
+        before.point *= unit;
+        Sample after = before;
+        mutate(mutation, formula(), after, random);
+        changed += after.point != before.point || after.corners != before.corners;
+        inside += in_search_domain(formula(), after);
+      }
+      if (mutation.name == "change parameter") continue;  // the formula has none
+      EXPECT_GT(changed, 30) << unit << ' ' << mutation.name;
+      EXPECT_GT(inside, 20) << unit << ' ' << mutation.name;
+    }
 }
 
 TEST(mutations, each_changes_samples_and_stays_mostly_where_a_search_may_look) {

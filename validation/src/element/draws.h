@@ -74,13 +74,16 @@ inline Vec3<double> random_step(RandomStream& random, int dim) {
   }
 }
 
-/// The point at a drawn step from `foot`, a point of the element whose coordinates are exact, and off the element. In
+/// Where on an element, or in its plane or on an edge's line beyond it.
+enum class Feature { Face, Edge, Vertex, Plane, Line };
+
+/// The point at a drawn step from `foot`, whose coordinates are exact, and off the element. In
 /// two of three samples the whole is moved, exactly, so that `foot` is the origin: then the step is exact as well.
 /// \param draw_step draws the step, as often as the point is not off the element
 template <class DrawStep>
 void place_exactly(Sample& sample, const ElementType& type, const Vec3<double>& foot, RandomStream& random,
                    DrawStep&& draw_step) {
-  bool moved = false;
+  bool moved = false, lost = false;
   do {
     // Next to coordinates that are not zero a step may be lost in rounding.
     const bool move = random.below(3) > 0;
@@ -89,7 +92,8 @@ void place_exactly(Sample& sample, const ElementType& type, const Vec3<double>& 
     moved = moved || move;
     const Vec3<double> away = draw_step();
     sample.point = moved ? away : Vec3<double>(foot + away);
-  } while (type.contact(sample.corners, sample.point).contact != Contact::Off);
+    lost = !moved && sample.point == foot;
+  } while (lost || type.contact(sample.corners, sample.point).contact != Contact::Off);
 }
 
 /// Starts at another corner.

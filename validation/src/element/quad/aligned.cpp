@@ -57,25 +57,31 @@ std::vector<Vec> integral(RandomStream& random, std::uint64_t turn, int flat) {
   return q;
 }
 
+Vec exact_foot(const std::vector<Vec>& q, Feature feature, RandomStream& random) {
+  double u = 0, v = 0;
+  switch (feature) {
+    case Feature::Face:
+      u = inner_eighth(random);
+      v = inner_eighth(random);
+      break;
+    case Feature::Edge: u = inner_eighth(random); break;
+    case Feature::Vertex: break;
+    case Feature::Plane:
+      u = inner_eighth(random);
+      v = -inner_eighth(random);
+      break;
+    case Feature::Line: u = random.below(2) == 0 ? 1 + inner_eighth(random) : -inner_eighth(random); break;
+  }
+  return at(q, u, v);
+}
+
 // Off a point of the face, a side, a corner, or the surface or a side's line beyond; every fourth over a middle.
 void aligned(double distance, RandomStream& random, Sample& sample) {
   if (sample.index % 4 == 3) return over_centre(distance, random, sample);
   const int flat = random.below(dim);
   sample.corners = integral(random, sample.index, flat);
   permute_corners(sample, random);
-  const int place = random.below(5);
-  double u = 0, v = 0;
-  if (place == 0) {
-    u = inner_eighth(random);
-    v = inner_eighth(random);
-  }
-  if (place == 1) u = inner_eighth(random);
-  if (place == 3) {
-    u = inner_eighth(random);
-    v = -inner_eighth(random);
-  }
-  if (place == 4) u = random.below(2) == 0 ? 1 + inner_eighth(random) : -inner_eighth(random);
-  const Vec foot = at(sample.corners, u, v);
+  const Vec foot = exact_foot(sample.corners, static_cast<Feature>(random.below(5)), random);
   place_exactly(sample, type_of(ElementKind::Quad), foot, random,
                 [&] { return Vec(distance * random_step(random, dim)); });
 }

@@ -123,11 +123,12 @@ void offset(double distance, RandomStream& random, Sample& sample) {
   move_all(sample, distance * random_direction(random, dim));
 }
 
-constexpr std::array all{
-    SampleMaker{"generic", generic},         SampleMaker{"near-face", near_face}, SampleMaker{"near-line", near_line},
-    SampleMaker{"near-vertex", near_vertex}, SampleMaker{"on-face", on_face},     SampleMaker{"on-vertex", on_vertex},
-    SampleMaker{"on-line", on_line},         SampleMaker{"aligned", aligned},     SampleMaker{"far", far},
-    SampleMaker{"scaled", scaled},           SampleMaker{"offset", offset}};
+constexpr std::array all{SampleMaker{"generic", generic},     SampleMaker{"near-face", near_face},
+                         SampleMaker{"near-line", near_line}, SampleMaker{"near-vertex", near_vertex},
+                         SampleMaker{"on-face", on_face},     SampleMaker{"on-vertex", on_vertex},
+                         SampleMaker{"on-line", on_line},     SampleMaker{"aligned", aligned},
+                         SampleMaker{"tiny", tiny},           SampleMaker{"far", far},
+                         SampleMaker{"scaled", scaled},       SampleMaker{"offset", offset}};
 
 }  // namespace
 

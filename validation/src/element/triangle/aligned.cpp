@@ -93,26 +93,31 @@ std::vector<Vec> integral(RandomStream& random, std::uint64_t turn, int flat) {
   return t;
 }
 
+Vec exact_foot(const std::vector<Vec>& t, Feature feature, RandomStream& random) {
+  int i = 0, j = 0;  // hat functions in 16ths
+  switch (feature) {
+    case Feature::Face:
+      i = 1 + random.below(14);
+      j = 1 + random.below(15 - i);
+      break;
+    case Feature::Edge: i = 1 + random.below(15); break;
+    case Feature::Vertex: break;
+    case Feature::Plane:
+      i = 1 + random.below(16);
+      j = -1 - random.below(16);
+      break;
+    case Feature::Line: i = random.below(2) == 0 ? 17 + random.below(16) : -1 - random.below(16); break;
+  }
+  return ((16 - i - j) * t[0] + i * t[1] + j * t[2]) / 16;
+}
+
 // Off a point of the face, an edge, a corner, or the plane or an edge's line beyond; every fourth over a centre.
 void aligned(double distance, RandomStream& random, Sample& sample) {
   if (sample.index % 4 == 3) return over_centre(distance, random, sample);
   const int flat = random.below(dim);
   sample.corners = integral(random, sample.index, flat);
   permute_corners(sample, random);
-  const int place = random.below(5);
-  int i = 0, j = 0;  // hat functions in 16ths
-  if (place == 0) {
-    i = 1 + random.below(14);
-    j = 1 + random.below(15 - i);
-  }
-  if (place == 1) i = 1 + random.below(15);
-  if (place == 3) {
-    i = 1 + random.below(16);
-    j = -1 - random.below(16);
-  }
-  if (place == 4) i = random.below(2) == 0 ? 17 + random.below(16) : -1 - random.below(16);
-  const auto& t = sample.corners;
-  const Vec foot = ((16 - i - j) * t[0] + i * t[1] + j * t[2]) / 16;
+  const Vec foot = exact_foot(sample.corners, static_cast<Feature>(random.below(5)), random);
   place_exactly(sample, type_of(ElementKind::Triangle), foot, random,
                 [&] { return Vec(distance * random_step(random, dim)); });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../draws.h"
 #include "../element_sampling.h"
 
 namespace cageproof::validation::triangles {
@@ -12,7 +13,12 @@ std::span<const SampleMaker> regimes();
 /// \param flat the third axis
 std::vector<Vec3<double>> integral(RandomStream& random, std::uint64_t turn, int flat);
 
+/// A point on the first corner, the edge that begins there, its line, the face or the plane beyond that edge, with hat
+/// functions in 16ths: exact of corners of few bits.
+Vec3<double> exact_foot(const std::vector<Vec3<double>>& corners, Feature feature, RandomStream& random);
+
 // The makers of regimes that have files of their own.
 void aligned(double distance, RandomStream& random, Sample& sample);
+void tiny(double, RandomStream& random, Sample& sample);
 
 }  // namespace cageproof::validation::triangles
