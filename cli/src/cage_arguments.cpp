@@ -32,7 +32,9 @@ Cage CageArguments::load() const {
   if (std::filesystem::path(file).extension().empty() && !std::filesystem::exists(file))
     throw InputError(
         fmt::format("--cage {}: no such file, and no embedded cage of that name ({})", file, fmt::join(names, ", ")));
-  return read_cage(file, {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
+  Cage cage = read_cage(file, {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
+  if (const auto warning = crossing_warning(cage)) fmt::print(stderr, "warning: {}\n", *warning);
+  return cage;
 }
 
 std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known,

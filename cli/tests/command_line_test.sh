@@ -62,6 +62,26 @@ refuses inverted.obj --flip-inward -- verify_cage "$work/inverted.obj"
 write flat.obj "$tetrahedron" 'v 2 0 0' "$good_faces" 'f 1 2 5'
 refuses flat.obj -- verify_cage "$work/flat.obj"
 
+# Parts: a tetrahedron within the tetrahedron, as a shell and as a cavity; beside it, turned over.
+inner='v 0.1 0.1 0.1
+v 0.3 0.1 0.1
+v 0.1 0.3 0.1
+v 0.1 0.1 0.3'
+write shells.obj "$tetrahedron" "$good_faces" "$inner" 'f 5 7 6' 'f 5 6 8' 'f 6 7 8' 'f 5 8 7'
+refuses shells.obj 'part of 4 faces from face 4 (line 13)' 'within 1 other part' 'face 0 (line 5)' --flip-inward -- verify_cage "$work/shells.obj"
+write beside.obj "$tetrahedron" "$good_faces" 'v 5 0 0' 'v 6 0 0' 'v 5 1 0' 'v 5 0 1' 'f 5 6 7' 'f 5 8 6' 'f 6 8 7' 'f 5 7 8'
+refuses beside.obj 'part of 4 faces from face 4 (line 13)' 'within no other' inward -- verify_cage "$work/beside.obj"
+write centre.csv '0.05,0.05,0.05'
+write cavity.obj "$tetrahedron" "$good_faces" "$inner" 'f 5 6 7' 'f 5 8 6' 'f 6 8 7' 'f 5 7 8'
+for cage in cavity.obj 'shells.obj --flip-inward'; do
+  # shellcheck disable=SC2086
+  "$cageproof" coordinates --cage "$work"/$cage --points "$work/centre.csv" --kind green >"$work/stdout" 2>"$work/stderr" || fail "coordinates in $cage"
+  [ ! -s "$work/stderr" ] || fail "a word about $cage: $(cat "$work/stderr")"
+done
+write crossing.obj "$tetrahedron" "$good_faces" 'v 0.1 0.1 -0.1' 'v 0.3 0.1 -0.1' 'v 0.1 0.3 -0.1' 'v 0.1 0.1 0.1' 'f 5 7 6' 'f 5 6 8' 'f 6 7 8' 'f 5 8 7'
+"$cageproof" coordinates --cage "$work/crossing.obj" --points "$work/centre.csv" --kind green >"$work/stdout" 2>"$work/stderr" || fail "coordinates in crossing.obj"
+grep -qF 'warning: ' "$work/stderr" && grep -qF 'faces 0 and 5 (lines 5 and 14)' "$work/stderr" || fail "crossing faces: $(cat "$work/stderr")"
+
 # Bad points and names.
 write points.csv '0.1,0.2,0.3' '0.1,0.2'
 refuses points.csv:2 -- verify_cage cube --points "$work/points.csv"

@@ -2,11 +2,14 @@
 #include "cageproof/core/cage.h"
 
 #include "cageproof/core/element.h"
+#include "cageproof/core/face_crossings.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/quad_geometry.h"
 #include "cage_checks.h"
+#include "cage_parts.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <span>
@@ -19,6 +22,20 @@ Mp100 squared_distance(const Vec3<double>& a, const Vec3<double>& b) {
   return Vec3<Mp100>(convert<Mp100>(a) - convert<Mp100>(b)).squaredNorm();
 }
 
+// Turns the parts that face the wrong way, or throws.
+void orient_parts(const cage_checks::Candidate& cage, std::vector<Face>& faces, bool flip_inward) {
+  const std::vector<cage_checks::Part> parts = cage_checks::parts_of(cage);
+  for (const cage_checks::Part& part : parts) {
+    if (part.orientation == part.expected()) continue;
+    if (!flip_inward) throw InputError(cage_checks::wrong_way(cage, parts, part));
+    for (const int f : part.faces) {
+      // The first corner of triangles and quads stays, so that Triangulation::Fan keeps its diagonal.
+      const bool segment = faces[f].size() == 2;
+      std::reverse(faces[f].vertices.begin() + (segment ? 0 : 1), faces[f].vertices.begin() + faces[f].size());
+    }
+  }
+}
+
 }  // namespace
 
 ElementKind Face::kind() const { return kind_with_corners(size()); }
@@ -26,45 +43,36 @@ ElementKind Face::kind() const { return kind_with_corners(size()); }
 std::string_view name_of(Triangulation rule) { return rule == Triangulation::Shortest ? "shortest" : "fan"; }
 
 Cage Cage::make(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> faces, CageOptions options) {
-  const cage_checks::Candidate candidate{name, vertices, faces};
+  const cage_checks::Candidate candidate{name, vertices, faces, options.face_lines};
   cage_checks::check_coordinates(candidate);
   cage_checks::check_indices(candidate);
   cage_checks::check_shapes(candidate, options.allow_invalid_quads);
   cage_checks::check_edges(candidate);
   cage_checks::check_fans(candidate);
-  if (cage_checks::orientation(candidate) < 0) {
-    if (!options.flip_inward)
-      throw InputError(name +
-                       ": the faces point inward (negative volume), from face 0 on; --flip-inward reverses them");
-    // The first corner stays, so that Triangulation::Fan keeps its diagonal.
-    for (Face& face : faces) std::reverse(face.vertices.begin() + 1, face.vertices.begin() + face.size());
-  }
+  orient_parts(candidate, faces, options.flip_inward);
   Cage cage;
   cage.name_ = std::move(name);
   cage.vertices_ = std::move(vertices);
   cage.faces_ = std::move(faces);
+  cage.face_lines_ = std::move(options.face_lines);
   cage.allows_invalid_quads_ = options.allow_invalid_quads;
   return cage;
 }
 
 Cage Cage::make_polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
                         CageOptions options) {
-  const cage_checks::Candidate candidate{name, vertices, segments, 2};
+  const cage_checks::Candidate candidate{name, vertices, segments, options.face_lines, 2};
   cage_checks::check_coordinates(candidate);
   cage_checks::check_plane(candidate);
   cage_checks::check_indices(candidate);
   cage_checks::check_loops(candidate);
-  if (cage_checks::turning(candidate) < 0) {
-    if (!options.flip_inward)
-      throw InputError(name +
-                       ": the segments run clockwise (negative area), from segment 0 on; --flip-inward reverses them");
-    for (Face& segment : segments) std::swap(segment.vertices[0], segment.vertices[1]);
-  }
+  orient_parts(candidate, segments, options.flip_inward);
   Cage cage;
   cage.dimension_ = 2;
   cage.name_ = std::move(name);
   cage.vertices_ = std::move(vertices);
   cage.faces_ = std::move(segments);
+  cage.face_lines_ = std::move(options.face_lines);
   return cage;
 }
 
@@ -99,6 +107,29 @@ std::vector<std::string> invalid_quads(const Cage& cage) {
     if (const auto reason = invalid_because(cage.quad(f))) faults.push_back(fmt::format("face {}: {}", f, *reason));
   }
   return faults;
+}
+
+std::vector<std::string> crossing_faces(const Cage& cage) {
+  std::vector<std::string> found;
+  if (cage.dimension() == 2) return found;
+  const auto& lines = cage.face_lines();
+  for (const FaceCrossing& c : face_crossings(cage.vertices(), cage.faces()))
+    found.push_back(
+        fmt::format("faces {} and {}{}", c.first, c.second,
+                    lines.empty() ? "" : fmt::format(" (lines {} and {})", lines[c.first], lines[c.second])));
+  return found;
+}
+
+std::optional<std::string> crossing_warning(const Cage& cage) {
+  constexpr std::size_t most = 10;
+  const std::vector<std::string> found = crossing_faces(cage);
+  if (found.empty()) return std::nullopt;
+  const auto shown = std::span(found).first(std::min(most, found.size()));
+  const std::string more = found.size() > most ? fmt::format(", and {} more pairs,", found.size() - most) : "";
+  return fmt::format(
+      "{}: {}{} cross or touch each other; where a cage overlaps itself, coordinates that are not "
+      "normalised sum to how often it winds around the point",
+      cage.name(), fmt::join(shown, ", "), more);
 }
 
 bool Cage::has_quads() const {

@@ -23,7 +23,7 @@ using Exact = Mp100;
 }
 
 [[noreturn]] void fail_face(const Candidate& cage, std::size_t face, const std::string& reason) {
-  fail(cage, fmt::format("face {}: {} (faces and vertices counted from 0)", face, reason));
+  fail(cage, fmt::format("{}: {} (faces and vertices counted from 0)", face_label(cage, face), reason));
 }
 
 [[noreturn]] void fail_vertex(const Candidate& cage, std::size_t vertex, const std::string& reason) {
@@ -64,6 +64,12 @@ void check_shape(const Candidate& cage, std::size_t index) {
 }
 
 }  // namespace
+
+std::string face_label(const Candidate& cage, std::size_t face) {
+  const std::string_view element = is_plane(cage) ? "segment" : "face";
+  return face < cage.face_lines.size() ? fmt::format("{} {} (line {})", element, face, cage.face_lines[face])
+                                       : fmt::format("{} {}", element, face);
+}
 
 void check_coordinates(const Candidate& cage) {
   if (cage.vertices.empty()) fail(cage, "no vertices");
@@ -165,33 +171,25 @@ void check_loops(const Candidate& cage) {
                   fmt::format("{} segments begin and {} end there: a polygon has one of each", begins[v], ends[v]));
 }
 
-int turning(const Candidate& cage) {
-  const Vec3<Exact> origin = convert<Exact>(cage.vertices.front());
-  Exact area = 0;
-  for (const Face& segment : cage.faces) {
-    const Vec3<Exact> a = convert<Exact>(cage.vertices[segment.vertices[0]]) - origin,
-                      b = convert<Exact>(cage.vertices[segment.vertices[1]]) - origin;
-    area += a[0] * b[1] - a[1] * b[0];
-  }
-  if (area == 0) fail(cage, "the cage encloses no area");
-  return area > 0 ? 1 : -1;
-}
-
-int orientation(const Candidate& cage) {
-  const Vec3<Exact> origin = convert<Exact>(cage.vertices.front());
-  Exact volume = 0;
-  for (const Face& face : cage.faces) {
+int orientation(const Candidate& cage, std::span<const int> faces) {
+  const Vec3<Exact> origin = convert<Exact>(cage.vertices[cage.faces[faces.front()].vertices[0]]);
+  Exact measure = 0;
+  for (const int f : faces) {
+    const Face& face = cage.faces[f];
     std::array<Vec3<Exact>, 4> q;
     for (int k = 0; k < face.size(); ++k) q[k] = convert<Exact>(cage.vertices[face.vertices[k]]) - origin;
+    if (is_plane(cage)) {
+      measure += q[0][0] * q[1][1] - q[0][1] * q[1][0];
+      continue;
+    }
     // Twice a bilinear quad's volume is the sum over both of its splits.
     const auto tetrahedron = [&](int a, int b, int c) { return Exact(q[a].dot(q[b].cross(q[c]))); };
     const auto splits = type_of(face.kind()).splits;
-    if (splits.empty()) volume += 2 * tetrahedron(0, 1, 2);
+    if (splits.empty()) measure += 2 * tetrahedron(0, 1, 2);
     for (const ElementSplit& split : splits)
-      for (const auto& t : split.triangles) volume += tetrahedron(t[0], t[1], t[2]);
+      for (const auto& t : split.triangles) measure += tetrahedron(t[0], t[1], t[2]);
   }
-  if (volume == 0) fail(cage, "the cage encloses no volume");
-  return volume > 0 ? 1 : -1;
+  return measure > 0 ? 1 : measure < 0 ? -1 : 0;
 }
 
 }  // namespace cageproof::cage_checks

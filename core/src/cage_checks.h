@@ -4,6 +4,8 @@
 
 #include "cageproof/core/cage.h"
 
+#include <span>
+
 namespace cageproof::cage_checks {
 
 /// The parts of a cage that is not yet one.
@@ -11,8 +13,15 @@ struct Candidate {
   const std::string& name;
   const std::vector<Vec3<double>>& vertices;
   const std::vector<Face>& faces;
-  int least_corners = 3;  ///< that a face must have
+  const std::vector<std::size_t>& face_lines;  ///< CageOptions::face_lines
+  int least_corners = 3;                       ///< that a face must have
 };
+
+/// Whether it is a polygon.
+inline bool is_plane(const Candidate& cage) { return cage.least_corners == 2; }
+
+/// "face 3 (line 12)", or "face 3" where no lines are known; "segment 3" in the plane.
+std::string face_label(const Candidate& cage, std::size_t face);
 
 /// Vertices and faces there are, all coordinates finite.
 void check_coordinates(const Candidate& cage);
@@ -29,9 +38,7 @@ void check_fans(const Candidate& cage);
 void check_plane(const Candidate& cage);
 /// A polygon's segments have a length, and one begins and one ends at every vertex.
 void check_loops(const Candidate& cage);
-/// The sign of the area that a polygon encloses, 1 or -1. \throws InputError when it is zero
-int turning(const Candidate& cage);
-/// The sign of the enclosed volume, 1 or -1. \throws InputError when it is zero
-int orientation(const Candidate& cage);
+/// The sign of the volume that closed faces enclose, in the plane of the area: 1, -1, or 0 for none.
+int orientation(const Candidate& cage, std::span<const int> faces);
 
 }  // namespace cageproof::cage_checks

@@ -86,7 +86,8 @@ Cage read_cage(const std::filesystem::path& path, CageOptions options) {
                       faces.size(), polygon.size()));
     std::ranges::copy(polygon, faces.emplace_back().vertices.begin());
   }
-  return Cage::make(path.string(), std::move(mesh.vertices), std::move(faces), options);
+  options.face_lines = std::move(mesh.face_lines);
+  return Cage::make(path.string(), std::move(mesh.vertices), std::move(faces), std::move(options));
 }
 
 std::vector<Vec3<double>> read_points(const std::filesystem::path& path) {

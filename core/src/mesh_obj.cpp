@@ -98,13 +98,14 @@ Mesh read_obj(const std::filesystem::path& path) {
   const std::string file = read_mesh_file(path);
   const std::string_view text = without_mark(file);
   CheckedObj checked = check_obj(path, text);
-  Mesh mesh{std::move(checked.vertices), load_faces(path, text)};
+  Mesh mesh{std::move(checked.vertices), load_faces(path, text), {}};
   const int count = static_cast<int>(mesh.vertices.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     for (const int vertex : mesh.faces[f])
       if (vertex < 0 || vertex >= count)
         FileLine{path, checked.face_lines.at(f)}.fail(
             fmt::format("vertex {} is out of range, the file has {} vertices", vertex + 1, count));
+  mesh.face_lines = std::move(checked.face_lines);
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 #include "cageproof/core/cage.h"
 
 #include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/input_error.h"
 #include "support.h"
 
 #include <cmath>
@@ -181,6 +182,133 @@ TEST(cage_accepts, components_and_cavities) {
   const Cage hollow =
       Cage::make("hollow", joined(cube_corners(), inner), joined(cube_faces(), shifted(reversed(cube_faces()), 8)));
   EXPECT_DOUBLE_EQ(volume(hollow), 0.875);
+}
+
+// Cubes of these half widths about the origin, each inside the one before.
+Cage nested(const std::vector<std::pair<double, bool>>& widths_and_inward, CageOptions options = {}) {
+  Vertices vertices;
+  Faces faces;
+  for (const auto& [width, inward] : widths_and_inward) {
+    Vertices corners = cube_corners();
+    for (auto& v : corners) v *= width;
+    faces = joined(faces, shifted(inward ? reversed(cube_faces()) : cube_faces(), static_cast<int>(vertices.size())));
+    vertices = joined(vertices, corners);
+  }
+  return Cage::make("nested", vertices, faces, options);
+}
+
+TEST(cage_parts, shells_and_cavities_alternate) {
+  EXPECT_DOUBLE_EQ(volume(nested({{4, false}, {3, true}, {2, false}, {1, true}})), 64 - 27 + 8 - 1);
+  // In whatever order they come.
+  EXPECT_DOUBLE_EQ(volume(nested({{1, true}, {3, true}, {4, false}, {2, false}})), 64 - 27 + 8 - 1);
+}
+
+TEST(cage_parts, nested_shells_of_equal_orientation_are_named) {
+  const std::string message = input_error_of([] { nested({{2, false}, {1, false}}); });
+  expect_parts(message, {"nested: the part of 6 faces from face 6 on", "within 1 other part", "from face 0 on",
+                         "bounds a cavity", "--flip-inward"});
+  expect_parts(input_error_of([] {
+                 nested({{1, false}, {2, false}});
+               }),
+               {"from face 0 on lies within", "from face 6 on"});
+  expect_parts(input_error_of([] {
+                 nested({{3, false}, {2, true}, {1, true}});
+               }),
+               {"6 faces from face 12 on", "within 2 other parts", "bounds no cavity"});
+}
+
+TEST(cage_parts, an_inverted_part_beside_another_is_named) {
+  Vertices far = cube_corners();
+  for (auto& v : far) v += Vec3<double>(3, 0, 0);
+  const Vertices vertices = joined(cube_corners(), far);
+  expect_parts(error_of(vertices, joined(cube_faces(), shifted(reversed(cube_faces()), 8))),
+               {"case: the part of 6 faces from face 6 on", "within no other part", "bounds no cavity", "inward"});
+  // Half of its volume less than nothing does not hide it.
+  for (auto& v : far) v = 0.25 * (v - Vec3<double>(3, 0, 0)) + Vec3<double>(3, 0, 0);
+  expect_parts(error_of(joined(cube_corners(), far), joined(reversed(cube_faces()), shifted(cube_faces(), 8))),
+               {"from face 0 on", "inward"});
+}
+
+TEST(cage_parts, are_turned_when_told) {
+  EXPECT_DOUBLE_EQ(volume(nested({{2, false}, {1, false}}, {.flip_inward = true})), 7);
+  EXPECT_DOUBLE_EQ(volume(nested({{2, true}, {1, false}}, {.flip_inward = true})), 7);
+  EXPECT_DOUBLE_EQ(volume(nested({{2, false}, {1, true}}, {.flip_inward = true})), 7);
+}
+
+TEST(cage_parts, without_volume_are_named) {
+  const Vertices flat{{5, 0, 0}, {6, 0, 0}, {5, 1, 0}};
+  expect_parts(error_of(joined(cube_corners(), flat), joined(cube_faces(), Faces{{{8, 9, 10, -1}}, {{8, 10, 9, -1}}})),
+               {"part of 2 faces from face 6 on", "no volume"});
+}
+
+TEST(cage_parts, any_unit) {
+  for (const double unit : {1e-150, 1e-30, 1e30, 1e140}) {
+    EXPECT_NO_THROW(nested({{2 * unit, false}, {unit, true}})) << unit;
+    EXPECT_THROW(nested({{2 * unit, false}, {unit, false}}), InputError) << unit;
+    EXPECT_FALSE(crossing_warning(nested({{2 * unit, false}, {unit, true}}))) << unit;
+  }
+}
+
+TEST(cage_parts, that_touch_or_cross_lie_beside_each_other) {
+  const auto moved = [](double x, double scale, bool inward) {
+    Vertices other = cube_corners();
+    for (auto& v : other) v = scale * v + Vec3<double>(x, 0, 0);
+    return Cage::make("two", joined(cube_corners(), other),
+                      joined(cube_faces(), shifted(inward ? reversed(cube_faces()) : cube_faces(), 8)));
+  };
+  // A cavity whose side lies in the shell's is within it all the same.
+  EXPECT_TRUE(crossing_warning(moved(0.25, 0.5, true)));
+  EXPECT_THROW(moved(0.25, 0.5, false), InputError);
+  EXPECT_TRUE(crossing_warning(moved(1, 1, false)));
+  EXPECT_TRUE(crossing_warning(moved(0.5, 0.5, false)));
+  EXPECT_THROW(moved(0.5, 0.5, true), InputError);
+  EXPECT_TRUE(crossing_warning(moved(0, 1, false))) << "the same surface twice";
+  EXPECT_FALSE(crossing_warning(moved(1.0625, 1, false)));
+}
+
+TEST(polygon_parts, holes_run_clockwise) {
+  const auto squares = [](const std::vector<std::pair<double, bool>>& widths_and_clockwise) {
+    Vertices vertices;
+    Faces segments;
+    for (const auto& [width, clockwise] : widths_and_clockwise) {
+      const int first = static_cast<int>(vertices.size());
+      for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
+        vertices.emplace_back(width * x, width * y, 0);
+      for (int k = 0; k < 4; ++k) {
+        const int from = first + k, to = first + (k + 1) % 4;
+        segments.push_back({{clockwise ? to : from, clockwise ? from : to, -1, -1}});
+      }
+    }
+    return Cage::make_polygon("squares", vertices, segments);
+  };
+  EXPECT_NO_THROW(squares({{2, false}, {1, true}}));
+  EXPECT_NO_THROW(squares({{1, true}, {3, false}, {0.5, false}}));
+  expect_parts(input_error_of([&] {
+                 squares({{2, false}, {1, false}});
+               }),
+               {"part of 4 segments from segment 4 on", "within 1 other"});
+  expect_parts(input_error_of([&] { squares({{1, true}}); }), {"clockwise", "segment 0", "--flip-inward"});
+}
+
+TEST(crossing_faces, are_named_by_number) {
+  // A double pyramid whose top, vertex 4, was pushed through one of its lower faces.
+  const auto pyramid = [](const Vec3<double>& top) {
+    Faces faces;
+    for (int k = 0; k < 4; ++k) faces.push_back({{k, (k + 1) % 4, 4, -1}});
+    for (int k = 0; k < 4; ++k) faces.push_back({{(k + 1) % 4, k, 5, -1}});
+    return Cage::make("pyramid", {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, top, {0, 0, -1}}, faces);
+  };
+  EXPECT_TRUE(crossing_faces(pyramid({0.25, 0.25, -0.25})).empty());
+  const Cage cage = pyramid({0.25, 0.25, -0.75});
+  EXPECT_EQ(crossing_faces(cage), (std::vector<std::string>{"faces 1 and 4", "faces 2 and 4", "faces 3 and 4"}));
+  EXPECT_NE(crossing_warning(cage).value().find("pyramid: faces 1 and 4, faces 2 and 4"), std::string::npos);
+  // Just touching.
+  EXPECT_EQ(crossing_faces(pyramid({0.25, 0.25, -0.5})).size(), 3u);
+}
+
+TEST(crossing_faces, are_none_where_a_reflex_corner_is) {
+  EXPECT_TRUE(crossing_faces(prism({{{0, 0}, {2, -1}, {1, 0}, {2, 1}}})).empty());
+  for (const auto name : embedded_cage_names()) EXPECT_FALSE(crossing_warning(embedded_cage(name))) << name;
 }
 
 TEST(cage_flips, inward_cage_when_told) {

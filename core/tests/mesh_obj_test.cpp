@@ -171,6 +171,28 @@ TEST(read_cage, names_file_and_face_of_invalid_cages) {
   expect_parts(input_error_of([&] { read_cage(points); }), {"points.obj: no faces"});
 }
 
+TEST(read_cage, names_parts_and_crossing_faces_by_their_lines) {
+  const TemporaryFolder folder;
+  // A tetrahedron, and another of half its size in it, or across one of its faces.
+  const auto two = [&](std::string_view shift, bool inward) {
+    std::string text = kTetrahedron + "# the other\n";
+    for (int i = 0; i < 4; ++i)
+      text += fmt::format("v {} {} {}\n", i == 1 ? 0.3 : 0.1, i == 2 ? 0.3 : 0.1,
+                          (i == 3 ? 0.2 : 0) + (shift == "across" ? -0.1 : 0.1));
+    for (const char* f : {"5 7 6", "5 6 8", "6 7 8", "5 8 7"}) {
+      std::string face = f;
+      if (inward) std::swap(face[0], face[4]);
+      text += "f " + face + "\n";
+    }
+    return folder.write(fmt::format("two.{}.{}.obj", shift, inward), text);
+  };
+  expect_parts(input_error_of([&] { read_cage(two("within", false)); }),
+               {"two.within.false.obj: ", "4 faces from face 4 (line 14) on", "from face 0 (line 5) on"});
+  EXPECT_FALSE(crossing_warning(read_cage(two("within", true))));
+  expect_parts(crossing_warning(read_cage(two("across", false))).value_or("none"),
+               {"two.across.false.obj: faces 0 and 5 (lines 5 and 15)", "winds around"});
+}
+
 TEST(read_cage, gives_back_every_embedded_surface) {
   const TemporaryFolder folder;
   for (const auto name : embedded_cage_names()) {

@@ -6,6 +6,7 @@
 #include "cageproof/core/vector.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,10 +31,14 @@ struct Face {
 
 /// What may be repaired instead of rejected.
 struct CageOptions {
-  bool flip_inward = false;  ///< reverse all faces of a cage whose normals point inward
+  /// Reverse the faces of parts that are oriented the wrong way: outer shells whose normals point inward, and cavities
+  /// whose normals point into the solid.
+  bool flip_inward = false;
   /// Quads may have coinciding corners, three on a line, cross themselves or fold over; for coordinates that keep
   /// quads.
   bool allow_invalid_quads = false;
+  /// Of the file that the faces come from, one a face, for messages; empty where nobody knows.
+  std::vector<std::size_t> face_lines = {};
 };
 
 /// How quads become triangles: by the shorter of the two diagonals (compared exactly; ties: the one at the quad's first
@@ -52,19 +57,21 @@ class Cage {
   ///   non-finite coordinate; index out of range or repeated within a face, unused vertex; two corners of a face that
   ///   coincide, three on a line, a quad that crosses itself or folds by more than a right angle along both diagonals;
   ///   edge with one face (hole) or more than two (non-manifold), inconsistent orientation, vertex whose faces form
-  ///   more than one fan; no volume, or inward orientation (negative volume) unless options.flip_inward. These tests
-  ///   are exact: no threshold depends on the unit of length.
-  /// Several components are one cage; the sign of the total volume decides, so that a cavity's faces may point into it.
-  /// Intersections between different faces are not looked for.
+  ///   more than one fan; a part without volume, or oriented the wrong way unless options.flip_inward. These tests are
+  ///   exact: no threshold depends on the unit of length.
+  /// Faces that are connected are a part of the cage. Parts that lie within no other, or within an even number of
+  /// others, are shells, and their normals point outward (positive volume); the others bound cavities, and their
+  /// normals point into them. Parts that cross lie beside each other, not within. Anything else would make coordinates
+  /// sum to 2 or -1 somewhere. Faces may cross each other: crossing_faces names them.
   static Cage make(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> faces,
                    CageOptions options = {});
 
-  /// A polygon in the plane, or several (one within another bounds a hole, and runs clockwise).
+  /// A polygon in the plane, or several: those within an odd number of others bound holes, and run clockwise.
   /// \param vertices with third coordinate zero \param segments from vertex to vertex
   /// \throws InputError naming the first segment (or vertex) at fault: empty input, a coordinate that is not finite or
   /// not in the plane; index out of
   ///   range or repeated, unused vertex; a segment without length; a vertex where not exactly one segment ends and one
-  ///   begins; no area, or clockwise orientation (negative area) unless options.flip_inward. Exact. Intersections are
+  ///   begins; a polygon without area, or that runs the wrong way unless options.flip_inward. Exact. Intersections are
   ///   not looked for.
   static Cage make_polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
                            CageOptions options = {});
@@ -74,6 +81,8 @@ class Cage {
   int dimension() const { return dimension_; }
   const std::vector<Vec3<double>>& vertices() const { return vertices_; }
   const std::vector<Face>& faces() const { return faces_; }
+  /// CageOptions::face_lines.
+  const std::vector<std::size_t>& face_lines() const { return face_lines_; }
   bool has_quads() const;
   /// Whether it was made with CageOptions::allow_invalid_quads.
   bool allows_invalid_quads() const { return allows_invalid_quads_; }
@@ -103,10 +112,20 @@ class Cage {
   std::string name_;
   std::vector<Vec3<double>> vertices_;
   std::vector<Face> faces_;
+  std::vector<std::size_t> face_lines_;
   bool allows_invalid_quads_ = false;
 };
 
 /// The quads that are not valid (invalid_because), each as "face f: reason"; empty for none.
 std::vector<std::string> invalid_quads(const Cage& cage);
+
+/// The pairs of faces that cross or touch each other (face_crossings), each as "faces f and g", with the lines of the
+/// file where they are known; empty for none, and in the plane, where nobody looks. No error: integrals over such a
+/// surface exist and agree with all that is said of them, but for the number that they sum to, which is how often the
+/// cage winds around the point, 2 where two parts of it overlap.
+std::vector<std::string> crossing_faces(const Cage& cage);
+
+/// One line that names the first of them and says what it means; nothing where no faces cross.
+std::optional<std::string> crossing_warning(const Cage& cage);
 
 }  // namespace cageproof

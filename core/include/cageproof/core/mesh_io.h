@@ -12,6 +12,8 @@ namespace cageproof {
 struct Mesh {
   std::vector<Vec3<double>> vertices;   ///< in file order
   std::vector<std::vector<int>> faces;  ///< polygons as in the file; empty for a point set
+  std::vector<std::size_t> face_lines =
+      {};  ///< one a face; empty where the file has no lines, or the reader tells none
 };
 
 /// Reads the meshes of one extension (".ply"), throwing what read_mesh says.

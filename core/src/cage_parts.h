@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The connected parts of a cage, and how they lie in each other.
+#pragma once
+
+#include "cage_checks.h"
+
+namespace cageproof::cage_checks {
+
+/// Faces that are connected by common vertices.
+struct Part {
+  std::vector<int> faces;   ///< in rising order; the first one names the part
+  int orientation;          ///< +1: its normals point away from what it encloses; -1: into it
+  std::vector<int> around;  ///< the parts that it lies within
+
+  /// Shells that lie within none or an even number of others bound what is inside from outside, the others cavities.
+  int expected() const { return around.size() % 2 == 0 ? 1 : -1; }
+};
+
+/// The parts, in the order of their first faces. One lies within another when that winds around those of its vertices
+/// that do not lie on it; so parts that cross each other lie beside each other. Quads are cut by the diagonal at their
+/// first corner, or by the other one where that folds them. Exact.
+/// \pre check_edges and check_fans passed, or check_loops in the plane \throws InputError for a part without volume (or
+/// area)
+std::vector<Part> parts_of(const Candidate& cage);
+
+/// Why the part should be turned, for a message.
+std::string wrong_way(const Candidate& cage, const std::vector<Part>& parts, const Part& part);
+
+}  // namespace cageproof::cage_checks

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "face_pieces.h"
+
+#include "cageproof/core/element.h"
+#include "cageproof/core/linear.h"
+
+namespace cageproof {
+namespace {
+
+// Wide enough that signs of products of double coordinates are exact.
+using Exact = Mp100;
+
+struct Halves {
+  Pieces pieces;
+  bool folded, planar;
+};
+
+Vec3<Exact> normal(const std::vector<Vec3<double>>& vertices, const std::array<int, 3>& t) {
+  const Vec3<Exact> at = convert<Exact>(vertices[t[0]]);
+  return Vec3<Exact>(convert<Exact>(vertices[t[1]]) - at).cross(Vec3<Exact>(convert<Exact>(vertices[t[2]]) - at));
+}
+
+Halves halves_by(const std::vector<Vec3<double>>& vertices, const Face& face, const ElementSplit& split) {
+  Halves halves;
+  std::array<Vec3<Exact>, 2> normals;
+  for (int i = 0; i < 2; ++i) {
+    const auto& corners = split.triangles[i];
+    const std::array<int, 3> t{face.vertices[corners[0]], face.vertices[corners[1]], face.vertices[corners[2]]};
+    normals[i] = normal(vertices, t);
+    if (!normals[i].isZero(0)) halves.pieces.push_back(t);
+  }
+  halves.folded = normals[0].dot(normals[1]) < 0;
+  halves.planar = Vec3<Exact>(normals[0].cross(normals[1])).isZero(0);
+  return halves;
+}
+
+}  // namespace
+
+Pieces pieces_of(const std::vector<Vec3<double>>& vertices, const Face& face) {
+  const auto splits = type_of(face.kind()).splits;
+  if (splits.empty()) return {{face.vertices[0], face.vertices[1], face.vertices[2]}};
+  Halves first = halves_by(vertices, face, splits[0]);
+  if (!first.folded) return std::move(first.pieces);
+  Halves second = halves_by(vertices, face, splits[1]);
+  return std::move(second.folded ? first.pieces : second.pieces);
+}
+
+Pieces all_pieces_of(const std::vector<Vec3<double>>& vertices, const Face& face) {
+  const auto splits = type_of(face.kind()).splits;
+  if (splits.empty()) return pieces_of(vertices, face);
+  Pieces all;
+  for (const ElementSplit& split : splits) {
+    const Halves halves = halves_by(vertices, face, split);
+    if (halves.folded) continue;
+    all.insert(all.end(), halves.pieces.begin(), halves.pieces.end());
+    if (halves.planar) break;
+  }
+  return all;
+}
+
+}  // namespace cageproof
