@@ -28,7 +28,7 @@ Option CageArguments::add_to(Command command, bool required) {
 
 Cage CageArguments::load() const {
   const auto names = embedded_cage_names();
-  if (std::ranges::find(names, file) != names.end()) return embedded_cage(file);
+  if (is_embedded_cage(file)) return embedded_cage(file);
   if (std::filesystem::path(file).extension().empty() && !std::filesystem::exists(file))
     throw InputError(
         fmt::format("--cage {}: no such file, and no embedded cage of that name ({})", file, fmt::join(names, ", ")));

@@ -76,6 +76,7 @@ Json catalogue_json() {
     all["checks"].push_back(
         {{"name", name}, {"unit", ""}, {"description", "of whole cages and their elements; docs/errors.md"}});
   for (const auto name : embedded_cage_names()) all["cages"].push_back(name);
+  for (const auto name : extreme_cage_names()) all["extreme_cages"].push_back(name);
   return all;
 }
 
@@ -95,6 +96,8 @@ void print_text() {
   for (const std::string_view name : other_checks()) fmt::print(" {}", name);
   fmt::print("\nembedded cages:");
   for (const auto name : embedded_cage_names()) fmt::print(" {}", name);
+  fmt::print("\nextreme cages:");
+  for (const auto name : extreme_cage_names()) fmt::print(" {}", name);
   fmt::print("\n");
 }
 

@@ -4,6 +4,8 @@
 #include "cageproof/core/element.h"
 #include "support.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -115,6 +117,40 @@ TEST(embedded_cages, square_is_the_unit_square_counter_clockwise) {
     twice_area += a[0] * b[1] - a[1] * b[0];
   }
   EXPECT_DOUBLE_EQ(twice_area, 2);
+}
+
+TEST(extreme_cages, have_the_volume_of_their_shape) {
+  for (const int decade : {3, 6, 12}) {
+    const double h = std::pow(10.0, -decade);
+    const auto volume_of = [&](const char* family) {
+      return volume(embedded_cage(fmt::format("{}-1e-{}", family, decade)));
+    };
+    const double wall = 4 - (2 - 2 * h) * (2 - 2 * h) * (1 - h), cavity = 1 - std::pow(1 - 2 * h, 3);
+    EXPECT_NEAR(volume_of("thin-wall"), wall, 4e-15);
+    EXPECT_NEAR(volume_of("hollow"), cavity, 4e-15);
+    EXPECT_NEAR(volume_of("gap"), 2, 4e-15);
+    if (decade % 2 != 0) continue;
+    EXPECT_NEAR(volume_of("wedge"), h / 2, 1e-16);
+    EXPECT_NEAR(volume_of("crack"), 1 - h / 2, 4e-15);
+  }
+  EXPECT_NEAR(volume(embedded_cage("nested")), 1 - std::pow(0.75, 3) + 2.5361507 / 64 + 1.0 / 512, 1e-8);
+  EXPECT_NEAR(volume(embedded_cage("fan")), 1.25 / 3 * 32 * std::sin(2 * std::numbers::pi / 64), 1e-14);
+}
+
+TEST(extreme_cages, go_to_zero_by_decades) {
+  const auto names = extreme_cage_names();
+  EXPECT_EQ(names.front(), "thin-wall-1e-1");
+  EXPECT_EQ(names[11], "thin-wall-1e-12");
+  for (const auto name : names) {
+    const Cage cage = embedded_cage(name);
+    EXPECT_EQ(cage.name(), name);
+    EXPECT_FALSE(crossing_warning(cage)) << name;
+    EXPECT_TRUE(invalid_quads(cage).empty()) << name;
+    EXPECT_TRUE(is_embedded_cage(name));
+  }
+  EXPECT_TRUE(is_embedded_cage("cube"));
+  EXPECT_FALSE(is_embedded_cage("thin-wall"));
+  EXPECT_FALSE(is_embedded_cage("thin-wall-1e-13"));
 }
 
 TEST(embedded_cages, unknown_name_lists_those_there_are) {
