@@ -183,7 +183,7 @@ WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, 
       std::vector<double> errors(group.points.size());
       for_each_parallel(errors.size(), options.jobs, [&](std::size_t i) {
         const CagePoint& p = group.points[i];
-        errors[i] = errors_at(coordinates, cage, p.point, expected_sum(kind, p.place), 0).partition[0];
+        errors[i] = errors_at(coordinates, cage, p.point, expected_sum(kind, p.place), 0).partition[0].relative;
       });
       summarise(std::move(errors), row);
       const KindEvaluations timed(kind, cage, row.evaluation);

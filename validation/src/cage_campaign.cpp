@@ -32,20 +32,29 @@ class CageRows {
 
   /// A NaN is a sample without truth.
   /// \param asked the highest derivative that the coordinates were taken with
-  void add(const std::string& check, const std::string& unit, std::string_view place, int order, double error,
+  void add(const std::string& check, std::string_view place, int order, const CageError& error,
            const Vec3<double>& point, std::uint64_t index, int asked = 2) {
+    add(check, "roundings", place, order, error.roundings, error.relative, point, index, asked);
+  }
+  void add_relative(const std::string& check, std::string_view place, int order, double error,
+                    const Vec3<double>& point, std::uint64_t index, int asked = 2) {
+    add(check, "relative", place, order, error, error, point, index, asked);
+  }
+
+  Findings found;
+
+ private:
+  void add(const std::string& check, const std::string& unit, std::string_view place, int order, double error,
+           double relative, const Vec3<double>& point, std::uint64_t index, int asked) {
     key_.check = check;
     key_.place = place;
     key_.order = order;
     Tally& tally = found.rows[key_];
     tally.unit = unit;
     if (std::isnan(error)) ++tally.without_truth;
-    else tally.add(error, error, index, [&](double e) { return WorstCase{e, 0, index, {}, point, {}, asked}; });
+    else tally.add(error, relative, index, [&](double e) { return WorstCase{e, 0, index, {}, point, {}, asked}; });
   }
 
-  Findings found;
-
- private:
   RowKey key_;
 };
 
@@ -61,8 +70,8 @@ std::vector<const CoordinateKind*> kinds_matching(const std::string& pattern, co
 
 struct PointResult {
   CageErrors errors;
-  std::array<double, 3> truth{NAN, NAN, NAN};
-  std::map<std::string, double> symmetries;
+  std::array<CageError, 3> truth;
+  std::map<std::string, CageError> symmetries;
   std::array<double, 3> differences{NAN, NAN, NAN};
 };
 
@@ -70,18 +79,16 @@ void add_point(CageRows& rows, const CoordinateKind& kind, int order, const Cage
   const auto place = name_of(p.place);
   const bool outside = p.place == Place::Outside && !kind.normalised;
   for (int o = 0; o <= order; ++o) {
-    const std::string unit = o == 0 ? "relative" : "of the terms";
-    rows.add(outside ? "zero_outside" : "partition_of_unity", unit, place, o, r.errors.partition[o], p.point, p.index,
-             order);
-    rows.add("linear_reproduction", unit, place, o, r.errors.reproduction[o], p.point, p.index, order);
-    if (!std::isnan(r.truth[o])) rows.add("cage_truth", "relative", place, o, r.truth[o], p.point, p.index);
+    rows.add(outside ? "zero_outside" : "partition_of_unity", place, o, r.errors.partition[o], p.point, p.index, order);
+    rows.add("linear_reproduction", place, o, r.errors.reproduction[o], p.point, p.index, order);
+    if (!std::isnan(r.truth[o].roundings)) rows.add("cage_truth", place, o, r.truth[o], p.point, p.index);
   }
-  for (const auto& [check, error] : r.symmetries) rows.add(check, "relative", place, 0, error, p.point, p.index);
+  for (const auto& [check, error] : r.symmetries) rows.add(check, place, 0, error, p.point, p.index);
   for (int o = 1; o < 3; ++o)
     if (!std::isnan(r.differences[o]))
-      rows.add("cage_differences", "relative", place, o, r.differences[o], p.point, p.index);
-  if (!std::isnan(r.errors.laplacian))
-    rows.add("cage_laplacian", "of the Hessian", place, 2, r.errors.laplacian, p.point, p.index);
+      rows.add_relative("cage_differences", place, o, r.differences[o], p.point, p.index);
+  if (!std::isnan(r.errors.laplacian.roundings))
+    rows.add("cage_laplacian", place, 2, r.errors.laplacian, p.point, p.index);
 }
 
 void add_on_cage(CageRows& rows, const Cage& cage, const CageCoordinates& coordinates, const CageLocator& locator,
@@ -90,10 +97,18 @@ void add_on_cage(CageRows& rows, const Cage& cage, const CageCoordinates& coordi
   // Midpoints that rounding moved off the cage prove nothing about it.
   const bool on = !coordinates.elements().touching(p.point).empty();
   if (!coordinates.kind().normalised)
-    rows.add("linear_reproduction", "relative", place, 0,
-             on ? errors_at(coordinates, cage, p.point, 1, 0).reproduction[0] : NAN, p.point, p.index);
-  rows.add("limit_from_inside", "relative", place, 0, inside_limit_error_at(coordinates, cage, locator, p.point),
-           p.point, p.index);
+    rows.add("linear_reproduction", place, 0,
+             on ? errors_at(coordinates, cage, p.point, 1, 0).reproduction[0] : CageError(), p.point, p.index);
+  rows.add_relative("limit_from_inside", place, 0, inside_limit_error_at(coordinates, cage, locator, p.point), p.point,
+                    p.index);
+}
+
+// Every n-th, so that at most so many are left.
+void keep_evenly(std::vector<CagePoint>& points, int most) {
+  const std::size_t step = std::max<std::size_t>(1, (points.size() + most - 1) / most);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); i += step) points[kept++] = points[i];
+  points.resize(kept);
 }
 
 // The relations of one kind of coordinates, by one evaluation, on a cage.
@@ -107,7 +122,8 @@ class CageMeasurement final : public Measurement {
   }
 
   int blocks() const override {
-    const std::size_t on = options_.properties_alone ? 0 : cage_->vertices().size() + 3 * cage_->faces().size();
+    std::size_t on = options_.properties_alone ? 0 : cage_->vertices().size() + 3 * cage_->faces().size();
+    if (options_.on_points > 0) on = std::min<std::size_t>(on, options_.on_points);
     return block_count(options_.points + on / 4, 10);
   }
 
@@ -128,6 +144,7 @@ class CageMeasurement final : public Measurement {
   struct Setup {
     CageLocator locator;
     CageCoordinates coordinates;
+    CageTerms terms;
     std::vector<CagePoint> off, on;
     int order;
     std::size_t stride;
@@ -140,6 +157,7 @@ class CageMeasurement final : public Measurement {
     const CageCampaignOptions& o = options_;
     Setup setup{{*cage_, o.triangulation, kind_.keeps_quads},
                 {*cage_, kind_, o.evaluation, o.triangulation},
+                {*cage_, kind_, o.triangulation},
                 {},
                 {},
                 0,
@@ -149,6 +167,7 @@ class CageMeasurement final : public Measurement {
     setup.off = points_off(*cage_, setup.locator, o.seed, o.points);
     if (o.properties_alone) return setup;
     setup.on = points_on(setup.coordinates, *cage_);
+    if (o.on_points > 0) keep_evenly(setup.on, o.on_points);
     setup.order = setup.coordinates.max_order();
     // Every n-th point meets the truth, so that both ways of drawing points are seen.
     // Matrices of nine numbers in multiprecision cost as much as a quarter of the points does for single ones.
@@ -162,14 +181,16 @@ class CageMeasurement final : public Measurement {
   PointResult measured(const Setup& setup, std::size_t i) const {
     const CagePoint& p = setup.off[i];
     PointResult result;
-    result.errors = errors_at(setup.coordinates, *cage_, p.point, expected_sum(kind_, p.place), setup.order);
+    result.errors = errors_at(setup.coordinates, *cage_, p.point, expected_sum(kind_, setup.locator, p.point),
+                              setup.order, &setup.terms);
     if (options_.properties_alone || i % setup.stride != 0) return result;
     // Coordinates that exist in double alone would meet themselves.
     if (setup.reference->is_exact_in(ScalarKind::Digits50))
-      result.truth = truth_errors_at(setup.coordinates, *setup.reference, p.point, setup.order);
+      result.truth = truth_errors_at(setup.coordinates, *setup.reference, p.point, setup.order, &setup.terms);
     result.symmetries = setup.symmetries->errors_at(p.point);
     // Seven sums in 100 digits: a quarter of these points.
-    if (i / setup.stride % 4 == 0 && setup.order == 2) result.differences = setup.symmetries->differences_at(p.point);
+    if (options_.differences && i / setup.stride % 4 == 0 && setup.order == 2)
+      result.differences = setup.symmetries->differences_at(p.point);
     return result;
   }
 
@@ -202,7 +223,8 @@ class MeshMeasurement final : public Measurement {
                   const std::string& mesh_name, int place, const CageCampaignOptions& options)
       : cage_(std::move(cage)), kind_(kind), mesh_(std::move(mesh)), place_(place), options_(options), setup_([this] {
           return Setup{{*cage_, options_.triangulation, kind_.keeps_quads},
-                       {*cage_, kind_, options_.evaluation, options_.triangulation}};
+                       {*cage_, kind_, options_.evaluation, options_.triangulation},
+                       {*cage_, kind_, options_.triangulation}};
         }) {
     if (options.mesh_points > 0)
       stride_ = std::max<std::size_t>(1, (mesh_->vertices.size() + options.mesh_points - 1) / options.mesh_points);
@@ -230,13 +252,14 @@ class MeshMeasurement final : public Measurement {
       }
       const Vec3<double>& point = mesh_->vertices[i];
       const Place place = setup.locator.place(point);
-      const CageErrors errors = errors_at(setup.coordinates, *cage_, point, expected_sum(kind_, place), 0);
+      const CageErrors errors = errors_at(setup.coordinates, *cage_, point, expected_sum(kind_, setup.locator, point),
+                                          0, place == Place::TooClose ? nullptr : &setup.terms);
       // Points nearer than the promise reaches are shown in the field and counted, not judged.
       const bool judged = place != Place::TooClose;
-      rows.add("partition_of_unity", "relative", "mesh", 0, judged ? errors.partition[0] : NAN, point, i);
-      rows.add("linear_reproduction", "relative", "mesh", 0, judged ? errors.reproduction[0] : NAN, point, i);
-      part.image.arrays[0].values.push_back(errors.partition[0]);
-      part.image.arrays[1].values.push_back(errors.reproduction[0]);
+      rows.add("partition_of_unity", "mesh", 0, judged ? errors.partition[0] : CageError(), point, i);
+      rows.add("linear_reproduction", "mesh", 0, judged ? errors.reproduction[0] : CageError(), point, i);
+      part.image.arrays[0].values.push_back(errors.partition[0].relative);
+      part.image.arrays[1].values.push_back(errors.reproduction[0].relative);
     }
     rows.found.fields.emplace(std::pair(place_, part.first), std::move(part));
     return std::move(rows.found);
@@ -246,6 +269,7 @@ class MeshMeasurement final : public Measurement {
   struct Setup {
     CageLocator locator;
     CageCoordinates coordinates;
+    CageTerms terms;
   };
   std::shared_ptr<const Cage> cage_;
   const CoordinateKind& kind_;
@@ -262,17 +286,19 @@ class MeshMeasurement final : public Measurement {
 double inside_limit_error_at(const CageCoordinates& coordinates, const Cage& cage, const CageLocator& locator,
                              const Vec3<double>& point) {
   const std::vector<Touching> on = coordinates.elements().touching(point);
-  if (on.empty()) return NAN;
+  constexpr double step = 1e-11, least_room = 1e-4;
+  if (on.empty() || locator.distance_but_to(on, point) < least_room * cage.size()) return NAN;
   Vec3<double> direction = Vec3<double>::Zero();
   for (const Touching& touch : on) direction -= coordinates.elements().normal_at(touch);
-  Vec3<double> near = point + 1e-11 * cage.size() * direction.normalized();
+  Vec3<double> near = point + step * cage.size() * direction.normalized();
   // Against the mean normal lies the inside of all but saddles; there another direction does.
   for (std::uint64_t attempt = 0; !(direction.norm() > 0.1) || !locator.inside(near); ++attempt) {
     if (attempt == 1000) return NAN;
     RandomStream random(1, "inward", attempt);
     for (int c = 0; c < cage.dimension(); ++c) direction[c] = random.uniform(-1, 1);
-    near = point + 1e-11 * cage.size() * direction.normalized();
+    near = point + step * cage.size() * direction.normalized();
   }
+  if (locator.winding(near) != 1) return NAN;
   const auto limit = coordinates.at<double>(point, 0), inside = coordinates.at<double>(near, 0);
   if (!coordinates.kind().missing_because.empty() && std::isnan(limit[0].value[0] + inside[0].value[0])) return NAN;
   double worst = 0;

@@ -7,8 +7,6 @@
 namespace cageproof::validation {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 // Sums of one derivative entry over all coordinates, weighted with one and with positions, and the terms' sizes. A
 // number counts as that multiple of the identity, and norms are those of matrices over that of the identity.
 struct Sums {
@@ -58,14 +56,26 @@ double over(double error, double size) {
   return error == 0 ? 0 : error / size;
 }
 
-double laplacian_error(const CageCoordinates& coordinates, const std::vector<Result<double>>& results) {
+void keep_worst(CageError& worst, const CageError& error) {
+  if (!(worst.roundings >= error.roundings)) worst.roundings = error.roundings;
+  if (!(worst.relative >= error.relative)) worst.relative = error.relative;
+}
+
+// An error of this size, in roundings of terms of one size and relative to another.
+CageError error_of(double error, double of_terms, double size) {
+  return {over(error, unit_roundoff<double>() * of_terms), over(error, size)};
+}
+
+CageError laplacian_error(const CageCoordinates& coordinates, const std::vector<Result<double>>& results,
+                          const TermSizes& terms) {
   using Trace = CoordinateBlock::Trace;
-  double worst = nan;
+  CageError worst;
   const std::size_t dim = coordinates.dimension();
   for (std::size_t b = 0; b < results.size(); ++b) {
     const Trace& expected = coordinates.blocks()[b].trace;
     if (expected.kind == Trace::Kind::Unknown) continue;
-    const std::vector<double>* partner = expected.kind == Trace::Kind::Block ? &results[expected.block].value : nullptr;
+    const bool has_partner = expected.kind == Trace::Kind::Block;
+    const std::vector<double>* partner = has_partner ? &results[expected.block].value : nullptr;
     double difference = 0, size = 0;
     for (std::size_t i = 0; i < results[b].value.size(); ++i) {
       double trace = partner ? -(*partner)[i] : 0;
@@ -76,8 +86,8 @@ double laplacian_error(const CageCoordinates& coordinates, const std::vector<Res
       }
       difference += trace * trace;
     }
-    const double error = over(std::sqrt(difference), std::sqrt(size));
-    if (!(worst >= error)) worst = error;
+    const double of_terms = terms.blocks[b][2] + (has_partner ? terms.blocks[expected.block][0] : 0);
+    keep_worst(worst, error_of(std::sqrt(difference), of_terms, std::sqrt(size)));
   }
   return worst;
 }
@@ -88,11 +98,16 @@ double expected_sum(const CoordinateKind& kind, Place place) {
   return kind.normalised || place != Place::Outside ? 1 : 0;
 }
 
+double expected_sum(const CoordinateKind& kind, const CageLocator& locator, const Vec3<double>& point) {
+  return kind.normalised ? 1 : locator.winding(point);
+}
+
 CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point, double expected,
-                     int order) {
-  CageErrors errors{{nan, nan, nan}, {nan, nan, nan}, nan};
+                     int order, const CageTerms* terms) {
+  CageErrors errors{};
   const auto blocks = coordinates.at<double>(point, order);
   if (!coordinates.kind().missing_because.empty() && std::isnan(blocks[0].value[0])) return errors;
+  const TermSizes of_terms = terms ? terms->at(point, order) : TermSizes{};
   const int dim = coordinates.dimension();
   for (int o = 0; o <= order; ++o) {
     const int entries = static_cast<int>(derivative_count(dim, o));
@@ -108,18 +123,22 @@ CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const
       ones_size += s.ones_size * s.ones_size;
       positions_size += s.positions_size * s.positions_size;
     }
-    errors.partition[o] = over(std::sqrt(ones), o == 0 ? 1 : std::sqrt(ones_size));
-    errors.reproduction[o] = over(std::sqrt(positions), o == 0 ? cage.size() : std::sqrt(positions_size));
+    ones_size = std::sqrt(ones_size);
+    positions_size = std::sqrt(positions_size);
+    errors.partition[o] = error_of(std::sqrt(ones), terms ? of_terms.ones[o] : ones_size, o == 0 ? 1 : ones_size);
+    errors.reproduction[o] = error_of(std::sqrt(positions), terms ? of_terms.positions[o] : positions_size,
+                                      o == 0 ? cage.size() : positions_size);
   }
-  if (order >= 2) errors.laplacian = laplacian_error(coordinates, blocks);
+  if (order >= 2 && terms) errors.laplacian = laplacian_error(coordinates, blocks, of_terms);
   return errors;
 }
 
-std::array<double, 3> truth_errors_at(const CageCoordinates& coordinates, const CageCoordinates& reference,
-                                      const Vec3<double>& point, int order) {
-  std::array<double, 3> worst{nan, nan, nan};
+std::array<CageError, 3> truth_errors_at(const CageCoordinates& coordinates, const CageCoordinates& reference,
+                                         const Vec3<double>& point, int order, const CageTerms* terms) {
+  std::array<CageError, 3> worst;
   const auto found = coordinates.at<double>(point, order);
   const auto truth = reference.at<Mp50>(convert<Mp50>(point), order);
+  const TermSizes of_terms = terms ? terms->at(point, order) : TermSizes{};
   for (int o = 0; o <= order; ++o)
     for (std::size_t b = 0; b < found.size(); ++b) {
       Mp50 error = 0, size = 0;
@@ -129,8 +148,9 @@ std::array<double, 3> truth_errors_at(const CageCoordinates& coordinates, const 
         size += truth[b].of(o)[i] * truth[b].of(o)[i];
       }
       if (!isfinite(size)) continue;
-      const double relative = over(static_cast<double>(Mp50(sqrt(error))), static_cast<double>(Mp50(sqrt(size))));
-      if (!(worst[o] >= relative)) worst[o] = relative;
+      const auto norm = static_cast<double>(Mp50(sqrt(size)));
+      keep_worst(worst[o],
+                 error_of(static_cast<double>(Mp50(sqrt(error))), terms ? of_terms.blocks[b][o] : norm, norm));
     }
   return worst;
 }

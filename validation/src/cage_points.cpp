@@ -2,6 +2,7 @@
 #include "cageproof/validation/cage_points.h"
 
 #include "cageproof/core/random_stream.h"
+#include "cageproof/core/winding_number.h"
 #include "element/element_sampling.h"
 
 #include <fmt/format.h>
@@ -34,6 +35,9 @@ CageLocator::CageLocator(const Cage& cage, Triangulation rule, bool keep_quads)
     : dimension_(cage.dimension()), size_(cage.size()) {
   const CageElements elements(cage, keep_quads, rule);
   for (std::size_t e = 0; e < elements.count(); ++e) patches_.push_back({elements.type(e).kind, elements.corners(e)});
+  if (dimension_ == 2) return;
+  const auto& v = cage.vertices();
+  for (const auto& [a, b, c] : cage.triangulate(rule).triangles) triangles_.push_back({v[a], v[b], v[c]});
 }
 
 double CageLocator::distance(const Vec& point) const {
@@ -43,7 +47,24 @@ double CageLocator::distance(const Vec& point) const {
   return nearest;
 }
 
-bool CageLocator::inside(const Vec& point) const {
+double CageLocator::distance_but_to(std::span<const Touching> named, const Vec& point) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int p = 0; p < patches(); ++p)
+    if (std::ranges::find(named, p, &Touching::element) == named.end())
+      nearest = std::min(nearest, sampling_of(patches_[p].kind).locator.distance(patches_[p].corners, point, nearest));
+  return nearest;
+}
+
+int CageLocator::winding(const Vec& point) const {
+  if (triangles_.empty()) return odd_crossings(point) ? 1 : 0;
+  const int winding = winding_number(triangles_, point).value_or(0);
+  if (triangles_.size() == patches_.size()) return winding;
+  // Between a twisted quad and its triangles.
+  const int parity = odd_crossings(point) ? 1 : 0;
+  return std::abs(winding) % 2 == parity ? winding : parity;
+}
+
+bool CageLocator::odd_crossings(const Vec& point) const {
   // A ray that grazes an edge says nothing; another is tried.
   for (std::uint64_t attempt = 0;; ++attempt) {
     RandomStream random(0, "rays", attempt);

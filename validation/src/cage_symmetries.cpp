@@ -96,7 +96,7 @@ CageSymmetries::Subdivision CageSymmetries::subdivision() const {
 
 CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
                                Triangulation rule)
-    : size_(cage.size()), base_(cage, kind, evaluation, rule) {
+    : size_(cage.size()), base_(cage, kind, evaluation, rule), terms_(cage, kind, rule) {
   const Turn turn(cage.dimension());
   const CageElements& elements = base_.elements();
   std::vector<Vec3<double>> scaled, turned;
@@ -152,19 +152,25 @@ std::vector<double> CageSymmetries::folded(const Variant& v, std::size_t b, cons
   return result;
 }
 
-std::map<std::string, double> CageSymmetries::errors_at(const Vec3<double>& point) const {
-  std::map<std::string, double> errors;
+std::map<std::string, CageError> CageSymmetries::errors_at(const Vec3<double>& point) const {
+  std::map<std::string, CageError> errors;
   const auto expected = base_.at<double>(point, 0);
+  const TermSizes terms = terms_.at(point, 0);
   for (const Variant& v : variants_) {
     const Vec3<double> changed = v.turned ? Turn(base_.dimension())(point) : Vec3<double>(v.unit * point);
     const auto found = v.coordinates.at<double>(changed, 0);
-    double& worst = errors[v.check];
+    CageError& worst = errors[v.check];
     if (!base_.kind().missing_because.empty() && std::isnan(expected[0].value[0]) && std::isnan(found[0].value[0])) {
-      worst = std::numeric_limits<double>::quiet_NaN();
+      worst = {};
       continue;
     }
-    for (std::size_t b = 0; b < found.size(); ++b)
-      worst = std::max(worst, relative_difference(folded(v, b, found[b]), expected[b].value));
+    worst = {0, 0};
+    for (std::size_t b = 0; b < found.size(); ++b) {
+      const double relative = relative_difference(folded(v, b, found[b]), expected[b].value);
+      worst.relative = std::max(worst.relative, relative);
+      worst.roundings = std::max(
+          worst.roundings, relative / unit_roundoff<double>() * length_of(expected[b].value) / terms.blocks[b][0]);
+    }
   }
   return errors;
 }

@@ -145,10 +145,10 @@ FieldPlan reproduction_field(std::shared_ptr<const Cage> cage, const CoordinateK
     const auto locator = std::make_shared<const CageLocator>(*cage, rule, kind.keeps_quads);
     return [=, &kind](const Vec3<double>& p, std::span<double> values) {
       const Place place = locator->place(p);
-      const CageErrors errors = errors_at(*coordinates, *cage, p, expected_sum(kind, place), 0);
+      const CageErrors errors = errors_at(*coordinates, *cage, p, expected_sum(kind, *locator, p), 0);
       const bool shown = place != Place::TooClose;
-      values[0] = shown ? errors.partition[0] : masked;
-      values[1] = shown ? errors.reproduction[0] : masked;
+      values[0] = shown ? errors.partition[0].relative : masked;
+      values[1] = shown ? errors.reproduction[0].relative : masked;
     };
   };
   return plan;
@@ -164,7 +164,7 @@ FieldPlan coordinate_error_field(std::shared_ptr<const Cage> cage, const Coordin
     const auto reference =
         std::make_shared<const CageCoordinates>(*cage, kind, CoordinateOptions{.triangulation = rule});
     return [=](const Vec3<double>& p, std::span<double> values) {
-      values[0] = truth_errors_at(*coordinates, *reference, p, 0)[0];
+      values[0] = truth_errors_at(*coordinates, *reference, p, 0)[0].relative;
     };
   };
   return plan;

@@ -65,33 +65,36 @@ Finding replay_element(const RowKey& row, const WorstCase& worst) {
   return c.check->measure({*c.formula, c.evaluation, c.scalar, sample, c.order, truth})[row.order];
 }
 
-double replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rule) {
-  const auto names = embedded_cage_names();
-  const Cage cage = std::ranges::find(names, row.regime) != names.end() ? embedded_cage(row.regime)
-                                                                        : read_cage(row.regime, {.flip_inward = true});
+// Of checks that promise relative errors.
+CageError relative(double error) { return {error, error}; }
+
+CageError replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rule) {
+  const Cage cage =
+      is_embedded_cage(row.regime) ? embedded_cage(row.regime) : read_cage(row.regime, {.flip_inward = true});
   if (!worst.point.allFinite()) throw InputError("the point is not finite");
   if (row.check == "own_derivative" || row.check == "one_ring_sum")
-    return one_ring_error_at(cage, {.evaluation = row.evaluation, .triangulation = rule}, row.check, row.order,
-                             worst.point);
+    return relative(one_ring_error_at(cage, {.evaluation = row.evaluation, .triangulation = rule}, row.check, row.order,
+                                      worst.point));
   const CoordinateKind* kind = &coordinate_kind_named(row.subject);
   const CageCoordinates coordinates(cage, *kind, row.evaluation, rule);
   // The orders that the campaign asked for: how many digits an evaluation takes may depend on what else is asked of it.
   const int asked = std::min(worst.asked, coordinates.max_order());
+  const CageTerms terms(cage, *kind, rule);
   if (row.check == "cage_truth" && row.order <= asked)
-    return truth_errors_at(coordinates, {cage, *kind, CoordinateOptions{.triangulation = rule}}, worst.point,
-                           asked)[row.order];
+    return truth_errors_at(coordinates, {cage, *kind, CoordinateOptions{.triangulation = rule}}, worst.point, asked,
+                           &terms)[row.order];
   if (row.check.starts_with("cage_") && row.check != "cage_laplacian") {
     const CageSymmetries symmetries(cage, *kind, row.evaluation, rule);
-    if (row.check == "cage_differences") return symmetries.differences_at(worst.point)[row.order];
+    if (row.check == "cage_differences") return relative(symmetries.differences_at(worst.point)[row.order]);
     const auto errors = symmetries.errors_at(worst.point);
     if (const auto found = errors.find(row.check); found != errors.end()) return found->second;
   }
   const bool on_cage = !coordinates.elements().touching(worst.point).empty();
   const CageLocator locator(cage, rule, kind->keeps_quads);
-  if (row.check == "limit_from_inside") return inside_limit_error_at(coordinates, cage, locator, worst.point);
-  const double expected = on_cage || kind->normalised || locator.inside(worst.point) ? 1 : 0;
-  const CageErrors errors =
-      errors_at(coordinates, cage, worst.point, expected, on_cage || row.place == "mesh" ? 0 : asked);
+  if (row.check == "limit_from_inside") return relative(inside_limit_error_at(coordinates, cage, locator, worst.point));
+  const double expected = on_cage ? 1 : expected_sum(*kind, locator, worst.point);
+  const CageErrors errors = errors_at(coordinates, cage, worst.point, expected,
+                                      on_cage || row.place == "mesh" ? 0 : asked, on_cage ? nullptr : &terms);
   if (row.check == "cage_laplacian") return errors.laplacian;
   if (row.check == "linear_reproduction") return errors.reproduction[row.order];
   if (row.check == "partition_of_unity" || row.check == "zero_outside") return errors.partition[row.order];
@@ -103,9 +106,10 @@ double replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rule
 Finding replay(const RowKey& row, const WorstCase& worst, Triangulation rule) {
   if (row.order < 0 || row.order > 2) throw InputError(fmt::format("unknown order {}", row.order));
   if (row.section == RowKey::Section::Element) return replay_element(row, worst);
-  // On cages all errors are relative ones, and one that is not asked, or has no truth, is none.
-  const double error = replay_cage(row, worst, rule);
-  return {std::isnan(error) ? Finding::Status::NoTruth : Finding::Status::Measured, error, error};
+  // On cages an error that is not asked, or has no truth, is none.
+  const CageError error = replay_cage(row, worst, rule);
+  return {std::isnan(error.roundings) ? Finding::Status::NoTruth : Finding::Status::Measured, error.roundings,
+          error.relative};
 }
 
 void require_replayable(const RowKey& row, const WorstCase& worst) { element_case(row, worst); }

@@ -31,7 +31,7 @@ class Order {
   auto key(const RowKey& row) {
     const bool element = row.section == RowKey::Section::Element;
     // A cage's rows stand together, those of a mesh in it last; a formula's rows do.
-    const Rank cage = element ? Rank() : rank_in(embedded_cage_names(), row.regime, std::identity());
+    const Rank cage = element ? Rank() : rank_in(cages_, row.regime, std::identity());
     return std::tuple(row.section, cage, row.place == "mesh", subject(row), element ? regime(row) : Rank(),
                       element ? check(row) : Rank(), evaluation(row), scalar(row), row.check, row.place, row.order);
   }
@@ -72,6 +72,14 @@ class Order {
     return rank_in(at->second, row.evaluation, std::identity());
   }
 
+  static std::vector<std::string_view> cages() {
+    std::vector<std::string_view> names = embedded_cage_names();
+    const auto extreme = extreme_cage_names();
+    names.insert(names.end(), extreme.begin(), extreme.end());
+    return names;
+  }
+
+  std::vector<std::string_view> cages_ = cages();
   std::map<std::string, std::vector<std::string>> evaluations_;
 };
 

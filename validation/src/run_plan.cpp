@@ -115,6 +115,8 @@ class Planner {
       if (options_.mesh) add_mesh(cage);
     } else {
       for (const auto name : embedded_cage_names()) add_cage(std::make_shared<const Cage>(embedded_cage(name)));
+      for (const auto name : extreme_cage_names())
+        add_recommended(std::make_shared<const Cage>(embedded_cage(name)), extreme_cage_options());
     }
     add(errata_measurement({.formulas = options_.formulas, .seed = options_.seed}));
     for (std::string& note : notes_on_truth(options_.formulas)) plan_.header.notes.push_back(std::move(note));
@@ -160,14 +162,30 @@ class Planner {
     return campaign;
   }
 
-  void add_cage(const std::shared_ptr<const Cage>& cage) {
-    const auto exists = [&](const CoordinateKind& kind) { return is_asked(kind, *cage) && accepts(kind, *cage); };
+  // There are many of them, each for one thing: twelve points have one at each distance, and as many anywhere.
+  CageCampaignOptions extreme_cage_options() const {
+    CageCampaignOptions campaign = cage_options();
+    campaign.points = std::max(12, campaign.points / 16);
+    campaign.truth_points = std::min(campaign.truth_points, 1);
+    campaign.on_points = 8;
+    campaign.differences = false;
+    // Elements as thin as these need hundreds of digits for their derivatives: suites with time ask for them.
+    campaign.properties_alone = options_.suite.truth_points < 4;
+    return campaign;
+  }
+
+  // Every kind's recommended coordinates.
+  void add_recommended(const std::shared_ptr<const Cage>& cage, CageCampaignOptions campaign) {
     for (const CoordinateKind& kind : coordinate_kinds()) {
-      if (!exists(kind)) continue;
-      CageCampaignOptions campaign = cage_options();
+      if (!is_asked(kind, *cage) || !accepts(kind, *cage)) continue;
       campaign.kinds = kind.name;
       add(cage_measurements(cage, campaign));
     }
+  }
+
+  void add_cage(const std::shared_ptr<const Cage>& cage) {
+    const auto exists = [&](const CoordinateKind& kind) { return is_asked(kind, *cage) && accepts(kind, *cage); };
+    add_recommended(cage, cage_options());
     // Whatever a quad's weights are computed with, they must keep the cage's own relations.
     for (const CoordinateKind& kind : coordinate_kinds()) {
       if (!kind.is_sum() || !kind.keeps_quads || !cage->has_quads() || !exists(kind)) continue;

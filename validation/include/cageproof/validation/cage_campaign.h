@@ -5,6 +5,7 @@
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/mesh_io.h"
 #include "cageproof/validation/cage_points.h"
+#include "cageproof/validation/cage_terms.h"
 #include "cageproof/validation/measurement.h"
 
 namespace cageproof::validation {
@@ -17,30 +18,42 @@ struct CageCampaignOptions {
   int points = 400;               ///< off the cage, for the properties
   int truth_points = 16;          ///< of these, compared with multiprecision
   int mesh_points = 0;            ///< of a mesh, at most, spread evenly; 0: all
+  int on_points = 0;              ///< on the cage, at most, spread evenly; 0: all
+  bool differences = true;        ///< whether derivatives are compared with differences in 100 digits
   bool properties_alone = false;  ///< only partition of unity and linear reproduction of values, off the cage
   int jobs = 0;
 };
 
 /// Errors of one kind of coordinates at one point. NaN: not asked there.
 struct CageErrors {
-  std::array<double, 3> partition;  ///< by order: |sum of phi - 1| (0 outside); derivatives over the sum of their norms
-  std::array<double, 3>
-      reproduction;  ///< by order: |sum - x| over the cage's size; derivatives over the sum of their norms
-  double laplacian;  ///< norm-wise over a block: |trace of Hessian - partner| over |Hessian|; the worst block
+  /// By order: |sum of phi - 1| (0 outside); relative ones of derivatives over the sum of their norms.
+  std::array<CageError, 3> partition;
+  /// By order: |sum - x|, relative ones over the cage's size; of derivatives over the sum of their norms.
+  std::array<CageError, 3> reproduction;
+  /// Norm-wise over a block: |trace of Hessian - partner|, relative ones over |Hessian|; the worst block.
+  CageError laplacian;
 };
 
 /// Partition of unity and linear reproduction at one point.
 /// All NaN where the kind says that points may have no coordinates, and this one has none.
 /// \param expected 1 inside and on the cage (and anywhere for normalised kinds), 0 outside
+/// \param terms of the kind in the cage; null where nobody asks for roundings, and on the cage: then the coordinates
+/// themselves are the terms
 CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point, double expected,
-                     int order);
+                     int order, const CageTerms* terms = nullptr);
 
 /// What partition of unity and linear reproduction must give at a place: 1 inside and on the cage, 0 outside, but for
 /// normalised kinds 1 everywhere.
 double expected_sum(const CoordinateKind& kind, Place place);
 
+/// The same at a point off the cage whose faces may cross each other: the number of times that it winds around the
+/// point.
+double expected_sum(const CoordinateKind& kind, const CageLocator& locator, const Vec3<double>& point);
+
 /// Largest difference, in units of the cage's size, between the coordinates at a point on the cage (hat functions for
-/// interpolating kinds) and those 1e-11 sizes inside it, which come from the formulas alone; NaN off the cage.
+/// interpolating kinds) and those 1e-11 sizes inside it, which come from the formulas alone; NaN off the cage, where
+/// the rest of the cage is so near, within 1e-4 sizes, that coordinates change over that step, and where the inside
+/// overlaps another part.
 double inside_limit_error_at(const CageCoordinates& coordinates, const Cage& cage, const CageLocator& locator,
                              const Vec3<double>& point);
 
@@ -63,8 +76,9 @@ std::unique_ptr<const Measurement> mesh_measurement(std::shared_ptr<const Cage> 
                                                     std::shared_ptr<const Mesh> mesh, const std::string& mesh_name,
                                                     int place, const CageCampaignOptions& options);
 
-/// Truth at one point against the recommended evaluation: relative error, norm-wise, of the worst block, by order.
-std::array<double, 3> truth_errors_at(const CageCoordinates& coordinates, const CageCoordinates& reference,
-                                      const Vec3<double>& point, int order);
+/// Truth at one point against the recommended evaluation: error, norm-wise, of the worst block, by order.
+/// \param terms as of errors_at
+std::array<CageError, 3> truth_errors_at(const CageCoordinates& coordinates, const CageCoordinates& reference,
+                                         const Vec3<double>& point, int order, const CageTerms* terms = nullptr);
 
 }  // namespace cageproof::validation

@@ -30,8 +30,13 @@ class CageLocator {
   SurfacePoint surface_point(int patch, double s, double r) const;
   /// Distance to the cage; a lower bound at most 0.1 % below it where bilinear quads are near.
   double distance(const Vec3<double>& point) const;
-  /// Whether a point off the cage lies inside, by the parity of the crossings of a ray.
-  bool inside(const Vec3<double>& point) const;
+  /// The distance to those elements that are not named.
+  double distance_but_to(std::span<const Touching> named, const Vec3<double>& point) const;
+  /// How often the cage winds around a point off it: 1 inside, 0 outside, other numbers where faces cross. Of a
+  /// polygon, and between a kept quad and its triangles, 1 or 0 by the parity of the crossings of a ray.
+  int winding(const Vec3<double>& point) const;
+  /// Whether the cage winds around a point off it.
+  bool inside(const Vec3<double>& point) const { return winding(point) > 0; }
   /// Inside, Outside or TooClose. \pre the point does not lie on the cage
   Place place(const Vec3<double>& point) const;
 
@@ -43,8 +48,10 @@ class CageLocator {
     ElementKind kind;
     std::vector<Vec3<double>> corners;
   };
+  bool odd_crossings(const Vec3<double>& point) const;
   int dimension_;
   std::vector<Patch> patches_;
+  std::vector<Triangle<double>> triangles_;  // of a surface, kept quads cut
   double size_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cageproof/core/coordinates.h"
+#include "cageproof/validation/cage_terms.h"
 
 #include <map>
 
@@ -15,8 +16,9 @@ class CageSymmetries {
   CageSymmetries(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation, Triangulation rule);
 
   /// By check (cage_scaling, cage_rigid_motion, cage_corner_permutation, cage_subdivision for sums over faces): the
-  /// largest difference over the blocks, relative to the block's norm. \pre the point lies off the cage
-  std::map<std::string, double> errors_at(const Vec3<double>& point) const;
+  /// largest difference over the blocks, in roundings of the block's terms and relative to the block's norm. \pre the
+  /// point lies off the cage
+  std::map<std::string, CageError> errors_at(const Vec3<double>& point) const;
 
   /// Derivatives of order 1 and 2 against central differences in 100 digits, relative, of the worst block. \pre as
   /// errors_at
@@ -50,6 +52,7 @@ class CageSymmetries {
 
   double size_;
   CageCoordinates base_;
+  CageTerms terms_;
   std::vector<Variant> variants_;
 };
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The terms that cage coordinates are summed from: what their rounding is counted in.
+#pragma once
+
+#include "cageproof/core/coordinates.h"
+
+#include <limits>
+
+namespace cageproof::validation {
+
+/// Sizes of the terms of sums over a cage's elements, by derivative order. A sum of terms that are each off by a few
+/// roundings u is off by a few u times their size: where they cancel, as those of the two sides of a thin wall do, by
+/// more than a few roundings of the result.
+///
+/// Of normalised coordinates lambda = w/W, with a_o the sum of the norms of the weights' derivatives of order o, and g_o
+/// the norm of those of W, both over |W|, the terms of the quotient rule: t_0 = a_0, t_1 = a_1 + t_0 g_1,
+/// t_2 = a_2 + t_0 g_2 + 2 t_1 g_1. By block, the coordinates' derivatives times the roundings of W and its derivatives
+/// are terms as well; they have no part in sums over all coordinates, which are known. Kinds that are no sums have no
+/// terms but their coordinates.
+struct TermSizes {
+  std::array<double, 3> ones{};       ///< of the sum of all coordinates
+  std::array<double, 3> positions{};  ///< of the sum of all coordinates times positions, or normals
+  /// By block, norm-wise over its coordinates, of each coordinate by itself.
+  std::vector<std::array<double, 3>> blocks;
+};
+
+/// An error as it is promised, and as a reader counts digits. NaN: not asked there, or no truth.
+struct CageError {
+  /// In roundings of the terms: over u times the size of the terms that the sums are made of (TermSizes).
+  double roundings = std::numeric_limits<double>::quiet_NaN();
+  double relative = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// The Euclidean norm.
+double length_of(std::span<const double> values);
+
+/// A cage's coordinates, asked for the terms of their sums. Safe from any thread.
+class CageTerms {
+ public:
+  /// The terms are those of the recommended evaluation.
+  CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation rule);
+  /// \pre the point lies off the cage, order <= CageCoordinates::max_order()
+  TermSizes at(const Vec3<double>& point, int order) const;
+
+ private:
+  struct Sums;
+  Sums sums_of_terms(const Vec3<double>& point, int order) const;
+  Sums sums_of_coordinates(const Vec3<double>& point, int order) const;
+  double weight_of(std::size_t block, int coordinate) const;
+
+  CageCoordinates coordinates_;
+  std::vector<double> parameters_;
+  /// By kind of element, one a block.
+  std::array<std::vector<Evaluation>, element_kinds.size()> evaluations_;
+};
+
+}  // namespace cageproof::validation
