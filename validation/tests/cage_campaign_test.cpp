@@ -35,6 +35,20 @@ TEST(cage_properties, hold_on_every_embedded_cage) {
   }
 }
 
+// A kind that refused a valid cage would drop its rows, and break nothing.
+TEST(coordinates, of_every_kind_exist_on_every_embedded_surface) {
+  std::vector<std::string_view> names = embedded_cage_names();
+  for (const auto name : extreme_cage_names()) names.push_back(name);
+  for (const auto name : names) {
+    const Cage cage = embedded_cage(name);
+    if (cage.dimension() != 3) continue;
+    for (const CoordinateKind& kind : coordinate_kinds()) {
+      EXPECT_TRUE(accepts(kind, cage)) << name << ' ' << kind.name;
+      EXPECT_NO_THROW(CageCoordinates(cage, kind, {})) << name << ' ' << kind.name;
+    }
+  }
+}
+
 TEST(cage_properties, hold_on_every_extreme_cage) {
   CageCampaignOptions options = few_points();
   options.points = 12;

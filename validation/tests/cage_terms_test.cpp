@@ -20,7 +20,8 @@ CageTerms terms_of(std::string_view cage, const char* kind) {
 
 // At the middle of a cube all that the double layer's terms are is positive: they sum to one.
 TEST(cage_terms, are_the_coordinates_where_nothing_cancels) {
-  const TermSizes green = terms_of("cube", "green").at(Vec(0, 0, 0), 0), mean = terms_of("cube", "mean_value").at(Vec(0, 0, 0), 0);
+  const TermSizes green = terms_of("cube", "green").at(Vec(0, 0, 0), 0),
+                  mean = terms_of("cube", "mean_value").at(Vec(0, 0, 0), 0);
   EXPECT_NEAR(green.ones[0], 1, 1e-14);
   EXPECT_NEAR(mean.ones[0], 1, 1e-14);
   // Each vertex is sqrt(3)/2 away; the single layer's six sides, two triangles each, come with normals of length one.
