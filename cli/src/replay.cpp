@@ -7,7 +7,6 @@
 #include "cageproof/core/scalar_text.h"
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/replay.h"
-#include "cageproof/validation/verdicts.h"
 
 #include <fmt/format.h>
 
@@ -18,10 +17,8 @@ namespace {
 std::pair<std::string, bool> outcome(const reports::WorstLine& line, const validation::Finding& finding) {
   using Status = validation::Finding::Status;
   if (finding.status == Status::Declined) return {"declined", false};
-  if (finding.status != Status::Measured) {
-    const bool broken = line.bound && validation::truth_must_exist(line);
-    return {broken ? "no truth, where there must be one" : "no truth", broken};
-  }
+  if (finding.status == Status::Unreached) return {"no truth, where there must be one", line.bound.has_value()};
+  if (finding.status != Status::Measured) return {"no truth", false};
   const bool broken = line.bound && !(finding.error <= *line.bound);
   return {
       fmt::format("error {} {} (stored {}){}", format_scalar(finding.error), line.unit, format_scalar(line.worst.error),

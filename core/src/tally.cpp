@@ -19,7 +19,9 @@ void Tally::merge(const Tally& other) {
     throw std::invalid_argument("tallies in '" + unit + "' and '" + other.unit + "' do not merge");
   errors.merge(other.errors);
   worst.merge(other.worst);
+  asked += other.asked;
   without_truth += other.without_truth;
+  unreached += other.unreached;
   declined += other.declined;
   max_relative = std::max(max_relative, other.max_relative);
   by_parameter.resize(std::max(by_parameter.size(), other.by_parameter.size()), -1);

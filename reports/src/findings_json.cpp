@@ -103,7 +103,9 @@ Tally tally_of(const Json& row) {
   Tally tally;
   tally.unit = row.at("unit").get<std::string>();
   tally.errors = histogram_of(row);
+  tally.asked = count_at(row, "asked");
   tally.without_truth = count_at(row, "without_truth");
+  tally.unreached = count_at(row, "unreached");
   tally.declined = count_at(row, "declined");
   if (row.contains("max_relative")) tally.max_relative = number(row["max_relative"]);
   tally.by_parameter = numbers(list(row, "by_parameter"));
@@ -199,7 +201,9 @@ Json row_json(const RowKey& key, const Tally& tally) {
   if (tally.errors.count() > 0)
     json.update({{"max", json_number(tally.errors.max())}, {"counts", json_of(tally.errors)}});
   if (tally.errors.nonfinite() > 0) json["nonfinite"] = tally.errors.nonfinite();
+  if (tally.asked > 0) json["asked"] = tally.asked;
   if (tally.without_truth > 0) json["without_truth"] = tally.without_truth;
+  if (tally.unreached > 0) json["unreached"] = tally.unreached;
   if (tally.declined > 0) json["declined"] = tally.declined;
   if (tally.max_relative > 0) json["max_relative"] = json_number(tally.max_relative);
   if (!tally.by_parameter.empty()) json["by_parameter"] = json_of(tally.by_parameter);

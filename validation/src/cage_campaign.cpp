@@ -30,28 +30,29 @@ class CageRows {
     key_.regime = cage.name();
   }
 
-  /// A NaN is a sample without truth.
+  /// A NaN is a sample without truth where that is excused, and else one whose figure was lost.
   /// \param asked the highest derivative that the coordinates were taken with
-  void add(const std::string& check, std::string_view place, int order, const CageError& error,
+  void add(const std::string& check, std::string_view place, int order, const CageError& error, bool excused,
            const Vec3<double>& point, std::uint64_t index, int asked = 2) {
-    add(check, "roundings", place, order, error.roundings, error.relative, point, index, asked);
+    add(check, "roundings", place, order, error.roundings, error.relative, excused, point, index, asked);
   }
-  void add_relative(const std::string& check, std::string_view place, int order, double error,
+  void add_relative(const std::string& check, std::string_view place, int order, double error, bool excused,
                     const Vec3<double>& point, std::uint64_t index, int asked = 2) {
-    add(check, "relative", place, order, error, error, point, index, asked);
+    add(check, "relative", place, order, error, error, excused, point, index, asked);
   }
 
   Findings found;
 
  private:
   void add(const std::string& check, const std::string& unit, std::string_view place, int order, double error,
-           double relative, const Vec3<double>& point, std::uint64_t index, int asked) {
+           double relative, bool excused, const Vec3<double>& point, std::uint64_t index, int asked) {
     key_.check = check;
     key_.place = place;
     key_.order = order;
     Tally& tally = found.rows[key_];
     tally.unit = unit;
-    if (std::isnan(error)) ++tally.without_truth;
+    ++tally.asked;
+    if (std::isnan(error)) ++(excused ? tally.without_truth : tally.unreached);
     else tally.add(error, relative, index, [&](double e) { return WorstCase{e, 0, index, {}, point, {}, asked}; });
   }
 
@@ -68,39 +69,49 @@ std::vector<const CoordinateKind*> kinds_matching(const std::string& pattern, co
   return found;
 }
 
+// Errors at one point, of what was asked there: NaN where the point has no coordinates, which may be excused.
 struct PointResult {
   CageErrors errors;
-  std::array<CageError, 3> truth;
+  std::optional<std::array<CageError, 3>> truth;
+  std::optional<std::array<double, 3>> differences;
   std::map<std::string, CageError> symmetries;
-  std::array<double, 3> differences{NAN, NAN, NAN};
+  bool with_laplacian = false;
+  bool excused = false;
 };
+
+// Whether the trace of any block's Hessian is known.
+bool has_laplacian(const CageCoordinates& coordinates) {
+  return std::ranges::any_of(coordinates.blocks(), [](const CoordinateBlock& block) {
+    return block.trace.kind != CoordinateBlock::Trace::Kind::Unknown;
+  });
+}
 
 void add_point(CageRows& rows, const CoordinateKind& kind, int order, const CagePoint& p, const PointResult& r) {
   const auto place = name_of(p.place);
   const bool outside = p.place == Place::Outside && !kind.normalised;
   for (int o = 0; o <= order; ++o) {
-    rows.add(outside ? "zero_outside" : "partition_of_unity", place, o, r.errors.partition[o], p.point, p.index, order);
-    rows.add("linear_reproduction", place, o, r.errors.reproduction[o], p.point, p.index, order);
-    if (!std::isnan(r.truth[o].roundings)) rows.add("cage_truth", place, o, r.truth[o], p.point, p.index);
+    rows.add(outside ? "zero_outside" : "partition_of_unity", place, o, r.errors.partition[o], r.excused, p.point,
+             p.index, order);
+    rows.add("linear_reproduction", place, o, r.errors.reproduction[o], r.excused, p.point, p.index, order);
+    if (r.truth) rows.add("cage_truth", place, o, (*r.truth)[o], r.excused, p.point, p.index);
   }
-  for (const auto& [check, error] : r.symmetries) rows.add(check, place, 0, error, p.point, p.index);
-  for (int o = 1; o < 3; ++o)
-    if (!std::isnan(r.differences[o]))
-      rows.add_relative("cage_differences", place, o, r.differences[o], p.point, p.index);
-  if (!std::isnan(r.errors.laplacian.roundings))
-    rows.add("cage_laplacian", place, 2, r.errors.laplacian, p.point, p.index);
+  for (const auto& [check, error] : r.symmetries) rows.add(check, place, 0, error, r.excused, p.point, p.index);
+  for (int o = 1; o < 3 && r.differences; ++o)
+    rows.add_relative("cage_differences", place, o, (*r.differences)[o], r.excused, p.point, p.index);
+  if (r.with_laplacian) rows.add("cage_laplacian", place, 2, r.errors.laplacian, r.excused, p.point, p.index);
 }
 
 void add_on_cage(CageRows& rows, const Cage& cage, const CageCoordinates& coordinates, const CageLocator& locator,
                  const CagePoint& p) {
   const auto place = name_of(p.place);
-  // Midpoints that rounding moved off the cage prove nothing about it.
+  // Midpoints that rounding moved off the cage prove nothing about it; those that are exact lie on it.
   const bool on = !coordinates.elements().touching(p.point).empty();
   if (!coordinates.kind().normalised)
     rows.add("linear_reproduction", place, 0,
-             on ? errors_at(coordinates, cage, p.point, 1, 0).reproduction[0] : CageError(), p.point, p.index);
-  rows.add_relative("limit_from_inside", place, 0, inside_limit_error_at(coordinates, cage, locator, p.point), p.point,
-                    p.index);
+             on ? errors_at(coordinates, cage, p.point, 1, 0).reproduction[0] : CageError(), !p.exact, p.point,
+             p.index);
+  rows.add_relative("limit_from_inside", place, 0, inside_limit_error_at(coordinates, cage, locator, p.point), !p.exact,
+                    p.point, p.index);
 }
 
 // Every n-th, so that at most so many are left.
@@ -148,6 +159,7 @@ class CageMeasurement final : public Measurement {
     std::vector<CagePoint> off, on;
     int order;
     std::size_t stride;
+    std::optional<CageCoordinates> prior;  // of kinds that points may lack
     // Where more than properties is asked.
     std::optional<CageCoordinates> reference;
     std::optional<CageSymmetries> symmetries;
@@ -162,6 +174,7 @@ class CageMeasurement final : public Measurement {
                 {},
                 0,
                 1,
+                prior_of(*cage_, kind_, o.triangulation),
                 {},
                 {}};
     setup.off = points_off(*cage_, setup.locator, o.seed, o.points);
@@ -183,6 +196,8 @@ class CageMeasurement final : public Measurement {
     PointResult result;
     result.errors = errors_at(setup.coordinates, *cage_, p.point, expected_sum(kind_, setup.locator, p.point),
                               setup.order, &setup.terms);
+    result.excused = may_be_missing(setup.prior, p.point);
+    result.with_laplacian = setup.order == 2 && has_laplacian(setup.coordinates);
     if (options_.properties_alone || i % setup.stride != 0) return result;
     // Coordinates that exist in double alone would meet themselves.
     if (setup.reference->is_exact_in(ScalarKind::Digits50))
@@ -224,6 +239,7 @@ class MeshMeasurement final : public Measurement {
       : cage_(std::move(cage)), kind_(kind), mesh_(std::move(mesh)), place_(place), options_(options), setup_([this] {
           return Setup{{*cage_, options_.triangulation, kind_.keeps_quads},
                        {*cage_, kind_, options_.evaluation, options_.triangulation},
+                       prior_of(*cage_, kind_, options_.triangulation),
                        {*cage_, kind_, options_.triangulation}};
         }) {
     if (options.mesh_points > 0)
@@ -255,9 +271,9 @@ class MeshMeasurement final : public Measurement {
       const CageErrors errors = errors_at(setup.coordinates, *cage_, point, expected_sum(kind_, setup.locator, point),
                                           0, place == Place::TooClose ? nullptr : &setup.terms);
       // Points nearer than the promise reaches are shown in the field and counted, not judged.
-      const bool judged = place != Place::TooClose;
-      rows.add("partition_of_unity", "mesh", 0, judged ? errors.partition[0] : CageError(), point, i);
-      rows.add("linear_reproduction", "mesh", 0, judged ? errors.reproduction[0] : CageError(), point, i);
+      const bool judged = place != Place::TooClose, excused = !judged || may_be_missing(setup.prior, point);
+      rows.add("partition_of_unity", "mesh", 0, judged ? errors.partition[0] : CageError(), excused, point, i);
+      rows.add("linear_reproduction", "mesh", 0, judged ? errors.reproduction[0] : CageError(), excused, point, i);
       part.image.arrays[0].values.push_back(errors.partition[0].relative);
       part.image.arrays[1].values.push_back(errors.reproduction[0].relative);
     }
@@ -269,6 +285,7 @@ class MeshMeasurement final : public Measurement {
   struct Setup {
     CageLocator locator;
     CageCoordinates coordinates;
+    std::optional<CageCoordinates> prior;
     CageTerms terms;
   };
   std::shared_ptr<const Cage> cage_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/cage_campaign.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -93,6 +94,18 @@ CageError laplacian_error(const CageCoordinates& coordinates, const std::vector<
 }
 
 }  // namespace
+
+std::optional<CageCoordinates> prior_of(const Cage& cage, const CoordinateKind& kind, Triangulation rule) {
+  if (kind.missing_because.empty()) return std::nullopt;
+  return CageCoordinates(cage, coordinate_kind_named("quad_mean_value"), CoordinateOptions{.triangulation = rule});
+}
+
+bool may_be_missing(const std::optional<CageCoordinates>& prior, const Vec3<double>& point) {
+  if (!prior) return false;
+  const std::vector<double> weights = prior->at<double>(point, 0).front().value;
+  // Next to a zero rounding decides.
+  return std::ranges::any_of(weights, [](double w) { return w < 1e-10; });
+}
 
 double expected_sum(const CoordinateKind& kind, Place place) {
   return kind.normalised || place != Place::Outside ? 1 : 0;

@@ -17,6 +17,26 @@ namespace {
 
 using Vec = Vec3<double>;
 
+// A weighted sum of corners over 16, and whether no rounding was in it: each product and sum leaves no remainder.
+class SixteenthsSum {
+ public:
+  void add(double weight, const Vec& corner) {
+    for (int c = 0; c < 3; ++c) {
+      const double term = weight * corner[c], sum = sum_[c] + term, back = sum - sum_[c];
+      exact_ = exact_ && std::fma(weight, corner[c], -term) == 0 && sum_[c] - (sum - back) == 0 && term - back == 0;
+      sum_[c] = sum;
+    }
+  }
+  CagePoint point(Place place, std::size_t index) const {
+    const Vec mean = sum_ / 16;
+    return {mean, place, index, exact_ && 16 * mean == sum_};
+  }
+
+ private:
+  Vec sum_ = Vec::Zero();
+  bool exact_ = true;
+};
+
 }  // namespace
 
 std::string_view name_of(Place place) {
@@ -121,22 +141,23 @@ std::vector<CagePoint> points_off(const Cage& cage, const CageLocator& locator, 
 
 std::vector<CagePoint> points_on(const CageCoordinates& coordinates, const Cage& cage) {
   std::vector<CagePoint> points;
-  const auto add = [&](const Vec& p, Place place) { points.push_back({p, place, points.size()}); };
-  for (const Vec& v : cage.vertices()) add(v, Place::OnVertex);
+  for (const Vec& v : cage.vertices()) points.push_back({v, Place::OnVertex, points.size(), true});
   std::set<std::pair<int, int>> edges;
   const CageElements& elements = coordinates.elements();
   for (std::size_t e = 0; e < elements.count(); ++e) {
     const auto corners = elements.corners(e);
     const auto vertices = elements.vertices_of(e);
     for (const auto& sixteenths : elements.type(e).interior_points) {
-      Vec sum = Vec::Zero();
-      for (std::size_t k = 0; k < corners.size(); ++k) sum += sixteenths[k] * corners[k];
-      add(sum / 16, Place::OnFace);
+      SixteenthsSum sum;
+      for (std::size_t k = 0; k < corners.size(); ++k) sum.add(sixteenths[k], corners[k]);
+      points.push_back(sum.point(Place::OnFace, points.size()));
     }
     for (int i = 0; i < sampling_of(elements.type(e).kind).border_edges; ++i) {
       const int from = vertices[i], to = vertices[(i + 1) % vertices.size()];
-      if (edges.insert(std::minmax(from, to)).second)
-        add((cage.vertices()[from] + cage.vertices()[to]) / 2, Place::OnEdge);
+      if (!edges.insert(std::minmax(from, to)).second) continue;
+      SixteenthsSum sum;
+      for (const int v : {from, to}) sum.add(8, cage.vertices()[v]);
+      points.push_back(sum.point(Place::OnEdge, points.size()));
     }
   }
   return points;

@@ -39,6 +39,9 @@ bool takes_every_sample(const Evaluation& evaluation) {
 // Steps through all decades of a sweep, whose lengths seven does not divide.
 constexpr int wide_stride = 7;
 
+// At most n, at least one: steps over what lies exactly on an element and what lies a rounding off it by turns.
+constexpr int largest_odd(int n) { return n < 2 ? 1 : n - (n % 2 == 0 ? 1 : 0); }
+
 // Where truths are integrals themselves, a quarter of the samples; then whatever else is measured against them costs
 // little.
 CampaignOptions affordable(CampaignOptions options, const TruthSource& source) {
@@ -61,7 +64,9 @@ Part part_for(const Check& check, const Evaluation& evaluation, ScalarKind scala
       const int integrals = regime.parameters.empty()
                                 ? std::max(std::min(2, options.integral_samples), (options.integral_samples + 1) / 2)
                                 : options.integral_samples;
-      return strided(wide_stride, std::min(options.samples, wide_stride * integrals));
+      const bool none_swept = regime.parameters.empty();
+      const int stride = none_swept ? std::min(wide_stride, largest_odd(options.samples - 1)) : wide_stride;
+      return strided(stride, std::min(options.samples, stride * integrals));
     }
     case Check::Cost::Truths: return strided(std::max(wide_stride, options.quadrature_divisor), options.samples);
     case Check::Cost::Evaluations: break;
@@ -93,12 +98,7 @@ void record(const Part& part, const Plan& plan, const Sample& sample, const std:
   for (int o = 0; o < 3; ++o) {
     const Finding& finding = findings[o];
     Tally& tally = tallies[o];
-    switch (finding.status) {
-      case Finding::Status::Unasked: continue;
-      case Finding::Status::NoTruth: ++tally.without_truth; continue;
-      case Finding::Status::Declined: ++tally.declined; continue;
-      case Finding::Status::Measured: break;
-    }
+    if (!counted(finding.status, tally)) continue;
     tally.add(finding.error, finding.relative, sample.index, [&](double error) {
       return WorstCase{error, sample.parameter, sample.index, sample.corners, sample.point, sample.parameters};
     });

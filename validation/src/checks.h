@@ -30,10 +30,11 @@ inline Mp100 roundoff_of(ScalarKind scalar) {
   return with_scalar(scalar, []<Scalar R>() { return Mp100(unit_roundoff<R>()); });
 }
 
-/// The finding of an order whose truth does not exist, or of an error to be filled in.
+/// The finding of an order whose truth does not exist, or was not reached, or of an error to be filled in.
 inline Finding finding_for(const Truth& truth, int order) {
+  using Status = Finding::Status;
   Finding finding;
-  finding.status = truth.exists[order] ? Finding::Status::Measured : Finding::Status::NoTruth;
+  finding.status = truth.exists[order] ? Status::Measured : truth.required[order] ? Status::Unreached : Status::NoTruth;
   return finding;
 }
 

@@ -22,6 +22,7 @@ class HullMeasurement final : public Measurement {
     const Quad<double> q{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0), Vec3<double>(1, 1, lifts[block]),
                          Vec3<double>(0, 1, 0)};
     Findings findings;
+    for (const int order : {0, 1}) tally_of(findings, order).asked = points;
     for (const auto& jump : adaptive_qmvc::study_continuity(evaluation_, q, points, seed_).hull) {
       add(findings, 0, jump.value);
       add(findings, 1, jump.derivative);
@@ -30,11 +31,16 @@ class HullMeasurement final : public Measurement {
   }
 
  private:
-  // A jump is of two points and a normal: no worst case could be run again from what is stored of one.
-  void add(Findings& findings, int order, double jump) const {
+  Tally& tally_of(Findings& findings, int order) const {
     Tally& tally = findings.rows[{RowKey::Section::Element, std::string(hull_formula), evaluation_.name(), "double",
                                   std::string(hull_regime), "hull_jump", "", order}];
     tally.unit = "relative";
+    return tally;
+  }
+
+  // A jump is of two points and a normal: no worst case could be run again from what is stored of one.
+  void add(Findings& findings, int order, double jump) const {
+    Tally& tally = tally_of(findings, order);
     tally.errors.add(jump);
     tally.max_relative = std::max(tally.max_relative, jump);
   }

@@ -77,7 +77,7 @@ class SubdivisionCheck final : public Check {
     sum.reset(in.formula.components(), in.formula.dim(), in.order);
     const TruthSource source = truth_source(in.formula);
     std::array<Mp100, 3> yardstick = in.truth.conditioned;
-    std::array<bool, 3> exists = in.truth.exists;
+    std::array<bool, 3> exists = in.truth.exists, required = in.truth.required;
     for (const ElementPart& part : type_of(in.formula.element).parts) {
       Sample sub = in.sample;
       for (int j = 0; j < in.formula.corners(); ++j) {
@@ -90,12 +90,15 @@ class SubdivisionCheck final : public Check {
       for (int o = 0; o <= in.order; ++o) {
         yardstick[o] += truth.conditioned[o];
         exists[o] = exists[o] && truth.exists[o];
+        required[o] = required[o] && truth.required[o];
         add_part(in.formula, part, f.of(o), sum.of(o));
       }
     }
     std::array<Finding, 3> findings;
     for (int o = 0; o <= in.order; ++o) {
-      findings[o].status = exists[o] ? Finding::Status::Measured : Finding::Status::NoTruth;
+      findings[o].status = exists[o]     ? Finding::Status::Measured
+                           : required[o] ? Finding::Status::Unreached
+                                         : Finding::Status::NoTruth;
       if (exists[o])
         findings[o].error = ratio_of_difference(sum.of(o), whole.of(o), Mp100(roundoff_of(in.scalar) * yardstick[o]));
     }

@@ -103,6 +103,7 @@ class OneRingMeasurement final : public Measurement {
     Tally& tally = findings.rows[{RowKey::Section::Cage, formula_name, evaluation_.name(), "double", cage_->name(),
                                   check, "off", order}];
     tally.unit = "relative";
+    ++tally.asked;
     tally.add(error, error, p.index, [&](double e) { return WorstCase{e, 0, p.index, {}, p.point, {}}; });
   }
 

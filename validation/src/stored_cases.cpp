@@ -3,6 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/worst_file.h"
+#include "cageproof/validation/check.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/replay.h"
@@ -43,12 +44,7 @@ class StoredMeasurement final : public Measurement {
   static void add(const WorstLine& line, Tally& tally) {
     tally.unit = find_check(line.check)->unit();
     const Finding finding = replay(key_of(line), line.worst, Triangulation::Shortest);
-    switch (finding.status) {
-      case Finding::Status::Unasked:
-      case Finding::Status::NoTruth: ++tally.without_truth; return;
-      case Finding::Status::Declined: ++tally.declined; return;
-      case Finding::Status::Measured: break;
-    }
+    if (!counted(finding.status, tally)) return;
     tally.add(finding.error, finding.relative, line.worst.sample, [&](double error) {
       WorstCase found = line.worst;
       found.error = error;

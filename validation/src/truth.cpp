@@ -2,6 +2,7 @@
 #include "cageproof/validation/truth.h"
 
 #include "element/element_sampling.h"
+#include "limits.h"
 
 #include "cageproof/core/input_error.h"
 
@@ -171,6 +172,7 @@ bool has_truth_source(const Formula& formula) { return find_truth_source(formula
 
 Truth truth_from(const TruthSource& source, const Sample& sample, int order) {
   Truth truth;
+  truth.required = limits_that_must_exist(source.evaluation.formula(), sample);
   truth.tensors = evaluate<Mp100>(source.values, sample, order);
   const Confirmation confirmation = source.is_integral ? confirmed_in<Mp50>(source.confirmation, sample, order)
                                                        : confirmed_in<Mp200>(source.confirmation, sample, order);

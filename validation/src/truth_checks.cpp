@@ -93,11 +93,16 @@ class IntegralCheck final : public Check {
     for (int o = 0; o <= in.order; ++o) {
       std::vector<Mp100> reference;
       bool limit = true;
+      reference.reserve(truth.of(o).size());
       for (const Mp50& x : truth.of(o)) {
         reference.emplace_back(x);
         limit = limit && !isnan(x);
       }
-      findings[o].status = truth.converged && limit ? Finding::Status::Measured : Finding::Status::NoTruth;
+      // An integral that stops short of its digits declines; one that finds no limit where there is one does not.
+      const auto missing = !in.truth.required[o] ? Finding::Status::NoTruth
+                           : truth.converged     ? Finding::Status::Unreached
+                                                 : Finding::Status::Declined;
+      findings[o].status = truth.converged && limit ? Finding::Status::Measured : missing;
       // Where the integral has no limit the closed form must not invent one.
       bool finite = true;
       for (const Mp100& x : closed.of(o)) finite = finite && isfinite(x);

@@ -16,29 +16,52 @@ bool has_role(const RowKey& row, Check::Role role) {
   return check && check->role() == role;
 }
 
+// Whether an evaluation may say that it could not meet its tolerance. The gate and the proofs name the recommended one,
+// but what declines there is the integral or the enclosure.
+bool may_decline(const RowKey& row) {
+  if (has_role(row, Check::Role::Gate) || has_role(row, Check::Role::Proof)) return true;
+  const auto evaluation = EvaluationRegister::instance().find(row.subject, row.evaluation);
+  return evaluation && evaluation->role() != cageproof::Role::Recommended &&
+         evaluation->role() != cageproof::Role::Stated;
+}
+
+// Where the samples went.
+std::string loss(const ResultRow& row) {
+  std::vector<std::string> parts;
+  if (row.unreached > 0) parts.push_back(fmt::format("{} had no truth or figure though a limit exists", row.unreached));
+  if (row.declined > 0 && !may_decline(row)) parts.push_back(fmt::format("{} were declined", row.declined));
+  const std::uint64_t known = row.samples + row.without_truth + row.unreached + row.declined;
+  if (row.asked > known) parts.push_back(fmt::format("{} were not heard of", row.asked - known));
+  return fmt::format("{} of {} samples are lost: {}", lost_samples(row), row.asked, fmt::join(parts, ", "));
+}
+
 // Where the closed form in multiprecision has not agreed with the integral, nothing that was measured against it
-// counts.
+// counts: the gate's own row is broken for all of them.
 void withdraw_unproven(Judged& result) {
   const auto same_place = [](const RowKey& a, const RowKey& b) {
     return a.subject == b.subject && a.regime == b.regime && a.order == b.order;
   };
-  for (const ResultRow& gate : result.rows) {
+  for (ResultRow& gate : result.rows) {
     if (!has_role(gate, Check::Role::Gate) || gate.verdict == Verdict::Kept) continue;
-    result.notes.push_back(
-        gate.samples == 0
-            ? fmt::format(
-                  "{}, {}, order {}: the integral confirmed the truth on none of {} samples (no limit, or fewer than "
-                  "30 digits)",
-                  gate.subject, gate.regime, gate.order, gate.without_truth)
-            : fmt::format(
-                  "{}, {}, order {}: the closed form in multiprecision is not the integral; nothing measured against "
-                  "it counts",
-                  gate.subject, gate.regime, gate.order));
-    for (ResultRow& row : result.rows)
-      if (!has_role(row, Check::Role::Gate) && !has_role(row, Check::Role::Proof) && same_place(row, gate)) {
-        row.verdict = Verdict::NotPromised;
-        row.reason = "the truth is not confirmed by the integral here";
-      }
+    std::size_t promised = 0;
+    for (ResultRow& row : result.rows) {
+      if (has_role(row, Check::Role::Gate) || has_role(row, Check::Role::Proof) || !same_place(row, gate)) continue;
+      promised += row.verdict != Verdict::NotPromised;
+      row.verdict = Verdict::NotPromised;
+      row.reason = "the truth is not confirmed by the integral here";
+    }
+    if (gate.verdict == Verdict::Broken) {
+      result.notes.push_back(
+          fmt::format("{}, {}, order {}: the closed form in multiprecision is not the integral; nothing measured "
+                      "against it counts",
+                      gate.subject, gate.regime, gate.order));
+    } else if (promised > 0) {
+      gate.verdict = Verdict::Broken;
+      gate.reason = fmt::format(
+          "the integral confirmed the truth on none of {} samples ({} without a limit, {} declined), and {} promised "
+          "rows rest on it",
+          gate.asked, gate.without_truth, gate.declined, promised);
+    }
   }
 }
 
@@ -58,25 +81,24 @@ std::optional<ResultCurve> curve_of(const RowKey& key, const Tally& tally) {
 
 }  // namespace
 
-bool truth_must_exist(const RowKey& key) {
-  return key.section == RowKey::Section::Element && !key.regime.starts_with("on-") &&
-         has_role(key, Check::Role::Truth) && key.scalar != "float";
+std::uint64_t lost_samples(const ResultRow& row) {
+  const std::uint64_t excused = row.samples + row.without_truth + (may_decline(row) ? row.declined : 0);
+  return row.asked > excused ? row.asked - excused : 0;
 }
 
 void judge(ResultRow& row) {
   const Promise promise = promise_for({row.check, row.subject, row.evaluation, row.scalar, row.regime, row.order});
   row.bound = promise.bound;
   row.reason = promise.reason;
-  if (row.bound && row.without_truth > 0 && truth_must_exist(row)) {
-    row.verdict = Verdict::Broken;
-    row.reason = "the closed form in multiprecision has no value on some samples";
-    return;
-  }
-  // A row that measured nothing keeps no promise and breaks none.
-  if (row.bound && row.samples == 0) row.reason = "no sample had a truth, or a statement, to be measured against";
   row.verdict = !row.bound || row.samples == 0 ? Verdict::NotPromised
                 : row.max <= *row.bound        ? Verdict::Kept
                                                : Verdict::Broken;
+  if (!row.bound) return;
+  // A row that measured nothing keeps no promise, and breaks none where there was nothing to measure.
+  if (row.samples == 0) row.reason = "no sample had a truth, or a statement, to be measured against";
+  if (lost_samples(row) == 0) return;
+  row.reason = row.verdict == Verdict::Broken ? fmt::format("{}; {}", row.reason, loss(row)) : loss(row);
+  row.verdict = Verdict::Broken;
 }
 
 ResultRow row_of(const RowKey& key, const Tally& tally) {
@@ -85,7 +107,9 @@ ResultRow row_of(const RowKey& key, const Tally& tally) {
   row.unit = tally.unit;
   row.samples = tally.errors.count();
   row.nonfinite = tally.errors.nonfinite();
+  row.asked = tally.asked;
   row.without_truth = tally.without_truth;
+  row.unreached = tally.unreached;
   row.declined = tally.declined;
   row.max = tally.errors.max();
   row.p999 = tally.errors.p999();

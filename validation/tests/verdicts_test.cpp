@@ -17,6 +17,7 @@ RowKey key(const char* check, const char* evaluation, const char* regime, int or
   return {RowKey::Section::Element, "triangle.single_layer", evaluation, "double", regime, check, "", order};
 }
 
+// One sample of that error, none where it is negative, and others that had no truth.
 Tally tally(double error, std::uint64_t without_truth = 0) {
   Tally found;
   found.unit = "conditioned";
@@ -27,6 +28,7 @@ Tally tally(double error, std::uint64_t without_truth = 0) {
       return worst;
     });
   found.without_truth = without_truth;
+  found.asked = found.errors.count() + without_truth;
   return found;
 }
 
@@ -34,10 +36,12 @@ TEST(rows, hold_every_figure_of_their_tally) {
   Tally found = tally(3);
   found.merge(tally(50, 2));
   found.declined = 4;
-  const ResultRow row = row_of(key("truth", "closed_form", "on-face"), found);
-  EXPECT_EQ(static_cast<const RowKey&>(row), key("truth", "closed_form", "on-face"));
+  found.asked += 4;
+  const ResultRow row = row_of(key("truth", "gauss-8", "on-face"), found);
+  EXPECT_EQ(static_cast<const RowKey&>(row), key("truth", "gauss-8", "on-face"));
   EXPECT_EQ(row.unit, "conditioned");
   EXPECT_EQ(row.samples, 2u);
+  EXPECT_EQ(row.asked, 8u);
   EXPECT_EQ(row.max, 50);
   EXPECT_EQ(row.p999, 50);
   EXPECT_EQ(row.median, found.errors.median());
@@ -46,24 +50,65 @@ TEST(rows, hold_every_figure_of_their_tally) {
   EXPECT_EQ(row.declined, 4u);
   EXPECT_EQ(row.worst.size(), 2u);
   EXPECT_EQ(row.histogram.size(), found.errors.counts().size());
+  EXPECT_EQ(row.verdict, Verdict::NotPromised);
+}
+
+TEST(rows, judge_what_their_samples_are) {
+  const ResultRow row = row_of(key("truth", "closed_form", "on-edge"), tally(3, 1));
   EXPECT_EQ(*row.bound, 64);
   EXPECT_EQ(row.verdict, Verdict::Kept);
+  // Where no limit exists there is nothing to keep, and nothing to break.
+  EXPECT_EQ(row_of(key("truth", "closed_form", "on-edge"), tally(-1, 3)).verdict, Verdict::NotPromised);
 }
 
-TEST(rows, are_broken_where_a_truth_must_exist_and_does_not) {
-  EXPECT_EQ(row_of(key("truth", "closed_form", "near-edge"), tally(3, 1)).verdict, Verdict::Broken);
-  EXPECT_EQ(row_of(key("truth", "closed_form", "on-edge"), tally(3, 1)).verdict, Verdict::Kept);
-  EXPECT_EQ(row_of(key("scaling", "closed_form", "near-edge"), tally(3, 1)).verdict, Verdict::Kept);
-  Tally declined = tally(-1);
-  declined.declined = 9;
-  EXPECT_EQ(row_of(key("truth", "closed_form", "near-edge"), declined).verdict, Verdict::NotPromised);
+TEST(rows, are_broken_by_samples_that_they_lost) {
+  Tally unreached = tally(3), declined = tally(3), vanished = tally(3);
+  unreached.unreached = declined.declined = 2;
+  for (Tally* lost : {&unreached, &declined, &vanished}) lost->asked += 2;
+  for (const Tally& lost : {unreached, declined, vanished}) {
+    const ResultRow row = row_of(key("truth", "closed_form", "on-edge"), lost);
+    EXPECT_EQ(row.verdict, Verdict::Broken);
+    EXPECT_EQ(lost_samples(row), 2u);
+    EXPECT_TRUE(row.reason.starts_with("2 of 3 samples are lost: 2 ")) << row.reason;
+  }
+  // All of them, which leaves no error to judge.
+  Tally nothing = tally(-1);
+  nothing.asked = 231;
+  EXPECT_EQ(row_of(key("scaling", "closed_form", "near-edge"), nothing).verdict, Verdict::Broken);
+  // Of cages too.
+  const RowKey cage{RowKey::Section::Cage, "green", "closed_form", "double", "cube", "limit_from_inside", "on-edge", 0};
+  EXPECT_EQ(row_of(cage, unreached).verdict, Verdict::Broken);
+  // Where nothing is promised, or declining is allowed, they are counted alone.
+  EXPECT_EQ(row_of(key("truth", "gauss-8", "on-edge"), unreached).verdict, Verdict::NotPromised);
+  declined = tally(0.5);
+  declined.declined = 2;
+  declined.asked += 2;
+  EXPECT_EQ(row_of(key("stated_error", "adaptive", "generic"), declined).verdict, Verdict::Kept);
+  EXPECT_EQ(row_of(key("stated_error", "accurate", "generic"), declined).verdict, Verdict::Broken);
 }
 
-TEST(rows, are_withdrawn_where_the_integral_confirms_nothing) {
-  std::map<RowKey, Tally> tallies;
-  RowKey gate = key("integral", "closed_form", "near-edge");
+RowKey gate_at(const char* regime) {
+  RowKey gate = key("integral", "closed_form", regime);
   gate.scalar = "mp100";
-  tallies[gate] = tally(1);
+  return gate;
+}
+
+TEST(rows, without_an_integral_behind_them_break_its_own_row) {
+  Tally declined = tally(-1);
+  declined.declined = declined.asked = 2;
+  for (const Tally& none : {declined, tally(-1, 2)}) {
+    std::map<RowKey, Tally> tallies{{gate_at("on-face"), none}, {key("truth", "closed_form", "on-face"), tally(3)}};
+    for (const ResultRow& row : judged(tallies).rows)
+      EXPECT_EQ(row.verdict, row.check == "integral" ? Verdict::Broken : Verdict::NotPromised);
+    // Where nothing has a limit, nothing rests on it.
+    tallies[key("truth", "closed_form", "on-face")] = tally(-1, 3);
+    for (const ResultRow& row : judged(tallies).rows) EXPECT_EQ(row.verdict, Verdict::NotPromised);
+  }
+}
+
+TEST(rows, are_withdrawn_where_the_integral_is_another) {
+  std::map<RowKey, Tally> tallies;
+  tallies[gate_at("near-edge")] = tally(1);
   tallies[key("truth", "closed_form", "near-edge")] = tally(3);
   tallies[key("truth", "closed_form", "near-face")] = tally(3);
   const Judged found = judged(tallies);

@@ -20,10 +20,11 @@ std::string_view name_of(Verdict verdict);
 struct ResultRow : RowKey {
   std::string unit;  ///< of max, p999, median and bound: "conditioned", "relative", "absolute"
   std::uint64_t samples = 0;
-  std::uint64_t nonfinite = 0;  ///< results that are not finite where the truth is
-  std::uint64_t without_truth =
-      0;  ///< samples where no truth exists (the limit diverges) or none could be reached: not counted as errors
-  std::uint64_t declined = 0;  ///< samples where an evaluation with a tolerance said that it could not meet it
+  std::uint64_t nonfinite = 0;      ///< results that are not finite where the truth is
+  std::uint64_t asked = 0;          ///< samples that were put to the row: measured, or one of the following
+  std::uint64_t without_truth = 0;  ///< samples where no truth exists (the limit diverges): not counted as errors
+  std::uint64_t unreached = 0;      ///< samples where a limit exists, and no truth or figure was reached
+  std::uint64_t declined = 0;       ///< samples where an evaluation with a tolerance said that it could not meet it
   double max = 0;
   double p999 = 0;
   double median = 0;

@@ -36,7 +36,9 @@ struct Tally {
   std::string unit;  ///< of the errors: "conditioned", "relative" ...
   ErrorHistogram errors;
   WorstCases worst;
-  std::uint64_t without_truth = 0;  ///< samples where no truth exists, or none could be reached
+  std::uint64_t asked = 0;          ///< samples that were put to the row: measured, or one of the following
+  std::uint64_t without_truth = 0;  ///< samples where no truth exists: the limit diverges, or the input is none
+  std::uint64_t unreached = 0;      ///< samples where a limit exists, and no truth or figure was reached
   std::uint64_t declined = 0;       ///< samples where an evaluation with a tolerance said that it could not meet it
   double max_relative = 0;          ///< largest plain relative error, norm-wise
   /// Largest error by index of the regime's parameter; negative where nothing was measured. Empty: no curve is drawn.
@@ -53,7 +55,7 @@ struct Tally {
   }
   /// Notes an error for a regime's curve. \param index of the parameter, below `count`
   void add_to_curve(std::size_t index, std::size_t count, double error);
-  bool empty() const { return errors.count() + without_truth + declined == 0; }
+  bool empty() const { return asked + errors.count() + without_truth + unreached + declined == 0; }
   /// \throws std::invalid_argument when both have units and they differ
   void merge(const Tally& other);
 };

@@ -8,6 +8,8 @@
 #include "cageproof/validation/cage_terms.h"
 #include "cageproof/validation/measurement.h"
 
+#include <optional>
+
 namespace cageproof::validation {
 
 struct CageCampaignOptions {
@@ -41,6 +43,14 @@ struct CageErrors {
 /// themselves are the terms
 CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point, double expected,
                      int order, const CageTerms* terms = nullptr);
+
+/// The coordinates that a positive kind is made from, of kinds that points may lack (CoordinateKind::missing_because).
+std::optional<CageCoordinates> prior_of(const Cage& cage, const CoordinateKind& kind, Triangulation rule);
+
+/// Whether a point may have no coordinates: of kinds that points may lack, where not all of the prior's are positive.
+/// Elsewhere the point is a mean of all vertices with positive weights, and so in the convex hull that the kind needs.
+/// \param prior prior_of() the kind
+bool may_be_missing(const std::optional<CageCoordinates>& prior, const Vec3<double>& point);
 
 /// What partition of unity and linear reproduction must give at a place: 1 inside and on the cage, 0 outside, but for
 /// normalised kinds 1 everywhere.

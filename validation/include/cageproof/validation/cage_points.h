@@ -59,6 +59,7 @@ struct CagePoint {
   Vec3<double> point;
   Place place;
   std::uint64_t index;
+  bool exact = false;  ///< of points_on(): doubles hold the point that was meant, so that it lies on the cage
 };
 
 /// `count` points off the cage: in the box half as large again, and next to faces at 1e-1 ... 1e-6 sizes on both sides;

@@ -2,6 +2,7 @@
 // Checks: what can be asked of one evaluation at one sample. Each knows the catalogue's data, and no formula.
 #pragma once
 
+#include "cageproof/core/tally.h"
 #include "cageproof/validation/truth.h"
 
 #include <memory>
@@ -23,9 +24,10 @@ struct CheckInput {
 struct Finding {
   enum class Status {
     Measured,
-    NoTruth,   ///< no limit exists, or the truth could not be reached
-    Declined,  ///< the evaluation said that it could not meet its tolerance
-    Unasked,   ///< the check says nothing of this order
+    NoTruth,    ///< no limit exists, or the sample is no input in this scalar
+    Unreached,  ///< a limit exists, and its truth was not reached
+    Declined,   ///< the evaluation said that it could not meet its tolerance
+    Unasked,    ///< the check says nothing of this order
   } status = Status::Unasked;
   double error = 0;     ///< in the check's unit
   double relative = 0;  ///< plain relative error, for the check `truth`
@@ -63,6 +65,9 @@ class Check {
                        std::string_view regime) const = 0;
   virtual std::array<Finding, 3> measure(const CheckInput& input) const = 0;
 };
+
+/// Counts a sample that was put to a row. \return whether it was measured, so that its error is to be added
+bool counted(Finding::Status status, Tally& tally);
 
 /// All checks of single elements, in report order: `truth` first.
 const std::vector<std::unique_ptr<Check>>& checks();

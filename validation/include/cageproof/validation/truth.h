@@ -38,6 +38,8 @@ struct Truth {
   /// False for an order where no limit exists (diverges on the element) or where two precisions do not agree to 30
   /// digits.
   std::array<bool, 3> exists{false, false, false};
+  /// True for an order where a limit must exist, whatever an evaluation finds; see limit_must_exist().
+  std::array<bool, 3> required{false, false, false};
   std::array<Mp100, 3> norm{};
   std::array<Mp100, 3> conditioned{};
   /// True when the point lies exactly on the element. Within it the yardstick counts only moves to its inner side,

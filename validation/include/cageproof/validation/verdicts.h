@@ -12,19 +12,19 @@ ResultRow row_of(const RowKey& key, const Tally& tally);
 /// Sets bound, reason and verdict of a row from the table of promises.
 void judge(ResultRow& row);
 
-/// Whether a sample without truth is itself a failure: off the element every limit exists, so that there the closed
-/// form in multiprecision has none to give. In float a sample may have rounded onto the element, or out of range.
-bool truth_must_exist(const RowKey& key);
+/// How many samples a row should have measured and did not: those whose truth was not reached, those that an evaluation
+/// declined which may not, and those that nothing is known of.
+std::uint64_t lost_samples(const ResultRow& row);
 
 /// What findings amount to, in the order in which reports list them.
 struct Judged {
   std::vector<ResultRow> rows;
   std::vector<ResultCurve> curves;
-  std::vector<std::string> notes;  ///< what the integral did not confirm
+  std::vector<std::string> notes;  ///< where the closed form in multiprecision is not the integral
 };
 
 /// Judges all tallies of a run together: where the truth is not confirmed by the integral, nothing that was measured
-/// against it counts.
+/// against it counts, and if anything was promised there the integral's own row is broken.
 Judged judged(const std::map<RowKey, Tally>& tallies);
 
 }  // namespace cageproof::validation
