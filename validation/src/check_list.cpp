@@ -19,6 +19,7 @@ const std::vector<std::unique_ptr<Check>>& checks() {
     CheckList list;
     add_truth_checks(list);
     add_enclosure_check(list);
+    add_limit_check(list);
     add_symmetry_checks(list);
     add_identity_checks(list);
     return list;

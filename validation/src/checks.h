@@ -5,12 +5,15 @@
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/promise.h"
 
+#include <limits>
+
 namespace cageproof::validation {
 
 using CheckList = std::vector<std::unique_ptr<Check>>;
 
 void add_truth_checks(CheckList& list);     // truth, relative, integral, stated_error
 void add_enclosure_check(CheckList& list);  // enclosure
+void add_limit_check(CheckList& list);      // limit
 void add_symmetry_checks(CheckList& list);  // scaling, rigid_motion, corner_permutation, orientation_flip
 void add_identity_checks(CheckList& list);  // laplacian, subdivision, gradient_by_differences, face_jump
 
@@ -43,6 +46,15 @@ template <Scalar R>
 bool representable(const Mp100& size) {
   if constexpr (is_multiprecision<R>) return true;
   else return size == 0 || (size < std::numeric_limits<R>::max() / 16 && size > std::numeric_limits<R>::min() * 16);
+}
+
+/// As finding_for(), of a relation between results in double: where the truth leaves their normal range, there is
+/// nothing to relate.
+inline Finding relation_finding_for(const Truth& truth, int order) {
+  Finding finding = finding_for(truth, order);
+  if (finding.status == Finding::Status::Measured && !representable<double>(truth.norm[order]))
+    finding.status = Finding::Status::NoTruth;
+  return finding;
 }
 
 /// Norm of a difference over a denominator; infinite where either is not finite or the denominator alone is zero.

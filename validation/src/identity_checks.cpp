@@ -26,8 +26,7 @@ class LaplacianCheck final : public Check {
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     std::array<Finding, 3> findings;
     if (in.order < 2) return findings;
-    findings[2] = finding_for(in.truth, 2);
-    if (!representable<double>(in.truth.norm[2])) findings[2].status = Finding::Status::NoTruth;
+    findings[2] = relation_finding_for(in.truth, 2);
     if (findings[2].status != Finding::Status::Measured) return findings;
     const Result<double> f = evaluate<double>(in.evaluation, in.sample, 2);
     std::vector<double> expected(f.value.size(), 0.0), trace;

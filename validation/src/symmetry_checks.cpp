@@ -28,7 +28,7 @@ class SymmetryCheck : public Check {
     const Mp100 u = roundoff_of(in.scalar);
     std::array<Finding, 3> findings;
     for (int o = 0; o <= in.order; ++o) {
-      findings[o] = finding_for(in.truth, o);
+      findings[o] = relation_finding_for(in.truth, o);
       if (in.truth.on_element && !keeps_side()) findings[o].status = Finding::Status::Unasked;
       // Both results have all of a double's digits, or nothing can be told from them.
       const Mp100 &norm = in.truth.norm[o], changed_norm = norm * factor(in, o);

@@ -35,6 +35,24 @@ std::vector<Mp100> difference(std::vector<Mp100> a, const std::vector<Mp100>& b)
   return a;
 }
 
+// Whether entries are infinite, with the same signs, or have no limit in both tensors alike.
+bool same_limits(const std::vector<Mp100>& a, const std::vector<Mp100>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (isnan(a[i]) != isnan(b[i]) || isfinite(a[i]) != isfinite(b[i]) || (isinf(a[i]) && a[i] != b[i])) return false;
+  return true;
+}
+
+// The entries that are finite in both.
+std::array<std::vector<Mp100>, 2> finite_entries(const std::vector<Mp100>& a, const std::vector<Mp100>& b) {
+  std::array<std::vector<Mp100>, 2> finite;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (isfinite(a[i]) && isfinite(b[i])) {
+      finite[0].push_back(a[i]);
+      finite[1].push_back(b[i]);
+    }
+  return finite;
+}
+
 // Relative step of the one-sided differences: their error, 1e-30 over the distance to a singularity, leaves 13 digits
 // at 1e-16.
 const Mp100& step() {
@@ -179,51 +197,21 @@ Truth truth_from(const TruthSource& source, const Sample& sample, int order) {
   const Contact contact = contact_of(source.evaluation.formula().element, sample);
   truth.on_element = contact != Contact::Off;
   if (!truth.tensors.converged || !confirmation.converged) return truth;
+  const bool on_input = truth.on_element && is_input(source.evaluation.formula(), sample);
   static const Mp100 agreement("1e-30");
   for (int o = 0; o <= order; ++o) {
     const std::vector<Mp100>& confirmed = confirmation.tensors[o];
-    if (!all_finite(truth.tensors.of(o)) || !all_finite(confirmed)) continue;
-    truth.norm[o] = norm(confirmed);
-    truth.exists[o] = norm(difference(truth.tensors.of(o), confirmed)) <= agreement * truth.norm[o];
-    truth.conditioned[o] = truth.norm[o];
+    const bool limits = all_finite(truth.tensors.of(o)) && all_finite(confirmed);
+    const auto [found, expected] = finite_entries(truth.tensors.of(o), confirmed);
+    truth.norm[o] = truth.conditioned[o] = norm(expected);
+    const bool agrees = norm(difference(found, expected)) <= agreement * truth.norm[o];
+    truth.exists[o] = limits && agrees;
+    truth.partial[o] = on_input && !limits && agrees && same_limits(truth.tensors.of(o), confirmed);
   }
   if (contact == Contact::Border) return truth;
   if (source.rough_yardstick) add_rough_conditioning(source.yardstick, sample, order, truth);
   else add_conditioning(source.values, sample, order, truth);
   return truth;
 }
-
-namespace {
-
-template <Scalar R>
-double error_over(const Result<R>& f, const Truth& truth, int order, const Mp100& denominator) {
-  const std::vector<Mp100> found = widened(f.of(order));
-  if (!all_finite(found)) return std::numeric_limits<double>::infinity();
-  const Mp100 error = norm(difference(found, truth.tensors.of(order)));
-  if (error == 0) return 0;
-  return denominator == 0 ? std::numeric_limits<double>::infinity() : static_cast<double>(Mp100(error / denominator));
-}
-
-}  // namespace
-
-template <Scalar R>
-double conditioned_error(const Result<R>& f, const Truth& truth, int order, const Mp100& u) {
-  return error_over(f, truth, order, u * truth.conditioned[order]);
-}
-
-template <Scalar R>
-double relative_error(const Result<R>& f, const Truth& truth, int order) {
-  return error_over(f, truth, order, truth.norm[order]);
-}
-
-#define CAGEPROOF_INSTANTIATE(R)                                                           \
-  template double conditioned_error<R>(const Result<R>&, const Truth&, int, const Mp100&); \
-  template double relative_error<R>(const Result<R>&, const Truth&, int);
-CAGEPROOF_INSTANTIATE(float)
-CAGEPROOF_INSTANTIATE(double)
-CAGEPROOF_INSTANTIATE(Mp50)
-CAGEPROOF_INSTANTIATE(Mp100)
-CAGEPROOF_INSTANTIATE(Mp200)
-#undef CAGEPROOF_INSTANTIATE
 
 }  // namespace cageproof::validation

@@ -2,10 +2,30 @@
 // The checks that compare with the truth.
 #include "checks.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cageproof::validation {
 namespace {
+
+/// The finding of one order of an evaluation's tensors, whose error is to be filled in where it is measured. Where the
+/// truth has entries that are infinite or have no limit, evaluations that are made to know it are compared entry by
+/// entry; rules and printed forms are not asked. Where it has no limit at all there is nothing to measure, unless the
+/// evaluation gives one.
+template <Scalar R>
+Finding finding_of(const Result<R>& f, const Truth& truth, const Evaluation& evaluation, int order) {
+  Finding finding = finding_for(truth, order);
+  const cageproof::Role role = evaluation.role();
+  const bool knows_limits = role == cageproof::Role::Recommended || role == cageproof::Role::Stated;
+  if (finding.status != Finding::Status::NoTruth || !truth.partial[order] || !knows_limits) return finding;
+  const auto no_limit = [](const auto& x) {
+    using std::isnan;
+    return static_cast<bool>(isnan(x));
+  };
+  if (!std::ranges::all_of(truth.tensors.of(order), no_limit) || !std::ranges::all_of(f.of(order), no_limit))
+    finding.status = Finding::Status::Measured;
+  return finding;
+}
 
 /// An evaluation against the truth, in conditioned units.
 class TruthCheck final : public Check {
@@ -27,13 +47,9 @@ class TruthCheck final : public Check {
       const Mp100 u = roundoff_of(in.scalar);
       std::array<Finding, 3> findings;
       for (int o = 0; o <= in.order; ++o) {
-        findings[o] = finding_for(in.truth, o);
+        findings[o] = finding_of(f, in.truth, in.evaluation, o);
         if (findings[o].status != Finding::Status::Measured) continue;
         if (!f.converged) findings[o].status = Finding::Status::Declined;
-        if (!representable<R>(in.truth.norm[o])) {
-          findings[o].status = Finding::Status::NoTruth;
-          continue;
-        }
         findings[o].error = conditioned_error(f, in.truth, o, u);
         findings[o].relative = relative_error(f, in.truth, o);
       }
@@ -55,12 +71,8 @@ class RelativeCheck final : public Check {
     const Result<double> f = evaluate<double>(in.evaluation, in.sample, in.order);
     std::array<Finding, 3> findings;
     for (int o = 0; o <= in.order; ++o) {
-      findings[o] = finding_for(in.truth, o);
+      findings[o] = finding_of(f, in.truth, in.evaluation, o);
       if (findings[o].status != Finding::Status::Measured) continue;
-      if (!representable<double>(in.truth.norm[o])) {
-        findings[o].status = Finding::Status::NoTruth;
-        continue;
-      }
       findings[o].relative = relative_error(f, in.truth, o);
       findings[o].error = findings[o].relative / unit_roundoff<double>();
     }

@@ -251,10 +251,11 @@ TEST(replay, says_that_an_evaluation_declined) {
 
 TEST(replay, says_that_there_is_no_truth) {
   ResultRow row = declining_row();
-  row.subject = "triangle.mean_value";
+  row.subject = "triangle.double_layer";
   row.evaluation = "closed_form";
-  // The weights have no limit on the triangle.
-  const WorstCase worst{.corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .point = {0.25, 0.25, 0}};
+  row.order = 1;
+  // The gradient at an edge depends on the direction.
+  const WorstCase worst{.corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .point = {0.25, 0, 0}};
   EXPECT_EQ(replay(row, worst, Triangulation::Shortest).status, Finding::Status::NoTruth);
 }
 

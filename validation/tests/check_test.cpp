@@ -63,12 +63,12 @@ class every_check : public testing::TestWithParam<std::string> {};
 
 TEST_P(every_check, passes_the_closed_form_and_fails_a_broken_one) {
   const Check* check = find_check(GetParam());
-  const bool jump = GetParam() == "face_jump";
-  const ScalarKind scalar = GetParam() == "gradient_by_differences"                    ? ScalarKind::Digits200
-                            : check->unit() == "relative" || GetParam() == "enclosure" ? ScalarKind::Digits100
-                                                                                       : ScalarKind::Double;
+  const bool on_face = GetParam() == "face_jump" || GetParam() == "limit";
+  const ScalarKind scalar = GetParam() == "gradient_by_differences" || GetParam() == "limit" ? ScalarKind::Digits200
+                            : check->unit() == "relative" || GetParam() == "enclosure"       ? ScalarKind::Digits100
+                                                                                             : ScalarKind::Double;
   const Setting setting{check, find_formula("triangle.double_layer"), scalar,
-                        find_regime(jump ? "on-face" : "generic")};
+                        find_regime(on_face ? "on-face" : "generic")};
   const std::string name = GetParam() == "stated_error" ? "adaptive"
                            : GetParam() == "relative"   ? "accurate"
                                                         : "closed_form";

@@ -40,6 +40,10 @@ struct Truth {
   std::array<bool, 3> exists{false, false, false};
   /// True for an order where a limit must exist, whatever an evaluation finds; see limit_must_exist().
   std::array<bool, 3> required{false, false, false};
+  /// True for an order where two precisions agree that entries are infinite, with which sign, or have no limit, and to
+  /// 30 digits on the finite ones.
+  std::array<bool, 3> partial{false, false, false};
+  /// Of the finite entries.
   std::array<Mp100, 3> norm{};
   std::array<Mp100, 3> conditioned{};
   /// True when the point lies exactly on the element. Within it the yardstick counts only moves to its inner side,
@@ -53,12 +57,14 @@ Mp100 norm(const std::vector<Mp100>& tensor);
 /// The truth at a sample.
 Truth truth_from(const TruthSource& source, const Sample& sample, int order);
 
-/// |f - truth| over the conditioned denominator, in units of `u`; infinite for a result that is not finite.
-/// \pre truth.exists[order]
+/// |f - truth| over the conditioned denominator, in units of `u`, norm-wise over the entries that are finite and within
+/// R's range. Infinite where another entry is not what it must be: infinite with the truth's sign where that is
+/// infinite or beyond R's range, NaN where no limit exists. An entry whose truth lies below R's normal numbers may be
+/// wrong by one denormal. \pre truth.exists[order] or truth.partial[order]
 template <Scalar R>
 double conditioned_error(const Result<R>& f, const Truth& truth, int order, const Mp100& u);
 
-/// |f - truth| / |truth|, norm-wise.
+/// |f - truth| / |truth|, norm-wise; as conditioned_error.
 template <Scalar R>
 double relative_error(const Result<R>& f, const Truth& truth, int order);
 
