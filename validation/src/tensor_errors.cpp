@@ -39,7 +39,7 @@ struct Compared {
 };
 
 template <Scalar R>
-Compared compared(const std::vector<R>& found, const std::vector<Mp100>& truth) {
+Compared compared(const std::vector<R>& found, const std::vector<Mp100>& truth, bool forgiving = true) {
   Compared c;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Mp100 x(found[i]);
@@ -57,7 +57,7 @@ Compared compared(const std::vector<R>& found, const std::vector<Mp100>& truth) 
       continue;
     }
     Mp100 error = abs(Mp100(x - t));
-    const Mp100 quantum = Range<R>::quantum(size);
+    const Mp100 quantum = forgiving ? Range<R>::quantum(size) : Mp100(0);
     error = error > quantum ? Mp100(error - quantum) : Mp100(0);
     c.error += error * error;
     c.truth += t * t;
@@ -86,6 +86,11 @@ template <Scalar R>
 double relative_error(const Result<R>& f, const Truth& truth, int order) {
   const Compared c = compared(f.of(order), truth.tensors.of(order));
   return ratio(c, sqrt(c.truth));
+}
+
+double error_over_digits(const Result<double>& f, const Truth& truth, int order, double digits) {
+  const Compared c = compared(f.of(order), truth.tensors.of(order), false);
+  return ratio(c, Mp100(sqrt(c.truth) * pow(Mp100(10), Mp100(-digits))));
 }
 
 #define CAGEPROOF_INSTANTIATE(R)                                                           \

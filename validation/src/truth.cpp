@@ -2,7 +2,7 @@
 #include "cageproof/validation/truth.h"
 
 #include "element/element_sampling.h"
-#include "limits.h"
+#include "required_limits.h"
 
 #include "cageproof/core/input_error.h"
 

@@ -77,6 +77,56 @@ TEST(tensor_errors, forgive_one_denormal_below_the_normal_range) {
   EXPECT_GT(error({0x1p-1000 + 0x1p-1040}, {Mp100(0x1p-1000)}), 64);
 }
 
+TEST(tensor_errors, hold_statements_to_their_digits) {
+  Result<double> f;
+  f.value = {1 + 2e-9, 0};
+  const Truth truth = truth_of({1, 0});
+  EXPECT_NEAR(error_over_digits(f, truth, 0, 8), 0.2, 1e-6);
+  EXPECT_NEAR(error_over_digits(f, truth, 0, 9), 2, 1e-6);
+  // A denormal has few digits, and whoever states more of one is wrong.
+  const double least = std::numeric_limits<double>::denorm_min();
+  f.value = {3 * least};
+  EXPECT_GT(error_over_digits(f, truth_of({Mp100(least) * Mp100("3.4")}), 0, 14), 1);
+}
+
+// `accurate` with so many digits more than it stands behind.
+template <int Digits>
+EvaluationFamily boasting(const char* name) {
+  return single_family("triangle.single_layer", name,
+                       {.description = "overstates", .role = Role::Stated, .states_error = true}, false,
+                       [](Evaluation& bad) {
+                         const Evaluation good = evaluation_named("triangle.single_layer", "accurate");
+                         bad.set_point<double>([good](const Query<double>& query, Result<double>& result) {
+                           good(query, result);
+                           // As wrong as it says, within a digit.
+                           const double share = 0.5 * std::pow(10, -result.stated_digits);
+                           for (int o = 0; o <= query.order; ++o)
+                             for (double& x : result.of(o)) x += share * x;
+                           result.stated_digits += Digits;
+                         });
+                       });
+}
+const RegisterEvaluation honest{boasting<0>("states_0_more")}, boasts{boasting<2>("states_2_more")};
+
+TEST(stated_error, holds_the_statement_itself) {
+  const Formula& formula = formula_named("triangle.single_layer");
+  const Check& check = *find_check("stated_error");
+  for (const double height : {0.3, 1e-3, 1e-9}) {
+    // In a frame whose rounding costs as much as two digits more or less.
+    const Sample sample{{{100, 100, 100}, {101, 100, 100}, {100, 101, 100}}, {100.25, 100.25, 100 + height}, {}, 0, 0};
+    const Truth truth = truth_from(truth_source(formula), sample, 2);
+    const auto error = [&](const char* evaluation, int order) {
+      return check
+          .measure({formula, evaluation_named(formula.name, evaluation), ScalarKind::Double, sample, 2, truth})[order]
+          .error;
+    };
+    for (int o = 0; o < 3; ++o) {
+      EXPECT_LT(error("states_0_more", o), 1) << height << ' ' << o;
+      EXPECT_GT(error("states_2_more", o), 1) << height << ' ' << o;
+    }
+  }
+}
+
 // The closed form with a border value that is wrong beside the infinite entries.
 template <Scalar R>
 void set_wrong(Evaluation& bad, const std::string& how) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limits.h"
+#include "required_limits.h"
 
 #include "element/element_sampling.h"
 
