@@ -1,9 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 
+#include "cageproof/reports/broken_groups.h"
+#include "cageproof/validation/stored_cases.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace cageproof::cli {
+namespace {
+
+// The report has them all.
+constexpr std::size_t most_rows_shown = 4;
+
+void print_row(const ResultRow& row) {
+  fmt::print("  BROKEN {} {} {} {}{} {} order {}: {}\n", row.subject, row.evaluation, row.scalar, row.regime,
+             row.place.empty() ? "" : " " + row.place, row.check, row.order, reports::breach(row));
+}
+
+void print_group(const reports::BrokenGroup& group) {
+  fmt::print("{}\n", reports::title_of(group));
+  const std::size_t shown = std::min(group.rows.size(), most_rows_shown);
+  for (std::size_t i = 0; i < shown; ++i) print_row(*group.rows[i]);
+  if (shown < group.rows.size()) fmt::print("  and {} more\n", group.rows.size() - shown);
+  if (!group.simplest) return;
+  const ResultRow& row = *group.simplest_row;
+  const std::string origin = row.section == RowKey::Section::Element ? validation::origin_of(row, *group.simplest) : "";
+  fmt::print("  simplest: {} order {}, {}: {:.3g} {} at {}\n", row.subject, row.order,
+             origin.empty() ? row.regime : origin, group.simplest->error, row.unit,
+             reports::input_line(*group.simplest));
+}
+
+}  // namespace
 
 ExitCode print_verdict(const RunResult& result, const std::string& out) {
   std::size_t kept = 0, broken = 0, unpromised = 0;
@@ -12,11 +41,7 @@ ExitCode print_verdict(const RunResult& result, const std::string& out) {
     broken += row.verdict == Verdict::Broken;
     unpromised += row.verdict == Verdict::NotPromised;
   }
-  for (const ResultRow& row : result.rows)
-    if (row.verdict == Verdict::Broken)
-      fmt::print("BROKEN {} {} {} {}{} {} order {}: {:.3g} {} > {:.3g}, {}\n", row.subject, row.evaluation, row.scalar,
-                 row.regime, row.place.empty() ? "" : " " + row.place, row.check, row.order, row.max, row.unit,
-                 *row.bound, row.reason);
+  for (const reports::BrokenGroup& group : reports::broken_groups(result)) print_group(group);
   fmt::print("{}: {} promises kept, {} broken, {} rows not promised\n",
              broken == 0 ? "all promises kept" : "PROMISES BROKEN", kept, broken, unpromised);
   fmt::print("report: {}/index.html\n", out);

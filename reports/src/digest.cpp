@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -50,7 +51,8 @@ Rows broken_rows(const RunResult& result) {
   Rows rows;
   for (const ResultRow& row : result.rows)
     if (row.verdict == Verdict::Broken) rows.push_back(&row);
-  std::ranges::stable_sort(rows, [](const ResultRow* a, const ResultRow* b) { return strain(*a) > strain(*b); });
+  std::ranges::stable_sort(rows, std::greater(),
+                           [](const ResultRow* row) { return std::pair(row->is_foundation, strain(*row)); });
   return rows;
 }
 

@@ -66,7 +66,9 @@ void set_broken(Data& page, const RunResult& result) {
     data.set("where", row.place.empty() ? row.regime : row.regime + ", " + row.place);
     data.set("check", row.check);
     data.set("order", std::string(order_name(row.order)));
-    data.set("max", short_error(row.max));
+    // A figure that is kept is not what is broken.
+    const bool above = row.bound && row.samples > 0 && !(row.max <= *row.bound);
+    data.set("max", above ? short_error(row.max) : "samples lost");
     data.set("bound", row.bound ? short_number(*row.bound) : "");
     data.set("unit", row.unit);
     data.set("samples", grouped(row.samples));

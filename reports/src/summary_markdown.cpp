@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/formula.h"
+#include "cageproof/reports/broken_groups.h"
 #include "digest.h"
 #include "errata_text.h"
 #include "figure.h"
@@ -41,14 +42,24 @@ std::string figure(const ResultRow* row) {
 std::string broken(const RunResult& result) {
   const Rows rows = broken_rows(result);
   if (rows.empty()) return "";
-  std::string text = "\n## What fell short\n\nThe furthest beyond its bound first.\n\n" +
-                     head({"subject", "evaluation", "scalar", "regime or cage", "check", "place", "order",
-                           "largest found", "bound", "unit", "not finite"});
+  std::string text =
+      "\n## What fell short\n\nWhat others rest on first; together what one fault may break, with the input that is "
+      "shortest to write down.\n\n";
+  for (const BrokenGroup& group : broken_groups(result)) {
+    text += fmt::format("* {}; {}\n", escaped(title_of(group)), escaped(breach(*group.rows.front())));
+    if (group.simplest)
+      text += fmt::format("  {}: {} {} at {}\n", escaped(group.simplest_row->subject),
+                          short_error(group.simplest->error), group.simplest_row->unit, input_line(*group.simplest));
+  }
+  text += "\nThe furthest beyond its bound first:\n\n" +
+          head({"subject", "evaluation", "scalar", "regime or cage", "check", "place", "order", "largest found",
+                "bound", "unit", "not finite", "lost"});
   for (std::size_t i = 0; i < std::min(rows.size(), kMostBroken); ++i) {
     const ResultRow& row = *rows[i];
     text += line({escaped(row.subject), escaped(row.evaluation), escaped(row.scalar), escaped(row.regime),
                   escaped(row.check), escaped(row.place), std::string(order_name(row.order)), figure(&row),
-                  row.bound ? short_number(*row.bound) : "", escaped(row.unit), grouped(row.nonfinite)});
+                  row.bound ? short_number(*row.bound) : "", escaped(row.unit), grouped(row.nonfinite),
+                  grouped(row.asked - std::min(row.asked, row.samples + row.without_truth))});
   }
   if (rows.size() > kMostBroken)
     text += fmt::format("\n... and {} more: results.csv has them all.\n", grouped(rows.size() - kMostBroken));

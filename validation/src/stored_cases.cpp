@@ -57,6 +57,15 @@ class StoredMeasurement final : public Measurement {
 
 }  // namespace
 
+std::string origin_of(const RowKey& row, const WorstCase& input) {
+  if (row.regime != hunted_regime) return "";
+  for (const WorstLine& line : reports::parse_worst(stored_worst_cases(), stored_cases_file))
+    if (line.subject == row.subject && line.worst.corners == input.corners && line.worst.point == input.point &&
+        line.worst.parameters == input.parameters)
+      return fmt::format("{} ({}:{})", fmt::join(line.flags, ", "), stored_cases_file, line.number);
+  return "";
+}
+
 StoredCases stored_measurement(std::string_view text, std::string_view name, const std::string& formulas,
                                const std::string& evaluations) {
   std::vector<WorstLine> lines = reports::parse_worst(text, name);

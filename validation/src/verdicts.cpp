@@ -117,6 +117,7 @@ ResultRow row_of(const RowKey& key, const Tally& tally) {
   row.max_relative = tally.max_relative;
   row.worst = tally.worst.cases();
   row.histogram.assign(tally.errors.counts().begin(), tally.errors.counts().end());
+  row.is_foundation = has_role(row, Check::Role::Gate) || has_role(row, Check::Role::Proof);
   judge(row);
   return row;
 }

@@ -86,5 +86,17 @@ TEST(stored_cases, of_the_program_can_be_run_and_keep_their_promises) {
   }
 }
 
+TEST(stored_cases, say_where_their_inputs_come_from) {
+  const auto lines = reports::parse_worst(stored_worst_cases(), stored_cases_file);
+  ASSERT_FALSE(lines.empty());
+  for (const reports::WorstLine& line : lines) {
+    RowKey row = line;
+    row.regime = hunted_regime;
+    EXPECT_NE(origin_of(row, line.worst).find(stored_cases_file), std::string::npos) << line.number;
+    EXPECT_NE(origin_of(row, line.worst).find(line.flags.back()), std::string::npos) << line.number;
+  }
+  EXPECT_EQ(origin_of(lines[0], WorstCase{}), "");
+}
+
 }  // namespace
 }  // namespace cageproof::validation

@@ -32,6 +32,7 @@ struct ResultRow : RowKey {
   std::optional<double> bound;
   std::string reason;  ///< why the bound is what it is, or why nothing is promised
   Verdict verdict = Verdict::NotPromised;
+  bool is_foundation = false;  ///< others rest on it: where it is broken, what they say counts for little
   std::vector<WorstCase> worst;
   std::vector<std::uint64_t> histogram;  ///< ErrorHistogram::counts()
 };

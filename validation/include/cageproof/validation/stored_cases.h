@@ -5,6 +5,7 @@
 
 #include "cageproof/validation/measurement.h"
 
+#include <string>
 #include <string_view>
 
 namespace cageproof::validation {
@@ -14,6 +15,9 @@ std::string_view stored_worst_cases();
 
 /// Its name in messages and reports.
 inline constexpr std::string_view stored_cases_file = "validation/data/worst_cases.jsonl";
+
+/// Where a stored case's input comes from: its regimes and its line in the file; empty for an input that is not stored.
+std::string origin_of(const RowKey& row, const WorstCase& input);
 
 /// What a worst-case file amounts to.
 struct StoredCases {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Broken rows in the order in which to look at them: what others rest on first, and together what one fault may break.
+#pragma once
+
+#include "cageproof/core/run_result.h"
+
+#include <string>
+#include <vector>
+
+namespace cageproof::reports {
+
+/// Broken rows that share check, evaluation and scalar, and the element or the cage that they are about: one fault in
+/// what formulas have in common breaks them together.
+struct BrokenGroup {
+  std::vector<const ResultRow*> rows;       ///< the one furthest beyond its bound first
+  const ResultRow* simplest_row = nullptr;  ///< whose input is the simplest of the group's worst ones; null without any
+  const WorstCase* simplest = nullptr;      ///< that input: the fewest characters to write down
+};
+
+/// Groups of rows that others rest on (ResultRow::is_foundation) first, then larger groups before smaller ones.
+std::vector<BrokenGroup> broken_groups(const RunResult& result);
+
+/// What the group's rows have in common, and what they are about: "truth of closed_form in double: 25 rows of
+/// triangle.double_layer, triangle.solid_angle; near-edge, near-line; orders 0, 1".
+std::string title_of(const BrokenGroup& group);
+
+/// Why a row is broken: by how much its error is above the bound, and what is lost; never a figure that is kept.
+std::string breach(const ResultRow& row);
+
+/// An input as a line of text, in the shortest decimals that give it back.
+std::string input_line(const WorstCase& input);
+
+}  // namespace cageproof::reports
