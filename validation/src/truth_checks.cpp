@@ -27,6 +27,14 @@ Finding finding_of(const Result<R>& f, const Truth& truth, const Evaluation& eva
   return finding;
 }
 
+/// Whether a tensor that is asked for is exactly zero. An evaluation states its digits, and whether they suffice, for
+/// all tensors asked for together, and no relative statement can be made of that one.
+bool has_zero(const Truth& truth, int order) {
+  for (int o = 0; o <= order; ++o)
+    if (truth.exists[o] && truth.norm[o] == 0) return true;
+  return false;
+}
+
 /// An evaluation against the truth, in conditioned units.
 class TruthCheck final : public Check {
  public:
@@ -49,7 +57,7 @@ class TruthCheck final : public Check {
       for (int o = 0; o <= in.order; ++o) {
         findings[o] = finding_of(f, in.truth, in.evaluation, o);
         if (findings[o].status != Finding::Status::Measured) continue;
-        if (!f.converged) findings[o].status = Finding::Status::Declined;
+        if (!f.converged && !has_zero(in.truth, in.order)) findings[o].status = Finding::Status::Declined;
         findings[o].error = conditioned_error(f, in.truth, o, u);
         findings[o].relative = relative_error(f, in.truth, o);
       }
@@ -148,8 +156,9 @@ class StatedErrorCheck final : public Check {
       // Beside infinite entries there is no norm for a statement to be relative to.
       findings[o] = finding_for(in.truth, o);
       if (findings[o].status != Finding::Status::Measured) continue;
-      // No digit stated: it says that it could not.
-      if (!(f.stated_digits > 0)) findings[o].status = Finding::Status::Declined;
+      // No digit stated: it says that it could not, where it owes a statement.
+      const bool owed = in.truth.required[o] && !has_zero(in.truth, in.order);
+      if (!(f.stated_digits > 0)) findings[o].status = owed ? Finding::Status::Declined : Finding::Status::NoTruth;
       // A relative statement says nothing about what a double cannot hold, nor about a zero that is met.
       if (!representable<double>(in.truth.norm[o])) findings[o].status = Finding::Status::NoTruth;
       const double relative = relative_error(f, in.truth, o);
