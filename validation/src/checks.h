@@ -20,9 +20,11 @@ void add_identity_checks(CheckList& list);  // laplacian, subdivision, gradient_
 /// Within a check, `Role` is the check's own.
 inline bool is_recommended(const Evaluation& evaluation) { return evaluation.role() == Role::Recommended; }
 
-/// Properties are asked where `truth` is promised: elsewhere they would only repeat that it is not.
+/// Properties are asked of evaluations to rely on, where `truth` is promised: elsewhere they would only repeat how
+/// wrong an evaluation is.
 inline bool truth_is_promised(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar,
                               std::string_view regime) {
+  if (!is_recommended(evaluation) && evaluation.role() != Role::Stated) return false;
   for (int order = 0; order < 3; ++order)
     if (promise_for({"truth", formula.name, evaluation.name(), name_of(scalar), regime, order}).bound) return true;
   return false;

@@ -42,8 +42,35 @@ constexpr std::array table{
     Row{"truth", "*", "accurate", "double", "*", 0, 2, 256, "what is small relatively is so with conditioning"},
     Row{"relative", "*", "accurate", "double", "*", 0, 2, 256,
         "accepted at a running error bound of 128 units, which is itself rounded; else computed with more digits"},
+    // Printed forms away from their weak spots, which are the lines of edges, thin triangles, and far away.
+    Row{"truth", "*", "published", "*", "@(generic|offset)", 0, 2, 1e8,
+        "half of double's digits, and enough to tell another formula: logarithms and angles cancel by the square of "
+        "the "
+        "distance to an edge's line, and of a million points within one size hardly any is nearer than 1e-3, which "
+        "takes six "
+        "digits of rounding, times a hundred terms"},
     Row{"truth", "*", "published", "*", "*", 0, 2, none,
         "as the paper prints it, after the errata: nothing is stabilised"},
+    // Rules of fixed size far away, from ten sizes on: n points integrate polynomials of degree 2n - 1, and the
+    // kernel's
+    // expansion about the element has a remainder of (size/distance)^2n.
+    Row{"truth", "*", "gauss-4", "double", "far", 0, 2, 1e8,
+        "its rate: 10^-8 of the truth at ten sizes, in units of 1e-16"},
+    Row{"truth", "*", "three-quad-75", "double", "far", 0, 2, 1e6,
+        "its rate: 10^-10 of the truth at ten sizes, by five points a direction, in units of 1e-16"},
+    Row{"truth", "*", "@(gauss-8|gauss-16|three-quad-300|near-singular-16)", "double", "far", 0, 2, 64,
+        "its rate is below rounding at ten sizes: 10^-16 by eight points a direction, and less"},
+    Row{"truth", "*", "near-singular-*", "double", "generic", 0, 2, 1e4,
+        "made for points next to the element: twelve digits within one size"},
+    // Schemes of order n^-2, by the twist of the quad, whose corner is lifted by less than its size.
+    Row{"truth", "quad.mean_value", "riemann-4", "double", "@(generic|far|scaled)", 0, 0, 6.25e-2 * 0x1p53,
+        "its order: 1/n^2 of the truth, in units of 2^-53"},
+    Row{"truth", "quad.mean_value", "riemann-7", "double", "@(generic|far|scaled)", 0, 0, 2.05e-2 * 0x1p53,
+        "its order: 1/n^2 of the truth, in units of 2^-53"},
+    Row{"truth", "quad.mean_value", "riemann-10", "double", "@(generic|far|scaled)", 0, 0, 1e-2 * 0x1p53,
+        "its order: 1/n^2 of the truth, in units of 2^-53"},
+    Row{"truth", "quad.mean_value", "tessellated-5", "double", "@(generic|far|scaled)", 0, 0, 8e-2 * 0x1p53,
+        "its order: 2/n^2 of the truth, two triangles a cell, in units of 2^-53"},
     Row{"truth", "*", "*", "*", "*", 0, 2, none,
         "a quadrature rule of fixed size: its error is what the report is for"},
     // Properties: two evaluations, each within the promise of `truth`.

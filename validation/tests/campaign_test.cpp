@@ -153,7 +153,7 @@ TEST(promises, nothing_is_promised_without_a_reason) {
   EXPECT_EQ(*promise_for({"truth", "triangle.single_layer", "closed_form", "double", "near-edge", 2}).bound, 64);
   EXPECT_EQ(*promise_for({"truth", "triangle.mean_value", "closed_form", "float", "far", 2}).bound, 64);
   EXPECT_EQ(*promise_for({"relative", "triangle.kelvin_traction", "accurate", "double", "sliver", 1}).bound, 256);
-  EXPECT_FALSE(promise_for({"truth", "triangle.single_layer", "published", "double", "generic", 0}).bound);
+  EXPECT_FALSE(promise_for({"truth", "triangle.single_layer", "published", "double", "near-edge", 0}).bound);
   EXPECT_FALSE(promise_for({"truth", "triangle.single_layer", "gauss-8", "double", "generic", 0}).bound);
   EXPECT_FALSE(promise_for({"unheard", "of", "", "", "", 0}).reason.empty());
 }
