@@ -37,10 +37,15 @@ void add_line(const LocalFrame<R>& q, const LineArea<R>& area, const R& s, const
   // Where the ends' distances sum up to `kFarAlongLine` lengths; their squares alone often tell.
   const auto ends = [&] { return (std::sqrt(start2) + std::sqrt(end2)) / std::sqrt(length2); };
   LineMoments<R> m;
+  Vec3<R> x;  // the line's point at the moments' origin
   if (2 * (start2 + end2) < kFarAlongLine * kFarAlongLine * length2 || ends() < kFarAlongLine) {
-    m = moments_about_foot<Order>(a, e, first, last, area.square(s), digits);
+    const Vec3<R> c = area.at(s);
+    m = moments_about_foot<Order>(a, e, first, last, R(c.dot(c)), digits);
+    // Not a + origin e, whose terms cancel where the foot is far along the line.
+    if constexpr (Order >= 1) x = e.cross(c) / e.dot(e);
   } else {
     m = moments_by_gauss<Order>(a, e, first, gauss_rule<R>(length2 > 0 ? nodes_along_line(ends(), Order, digits) : 2));
+    if constexpr (Order >= 1) x = a + m.origin * e;
   }
   const R g1 = q.g10 + s * q.g11;
   const R g0 = q.g00 + s * q.g01 + m.origin * g1;
@@ -48,9 +53,8 @@ void add_line(const LocalFrame<R>& q, const LineArea<R>& area, const R& s, const
   std::array<std::array<R, WeightSums<R, Order>::entries>, 2> f;
   for (int c = 0; c < 2; ++c) f[c][0] = g0 * m.p2[c] + g1 * m.p2[c + 1];
   if constexpr (Order >= 1) {
-    const Vec3<R> x = a + m.origin * e;
-    const Vec3<R> n1 = e.cross(q.w);
-    const Vec3<R> n0 = e.cross(q.b) + m.origin * n1;
+    const Vec3<R>& n1 = q.n_u;
+    const Vec3<R> n0 = q.n + s * q.n_v + m.origin * n1;
     for (int c = 0; c < 2; ++c) {
       const R h0 = g0 * m.p3[c] + g1 * m.p3[c + 1], h1 = g0 * m.p3[c + 1] + g1 * m.p3[c + 2];
       for (int i = 0; i < 3; ++i) f[c][1 + i] = 4 * (x[i] * h0 + e[i] * h1) - (n0[i] * m.p2[c] + n1[i] * m.p2[c + 1]);
@@ -111,7 +115,7 @@ template <int Order, class R>
 std::size_t add_lines(const LocalFrame<R>& q, const OuterRule<R>& rule, std::span<const Panel> panels, double digits,
                       WeightSums<R, Order>& sums) {
   constexpr bool values_only = Order == 0 && std::same_as<R, double>;
-  const LineArea<R> area(q.a, q.e, q.b, q.w);
+  const LineArea<R> area(q.a, q.e, q.w, q.n, q.n_v);
   const R centre = rule.centre - q.v0;
   std::size_t lines = 0;
   [[maybe_unused]] std::conditional_t<values_only, LineValues, std::nullptr_t> values = [&] {
@@ -152,7 +156,7 @@ std::size_t add_lines(const LocalFrame<R>& q, const OuterRule<R>& rule, std::spa
 template <Scalar R>
 bool is_within(double distance, const QuadFrame<R>& q, const SingularPairs<R>& singular) {
   const auto close = [&](const SingularPair<R>& pair) {
-    return pair.width < distance && pair.centre > R(-1e-6) && pair.centre < R(1 + 1e-6);
+    return !pair.beyond && pair.width < distance && pair.centre > R(-1e-6) && pair.centre < R(1 + 1e-6);
   };
   return std::ranges::any_of(singular, close) || q.a.dot(q.a) < R(distance * distance);
 }

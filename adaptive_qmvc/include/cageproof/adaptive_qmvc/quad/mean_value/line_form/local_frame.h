@@ -15,31 +15,50 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// xi - eta = a + t e + s b + s t w at (u0 + t, v0 + s), in the units of a QuadFrame.
-/// N.x = g00 + s g01 + t (g10 + s g11), to a rounding of its terms.
+/// xi - eta = a + t e + s b + s t w at (u0 + t, v0 + s), in the units of a QuadFrame. N = n + t n_u + s n_v and
+/// N.x = g00 + s g01 + t (g10 + s g11), to a rounding of their terms.
 template <class R>
 struct LocalFrame {
   R u0 = R(0), v0 = R(0);
   Vec3<R> a, e, b, w;
+  Vec3<R> n, n_u, n_v;
   R g00, g01, g10, g11;
 
   /// About corner 0.
   explicit LocalFrame(const QuadFrame<R>& q)
-      : a(q.a), e(q.e), b(q.b), w(q.w), g00(q.g00), g01(q.g01), g10(q.g10), g11(q.g11) {}
+      : a(q.a),
+        e(q.e),
+        b(q.b),
+        w(q.w),
+        n(q.n),
+        n_u(q.n_u),
+        n_v(q.n_v),
+        g00(q.g00),
+        g01(q.g01),
+        g10(q.g10),
+        g11(q.g11) {}
 
   /// About (u0, v0), which eta sees at `a`.
   LocalFrame(const QuadFrame<R>& q, const R& u, const R& v, const Vec3<R>& seen)
-      : u0(u), v0(v), a(seen), e(q.direction(v)), b(q.b + u * q.w), w(q.w) {
+      : u0(u),
+        v0(v),
+        a(seen),
+        e(q.direction(v)),
+        b(q.b + u * q.w),
+        w(q.w),
+        // Not e x b, which cancels next to a corner whose sides lie on one line: there the normal vanishes.
+        n(q.n + u * q.n_u + v * q.n_v),
+        n_u(q.n_u),
+        n_v(q.n_v) {
     if (q.g00 == R(0) && q.g01 == R(0) && q.g10 == R(0) && q.g11 == R(0)) {
       // In the plane of a flat quad, where a rounding of `a` would be all of the result.
       g00 = g01 = g10 = g11 = R(0);
       return;
     }
-    const Vec3<R> first = e.cross(w);
-    g00 = a.dot(e.cross(b));
-    g01 = a.dot(w.cross(b));
-    g10 = a.dot(first);
-    g11 = b.dot(first);
+    g00 = a.dot(n);
+    g01 = a.dot(n_v);
+    g10 = a.dot(n_u);
+    g11 = q.g11;
   }
 
   /// The line v0 + s where t = 0, seen from eta, and its direction.

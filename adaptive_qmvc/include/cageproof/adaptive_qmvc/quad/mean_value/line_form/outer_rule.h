@@ -24,12 +24,14 @@ template <class R>
 struct SingularPair {
   R centre;
   double width;
+  bool beyond = false;  ///< the integrand has it only where it is continued past another one
 };
 
-/// At most four of them.
+/// At most ten of them: one of each side across the lines, and of the lines two, or what their search adds by rounding.
 template <class R>
 struct SingularPairs {
-  std::array<SingularPair<R>, 4> pair;
+  static constexpr int most = 10;
+  std::array<SingularPair<R>, most> pair;
   int count = 0;
   void add(const SingularPair<R>& p) { pair[count++] = p; }
   const SingularPair<R>* begin() const { return pair.data(); }
@@ -156,7 +158,7 @@ std::optional<R> cut_between(const SingularPairs<R>& singular, const SingularPai
     const double gap = std::abs(static_cast<double>(R(pair.centre - dominant.centre)));
     const R middle = (pair.centre + dominant.centre) / 2;
     const double narrow = distance_of_pair(pair, lo, hi) / gap;
-    if (&pair == &dominant || !(narrow < narrowest) || !(middle > lo) || !(middle < hi)) continue;
+    if (&pair == &dominant || pair.beyond || !(narrow < narrowest) || !(middle > lo) || !(middle < hi)) continue;
     narrowest = narrow;
     cut = middle;
   }
@@ -174,6 +176,7 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
   const SingularPair<R>* dominant = nullptr;
   const R length = hi_v - lo_v;
   for (const auto& pair : singular) {
+    if (pair.beyond) continue;
     const R along = (pair.centre - lo_v) / length;
     const double rho = ellipse_through(0, 1, {static_cast<double>(along), pair.width / static_cast<double>(length)});
     if (!(rho < nearest)) continue;
@@ -207,13 +210,14 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
   rule.width = R(width);
   rule.first = asinh(R((lo_v - rule.centre) / rule.width));
   rule.last = asinh(R((hi_v - rule.centre) / rule.width));
-  std::array<std::complex<double>, 8> images;
+  std::array<std::complex<double>, 2 * SingularPairs<R>::most> images;
   std::size_t count = 0;
   for (const auto& pair : singular) {
     const std::complex<double> z{static_cast<double>(R((pair.centre - rule.centre) / rule.width)), pair.width / width};
     const std::complex<double> image =
         z == std::complex<double>(0, 1) ? std::complex<double>(0, std::numbers::pi / 2) : inverse_sinh(z);
-    images[count++] = image;
+    // Above |Im s| = pi/2 the integrand is continued past the dominant pair: half around it, and all around.
+    images[count++] = pair.beyond ? std::complex<double>(image.real(), 2 * std::numbers::pi - image.imag()) : image;
     images[count++] = std::complex<double>(0, std::numbers::pi) - image;
   }
   const auto add = [&](const auto& self, double lo, double hi) -> void {

@@ -11,8 +11,8 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// xi - eta = a + u e + v b + u v w, in units of 2^exponent. N.x = g00 + v g01 + u (g10 + v g11), to a rounding of its
-/// terms.
+/// xi - eta = a + u e + v b + u v w, in units of 2^exponent. N = n + u n_u + v n_v and
+/// N.x = g00 + v g01 + u (g10 + v g11), to a rounding of their terms.
 template <class R>
 struct QuadFrame {
   Vec3<R> a;      ///< corner 0 - eta, the nearest one
@@ -20,6 +20,7 @@ struct QuadFrame {
   Vec3<R> e;      ///< corner 1 - corner 0
   Vec3<R> b, b1;  ///< corner 3 - corner 0, corner 2 - corner 1
   Vec3<R> w;      ///< b1 - b: zero for a parallelogram
+  Vec3<R> n, n_u, n_v;
   R g00, g01, g10, g11;
   std::array<int, 4> corner;  ///< the caller's number of corners 0 .. 3
   int sign;                   ///< -1 where the corners are taken clockwise
@@ -64,11 +65,13 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
   q.b = turned ? s01 : s03;
   q.b1 = turned ? s32 : s12;
   q.w = q.b1 - q.b;
-  const Vec3<R> normal = q.e.cross(q.b), first = q.e.cross(q.w), second = q.w.cross(q.b);
-  q.g00 = q.a.dot(normal);
-  q.g01 = q.a.dot(second);
-  q.g10 = q.a.dot(first);
-  q.g11 = q.b.dot(first);
+  q.n = q.e.cross(q.b);
+  q.n_u = q.e.cross(q.w);
+  q.n_v = q.w.cross(q.b);
+  q.g00 = q.a.dot(q.n);
+  q.g01 = q.a.dot(q.n_v);
+  q.g10 = q.a.dot(q.n_u);
+  q.g11 = q.b.dot(q.n_u);
   return q;
 }
 

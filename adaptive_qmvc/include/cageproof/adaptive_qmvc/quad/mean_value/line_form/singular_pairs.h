@@ -2,10 +2,16 @@
 // Where the integral along the lines of a bilinear quad is singular, as a function of the line.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/quad_frame.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/outer_rule.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/quad_frame.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/quartic_zeros.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <complex>
+#include <limits>
+#include <optional>
 
 namespace cageproof::adaptive_qmvc {
 
@@ -15,16 +21,15 @@ template <class R>
 struct LineArea {
   Vec3<R> c0, c1, c2;
 
-  LineArea(const Vec3<R>& a, const Vec3<R>& e, const Vec3<R>& b, const Vec3<R>& w)
-      : c0(a.cross(e)), c1(b.cross(e) + a.cross(w)), c2(b.cross(w)) {}
-  LineArea(const QuadFrame<R>& q, const R& v) : LineArea(q.start(v), q.direction(v), q.b, q.w) {}
-  /// |a x e|^2 at a step s.
-  R square(const R& s) const {
-    const Vec3<R> c = c0 + s * (c1 + s * c2);
-    return c.dot(c);
-  }
+  /// About the line that goes along e from a, where the quad's normal at its start is n and grows by n_v a line.
+  LineArea(const Vec3<R>& a, const Vec3<R>& e, const Vec3<R>& w, const Vec3<R>& n, const Vec3<R>& n_v)
+      : c0(a.cross(e)), c1(a.cross(w) - n), c2(-n_v) {}
+  LineArea(const QuadFrame<R>& q, const R& v)
+      : LineArea(q.start(v), q.direction(v), q.w, Vec3<R>(q.n + v * q.n_v), q.n_v) {}
+  /// a x e at a step s.
+  Vec3<R> at(const R& s) const { return c0 + s * (c1 + s * c2); }
   /// Coefficients of |a x e|^2 as a polynomial in s.
-  std::array<double, 5> polynomial() const {
+  detail::Quartic polynomial() const {
     return {static_cast<double>(c0.dot(c0)), static_cast<double>(R(2 * c0.dot(c1))),
             static_cast<double>(R(c1.dot(c1) + 2 * c0.dot(c2))), static_cast<double>(R(2 * c1.dot(c2))),
             static_cast<double>(c2.dot(c2))};
@@ -33,117 +38,73 @@ struct LineArea {
 
 namespace detail {
 
-using Complex = std::complex<double>;
-
-struct Derivatives {
-  Complex f, df, ddf;
-};
-
-// Without the library's care for infinities, which costs more than the iterations.
-inline Complex product(Complex a, Complex b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
-inline Complex quotient(Complex a, Complex b) { return product(a, std::conj(b)) / std::norm(b); }
-
-inline Derivatives at(const std::array<double, 5>& p, Complex z) {
-  Derivatives d{p[4], 0, 0};
-  for (int k = 3; k >= 0; --k) {
-    d.ddf = product(d.ddf, z) + d.df;
-    d.df = product(d.df, z) + d.f;
-    d.f = product(d.f, z) + p[k];
-  }
-  d.ddf *= 2;
-  return d;
-}
-
-/// A root of a quartic by Laguerre's iteration.
-inline Complex root_of(const std::array<double, 5>& p, Complex z) {
-  for (int i = 0; i < 40; ++i) {
-    const auto [f, df, ddf] = at(p, z);
-    if (f == 0.0) break;
-    const Complex g = quotient(df, f), h = product(g, g) - quotient(ddf, f);
-    const Complex root = std::sqrt(3.0 * (4.0 * h - product(g, g)));
-    const Complex below = std::norm(g + root) > std::norm(g - root) ? g + root : g - root;
-    if (below == 0.0) break;
-    const Complex step = quotient(4.0, below);
-    z -= step;
-    if (std::norm(step) < 1e-14 * std::norm(z)) break;  // the next would be below rounding
-  }
-  return z;
-}
-
-/// s^2 + r s + t, and what is left of a quartic: lead s^2 + linear s + constant.
-struct Factors {
-  double r, t, lead, linear, constant;
-};
-
-/// The real quadratic factors of a quartic next to s^2 + t, by Bairstow's iteration, or through one of its roots.
-inline Factors factors_of(const std::array<double, 5>& p, double t) {
-  double r = 0;
-  for (int i = 0; i < 12; ++i) {
-    const double b4 = p[4], b3 = p[3] - r * b4, b2 = p[2] - r * b3 - t * b4, b1 = p[1] - r * b2 - t * b3,
-                 b0 = p[0] - r * b1 - t * b2;
-    const double c3 = b3 - r * b4, c2 = b2 - r * c3 - t * b4, c1 = b1 - r * c2 - t * c3;
-    const double inverse = 1 / (c2 * c2 - c1 * c3);
-    const double dr = (b1 * c2 - b0 * c3) * inverse, dt = (b0 * c2 - b1 * c1) * inverse;
-    r += dr;
-    t += dt;
-    if (!std::isfinite(r + t)) break;
-    if (dr * dr < 1e-10 * std::abs(t) && std::abs(dt) < 1e-5 * std::abs(t)) {
-      const double linear = p[3] - r * p[4];
-      return {r, t, p[4], linear, p[2] - r * linear - t * p[4]};
-    }
-  }
-  const Complex z = root_of(p, {0.1, 0.5});
-  r = -2 * z.real();
-  t = std::norm(z);
-  const double linear = p[3] - r * p[4];
-  return {r, t, p[4], linear, p[2] - r * linear - t * p[4]};
-}
-
-/// Moves to the real minimum of |a x e|^2 next to a line, where the closest pair of zeros loses no digits. Returns how
-/// far off the axis that pair is there, to first order.
+/// A real minimum of |a x e|^2: about it the closest pair of zeros loses no digits.
 template <class R>
-double settle(const QuadFrame<R>& q, R& centre, std::array<double, 5>& p) {
-  double depth = 0.5;
+struct Minimum {
+  R centre;
+  Quartic p;     ///< about the centre
+  double depth;  ///< how far off the axis the pair is there, to first order
+  bool settled;  ///< false where the minimum is flat, so that more than a pair of zeros may be near, or was not found
+};
+
+/// The minimum next to a line, by Newton's method.
+template <class R>
+Minimum<R> minimum_near(const QuadFrame<R>& q, const R& line) {
+  Minimum<R> m{line, {}, 0.5, false};
   for (int round = 0; round < 12; ++round) {
-    p = LineArea<R>(q, centre).polynomial();
-    if (!(p[2] > 0)) return depth;
-    const double shift = -p[1] / (2 * p[2]);
-    depth = std::sqrt(std::max(0.0, p[0] / p[2]));
-    if (depth > 0.05 || std::abs(shift) > 0.2 || std::abs(shift) <= 1e-3 * depth || shift == 0) break;
-    centre += R(shift);
+    m.p = LineArea<R>(q, m.centre).polynomial();
+    if (!(m.p[2] > 0)) return m;
+    const double shift = -m.p[1] / (2 * m.p[2]);
+    m.depth = std::sqrt(std::max(0.0, m.p[0] / m.p[2]));
+    m.settled = m.depth > 0.05 || std::abs(shift) > 0.2 || std::abs(shift) <= 1e-3 * m.depth || shift == 0;
+    if (m.settled) break;
+    m.centre += R(shift);
   }
-  return depth;
+  return m;
 }
 
-/// Real zeros of c0 + c1 v + c2 v^2 + c3 v^3 within [-1, 2] to three digits, by bisection between those of its
-/// derivatives: at most three.
-inline int zeros_within(const std::array<double, 4>& c, std::array<double, 3>& zeros) {
-  const auto value = [&](double v) { return c[0] + v * (c[1] + v * (c[2] + v * c[3])); };
-  std::array<double, 4> ends{-1, 2, 2, 2};
-  int pieces = 1;
-  const double a = 3 * c[3], b = 2 * c[2], d = b * b - 4 * a * c[1];
-  if (d > 0) {
-    const double t = -(b + std::copysign(std::sqrt(d), b)) / 2;
-    double first = t / a, second = c[1] / t;
-    if (!(first < second)) std::swap(first, second);
-    pieces = 0;
-    for (const double turn : {first, second, 2.0})
-      if (turn > ends[pieces] && turn <= 2) ends[++pieces] = turn;
-  }
+/// All pairs of zeros of |a x e|^2, each seen from its own line: about any other its distance from the axis may be
+/// nothing but rounding. Slow, and needed where zeros come close to each other, as next to a corner whose sides lie on
+/// one line: there |a x e|^2 is a constant and a fourth power.
+template <class R, class Add>
+void find_pairs_one_by_one(const QuadFrame<R>& q, const R& line, const Add& add) {
+  // Pairs seen from a line whose distance is some times theirs from the axis have digits enough.
+  constexpr double kSeen = 30;
+  const auto zeros_at = [&](const R& centre) { return zeros_of(LineArea<R>(q, centre).polynomial()); };
+  // A pair that is all but on the axis is found more than once, at different roundings.
+  constexpr int kMost = SingularPairs<R>::most - 2;
+  std::array<SingularPair<R>, kMost> known;
   int count = 0;
-  for (int i = 0; i < pieces; ++i) {
-    double lo = ends[i], hi = ends[i + 1];
-    const bool rising = value(hi) > value(lo);
-    if ((value(lo) > 0) == (value(hi) > 0)) continue;
-    for (int k = 0; k < 12; ++k) {
-      const double middle = (lo + hi) / 2;
-      ((value(middle) > 0) == rising ? hi : lo) = middle;
+  const auto add_new = [&](const SingularPair<R>& pair) {
+    const auto is_same = [&](const SingularPair<R>& other) {
+      return std::hypot(static_cast<double>(R(other.centre - pair.centre)), other.width - pair.width) <=
+             0.1 * std::max(pair.width, other.width);
+    };
+    if (count == kMost || std::any_of(known.begin(), known.begin() + count, is_same)) return;
+    known[count++] = pair;
+    add(pair);
+  };
+  const QuarticZeros first = zeros_at(line);
+  for (int i = 0; i < first.count; ++i) {
+    // One of each conjugate two; of a double zero all that rounding makes of it.
+    if (first.zero[i].imag() < -1e-6 * std::abs(first.zero[i])) continue;
+    if (!(std::abs(first.zero[i]) < 30)) continue;
+    R centre = line;
+    Complex z = first.zero[i];
+    QuarticZeros seen = first;
+    for (int round = 0; round < 40 && std::abs(z.real()) > 0.01 * std::abs(z.imag()); ++round) {
+      const R next = centre + R(z.real());
+      if (next == centre) break;
+      centre = next;
+      seen = zeros_at(centre);
+      const Complex expected(0, std::abs(z.imag()));
+      z = *std::min_element(seen.zero.begin(), seen.zero.begin() + seen.count,
+                            [&](Complex a, Complex b) { return std::norm(a - expected) < std::norm(b - expected); });
     }
-    zeros[count++] = (lo + hi) / 2;
+    for (int k = 0; k < seen.count; ++k)
+      if (seen.zero[k] == z || std::abs(seen.zero[k]) <= kSeen * std::abs(z))
+        add_new({R(centre + R(seen.zero[k].real())), std::abs(seen.zero[k].imag())});
   }
-  return count;
 }
 
 /// Where a straight side p + v d passes eta.
@@ -179,19 +140,21 @@ double ellipse_from_distance(const QuadFrame<R>& q) {
 }
 
 /// The singularities that the integral along line v may have: where the two sides across the lines pass eta, and where
-/// a line does, unless that is beyond its ends, where the sides' own are the true ones.
+/// a line does. Where it does so beyond its ends, there is nothing on the axis: the integrand along the lines that end
+/// before their foot is another than along those that do not, and the sides' own singularities are where they part.
 template <class R>
 SingularPairs<R> singular_pairs(const QuadFrame<R>& q) {
   SingularPairs<R> pairs;
   detail::add_side(q.a, q.b, pairs);
   detail::add_side(q.a1, q.b1, pairs);
-  const auto keep = [&](const SingularPair<R>& pair) {
+  const auto keep = [&](SingularPair<R> pair) {
+    if (!std::isfinite(pair.width)) return;
     const Vec3<R> a = q.start(pair.centre), e = q.direction(pair.centre);
     const double foot = -static_cast<double>(a.dot(e)) / static_cast<double>(e.dot(e));
-    // The foot's real part, to first order in the width. On the axis a pair beyond the ends would be a singularity that
-    // is not there.
+    // The foot's real part, to first order in the width.
     const double margin = std::min(0.3, 4 * pair.width);
-    if (std::isfinite(pair.width) && foot >= -margin && foot <= 1 + margin) pairs.add(pair);
+    pair.beyond = !(foot >= -margin && foot <= 1 + margin);
+    pairs.add(pair);
   };
   const auto p = LineArea<R>(q, R(0)).polynomial();
   const double size = p[0] + std::abs(p[2]) + p[4];
@@ -208,29 +171,37 @@ SingularPairs<R> singular_pairs(const QuadFrame<R>& q) {
     lowest = value / bend(v);
     centre = R(v);
   }
-  std::array<double, 5> local;
-  const double depth = detail::settle(q, centre, local);
-  const auto add_pair = [&](double r, double t) {
-    keep({R(centre - R(r / 2)), std::sqrt(std::max(0.0, t - r * r / 4))});
+  const auto one_by_one = [&] {
+    detail::find_pairs_one_by_one(q, centre, keep);
+    return pairs;
+  };
+  const auto m = detail::minimum_near(q, centre);
+  if (!m.settled) return one_by_one();
+  const auto add_pair = [&](const R& about, double r, double t) {
+    keep({R(about - R(r / 2)), std::sqrt(std::max(0.0, t - r * r / 4))});
   };
   if (p[4] < 1e-26 * size) {
-    if (local[2] > 0) add_pair(local[1] / local[2], local[0] / local[2]);
+    add_pair(m.centre, m.p[1] / m.p[2], m.p[0] / m.p[2]);
     return pairs;
   }
-  const detail::Factors f =
-      local[0] == 0 ? detail::Factors{0, 0, local[4], local[3], local[2]} : detail::factors_of(local, depth * depth);
-  add_pair(f.r, f.t);
+  const std::optional<detail::Factors> f =
+      m.p[0] == 0 ? detail::Factors{0, 0, m.p[4], m.p[3], m.p[2]} : detail::factors_of(m.p, m.depth * m.depth);
+  if (!f) return one_by_one();
+  const double r = f->linear / f->lead, t = f->constant / f->lead;
+  // What is left of smaller zeros after division by larger ones is rounding.
+  if (!(t >= f->t / 4)) return one_by_one();
   // The other pair; one that is on the axis but for rounding is looked for about its own minimum, which a third root
   // next to it would displace.
-  const double r = f.linear / f.lead, t = f.constant / f.lead;
-  if (!(t < 900)) return pairs;
-  if (t - r * r / 4 > 1e-7) {
-    add_pair(r, t);
+  if (!(t < 900) || t - r * r / 4 > 1e-7) {
+    add_pair(m.centre, f->r, f->t);
+    if (t < 900) add_pair(m.centre, r, t);
     return pairs;
   }
-  centre -= R(r / 2);
-  const double own = detail::settle(q, centre, local);
-  add_pair(0, own * own);
+  const auto other = detail::minimum_near(q, R(m.centre - R(r / 2)));
+  if (!other.settled || !(other.depth * (std::abs(other.p[3]) + other.depth * other.p[4]) < other.p[2] / 4))
+    return one_by_one();
+  add_pair(m.centre, f->r, f->t);
+  add_pair(other.centre, 0, other.depth * other.depth);
   return pairs;
 }
 
