@@ -18,6 +18,7 @@ struct QuadCell {
 /// Points along both directions of a cell.
 struct QuadPoints {
   int t, w;
+  bool enough = true;  ///< false where the digits asked for need more than the largest rule has
 };
 
 /// Feeds a kernel with the points of cells.

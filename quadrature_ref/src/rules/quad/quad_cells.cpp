@@ -9,7 +9,11 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr std::size_t kMostCells = 4000;
+constexpr int kDeepest = 200;
+// Points of the largest rule.
+constexpr double kMostPoints = 256;
+// Points of a cell with a zero of r^2 in it, for all that doubles can say.
+constexpr double kCannot = 1e18;
 // Where zeros are looked at on the other variable's range.
 constexpr std::array<double, 5> kSamples{0, .25, .5, .75, 1};
 
@@ -33,20 +37,22 @@ double ellipse(const std::vector<Complex>& zeros, double lo, double hi) {
 }
 
 // Gauss-Legendre's n for an integrand with poles at the ellipse, which grows like exp(6 x) or a polynomial inside.
+// Cells that hold a near-singularity must cost the more the nearer it is, or halving them would seem to gain nothing.
 double points(double digits, double half, double largest) {
-  double least = 1e9;
-  for (double excess = .85 * (largest - 1); excess > .01; excess *= .7) {
+  double least = kCannot;
+  for (double excess = .85 * (largest - 1); excess > 0; excess *= .7) {
     const double sum = 1 + excess;
     const double growth = std::min(3 * half * (sum + 1 / sum - 2), 9 * std::log(1 + sum / 2));
     least = std::min(least, (digits + .4343 * growth) / (2 * std::log10(sum)));
+    if (excess < .01) break;
   }
   return std::max(least, 4.);
 }
 
 class Planner {
  public:
-  Planner(const PolarQuadFrame<Mp50>& frame, double digits, double longest)
-      : frame_(frame), digits_(digits), longest_(longest) {}
+  Planner(const PolarQuadFrame<Mp50>& frame, double digits, double longest, std::size_t most)
+      : frame_(frame), digits_(digits), longest_(longest), most_(most) {}
 
   std::vector<PlannedCell> cells() {
     for (std::size_t k = 0; k < frame_.sectors.size(); ++k) {
@@ -95,10 +101,37 @@ class Planner {
     const Vec3<Mp50>& d = r.direction;
     const Vec3<Mp50> bend = frame_.at.twist * r.duv;
     std::array<Mp50, 5> c{dot(x, x), 2 * dot(x, d), dot(d, d) + 2 * dot(x, bend), 2 * dot(d, bend), dot(bend, bend)};
-    std::array<double, 5> coefficients;
     Mp50 scale = 1 / c[0];
-    for (int k = 0; k < 5; ++k, scale *= cell.delta) coefficients[k] = number(Mp50(c[k] * scale));
-    for (const Complex& zero : polynomial_zeros(coefficients)) zeros.push_back(std::asinh(zero));
+    for (Mp50& coefficient : c) {
+      coefficient *= scale;
+      scale *= cell.delta;
+    }
+    for (const Complex& zero : polynomial_zeros(rounded(c))) zeros.push_back(std::asinh(off_axis(c, zero)));
+  }
+
+  static std::array<double, 5> rounded(const std::array<Mp50, 5>& c) {
+    return {number(c[0]), number(c[1]), number(c[2]), number(c[3]), number(c[4])};
+  }
+
+  // A zero next to the real axis as its own foot there sees it: doubles hold eight digits of two that all but coincide.
+  static Complex off_axis(const std::array<Mp50, 5>& c, Complex zero) {
+    if (!(std::abs(zero.imag()) < 1e-5 * std::abs(zero.real()))) return zero;
+    Mp50 foot = zero.real();
+    double imaginary = zero.imag();
+    for (int step = 0; step < 4; ++step) {
+      std::array<Mp50, 5> shifted = c;  // the polynomial about the foot
+      for (int i = 0; i < 4; ++i)
+        for (int k = 3; k >= i; --k) shifted[k] += foot * shifted[k + 1];
+      const std::array<double, 5> local = rounded(shifted);
+      if (local[0] == 0) return {zero.real(), 0};
+      const std::vector<Complex> near = polynomial_zeros(local);
+      if (near.empty()) return zero;
+      const Complex nearest = *std::ranges::min_element(near, {}, [](const Complex& z) { return std::abs(z); });
+      foot += nearest.real();
+      imaginary = nearest.imag();
+      if (std::abs(nearest.real()) < std::abs(imaginary)) break;
+    }
+    return {number(foot), imaginary};
   }
 
   // Zeros of r^2 in tau at a radius.
@@ -136,7 +169,7 @@ class Planner {
     };
     const double gain_t = gain(zeros_t, t_lo, t_hi, planned.ellipse_t);
     const double gain_w = gain(zeros_w, w_lo, w_hi, planned.ellipse_w);
-    if (std::min(gain_t, gain_w) > .95 || depth > 60 || cells_.size() > kMostCells) {
+    if (std::min(gain_t, gain_w) > .95 || depth > kDeepest || cells_.size() > most_) {
       cells_.push_back(planned);
       return;
     }
@@ -149,22 +182,25 @@ class Planner {
 
   const PolarQuadFrame<Mp50>& frame_;
   double digits_, longest_;
+  std::size_t most_;
   std::vector<PlannedCell> cells_;
 };
 
 }  // namespace
 
-std::vector<PlannedCell> quad_cells(const PolarQuadFrame<Mp50>& frame, double digits, double longest) {
-  return Planner(frame, digits, longest).cells();
+std::vector<PlannedCell> quad_cells(const PolarQuadFrame<Mp50>& frame, double digits, double longest,
+                                    std::size_t most) {
+  return Planner(frame, digits, longest, most).cells();
 }
 
 QuadPoints points_for(const PlannedCell& cell, double digits) {
   // Few different rules: each is computed once a precision.
   const auto rounded = [](double n) {
-    const int least = static_cast<int>(std::ceil(n));
-    return std::min(least <= 12 ? least : (least + 3) / 4 * 4, 256);
+    const int least = static_cast<int>(std::ceil(std::min(n, kMostPoints)));
+    return least <= 12 ? least : (least + 3) / 4 * 4;
   };
-  return {rounded(points(digits, cell.half_t, cell.ellipse_t)), rounded(points(digits, cell.half_w, cell.ellipse_w))};
+  const double t = points(digits, cell.half_t, cell.ellipse_t), w = points(digits, cell.half_w, cell.ellipse_w);
+  return {rounded(t), rounded(w), t <= kMostPoints && w <= kMostPoints};
 }
 
 }  // namespace cageproof::quadrature_ref

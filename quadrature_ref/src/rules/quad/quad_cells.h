@@ -13,8 +13,10 @@ struct PlannedCell {
   double ellipse_t = 0, ellipse_w = 0;  ///< sum of semi-axes of the largest Bernstein ellipse without a zero of r^2
 };
 
-/// Cells on which rules for `digits` digits cost least, none longer than `longest` in tau or w.
-std::vector<PlannedCell> quad_cells(const PolarQuadFrame<Mp50>& frame, double digits, double longest);
+/// Cells on which rules for `digits` digits cost least, none longer than `longest` in tau or w. Beyond `most` they are
+/// no longer cut, and may need more points than there are rules for.
+std::vector<PlannedCell> quad_cells(const PolarQuadFrame<Mp50>& frame, double digits, double longest,
+                                    std::size_t most = 4000);
 
 /// Points for `digits` digits relative to the cell's largest integrand.
 QuadPoints points_for(const PlannedCell& cell, double digits);

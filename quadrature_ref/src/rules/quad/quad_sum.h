@@ -7,12 +7,16 @@
 
 namespace cageproof::quadrature_ref {
 
+/// Thrown where a sum would take more than its budget, or cells that no rule resolves.
+struct TooCostly {};
+
 class QuadSum final : public ConvergingSum {
  public:
-  /// \param c the quad's point nearest to eta \param digits that will be asked for, about
+  /// \param c the quad's point nearest to eta \param digits that will be asked for, about \param budget of all sums
+  /// together, in values in 50 digits \throws TooCostly
   QuadSum(const Integrand& integrand, const QuadFrame<Mp200>& q, const ClosestPoint& c, const Query<Mp200>& query,
-          double digits);
-  /// Alternates between two centres and cuts, so that comparing two sums tests both.
+          double digits, double budget);
+  /// Alternates between two centres and cuts, so that comparing two sums tests both. \throws TooCostly
   Result<Mp200> at(double digits) override;
 
  private:
@@ -26,10 +30,18 @@ class QuadSum final : public ConvergingSum {
 
   Cut cut(PolarQuadFrame<Mp200> frame, double digits, double longest);
   template <Scalar W>
-  void add_cell(const PolarQuadFrame<W>& frame, const PlannedCell& cell, double digits, Result<Mp200>& total);
-  /// The sum with an absolute error of about 10^log10_error[order].
+  void add_cell(const PolarQuadFrame<W>& frame, const QuadCell& cell, QuadPoints points, Result<Mp200>& total);
+  /// A cell's digits and points.
+  struct Rule {
+    double digits = 0;
+    QuadPoints points{};
+  };
+  /// The rules for an absolute error of about 10^log10_error[order], and what they cost. \throws TooCostly
+  double plan(const Cut& cut, const std::array<double, 3>& log10_error, std::vector<Rule>& rules) const;
+  /// The sum with that error. \throws TooCostly before anything is summed
   Result<Mp200> with_error(const Cut& cut, const std::array<double, 3>& log10_error);
 
+  double budget_;
   std::array<Cut, 2> cuts_;
   int next_ = 0;
 };
