@@ -40,8 +40,8 @@ void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Resul
 /// r^2, which are known, demand; precision (50, 100, 200 digits) as the share of the result and the cancellation do.
 /// Two sums with different centres, cuts and rules are compared; `stated_digits` is the number of digits on which they
 /// agree (the better one is returned), the least over the orders asked; `converged` is stated_digits >= 30. Where that
-/// would take more than about a second (five times that for more than 30 digits), as next to reflex and doubled corners,
-/// 12 digits are tried, and else nothing is stated: NaN, `stated_digits` 0, `converged` false.
+/// would take more than about a second (five times that for more than 30 digits), as next to reflex and doubled
+/// corners, 12 digits are tried, and else nothing is stated: NaN, `stated_digits` 0, `converged` false.
 ///
 /// On the quad (nearer than 1e-120 of its extent) the weights grow like the inverse distance and no order has a limit:
 /// all entries are NaN, `stated_digits` too, and `converged` is true, as that is certain of mean value weights. (Weakly

@@ -14,9 +14,7 @@ struct Foot {
   R from_start, to_end;
 };
 
-Foot foot_of(const SegmentFrame<R>& s) {
-  return {-s.start, s.end};
-}
+Foot foot_of(const SegmentFrame<R>& s) { return {-s.start, s.end}; }
 
 }  // namespace
 
