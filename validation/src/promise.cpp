@@ -121,6 +121,10 @@ constexpr std::array table{
     Row{"cage_truth", "spherical_mean_value", "*", "*", "*", 1, 2, none,
         "next to a face the quotient rule cancels what the diverging weights share, and no terms are known to count it "
         "in"},
+    Row{"linear_reproduction", "spherical_mean_value", "*", "double", "wedge-*", 0, 0, none,
+        "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
+        "terms "
+        "are known to count it in"},
     Row{"cage_truth", "spherical_mean_value", "*", "double", "wedge-*", 0, 0, none,
         "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
         "terms "

@@ -56,14 +56,18 @@ TEST(cage_properties, hold_on_every_extreme_cage) {
   for (const auto name : extreme_cage_names()) expect_kept(embedded_cage(name), options);
 }
 
-TEST(cage_properties, hold_with_derivatives_on_an_extreme_cage_of_each_family) {
+// Of the kinds whose elements take least time: slivers need hundreds of digits.
+TEST(cage_properties, hold_with_derivatives_on_extreme_cages) {
   CageCampaignOptions options = few_points();
   options.points = 12;
   options.truth_points = 1;
   options.on_points = 8;
   options.differences = false;
-  for (const char* name : {"thin-wall-1e-9", "wedge-1e-6", "crack-1e-6", "hollow-1e-9", "gap-1e-9", "nested", "fan"})
-    expect_kept(embedded_cage(name), options);
+  for (const char* kind : {"mean_value", "green"}) {
+    options.kinds = kind;
+    for (const char* name : {"thin-wall-1e-9", "wedge-1e-6", "crack-1e-6", "hollow-1e-9", "gap-1e-9", "nested"})
+      expect_kept(embedded_cage(name), options);
+  }
 }
 
 TEST(cage_properties, hold_on_real_cages_where_they_are) {
