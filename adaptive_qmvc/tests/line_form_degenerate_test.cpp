@@ -15,6 +15,7 @@ namespace {
 template <Scalar R>
 Result<R> evaluate(const LineFormTruth& c, std::string_view name, int order) {
   std::vector<Vec3<R>> q;
+  q.reserve(c.corners.size());
   for (const auto& corner : c.corners) q.push_back(convert<R>(Vec3<double>(corner[0], corner[1], corner[2])));
   const Vec3<R> point = convert<R>(Vec3<double>(c.point[0], c.point[1], c.point[2]));
   Result<R> result;

@@ -167,6 +167,14 @@ TEST(line_form, is_finite_one_ulp_off_a_twisted_quad) {
     }
 }
 
+// There squares of the distance underflow, even in 50 digits, where singularities are looked for in doubles.
+TEST(line_form, says_so_where_the_distance_is_too_small_for_its_rules) {
+  const Corners q{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  EXPECT_TRUE(evaluate<double>("line_form", q, {0.25, 0.375, 1e-140}, 0).converged);
+  EXPECT_FALSE(evaluate<double>("line_form", q, {0.25, 0.375, 1e-162}, 0).converged);
+  EXPECT_FALSE(evaluate<double>("line_form", q, {0.25, 0.375, 5e-324}, 0).converged);
+}
+
 TEST(outer_rules, say_where_a_singularity_leaves_them_too_few_nodes) {
   const auto whole = [](double width) {
     SingularPairs<double> pairs;

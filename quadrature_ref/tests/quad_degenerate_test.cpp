@@ -50,6 +50,7 @@ const std::vector<Case>& cases() {
 
 Result<Mp50> integral(const Case& c, int order) {
   std::vector<Vec3<Mp50>> q;
+  q.reserve(c.corners.size());
   for (const Vec& corner : c.corners) q.push_back(convert<Mp50>(corner));
   Result<Mp50> result;
   const auto evaluation = EvaluationRegister::instance().find("quad.mean_value", "multiprecision");

@@ -114,6 +114,7 @@ class Hunter {
     std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, Climber>::first);
     if (ranked.size() > count) ranked.resize(count);
     std::vector<Climber> starts;
+    starts.reserve(ranked.size());
     for (auto& [rank, place] : ranked) starts.push_back(std::move(place));
     return starts;
   }

@@ -4,6 +4,7 @@
 #include "cageproof/validation/truth.h"
 
 #include <limits>
+#include <vector>
 
 namespace cageproof::validation {
 namespace {
@@ -41,8 +42,9 @@ struct Compared {
 template <Scalar R>
 Compared compared(const std::vector<R>& found, const std::vector<Mp100>& truth, bool forgiving = true) {
   Compared c;
+  const std::vector<Mp100> wide(found.begin(), found.end());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const Mp100 x(found[i]);
+    const Mp100& x = wide[i];
     const Mp100& t = truth[i];
     const Mp100 size = abs(t);
     const bool as_infinite = isinf(x) && (x > 0) == (t > 0) && !isnan(t) && Range<R>::may_overflow(size);

@@ -92,6 +92,9 @@ inline int nodes_across(double rho, double half, double growth, double order, do
   return std::max(2, static_cast<int>(std::ceil(least)));
 }
 
+/// Squares of smaller widths underflow: rules next to narrower singularities say that they do not meet their digits.
+inline constexpr double kNarrowest = 1e-150;
+
 /// From that ellipse on, where it gains a digit a node, the plain rule is taken.
 inline constexpr double kFarAcross = 3.2;
 
@@ -206,7 +209,8 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
   rule.centre = dominant->centre;
   // Beside the interval, a map as sharp as the singularity would only stretch rounding errors.
   const double outside = detail::distance_of_pair<R>({dominant->centre, 0}, lo_v, hi_v);
-  const double width = std::hypot(std::max(dominant->width, 1e-150), outside);
+  const double width = std::hypot(std::max(dominant->width, kNarrowest), outside);
+  rule.whole = width > 2 * kNarrowest;
   rule.width = R(width);
   rule.first = asinh(R((lo_v - rule.centre) / rule.width));
   rule.last = asinh(R((hi_v - rule.centre) / rule.width));
