@@ -17,7 +17,7 @@ class LimitCheck final : public Check {
   std::string_view name() const override { return "limit"; }
   std::string_view unit() const override { return "relative"; }
   std::string_view description() const override {
-    return "closed form on the element against itself 1e-40 sizes inside, in 200 digits: finite entries, and the signs "
+    return "closed form on the element against itself 1e-60 sizes inside, in 200 digits: finite entries, and the signs "
            "of infinite ones";
   }
   Cost cost(ScalarKind) const override { return Cost::Truths; }
@@ -29,7 +29,7 @@ class LimitCheck final : public Check {
     std::array<Finding, 3> findings;
     if (!in.truth.on_element) return findings;
     const Result<Mp200> on = evaluate<Mp200>(in.evaluation, in.sample, in.order);
-    const Result<Mp200> farther = inside(in, Mp200("1e-20")), nearer = inside(in, Mp200("1e-40"));
+    const Result<Mp200> farther = inside(in, Mp200("1e-40")), nearer = inside(in, Mp200("1e-60"));
     for (int o = 0; o <= in.order; ++o) {
       const auto no_limit = [](const Mp200& x) { return static_cast<bool>(isnan(x)); };
       if (std::ranges::all_of(on.of(o), no_limit)) {

@@ -10,12 +10,19 @@
 
 namespace cageproof::quadrature_ref {
 
-/// Square root of the sum of squares.
+/// Square root of the sum of squares, also where these leave the range of numbers.
 template <Scalar W>
 W norm(const std::vector<W>& tensor) {
   using std::sqrt;
   W square = 0;
   for (const W& entry : tensor) square += entry * entry;
+  if constexpr (!is_multiprecision<W>) {
+    if (!(square > std::numeric_limits<W>::min() * 4096 && square < std::numeric_limits<W>::max())) {
+      W length = 0;
+      for (const W& entry : tensor) length = std::hypot(length, entry);
+      return length;
+    }
+  }
   return sqrt(square);
 }
 

@@ -40,13 +40,18 @@ inline void place_near(Sample& sample, const Vec3<double>& foot, const Vec3<doub
   }
 }
 
-/// Moves the point by one ulp in one coordinate.
-inline void move_by_one_ulp(Sample& sample, RandomStream& random, int dim) {
-  double& x = sample.point[random.below(dim)];
+/// Moves the point by one ulp in that coordinate.
+inline void move_by_one_ulp_along(int axis, Sample& sample, RandomStream& random) {
+  double& x = sample.point[axis];
   // One ulp off zero is a denormal (5e-324), far below any element's size: there the ulp is that of a corner's step.
   const double size = std::max(std::abs(x), 1.0 / 64);
   const double ulp = std::nextafter(size, 2.0) - size;
   x += random_sign(random) * ulp;
+}
+
+/// Moves the point by one ulp in one coordinate.
+inline void move_by_one_ulp(Sample& sample, RandomStream& random, int dim) {
+  move_by_one_ulp_along(random.below(dim), sample, random);
 }
 
 /// Coordinates that are integers from -most to most; `flat` ones are zero, as are those beyond `dim`.

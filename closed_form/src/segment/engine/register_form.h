@@ -6,7 +6,13 @@
 
 #include "cageproof/closed_form/segment/engine/closed_form.h"
 
+#include <optional>
+
 namespace cageproof::closed_form::segment {
+
+/// Ends nearer than 2^-kExtreme, of the segment or of one, are seen in multiprecision: squares of 1/r leave double's
+/// range.
+inline constexpr int kExtreme = 400;
 
 /// What closed forms on a segment share: the ends, and at each point the frame, all in the scalar that they compute in.
 struct SharedOnSegment {
@@ -18,7 +24,16 @@ struct SharedOnSegment {
   template <Scalar R, int O>
   struct At {
     Frame<Working<R>> frame;
-    At(const Element<R>& element, const Vec3<R>& point) : frame(element.s, convert<Working<R>>(point)) {}
+    /// The same in multiprecision, where powers of distances leave double's range.
+    std::optional<Frame<Mp200>> beyond;
+
+    At(const Element<R>& element, const Vec3<R>& point) : frame(element.s, convert<Working<R>>(point)) {
+      if constexpr (!is_multiprecision<R>)
+        if (!frame.at_end && !frame.is_far() &&
+            (frame.near_exponent - frame.exponent < -kExtreme || frame.exponent < -kExtreme))
+          beyond.emplace(Segment<Mp200>{convert<Mp200>(element.s[0]), convert<Mp200>(element.s[1])},
+                         convert<Mp200>(point));
+    }
   };
 };
 
@@ -28,7 +43,8 @@ struct PutForm {
   template <Scalar R, int O>
   static void put(SharedOnSegment::At<R, O>& at, std::span<const R>, bool, std::size_t point,
                   const BatchOutput<R>& output) {
-    closed_form::put(narrowed<R>(F::template at<O, Working<R>>(at.frame)), O, point, output);
+    if (at.beyond) closed_form::put(narrowed<R>(F::template at<O, Mp200>(*at.beyond)), O, point, output);
+    else closed_form::put(narrowed<R>(F::template at<O, Working<R>>(at.frame)), O, point, output);
   }
 };
 

@@ -7,8 +7,8 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-// What one attempt may cost, in values in 50 digits: a second's for those promised; more are asked for knowingly.
-constexpr double kBudget = 1e6, kBudgetForMore = 5 * kBudget;
+// What one attempt may cost, in values in 50 digits: a few seconds' for those promised; more are asked for knowingly.
+constexpr double kBudget = 3e6, kBudgetForMore = 5 * kBudget;
 
 // What a sum falls back to where more digits cost too much.
 constexpr double kFewDigits = 12;

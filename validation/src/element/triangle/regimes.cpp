@@ -136,11 +136,16 @@ Vec sixteenths(const std::vector<Vec>& t, int i, int j) {
   return t[0] + i * along + j * across;
 }
 
-// Every other sample is moved by one ulp in one coordinate.
+// Every other sample is moved by one ulp in one coordinate; every other of these off the plane, where formulas that
+// diverge on the triangle have values.
 void place_on(Sample& sample, int i, int j, RandomStream& random) {
   sample.point = sixteenths(sample.corners, i, j);
   if (sample.index % 2 == 0) return;
-  move_by_one_ulp(sample, random, dim);
+  if (sample.index % 4 == 1) return move_by_one_ulp(sample, random, dim);
+  int axis = 0;
+  const auto& t = sample.corners;
+  (t[1] - t[0]).cross(t[2] - t[0]).cwiseAbs().maxCoeff(&axis);
+  move_by_one_ulp_along(axis, sample, random);
 }
 
 void on_face(double, RandomStream& random, Sample& sample) {

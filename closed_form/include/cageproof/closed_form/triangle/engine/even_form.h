@@ -7,6 +7,14 @@
 
 namespace cageproof::closed_form::triangle {
 
+/// The decimal digits of multiprecision, tracked or not; 0 of other types.
+template <class R>
+inline constexpr int kDigits = 0;
+template <unsigned D>
+inline constexpr int kDigits<Mp<D>> = D;
+template <unsigned D>
+inline constexpr int kDigits<Tracked<Mp<D>>> = D;
+
 /// The values of the integrals over one edge of even powers of r.
 template <class R>
 struct EvenIntegrals {
@@ -36,12 +44,43 @@ struct EvenIntegrals {
       K4 = (e.s1 * q1 - e.s0 * q0 + K2) / (R(2) * e.D2);
       K6 = (e.s1 * q1 * q1 - e.s0 * q0 * q0 + R(3) * K4) / (R(4) * e.D2);
     }
+    if constexpr (kDigits < R >> 0) set_beyond(e);
+  }
+
+ private:
+  // Next to the line beyond the ends the quotients cancel, K6 by the fourth power of the distance: there the integrals
+  // of s^-2m times binomial coefficients, in powers of -D2/s^2. In double the running error asks for more digits.
+  void set_beyond(const FrameEdge<R>& e) {
+    using std::abs;
+    const bool first = abs(e.s0) < abs(e.s1);
+    const R nearest = first ? abs(e.s0) : abs(e.s1), farthest = first ? abs(e.s1) : abs(e.s0);
+    constexpr int kDecades = 6;  // gained by each term
+    if (!(e.s0 * e.s1 > R(0)) || !(e.D2 < R(std::pow(10., -kDecades)) * nearest * nearest)) return;
+    K2 = K4 = K6 = R(0);
+    const R a = R(1) / nearest, b = R(1) / farthest;
+    R near_power = a, far_power = b;  // 1/s^(2k + 1)
+    const auto next = [&] {
+      const R integral = near_power - far_power;
+      near_power *= a * a;
+      far_power *= b * b;
+      return integral;
+    };
+    R first_part = next(), second_part = next() / R(3), third_part = next() / R(5), factor = R(1);
+    for (int k = 0; k <= kDigits<R> / kDecades + 2; ++k) {
+      K2 += factor * first_part;
+      K4 += factor * R(k + 1) * second_part;
+      K6 += factor * R((k + 1) * (k + 2) / 2) * third_part;
+      first_part = second_part;
+      second_part = third_part;
+      third_part = next() / R(2 * k + 7);
+      factor *= -e.D2;
+    }
   }
 };
 
 /// w_t^k = int Gamma_k x.n/r^4 near the triangle, off it, up to degree N <= 2. With d the height, F = sum h K2 and G_k
-/// = sum (nu.g_k) K2 over the edges, w_k = (d G_k - Gamma_k F/d)/2; in the triangle's plane w_k = d (G_k + Gamma_k sum
-/// h K4)/2 to first order in d.
+/// = sum (nu.g_k) K2 over the edges, w_k = (d G_k - Gamma_k F/d)/2; in the triangle's plane, and next to it, w_k = d
+/// (G_k + Gamma_k sum h K4)/2 to first order in d, the next being the third.
 template <class R, int N>
 class EvenForm {
  public:
@@ -49,11 +88,24 @@ class EvenForm {
 
   const Frame<R>& frame() const { return frame_; }
   /// \pre the point is not on the triangle
-  std::array<Taylor<R, N>, 3> mean_value() const { return frame_.d == R(0) ? in_plane() : off_plane(); }
+  std::array<Taylor<R, N>, 3> mean_value() const { return is_flat() ? in_plane() : off_plane(); }
 
  private:
   static constexpr int K = N >= 1 ? N - 1 : 0;
 
+  // Whether d is next to nothing beside the distance: off the plane each derivative divides by d, while in it what is
+  // left out of second derivatives is d over the distance.
+  bool is_flat() const {
+    if (frame_.d == R(0)) return true;
+    if constexpr (kDigits < R >> 0) {
+      using std::abs;
+      const auto& e = frame_.edges;
+      const bool within = e[0].h >= R(0) && e[1].h >= R(0) && e[2].h >= R(0);
+      return !within && abs(frame_.d) < R(std::pow(10., -0.31 * kDigits<R>)) * distance_of(frame_);
+    } else {
+      return false;
+    }
+  }
   std::array<Taylor<R, N>, 3> off_plane() const;
   std::array<Taylor<R, N>, 3> in_plane() const;
   // G = sum (nu.g) K2.
@@ -141,7 +193,7 @@ std::array<Taylor<R, N>, 3> EvenForm<R, N>::in_plane() const {
     Taylor<R, K> y;
     y.add(R(1), weighted(g));
     y.add_linear(frame_.hat(k), g, heights);
-    w[k].add_linear(R(0), frame_.n, y);
+    w[k].add_linear(frame_.d, frame_.n, y);
     w[k] *= R(1) / R(2);
   }
   return w;

@@ -14,22 +14,6 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// Distance of the triangle from the point.
-template <class R>
-R distance_of(const Frame<R>& f) {
-  using std::abs, std::sqrt;
-  bool within = true;
-  for (const FrameEdge<R>& e : f.edges) within = within && e.h >= R(0);
-  if (within) return abs(f.d);
-  R least = f.farthest();
-  for (const FrameEdge<R>& e : f.edges) {
-    const bool foot = e.s0 <= R(0) && e.s1 >= R(0);
-    const R nearest = foot ? R(sqrt(e.D2)) : e.r0 < e.r1 ? e.r0 : e.r1;
-    if (nearest < least) least = nearest;
-  }
-  return least;
-}
-
 /// How far the point is, as the Gauss-Legendre rule sees it: on a segment of length l whose ends are r0 and r1 away the
 /// integrand's singularities lie on the ellipse rho + 1/rho = 2 (r0 + r1)/l, and the rule's error falls like rho^(-2n).
 /// A lower bound of rho over all segments within the triangle, above 1 down to the triangle: (r0 + r1)/l >= sqrt(1 + (2

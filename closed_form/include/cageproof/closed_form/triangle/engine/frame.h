@@ -206,6 +206,22 @@ void Frame<R>::set(const Triangle<R>& t, const Vec3<R>& eta) requires std::same_
   }
 }
 
+/// Distance of the triangle from the point.
+template <class R>
+R distance_of(const Frame<R>& f) {
+  using std::abs, std::sqrt;
+  bool within = true;
+  for (const FrameEdge<R>& e : f.edges) within = within && e.h >= R(0);
+  if (within) return abs(f.d);
+  R least = f.farthest();
+  for (const FrameEdge<R>& e : f.edges) {
+    const bool foot = e.s0 <= R(0) && e.s1 >= R(0);
+    const R nearest = foot ? R(sqrt(e.D2)) : e.r0 < e.r1 ? e.r0 : e.r1;
+    if (nearest < least) least = nearest;
+  }
+  return least;
+}
+
 /// A frame's number as a tracked one. In its own type it is the outcome of at most eight roundings, from a wider one it
 /// is rounded once.
 template <class R, Scalar S>
