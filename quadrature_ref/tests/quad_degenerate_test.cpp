@@ -73,7 +73,7 @@ TEST(Quad, multiprecision_keeps_its_word_and_ends_above_degenerate_corners) {
     for (const int order : {0, 2}) {
       const Result<Mp50> found = integral(c, order);
       // Each point costs some microseconds in 50 digits, and three times that with derivatives: it ends in time.
-      EXPECT_LT(found.nodes * (1 + order), 1200000) << c.name << ' ' << order;
+      EXPECT_LT(found.nodes * (1 + order), 3600000) << c.name << ' ' << order;
       if (found.stated_digits == 0) {
         EXPECT_FALSE(found.converged) << c.name;
         continue;

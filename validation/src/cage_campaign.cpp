@@ -110,8 +110,8 @@ void add_on_cage(CageRows& rows, const Cage& cage, const CageCoordinates& coordi
     rows.add("linear_reproduction", place, 0,
              on ? errors_at(coordinates, cage, p.point, 1, 0).reproduction[0] : CageError(), !p.exact, p.point,
              p.index);
-  rows.add_relative("limit_from_inside", place, 0, inside_limit_error_at(coordinates, cage, locator, p.point), !p.exact,
-                    p.point, p.index);
+  if (const auto error = inside_limit_error_at(coordinates, cage, locator, p.point))
+    rows.add_relative("limit_from_inside", place, 0, *error, !p.exact, p.point, p.index);
 }
 
 // Every n-th, so that at most so many are left.
@@ -300,11 +300,12 @@ class MeshMeasurement final : public Measurement {
 
 }  // namespace
 
-double inside_limit_error_at(const CageCoordinates& coordinates, const Cage& cage, const CageLocator& locator,
-                             const Vec3<double>& point) {
+std::optional<double> inside_limit_error_at(const CageCoordinates& coordinates, const Cage& cage,
+                                            const CageLocator& locator, const Vec3<double>& point) {
   const std::vector<Touching> on = coordinates.elements().touching(point);
   constexpr double step = 1e-11, least_room = 1e-4;
-  if (on.empty() || locator.distance_but_to(on, point) < least_room * cage.size()) return NAN;
+  if (on.empty()) return NAN;
+  if (locator.distance_but_to(on, point) < least_room * cage.size()) return std::nullopt;
   Vec3<double> direction = Vec3<double>::Zero();
   for (const Touching& touch : on) direction -= coordinates.elements().normal_at(touch);
   Vec3<double> near = point + step * cage.size() * direction.normalized();
@@ -315,7 +316,7 @@ double inside_limit_error_at(const CageCoordinates& coordinates, const Cage& cag
     for (int c = 0; c < cage.dimension(); ++c) direction[c] = random.uniform(-1, 1);
     near = point + step * cage.size() * direction.normalized();
   }
-  if (locator.winding(near) != 1) return NAN;
+  if (locator.winding(near) != 1) return std::nullopt;
   const auto limit = coordinates.at<double>(point, 0), inside = coordinates.at<double>(near, 0);
   if (!coordinates.kind().missing_because.empty() && std::isnan(limit[0].value[0] + inside[0].value[0])) return NAN;
   double worst = 0;

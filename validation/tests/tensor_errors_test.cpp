@@ -61,7 +61,11 @@ TEST(tensor_errors, take_an_infinity_for_what_doubles_cannot_hold) {
   EXPECT_EQ(error({inf, 1}, {beyond, 1}), 0);
   EXPECT_EQ(error({-inf, 1}, {beyond, 1}), inf);
   EXPECT_EQ(error({most, 1}, {beyond, 1}), inf);
-  EXPECT_NEAR(error({inf, 2.5}, {beyond, 1}) * u, 1.5, 1e-12);
+  // What is below a rounding of the largest entry says nothing; what is not has a norm of its own.
+  EXPECT_EQ(error({inf, 2.5}, {beyond, 1}), 0);
+  EXPECT_EQ(error({inf, inf}, {beyond, -1}), 0);
+  EXPECT_EQ(error({inf, std::numeric_limits<double>::quiet_NaN()}, {beyond, 1}), inf);
+  EXPECT_NEAR(error({inf, 2.5e300}, {Mp100("1e310"), Mp100("1e300")}) * u, 1.5, 1e-12);
   // Next to the largest double rounding decides.
   EXPECT_EQ(error({inf}, {Mp100(most)}), 0);
   EXPECT_LT(error({most}, {Mp100(most) * (1 + Mp100(u) / 2)}), 1);
