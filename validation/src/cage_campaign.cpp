@@ -311,7 +311,7 @@ std::optional<double> inside_limit_error_at(const CageCoordinates& coordinates, 
   Vec3<double> near = point + step * cage.size() * direction.normalized();
   // Against the mean normal lies the inside of all but saddles; there another direction does.
   for (std::uint64_t attempt = 0; !(direction.norm() > 0.1) || !locator.inside(near); ++attempt) {
-    if (attempt == 1000) return NAN;
+    if (attempt == 1000) return std::nullopt;
     RandomStream random(1, "inward", attempt);
     for (int c = 0; c < cage.dimension(); ++c) direction[c] = random.uniform(-1, 1);
     near = point + step * cage.size() * direction.normalized();

@@ -62,8 +62,8 @@ double expected_sum(const CoordinateKind& kind, const CageLocator& locator, cons
 
 /// Largest difference, in units of the cage's size, between the coordinates at a point on the cage (hat functions for
 /// interpolating kinds) and those 1e-11 sizes inside it, which come from the formulas alone; NaN off the cage. Nothing
-/// where the rest of the cage is so near, within 1e-4 sizes, that coordinates change over that step, and where the
-/// inside overlaps another part.
+/// where the rest of the cage is so near, within 1e-4 sizes, that coordinates change over that step, where the inside
+/// overlaps another part, and where it is so sharp that a thousand directions miss it.
 std::optional<double> inside_limit_error_at(const CageCoordinates& coordinates, const Cage& cage,
                                             const CageLocator& locator, const Vec3<double>& point);
 
