@@ -29,6 +29,7 @@ struct ElementCase {
 
 std::vector<std::string_view> names_of_scalars() {
   std::vector<std::string_view> names;
+  names.reserve(scalar_kinds.size());
   for (const ScalarKind kind : scalar_kinds) names.push_back(name_of(kind));
   return names;
 }
