@@ -25,8 +25,9 @@ TEST(shared_data, real_cages_and_meshes_read_whole) {
       EXPECT_GT(testing_support::volume(cage), 0) << path;
     }
     // Deformed cages may cross themselves, and stay cages.
-    if (const auto path = folder / (m.name + "_Cage_Deformed.obj"); std::filesystem::exists(path))
+    if (const auto path = folder / (m.name + "_Cage_Deformed.obj"); std::filesystem::exists(path)) {
       EXPECT_EQ(read_cage(path).faces().size(), m.cage_faces) << path;
+    }
     if (const auto path = folder / (m.name + ".obj"); std::filesystem::exists(path)) {
       const Mesh mesh = read_mesh(path);
       EXPECT_EQ(mesh.vertices.size(), m.mesh_vertices) << path;
