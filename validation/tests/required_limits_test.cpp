@@ -70,7 +70,7 @@ TEST(limits, that_must_exist_are_found_by_the_integral) {
       const Result<Mp50> found = evaluate<Mp50>(*integral, sample, 2);
       for (int o = 0; o < 3; ++o)
         for (const Mp50& x : found.of(o))
-          if (required[o]) EXPECT_TRUE(isfinite(x)) << formula.name << ", order " << o << ", " << point.transpose();
+          EXPECT_TRUE(!required[o] || isfinite(x)) << formula.name << ", order " << o << ", " << point.transpose();
     }
   }
 }
