@@ -4,4 +4,5 @@
 
 namespace cageproof::closed_form::triangle {
 CAGEPROOF_MOMENTS(, Mp100)
+CAGEPROOF_FAR_MOMENTS(, Mp100)
 }  // namespace cageproof::closed_form::triangle

@@ -4,4 +4,5 @@
 
 namespace cageproof::closed_form::triangle {
 CAGEPROOF_MOMENTS(, Mp200)
+CAGEPROOF_FAR_MOMENTS(, Mp200)
 }  // namespace cageproof::closed_form::triangle

@@ -17,11 +17,22 @@
   prefix template class EvenForm<R, 2>;    \
   prefix template struct Frame<R>;
 
+// The far form in multiprecision, which every formula asks for.
+#define CAGEPROOF_FAR_MOMENTS(prefix, R)  \
+  prefix template class FarForm<R, 0, 0>; \
+  prefix template class FarForm<R, 1, 1>; \
+  prefix template class FarForm<R, 2, 2>; \
+  prefix template class FarForm<R, 2, 1>; \
+  prefix template class FarForm<R, 3, 2>; \
+  prefix template class FarForm<R, 4, 3>;
+
 namespace cageproof::closed_form::triangle {
 #ifndef CAGEPROOF_MOMENTS_HERE
 CAGEPROOF_MOMENTS(extern, double)
 CAGEPROOF_MOMENTS(extern, Mp100)
 CAGEPROOF_MOMENTS(extern, Mp200)
+CAGEPROOF_FAR_MOMENTS(extern, Mp100)
+CAGEPROOF_FAR_MOMENTS(extern, Mp200)
 CAGEPROOF_MOMENTS(extern, Tracked<double>)
 CAGEPROOF_MOMENTS(extern, Tracked<DoubleDouble>)
 CAGEPROOF_MOMENTS(extern, Tracked<Mp200>)
