@@ -60,7 +60,7 @@ struct EvenIntegrals {
     const R a = R(1) / nearest, b = R(1) / farthest;
     R near_power = a, far_power = b;  // 1/s^(2k + 1)
     const auto next = [&] {
-      const R integral = near_power - far_power;
+      R integral = near_power - far_power;
       near_power *= a * a;
       far_power *= b * b;
       return integral;

@@ -227,8 +227,12 @@ R distance_of(const Frame<R>& f) {
 template <class R, Scalar S>
 R tracked_from(const S& x) {
   using T = decltype(R::value);
-  const T value(x);
-  return R(value, (std::same_as<T, S> ? 8 : 1) * size_of(value));
+  if constexpr (std::same_as<T, S>) {
+    return R(x, 8 * size_of(x));
+  } else {
+    const T value(x);
+    return R(value, size_of(value));
+  }
 }
 
 template <class R>
