@@ -78,9 +78,10 @@ CageTerms::CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation
 
 double CageTerms::weight_of(std::size_t b, int coordinate) const {
   const CoordinateBlock& block = coordinates_.blocks()[b];
-  return block.reproduces == Reproduces::Normals
-             ? std::abs(block.normal_factor) * coordinates_.elements().normals()[coordinate].norm()
-             : coordinates_.elements().vertices()[coordinate].norm();
+  if (block.reproduces == Reproduces::Normals)
+    return std::abs(block.normal_factor) * coordinates_.elements().normals()[coordinate].norm();
+  // Blocks of elements that reproduce nothing have no position.
+  return block.per_vertex ? coordinates_.elements().vertices()[coordinate].norm() : 0;
 }
 
 CageTerms::Sums CageTerms::sums_of_terms(const Vec3<double>& point, int order) const {
