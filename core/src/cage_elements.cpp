@@ -1,14 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/cage_elements.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace cageproof {
+namespace {
+
+// In a unit in which products neither overflow nor underflow.
+std::vector<Vec3<double>> of_unit_size(std::vector<Vec3<double>> corners) {
+  double largest = 0;
+  for (const Vec3<double>& p : corners) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  for (Vec3<double>& p : corners)
+    for (double& x : p) x = std::ldexp(x, -exponent);
+  return corners;
+}
+
+}  // namespace
 
 CageElements::CageElements(const Cage& cage, bool keep_quads, Triangulation rule)
     : dimension_(cage.dimension()), vertices_(cage.vertices()) {
   Cage::Parts parts = cage.parts(keep_quads, rule);
   elements_ = std::move(parts.elements);
   face_of_ = std::move(parts.face_of);
-  for (std::size_t e = 0; e < elements_.size(); ++e) normals_.push_back(type(e).extent(corners(e)).normalized());
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    normals_.push_back(type(e).extent(of_unit_size(corners(e))).normalized());
 }
 
 std::span<const int> CageElements::vertices_of(std::size_t element) const {

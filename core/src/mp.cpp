@@ -57,6 +57,10 @@ Mp<D>::Mp(Exactly, double value) {
   construct<D>(&number_, value);
 }
 template <unsigned D>
+Mp<D>::Mp(Exactly, long double value) {
+  construct<D>(&number_, value);
+}
+template <unsigned D>
 Mp<D>::Mp(Exactly, long long value) {
   construct<D>(&number_, value);
 }
@@ -72,6 +76,10 @@ float Mp<D>::to_float() const {
 template <unsigned D>
 double Mp<D>::to_double() const {
   return static_cast<double>(number_of(*this));
+}
+template <unsigned D>
+long double Mp<D>::to_long_double() const {
+  return static_cast<long double>(number_of(*this));
 }
 template <unsigned D>
 long long Mp<D>::to_integer() const {
@@ -238,9 +246,11 @@ CAGEPROOF_MP_CONSTANT(nan, std::numeric_limits<MpNumber<D>>::quiet_NaN())
 #define CAGEPROOF_MP_50(name) template Mp<50> name(const Mp<50>&);
 #define CAGEPROOF_MP_100(name) template Mp<100> name(const Mp<100>&);
 #define CAGEPROOF_MP_200(name) template Mp<200> name(const Mp<200>&);
+#define CAGEPROOF_MP_800(name) template Mp<800> name(const Mp<800>&);
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_50)
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_100)
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_200)
+CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_800)
 #define CAGEPROOF_MP_INSTANCE(R)                                  \
   template R operator+(const R&, const R&);                       \
   template R operator-(const R&, const R&);                       \
@@ -265,17 +275,26 @@ CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_200)
 CAGEPROOF_MP_INSTANCE(Mp<50>)
 CAGEPROOF_MP_INSTANCE(Mp<100>)
 CAGEPROOF_MP_INSTANCE(Mp<200>)
+CAGEPROOF_MP_INSTANCE(Mp<800>)
 template class Mp<50>;
 template class Mp<100>;
 template class Mp<200>;
+template class Mp<800>;
 template struct MpConstants<50>;
 template struct MpConstants<100>;
 template struct MpConstants<200>;
+template struct MpConstants<800>;
 template Mp<50>::Mp(const Mp<100>&);
 template Mp<50>::Mp(const Mp<200>&);
 template Mp<100>::Mp(const Mp<50>&);
 template Mp<100>::Mp(const Mp<200>&);
 template Mp<200>::Mp(const Mp<50>&);
 template Mp<200>::Mp(const Mp<100>&);
+template Mp<50>::Mp(const Mp<800>&);
+template Mp<100>::Mp(const Mp<800>&);
+template Mp<200>::Mp(const Mp<800>&);
+template Mp<800>::Mp(const Mp<50>&);
+template Mp<800>::Mp(const Mp<100>&);
+template Mp<800>::Mp(const Mp<200>&);
 
 }  // namespace cageproof

@@ -24,9 +24,6 @@ constexpr std::string_view recommended = "@(closed_form|line_form|recommended)";
 // First match wins. Bounds of conditioned rows are in units of the rounding error times conditioning.
 constexpr std::array table{
     // The gate: the closed form in multiprecision against the integral.
-    Row{"*", "quad.mean_value", "*", "*", "tiny", 0, 2, none,
-        "the line form does not see distances below 1e-150 sizes, nor sizes below 1e-300: it says that it did not "
-        "converge"},
     Row{"integral", "*", "*", "*", "*", 0, 2, 1e-30, "30 digits, wherever the integral reaches them"},
     Row{"enclosure", "*", "*", "*", "*", 0, 2, 1, "the enclosure is a proof: the integral lies in it"},
     Row{"limit", "*.mean_value", "*", "*", "@(on-edge|on-vertex)", 0, 0, none,

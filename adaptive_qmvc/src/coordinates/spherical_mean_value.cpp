@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -80,9 +81,21 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
                                  convert<R>(eta));
   }
 
-  // The sum over all elements, divided by its total.
+  // The sum over all elements, divided by its total. In double, where squares or reciprocals of distances leave its
+  // range, values come from 200 digits.
   template <class N, Scalar R>
   void put(const Vec3<R>& eta, std::size_t point, int order, CoordinateTable<R>& table) const {
+    std::vector<N> found = sum<N>(eta, order);
+    if constexpr (std::same_as<N, double>) {
+      if (std::ranges::any_of(found, [](double x) { return !std::isfinite(x); }))
+        std::ranges::transform(sum<Mp200>(convert<Mp200>(eta), order), found.begin(),
+                               [](const Mp200& x) { return static_cast<double>(x); });
+    }
+    for (std::size_t v = 0; v < found.size(); ++v) store<N>(found[v], v, point, order, table);
+  }
+
+  template <class N, Scalar R>
+  std::vector<N> sum(const Vec3<R>& eta, int order) const {
     std::vector<N> found(elements_.vertices().size(), N(R(0)));
     Result<R> of_triangle;
     for (std::size_t e = 0; e < elements_.count(); ++e) {
@@ -98,9 +111,10 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
         for (std::size_t k = 0; k < 3; ++k) found[vertices[k]] += number<N>(of_triangle, order, k);
       }
     }
-    N sum(R(0));
-    for (const N& w : found) sum += w;
-    for (std::size_t v = 0; v < found.size(); ++v) store<N>(found[v] /= sum, v, point, order, table);
+    N total(R(0));
+    for (const N& w : found) total += w;
+    for (N& w : found) w /= total;
+    return found;
   }
 
   template <class N, Scalar R>

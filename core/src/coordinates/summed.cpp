@@ -36,11 +36,20 @@ CoordinateBlock block_of(const CoordinateKind& kind, const SummedBlock& spec, co
   return block;
 }
 
+int largest_exponent(const std::vector<Vec3<double>>& points) {
+  double largest = 0;
+  for (const Vec3<double>& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return largest > 0 ? std::ilogb(largest) : 0;
+}
+
 class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
  public:
   SummedCoordinates(const CoordinateKind& kind, std::shared_ptr<const CageElements> elements,
                     const CoordinateOptions& options)
-      : normalised_(kind.normalised), elements_(std::move(elements)), parameters_(options.parameters) {
+      : normalised_(kind.normalised),
+        elements_(std::move(elements)),
+        exponent_(largest_exponent(elements_->vertices())),
+        parameters_(options.parameters) {
     for (std::size_t e = 0; e < elements_->count(); ++e)
       add_evaluations(kind, elements_->type(e).kind, options.evaluation);
     const ElementKind first = elements_->type(0).kind;
@@ -107,10 +116,12 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     return elements_->touching(rounded);
   }
 
+  // In units of 2^-exponent, exactly.
   template <Scalar R>
-  std::span<const Vec3<R>> corners_of(std::size_t e, std::array<Vec3<R>, 4>& storage) const {
+  std::span<const Vec3<R>> corners_of(std::size_t e, std::array<Vec3<R>, 4>& storage, int exponent = 0) const {
     const auto vertices = elements_->vertices_of(e);
-    for (std::size_t k = 0; k < vertices.size(); ++k) storage[k] = convert<R>(elements_->vertices()[vertices[k]]);
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+      storage[k] = in_unit(convert<R>(elements_->vertices()[vertices[k]]), exponent);
     return std::span(storage).first(vertices.size());
   }
 
@@ -125,10 +136,38 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     return output;
   }
 
-  // Points off the cage, which stand in the tables from point `first` on.
+  template <Scalar R>
+  static Vec3<R> in_unit(const Vec3<R>& p, int exponent) {
+    using std::ldexp;
+    return exponent == 0 ? p : Vec3<R>(ldexp(p[0], exponent), ldexp(p[1], exponent), ldexp(p[2], exponent));
+  }
+
+  // Points off the cage, which stand in the tables from point `first` on. Weights grow like 1/distance, and may leave
+  // double's range where coordinates, which have no unit, do not: such points are summed again in a small unit.
   template <Scalar R>
   void sum_off(std::span<const Vec3<R>> points, std::size_t first, int order,
                std::span<CoordinateTable<R>> tables) const {
+    if (!normalised_ || is_multiprecision<R>) return sum_in_unit(points, first, order, tables, 0);
+    const int exponent = std::abs(exponent_) > kComfortable<R> ? -exponent_ : 0;
+    sum_in_unit(points, first, order, tables, exponent);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const std::size_t stride = tables[0].stride[0], at = (first + p) * stride;
+      const std::span<const R> values = std::span<const R>(tables[0].tensors[0]).subspan(at, stride);
+      if (std::ranges::all_of(values, [](const R& x) { return x - x == R(0); })) continue;
+      for (int o = 0; o <= order; ++o) {
+        const std::size_t width = tables[0].stride[o];
+        std::fill_n(tables[0].tensors[o].begin() + static_cast<std::ptrdiff_t>((first + p) * width), width, R(0));
+      }
+      sum_in_unit<R>(points.subspan(p, 1), first + p, order, tables, kSmallUnit<R> - exponent_);
+    }
+  }
+
+  template <Scalar R>
+  void sum_in_unit(std::span<const Vec3<R>> given, std::size_t first, int order, std::span<CoordinateTable<R>> tables,
+                   int exponent) const {
+    std::vector<Vec3<R>> moved;
+    for (std::size_t p = 0; exponent != 0 && p < given.size(); ++p) moved.push_back(in_unit(given[p], exponent));
+    const std::span<const Vec3<R>> points = exponent == 0 ? given : moved;
     const std::vector<R> parameters(parameters_.begin(), parameters_.end());
     std::vector<BatchOutput<R>> outputs;
     for (std::size_t b = 0; b < blocks_.size(); ++b) outputs.push_back(output_for(b, first, tables[b]));
@@ -141,7 +180,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
         members[b] = &evaluations[b];
         outputs[b].slots = blocks_[b].per_vertex ? elements_->vertices_of(e) : std::span(&own_slot, 1);
       }
-      Evaluation::together<R>(members, Batch<R>{corners_of(e, storage), points, order, parameters}, outputs);
+      Evaluation::together<R>(members, Batch<R>{corners_of(e, storage, exponent), points, order, parameters}, outputs);
     }
     if (!normalised_) return;
     const std::size_t size = blocks_[0].size;
@@ -149,6 +188,9 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
       std::array<R*, 3> weights{};
       for (int o = 0; o <= order; ++o) weights[o] = outputs[0].tensors[o] + p * outputs[0].stride[o];
       normalise(weights, size, elements_->dimension(), order);
+      using std::ldexp;
+      for (int o = 1; exponent != 0 && o <= order; ++o)
+        for (R& x : std::span(weights[o], outputs[0].stride[o])) x = ldexp(x, o * exponent);
     }
   }
 
@@ -202,8 +244,16 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     if (jumps) add_basis(whole);
   }
 
+  // Cages whose largest coordinate has an exponent of at most that size are summed in their own unit.
+  template <Scalar R>
+  static constexpr int kComfortable = std::same_as<R, float> ? 40 : 300;
+  // That exponent, where weights would overflow: at the least distance, second derivatives do not then.
+  template <Scalar R>
+  static constexpr int kSmallUnit = std::same_as<R, float> ? 100 : 800;
+
   bool normalised_;
   std::shared_ptr<const CageElements> elements_;
+  int exponent_;  // of the largest coordinate
   std::vector<double> parameters_;
   std::array<ElementEvaluations, element_kinds.size()> evaluations_;
   std::vector<CoordinateBlock> blocks_;

@@ -19,11 +19,12 @@
 namespace cageproof {
 
 template <class T>
-concept BuiltinNumber = std::integral<T> || std::same_as<T, float> || std::same_as<T, double>;
+concept BuiltinNumber =
+    std::integral<T> || std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, long double>;
 
-/// A binary floating-point number with `Digits` decimal digits: 50, 100 or 200. Every operation and function is MPFR's,
-/// rounded to nearest; it lies in place, without memory of its own. Built-in numbers are taken exactly. The default is
-/// zero.
+/// A binary floating-point number with `Digits` decimal digits: 50, 100, 200 or 800. Every operation and function is
+/// MPFR's, rounded to nearest; it lies in place, without memory of its own. Built-in numbers are taken exactly. The
+/// default is zero.
 template <unsigned Digits>
 class Mp {
  public:
@@ -48,6 +49,7 @@ class Mp {
     if constexpr (std::same_as<T, bool>) return !is_zero();
     else if constexpr (std::same_as<T, float>) return to_float();
     else if constexpr (std::same_as<T, double>) return to_double();
+    else if constexpr (std::same_as<T, long double>) return to_long_double();
     else if constexpr (std::is_signed_v<T>) return static_cast<T>(to_integer());
     else return static_cast<T>(to_unsigned());
   }
@@ -66,16 +68,19 @@ class Mp {
  private:
   struct Exactly {};
   Mp(Exactly, double value);
+  Mp(Exactly, long double value);
   Mp(Exactly, long long value);
   Mp(Exactly, unsigned long long value);
   template <BuiltinNumber T>
   static constexpr auto widest(T value) {
-    if constexpr (std::floating_point<T>) return static_cast<double>(value);
+    if constexpr (std::same_as<T, long double>) return value;
+    else if constexpr (std::floating_point<T>) return static_cast<double>(value);
     else if constexpr (std::is_signed_v<T>) return static_cast<long long>(value);
     else return static_cast<unsigned long long>(value);
   }
   float to_float() const;
   double to_double() const;
+  long double to_long_double() const;
   long long to_integer() const;
   unsigned long long to_unsigned() const;
   std::byte* limbs() { return number_.data() + kHead; }

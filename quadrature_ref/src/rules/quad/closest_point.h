@@ -15,7 +15,7 @@ struct ClosestPoint {
 /// finds inside from the local minima of a grid. (Any point would do: the integral is cut there, not approximated.)
 ClosestPoint closest_point(const QuadFrame<Mp200>& q);
 
-/// Whether eta lies on the quad: nearer than 1e-120 of its extent.
+/// Whether eta lies on the quad as far as 200 digits tell: nearer than 1e-120 of its extent.
 bool is_on_quad(const QuadFrame<Mp200>& q, const ClosestPoint& c);
 
 }  // namespace cageproof::quadrature_ref

@@ -2,7 +2,10 @@
 #include "../converted.h"
 #include "quad_sum.h"
 
+#include "cageproof/core/quad_geometry.h"
 #include "cageproof/quadrature_ref/quad_rules.h"
+
+#include <algorithm>
 
 namespace cageproof::quadrature_ref {
 namespace {
@@ -12,6 +15,15 @@ constexpr double kBudget = 3e6, kBudgetForMore = 5 * kBudget;
 
 // What a sum falls back to where more digits cost too much.
 constexpr double kFewDigits = 12;
+
+// Whether eta, next to the quad, lies on it: decided exactly, for doubles. Others are off it.
+bool lies_on_quad(const Query<Mp200>& query) {
+  const auto rounded = [](const Vec3<Mp200>& x) { return cageproof::convert<double>(x); };
+  const auto is_double = [&](const Vec3<Mp200>& x) { return cageproof::convert<Mp200>(rounded(x)) == x; };
+  if (!std::ranges::all_of(query.corners, is_double) || !is_double(query.point)) return false;
+  const auto& q = query.corners;
+  return on_quad({rounded(q[0]), rounded(q[1]), rounded(q[2]), rounded(q[3])}, rounded(query.point)).has_value();
+}
 
 }  // namespace
 
@@ -25,7 +37,8 @@ void quad::integrate_multiprecision(const Integrand& integrand, const Query<R>& 
   const ClosestPoint c = closest_point(*q);
   if (is_on_quad(*q, c)) {
     fill_not_a_number(result);
-    result.converged = true;
+    result.converged = lies_on_quad(exact.query);
+    if (!result.converged) result.stated_digits = 0;
     return;
   }
   for (const double asked : {digits, kDigitsPromised, kFewDigits}) {

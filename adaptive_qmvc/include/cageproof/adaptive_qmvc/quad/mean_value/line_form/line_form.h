@@ -8,6 +8,7 @@
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_values.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/seen_quad.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
 #include "cageproof/core/batch.h"
 #include "cageproof/core/quad_geometry.h"
@@ -30,12 +31,13 @@ void add_line(const LocalFrame<R>& q, const LineArea<R>& area, const R& s, const
               WeightSums<R, Order>& sums) {
   using std::sqrt;
   const Vec3<R> a = q.start(s), e = q.direction(s);
-  const R first = q.first(), last = q.last();
+  const R &first = q.first, &last = q.last;
   const Vec3<R> start = a + first * e, end = a + last * e;
-  const double length2 = static_cast<double>(e.dot(e)), start2 = static_cast<double>(start.dot(start)),
-               end2 = static_cast<double>(end.dot(end));
+  using F = std::conditional_t<is_multiprecision<R>, long double, double>;
+  const F length2 = static_cast<F>(e.dot(e)), start2 = static_cast<F>(start.dot(start)),
+          end2 = static_cast<F>(end.dot(end));
   // Where the ends' distances sum up to `kFarAlongLine` lengths; their squares alone often tell.
-  const auto ends = [&] { return (std::sqrt(start2) + std::sqrt(end2)) / std::sqrt(length2); };
+  const auto ends = [&] { return static_cast<double>((std::sqrt(start2) + std::sqrt(end2)) / std::sqrt(length2)); };
   LineMoments<R> m;
   Vec3<R> x;  // the line's point at the moments' origin
   if (2 * (start2 + end2) < kFarAlongLine * kFarAlongLine * length2 || ends() < kFarAlongLine) {
@@ -85,8 +87,8 @@ void add_line(const LocalFrame<R>& q, const LineArea<R>& area, const R& s, const
 
 /// Adds a panel's lines for values in double, in packs of four; those of weight zero fill the last one.
 inline void add_values(const LocalFrame<double>& q, const LineArea<double>& area, const OuterRule<double>& rule,
-                       double lo, double hi, const GaussLegendre<double>& gauss, double digits, LineValues& values,
-                       WeightSums<double, 0>& sums) {
+                       double centre, double lo, double hi, const GaussLegendre<double>& gauss, double digits,
+                       LineValues& values, WeightSums<double, 0>& sums) {
   const int count = static_cast<int>(gauss.nodes.size());
   for (int first = 0; first < count; first += 4) {
     Lines at, weight;
@@ -101,7 +103,7 @@ inline void add_values(const LocalFrame<double>& q, const LineArea<double>& area
     if (!rule.plain) {
       // sinh and cosh: what their difference cancels is below the roundings of the width.
       const Lines grown = (rule.width / 2) * at.exp(), shrunk = (rule.width / 2) * (-at).exp();
-      s = (rule.centre - q.v0) + (grown - shrunk);
+      s = centre + (grown - shrunk);
       weight *= grown + shrunk;
     }
     if (values.add(s, weight)) continue;
@@ -111,12 +113,12 @@ inline void add_values(const LocalFrame<double>& q, const LineArea<double>& area
 
 /// Adds all lines of a rule. Returns how many.
 /// \param q about a point of the lines next to which the rule's are dense
+/// \param centre the rule's, as a step from the frame's line
 template <int Order, class R>
-std::size_t add_lines(const LocalFrame<R>& q, const OuterRule<R>& rule, std::span<const Panel> panels, double digits,
-                      WeightSums<R, Order>& sums) {
+std::size_t add_lines(const LocalFrame<R>& q, const OuterRule<R>& rule, const R& centre, std::span<const Panel> panels,
+                      double digits, WeightSums<R, Order>& sums) {
   constexpr bool values_only = Order == 0 && std::same_as<R, double>;
   const LineArea<R> area(q.a, q.e, q.w, q.n, q.n_v);
-  const R centre = rule.centre - q.v0;
   std::size_t lines = 0;
   [[maybe_unused]] std::conditional_t<values_only, LineValues, std::nullptr_t> values = [&] {
     if constexpr (values_only) return LineValues(q, area, digits);
@@ -128,7 +130,7 @@ std::size_t add_lines(const LocalFrame<R>& q, const OuterRule<R>& rule, std::spa
     const GaussLegendre<R>& gauss = gauss_rule<R>(panel.nodes);
     lines += panel.nodes;
     if constexpr (values_only) {
-      add_values(q, area, rule, lo, hi, gauss, digits, values, sums);
+      add_values(q, area, rule, centre, lo, hi, gauss, digits, values, sums);
       continue;
     }
     for (int i = 0; i < panel.nodes; ++i) {
@@ -180,6 +182,14 @@ bool lies_on_quad(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
 /// Nearer than this, doubles hold too little of the distance.
 inline constexpr double kDoubleHolds = 0x1p-46;
 
+/// Whether a side that is not zero is so short that products of its square leave doubles' range.
+inline bool has_short_side(const QuadFrame<double>& q) {
+  const auto is_short = [](const Vec3<double>& side) {
+    return (side.array() != 0).any() && side.cwiseAbs().maxCoeff() < 0x1p-70;
+  };
+  return is_short(q.e) || is_short(q.b) || is_short(q.b1) || is_short(q.e + q.w);
+}
+
 /// The four weights with derivatives, in the caller's order of corners; the tensors of each order one after the other.
 template <class R>
 struct WeightTensors {
@@ -193,6 +203,31 @@ struct WeightTensors {
     return hessian;
   }
 };
+
+/// Sums in a frame's units and order of corners, in the caller's.
+template <int Order, class R>
+void store(const WeightSums<R, Order>& sums, const FrameUnit& unit, WeightTensors<R>& weights) {
+  using std::ldexp;
+  for (int k = 0; k < 4; ++k) {
+    const auto& from = sums.corner[k];
+    const int to = unit.corner[k];
+    weights.value[to] = ldexp(unit.sign * from[0], -unit.exponent);
+    if constexpr (Order >= 1)
+      for (int i = 0; i < 3; ++i) weights.gradient[3 * to + i] = ldexp(unit.sign * from[1 + i], -2 * unit.exponent);
+    if constexpr (Order >= 2)
+      for (int i = 0, entry = 4; i < 3; ++i)
+        for (int j = i; j < 3; ++j, ++entry)
+          weights.hessian[9 * to + 3 * i + j] = weights.hessian[9 * to + 3 * j + i] =
+              ldexp(unit.sign * from[entry], -3 * unit.exponent);
+  }
+}
+
+/// On the quad the weights diverge: values are infinite, derivatives NaN.
+template <int Order, class R>
+void fill_infinite(WeightTensors<R>& weights) {
+  std::ranges::fill(weights.value, std::numeric_limits<R>::infinity());
+  for (int o = 1; o <= Order; ++o) std::ranges::fill(weights.of(o), std::numeric_limits<R>::quiet_NaN());
+}
 
 /// Weights ([T18] Eq 11) with derivatives up to Order, to `digits` digits of the integral. On the quad they diverge:
 /// values are infinite, derivatives NaN. NaN for an input that is not finite. The statement says how many lines were
@@ -213,27 +248,59 @@ Statement line_form_in_50_digits(std::span<const Vec3<R>> corners, const Vec3<R>
   return statement;
 }
 
+/// As line_form, for coordinates whose exponents are far apart.
+template <int Order, Scalar R>
+Statement line_form_of_distant(std::span<const Vec3<R>> corners, const Vec3<R>& point, double order, double digits,
+                               WeightTensors<R>& weights) {
+  Statement statement;
+  if (lies_on_quad<R>(corners, point)) {
+    fill_infinite<Order>(weights);
+    return statement;
+  }
+  WeightSums<R, Order> sums;
+  std::array<Vec3<Mp200>, 4> wide;
+  for (int k = 0; k < 4; ++k) wide[k] = convert<Mp200>(corners[k]);
+  const SeenQuad seen = see_in_800_digits(wide, convert<Mp200>(point), order, digits);
+  for (const SeenRule& rule : seen.rules) {
+    statement.nodes += add_lines<Order>(LocalFrame<R>(rule.frame), OuterRule<R>(rule.rule), static_cast<R>(rule.centre),
+                                        rule.panels, digits, sums);
+    statement.converged = statement.converged && rule.rule.whole;
+  }
+  store<Order>(sums, seen.unit, weights);
+  return statement;
+}
+
 template <int Order, Scalar R>
 Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, double digits, WeightTensors<R>& weights) {
-  using std::ldexp;
   Statement statement;
+  // The weights grow like 1/distance; in the line's variable their integrand has half an order more, and each
+  // derivative adds one.
+  constexpr double order = Order + 1.5;
+  const Exponents exponents = exponents_of(corners, point);
+  if constexpr (is_multiprecision<R>) {
+    if (exponents.finite && exponents.are_distant())
+      return line_form_of_distant<Order, R>(corners, point, order, digits, weights);
+  } else {
+    if (exponents.finite && exponents.are_extreme())
+      return line_form_in_50_digits<Order, R>(corners, point, digits, weights);
+  }
   const auto q = quad_frame<R>(corners, point);
   if (!q) {
     for (int o = 0; o <= Order; ++o) std::ranges::fill(weights.of(o), std::numeric_limits<R>::quiet_NaN());
     return statement;
   }
-  // The weights grow like 1/distance; in the line's variable their integrand has half an order more, and each
-  // derivative adds one.
-  constexpr double order = Order + 1.5;
+  if constexpr (!is_multiprecision<R>) {
+    if (exponents.are_distant() && has_short_side(*q))
+      return line_form_in_50_digits<Order, R>(corners, point, digits, weights);
+  }
   WeightSums<R, Order> sums;
   if (const double rho = ellipse_from_distance(*q); rho >= far_across<R, Order>) {
     const Panel panel = plain_panel(rho, order, digits);
-    statement.nodes = add_lines<Order>(LocalFrame<R>(*q), OuterRule<R>{}, {&panel, 1}, digits, sums);
+    statement.nodes = add_lines<Order>(LocalFrame<R>(*q), OuterRule<R>{}, R(0), {&panel, 1}, digits, sums);
   } else {
     const SingularPairs<R> singular = singular_pairs(*q);
     if (is_within(1e-12, *q, singular) && lies_on_quad<R>(corners, point)) {
-      std::ranges::fill(weights.value, std::numeric_limits<R>::infinity());
-      for (int o = 1; o <= Order; ++o) std::ranges::fill(weights.of(o), std::numeric_limits<R>::quiet_NaN());
+      fill_infinite<Order>(weights);
       return statement;
     }
     if constexpr (!is_multiprecision<R>) {
@@ -245,22 +312,11 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
     for (const OuterRule<R>& rule : across.rules) {
       const auto local =
           rule.plain ? LocalFrame<R>(*q) : frame_at<R>(*q, corners, point, std::clamp(rule.centre, rule.lo, rule.hi));
-      statement.nodes += add_lines<Order>(local, rule, across.panels_of(rule), digits, sums);
+      statement.nodes += add_lines<Order>(local, rule, R(rule.centre - local.v0), across.panels_of(rule), digits, sums);
       statement.converged = statement.converged && rule.whole;
     }
   }
-  for (int k = 0; k < 4; ++k) {
-    const auto& from = sums.corner[k];
-    const int to = q->corner[k];
-    weights.value[to] = ldexp(q->sign * from[0], -q->exponent);
-    if constexpr (Order >= 1)
-      for (int i = 0; i < 3; ++i) weights.gradient[3 * to + i] = ldexp(q->sign * from[1 + i], -2 * q->exponent);
-    if constexpr (Order >= 2)
-      for (int i = 0, entry = 4; i < 3; ++i)
-        for (int j = i; j < 3; ++j, ++entry)
-          weights.hessian[9 * to + 3 * i + j] = weights.hessian[9 * to + 3 * j + i] =
-              ldexp(q->sign * from[entry], -3 * q->exponent);
-  }
+  store<Order>(sums, q->unit, weights);
   return statement;
 }
 

@@ -45,7 +45,7 @@ class LineValues {
   /// \param s the lines' steps from the frame's
   bool add(const Lines& s, const Lines& weight) {
     const FourInRegisters at{s[0], s[1], s[2], s[3]};
-    const FourVectors a(q_.a, at, q_.b), e(q_.e, at, q_.w), start(a, q_.first(), e), end(a, q_.last(), e);
+    const FourVectors a(q_.a, at, q_.b), e(q_.e, at, q_.w), start(a, q_.first, e), end(a, q_.last, e);
     const FourInRegisters length2 = e.x * e.x + e.y * e.y + e.z * e.z;
     const FourInRegisters start2 = start.x * start.x + start.y * start.y + start.z * start.z;
     const FourInRegisters end2 = end.x * end.x + end.y * end.y + end.z * end.z;
@@ -67,7 +67,7 @@ class LineValues {
     FourInRegisters sum{}, moment{};
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
       const double u = rule.nodes[k];
-      const double t = u + q_.first();
+      const double t = u + q_.first;
       const FourInRegisters step = t - foot;
       const FourInRegisters square = least2 + length2 * step * step;
       const FourInRegisters f = rule.weights[k] * (g0 + t * g1) / (square * square);

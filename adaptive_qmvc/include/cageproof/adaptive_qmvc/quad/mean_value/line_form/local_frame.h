@@ -20,6 +20,7 @@ namespace cageproof::adaptive_qmvc {
 template <class R>
 struct LocalFrame {
   R u0 = R(0), v0 = R(0);
+  R first = R(0), last = R(1);  ///< t at the ends of the lines
   Vec3<R> a, e, b, w;
   Vec3<R> n, n_u, n_v;
   R g00, g01, g10, g11;
@@ -42,6 +43,8 @@ struct LocalFrame {
   LocalFrame(const QuadFrame<R>& q, const R& u, const R& v, const Vec3<R>& seen)
       : u0(u),
         v0(v),
+        first(-u),
+        last(1 - u),
         a(seen),
         e(q.direction(v)),
         b(q.b + u * q.w),
@@ -61,12 +64,28 @@ struct LocalFrame {
     g11 = q.g11;
   }
 
+  /// The same in another scalar, every number rounded once.
+  template <class From>
+  explicit LocalFrame(const LocalFrame<From>& q)
+      : u0(q.u0),
+        v0(q.v0),
+        first(q.first),
+        last(q.last),
+        a(q.a.template cast<R>()),
+        e(q.e.template cast<R>()),
+        b(q.b.template cast<R>()),
+        w(q.w.template cast<R>()),
+        n(q.n.template cast<R>()),
+        n_u(q.n_u.template cast<R>()),
+        n_v(q.n_v.template cast<R>()),
+        g00(q.g00),
+        g01(q.g01),
+        g10(q.g10),
+        g11(q.g11) {}
+
   /// The line v0 + s where t = 0, seen from eta, and its direction.
   Vec3<R> start(const R& s) const { return a + s * b; }
   Vec3<R> direction(const R& s) const { return e + s * w; }
-  /// t at the ends of the lines.
-  R first() const { return -u0; }
-  R last() const { return 1 - u0; }
 };
 
 /// The scalar with twice R's digits that a point next to the quad is seen in.
@@ -80,12 +99,12 @@ template <Scalar R>
 Vec3<R> seen_at(const QuadFrame<R>& q, std::span<const Vec3<R>> corners, const Vec3<R>& point, const R& u, const R& v) {
   using std::ldexp;
   using W = Seen<R>;
-  const R unit = ldexp(R(1), -q.exponent);
+  const R unit = ldexp(R(1), -q.unit.exponent);
   Vec3<R> seen;
   for (int i = 0; i < 3; ++i) {
     std::array<W, 4> x;
     for (int k = 0; k < 4; ++k) {
-      const R& corner = corners[q.corner[k]][i];
+      const R& corner = corners[q.unit.corner[k]][i];
       if constexpr (std::same_as<R, double>) {
         const W exact = W::sum(corner, -point[i]);
         x[k] = W(exact.high * unit, exact.low * unit);

@@ -19,11 +19,15 @@
 
 namespace cageproof::adaptive_qmvc {
 
+/// What widths are held in, squared and multiplied: doubles, or numbers with exponents for the most distant scalar.
+template <class R>
+using Width = std::conditional_t<std::same_as<R, Mp800>, long double, double>;
+
 /// A pair v = centre +- i width of conjugate singularities of the integrand across the lines.
 template <class R>
 struct SingularPair {
   R centre;
-  double width;
+  Width<R> width;
   bool beyond = false;  ///< the integrand has it only where it is continued past another one
 };
 
@@ -53,6 +57,21 @@ struct OuterRule {
   R first = R(0), last = R(1);     ///< s (or v) at both ends of its part; the outermost panels end there exactly
   bool whole = true;               ///< no panel has fewer nodes than its bound asks for
   std::size_t begin = 0, end = 0;  ///< its panels among those of OuterRules
+
+  OuterRule() = default;
+  /// The same in another scalar.
+  template <class From>
+  explicit OuterRule(const OuterRule<From>& r)
+      : plain(r.plain),
+        centre(r.centre),
+        width(r.width),
+        lo(r.lo),
+        hi(r.hi),
+        first(r.first),
+        last(r.last),
+        whole(r.whole),
+        begin(r.begin),
+        end(r.end) {}
 };
 
 /// Rules that cover [0, 1] together. One object serves many points, so that its memory is allocated once.
@@ -93,7 +112,17 @@ inline int nodes_across(double rho, double half, double growth, double order, do
 }
 
 /// Squares of smaller widths underflow: rules next to narrower singularities say that they do not meet their digits.
-inline constexpr double kNarrowest = 1e-150;
+template <class F>
+inline constexpr F kNarrowest = 1e-150;
+template <>
+inline constexpr long double kNarrowest<long double> = 1e-2000L;
+
+/// What a panel far from the singularity adds is that much less of the whole, a digit for each factor of ten, and needs
+/// as many digits less; but no fewer than a double's.
+inline double digits_at(double s, double digits) {
+  constexpr double kLeast = 17;
+  return std::max(std::min(digits, kLeast), digits - std::abs(s) * std::numbers::log10e);
+}
 
 /// From that ellipse on, where it gains a digit a node, the plain rule is taken.
 inline constexpr double kFarAcross = 3.2;
@@ -128,15 +157,16 @@ inline Panel plain_panel(double rho, double order, double digits) {
   return {0, 1, plain_nodes((rho + 1 / rho) / 2, order, digits)};
 }
 
-/// asinh of z, |z| moderate, without the library's care for infinities.
-inline std::complex<double> inverse_sinh(std::complex<double> z) {
+/// asinh of z, |z| such that its square is in F's range, without the library's care for infinities.
+template <class F>
+std::complex<F> inverse_sinh(std::complex<F> z) {
   if (z.real() < 0) return -inverse_sinh(-z);
   // sqrt(z^2 + 1) with a real part >= 0.
-  const double x = (z.real() - z.imag()) * (z.real() + z.imag()) + 1, y = 2 * z.real() * z.imag();
-  const double size = std::sqrt(x * x + y * y);
-  const double re = std::sqrt(std::max(0.0, (size + x) / 2)),
-               im = std::copysign(std::sqrt(std::max(0.0, (size - x) / 2)), y);
-  const double u = z.real() + re, v = z.imag() + im;
+  const F x = (z.real() - z.imag()) * (z.real() + z.imag()) + 1, y = 2 * z.real() * z.imag();
+  const F size = std::sqrt(x * x + y * y);
+  const F re = std::sqrt(std::max(F(0), (size + x) / 2)),
+          im = std::copysign(std::sqrt(std::max(F(0), (size - x) / 2)), y);
+  const F u = z.real() + re, v = z.imag() + im;
   return {std::log(u * u + v * v) / 2, std::atan2(v, u)};
 }
 
@@ -144,9 +174,9 @@ namespace detail {
 
 /// How far a pair is from [lo, hi] in v, its width included.
 template <class R>
-double distance_of_pair(const SingularPair<R>& pair, const R& lo, const R& hi) {
-  return std::max({0.0, static_cast<double>(R(lo - pair.centre)), static_cast<double>(R(pair.centre - hi))}) +
-         pair.width;
+Width<R> distance_of_pair(const SingularPair<R>& pair, const R& lo, const R& hi) {
+  using F = Width<R>;
+  return std::max({F(0), static_cast<F>(R(lo - pair.centre)), static_cast<F>(R(pair.centre - hi))}) + pair.width;
 }
 
 /// Where to cut [lo, hi] so that a pair which the map about `dominant` would leave next to the axis gets a map of its
@@ -158,9 +188,9 @@ std::optional<R> cut_between(const SingularPairs<R>& singular, const SingularPai
   std::optional<R> cut;
   double narrowest = kNarrow;
   for (const auto& pair : singular) {
-    const double gap = std::abs(static_cast<double>(R(pair.centre - dominant.centre)));
+    const Width<R> gap = std::abs(static_cast<Width<R>>(R(pair.centre - dominant.centre)));
     const R middle = (pair.centre + dominant.centre) / 2;
-    const double narrow = distance_of_pair(pair, lo, hi) / gap;
+    const auto narrow = static_cast<double>(distance_of_pair(pair, lo, hi) / gap);
     if (&pair == &dominant || pair.beyond || !(narrow < narrowest) || !(middle > lo) || !(middle < hi)) continue;
     narrowest = narrow;
     cut = middle;
@@ -181,7 +211,8 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
   for (const auto& pair : singular) {
     if (pair.beyond) continue;
     const R along = (pair.centre - lo_v) / length;
-    const double rho = ellipse_through(0, 1, {static_cast<double>(along), pair.width / static_cast<double>(length)});
+    const auto width = static_cast<double>(pair.width / static_cast<Width<R>>(length));
+    const double rho = ellipse_through(0, 1, {static_cast<double>(along), width});
     if (!(rho < nearest)) continue;
     nearest = rho;
     dominant = &pair;
@@ -208,18 +239,19 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
   rule.plain = false;
   rule.centre = dominant->centre;
   // Beside the interval, a map as sharp as the singularity would only stretch rounding errors.
-  const double outside = detail::distance_of_pair<R>({dominant->centre, 0}, lo_v, hi_v);
-  const double width = std::hypot(std::max(dominant->width, kNarrowest), outside);
-  rule.whole = width > 2 * kNarrowest;
+  using F = Width<R>;
+  const F outside = detail::distance_of_pair<R>({dominant->centre, 0}, lo_v, hi_v);
+  const F width = std::hypot(std::max(dominant->width, kNarrowest<F>), outside);
+  rule.whole = width > 2 * kNarrowest<F>;
   rule.width = R(width);
   rule.first = asinh(R((lo_v - rule.centre) / rule.width));
   rule.last = asinh(R((hi_v - rule.centre) / rule.width));
   std::array<std::complex<double>, 2 * SingularPairs<R>::most> images;
   std::size_t count = 0;
   for (const auto& pair : singular) {
-    const std::complex<double> z{static_cast<double>(R((pair.centre - rule.centre) / rule.width)), pair.width / width};
-    const std::complex<double> image =
-        z == std::complex<double>(0, 1) ? std::complex<double>(0, std::numbers::pi / 2) : inverse_sinh(z);
+    const std::complex<F> z{static_cast<F>(R((pair.centre - rule.centre) / rule.width)), pair.width / width};
+    const std::complex<double> image = z == std::complex<F>(0, 1) ? std::complex<double>(0, std::numbers::pi / 2)
+                                                                  : std::complex<double>(inverse_sinh(z));
     // Above |Im s| = pi/2 the integrand is continued past the dominant pair: half around it, and all around.
     images[count++] = pair.beyond ? std::complex<double>(image.real(), 2 * std::numbers::pi - image.imag()) : image;
     images[count++] = std::complex<double>(0, std::numbers::pi) - image;
@@ -227,7 +259,8 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
   const auto add = [&](const auto& self, double lo, double hi) -> void {
     double rho = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < count; ++i) rho = std::min(rho, ellipse_through(lo, hi, images[i]));
-    const int nodes = nodes_across(rho, (hi - lo) / 2, 2, order, digits);
+    const double nearest_s = lo < 0 && hi > 0 ? 0 : std::min(std::abs(lo), std::abs(hi));
+    const int nodes = nodes_across(rho, (hi - lo) / 2, 2, order, digits_at(nearest_s, digits));
     // Singularities on the interval itself have no rule; the panels end somewhere, and say so.
     if (nodes <= most || hi - lo < 1e-4) {
       out.panels.push_back({lo, hi, std::min(nodes, 2 * most)});

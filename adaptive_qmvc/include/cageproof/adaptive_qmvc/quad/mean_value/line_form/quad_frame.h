@@ -11,7 +11,14 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// xi - eta = a + u e + v b + u v w, in units of 2^exponent. N = n + u n_u + v n_v and
+/// How a frame's units and corners are its caller's.
+struct FrameUnit {
+  std::array<int, 4> corner;  ///< the caller's number of corners 0 .. 3
+  int sign;                   ///< -1 where the corners are taken clockwise
+  int exponent;               ///< lengths are in units of 2^exponent
+};
+
+/// xi - eta = a + u e + v b + u v w, in the frame's units. N = n + u n_u + v n_v and
 /// N.x = g00 + v g01 + u (g10 + v g11), to a rounding of their terms.
 template <class R>
 struct QuadFrame {
@@ -22,9 +29,7 @@ struct QuadFrame {
   Vec3<R> w;      ///< b1 - b: zero for a parallelogram
   Vec3<R> n, n_u, n_v;
   R g00, g01, g10, g11;
-  std::array<int, 4> corner;  ///< the caller's number of corners 0 .. 3
-  int sign;                   ///< -1 where the corners are taken clockwise
-  int exponent;
+  FrameUnit unit;
 
   /// Along the line v: its start, seen from eta, and its direction.
   Vec3<R> start(const R& v) const { return a + v * b; }
@@ -45,8 +50,8 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
       if (abs(x[k][i]) > extent) extent = abs(x[k][i]);
     }
   }
-  frexp(extent, &q.exponent);
-  const R unit = ldexp(R(1), -q.exponent);
+  frexp(extent, &q.unit.exponent);
+  const R unit = ldexp(R(1), -q.unit.exponent);
   const auto scaled = [&](const Vec3<R>& p) { return Vec3<R>(unit * p); };
   for (Vec3<R>& p : x) p = scaled(p);
   int nearest = 0;
@@ -57,10 +62,10 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
   };
   const Vec3<R> s01 = side(0, 1), s32 = side(3, 2), s03 = side(0, 3), s12 = side(1, 2);
   const bool turned = s01.dot(s01) + s32.dot(s32) < s03.dot(s03) + s12.dot(s12);
-  q.sign = turned ? -1 : 1;
-  for (int k = 0; k < 4; ++k) q.corner[k] = (nearest + (turned ? 4 - k : k)) % 4;
-  q.a = x[q.corner[0]];
-  q.a1 = x[q.corner[1]];
+  q.unit.sign = turned ? -1 : 1;
+  for (int k = 0; k < 4; ++k) q.unit.corner[k] = (nearest + (turned ? 4 - k : k)) % 4;
+  q.a = x[q.unit.corner[0]];
+  q.a1 = x[q.unit.corner[1]];
   q.e = turned ? s03 : s01;
   q.b = turned ? s01 : s03;
   q.b1 = turned ? s32 : s12;

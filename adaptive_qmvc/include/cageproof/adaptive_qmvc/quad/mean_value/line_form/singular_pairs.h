@@ -29,10 +29,11 @@ struct LineArea {
   /// a x e at a step s.
   Vec3<R> at(const R& s) const { return c0 + s * (c1 + s * c2); }
   /// Coefficients of |a x e|^2 as a polynomial in s.
-  detail::Quartic polynomial() const {
-    return {static_cast<double>(c0.dot(c0)), static_cast<double>(R(2 * c0.dot(c1))),
-            static_cast<double>(R(c1.dot(c1) + 2 * c0.dot(c2))), static_cast<double>(R(2 * c1.dot(c2))),
-            static_cast<double>(c2.dot(c2))};
+  detail::Quartic<Width<R>> polynomial() const {
+    using F = Width<R>;
+    return {static_cast<F>(c0.dot(c0)), static_cast<F>(R(2 * c0.dot(c1))),
+            static_cast<F>(R(c1.dot(c1) + 2 * c0.dot(c2))), static_cast<F>(R(2 * c1.dot(c2))),
+            static_cast<F>(c2.dot(c2))};
   }
 };
 
@@ -42,20 +43,23 @@ namespace detail {
 template <class R>
 struct Minimum {
   R centre;
-  Quartic p;     ///< about the centre
-  double depth;  ///< how far off the axis the pair is there, to first order
+  Quartic<Width<R>> p;  ///< about the centre
+  Width<R> depth;       ///< how far off the axis the pair is there, to first order
   bool settled;  ///< false where the minimum is flat, so that more than a pair of zeros may be near, or was not found
 };
 
 /// The minimum next to a line, by Newton's method.
 template <class R>
 Minimum<R> minimum_near(const QuadFrame<R>& q, const R& line) {
+  using F = Width<R>;
+  // Each round adds at least as many digits as F has.
+  constexpr int kRounds = std::same_as<F, double> ? 12 : 48;
   Minimum<R> m{line, {}, 0.5, false};
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     m.p = LineArea<R>(q, m.centre).polynomial();
     if (!(m.p[2] > 0)) return m;
-    const double shift = -m.p[1] / (2 * m.p[2]);
-    m.depth = std::sqrt(std::max(0.0, m.p[0] / m.p[2]));
+    const F shift = -m.p[1] / (2 * m.p[2]);
+    m.depth = std::sqrt(std::max(F(0), m.p[0] / m.p[2]));
     m.settled = m.depth > 0.05 || std::abs(shift) > 0.2 || std::abs(shift) <= 1e-3 * m.depth || shift == 0;
     if (m.settled) break;
     m.centre += R(shift);
@@ -68,6 +72,7 @@ Minimum<R> minimum_near(const QuadFrame<R>& q, const R& line) {
 /// one line: there |a x e|^2 is a constant and a fourth power.
 template <class R, class Add>
 void find_pairs_one_by_one(const QuadFrame<R>& q, const R& line, const Add& add) {
+  using F = Width<R>;
   // Pairs seen from a line whose distance is some times theirs from the axis have digits enough.
   constexpr double kSeen = 30;
   const auto zeros_at = [&](const R& centre) { return zeros_of(LineArea<R>(q, centre).polynomial()); };
@@ -77,29 +82,30 @@ void find_pairs_one_by_one(const QuadFrame<R>& q, const R& line, const Add& add)
   int count = 0;
   const auto add_new = [&](const SingularPair<R>& pair) {
     const auto is_same = [&](const SingularPair<R>& other) {
-      return std::hypot(static_cast<double>(R(other.centre - pair.centre)), other.width - pair.width) <=
+      return std::hypot(static_cast<F>(R(other.centre - pair.centre)), other.width - pair.width) <=
              0.1 * std::max(pair.width, other.width);
     };
     if (count == kMost || std::any_of(known.begin(), known.begin() + count, is_same)) return;
     known[count++] = pair;
     add(pair);
   };
-  const QuarticZeros first = zeros_at(line);
+  const QuarticZeros<F> first = zeros_at(line);
   for (int i = 0; i < first.count; ++i) {
     // One of each conjugate two; of a double zero all that rounding makes of it.
     if (first.zero[i].imag() < -1e-6 * std::abs(first.zero[i])) continue;
     if (!(std::abs(first.zero[i]) < 30)) continue;
     R centre = line;
-    Complex z = first.zero[i];
-    QuarticZeros seen = first;
+    Complex<F> z = first.zero[i];
+    QuarticZeros<F> seen = first;
     for (int round = 0; round < 40 && std::abs(z.real()) > 0.01 * std::abs(z.imag()); ++round) {
       const R next = centre + R(z.real());
       if (next == centre) break;
       centre = next;
       seen = zeros_at(centre);
-      const Complex expected(0, std::abs(z.imag()));
-      z = *std::min_element(seen.zero.begin(), seen.zero.begin() + seen.count,
-                            [&](Complex a, Complex b) { return std::norm(a - expected) < std::norm(b - expected); });
+      const Complex<F> expected(0, std::abs(z.imag()));
+      z = *std::min_element(seen.zero.begin(), seen.zero.begin() + seen.count, [&](Complex<F> a, Complex<F> b) {
+        return std::norm(a - expected) < std::norm(b - expected);
+      });
     }
     for (int k = 0; k < seen.count; ++k)
       if (seen.zero[k] == z || std::abs(seen.zero[k]) <= kSeen * std::abs(z))
@@ -114,7 +120,7 @@ void add_side(const Vec3<R>& p, const Vec3<R>& d, SingularPairs<R>& pairs) {
   const R square = d.dot(d);
   if (!(square > 0)) return;
   const Vec3<R> c = p.cross(d);
-  pairs.add({R(-p.dot(d) / square), static_cast<double>(R(sqrt(c.dot(c)) / square))});
+  pairs.add({R(-p.dot(d) / square), static_cast<Width<R>>(R(sqrt(c.dot(c)) / square))});
 }
 
 }  // namespace detail
@@ -144,29 +150,32 @@ double ellipse_from_distance(const QuadFrame<R>& q) {
 /// before their foot is another than along those that do not, and the sides' own singularities are where they part.
 template <class R>
 SingularPairs<R> singular_pairs(const QuadFrame<R>& q) {
+  using F = Width<R>;
   SingularPairs<R> pairs;
   detail::add_side(q.a, q.b, pairs);
   detail::add_side(q.a1, q.b1, pairs);
   const auto keep = [&](SingularPair<R> pair) {
     if (!std::isfinite(pair.width)) return;
     const Vec3<R> a = q.start(pair.centre), e = q.direction(pair.centre);
-    const double foot = -static_cast<double>(a.dot(e)) / static_cast<double>(e.dot(e));
+    const F foot = -static_cast<F>(a.dot(e)) / static_cast<F>(e.dot(e));
     // The foot's real part, to first order in the width.
-    const double margin = std::min(0.3, 4 * pair.width);
+    const F margin = std::min(F(0.3), 4 * pair.width);
     pair.beyond = !(foot >= -margin && foot <= 1 + margin);
     pairs.add(pair);
   };
   const auto p = LineArea<R>(q, R(0)).polynomial();
-  const double size = p[0] + std::abs(p[2]) + p[4];
+  const F size = p[0] + std::abs(p[2]) + p[4];
   if (!(size > 0)) return pairs;
   // Next to the real axis roots are found from the real minima, which stay accurate however close the pair is.
   std::array<double, 3> turns;
-  const int count = detail::zeros_within({p[1], 2 * p[2], 3 * p[3], 4 * p[4]}, turns);
-  const auto bend = [&](double v) { return 2 * p[2] + v * (6 * p[3] + v * 12 * p[4]); };
+  // Their size does not matter, but for doubles' range.
+  const auto scaled = [&](F x) { return static_cast<double>(std::same_as<F, double> ? x : x / size); };
+  const int count = detail::zeros_within({scaled(p[1]), 2 * scaled(p[2]), 3 * scaled(p[3]), 4 * scaled(p[4])}, turns);
+  const auto bend = [&](F v) { return 2 * p[2] + v * (6 * p[3] + v * 12 * p[4]); };
   R centre(0.5);
-  double lowest = std::numeric_limits<double>::infinity();
+  F lowest = std::numeric_limits<F>::infinity();
   for (int i = 0; i < count; ++i) {
-    const double v = turns[i], value = p[0] + v * (p[1] + v * (p[2] + v * (p[3] + v * p[4])));
+    const F v = turns[i], value = p[0] + v * (p[1] + v * (p[2] + v * (p[3] + v * p[4])));
     if (!(bend(v) > 0) || !(value / bend(v) < lowest)) continue;
     lowest = value / bend(v);
     centre = R(v);
@@ -177,17 +186,17 @@ SingularPairs<R> singular_pairs(const QuadFrame<R>& q) {
   };
   const auto m = detail::minimum_near(q, centre);
   if (!m.settled) return one_by_one();
-  const auto add_pair = [&](const R& about, double r, double t) {
-    keep({R(about - R(r / 2)), std::sqrt(std::max(0.0, t - r * r / 4))});
+  const auto add_pair = [&](const R& about, F r, F t) {
+    keep({R(about - R(r / 2)), std::sqrt(std::max(F(0), t - r * r / 4))});
   };
   if (p[4] < 1e-26 * size) {
     add_pair(m.centre, m.p[1] / m.p[2], m.p[0] / m.p[2]);
     return pairs;
   }
-  const std::optional<detail::Factors> f =
-      m.p[0] == 0 ? detail::Factors{0, 0, m.p[4], m.p[3], m.p[2]} : detail::factors_of(m.p, m.depth * m.depth);
+  const std::optional<detail::Factors<F>> f =
+      m.p[0] == 0 ? detail::Factors<F>{0, 0, m.p[4], m.p[3], m.p[2]} : detail::factors_of(m.p, m.depth * m.depth);
   if (!f) return one_by_one();
-  const double r = f->linear / f->lead, t = f->constant / f->lead;
+  const F r = f->linear / f->lead, t = f->constant / f->lead;
   // What is left of smaller zeros after division by larger ones is rounding.
   if (!(t >= f->t / 4)) return one_by_one();
   // The other pair; one that is on the axis but for rounding is looked for about its own minimum, which a third root

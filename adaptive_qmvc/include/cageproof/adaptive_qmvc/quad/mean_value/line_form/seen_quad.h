@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Quads and points whose coordinates have exponents so far apart that differences of them, and the squares of
+// distances, need more digits or a wider range than the scalars that weights are computed in.
+#pragma once
+
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/outer_rule.h"
+
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace cageproof::adaptive_qmvc {
+
+/// The exponents of the largest coordinate and of the smallest that is not zero.
+struct Exponents {
+  int largest = std::numeric_limits<int>::min(), smallest = std::numeric_limits<int>::max();
+  bool finite = true;
+
+  /// Whether a coordinate is so small beside another that a difference in twice the digits may lose it.
+  bool are_distant() const { return largest > smallest && largest - smallest > 100; }
+  /// Whether lengths, or their reciprocals, leave doubles' range.
+  bool are_extreme() const { return largest > 1000 || (largest < -900 && largest >= smallest); }
+};
+
+template <class R>
+Exponents exponents_of(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
+  using std::abs, std::ilogb, std::isfinite;
+  R largest = R(0), smallest = std::numeric_limits<R>::infinity();
+  Exponents exponents;
+  const auto add = [&](const Vec3<R>& p) {
+    for (int i = 0; i < 3; ++i) {
+      const R size = abs(p[i]);
+      if (!isfinite(size)) exponents.finite = false;
+      if (size > largest) largest = size;
+      if (size > R(0) && size < smallest) smallest = size;
+    }
+  };
+  for (const Vec3<R>& corner : corners) add(corner);
+  add(point);
+  if (!exponents.finite || !(largest > R(0))) return exponents;
+  exponents.largest = ilogb(largest);
+  exponents.smallest = ilogb(smallest);
+  return exponents;
+}
+
+/// A rule across the lines, and the frame that its lines are taken in.
+struct SeenRule {
+  LocalFrame<Mp200> frame;
+  OuterRule<Mp200> rule;
+  Mp200 centre;  ///< the rule's, as a step from the frame's line
+  std::vector<Panel> panels;
+};
+
+struct SeenQuad {
+  FrameUnit unit;
+  std::vector<SeenRule> rules;
+};
+
+/// The rules for `digits` digits of an integrand with singularities of that order. What is small next to the point is
+/// computed in 800 digits and rounded once. \pre coordinates are finite and, exactly or not, doubles
+SeenQuad see_in_800_digits(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point, double order, double digits);
+
+}  // namespace cageproof::adaptive_qmvc
