@@ -17,8 +17,8 @@ Cage cube(bool of_triangles, int exponent = 0) {
   std::vector<Vec> vertices;
   for (int v = 0; v < 8; ++v) vertices.emplace_back(std::ldexp(1., exponent) * Vec(v & 1, v >> 1 & 1, v >> 2));
   std::vector<Face> faces;
-  for (const std::array<int, 4>& f : {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7},
-                                      {2, 0, 4, 6}}) {
+  for (const std::array<int, 4>& f :
+       {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}}) {
     if (of_triangles) {
       faces.push_back(Face{{f[0], f[1], f[2], -1}});
       faces.push_back(Face{{f[0], f[2], f[3], -1}});
@@ -31,9 +31,9 @@ Cage cube(bool of_triangles, int exponent = 0) {
 
 // Beside a face, a face's diagonal, an edge, a vertex; d away, on either side.
 std::vector<Vec> points_at(double d) {
-  return {Vec(.25, .375, d), Vec(.25, .25, d),    Vec(.25, d, d),      Vec(d, d, d), Vec(d, .5, .5),
-          Vec(.5, d, 0),     Vec(0, 0, d),        Vec(1, 1, d),        Vec(-d, d, .5), Vec(-d, d, d),
-          Vec(.25, .375, -d), Vec(.25, -d, -d),   Vec(-d, -d, -d),     Vec(-d, .5, .5)};
+  return {Vec(.25, .375, d),  Vec(.25, .25, d), Vec(.25, d, d),  Vec(d, d, d),   Vec(d, .5, .5),
+          Vec(.5, d, 0),      Vec(0, 0, d),     Vec(1, 1, d),    Vec(-d, d, .5), Vec(-d, d, d),
+          Vec(.25, .375, -d), Vec(.25, -d, -d), Vec(-d, -d, -d), Vec(-d, .5, .5)};
 }
 
 class Extremes : public testing::TestWithParam<const char*> {};
@@ -60,7 +60,9 @@ TEST_P(Extremes, reproduce_points_next_to_the_cage) {
 TEST_P(Extremes, do_not_depend_on_the_unit) {
   const Vec point(.25, .375, .125);
   const auto values = [&](int exponent, const Vec& at) {
-    return CageCoordinates(cube(false, exponent), *find_coordinate_kind(GetParam()), CoordinateOptions{}).at<double>(at, 0)[0].value;
+    return CageCoordinates(cube(false, exponent), *find_coordinate_kind(GetParam()), CoordinateOptions{})
+        .at<double>(at, 0)[0]
+        .value;
   };
   const std::vector<double> plain = values(0, point);
   for (const int exponent : {-1060, -600, 600, 1020}) {

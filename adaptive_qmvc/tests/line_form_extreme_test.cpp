@@ -51,8 +51,8 @@ class LineFormClose : public testing::TestWithParam<double> {};
 
 TEST_P(LineFormClose, sees_a_plane_next_to_a_face) {
   const Mp50 h(GetParam()), first = pi<Mp50>() / h;
-  expect_plane<Mp50>(weights<Mp50>(flat, Vec(.25, .375, GetParam()), 2), {.46875, .15625, .09375, .28125},
-                     {0, 0, 1}, -first, first / h, -2 * first / (h * h));
+  expect_plane<Mp50>(weights<Mp50>(flat, Vec(.25, .375, GetParam()), 2), {.46875, .15625, .09375, .28125}, {0, 0, 1},
+                     -first, first / h, -2 * first / (h * h));
   expect_plane<Mp50>(weights<Mp50>(saddle, Vec(0, 0, GetParam()), 2), {.25, .25, .25, .25}, {0, 0, 1}, -first,
                      first / h, -2 * first / (h * h));
 }
@@ -78,7 +78,8 @@ TEST_P(LineFormClose, sees_a_half_plane_next_to_an_edge_and_a_quarter_at_a_corne
     EXPECT_LT(std::abs(static_cast<double>(Mp50(found.value[0] / (-half * part * .75) - 1))), 1e-14) << beside;
     EXPECT_LT(std::abs(static_cast<double>(Mp50(found.value[3] / (-half * part * .25) - 1))), 1e-14) << beside;
   }
-  EXPECT_LT(std::abs(static_cast<double>(Mp50(weights<Mp50>(flat, Vec(1, 1, d), 0).value[2] / (-half / 2) - 1))), 1e-14);
+  EXPECT_LT(std::abs(static_cast<double>(Mp50(weights<Mp50>(flat, Vec(1, 1, d), 0).value[2] / (-half / 2) - 1))),
+            1e-14);
 }
 
 TEST_P(LineFormClose, has_the_same_in_double_or_an_infinity_of_its_sign) {

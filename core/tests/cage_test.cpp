@@ -173,6 +173,54 @@ TEST(cage_accepts, triangle_one_ulp_away_from_a_line) {
 
 TEST(cage_accepts, arrowhead_quad) { EXPECT_NEAR(volume(prism({{{0, 0}, {2, -1}, {1, 0}, {2, 1}}})), 1, 1e-15); }
 
+// Triangles beside quads, in every order of faces and from every corner of each.
+TEST(cage_accepts, triangles_and_quads_together) {
+  struct Solid {
+    Vertices vertices;
+    Faces faces;
+    double volume;
+  };
+  const std::vector<Solid> solids{
+      {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}},  // a prism over a triangle
+       {{{0, 2, 1, -1}}, {{3, 4, 5, -1}}, {{0, 1, 4, 3}}, {{1, 2, 5, 4}}, {{2, 0, 3, 5}}},
+       .5},
+      {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {.5, .5, 3}},  // a pyramid over a square
+       {{{0, 3, 2, 1}}, {{0, 1, 4, -1}}, {{1, 2, 4, -1}}, {{2, 3, 4, -1}}, {{3, 0, 4, -1}}},
+       1},
+      {{{0, 0, 0},
+        {1, 0, 0},
+        {1, 1, 0},
+        {0, 1, 0},
+        {0, 0, 1},
+        {1, 0, 1},
+        {1, 1, 1},
+        {0, 1, 1},
+        {.5, .5, 2.5}},  // a house
+       {{{0, 3, 2, 1}},
+        {{0, 1, 5, 4}},
+        {{1, 2, 6, 5}},
+        {{2, 3, 7, 6}},
+        {{3, 0, 4, 7}},
+        {{4, 5, 8, -1}},
+        {{5, 6, 8, -1}},
+        {{6, 7, 8, -1}},
+        {{7, 4, 8, -1}}},
+       1.5},
+  };
+  for (const Solid& solid : solids) {
+    Faces faces = solid.faces;
+    for (std::size_t turn = 0; turn < 12; ++turn) {
+      std::ranges::rotate(faces, faces.begin() + 1);
+      auto& first = faces.front().vertices;
+      std::rotate(first.begin(), first.begin() + 1, first.begin() + faces.front().size());
+      EXPECT_NEAR(volume(Cage::make("solid", solid.vertices, faces)), solid.volume, 1e-15) << turn;
+      EXPECT_NEAR(volume(Cage::make("solid", solid.vertices, reversed(faces), {.flip_inward = true})), solid.volume,
+                  1e-15)
+          << turn;
+    }
+  }
+}
+
 TEST(cage_accepts, components_and_cavities) {
   Vertices inner = cube_corners(), far = cube_corners();
   for (auto& v : inner) v *= 0.5;

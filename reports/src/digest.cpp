@@ -82,6 +82,14 @@ ErrorTable truth_table(const RunResult& result, const std::string& subject) {
   return table;
 }
 
+std::string lead_digits_lost(const ErrorTable& table, const std::string& regime) {
+  std::string text;
+  for (int order = 0; order < 3; ++order)
+    if (const ResultRow* row = table.at(regime, table.columns.front(), order))
+      text += (text.empty() ? "" : " · ") + digits_lost(row->max_relative, row->scalar);
+  return text;
+}
+
 // Broken before kept, promised before not, then by how far it goes.
 bool more_telling(const ResultRow& a, const ResultRow& b) {
   const auto key = [](const ResultRow& row) {

@@ -25,6 +25,12 @@ std::string short_error(double error) {
   return fmt::format("{}e{}", mantissa, exponent);
 }
 
+std::string digits_lost(double relative, std::string_view scalar) {
+  if (!std::isfinite(relative)) return "inf";
+  const double roundings = std::ldexp(relative, scalar == "float" ? 24 : 53);
+  return roundings > 1 ? fmt::format("{:.3g}", std::ceil(10 * std::log10(roundings)) / 10) : "0";
+}
+
 std::string short_number(double x) {
   if (!std::isfinite(x) || x == 0) return fmt::format("{}", x);
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(x))));

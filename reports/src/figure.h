@@ -12,6 +12,10 @@ namespace cageproof::reports {
 /// "inf".
 std::string short_error(double error);
 
+/// How many of a scalar's decimal digits a relative error costs, rounded up to a tenth: "0", "1.3", "16", "inf".
+/// \param scalar "float" or "double"
+std::string digits_lost(double relative, std::string_view scalar);
+
 /// Four digits at most: "64", "1e-12", "-16.32".
 std::string short_number(double x);
 

@@ -21,6 +21,7 @@ Data truth_lines(const ErrorTable& table) {
         cell.set("first", order == 0);
         cells << cell;
       }
+    line.set("digits_lost", lead_digits_lost(table, regime));
     line.set("cells", cells);
     lines << line;
   }

@@ -2,6 +2,8 @@
 // The checks that compare with the truth.
 #include "checks.h"
 
+#include "cageproof/validation/hunt.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,14 +68,17 @@ class TruthCheck final : public Check {
   }
 };
 
-/// An evaluation that promises its digits whatever the conditioning, against the truth.
+/// An evaluation that promises its digits whatever the conditioning, against the truth. Of the recommended one hunts
+/// may ask it too: what conditioned units forgive is what they look for there.
 class RelativeCheck final : public Check {
  public:
   std::string_view name() const override { return "relative"; }
   std::string_view unit() const override { return "units of u"; }
   std::string_view description() const override { return "plain relative error, norm-wise, in units of rounding"; }
-  bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
-    return evaluation.role() == cageproof::Role::Stated && scalar == ScalarKind::Double;
+  bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar,
+               std::string_view regime) const override {
+    const bool hunted = is_recommended(evaluation) && regime == hunted_regime;
+    return scalar == ScalarKind::Double && (hunted || evaluation.role() == cageproof::Role::Stated);
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     const Result<double> f = evaluate<double>(in.evaluation, in.sample, in.order);

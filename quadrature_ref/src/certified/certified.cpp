@@ -83,20 +83,22 @@ struct Attempt {
 };
 
 template <Scalar R>
-std::optional<Attempt> attempt(const DifferentiatedKernel& kernel, const Query<R>& query, int bits) {
+std::optional<Attempt> attempt(const DifferentiatedKernel& kernel, const Query<R>& query, int bits, double& work_left) {
   const WorkingBits working(bits);
   const auto frame = frame_of(query);
   if (!frame) return std::nullopt;
   std::vector<Real> parameters;
   for (const R& p : query.parameters) parameters.push_back(Real::exactly(p));
   Attempt found;
-  const Moments moments = integrate_moments(*frame, kernel.moments(query.order), bits - guard_bits, found.nodes);
+  const auto moments =
+      integrate_moments(*frame, kernel.moments(query.order), bits - guard_bits, work_left, found.nodes);
+  if (!moments) return std::nullopt;
   for (int order = 0; order <= query.order; ++order) {
     if (frame->on_triangle && !kernel.weakly_singular(order)) {
       found.all_orders = false;
       continue;
     }
-    found.tensors[order] = kernel.tensor(order, *frame, moments, parameters);
+    found.tensors[order] = kernel.tensor(order, *frame, *moments, parameters);
     found.bits = std::min(found.bits, bits_of(found.tensors[order]));
   }
   return found;
@@ -119,8 +121,9 @@ void integrate_certified(std::string_view formula, const Query<R>& query, Result
   result.reset(row.components(), row.dim(), query.order);
   std::optional<Attempt> best;
   std::size_t nodes = 0;
+  double work_left = effort.most_work;
   for (int bits = effort.first_bits; bits <= effort.most_bits;) {
-    auto found = attempt(kernel, query, bits);
+    auto found = attempt(kernel, query, bits, work_left);
     if (!found) break;
     nodes += found->nodes;
     const double reached = found->bits;

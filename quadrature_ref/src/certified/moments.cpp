@@ -55,19 +55,29 @@ struct Panel {
 
 class Integrator {
  public:
-  Integrator(const Frame& frame, const MomentRange& range, int goal)
+  Integrator(const Frame& frame, const MomentRange& range, int goal, double& work_left)
       : frame_(frame),
         range_(range),
         goal_(goal),
+        work_left_(work_left),
         radial_{range.highest_q(), std::max(3, range.highest_degree() + 1)},
         result_(range),
         scale_(radial_.count() * stride(), -HUGE_VAL) {}
 
-  Moments run(std::size_t& nodes) {
+  std::optional<Moments> run(std::size_t& nodes) {
     std::vector<Panel> coarse = coarse_panels();
+    spend(3 * static_cast<double>(coarse.size()), 1);
+    if (work_left_ < 0) return std::nullopt;
     for (const Panel& panel : coarse) note_scale(panel);
     std::vector<Panel> panels;
-    for (const Panel& panel : coarse) refine(panel, 0, panels);
+    double planned = 0;
+    for (const Panel& panel : coarse) {
+      refine(panel, 0, panels);
+      if (work_left_ < 0) return std::nullopt;
+    }
+    for (const Panel& panel : panels) planned += panel.nodes;
+    spend(planned, static_cast<double>(working_bits) / 64);
+    if (work_left_ < 0) return std::nullopt;
     for (const Panel& panel : panels) {
       add(panel);
       nodes += static_cast<std::size_t>(panel.nodes);
@@ -77,6 +87,10 @@ class Integrator {
 
  private:
   int stride() const { return range_.highest_degree() + 1; }
+  // That many evaluations of the integrand in so many words.
+  void spend(double evaluations, double words) {
+    work_left_ -= evaluations * static_cast<double>(scale_.size()) * (1 + words * std::sqrt(words) / 8);
+  }
 
   template <class Use>
   void for_each_degree(Use use) const {
@@ -153,10 +167,12 @@ class Integrator {
     return true;
   }
 
-  void refine(const Panel& panel, int depth, std::vector<Panel>& panels) const {
+  void refine(const Panel& panel, int depth, std::vector<Panel>& panels) {
+    if (work_left_ < 0) return;
     Panel best;
     for (const double semi_minor : {1.3, 1.0, 0.6, 0.3}) {
       Panel tried = panel;
+      spend(4 * bound_boxes, 1);
       if (!bound(tried, semi_minor)) continue;
       const auto nodes = nodes_for(tried);
       if (!nodes || (best.nodes != 0 && *nodes >= best.nodes)) break;
@@ -230,6 +246,7 @@ class Integrator {
   const Frame& frame_;
   const MomentRange& range_;
   int goal_;
+  double& work_left_;
   RadialRange radial_;
   Moments result_;
   std::vector<double> scale_;  // log2 of the largest contribution
@@ -246,8 +263,9 @@ void MomentRange::include(int degree, int q) {
 
 int MomentRange::highest_degree() const { return *std::ranges::max_element(degrees_); }
 
-Moments integrate_moments(const Frame& frame, const MomentRange& range, int goal, std::size_t& nodes) {
-  return Integrator(frame, range, goal).run(nodes);
+std::optional<Moments> integrate_moments(const Frame& frame, const MomentRange& range, int goal, double& work_left,
+                                         std::size_t& nodes) {
+  return Integrator(frame, range, goal, work_left).run(nodes);
 }
 
 }  // namespace cageproof::quadrature_ref::certified

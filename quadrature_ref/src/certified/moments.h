@@ -5,6 +5,8 @@
 #include "radial.h"
 #include "frame.h"
 
+#include <optional>
+
 namespace cageproof::quadrature_ref::certified {
 
 /// Which moments: per power q the highest degree a + b.
@@ -48,8 +50,11 @@ class Moments {
 ///
 /// \param goal truncation error wanted, in bits below the largest contribution to each moment: a wish that decides how
 /// much is spent; what was reached is in the radii
+/// \param work_left what may be spent, CertifiedEffort::most_work's unit; what is spent is taken off. Nothing is
+/// returned, and it is below zero, where it would not suffice
 /// \param nodes is increased by the number of nodes spent
 /// \pre moments with q >= a + b + 2 are not used where the point lies on the triangle
-Moments integrate_moments(const Frame& frame, const MomentRange& range, int goal, std::size_t& nodes);
+std::optional<Moments> integrate_moments(const Frame& frame, const MomentRange& range, int goal, double& work_left,
+                                         std::size_t& nodes);
 
 }  // namespace cageproof::quadrature_ref::certified

@@ -12,6 +12,8 @@ struct CertifiedEffort {
   int most_bits = 4096;  ///< of the last
   /// Relative radius aimed at, norm-wise for each order, as a power of two: below 1e-30.
   int bits_wanted = 100;
+  /// What all attempts together may cost, in evaluations of an integrand in one word: a few seconds.
+  double most_work = 1e7;
 };
 
 /// Value, gradient and Hessian of a formula as balls that contain them: `Result::of(order)` the midpoints,
@@ -19,10 +21,11 @@ struct CertifiedEffort {
 /// sign. Inputs are taken exactly. docs/certified.md has the proof, and what it costs: 1 to 250 ms.
 ///
 /// Precision grows until the radius is below 2^-bits_wanted of the tensor, norm-wise, in every order asked; `converged`
-/// is false where most_bits do not reach that, and the enclosure, wide as it is, still holds. `stated_digits` come from
-/// the radius before rounding to R. On the triangle, an order whose kernel is weakly singular is enclosed; all others
-/// are NaN with infinite radius, and `converged` is false. So is all of a triangle without area, and of an input that
-/// is not finite. In the plane outside the triangle nothing is special. A function of its input alone, thread-safe.
+/// is false where most_bits, or most_work, do not reach that, and the enclosure, wide as it is, still holds.
+/// `stated_digits` come from the radius before rounding to R. On the triangle, an order whose kernel is weakly singular
+/// is enclosed; all others are NaN with infinite radius, and `converged` is false. So is all of a triangle without
+/// area, and of an input that is not finite. In the plane outside the triangle nothing is special. A function of its
+/// input alone, thread-safe.
 ///
 /// \throws std::out_of_range when the formula has no definition
 template <Scalar R>
