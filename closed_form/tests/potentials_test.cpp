@@ -79,6 +79,22 @@ TEST(mean_value, infinite_on_the_face_and_zero_beside_it) {
   }
 }
 
+// Next to an edge or a vertex the weight of a corner whose hat function vanishes there is any number, by the direction.
+TEST(mean_value, has_no_limit_where_the_hat_function_vanishes) {
+  for (const auto& [p, positive] : {std::pair{Vec(.5, 0, 0), std::array{true, true, false}},
+                                    {Vec(.5, .5, 0), std::array{false, true, true}},
+                                    {Vec(0, 1, 0), std::array{false, false, true}}}) {
+    const auto on = evaluate<MeanValue>(flat, p, 0);
+    for (int k = 0; k < 3; ++k) {
+      if (positive[k]) EXPECT_EQ(on.value[k], std::numeric_limits<double>::infinity()) << k;
+      else EXPECT_TRUE(std::isnan(on.value[k])) << k;
+    }
+  }
+  const auto above = evaluate<MeanValue>(flat, Vec(.5, 0, -1e-9), 0),
+             beside = evaluate<MeanValue>(flat, Vec(.5, 1e-9, -1e-9), 0);
+  EXPECT_GT(std::abs(above.value[2] - beside.value[2]), .5);
+}
+
 TEST(mean_value, ratios_tend_to_the_hat_functions) {
   const auto w = evaluate<MeanValue>(flat, Vec(0.25, 0.25, -1e-9), 0);
   const double sum = w.value[0] + w.value[1] + w.value[2];

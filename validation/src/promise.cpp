@@ -26,10 +26,6 @@ constexpr std::array table{
     // The gate: the closed form in multiprecision against the integral.
     Row{"integral", "*", "*", "*", "*", 0, 2, 1e-30, "30 digits, wherever the integral reaches them"},
     Row{"enclosure", "*", "*", "*", "*", 0, 2, 1, "the enclosure is a proof: the integral lies in it"},
-    Row{"limit", "*.mean_value", "*", "*", "@(on-edge|on-vertex)", 0, 0, none,
-        "weights of corners whose basis function vanishes on the border depend on the direction, where the triangle's "
-        "form "
-        "says zero and the quad's infinity instead of NaN"},
     Row{"limit", "*", "*", "*", "*", 0, 2, 1e-30,
         "1e-60 sizes inside, what is missing of the limit is r log r over the distance to the next vertex: 1e-17 where "
         "the point is an ulp off one"},

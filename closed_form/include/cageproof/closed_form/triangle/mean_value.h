@@ -7,8 +7,8 @@
 namespace cageproof::closed_form::triangle {
 
 /// w_t^k = int Gamma_k x.n/r^4, the unnormalised mean value weights ([T18] Eq 11; equal to Eq 12-14): 1/length. On the
-/// triangle they diverge: infinite where the hat function is positive, and their ratios tend to the hat functions. In
-/// the plane outside it they are zero.
+/// triangle they diverge: infinite where the hat function is positive, NaN where it is zero, and their ratios tend to
+/// the hat functions. In the plane outside it they are zero.
 struct MeanValue : EvenPowers {
   static constexpr int components = 3, degree = -1, border_order = 0, far_power = -4;
   template <class S, class R, int N>

@@ -14,13 +14,14 @@ int first_divergent(const Frame<R>& f) {
   return F::diverges_on_triangle || border ? F::border_order : 3;
 }
 
-/// On the triangle, of formulas that diverge there: infinite where the hat function is positive; no derivative.
+/// On the triangle, of formulas that diverge there: infinite where the hat function is positive, NaN where it vanishes,
+/// since the limit depends on the direction there; no derivative.
 template <class F, int O, Scalar R>
 Jet<R, F::components> diverging_weights(const Frame<R>& f) {
   static_assert(F::components == 3);
   Jet<R, F::components> jet = finish<F, O, R>({}, f.unit, 1);
   for (int k = 0; k < 3; ++k)
-    if (f.hat(k) > 0) jet.value[k] = std::numeric_limits<R>::infinity();
+    jet.value[k] = f.hat(k) > 0 ? std::numeric_limits<R>::infinity() : std::numeric_limits<R>::quiet_NaN();
   return jet;
 }
 

@@ -163,20 +163,20 @@ bool is_within(double distance, const QuadFrame<R>& q, const SingularPairs<R>& s
   return std::ranges::any_of(singular, close) || q.a.dot(q.a) < R(distance * distance);
 }
 
-/// Whether the point lies on the quad, exactly, for inputs that are doubles; others are taken to be off it.
+/// Where the point lies on the quad, exactly, for inputs that are doubles; others are taken to be off it.
 template <Scalar R>
-bool lies_on_quad(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
+std::optional<BilinearPoint> place_on_quad(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
   Quad<double> q;
   Vec3<double> eta;
   for (int i = 0; i < 3; ++i) {
     eta[i] = static_cast<double>(point[i]);
-    if (R(eta[i]) != point[i]) return false;
+    if (R(eta[i]) != point[i]) return std::nullopt;
     for (int k = 0; k < 4; ++k) {
       q[k][i] = static_cast<double>(corners[k][i]);
-      if (R(q[k][i]) != corners[k][i]) return false;
+      if (R(q[k][i]) != corners[k][i]) return std::nullopt;
     }
   }
-  return on_quad(q, eta).has_value();
+  return on_quad(q, eta);
 }
 
 /// Nearer than this, doubles hold too little of the distance.
@@ -222,16 +222,18 @@ void store(const WeightSums<R, Order>& sums, const FrameUnit& unit, WeightTensor
   }
 }
 
-/// On the quad the weights diverge: values are infinite, derivatives NaN.
+/// On the quad the weights diverge: values are infinite, but NaN where the basis function vanishes, since the limit
+/// depends on the direction there; derivatives are NaN.
 template <int Order, class R>
-void fill_infinite(WeightTensors<R>& weights) {
-  std::ranges::fill(weights.value, std::numeric_limits<R>::infinity());
+void fill_infinite(const std::array<double, 4>& basis, WeightTensors<R>& weights) {
+  for (int k = 0; k < 4; ++k)
+    weights.value[k] = basis[k] != 0 ? std::numeric_limits<R>::infinity() : std::numeric_limits<R>::quiet_NaN();
   for (int o = 1; o <= Order; ++o) std::ranges::fill(weights.of(o), std::numeric_limits<R>::quiet_NaN());
 }
 
 /// Weights ([T18] Eq 11) with derivatives up to Order, to `digits` digits of the integral. On the quad they diverge:
-/// values are infinite, derivatives NaN. NaN for an input that is not finite. The statement says how many lines were
-/// taken, and whether the rules across them could meet the digits.
+/// values are infinite, NaN where the basis function vanishes, derivatives NaN. NaN for an input that is not finite.
+/// The statement says how many lines were taken, and whether the rules across them could meet the digits.
 template <int Order, Scalar R>
 Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, double digits, WeightTensors<R>& weights);
 
@@ -253,8 +255,8 @@ template <int Order, Scalar R>
 Statement line_form_of_distant(std::span<const Vec3<R>> corners, const Vec3<R>& point, double order, double digits,
                                WeightTensors<R>& weights) {
   Statement statement;
-  if (lies_on_quad<R>(corners, point)) {
-    fill_infinite<Order>(weights);
+  if (const auto on = place_on_quad<R>(corners, point)) {
+    fill_infinite<Order>(on->basis, weights);
     return statement;
   }
   WeightSums<R, Order> sums;
@@ -299,9 +301,11 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
     statement.nodes = add_lines<Order>(LocalFrame<R>(*q), OuterRule<R>{}, R(0), {&panel, 1}, digits, sums);
   } else {
     const SingularPairs<R> singular = singular_pairs(*q);
-    if (is_within(1e-12, *q, singular) && lies_on_quad<R>(corners, point)) {
-      fill_infinite<Order>(weights);
-      return statement;
+    if (is_within(1e-12, *q, singular)) {
+      if (const auto on = place_on_quad<R>(corners, point)) {
+        fill_infinite<Order>(on->basis, weights);
+        return statement;
+      }
     }
     if constexpr (!is_multiprecision<R>) {
       if (is_within(kDoubleHolds, *q, singular))
