@@ -110,8 +110,10 @@ void add_on_cage(CageRows& rows, const Cage& cage, const CageCoordinates& coordi
     rows.add("linear_reproduction", place, 0,
              on ? errors_at(coordinates, cage, p.point, 1, 0).reproduction[0] : CageError(), !p.exact, p.point,
              p.index);
-  if (const auto error = inside_limit_error_at(coordinates, cage, locator, p.point))
-    rows.add_relative("limit_from_inside", place, 0, *error, !p.exact, p.point, p.index);
+  const int order = p.place == Place::OnFace && !coordinates.kind().normalised ? coordinates.max_order() : 0;
+  const auto errors = inside_limit_errors_at(coordinates, cage, locator, p.point, order);
+  for (int o = 0; o <= order; ++o)
+    if (errors[o]) rows.add_relative("limit_from_inside", place, o, *errors[o], !p.exact, p.point, p.index);
 }
 
 // Every n-th, so that at most so many are left.
@@ -299,36 +301,6 @@ class MeshMeasurement final : public Measurement {
 };
 
 }  // namespace
-
-std::optional<double> inside_limit_error_at(const CageCoordinates& coordinates, const Cage& cage,
-                                            const CageLocator& locator, const Vec3<double>& point) {
-  const std::vector<Touching> on = coordinates.elements().touching(point);
-  constexpr double step = 1e-11, least_room = 1e-4;
-  if (on.empty()) return NAN;
-  if (locator.distance_but_to(on, point) < least_room * cage.size()) return std::nullopt;
-  Vec3<double> direction = Vec3<double>::Zero();
-  for (const Touching& touch : on) direction -= coordinates.elements().normal_at(touch);
-  Vec3<double> near = point + step * cage.size() * direction.normalized();
-  // Against the mean normal lies the inside of all but saddles; there another direction does.
-  for (std::uint64_t attempt = 0; !(direction.norm() > 0.1) || !locator.inside(near); ++attempt) {
-    if (attempt == 1000) return std::nullopt;
-    RandomStream random(1, "inward", attempt);
-    for (int c = 0; c < cage.dimension(); ++c) direction[c] = random.uniform(-1, 1);
-    near = point + step * cage.size() * direction.normalized();
-  }
-  if (locator.winding(near) != 1) return std::nullopt;
-  const auto limit = coordinates.at<double>(point, 0), inside = coordinates.at<double>(near, 0);
-  if (!coordinates.kind().missing_because.empty() && std::isnan(limit[0].value[0] + inside[0].value[0])) return NAN;
-  double worst = 0;
-  for (std::size_t b = 0; b < limit.size(); ++b) {
-    const double scale = std::pow(cage.size(), coordinates.blocks()[b].degree);
-    for (std::size_t i = 0; i < limit[b].value.size(); ++i) {
-      const double difference = std::abs(limit[b].value[i] - inside[b].value[i]) / scale;
-      if (!(difference <= worst)) worst = std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
-    }
-  }
-  return worst;
-}
 
 Measurements cage_measurements(const std::shared_ptr<const Cage>& cage, const CageCampaignOptions& options) {
   Measurements measurements;

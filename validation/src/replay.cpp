@@ -93,7 +93,8 @@ CageError replay_cage(const RowKey& row, const WorstCase& worst, Triangulation r
   const bool on_cage = !coordinates.elements().touching(worst.point).empty();
   const CageLocator locator(cage, rule, kind->keeps_quads);
   if (row.check == "limit_from_inside")
-    return relative(inside_limit_error_at(coordinates, cage, locator, worst.point).value_or(NAN));
+    return relative(
+        inside_limit_errors_at(coordinates, cage, locator, worst.point, row.order)[row.order].value_or(NAN));
   const double expected = on_cage ? 1 : expected_sum(*kind, locator, worst.point);
   const CageErrors errors = errors_at(coordinates, cage, worst.point, expected,
                                       on_cage || row.place == "mesh" ? 0 : asked, on_cage ? nullptr : &terms);

@@ -131,8 +131,15 @@ TEST(limit_from_inside, fails_for_a_coarse_quadrature) {
   const CageLocator locator(cube, Triangulation::Shortest);
   for (const auto* evaluation : {"closed_form", "gauss-4"}) {
     const CageCoordinates green(cube, *find_coordinate_kind("green"), evaluation, Triangulation::Shortest);
-    const double error = inside_limit_error_at(green, cube, locator, cube.vertices()[0]).value();
-    EXPECT_EQ(error > 1e-6, std::string(evaluation) == "gauss-4") << error;
+    const bool coarse = std::string(evaluation) == "gauss-4";
+    const double error = inside_limit_errors_at(green, cube, locator, cube.vertices()[0], 0)[0].value();
+    EXPECT_EQ(error > 1e-6, coarse) << error;
+    // Within a face, off its diagonals.
+    const auto& corners = cube.faces()[0].vertices;
+    const Vec3<double> on = .5 * cube.vertices()[corners[0]] + .125 * cube.vertices()[corners[1]] +
+                            .25 * cube.vertices()[corners[2]] + .125 * cube.vertices()[corners[3]];
+    const auto errors = inside_limit_errors_at(green, cube, locator, on, 2);
+    for (int o = 0; o <= 2; ++o) EXPECT_EQ(errors[o].value() > 1e-6, coarse) << o << ' ' << errors[o].value();
   }
 }
 
