@@ -25,10 +25,14 @@ inline constexpr bool is_multiprecision = false;
 template <unsigned Digits>
 inline constexpr bool is_multiprecision<Mp<Digits>> = true;
 
+/// Whether T takes double's place in templates over scalars, to find out what happens to double there.
+template <class T>
+inline constexpr bool stands_for_double = false;
+
 /// What a formula may be evaluated in.
 template <class T>
 concept Scalar = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, Mp50> || std::same_as<T, Mp100> ||
-    std::same_as<T, Mp200>;
+    std::same_as<T, Mp200> || stands_for_double<T>;
 
 enum class ScalarKind { Float, Double, Digits50, Digits100, Digits200 };
 
@@ -82,6 +86,13 @@ template <Scalar R>
 R pi() {
   if constexpr (is_multiprecision<R>) return MpConstants<std::numeric_limits<R>::digits10>::pi();
   else return std::numbers::pi_v<R>;
+}
+
+/// The natural logarithm of two, rounded to R.
+template <Scalar R>
+R ln_two() {
+  if constexpr (is_multiprecision<R>) return MpConstants<std::numeric_limits<R>::digits10>::ln_two();
+  else return std::numbers::ln2_v<R>;
 }
 
 }  // namespace cageproof

@@ -44,17 +44,20 @@ struct Monomials {
   static constexpr std::array<std::array<int, 3>, count> raised = make_raised();
 };
 
+template <class R, int N>
+struct Taylor;
+
 /// f(delta) up to degree N; coefficient m belongs to Monomials<N>::exponents[m].
 template <class R, int N>
-struct Taylor {
+struct Polynomial {
   using M = Monomials<N>;
   std::array<R, M::count> c{};
 
-  Taylor& operator+=(const Taylor& other) {
+  Polynomial& operator+=(const Polynomial& other) {
     for (int m = 0; m < M::count; ++m) c[m] += other.c[m];
     return *this;
   }
-  Taylor& operator*=(const R& factor) {
+  Polynomial& operator*=(const R& factor) {
     for (R& x : c) x *= factor;
     return *this;
   }
@@ -79,6 +82,10 @@ struct Taylor {
     for (int k = 1; k <= N && k <= F + 1; ++k) add_raised(k, v, f);
   }
 };
+
+/// A polynomial in the type of its coefficients; a type may add to what its polynomials do.
+template <class R, int N>
+struct Taylor : Polynomial<R, N> {};
 
 /// The derivative along axis i, one degree less.
 template <class R, int N>

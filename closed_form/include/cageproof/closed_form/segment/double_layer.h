@@ -22,9 +22,9 @@ struct DoubleLayer {
     Jet<R, 2, 2> jet;
     const R turn = 1 / (2 * pi<R>());
     std::array<Complex<R>, 2> slope;  // F_k' in the caller's units
-    if constexpr (std::same_as<R, double>) {
+    if constexpr (!is_multiprecision<R>) {
       if (f.is_far()) {
-        const FarSums sums(f);
+        const FarSums<R> sums(f);
         for (int k = 0; k < 2; ++k) {
           jet.value[k] = -turn * sums.inverse[k].im;
           slope[k] = {shifted<R>(-sums.square[k].re, -f.exponent), shifted<R>(-sums.square[k].im, -f.exponent)};

@@ -43,7 +43,7 @@ struct SingleLayer {
       whole = f.near_end == 0 ? R(at_far - at_near) : R(at_near - at_far);
     }
     R scaled = f.length - f.h * f.angle - whole;
-    if constexpr (!is_multiprecision<R>) scaled -= f.length * (f.exponent * std::numbers::ln2);
+    if constexpr (!is_multiprecision<R>) scaled -= f.length * (f.exponent * ln_two<R>());
     return shifted<R>(scaled, f.exponent);
   }
 

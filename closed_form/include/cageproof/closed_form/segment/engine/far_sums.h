@@ -16,21 +16,22 @@ inline double far_error(int n, double rho) { return 4 * (1.0 + n) * (1.0 + n) * 
 
 /// int Gamma_k/z and int Gamma_k/z^2 of both ends, in units of the frame. Every term has the sum's phase up to the
 /// angle that the segment fills.
+template <Scalar R>
 struct FarSums {
-  std::array<Complex<double>, 2> inverse{}, square{};
+  std::array<Complex<R>, 2> inverse{}, square{};
 
   /// \pre f.is_far()
-  explicit FarSums(const Frame<double>& f) {
-    const double sum = (f.r[0] + f.r[1]) / f.length, rho = sum + std::sqrt(sum * sum - 1);
+  explicit FarSums(const Frame<R>& f) {
+    const double sum = static_cast<double>((f.r[0] + f.r[1]) / f.length), rho = sum + std::sqrt(sum * sum - 1);
     int n = 2;
     while (far_error(n, rho) > 0x1p-55) ++n;
-    const auto& [nodes, weights] = gauss_legendre<double>(n);
+    const auto& [nodes, weights] = gauss_legendre<R>(n);
     for (std::size_t j = 0; j < nodes.size(); ++j) {
-      const double along = f.s[0] + f.length * nodes[j], square_of_r = along * along + f.h * f.h;
-      const Complex<double> q{along / square_of_r, f.h / square_of_r}, q2 = q * q;
-      const std::array<double, 2> hat{1 - nodes[j], nodes[j]};
+      const R along = f.s[0] + f.length * nodes[j], square_of_r = along * along + f.h * f.h;
+      const Complex<R> q{along / square_of_r, f.h / square_of_r}, q2 = q * q;
+      const std::array<R, 2> hat{1 - nodes[j], nodes[j]};
       for (int k = 0; k < 2; ++k) {
-        const double weight = weights[j] * f.length * hat[k];
+        const R weight = weights[j] * f.length * hat[k];
         inverse[k] = inverse[k] + weight * q;
         square[k] = square[k] + weight * q2;
       }

@@ -14,19 +14,28 @@ bool on_edge(const FrameEdge<R>& e) {
   return e.D2 == R(0) && ((!(e.s0 > R(0)) && !(e.s1 < R(0))) || e.r0 == R(0) || e.r1 == R(0));
 }
 
-/// atanh(z)/z - 1 to full relative accuracy, 0 <= z <= 1/2.
+/// atanh(z)/z - 1 to double's full relative accuracy, 0 <= z <= 1/2: the Taylor series, whose 26th term is below the
+/// rounding of the first.
+template <class R>
+R atanh_excess_by_series(const R& z) {
+  const R q = z * z;
+  R sum = 0;
+  for (int k = 26; k >= 1; --k) sum = q * (R(1) / R(2 * k + 1) + sum);
+  return sum;
+}
+
+/// atanh(z)/z - 1, as accurate as atanh is, absolutely.
+template <class R>
+R atanh_excess_by_function(const R& z) {
+  using std::atanh;
+  return z == R(0) ? R(0) : R(atanh(z) / z - R(1));
+}
+
+/// atanh(z)/z - 1 to full relative accuracy in float and double, 0 <= z <= 1/2.
 template <class R>
 R atanh_excess(const R& z) {
-  if constexpr (Scalar<R> && !is_multiprecision<R>) {
-    // The Taylor series: its 26th term is below the rounding of the first.
-    const R q = z * z;
-    R sum = 0;
-    for (int k = 26; k >= 1; --k) sum = q * (R(1) / R(2 * k + 1) + sum);
-    return sum;
-  } else {
-    using std::atanh;
-    return z == R(0) ? R(0) : R(atanh(z) / z - R(1));
-  }
+  if constexpr (Scalar<R> && !is_multiprecision<R>) return atanh_excess_by_series(z);
+  else return atanh_excess_by_function(z);
 }
 
 /// The values of the integrals over one edge of odd powers of r (edge form, table of per-edge integrals; K7 derived
