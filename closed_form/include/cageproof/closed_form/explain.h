@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What the operations of a closed form cost one of its results: the closed form run in numbers that count.
+#pragma once
+
+#include "cageproof/closed_form/arithmetic/counted_tape.h"
+#include "cageproof/core/batch.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace cageproof::closed_form {
+
+/// One entry of a closed form's tensor, operation by operation.
+struct Explanation {
+  std::string route;  ///< which form computed it
+  /// Whether the operations are those that computed `value`. Else they are those of the form in double, whose result
+  /// was given up for more digits, as `route` says.
+  bool is_the_value = true;
+  std::size_t entry = 0;
+  double value = 0;            ///< the closed form's
+  double counted = 0;          ///< what the operations gave
+  Mp200 exact;                 ///< what they would have given without roundings, along the same branches
+  std::size_t operations = 0;  ///< all that were recorded, also those that the entry does not depend on
+  /// In the entry's unit; see CountedLine. Empty where there was nothing to count.
+  std::vector<CountedLine> lines;
+};
+
+/// Explains an entry of the tensor of derivative order query.order. \param values that tensor, as the closed form gives
+/// it \param entry which; else the one in which the operations' errors are largest
+using Explainer = Explanation (*)(const Query<double>& query, std::span<const double> values,
+                                  std::optional<std::size_t> entry);
+
+/// The formula's `closed_form` at a point, explained. \param result the closed form's, up to query.order
+/// \throws InputError where the formula's closed form is not run in counted numbers, or has no such entry
+Explanation explain(const Formula& formula, const Query<double>& query, std::optional<std::size_t> entry,
+                    Result<double>& result);
+
+/// The formulas that explain() knows, by name.
+std::vector<std::string_view> explained_formulas();
+
+/// Fills what an explanation says of one entry. \param counted the tensor's entries in the unit that they were computed
+/// in, which times 2^exponent is the caller's \param values the closed form's, in the caller's
+void choose(Explanation& explanation, const CountedTape& tape, std::span<const Counted> counted, int exponent,
+            std::span<const double> values, std::optional<std::size_t> entry);
+
+/// The same where nothing in double was run.
+void choose_none(Explanation& explanation, std::span<const double> values, std::optional<std::size_t> entry);
+
+/// `const RegisterExplainer r{"triangle.<kernel>", &explain};` at namespace scope of a .cpp.
+struct RegisterExplainer {
+  RegisterExplainer(std::string_view formula, Explainer explainer);
+};
+
+}  // namespace cageproof::closed_form
