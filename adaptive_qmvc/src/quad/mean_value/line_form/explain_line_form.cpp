@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// The line form in numbers that count. Where lines are taken is decided in double, as ever; the sums over them are
+// counted, and differences in double-double are taken over as a whole.
+#include "instances.h"
+
+#include "cageproof/closed_form/arithmetic/counted_rule.h"
+#include "cageproof/closed_form/explain.h"
+
+namespace cageproof::adaptive_qmvc {
+namespace {
+
+using closed_form::Counted;
+using closed_form::CountedTape;
+using closed_form::Explanation;
+
+constexpr double kDigits = 17;  // as line_form asks for in double
+constexpr const char* kFrame = "adaptive_qmvc/include/cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h";
+
+// Where a line's map begins or ends: the only numbers of a rule whose roundings matter.
+Counted end_of(const OuterRule<double>& rule, double value, double v) {
+  if (rule.plain) return value;
+  const Mp200 exact = asinh((Mp200(v) - Mp200(rule.centre)) / Mp200(rule.width));
+  return Counted::seen(value, exact, "asinh",
+                       "adaptive_qmvc/include/cageproof/adaptive_qmvc/quad/mean_value/line_form/outer_rule.h");
+}
+
+OuterRule<Counted> counted_rule(const OuterRule<double>& rule) {
+  OuterRule<Counted> counted;
+  counted.plain = rule.plain;
+  counted.centre = rule.centre;
+  counted.width = rule.width;
+  counted.lo = rule.lo;
+  counted.hi = rule.hi;
+  counted.first = end_of(rule, rule.first, rule.lo);
+  counted.last = end_of(rule, rule.last, rule.hi);
+  return counted;
+}
+
+// frame_at, with double's choice of the point.
+LocalFrame<Counted> counted_frame_at(const QuadFrame<Counted>& q, const QuadFrame<double>& plain,
+                                     std::span<const Vec3<double>> corners, const Vec3<double>& point, double line) {
+  const LocalFrame<double> local = frame_at<double>(plain, corners, point, line);
+  const Mp200 u(local.u0), v(local.v0);
+  Vec3<Counted> seen;
+  for (int i = 0; i < 3; ++i) {
+    std::array<Mp200, 4> x;
+    for (int k = 0; k < 4; ++k) x[k] = ldexp(Mp200(corners[q.corner[k]][i]) - Mp200(point[i]), -q.exponent);
+    const Mp200 across = x[3] - x[0];
+    seen[i] = Counted::seen(local.a[i], x[0] + u * (x[1] - x[0]) + v * (across + u * ((x[2] - x[1]) - across)),
+                            "seen_at", kFrame);
+  }
+  return {q, Counted(local.u0), Counted(local.v0), seen};
+}
+
+template <int Order>
+Explanation explain_order(const Query<double>& query, std::span<const double> values,
+                          std::optional<std::size_t> entry) {
+  Explanation explanation;
+  const auto plain = quad_frame<double>(query.corners, query.point);
+  const double rho = plain ? ellipse_from_distance(*plain) : 0;
+  const SingularPairs<double> singular = plain ? singular_pairs(*plain) : SingularPairs<double>();
+  const bool far = rho >= far_across<double, Order>;
+  if (!plain || (!far && is_within(kDoubleHolds, *plain, singular))) {
+    explanation.route = "none in double: on the quad, or so close to it that differences are taken in 50 digits";
+    choose_none(explanation, values, entry);
+    return explanation;
+  }
+  const CountedTape tape;
+  std::array<Vec3<Counted>, 4> corners;
+  for (int k = 0; k < 4; ++k) corners[k] = convert<Counted>(query.corners[k]);
+  const auto q = *quad_frame<Counted>(corners, convert<Counted>(query.point));
+  constexpr double order = Order + 1.5;
+  WeightSums<Counted, Order> sums;
+  if (far) {
+    const Panel panel = plain_panel(rho, order, kDigits);
+    add_lines<Order>(LocalFrame<Counted>(q), OuterRule<Counted>{}, {&panel, 1}, kDigits, sums);
+    explanation.route = "line form in double, far away";
+  } else {
+    OuterRules<double> across;
+    find_outer_rules(singular, order, kDigits, static_cast<int>(3 * kDigits), across);
+    for (const OuterRule<double>& rule : across.rules) {
+      const auto local = rule.plain ? LocalFrame<Counted>(q)
+                                    : counted_frame_at(q, *plain, query.corners, query.point,
+                                                       std::clamp(rule.centre, rule.lo, rule.hi));
+      add_lines<Order>(local, counted_rule(rule), across.panels_of(rule), kDigits, sums);
+    }
+    explanation.route = "line form in double, " + std::to_string(across.rules.size()) + " rules across the lines";
+  }
+  // The entries of WeightSums are those of an upper triangle.
+  constexpr std::array<int, 9> upper{4, 5, 6, 5, 7, 8, 6, 8, 9};
+  constexpr std::size_t size = Order == 0 ? 1 : Order == 1 ? 3 : 9;
+  std::vector<Counted> counted(values.size());
+  for (int k = 0; k < 4; ++k)
+    for (std::size_t i = 0; i < size; ++i)
+      counted[size * q.corner[k] + i] = q.sign * sums.corner[k][Order == 0   ? 0
+                                                                : Order == 1 ? 1 + i
+                                                                             : static_cast<std::size_t>(upper[i])];
+  choose(explanation, tape, counted, -(Order + 1) * q.exponent, values, entry);
+  if (Order == 0) explanation.route += ", one line at a time instead of four";
+  return explanation;
+}
+
+Explanation explain(const Query<double>& query, std::span<const double> values, std::optional<std::size_t> entry) {
+  if (query.order == 0) return explain_order<0>(query, values, entry);
+  if (query.order == 1) return explain_order<1>(query, values, entry);
+  return explain_order<2>(query, values, entry);
+}
+
+const closed_form::RegisterExplainer explainer{"quad.mean_value", &explain};
+
+}  // namespace
+}  // namespace cageproof::adaptive_qmvc
