@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 #include "json_line.h"
+#include "query_numbers.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/scalar_text.h"
@@ -32,39 +33,10 @@ std::string array_text(const std::vector<R>& values) {
 }
 
 template <Scalar R>
-std::array<R, 3> coordinates(const std::array<std::string, 3>& text) {
-  return {*parse_scalar<R>(text[0]), *parse_scalar<R>(text[1]), *parse_scalar<R>(text[2])};
-}
-
-// In 200 digits: a small triangle's area underflows in double, and is none the less an area.
-void require_extent(const QueryText& text, const ElementType& type) {
-  std::vector<Vec3<Mp200>> corners;
-  corners.reserve(text.corners.size());
-  for (const auto& corner : text.corners) corners.emplace_back(coordinates<Mp200>(corner).data());
-  if (type.degenerate(corners)) throw InputError(std::string(type.degenerate_text));
-}
-
-template <Scalar R>
-void require_finite(const Vec3<R>& v) {
-  using std::isfinite;
-  for (int c = 0; c < 3; ++c)
-    if (!isfinite(v[c])) throw InputError("a coordinate is too large for this scalar");
-}
-
-template <Scalar R>
 std::string evaluated(const QueryText& text, const Formula& formula, const Evaluation& evaluation, int order) {
-  std::vector<Vec3<R>> corners;
-  corners.reserve(text.corners.size());
-  for (const auto& corner : text.corners) corners.push_back(Eigen::Map<const Vec3<R>>(coordinates<R>(corner).data()));
-  std::vector<R> parameters;
-  parameters.reserve(text.parameters.size());
-  for (const std::string& p : text.parameters) parameters.push_back(*parse_scalar<R>(p));
-  require_extent(text, type_of(formula.element));
-  for (const Vec3<R>& corner : corners) require_finite<R>(corner);
-  const Vec3<R> point = Eigen::Map<const Vec3<R>>(coordinates<R>(text.point).data());
-  require_finite<R>(point);
+  const QueryNumbers<R> numbers(text, formula);
   Result<R> result;
-  evaluation(Query<R>{corners, point, order, parameters}, result);
+  evaluation(numbers.query(order), result);
   std::string line = "{\"value\":" + array_text(result.value);
   if (order >= 1) line += ",\"gradient\":" + array_text(result.gradient);
   if (order >= 2) line += ",\"hessian\":" + array_text(result.hessian);

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   const std::string as_given = quoted(argc, argv);
   add_list(line);
   add_eval(line);
+  add_explain(line);
   add_coordinates(line);
   add_verify(line, as_given);
   add_merge(line);

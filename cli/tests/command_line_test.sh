@@ -186,6 +186,33 @@ grep -c '"value":\[0\.' "$work/stdout" | grep -qx 2 || fail "nu = inf: $(cat "$w
 echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,"inf"]}' | "$cageproof" eval --formula triangle.solid_angle --evaluation closed_form >"$work/stdout"
 grep -q 'not finite' "$work/stdout" || fail "a point at infinity: $(cat "$work/stdout")"
 
+# explain: the value is eval's, the lines are those of the closed form's headers, and bad input is refused as everywhere.
+explain() { "$cageproof" explain "$@"; }
+element='[[0,0,0],[1,0,0],[0,"0x1.4f2f36e262042p-1",0]]' point='["0x1.233a0f7dd2858p-5",0,"0x1.826552aa027bdp+0"]'
+explain --formula triangle.biharmonic_double_layer --element "$element" --point "$point" --order 1 --entry 4 --limit 3 >"$work/stdout" || fail explain
+grep -q '^  value ' "$work/stdout" && grep -q 'conditioned units, .* digits lost' "$work/stdout" || fail "explain: $(cat "$work/stdout")"
+[ "$(grep -cE ' closed_form/include/cageproof/closed_form/triangle/.*\.h' "$work/stdout")" -eq 3 ] || fail "explain: three lines of the closed form: $(cat "$work/stdout")"
+grep -q '^and [0-9]* lines more$' "$work/stdout" || fail "explain: what is left out"
+for formula in triangle.kelvin_traction triangle.mean_value quad.mean_value segment.double_layer; do
+  case $formula in
+    segment*) line='{"element":[[0,0],[1,0]],"point":[0.25,0.125]}' ;;
+    quad*) line='{"element":[[0,0,0],[1,0,0],[1,1,0.25],[0,1,0]],"point":[0.25,0.25,0.125]}' ;;
+    *) line='{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0.25,0.25,0.125]}' ;;
+  esac
+  value=$(echo "$line" | explain --formula $formula --order 2 --entry 3 --json | tee "$work/stdout" | sed -n 's/^  "counted": \(.*\),$/\1/p')
+  grep -q '"counted_is_the_value": true' "$work/stdout" || fail "explain $formula: $(head -12 "$work/stdout")"
+  [ -n "$value" ] && echo "$line" | "$cageproof" eval --formula $formula --evaluation closed_form --order 2 | sed 's/.*"hessian"//' | grep -qF -- "$value" ||
+    fail "explain $formula: '$value' is not in eval's Hessian"
+done
+refuses nonsense -- explain --formula nonsense
+refuses accurate -- explain --formula triangle.solid_angle --evaluation accurate --element '[[0,0,0],[1,0,0],[0,1,0]]' --point '[0,0,1]'
+refuses 'no entry 3' -- explain --formula triangle.solid_angle --order 1 --entry 3 --element '[[0,0,0],[1,0,0],[0,1,0]]' --point '[0,0,1]'
+refuses area -- explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[2,0,0]]' --point '[0,0,1]'
+refuses 'element[2]' -- explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[0,1]]' --point '[0,0,1]'
+refuses --point -- explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[0,1,0]]'
+refuses 'no input' -- explain --formula triangle.solid_angle
+refuses JSON -- explain --formula triangle.solid_angle --element '[[0,0,0' --point '[0,0,1]'
+
 # A hunted input of the plane is one that eval takes; a key that occurs twice is none.
 "$cageproof" hunt --formula segment.double_layer --evaluation closed_form --order 1 --budget 20 >"$work/stdout" 2>/dev/null
 grep -o '{"element".*}}' "$work/stdout" | "$cageproof" eval --formula segment.double_layer --evaluation closed_form >/dev/null || fail "eval of a hunted input"
