@@ -95,8 +95,11 @@ TEST_P(LineFormClose, has_the_same_in_double_or_an_infinity_of_its_sign) {
         const auto rounded = static_cast<double>(exact);
         // What is rounding beside the largest has no sign to keep.
         if (abs(exact) < 1e-14 * largest) continue;
-        if (std::isinf(rounded)) EXPECT_EQ(found.of(o)[i], rounded) << o << ' ' << i;
-        else EXPECT_LT(static_cast<double>(Mp50(abs(found.of(o)[i] - exact) / largest)), 1e-14) << o << ' ' << i;
+        if (std::isinf(rounded)) {
+          EXPECT_EQ(found.of(o)[i], rounded) << o << ' ' << i;
+        } else {
+          EXPECT_LT(static_cast<double>(Mp50(abs(found.of(o)[i] - exact) / largest)), 1e-14) << o << ' ' << i;
+        }
       }
     }
   }
@@ -115,9 +118,11 @@ TEST(line_form_extreme, scales_to_the_ends_of_the_range) {
     for (int o = 0; o <= 2; ++o)
       for (std::size_t i = 0; i < plain.of(o).size(); ++i) {
         const double expected = std::ldexp(plain.of(o)[i], -(o + 1) * exponent);
-        if (std::isfinite(expected))
+        if (std::isfinite(expected)) {
           EXPECT_NEAR(found.of(o)[i], expected, 1e-14 * std::abs(expected) + 5e-324) << exponent << ' ' << o;
-        else EXPECT_EQ(found.of(o)[i], expected) << exponent << ' ' << o;
+        } else {
+          EXPECT_EQ(found.of(o)[i], expected) << exponent << ' ' << o;
+        }
       }
   }
 }

@@ -111,8 +111,11 @@ TEST_P(LineFormOn, diverges_on_the_quad) {
     const Result<double> found = evaluate<double>("line_form", quad(), at(quad(), u, v), 1);
     const std::array<double, 4> basis{(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
     for (int k = 0; k < 4; ++k) {
-      if (basis[k] > 0) EXPECT_EQ(found.value[k], std::numeric_limits<double>::infinity());
-      else EXPECT_TRUE(std::isnan(found.value[k])) << "no limit where the basis function vanishes";
+      if (basis[k] > 0) {
+        EXPECT_EQ(found.value[k], std::numeric_limits<double>::infinity());
+      } else {
+        EXPECT_TRUE(std::isnan(found.value[k])) << "no limit where the basis function vanishes";
+      }
     }
     for (const double w : found.gradient) EXPECT_TRUE(std::isnan(w));
   }

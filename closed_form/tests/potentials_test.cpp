@@ -86,8 +86,11 @@ TEST(mean_value, has_no_limit_where_the_hat_function_vanishes) {
                                     {Vec(0, 1, 0), std::array{false, false, true}}}) {
     const auto on = evaluate<MeanValue>(flat, p, 0);
     for (int k = 0; k < 3; ++k) {
-      if (positive[k]) EXPECT_EQ(on.value[k], std::numeric_limits<double>::infinity()) << k;
-      else EXPECT_TRUE(std::isnan(on.value[k])) << k;
+      if (positive[k]) {
+        EXPECT_EQ(on.value[k], std::numeric_limits<double>::infinity()) << k;
+      } else {
+        EXPECT_TRUE(std::isnan(on.value[k])) << k;
+      }
     }
   }
   const auto above = evaluate<MeanValue>(flat, Vec(.5, 0, -1e-9), 0),

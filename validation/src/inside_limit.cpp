@@ -30,8 +30,8 @@ std::optional<Vec3<double>> point_inside(const CageCoordinates& coordinates, con
   return near;
 }
 
-// The largest difference of one order over all blocks. Values must be finite; of derivatives those that are not are left
-// out, and nothing is returned where none is left.
+// The largest difference of one order over all blocks. Values must be finite; of derivatives those that are not are
+// left out, and nothing is returned where none is left.
 std::optional<double> largest_difference(const CageCoordinates& coordinates, const std::vector<Result<double>>& limit,
                                          const std::vector<Result<double>>& inside, double size, int order) {
   std::optional<double> worst;

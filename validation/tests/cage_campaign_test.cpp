@@ -139,7 +139,9 @@ TEST(limit_from_inside, fails_for_a_coarse_quadrature) {
     const Vec3<double> on = .5 * cube.vertices()[corners[0]] + .125 * cube.vertices()[corners[1]] +
                             .25 * cube.vertices()[corners[2]] + .125 * cube.vertices()[corners[3]];
     const auto errors = inside_limit_errors_at(green, cube, locator, on, 2);
-    for (int o = 0; o <= 2; ++o) EXPECT_EQ(errors[o].value() > 1e-6, coarse) << o << ' ' << errors[o].value();
+    EXPECT_EQ(errors[0].value() > 1e-6, coarse) << errors[0].value();
+    // Derivatives of a fixed rule are smooth across the face, wrong as they are.
+    for (int o = 1; o <= 2; ++o) EXPECT_LT(errors[o].value(), 1e-6) << o;
   }
 }
 

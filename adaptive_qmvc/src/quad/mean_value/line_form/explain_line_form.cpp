@@ -44,7 +44,7 @@ LocalFrame<Counted> counted_frame_at(const QuadFrame<Counted>& q, const QuadFram
   Vec3<Counted> seen;
   for (int i = 0; i < 3; ++i) {
     std::array<Mp200, 4> x;
-    for (int k = 0; k < 4; ++k) x[k] = ldexp(Mp200(corners[q.corner[k]][i]) - Mp200(point[i]), -q.exponent);
+    for (int k = 0; k < 4; ++k) x[k] = ldexp(Mp200(corners[q.unit.corner[k]][i]) - Mp200(point[i]), -q.unit.exponent);
     const Mp200 across = x[3] - x[0];
     seen[i] = Counted::seen(local.a[i], x[0] + u * (x[1] - x[0]) + v * (across + u * ((x[2] - x[1]) - across)),
                             "seen_at", kFrame);
@@ -59,9 +59,14 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   const auto plain = quad_frame<double>(query.corners, query.point);
   const double rho = plain ? ellipse_from_distance(*plain) : 0;
   const SingularPairs<double> singular = plain ? singular_pairs(*plain) : SingularPairs<double>();
-  const bool far = rho >= far_across<double, Order>;
-  if (!plain || (!far && is_within(kDoubleHolds, *plain, singular))) {
-    explanation.route = "none in double: on the quad, or so close to it that differences are taken in 50 digits";
+  const bool far = plain && rho >= far_across<double, Order>;
+  const Exponents exponents = exponents_of(query.corners, query.point);
+  const bool extreme = exponents.are_extreme() || (plain && exponents.are_distant() && has_short_side(*plain));
+  if (!plain || extreme || (!far && is_within(kDoubleHolds, *plain, singular))) {
+    explanation.route =
+        "none in double: on the quad, so close to it that differences are taken in 50 digits, or at the ends of "
+        "doubles' "
+        "range";
     choose_none(explanation, values, entry);
     return explanation;
   }
@@ -73,7 +78,7 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   WeightSums<Counted, Order> sums;
   if (far) {
     const Panel panel = plain_panel(rho, order, kDigits);
-    add_lines<Order>(LocalFrame<Counted>(q), OuterRule<Counted>{}, {&panel, 1}, kDigits, sums);
+    add_lines<Order>(LocalFrame<Counted>(q), OuterRule<Counted>{}, Counted(0.0), {&panel, 1}, kDigits, sums);
     explanation.route = "line form in double, far away";
   } else {
     OuterRules<double> across;
@@ -82,7 +87,8 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
       const auto local = rule.plain ? LocalFrame<Counted>(q)
                                     : counted_frame_at(q, *plain, query.corners, query.point,
                                                        std::clamp(rule.centre, rule.lo, rule.hi));
-      add_lines<Order>(local, counted_rule(rule), across.panels_of(rule), kDigits, sums);
+      const OuterRule<Counted> counted = counted_rule(rule);
+      add_lines<Order>(local, counted, Counted(counted.centre - local.v0), across.panels_of(rule), kDigits, sums);
     }
     explanation.route = "line form in double, " + std::to_string(across.rules.size()) + " rules across the lines";
   }
@@ -92,10 +98,11 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   std::vector<Counted> counted(values.size());
   for (int k = 0; k < 4; ++k)
     for (std::size_t i = 0; i < size; ++i)
-      counted[size * q.corner[k] + i] = q.sign * sums.corner[k][Order == 0   ? 0
-                                                                : Order == 1 ? 1 + i
-                                                                             : static_cast<std::size_t>(upper[i])];
-  choose(explanation, tape, counted, -(Order + 1) * q.exponent, values, entry);
+      counted[size * q.unit.corner[k] + i] =
+          q.unit.sign * sums.corner[k][Order == 0   ? 0
+                                       : Order == 1 ? 1 + i
+                                                    : static_cast<std::size_t>(upper[i])];
+  choose(explanation, tape, counted, -(Order + 1) * q.unit.exponent, values, entry);
   if (Order == 0) explanation.route += ", one line at a time instead of four";
   return explanation;
 }
