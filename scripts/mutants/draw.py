@@ -5,7 +5,7 @@ import random
 import re
 from dataclasses import dataclass
 
-from mutants.operators import Change
+from mutants.change import Change
 from mutants.sites import Node
 
 

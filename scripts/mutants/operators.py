@@ -2,9 +2,10 @@
 """The kinds of mutants: what each makes of an expression or a statement."""
 
 import re
-from dataclasses import dataclass, field
 
 from clang import cindex
+
+from mutants.change import Change, Maker, unwrapped
 
 Kind = cindex.CursorKind
 
@@ -40,36 +41,6 @@ ZERO = re.compile(r"(\w+(<\w+>)?[({])?0(\.0*)?[)}]?")
 OPERATORS = {op for table in EXCHANGED.values() for op in table} | set(COMPOUND) | {"="}
 
 
-@dataclass
-class Change:
-    """What a mutant changes: the text of the node before and after, and edits (start, end, text) that put both into the file. In an edit
-    SWITCH stands for the question whether the mutant is on."""
-
-    before: str
-    after: str
-    edits: list = field(default_factory=list)
-
-
-def children_of(cursor):
-    """Its children but concepts and constraints, which these bindings do not know."""
-    for child in cursor.get_children():
-        try:
-            child.kind
-        except ValueError:
-            continue
-        yield child
-
-
-def unwrapped(cursor):
-    """The cursor without the implicit conversions around it."""
-    while cursor.kind == Kind.UNEXPOSED_EXPR:
-        inner = list(children_of(cursor))
-        if len(inner) != 1 or inner[0].extent != cursor.extent:
-            break
-        cursor = inner[0]
-    return cursor
-
-
 def changes(cursor, source, context) -> dict[str, Change]:
     """The mutants that a cursor allows, by their kind."""
     maker = {
@@ -88,43 +59,8 @@ def changes(cursor, source, context) -> dict[str, Change]:
     return maker(Maker(cursor, source, context)) if maker else {}
 
 
-class Maker:
-    def __init__(self, cursor, source, context):
-        self.cursor, self.source, self.context = cursor, source, context
-        self.start, self.end = cursor.extent.start.offset, cursor.extent.end.offset
-        self.text = source.text(self.start, self.end)
-        self.children = list(children_of(cursor))
-
-    def text_of(self, cursor) -> str:
-        return self.source.text(cursor.extent.start.offset, cursor.extent.end.offset)
-
-    def switch(self, mutant: str, start: int, end: int, wrap: str, after: str = "") -> Change:
-        """Puts `SWITCH ? mutant : original` around a part of the file. \\param wrap function around either, or nothing"""
-        edits = [(start, start, f"(SWITCH ? {wrap}({mutant}) : {wrap}("), (end, end, "))")]
-        edits += self.context.constant
-        before = self.source.text(start, end)
-        return Change(before, after or mutant, edits)
-
-    def value(self, mutant: str, after: str = "") -> Change:
-        return self.switch(mutant, self.start, self.end, "::cageproof_mutants::value", after)
-
-    def whole(self, mutant: str, after: str = "") -> Change:
-        return self.switch(mutant, self.start, self.end, "", after)
-
-    def operands(self):
-        """(left, operator, right) of something with two operands; nothing otherwise."""
-        parts = [c for c in self.children if self.text_of(c).strip() not in OPERATORS]
-        if len(parts) != 2:
-            return None
-        left, right = parts
-        if left.extent.start.offset != self.start or right.extent.end.offset != self.end:
-            return None
-        between = self.source.text(left.extent.end.offset, right.extent.start.offset).strip()
-        return (left, between, right) if between in OPERATORS else None
-
-
 def binary(m: Maker) -> dict[str, Change]:
-    found = m.operands()
+    found = m.operands(OPERATORS)
     if not found:
         return {}
     left, op, right = found

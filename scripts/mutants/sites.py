@@ -12,6 +12,7 @@ sys.path.append("/usr/lib/python3/dist-packages")
 from clang import cindex  # noqa: E402  (Debian: python3-clang-16)
 
 from mutants import operators  # noqa: E402
+from mutants.change import children_of  # noqa: E402
 
 Kind = cindex.CursorKind
 
@@ -124,7 +125,7 @@ class Finder:
         if not fresh:
             return
         self.fresh = fresh
-        for cursor in operators.children_of(unit.cursor):
+        for cursor in children_of(unit.cursor):
             if self.file_of(cursor):
                 self.visit(cursor, Context())
         self.done |= fresh
@@ -168,7 +169,7 @@ class Finder:
                 place = self.nodes[file].setdefault((start, end), node)
                 for name, change in changes.items():
                     place.kinds.setdefault(name, change)
-        children = list(operators.children_of(cursor))
+        children = list(children_of(cursor))
         if kind == Kind.IF_STMT and text.startswith("if constexpr"):
             children = children[1:]
         elif kind in FUNCTIONS and kind != Kind.CONSTRUCTOR:
