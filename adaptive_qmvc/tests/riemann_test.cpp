@@ -190,5 +190,11 @@ TEST(Families, TakeCountsFrom1To512) {
     EXPECT_FALSE(all.find("quad.mean_value", bad)) << bad;
 }
 
+TEST(Families, TakeDigitsFrom2To90) {
+  const auto& all = EvaluationRegister::instance();
+  for (const char* good : {"line-2", "line-90"}) EXPECT_TRUE(all.find("quad.mean_value", good)) << good;
+  for (const char* bad : {"line-1", "line-91", "line-", "line"}) EXPECT_FALSE(all.find("quad.mean_value", bad)) << bad;
+}
+
 }  // namespace
 }  // namespace cageproof::adaptive_qmvc

@@ -70,15 +70,23 @@ TEST(Gauss, polynomials_beyond_are_not_exact) {
 }
 
 TEST(Gauss, names_of_the_families) {
-  const auto exists = [](const char* name) {
-    return EvaluationRegister::instance().find("triangle.double_layer", name).has_value();
+  const auto exists = [](const char* formula, const char* name) {
+    return EvaluationRegister::instance().find(formula, name).has_value();
   };
   for (const char* name : {"gauss-1", "gauss-256", "three-quad-3", "three-quad-75", "three-quad-300", "three-quad-1200",
-                           "three-quad-7500", "near-singular-16", "adaptive", "multiprecision"})
-    EXPECT_TRUE(exists(name)) << name;
+                           "three-quad-7500", "near-singular-2", "near-singular-64", "adaptive", "multiprecision"})
+    EXPECT_TRUE(exists("triangle.double_layer", name)) << name;
   for (const char* name : {"gauss-", "gauss-0", "gauss-257", "gauss--4", "gauss-08", "gauss-4x", "gauss-99999999999",
                            "three-quad-76", "three-quad-4", "near-singular-1", "near-singular-65", "adaptive-2", ""})
-    EXPECT_FALSE(exists(name)) << name;
+    EXPECT_FALSE(exists("triangle.double_layer", name)) << name;
+  for (const char* name : {"gauss-1", "gauss-256", "adaptive", "multiprecision"})
+    EXPECT_TRUE(exists("quad.mean_value", name)) << name;
+  for (const char* name : {"gauss-0", "gauss-257", "near-singular-16"})
+    EXPECT_FALSE(exists("quad.mean_value", name)) << name;
+  for (const char* name : {"gauss-1", "gauss-256", "near-singular-2", "near-singular-64", "adaptive", "multiprecision"})
+    EXPECT_TRUE(exists("segment.single_layer", name)) << name;
+  for (const char* name : {"gauss-0", "gauss-257", "near-singular-1", "near-singular-65", "three-quad-3"})
+    EXPECT_FALSE(exists("segment.single_layer", name)) << name;
   for (const std::string& formula : kFormulas)
     for (const std::string& name : EvaluationRegister::instance().standard(formula))
       EXPECT_TRUE(EvaluationRegister::instance().find(formula, name)) << formula << ' ' << name;
