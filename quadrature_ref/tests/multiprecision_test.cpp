@@ -39,6 +39,17 @@ TEST(Multiprecision, float_and_double_are_the_rounded_integral) {
   EXPECT_NEAR(single.value[1], static_cast<double>(wide.value[1]), 1e-7);
 }
 
+// What a result cost is part of its statement.
+TEST(Multiprecision, counts_its_nodes) {
+  const Sample near{"", kTriangle, {1.25, .75, 1e-9}};
+  for (const std::string& formula : kFormulas) {
+    const auto narrow = evaluate<Mp50>(formula, "multiprecision", near, 0);
+    const auto wide = evaluate<Mp100>(formula, "multiprecision", near, 0);
+    EXPECT_GT(narrow.nodes, 100U) << formula;
+    EXPECT_GT(wide.nodes, narrow.nodes) << formula;
+  }
+}
+
 // The triangle cut into four: integrals are additive, whatever the position of eta to the parts.
 TEST(Multiprecision, subdivision) {
   const Sample whole{"", kTriangle, {1.25, .75, 1e-9}};
