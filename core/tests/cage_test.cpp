@@ -2,6 +2,7 @@
 #include "cageproof/core/cage.h"
 
 #include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/face_crossings.h"
 #include "cageproof/core/input_error.h"
 #include "support.h"
 
@@ -357,6 +358,23 @@ TEST(crossing_faces, are_named_by_number) {
 TEST(crossing_faces, are_none_where_a_reflex_corner_is) {
   EXPECT_TRUE(crossing_faces(prism({{{0, 0}, {2, -1}, {1, 0}, {2, 1}}})).empty());
   for (const auto name : embedded_cage_names()) EXPECT_FALSE(crossing_warning(embedded_cage(name))) << name;
+}
+
+TEST(crossing_faces, lie_between_a_twisted_quads_diagonals) {
+  // Above its centre the quad's two triangles are at height 0 by one diagonal, at 1 by the other.
+  const std::vector<Vec3<double>> quad{{0, 0, 0}, {2, 0, 1}, {2, 2, 0}, {0, 2, 1}};
+  const auto crossed_at = [&](double height) {
+    std::vector<Vec3<double>> vertices = quad;
+    vertices.emplace_back(1, 1, height - 0.125);
+    vertices.emplace_back(1.0625, 1, height + 0.125);
+    vertices.emplace_back(1, 1.0625, height + 0.125);
+    return face_crossings(vertices, {{{0, 1, 2, 3}}, {{4, 5, 6, -1}}});
+  };
+  const std::vector<FaceCrossing> both{{0, 1}};
+  EXPECT_EQ(crossed_at(0), both);
+  EXPECT_EQ(crossed_at(1), both);
+  EXPECT_TRUE(crossed_at(-0.5).empty());
+  EXPECT_TRUE(crossed_at(1.5).empty());
 }
 
 TEST(cage_flips, inward_cage_when_told) {

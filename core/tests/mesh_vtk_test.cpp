@@ -154,6 +154,7 @@ TEST(ply_reads, legal_files_that_its_library_cannot) {
   EXPECT_EQ(read(replaced(normals, "0 1 0 255", "0 1 0 -nan")).vertices, kVertices);
   const std::string large = replaced(text_ply(), "0 1 0 255", "0 1e300 0 255");
   EXPECT_EQ(read(large).vertices[2], Vec3<double>(0, 1e300, 0)) << "beyond float";
+  EXPECT_EQ(read(replaced(text_ply(), "comment a tetrahedron", "obj_info a tetrahedron")).faces, kFaces);
 }
 
 TEST(ply_rejects, everything_that_is_not_whole) {
@@ -186,6 +187,7 @@ TEST(ply_rejects, bad_content_naming_line_or_element) {
   expect_parts(error_of("case.ply", replaced(text, "vertex_indices", "corners")), {"case.ply: ", "vertex_indices"});
   expect_parts(error_of("case.ply", replaced(text, "ascii", "ebcdic")), {"case.ply: ", "\"ebcdic\""});
   expect_parts(error_of("case.ply", "solid\n"), {"case.ply:1: ", "not a PLY"});
+  expect_parts(error_of("case.ply", replaced(text, "comment a", "remark a")), {"case.ply:3: ", "\"remark\""});
   std::string binary = binary_ply(false);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::memcpy(binary.data() + binary.find("end_header\n") + 11 + 25, &nan, sizeof nan);

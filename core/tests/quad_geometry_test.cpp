@@ -63,6 +63,8 @@ TEST(quad_validity, planar_and_twisted_quads) {
 TEST(quad_validity, faults_by_name) {
   expect_reason({kSquare[0], kSquare[1], kSquare[0], kSquare[3]}, "corners 0 and 2 coincide");
   expect_reason({Vec(0, 0, 0), Vec(1, 0, 0), Vec(2, 0, 0), Vec(1, 1, 0)}, "corners 0, 1 and 2 lie on a line");
+  expect_reason({Vec(1, 0, 0), Vec(2, 0, 0), Vec(1, 1, 0), Vec(0, 0, 0)}, "corners 3, 0 and 1 lie on a line");
+  expect_reason({Vec(2, 0, 0), Vec(1, 1, 0), Vec(0, 0, 0), Vec(1, 0, 0)}, "corners 2, 3 and 0 lie on a line");
   expect_reason(kBowTie, "bow-tie");
   expect_reason(kArrowhead, "folds over");
   for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity()})
