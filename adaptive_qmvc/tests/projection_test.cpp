@@ -63,6 +63,9 @@ TEST(Projection, SolvesQuadraticsWithoutCancellation) {
     EXPECT_NEAR(root / tiny, 1, 1e-14);
   }
   EXPECT_EQ(quadratic_roots(0., 2., -1.)[0], .5);
+  // A double root at zero; and where every v is one, the middle.
+  EXPECT_EQ(quadratic_roots(3., 0., 0.), (std::array<double, 2>{0, 0}));
+  EXPECT_EQ(quadratic_roots(0., 0., 0.), (std::array<double, 2>{.5, .5}));
 }
 
 // Eq 25: the absolute triangle weights are the integrals with exponent 4; those with the printed 3 are not in
