@@ -23,7 +23,6 @@ CageElements::CageElements(const Cage& cage, bool keep_quads, Triangulation rule
     : dimension_(cage.dimension()), vertices_(cage.vertices()) {
   Cage::Parts parts = cage.parts(keep_quads, rule);
   elements_ = std::move(parts.elements);
-  face_of_ = std::move(parts.face_of);
   for (std::size_t e = 0; e < elements_.size(); ++e)
     normals_.push_back(type(e).extent(of_unit_size(corners(e))).normalized());
 }

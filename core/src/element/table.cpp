@@ -16,10 +16,4 @@ ElementKind kind_with_corners(int corners) {
   return *std::ranges::find(element_kinds, corners, [](ElementKind kind) { return type_of(kind).corners; });
 }
 
-std::optional<ElementKind> element_named(std::string_view name) {
-  for (const ElementKind kind : element_kinds)
-    if (type_of(kind).name == name) return kind;
-  return std::nullopt;
-}
-
 }  // namespace cageproof

@@ -29,8 +29,6 @@ class CageElements {
   /// The vertices of an element, as many as it has corners.
   std::span<const int> vertices_of(std::size_t element) const;
   std::vector<Vec3<double>> corners(std::size_t element) const;
-  /// Which face of the cage an element is, or is part of.
-  int face_of(std::size_t element) const { return face_of_[element]; }
   /// Outward unit normals of flat elements; of quads, of their area vectors.
   const std::vector<Vec3<double>>& normals() const { return normals_; }
   /// The outward unit normal where a point touches; of a bilinear quad, there.
@@ -42,7 +40,6 @@ class CageElements {
   int dimension_;
   std::vector<Vec3<double>> vertices_;
   std::vector<Face> elements_;
-  std::vector<int> face_of_;
   std::vector<Vec3<double>> normals_;
 };
 

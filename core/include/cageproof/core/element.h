@@ -77,9 +77,6 @@ const ElementType& type_of(ElementKind kind);
 /// The kind that has so many corners. \pre there is one
 ElementKind kind_with_corners(int corners);
 
-/// The kind of that name, or nothing.
-std::optional<ElementKind> element_named(std::string_view name);
-
 inline int corner_count(ElementKind kind) { return type_of(kind).corners; }
 /// Dimension of the space the element lies in: 2 or 3.
 inline int dimension(ElementKind kind) { return type_of(kind).dimension; }
