@@ -10,7 +10,7 @@ from pathlib import Path
 from mutants import detectors, verification
 
 # Detectors run in portions of at most so many seconds (without a mutant): all mutants' cheap ones come before any one's dear ones.
-PORTIONS = [2, 10, 40, 10**9]
+PORTIONS = [2, 20, 100, 10**9]
 # Before the units of work are timed, which takes longest, the tests catch what they catch in portions up to this.
 EARLY = 2
 
