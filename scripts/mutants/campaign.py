@@ -83,8 +83,8 @@ class Campaign:
         return found
 
     def try_all(self, most: float, whole: bool) -> None:
-        """Rounds of ever larger portions. \\param whole whether all detectors are known, so that what none reaches is unreached"""
-        known = [detectors.Detector.of(r) for r in lines_of(self.known) if not r["fails"]]
+        """Rounds of ever larger portions. \\param whole whether all detectors are known, not the tests alone, so that what none reaches is unreached"""
+        known = [detectors.Detector.of(r) for r in lines_of(self.known) if not r["fails"] and (whole or not r["is_unit"])]
         finished, tried = set(), {m["number"]: set() for m in self.mutants}
         for result in lines_of(self.results):
             tried[result["number"]] |= set(result["tried"])
