@@ -10,9 +10,8 @@ from pathlib import Path
 from mutants import detectors, verification
 
 # Detectors run in portions of at most so many seconds (without a mutant): all mutants' cheap ones come before any one's dear ones.
-PORTIONS = [2, 20, 100, 10**9]
-# Before the units of work are timed, which takes longest, the tests catch what they catch in portions up to this.
-EARLY = 2
+# Before the units of work are timed, which takes longest, the tests catch what they catch in one that is short.
+EARLY, PORTIONS = [2], [20, 100, 10**9]
 
 
 def lines_of(path: Path) -> list:
@@ -38,7 +37,7 @@ class Campaign:
         if not (self.folder / "verify/whole").exists():
             self.verification.check()
         self.verification.read()
-        self.try_all(PORTIONS[-1], whole=True)
+        self.try_all(PORTIONS, whole=True)
 
     def is_over(self) -> bool:
         if time.time() <= self.until:
@@ -82,7 +81,7 @@ class Campaign:
             spent += detector.seconds
         return found
 
-    def try_all(self, most: float, whole: bool) -> None:
+    def try_all(self, limits: list, whole: bool) -> None:
         """Rounds of ever larger portions. \\param whole whether all detectors are known, not the tests alone, so that what none reaches is unreached"""
         known = [detectors.Detector.of(r) for r in lines_of(self.known) if not r["fails"] and (whole or not r["is_unit"])]
         finished, tried = set(), {m["number"]: set() for m in self.mutants}
@@ -116,7 +115,7 @@ class Campaign:
             if outcome != "open":
                 finished.add(number)
 
-        for limit in [p for p in PORTIONS if p <= most]:
+        for limit in limits:
             todo = [
                 number
                 for number, of_number in reaching.items()

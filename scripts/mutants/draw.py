@@ -26,6 +26,7 @@ class Mutant:
             "line": self.node.line,
             "function": self.node.function,
             "kind": self.kind,
+            "source": self.node.source,
             "before": one_line(self.change.before),
             "after": one_line(self.change.after),
             "may_be_constant": self.node.may_be_constant,

@@ -33,7 +33,7 @@ def lines_of(path: Path) -> list:
 
 
 def key_of(record: dict) -> tuple:
-    return tuple(record[name] for name in ("file", "function", "kind", "before", "after"))
+    return tuple(record[name] for name in ("file", "function", "source", "kind", "before", "after"))
 
 
 def table(head: list, rows: list) -> str:

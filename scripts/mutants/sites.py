@@ -51,6 +51,7 @@ class Node:
     start: int
     end: int
     line: int
+    source: str  # the line's text
     function: str
     may_be_constant: bool  # in a function that the compiler may evaluate
     kinds: dict = field(default_factory=dict)  # name of a kind -> operators.Change
@@ -86,6 +87,10 @@ class Source:
 
     def text(self, start: int, end: int) -> str:
         return self.bytes[start:end].decode()
+
+    def line_at(self, offset: int) -> str:
+        begin, end = self.bytes.rfind(b"\n", 0, offset) + 1, self.bytes.find(b"\n", offset)
+        return self.bytes[begin:end].decode().strip()
 
     def in_macro(self, start: int, end: int) -> bool:
         return any(start < e and s < end for s, e in self.macros)
@@ -165,7 +170,7 @@ class Finder:
         if not source.in_macro(start, end):
             changes = operators.changes(cursor, source, context)
             if changes:
-                node = Node(file, start, end, cursor.extent.start.line, context.function, context.may_be_constant)
+                node = Node(file, start, end, cursor.extent.start.line, source.line_at(start), context.function, context.may_be_constant)
                 place = self.nodes[file].setdefault((start, end), node)
                 for name, change in changes.items():
                     place.kinds.setdefault(name, change)
