@@ -67,6 +67,15 @@ TEST(double_layer, half_the_hat_functions_on_the_face) {
   EXPECT_DOUBLE_EQ(phi.value[2], 0.125);
 }
 
+// Straight above a corner d phibar/dz is int Gamma (1/r - z^2/r^3)/(8 pi), whose terms cancel: int Gamma (x^2 + y^2)
+// over 8 pi z^3 is left, 1/(240 pi z^3) for that corner.
+TEST(biharmonic_double_layer, keeps_the_gradient_far_above_the_face) {
+  for (const double z : {1e5, 1e7, 1e9}) {
+    const double expected = 1 / (240 * std::numbers::pi * z * z * z);
+    EXPECT_NEAR(evaluate<BiharmonicDoubleLayer>(flat, Vec(0, 0, z), 1).gradient[0][2], expected, 1e-9 * expected) << z;
+  }
+}
+
 TEST(mean_value, infinite_on_the_face_and_zero_beside_it) {
   const auto on = evaluate<MeanValue>(flat, Vec(0.25, 0.25, 0), 0);
   for (const double w : on.value) EXPECT_TRUE(std::isinf(w) && w > 0);

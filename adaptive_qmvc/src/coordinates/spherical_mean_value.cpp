@@ -22,7 +22,14 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
  public:
   explicit SphericalCoordinates(const Cage& cage)
       : elements_(cage, true, Triangulation::Shortest),
-        triangle_(*EvaluationRegister::instance().with_role("triangle.mean_value", Role::Recommended)) {
+        triangle_(*EvaluationRegister::instance().with_role("triangle.mean_value", Role::Recommended)),
+        vertices_(elements_.vertices()) {
+    double largest = 0;
+    for (const Vec3<double>& v : vertices_) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+    // Other cages are in their own unit, in which the least numbers are not lost.
+    constexpr int kComfortable = 40;
+    if (largest > 0 && std::abs(std::ilogb(largest)) > kComfortable) exponent_ = std::ilogb(largest);
+    for (Vec3<double>& v : vertices_) v = in_unit(v);
     blocks_.push_back({.label = "lambda",
                        .per_vertex = true,
                        .size = static_cast<int>(elements_.vertices().size()),
@@ -78,20 +85,41 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
     const Quad<double> q = quad(touch.element);
     if (!is_planar(q)) return std::nullopt;
     return planar_coordinates<R>({convert<R>(q[0]), convert<R>(q[1]), convert<R>(q[2]), convert<R>(q[3])},
-                                 convert<R>(eta));
+                                 in_unit(convert<R>(eta)));
   }
 
-  // The sum over all elements, divided by its total. In double, where squares or reciprocals of distances leave its
-  // range, values come from 200 digits.
+  // The sum over all elements, divided by its total, in a unit in which no product leaves the scalar's range. In
+  // double, where distances are so unlike that products do, values come from 200 digits.
   template <class N, Scalar R>
   void put(const Vec3<R>& eta, std::size_t point, int order, CoordinateTable<R>& table) const {
-    std::vector<N> found = sum<N>(eta, order);
+    const Vec3<R> scaled = in_unit(eta);
+    std::vector<N> found = sum<N>(scaled, order);
     if constexpr (std::same_as<N, double>) {
-      if (std::ranges::any_of(found, [](double x) { return !std::isfinite(x); }))
-        std::ranges::transform(sum<Mp200>(convert<Mp200>(eta), order), found.begin(),
+      if (has_distant_exponents(scaled) || std::ranges::any_of(found, [](double x) { return !std::isfinite(x); }))
+        std::ranges::transform(sum<Mp200>(in_unit(convert<Mp200>(eta)), order), found.begin(),
                                [](const Mp200& x) { return static_cast<double>(x); });
     }
     for (std::size_t v = 0; v < found.size(); ++v) store<N>(found[v], v, point, order, table);
+    using std::ldexp;
+    for (int o = 1; o <= order; ++o)
+      for (R& x : std::span(table.tensors[o]).subspan(point * table.stride[o], table.stride[o]))
+        x = ldexp(x, -o * exponent_);
+  }
+
+  template <Scalar R>
+  Vec3<R> in_unit(const Vec3<R>& p) const {
+    using std::ldexp;
+    return {ldexp(p[0], -exponent_), ldexp(p[1], -exponent_), ldexp(p[2], -exponent_)};
+  }
+
+  // Whether the point is nearer to a plane of the axes through a vertex than double's products of four such distances
+  // can say beside those of the cage's size. \param eta in the unit
+  bool has_distant_exponents(const Vec3<double>& eta) const {
+    constexpr double kNear = 0x1p-40;
+    return std::ranges::any_of(vertices_, [&](const Vec3<double>& v) {
+      const auto apart = (v - eta).cwiseAbs().array();
+      return ((apart > 0) && (apart < kNear)).any();
+    });
   }
 
   template <class N, Scalar R>
@@ -106,7 +134,7 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
       } else {
         // Three directions leave no choice: the coordinates are those of triangles.
         std::array<Vec3<R>, 3> corners;
-        for (std::size_t k = 0; k < 3; ++k) corners[k] = convert<R>(elements_.vertices()[vertices[k]]);
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = convert<R>(vertices_[vertices[k]]);
         triangle_(Query<R>{corners, eta, order, {}}, of_triangle);
         for (std::size_t k = 0; k < 3; ++k) found[vertices[k]] += number<N>(of_triangle, order, k);
       }
@@ -151,12 +179,13 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
 
   Quad<double> quad(std::size_t e) const {
     const auto vertices = elements_.vertices_of(e);
-    const auto& at = elements_.vertices();
-    return {at[vertices[0]], at[vertices[1]], at[vertices[2]], at[vertices[3]]};
+    return {vertices_[vertices[0]], vertices_[vertices[1]], vertices_[vertices[2]], vertices_[vertices[3]]};
   }
 
   CageElements elements_;
   Evaluation triangle_;
+  int exponent_ = 0;
+  std::vector<Vec3<double>> vertices_;  // in units of 2^exponent
   std::vector<CoordinateBlock> blocks_;
 };
 

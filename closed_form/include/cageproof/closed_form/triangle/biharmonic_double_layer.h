@@ -12,6 +12,8 @@ namespace cageproof::closed_form::triangle {
 struct BiharmonicDoubleLayer : OddPowers {
   static constexpr int components = 3, degree = 2, border_order = 2, far_power = -1;
   static constexpr OnBorder on_border = OnBorder::LogarithmAndDirection;
+  // Straight above the triangle the gradient of x.n/r is less than its terms by the square of the distance.
+  static constexpr bool cancels_far = true;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R>, std::array<Taylor<R, N>, 3>& out) {
     const auto& a = s.A();

@@ -39,8 +39,9 @@ std::optional<int> multiprecision_far_points(PointMoments<R, O>& at) {
 
 /// The fast one, at a point whose moments other formulas may share; the result does not depend on which do. In double:
 /// far away a few Gauss points, else the near form; on slivers, where that cancels, the near form in more digits
-/// (formulas that cancel nearby: wherever its own error bound says so); at extreme points what 200 digits say. In
-/// multiprecision: the near form, up to where it has lost half its digits. \param finite_part Batch::finite_part
+/// (formulas that cancel nearby, or far away: wherever the form's own error bound says so); at extreme points what 200
+/// digits say. In multiprecision: the near form, up to where it has lost half its digits. \param finite_part
+/// Batch::finite_part
 template <class F, int O, Scalar R>
 Jet<R, F::components> closed_form(PointMoments<R, O>& at, std::span<const R> parameters, bool finite_part) {
   const Frame<R>& f = at.frame();
@@ -55,8 +56,14 @@ Jet<R, F::components> closed_form(PointMoments<R, O>& at, std::span<const R> par
     if (limit < 3) return diverging_weights<F, O, R>(f);
   if constexpr (std::same_as<R, double>) {
     if (limit == 3)
-      if (const auto n = far_points_for<F, O>(at.ellipse(), kFarTolerance))
+      if (const auto n = far_points_for<F, O>(at.ellipse(), kFarTolerance)) {
+        if constexpr (F::cancels_far && O > 0) {
+          auto result = tracked_far<F, O>(f, parameters, *n);
+          if (result.worst() > kFastTolerance) result = refined<F>(at, parameters, kAccurateTolerance, limit);
+          return result.jet;
+        }
         return finish<F, O, R>(composed<F, O, R>(at.far_moments().template far<F>(*n), parameters), f.unit, limit);
+      }
     if (F::cancels_nearby || f.shape() < kThinShape) {
       auto result = tracked_near<F, double>(at, parameters, limit);
       if (result.worst() > kFastTolerance) result = refined<F>(at, parameters, kAccurateTolerance, limit);

@@ -36,6 +36,8 @@ struct OddPowers {
   /// Whether the form near the triangle cancels within a triangle's size of it already, so that the far form must take
   /// over as early as it can, and the near form in double is always asked for its error bound.
   static constexpr bool cancels_nearby = false;
+  /// Whether derivatives cancel far away: their far form in double is then asked for its error bound.
+  static constexpr bool cancels_far = false;
   /// The moments near the triangle, for derivatives up to order O.
   template <class F, class R, int O>
   using Near = EdgeForm<R, O + F::extra, F::extra == 0 ? O : O + F::extra - 1>;
@@ -48,6 +50,7 @@ struct EvenPowers {
   static constexpr OnBorder on_border = OnBorder::NoLimit;
   static constexpr bool diverges_on_triangle = true;
   static constexpr bool cancels_nearby = true;
+  static constexpr bool cancels_far = false;
   template <class F, class R, int O>
   using Near = EvenForm<R, O>;
 };
