@@ -15,8 +15,10 @@ using Vec = Vec3<double>;
 // The unit cube times 2^exponent, of quads, or of triangles cut along one diagonal each.
 Cage cube(bool of_triangles, int exponent = 0) {
   std::vector<Vec> vertices;
+  vertices.reserve(8);
   for (int v = 0; v < 8; ++v) vertices.emplace_back(std::ldexp(1., exponent) * Vec(v & 1, v >> 1 & 1, v >> 2));
   std::vector<Face> faces;
+  faces.reserve(12);
   for (const std::array<int, 4>& f :
        {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}}) {
     if (of_triangles) {

@@ -234,7 +234,7 @@ TEST(cage_accepts, components_and_cavities) {
 }
 
 // Cubes of these half widths about the origin, each inside the one before.
-Cage nested(const std::vector<std::pair<double, bool>>& widths_and_inward, CageOptions options = {}) {
+Cage nested(const std::vector<std::pair<double, bool>>& widths_and_inward, const CageOptions& options = {}) {
   Vertices vertices;
   Faces faces;
   for (const auto& [width, inward] : widths_and_inward) {

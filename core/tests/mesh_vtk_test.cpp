@@ -100,7 +100,7 @@ std::string error_of(const std::string& name, std::string_view content) {
   const auto path = folder.write(name, content);
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
-  const std::string message = input_error_of([&] { read_mesh(path); });
+  std::string message = input_error_of([&] { read_mesh(path); });
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << content.substr(0, 200);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "") << content.substr(0, 200);
   expect_parts(message, {name});

@@ -55,9 +55,9 @@ double log10_error(const std::vector<A>& a, const std::vector<B>& b) {
   EXPECT_EQ(a.size(), b.size());
   Mp100 difference = 0, norm = 0;
   for (std::size_t i = 0; i < b.size(); ++i) {
-    const Mp100 reference(b[i]);
-    difference += (Mp100(a[i]) - reference) * (Mp100(a[i]) - reference);
-    norm += reference * reference;
+    const auto away = Mp100(a[i]) - Mp100(b[i]);
+    difference += away * away;
+    norm += Mp100(b[i]) * Mp100(b[i]);
   }
   if (difference == 0) return -1e9;
   return log10_of(Mp100(sqrt(Mp100(difference / norm))));
