@@ -54,14 +54,19 @@ std::array<std::optional<double>, 3> inside_limit_errors_at(const CageCoordinate
                                                             int order) {
   const std::vector<Touching> on = coordinates.elements().touching(point);
   if (on.empty()) return {NAN, NAN, NAN};
-  if (locator.distance_but_to(on, point) < kLeastRoom * cage.size()) return {};
+  const double room = locator.distance_but_to(on, point) / cage.size();
+  if (room < kLeastRoom) return {};
   const auto near = point_inside(coordinates, cage, locator, point, on);
   if (!near) return {};
   const auto limit = coordinates.at<double>(point, order), inside = coordinates.at<double>(*near, order);
   if (!coordinates.kind().missing_because.empty() && std::isnan(limit[0].value[0] + inside[0].value[0]))
     return {NAN, NAN, NAN};
   std::array<std::optional<double>, 3> errors;
-  for (int o = 0; o <= order; ++o) errors[o] = largest_difference(coordinates, limit, inside, cage.size(), o);
+  for (int o = 0; o <= order; ++o) {
+    errors[o] = largest_difference(coordinates, limit, inside, cage.size(), o);
+    // Over the step derivatives change by that much of the reciprocal of the room, to a power that is one more.
+    if (o > 0 && errors[o]) *errors[o] *= std::pow(room, o + 1);
+  }
   return errors;
 }
 

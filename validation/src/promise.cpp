@@ -156,13 +156,13 @@ constexpr std::array table{
     Row{"linear_reproduction", "quad_mean_value", "*", "double", "*", 0, 0, 64,
         "weights that keep a quad's mean vector, Eq 17 of [T18]"},
     Row{"zero_outside", "*", recommended, "double", "*", 0, 2, 64, "as the partition of unity"},
-    Row{"limit_from_inside", "*", recommended, "double", "*", 0, 1, 1e-6,
+    Row{"limit_from_inside", "*", recommended, "double", "*", 0, 0, 1e-6,
         "1e-11 sizes inside, coordinates differ by that times their gradient, which small faces and a logarithm "
         "enlarge"},
-    Row{"limit_from_inside", "*", recommended, "double", "*", 2, 2, 1e-4,
-        "1e-11 sizes inside, second derivatives differ by that over the cube of the distance to the next edge, which "
-        "may "
-        "be 5e-3 sizes"},
+    Row{"limit_from_inside", "*", recommended, "double", "*", 1, 2, 1e-10,
+        "1e-11 sizes inside, derivatives differ by that over a power of the distance to the next edge, which the "
+        "figure "
+        "is multiplied with, times a number of order ten"},
     Row{"cage_scaling", "*", recommended, "double", "*", 0, 0, 64, "as the partition of unity, norm-wise over a block"},
     Row{"cage_rigid_motion", "*", recommended, "double", "*", 0, 0, 64,
         "as the partition of unity, norm-wise over a block"},
