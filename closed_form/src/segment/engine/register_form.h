@@ -6,6 +6,7 @@
 
 #include "cageproof/closed_form/segment/engine/closed_form.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace cageproof::closed_form::segment {
@@ -23,16 +24,22 @@ struct SharedOnSegment {
   };
   template <Scalar R, int O>
   struct At {
+    Segment<Working<R>> given;
+    Vec3<Working<R>> at_point;
     Frame<Working<R>> frame;
     /// The same in multiprecision, where powers of distances leave double's range.
     std::optional<Frame<Mp200>> beyond;
 
-    At(const Element<R>& element, const Vec3<R>& point) : frame(element.s, convert<Working<R>>(point)) {
+    At(const Element<R>& element, const Vec3<R>& point)
+        : given{element.s}, at_point(convert<Working<R>>(point)), frame(element.s, at_point) {
       if constexpr (!is_multiprecision<R>)
         if (!frame.at_end && !frame.is_far() &&
             (frame.near_exponent - frame.exponent < -kExtreme || frame.exponent < -kExtreme))
-          beyond.emplace(Segment<Mp200>{convert<Mp200>(element.s[0]), convert<Mp200>(element.s[1])},
-                         convert<Mp200>(point));
+          beyond.emplace(in_multiprecision());
+    }
+
+    Frame<Mp200> in_multiprecision() const {
+      return {Segment<Mp200>{convert<Mp200>(given[0]), convert<Mp200>(given[1])}, convert<Mp200>(at_point)};
     }
   };
 };
@@ -43,8 +50,20 @@ struct PutForm {
   template <Scalar R, int O>
   static void put(SharedOnSegment::At<R, O>& at, std::span<const R>, bool, std::size_t point,
                   const BatchOutput<R>& output) {
-    if (at.beyond) closed_form::put(narrowed<R>(F::template at<O, Mp200>(*at.beyond)), O, point, output);
-    else closed_form::put(narrowed<R>(F::template at<O, Working<R>>(at.frame)), O, point, output);
+    if (at.beyond) return closed_form::put(narrowed<R>(F::template at<O, Mp200>(*at.beyond)), O, point, output);
+    auto jet = F::template at<O, Working<R>>(at.frame);
+    if constexpr (O >= 2 && !is_multiprecision<R>)
+      if (!at.frame.at_end && !std::ranges::all_of(jet.hessian, [](const auto& h) { return h.allFinite(); }))
+        set_large_hessian(at, jet);
+    closed_form::put(narrowed<R>(jet), O, point, output);
+  }
+
+ private:
+  // Far from a tiny segment second derivatives overflow first: infinities times a normal's zeros have no sign. They are
+  // products, which lose nothing in multiprecision, as far as the point may be.
+  template <Scalar R, int O>
+  static void set_large_hessian(const SharedOnSegment::At<R, O>& at, Jet<double, F::components, 2>& jet) {
+    jet.hessian = narrowed<double>(F::template at<O, Mp200>(at.in_multiprecision())).hessian;
   }
 };
 
