@@ -12,7 +12,7 @@ using Exact = Mp100;
 
 struct Halves {
   Pieces pieces;
-  bool folded, planar;
+  bool folded;
 };
 
 Vec3<Exact> normal(const std::vector<Vec3<double>>& vertices, const std::array<int, 3>& t) {
@@ -30,7 +30,6 @@ Halves halves_by(const std::vector<Vec3<double>>& vertices, const Face& face, co
     if (!normals[i].isZero(0)) halves.pieces.push_back(t);
   }
   halves.folded = normals[0].dot(normals[1]) < 0;
-  halves.planar = Vec3<Exact>(normals[0].cross(normals[1])).isZero(0);
   return halves;
 }
 
@@ -53,7 +52,6 @@ Pieces all_pieces_of(const std::vector<Vec3<double>>& vertices, const Face& face
     const Halves halves = halves_by(vertices, face, split);
     if (halves.folded) continue;
     all.insert(all.end(), halves.pieces.begin(), halves.pieces.end());
-    if (halves.planar) break;
   }
   return all;
 }

@@ -13,8 +13,8 @@ using Pieces = std::vector<std::array<int, 3>>;
 /// in an arrowhead. Triangles without area are left out.
 Pieces pieces_of(const std::vector<Vec3<double>>& vertices, const Face& face);
 
-/// The triangles of a quad by every diagonal that does not fold it; of a planar one those of pieces_of, as the others
-/// cover the same. None for a quad that either diagonal folds.
+/// The triangles of a quad by every diagonal that does not fold it, planar ones too: what touches a diagonal touches no
+/// edge. None for a quad that each diagonal folds.
 Pieces all_pieces_of(const std::vector<Vec3<double>>& vertices, const Face& face);
 
 }  // namespace cageproof

@@ -6,6 +6,7 @@
 #include "cageproof/core/input_error.h"
 #include "support.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -353,6 +354,19 @@ TEST(crossing_faces, are_named_by_number) {
   EXPECT_NE(crossing_warning(cage).value().find("pyramid: faces 1 and 4, faces 2 and 4"), std::string::npos);
   // Just touching; now its own upper face lies in the lower one.
   EXPECT_EQ(crossing_faces(pyramid({0.25, 0.25, -0.5})).size(), 4u);
+}
+
+// A triangle over a quad's diagonal, which is no edge of it: from whichever corner the quad is written.
+TEST(crossing_faces, do_not_depend_on_where_a_quad_begins) {
+  for (const double twist : {0., .25}) {
+    const Vertices vertices{{0, 0, 0}, {1, 0, twist}, {1, 1, 0}, {0, 1, twist}, {.5, .5, 1}};
+    for (int turn = 0; turn < 4; ++turn) {
+      Face quad{{0, 1, 2, 3}};
+      std::ranges::rotate(quad.vertices, quad.vertices.begin() + turn);
+      const auto found = face_crossings(vertices, {quad, Face{{0, 2, 4, -1}}});
+      ASSERT_EQ(found.size(), 1u) << turn;
+    }
+  }
 }
 
 TEST(crossing_faces, are_none_where_a_reflex_corner_is) {
