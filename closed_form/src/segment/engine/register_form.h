@@ -7,6 +7,7 @@
 #include "cageproof/closed_form/segment/engine/closed_form.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace cageproof::closed_form::segment {
@@ -52,6 +53,13 @@ struct PutForm {
                   const BatchOutput<R>& output) {
     if (at.beyond) return closed_form::put(narrowed<R>(F::template at<O, Mp200>(*at.beyond)), O, point, output);
     auto jet = F::template at<O, Working<R>>(at.frame);
+    if constexpr (!is_multiprecision<R>) {
+      // Angles of the size of the least numbers have no digits in double. Far away nothing cancels, nor is there need.
+      double size = 0;
+      for (const double x : jet.value) size = std::max(size, std::abs(x));
+      if (size > 0 && size < 0x1p-900 && !at.frame.is_far())
+        return closed_form::put(narrowed<R>(F::template at<O, Mp200>(at.in_multiprecision())), O, point, output);
+    }
     if constexpr (O >= 2 && !is_multiprecision<R>)
       if (!at.frame.at_end && !std::ranges::all_of(jet.hessian, [](const auto& h) { return h.allFinite(); }))
         set_large_hessian(at, jet);
