@@ -77,7 +77,7 @@ struct Recorder {
   static std::int16_t cancelled(double a, double b, double sum) {
     constexpr int kAll = 53;
     const double larger = std::max(std::abs(a), std::abs(b));
-    if (larger == 0 || !std::isfinite(larger)) return 0;
+    if (larger == 0 || !std::isfinite(larger) || !std::isfinite(sum)) return 0;
     if (sum == 0) return kAll;
     return static_cast<std::int16_t>(std::clamp(std::ilogb(larger) - std::ilogb(sum), 0, kAll));
   }

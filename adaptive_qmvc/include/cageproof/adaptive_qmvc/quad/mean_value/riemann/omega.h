@@ -17,7 +17,7 @@ struct GridLine {
 
   void place(int n, const R& centre) {
     count = 2 * n + 1;
-    const std::size_t padded = static_cast<std::size_t>((count + 3) / 4 * 4);
+    const std::size_t padded = static_cast<std::size_t>(count + 3) / 4 * 4;
     at.resize(padded, R(0));
     length.resize(padded, R(0));
     const R below = centre / R(n), above = (1 - centre) / R(n);
