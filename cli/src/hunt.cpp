@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 
+#include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
 #include "cageproof/core/scalar_text.h"
 #include "cageproof/reports/worst_file.h"
@@ -10,22 +11,32 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include <unistd.h>
 
 namespace cageproof::cli {
 namespace {
 
 using validation::HuntedCase;
+using validation::HuntObjective;
 using validation::HuntResult;
 
 struct Arguments {
-  std::string formula, evaluation, scalar = "double", out;
-  std::vector<std::string> checks;
+  std::string formula, scalar = "double", out;
+  std::vector<std::string> evaluations, checks;
   validation::HuntOptions options;
 };
 
-// Without --check: the promised error, and the plain relative one of evaluations that are asked for it.
-std::vector<const validation::Check*> chosen_checks(const Arguments& a) {
+std::optional<double> bound_of(const Arguments& a, const HuntObjective& objective) {
+  return validation::promise_for({objective.check->name(), a.formula, objective.evaluation.name(), a.scalar,
+                                  validation::hunted_regime, a.options.order})
+      .bound;
+}
+
+// The checks of an evaluation that are named; without names the promised error, and the plain relative one of
+// evaluations that are asked for it.
+std::vector<const validation::Check*> checks_of(const Arguments& a, const Evaluation& evaluation) {
   std::vector<const validation::Check*> chosen;
   for (const std::string& name : a.checks) {
     chosen.push_back(validation::find_check(name));
@@ -34,9 +45,39 @@ std::vector<const validation::Check*> chosen_checks(const Arguments& a) {
   if (!chosen.empty()) return chosen;
   chosen.push_back(validation::find_check("truth"));
   const validation::Check* relative = validation::find_check("relative");
-  if (relative &&
-      relative->applies(*a.options.formula, a.options.evaluation, a.options.scalar, validation::hunted_regime))
+  if (relative && relative->applies(*a.options.formula, evaluation, a.options.scalar, validation::hunted_regime))
     chosen.push_back(relative);
+  return chosen;
+}
+
+// Everything that is promised of the formula in this scalar and order: checks against the truth, and of what
+// evaluations state about themselves.
+std::vector<HuntObjective> promised_objectives(const Arguments& a) {
+  std::vector<HuntObjective> found;
+  for (const std::string& name : EvaluationRegister::instance().standard(a.formula)) {
+    const Evaluation evaluation = evaluation_named(a.formula, name);
+    if (!evaluation.supports(a.options.scalar) || a.options.order > evaluation.max_order()) continue;
+    for (const std::string_view check_name : {"truth", "relative", "stated_error"}) {
+      const HuntObjective objective{evaluation, validation::find_check(check_name)};
+      const bool asked = a.checks.empty() || std::ranges::find(a.checks, check_name) != a.checks.end();
+      if (asked && bound_of(a, objective) &&
+          objective.check->applies(*a.options.formula, evaluation, a.options.scalar, validation::hunted_regime))
+        found.push_back(objective);
+    }
+  }
+  if (found.empty())
+    throw InputError(fmt::format("nothing of {} is promised in {} at order {}; name an evaluation with --evaluation",
+                                 a.formula, a.scalar, a.options.order));
+  return found;
+}
+
+std::vector<HuntObjective> objectives_of(const Arguments& a) {
+  if (a.evaluations.empty()) return promised_objectives(a);
+  std::vector<HuntObjective> chosen;
+  for (const std::string& name : a.evaluations) {
+    const Evaluation evaluation = evaluation_named(a.formula, name);
+    for (const validation::Check* check : checks_of(a, evaluation)) chosen.push_back({evaluation, check});
+  }
   return chosen;
 }
 
@@ -64,60 +105,61 @@ std::string confirmation(const HuntedCase& found) {
              : fmt::format("TRUTH {} FROM THE INTEGRAL", format_scalar(*found.against_integral));
 }
 
-reports::WorstLine line_of(const Arguments& a, const HuntedCase& found, const std::optional<double>& bound) {
+reports::WorstLine line_of(const Arguments& a, const HuntObjective& objective, const HuntedCase& found) {
   reports::WorstLine line;
   line.subject = a.formula;
-  line.evaluation = a.evaluation;
+  line.evaluation = objective.evaluation.name();
   line.scalar = a.scalar;
   line.regime = validation::hunted_regime;
-  line.check = a.options.check->name();
+  line.check = objective.check->name();
   line.order = a.options.order;
-  line.unit = a.options.check->unit();
-  line.bound = bound;
+  line.unit = objective.check->unit();
+  line.bound = bound_of(a, objective);
   line.flags = {line.regime, std::string(found.regime)};
   line.provenance = fmt::format("hunt from {}, seed {}, budget {}", found.regime, a.options.seed, a.options.budget);
   line.worst = found.worst;
   return line;
 }
 
-// Hunts one check; returns whether what was found breaks a promise.
-bool hunt_one(const Arguments& a, std::vector<reports::WorstLine>& lines) {
-  const auto& options = a.options;
-  const auto promise = validation::promise_for(
-      {options.check->name(), a.formula, a.evaluation, a.scalar, validation::hunted_regime, options.order});
-  const HuntResult result = validation::hunt(options);
-  const auto head =
-      fmt::format("{} {} {} {} order {}", a.formula, a.evaluation, a.scalar, options.check->name(), options.order);
+// Prints what was found for one objective; returns whether it breaks a promise.
+bool print(const Arguments& a, const HuntObjective& objective, const HuntResult& result) {
+  const auto head = fmt::format("{} {} {} {} order {}", a.formula, objective.evaluation.name(), a.scalar,
+                                objective.check->name(), a.options.order);
   const auto tail = fmt::format("{} evaluations, {} without truth, {} declined", result.evaluations,
                                 result.without_truth, result.declined);
+  if (result.worst.empty()) {
+    fmt::print("{}: nothing measured; {}\n", head, tail);
+    return false;
+  }
+  const std::optional<double> bound = bound_of(a, objective);
   const HuntedCase& worst = result.worst.front();
-  const bool broken = promise.bound && worst.worst.error > *promise.bound;
+  const bool broken = bound && worst.worst.error > *bound;
   const std::string verdict =
-      !promise.bound ? "not promised" : fmt::format("promised {}: {}", *promise.bound, broken ? "BROKEN" : "kept");
+      !bound ? "not promised" : fmt::format("promised {}: {}", *bound, broken ? "BROKEN" : "kept");
   fmt::print("{}: largest found {} {}, {}; {}; from {}; {}; {}\n", head, format_scalar(worst.worst.error),
-             options.check->unit(), verdict, input_text(*options.formula, worst.worst), worst.regime,
+             objective.check->unit(), verdict, input_text(*a.options.formula, worst.worst), worst.regime,
              confirmation(worst), tail);
-  for (const HuntedCase& found : result.worst) lines.push_back(line_of(a, found, promise.bound));
   return broken;
 }
 
 int run(Arguments& a) {
   auto& options = a.options;
   options.formula = &formula_named(a.formula);
-  options.evaluation = evaluation_named(a.formula, a.evaluation);
   options.scalar = *scalar_named(a.scalar);
+  options.objectives = objectives_of(a);
   if (isatty(STDERR_FILENO) != 0)
-    options.improved = [&](const WorstCase& worst, std::string_view regime) {
-      fmt::print(stderr, "{} order {} from {}: {:.4g} at {}\n", options.check->name(), options.order, regime,
-                 worst.error, input_text(*options.formula, worst));
+    options.improved = [&](const HuntObjective& objective, const WorstCase& worst, std::string_view regime) {
+      fmt::print(stderr, "{} {} order {} from {}: {:.4g} at {}\n", objective.evaluation.name(), objective.check->name(),
+                 options.order, regime, worst.error, input_text(*options.formula, worst));
     };
   // A file that cannot be added to is known before the search, not after.
   if (!a.out.empty()) reports::merge_worst(a.out, {}, options.keep);
+  const std::vector<HuntResult> results = validation::hunt(options);
   bool broken = false;
   std::vector<reports::WorstLine> lines;
-  for (const validation::Check* check : chosen_checks(a)) {
-    options.check = check;
-    broken = hunt_one(a, lines) || broken;
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    broken = print(a, options.objectives[k], results[k]) || broken;
+    for (const HuntedCase& found : results[k].worst) lines.push_back(line_of(a, options.objectives[k], found));
   }
   if (!a.out.empty()) reports::merge_worst(a.out, lines, options.keep);
   return broken ? promise_broken : success;
@@ -126,14 +168,16 @@ int run(Arguments& a) {
 }  // namespace
 
 void add_hunt(CommandLine& line) {
-  Command command = line.command("hunt", "search for the worst input of one evaluation");
+  Command command = line.command("hunt", "search for the worst inputs of evaluations");
   auto a = std::make_shared<Arguments>();
   command.option("--formula", a->formula, "name of a formula").required();
-  command.option("--evaluation", a->evaluation, "name of an evaluation").required();
-  command.option("--budget", a->options.budget, "inputs to measure, a check").required().in_range(1, 1000000000);
+  command.option("--evaluation", a->evaluations, "names of evaluations; default: all with a promise");
+  command.option("--budget", a->options.budget, "inputs to measure, each by all that is looked for")
+      .required()
+      .in_range(1, 1000000000);
   command.option("--order", a->options.order, "derivative order asked and looked at").in_range(0, 2).showing_default();
   command.option("--scalar", a->scalar, "scalar").one_of({"double", "float"}).showing_default();
-  command.option("--check", a->checks, "whose error; default: truth, and relative where it is asked");
+  command.option("--check", a->checks, "whose errors; default: what is promised, and relative where it is asked");
   command.option("--regime", a->options.regimes, "glob: where climbs start").showing_default();
   command.option("--seed", a->options.seed, "64-bit seed").showing_default();
   command.option("--jobs", a->options.jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();

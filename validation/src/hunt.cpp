@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
 
 namespace cageproof::validation {
@@ -20,15 +21,22 @@ constexpr std::uint64_t climb_length = 120;
 // Proposals drawn for one measurement before it is given up: most are within the domain.
 constexpr int most_draws = 64;
 
-// A place to climb from: a sample, how wrong the evaluation is there (negative: not measured), and where it came from.
-struct Climber {
+// An input, how wrong each objective's evaluation is there (negative: not measured), and where it came from.
+struct Place {
   Sample sample;
   const Regime* regime = nullptr;
-  double error = -1;
+  std::vector<double> errors;
 };
 
 struct Counts {
   std::uint64_t evaluations = 0, without_truth = 0, declined = 0;
+};
+
+// A search that makes one objective's error large, and the worst that it saw of each.
+struct Climb {
+  std::size_t objective;
+  Place start;
+  std::vector<Place> worst;
 };
 
 class Hunter {
@@ -40,103 +48,124 @@ class Hunter {
     if (regimes_.empty())
       throw InputError(fmt::format("no regime of a {} matches '{}'; see `cageproof list`",
                                    name_of(options.formula->element), options.regimes));
-    if (!options.evaluation.supports(options.scalar) || options.order > options.evaluation.max_order() ||
-        !options.check->applies(*options.formula, options.evaluation, options.scalar, hunted_regime))
-      throw InputError(fmt::format("the check '{}' is not asked of {} in {} at order {}", options.check->name(),
-                                   options.evaluation.name(), name_of(options.scalar), options.order));
+    for (const auto& [evaluation, check] : options.objectives)
+      if (!evaluation.supports(options.scalar) || options.order > evaluation.max_order() ||
+          !check->applies(*options.formula, evaluation, options.scalar, hunted_regime))
+        throw InputError(fmt::format("the check '{}' is not asked of {} in {} at order {}", check->name(),
+                                     evaluation.name(), name_of(options.scalar), options.order));
+    if (options.objectives.empty()) throw InputError("nothing to hunt for");
+    largest_told_.assign(options.objectives.size(), -1);
   }
 
-  HuntResult go() {
-    std::vector<Climber> places(std::max<std::uint64_t>(1, options_.budget * 2 / 5));
-    std::vector<Counts> counts(places.size());
+  std::vector<HuntResult> go() {
+    const std::size_t objectives = options_.objectives.size();
+    std::vector<Place> places(std::max<std::uint64_t>(1, options_.budget * 2 / 5));
+    std::vector<std::vector<Counts>> counts(places.size(), std::vector<Counts>(objectives));
     for_each_parallel(places.size(), options_.jobs, [&](std::size_t i) {
       places[i] = sampled(i);
       measure(places[i], counts[i]);
     });
     const std::uint64_t rest = options_.budget - std::min<std::uint64_t>(options_.budget, places.size());
-    std::vector<Climber> climbs = starts_from(std::move(places), std::max<std::uint64_t>(1, rest / climb_length));
+    std::vector<Climb> climbs;
+    for (std::size_t k = 0; k < objectives; ++k)
+      for (const Place* start : starts_for(k, places, std::max<std::uint64_t>(1, rest / climb_length / objectives)))
+        climbs.push_back({k, *start, std::vector<Place>(objectives, *start)});
     const std::size_t explored = counts.size();
-    counts.resize(explored + climbs.size());
+    counts.resize(explored + climbs.size(), std::vector<Counts>(objectives));
     for_each_parallel(climbs.size(), options_.jobs, [&](std::size_t i) {
       // The remainder of the budget goes to the first climbs.
       const std::uint64_t steps = rest / climbs.size() + (i < rest % climbs.size() ? 1 : 0);
       climb(climbs[i], i, steps, counts[explored + i]);
     });
-    return result_from(std::move(climbs), counts);
+    std::vector<HuntResult> results;
+    results.reserve(objectives);
+    for (std::size_t k = 0; k < objectives; ++k) results.push_back(result_of(k, places, climbs, counts));
+    if (climbs.empty())
+      throw InputError(fmt::format("{}, order {}: nothing measured at {} inputs, {} without truth, {} declined",
+                                   options_.formula->name, options_.order, results.front().evaluations,
+                                   results.front().without_truth, results.front().declined));
+    return results;
   }
 
  private:
-  Climber sampled(std::uint64_t i) const {
+  Place sampled(std::uint64_t i) const {
     const Regime* regime = regimes_[i % regimes_.size()];
-    Climber place{make_sample(*options_.formula, *regime, options_.seed, i / regimes_.size()), regime, -1};
+    Place place{make_sample(*options_.formula, *regime, options_.seed, i / regimes_.size()), regime, {}};
     place.sample = rounded_to(options_.scalar, std::move(place.sample));
     return place;
   }
 
-  void measure(Climber& place, Counts& counts) {
-    place.error = -1;
+  void measure(Place& place, std::vector<Counts>& counts) {
+    place.errors.assign(options_.objectives.size(), -1);
     if (!in_search_domain(*options_.formula, place.sample)) return;
-    ++counts.evaluations;
     const Truth truth = truth_from(source_, place.sample, options_.order);
-    const Finding finding = options_.check->measure(
-        {*options_.formula, options_.evaluation, options_.scalar, place.sample, options_.order, truth})[options_.order];
-    counts.without_truth += finding.status == Finding::Status::NoTruth;
-    counts.declined += finding.status == Finding::Status::Declined;
-    if (finding.status != Finding::Status::Measured) return;
-    place.error = std::isnan(finding.error) ? HUGE_VAL : finding.error;
-    tell(place);
+    for (std::size_t k = 0; k < options_.objectives.size(); ++k) {
+      const auto& [evaluation, check] = options_.objectives[k];
+      const Finding finding = check->measure(
+          {*options_.formula, evaluation, options_.scalar, place.sample, options_.order, truth})[options_.order];
+      ++counts[k].evaluations;
+      counts[k].without_truth += finding.status == Finding::Status::NoTruth;
+      counts[k].declined += finding.status == Finding::Status::Declined;
+      if (finding.status != Finding::Status::Measured) continue;
+      place.errors[k] = std::isnan(finding.error) ? HUGE_VAL : finding.error;
+      tell(k, place);
+    }
   }
 
-  void tell(const Climber& place) {
+  void tell(std::size_t k, const Place& place) {
     if (!options_.improved) return;
     const std::scoped_lock lock(mutex_);
-    if (place.error <= largest_told_) return;
-    largest_told_ = place.error;
-    options_.improved(case_of(place), place.regime->name);
+    if (place.errors[k] <= largest_told_[k]) return;
+    largest_told_[k] = place.errors[k];
+    options_.improved(options_.objectives[k], case_of(k, place), place.regime->name);
   }
 
-  WorstCase case_of(const Climber& place) const {
+  WorstCase case_of(std::size_t k, const Place& place) const {
     const Sample& s = place.sample;
-    return {place.error, s.parameter, s.index, s.corners, s.point, s.parameters, options_.order};
+    return {place.errors[k], s.parameter, s.index, s.corners, s.point, s.parameters, options_.order};
   }
 
-  // The worst of each regime, then the second worst of each, ...
-  static std::vector<Climber> starts_from(std::vector<Climber> places, std::size_t count) {
-    std::erase_if(places, [](const Climber& place) { return place.error < 0; });
-    std::ranges::stable_sort(places, std::greater(), &Climber::error);
-    std::vector<std::pair<std::size_t, Climber>> ranked;
-    std::vector<std::pair<const Regime*, std::size_t>> seen;
-    for (Climber& place : places) {
-      auto at = std::ranges::find(seen, place.regime, &std::pair<const Regime*, std::size_t>::first);
-      if (at == seen.end()) at = seen.insert(seen.end(), {place.regime, 0});
-      ranked.emplace_back(at->second++, std::move(place));
-    }
-    std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, Climber>::first);
+  // The worst of each regime for an objective, then the second worst of each, ...
+  static std::vector<const Place*> starts_for(std::size_t k, const std::vector<Place>& places, std::size_t count) {
+    std::vector<const Place*> measured;
+    for (const Place& place : places)
+      if (place.errors[k] >= 0) measured.push_back(&place);
+    std::ranges::stable_sort(measured, std::greater(), [k](const Place* p) { return p->errors[k]; });
+    std::map<const Regime*, std::size_t> seen;
+    std::vector<std::pair<std::size_t, const Place*>> ranked;
+    ranked.reserve(measured.size());
+    for (const Place* place : measured) ranked.emplace_back(seen[place->regime]++, place);
+    std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, const Place*>::first);
     if (ranked.size() > count) ranked.resize(count);
-    std::vector<Climber> starts;
+    std::vector<const Place*> starts;
     starts.reserve(ranked.size());
-    for (auto& [rank, place] : ranked) starts.push_back(std::move(place));
+    for (const auto& [rank, place] : ranked) starts.push_back(place);
     return starts;
   }
 
-  void climb(Climber& best, std::uint64_t number, std::uint64_t steps, Counts& counts) {
-    const auto stream = fmt::format("hunt/{}/{}/{}", options_.formula->name, options_.check->name(), options_.order);
+  void climb(Climb& climb, std::uint64_t number, std::uint64_t steps, std::vector<Counts>& counts) {
+    const auto& [evaluation, check] = options_.objectives[climb.objective];
+    const auto stream =
+        fmt::format("hunt/{}/{}/{}/{}", options_.formula->name, evaluation.name(), check->name(), options_.order);
     RandomStream random(options_.seed, stream, number);
+    Place best = climb.start;
     int last = -1;  // what worked goes on working more often than not
-    for (std::uint64_t step = 0; step < steps && !std::isinf(best.error); ++step) {
-      Climber next = best;
+    for (std::uint64_t step = 0; step < steps && !std::isinf(best.errors[climb.objective]); ++step) {
+      Place next = best;
       const int kind = proposed(best, next, last, random);
       if (kind < 0) continue;
       measure(next, counts);
+      for (std::size_t k = 0; k < climb.worst.size(); ++k)
+        if (next.errors[k] > climb.worst[k].errors[k]) climb.worst[k] = next;
       // Strictly: else a climb drifts through units and positions that say nothing of the case.
-      if (next.error <= best.error) continue;
+      if (next.errors[climb.objective] <= best.errors[climb.objective]) continue;
       last = kind;
       best = std::move(next);
     }
   }
 
   // Changes `next` until it may be measured; returns the mutation, or -1 when none was found.
-  int proposed(const Climber& from, Climber& next, int last, RandomStream& random) const {
+  int proposed(const Place& from, Place& next, int last, RandomStream& random) const {
     const int count = static_cast<int>(mutations().size());
     for (int draw = 0; draw < most_draws; ++draw) {
       next.sample = from.sample;
@@ -153,7 +182,7 @@ class Hunter {
   }
 
   // What lets the truth's source stand in for the integral, asked at the sample itself.
-  std::optional<double> against_integral(const Climber& place) const {
+  std::optional<double> against_integral(const Place& place) const {
     if (source_.is_integral) return std::nullopt;
     const Check* gate = find_check("integral");
     const Truth none;
@@ -163,34 +192,52 @@ class Hunter {
     return finding.error;
   }
 
-  HuntResult result_from(std::vector<Climber> climbs, const std::vector<Counts>& counts) const {
+  HuntResult result_of(std::size_t k, const std::vector<Place>& places, const std::vector<Climb>& climbs,
+                       const std::vector<std::vector<Counts>>& counts) const {
     HuntResult result;
-    for (const Counts& c : counts) {
-      result.evaluations += c.evaluations;
-      result.without_truth += c.without_truth;
-      result.declined += c.declined;
+    for (const std::vector<Counts>& c : counts) {
+      result.evaluations += c[k].evaluations;
+      result.without_truth += c[k].without_truth;
+      result.declined += c[k].declined;
     }
-    if (climbs.empty())
-      throw InputError(
-          fmt::format("{} of {}, {}, order {}: nothing measured at {} inputs, {} without truth, {} declined",
-                      options_.evaluation.name(), options_.formula->name, options_.check->name(), options_.order,
-                      result.evaluations, result.without_truth, result.declined));
-    std::ranges::stable_sort(climbs, std::greater(), &Climber::error);
-    if (climbs.size() > options_.keep) climbs.resize(options_.keep);
-    for (const Climber& place : climbs)
-      result.worst.push_back({case_of(place), place.regime->name, against_integral(place)});
+    std::vector<const Place*> found;
+    found.reserve(climbs.size() + 1);
+    for (const Climb& climb : climbs) found.push_back(&climb.worst[k]);
+    // Samples that no climb began at count too; the worst of them is enough.
+    found.push_back(&*std::ranges::max_element(places, {}, [k](const Place& place) { return place.errors[k]; }));
+    std::erase_if(found, [k](const Place* place) { return place->errors[k] < 0; });
+    std::ranges::stable_sort(found, std::greater(), [k](const Place* place) { return place->errors[k]; });
+    const auto same = [](const Place* a, const Place* b) {
+      return a->sample.corners == b->sample.corners && a->sample.point == b->sample.point &&
+             a->sample.parameters == b->sample.parameters;
+    };
+    for (const Place* place : found) {
+      if (result.worst.size() == options_.keep) break;
+      if (kept_already(found, place, same)) continue;
+      result.worst.push_back({case_of(k, *place), place->regime->name, against_integral(*place)});
+    }
     return result;
+  }
+
+  // Whether one before it in the list is the same input.
+  template <class Same>
+  static bool kept_already(const std::vector<const Place*>& found, const Place* place, const Same& same) {
+    for (const Place* before : found) {
+      if (before == place) return false;
+      if (same(before, place)) return true;
+    }
+    return false;
   }
 
   const HuntOptions& options_;
   TruthSource source_;
   std::vector<const Regime*> regimes_;
   std::mutex mutex_;
-  double largest_told_ = -1;
+  std::vector<double> largest_told_;
 };
 
 }  // namespace
 
-HuntResult hunt(const HuntOptions& options) { return Hunter(options).go(); }
+std::vector<HuntResult> hunt(const HuntOptions& options) { return Hunter(options).go(); }
 
 }  // namespace cageproof::validation

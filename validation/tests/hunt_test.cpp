@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <tuple>
 
 namespace cageproof::validation {
 namespace {
@@ -42,8 +43,7 @@ Evaluation with_peak() {
 HuntOptions peak_options() {
   HuntOptions options;
   options.formula = &formula();
-  options.evaluation = with_peak();
-  options.check = find_check("truth");
+  options.objectives = {{with_peak(), find_check("truth")}};
   options.regimes = "generic";  // 0.1 sizes away: the samples see exp(-16) of the peak
   options.budget = 1500;
   return options;
@@ -59,7 +59,7 @@ bool same(const HuntResult& a, const HuntResult& b) {
 
 TEST(hunt, climbs_to_a_peak_that_samples_do_not_see) {
   const HuntOptions options = peak_options();
-  const HuntResult found = hunt(options);
+  const HuntResult found = hunt(options)[0];
   ASSERT_EQ(found.worst.size(), options.keep);
   EXPECT_LE(found.evaluations, options.budget);
   EXPECT_GT(found.evaluations, options.budget * 9 / 10);
@@ -76,21 +76,47 @@ TEST(hunt, is_the_same_for_any_number_of_threads) {
   HuntOptions options = peak_options();
   options.budget = 700;
   options.jobs = 1;
-  const HuntResult one = hunt(options);
+  const HuntResult one = hunt(options)[0];
   options.jobs = 2;
-  EXPECT_TRUE(same(one, hunt(options)));
+  EXPECT_TRUE(same(one, hunt(options)[0]));
   options.seed = 2;
-  EXPECT_FALSE(same(one, hunt(options)));
+  EXPECT_FALSE(same(one, hunt(options)[0]));
+}
+
+TEST(hunt, looks_for_several_things_at_once) {
+  HuntOptions options = peak_options();
+  const Evaluation good = evaluation_named(formula().name, "closed_form");
+  options.objectives.push_back({evaluation_named(formula().name, "accurate"), find_check("relative")});
+  options.objectives.push_back({good, find_check("truth")});
+  options.objectives[2].evaluation.set_point<double>([good](const Query<double>& query, Result<double>& result) {
+    good(query, result);
+    if (query.point[2] == query.corners[1][2]) result.value[0] = std::numeric_limits<double>::quiet_NaN();
+  });
+  options.budget *= 3;
+  const std::vector<HuntResult> found = hunt(options);
+  ASSERT_EQ(found.size(), 3u);
+  for (const HuntResult& result : found) {
+    EXPECT_EQ(result.evaluations, found[0].evaluations);
+    ASSERT_EQ(result.worst.size(), options.keep);
+    for (std::size_t i = 1; i < result.worst.size(); ++i) {
+      EXPECT_LE(result.worst[i].worst.error, result.worst[i - 1].worst.error);
+      EXPECT_NE(std::tie(result.worst[i].worst.corners, result.worst[i].worst.point),
+                std::tie(result.worst[i - 1].worst.corners, result.worst[i - 1].worst.point));
+    }
+  }
+  EXPECT_GT(found[0].worst.front().worst.error, 1e-6 / unit_roundoff<double>() / 50);
+  EXPECT_LT(found[1].worst.front().worst.error, 256);
+  EXPECT_TRUE(std::isinf(found[2].worst.front().worst.error));
 }
 
 TEST(hunt, finds_results_that_are_not_finite) {
   HuntOptions options = peak_options();
-  const Evaluation good = options.evaluation;
-  options.evaluation.set_point<double>([good](const Query<double>& query, Result<double>& result) {
+  const Evaluation good = options.objectives[0].evaluation;
+  options.objectives[0].evaluation.set_point<double>([good](const Query<double>& query, Result<double>& result) {
     good(query, result);
     if (query.point[2] == query.corners[1][2]) result.value[0] = std::numeric_limits<double>::quiet_NaN();
   });
-  const HuntResult found = hunt(options);
+  const HuntResult found = hunt(options)[0];
   EXPECT_TRUE(std::isinf(found.worst.front().worst.error));
 }
 
@@ -115,23 +141,24 @@ TEST(hunt, finds_elements_in_planes_and_along_edges_of_the_axes) {
   for (const Place& is_wrong : {Place(in_plane), Place(along_axis), Place(of_few_bits)}) {
     HuntOptions options = peak_options();
     const Evaluation good = evaluation_named(formula().name, "closed_form");
-    options.evaluation.set_point<double>([good, is_wrong](const Query<double>& query, Result<double>& result) {
-      good(query, result);
-      if (is_wrong(query)) result.value[0] = std::numeric_limits<double>::quiet_NaN();
-    });
-    EXPECT_TRUE(std::isinf(hunt(options).worst.front().worst.error));
+    options.objectives[0].evaluation.set_point<double>(
+        [good, is_wrong](const Query<double>& query, Result<double>& result) {
+          good(query, result);
+          if (is_wrong(query)) result.value[0] = std::numeric_limits<double>::quiet_NaN();
+        });
+    EXPECT_TRUE(std::isinf(hunt(options)[0].worst.front().worst.error));
   }
 }
 
 TEST(hunt, makes_coordinates_next_to_nothing) {
   HuntOptions options = peak_options();
-  options.evaluation.set_point<double>([](const Query<double>& query, Result<double>& result) {
+  options.objectives[0].evaluation.set_point<double>([](const Query<double>& query, Result<double>& result) {
     result.reset(1, 3, query.order);
     const Vec3<double>& corner = query.corners[1];
     if (corner.cwiseAbs().maxCoeff() > 1e-3 && (corner.array() != 0 && corner.array().abs() < 1e-200).any())
       result.value[0] = std::numeric_limits<double>::quiet_NaN();
   });
-  EXPECT_TRUE(std::isinf(hunt(options).worst.front().worst.error));
+  EXPECT_TRUE(std::isinf(hunt(options)[0].worst.front().worst.error));
 }
 
 TEST(hunt, refuses_what_cannot_be_asked) {
@@ -139,7 +166,7 @@ TEST(hunt, refuses_what_cannot_be_asked) {
   options.regimes = "nonsense";
   EXPECT_THROW(hunt(options), InputError);
   options = peak_options();
-  options.check = find_check("integral");
+  options.objectives[0].check = find_check("integral");
   EXPECT_THROW(hunt(options), InputError);
   options = peak_options();
   options.scalar = ScalarKind::Float;
@@ -149,11 +176,10 @@ TEST(hunt, refuses_what_cannot_be_asked) {
 TEST(hunt, measures_quads) {
   HuntOptions options;
   options.formula = find_formula("quad.mean_value");
-  options.evaluation = evaluation_named(options.formula->name, "riemann-4");
-  options.check = find_check("truth");
+  options.objectives = {{evaluation_named(options.formula->name, "riemann-4"), find_check("truth")}};
   options.regimes = "near-*";
   options.budget = 60;
-  const HuntResult found = hunt(options);
+  const HuntResult found = hunt(options)[0];
   EXPECT_GT(found.evaluations, 40u);
   ASSERT_FALSE(found.worst.empty());
   EXPECT_EQ(found.worst.front().worst.corners.size(), 4u);
@@ -163,7 +189,7 @@ TEST(hunt, measures_quads) {
 TEST(hunt, that_measures_nothing_is_an_error) {
   HuntOptions options = peak_options();
   options.budget = 20;
-  options.evaluation.set_point<double>([](const Query<double>& query, Result<double>& result) {
+  options.objectives[0].evaluation.set_point<double>([](const Query<double>& query, Result<double>& result) {
     result.reset(1, 3, query.order);
     result.converged = false;
   });

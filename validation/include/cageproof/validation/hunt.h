@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hunt for an evaluation's worst input: samples of the regimes, and local search from the worst of them.
+// The hunt for evaluations' worst inputs: samples of the regimes, and local search from the worst of them.
 #pragma once
 
 #include "cageproof/core/error_measure.h"
@@ -11,23 +11,28 @@ namespace cageproof::validation {
 /// The regime of inputs that a hunt found: its climbs leave the regime they start from.
 inline constexpr std::string_view hunted_regime = "hunted";
 
+/// What is to be made large.
+struct HuntObjective {
+  Evaluation evaluation;
+  const Check* check = nullptr;  ///< whose error
+};
+
 /// What to look for, and for how long.
 struct HuntOptions {
   const Formula* formula = nullptr;
-  Evaluation evaluation;
-  const Check* check = nullptr;  ///< whose error is to be made large
+  std::vector<HuntObjective> objectives;  ///< each is measured at every input, since the truth costs most
   ScalarKind scalar = ScalarKind::Double;
   int order = 0;                ///< the query's, and of the tensor that is looked at
   std::string regimes = "*";    ///< glob; those that do not exist for the formula's element are left out
   std::uint64_t budget = 1000;  ///< inputs measured
   std::uint64_t seed = 1;
   int jobs = 0;          ///< threads; 0: all cores
-  std::size_t keep = 3;  ///< how many cases to return, from climbs of their own
+  std::size_t keep = 3;  ///< how many cases to return an objective, from climbs of their own
   /// Called from any thread when a case is worse than all before it; the order depends on the threads.
-  std::function<void(const WorstCase& worst, std::string_view regime)> improved;
+  std::function<void(const HuntObjective& objective, const WorstCase& worst, std::string_view regime)> improved;
 };
 
-/// An input that a climb ended at.
+/// The worst input of a climb.
 struct HuntedCase {
   WorstCase worst;
   std::string_view regime;  ///< where the climb started; `worst` has the sample number and parameter of the start
@@ -36,18 +41,20 @@ struct HuntedCase {
   std::optional<double> against_integral;
 };
 
+/// What was found for one objective.
 struct HuntResult {
-  std::vector<HuntedCase> worst;  ///< by falling error
+  std::vector<HuntedCase> worst;  ///< by falling error; empty where nothing could be measured
   std::uint64_t evaluations = 0;
   std::uint64_t without_truth = 0;
   std::uint64_t declined = 0;  ///< times the evaluation said that it could not meet its tolerance
 };
 
-/// Two fifths of the budget are samples of the regimes in turn. From the worst of each regime climbs start, which keep
-/// every change that makes the error larger, each with a random stream of its own: the result is a function of the
-/// options, whatever the number of threads. Inputs lie within the hull of the regimes (src/search_domain.h). \throws
-/// InputError when no regime matches, the check is not asked of the evaluation in this scalar and order, nothing gives
-///   the formula's truth, or nothing could be measured at any input
-HuntResult hunt(const HuntOptions& options);
+/// Two fifths of the budget are samples of the regimes in turn. From the worst of each regime climbs start, for each
+/// objective as many, which keep every change that makes that objective's error larger, each with a random stream of
+/// its own; what the others are on the way is kept too. The result is a function of the options, whatever the number of
+/// threads. Inputs lie within the hull of the regimes (src/search_domain.h). \return a result an objective
+/// \throws InputError when no regime matches, a check is not asked of its evaluation in this scalar and order, nothing
+///   gives the formula's truth, or no objective could be measured at any input
+std::vector<HuntResult> hunt(const HuntOptions& options);
 
 }  // namespace cageproof::validation
