@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace cageproof::closed_form::triangle {
@@ -160,6 +161,22 @@ TEST(border, logarithms_are_infinite_with_their_sign) {
   EXPECT_TRUE(std::isinf(psi.gradient[0][1]) && psi.gradient[0][1] > 0);
   EXPECT_TRUE(std::isfinite(psi.gradient[0][0]));
   EXPECT_DOUBLE_EQ(psi.gradient[0][2], 0.25);
+}
+
+// The logarithm's factor along z is the tilt, as far as 200 digits tell it from zero: the gradient is infinite towards
+// the inside of the triangle.
+TEST(border, logarithms_of_tilts_below_rounding_are_infinite_with_their_sign) {
+  for (const double tilt : {0x1p-30, -0x1p-50, 0x1p-52, -0x1p-53, 0x1p-110, -0x1p-500, 0x1p-640}) {
+    const Triangle<double> t{Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, tilt)};
+    for (const Vec& p : {Vec(0.5, 0, 0), Vec(0, 0, 0)}) {
+      const auto fast = evaluate<SingleLayer>(t, p, 1);
+      const auto careful = accurate<SingleLayer, 1>(t, p, {});
+      const double expected = tilt > 0 ? HUGE_VAL : -HUGE_VAL;
+      EXPECT_EQ(fast.gradient[0][2], expected) << tilt;
+      EXPECT_EQ(careful.jet.gradient[0][2], expected) << tilt;
+      EXPECT_EQ(fast.gradient[0][1], HUGE_VAL);
+    }
+  }
 }
 
 // In the incompressible limit no logarithm is left in T, whose value then has a limit on the border.

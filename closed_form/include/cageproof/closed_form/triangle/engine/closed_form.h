@@ -2,7 +2,6 @@
 // The two evaluations of a triangle formula that we stand behind.
 #pragma once
 
-#include "cageproof/closed_form/arithmetic/working.h"
 #include "cageproof/closed_form/triangle/engine/border.h"
 #include "cageproof/closed_form/triangle/engine/refine.h"
 
@@ -22,14 +21,6 @@ inline constexpr double kFastTolerance = 1000 * 0x1p-53;
 /// What a result of `accurate` is good for.
 template <int C>
 using AccurateJet = BoundedJet<C>;
-
-/// A formula's parameters in the scalar that it computes in.
-template <class F, Scalar R, Scalar W = Working<R>>
-std::array<W, F::parameter_count> widened(std::span<const R> parameters) {
-  std::array<W, F::parameter_count> wide;
-  for (int i = 0; i < F::parameter_count; ++i) wide[i] = parameters[i];
-  return wide;
-}
 
 /// The points a side of the far form in multiprecision, where it takes over.
 template <class F, int O, Scalar R>

@@ -3,10 +3,19 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"
+#include "cageproof/closed_form/arithmetic/working.h"
 #include "cageproof/closed_form/triangle/engine/far_form.h"
 #include "cageproof/closed_form/triangle/engine/kernel.h"
 
 namespace cageproof::closed_form::triangle {
+
+/// A formula's parameters in the scalar that it computes in.
+template <class F, Scalar R, Scalar W = Working<R>>
+std::array<W, F::parameter_count> widened(std::span<const R> parameters) {
+  std::array<W, F::parameter_count> wide;
+  for (int i = 0; i < F::parameter_count; ++i) wide[i] = parameters[i];
+  return wide;
+}
 
 /// A formula's components as Taylor polynomials.
 template <class F, class R, int O>
