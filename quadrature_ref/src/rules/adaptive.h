@@ -20,6 +20,23 @@ using AdaptiveScalar =
 /// How far inside a point on the element is moved where double's range must hold the kernel, in units of its clearance.
 inline constexpr double kInward = 1e-16;
 
+/// How much more than others' positions that of a node is off by whose coordinate is a length times sinh w: the
+/// rounding of w itself, relative to which sinh w is off by w times as much.
+template <Scalar W>
+W rounding_growth(const W& w) {
+  using std::abs;
+  return 1 + abs(w) / 8;
+}
+
+/// What to add, times the mass found, to the difference of two rules of fifteen points and less on an interval of w
+/// that is too long for either: integrands change by e^w and more, most of one may lie between the last point and the
+/// end, and both rules may miss alike.
+template <Scalar W>
+W unresolved(const W& length) {
+  using std::exp;
+  return length > 8 ? W(4 * exp(length / 64)) : W(0);
+}
+
 /// What was integrated over one part of the element.
 template <Scalar W>
 struct PartSum {

@@ -34,10 +34,11 @@ void integrate(const Integrand& integrand, int order, ArmCaster<W>& caster, Inte
         interval.part.sums.of(o)[k] += rule.weights[i] * tensors.of(o)[k];
         difference.of(o)[k] += off * tensors.of(o)[k];
       }
-      interval.part.mass[o] += rule.weights[i] * size[o];
+      interval.part.mass[o] += rule.weights[i] * size[o] * rounding_growth(w);
     }
   }
-  for (int o = 0; o <= order; ++o) interval.part.error[o] = norm(difference.of(o));
+  const W missed = unresolved(interval.length);
+  for (int o = 0; o <= order; ++o) interval.part.error[o] = norm(difference.of(o)) + missed * interval.part.mass[o];
   interval.part.sums.nodes = rule.nodes.size();
 }
 

@@ -39,7 +39,8 @@ class AdaptiveSum {
  private:
   void reset(Result<W>& sums) const { integrand_.reset(sums, order_); }
   void integrate(Rectangle<W>& rectangle);
-  void add_ray(Rectangle<W>& rectangle, const W& w_from, const W& w_to, const W& weight, const W& difference);
+  void add_ray(Rectangle<W>& rectangle, const W& w_from, const W& w_to, const W& weight, const W& difference,
+               const W& growth);
 
   const PolarFrame<W>& frame_;
   W disc_;
@@ -52,10 +53,10 @@ class AdaptiveSum {
 };
 
 // Integrates along the ray aimed at; `weight` is the ray's in the finer rule across rays, `difference` to the coarser
-// one.
+// one. `growth`: of the rounding of the ray's direction.
 template <Scalar W>
 void AdaptiveSum<W>::add_ray(Rectangle<W>& rectangle, const W& w_from, const W& w_to, const W& weight,
-                             const W& difference) {
+                             const W& difference, const W& growth) {
   const KronrodRule<W>& rule = kronrod_rule<W>();
   const W lo = w_from + rectangle.lower * (w_to - w_from);
   const W length = (rectangle.upper - rectangle.lower) * (w_to - w_from);
@@ -75,7 +76,7 @@ void AdaptiveSum<W>::add_ray(Rectangle<W>& rectangle, const W& w_from, const W& 
       rectangle.part.sums.of(o)[k] += weight * ray_.of(o)[k];
       difference_t_.of(o)[k] += difference * ray_.of(o)[k];
     }
-    rectangle.part.mass[o] += weight * norm(ray_.of(o));
+    rectangle.part.mass[o] += weight * norm(ray_.of(o)) * growth * rounding_growth(w_to);
   }
   rectangle.part.sums.nodes += 30;
 }
@@ -84,11 +85,14 @@ template <Scalar W>
 void AdaptiveSum<W>::integrate(Rectangle<W>& rectangle) {
   for (Result<W>* r : {&rectangle.part.sums, &difference_t_, &difference_w_}) reset(*r);
   rectangle.part.error = rectangle.part.mass = {};
+  W longest = 0;  // of the rays' parts, in w
   if (rectangle.edge < 0) {
     const W step = 2 * pi<W>() / kRingDirections;
     for (int i = 0; i < kRingDirections; ++i) {
       caster_.aim_around(W(step * i));
-      add_ray(rectangle, W(0), disc_, step, i % 2 == 0 ? W(-step) : step);  // the coarser rule: every other direction
+      longest = (rectangle.upper - rectangle.lower) * disc_;
+      add_ray(rectangle, W(0), disc_, step, i % 2 == 0 ? W(-step) : step,
+              W(1));  // the coarser rule: every other direction
     }
   } else {
     const KronrodRule<W>& rule = kronrod_rule<W>();
@@ -97,13 +101,17 @@ void AdaptiveSum<W>::integrate(Rectangle<W>& rectangle) {
       const W t = rectangle.t_lo + rectangle.t_length * rule.nodes[i];
       const W w_edge = caster_.aim(frame_.edges[rectangle.edge], t, cosh_v);
       const W angle = rectangle.t_length / cosh_v;
+      longest = std::max<W>(longest, (rectangle.upper - rectangle.lower) * (w_edge - disc_));
       add_ray(rectangle, disc_, w_edge, W(angle * rule.weights[i]),
-              W(angle * (rule.weights[i] - rule.gauss_weights[i])));
+              W(angle * (rule.weights[i] - rule.gauss_weights[i])),
+              rounding_growth(W(frame_.edges[rectangle.edge].v0 + t)));
     }
   }
   W error_t = 0, error_w = 0;
+  const W missed_t = unresolved(rectangle.t_length), missed_w = unresolved(longest);
   for (int o = 0; o <= order_; ++o) {
-    const W along_t = norm(difference_t_.of(o)), along_w = norm(difference_w_.of(o));
+    const W along_t = norm(difference_t_.of(o)) + missed_t * rectangle.part.mass[o];
+    const W along_w = norm(difference_w_.of(o)) + missed_w * rectangle.part.mass[o];
     rectangle.part.error[o] = along_t + along_w;
     // Orders differ in unit: each counts relative to the rectangle's own mass.
     if (rectangle.part.mass[o] > 0) {
