@@ -89,6 +89,22 @@ void add_conditioning(const Evaluation& reference, const Sample& sample, int ord
   });
 }
 
+// On the border a single coordinate's move leads off the element, or to where no limit is. What keeps the point on the
+// border is scaling an axis: exact in 100 digits by a factor that has few bits.
+void add_border_conditioning(const Evaluation& reference, const Sample& sample, int order, Truth& truth) {
+  const Formula& formula = reference.formula();
+  const Mp100 relative = ldexp(Mp100(1), -100), factor = 1 + relative;
+  for (int axis = 0; axis < formula.dim(); ++axis) {
+    QueryOf<Mp100> input(sample, order);
+    for (int vertex = 0; vertex <= input.point_vertex(); ++vertex) input.coordinate(vertex, axis) *= factor;
+    Result<Mp100> scaled;
+    reference(input.query(), scaled);
+    for (int o = 0; o <= order; ++o)
+      if (truth.exists[o] && all_finite(scaled.of(o)))
+        truth.conditioned[o] += norm(difference(scaled.of(o), truth.tensors.of(o))) / relative;
+  }
+}
+
 // As add_conditioning, from an evaluation in 50 digits that is right to twelve: steps are 1e-6 of what it takes to
 // change a tensor.
 void add_rough_conditioning(const Evaluation& rough, const Sample& sample, int order, Truth& truth) {
@@ -208,7 +224,10 @@ Truth truth_from(const TruthSource& source, const Sample& sample, int order) {
     truth.exists[o] = limits && agrees;
     truth.partial[o] = on_input && !limits && agrees && same_limits(truth.tensors.of(o), confirmed);
   }
-  if (contact == Contact::Border) return truth;
+  if (contact == Contact::Border) {
+    if (!source.rough_yardstick) add_border_conditioning(source.values, sample, order, truth);
+    return truth;
+  }
   if (source.rough_yardstick) add_rough_conditioning(source.yardstick, sample, order, truth);
   else add_conditioning(source.values, sample, order, truth);
   return truth;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace cageproof::validation {
 namespace {
@@ -189,6 +190,20 @@ TEST(face_jump, is_measured_on_quads_planar_and_twisted) {
   }
   EXPECT_GT(planar, 2);
   EXPECT_GT(twisted, 4);
+}
+
+// The potential of a segment of length e vanishes at its ends, L (log L - 1)/(2 pi), and changes by L/(2 pi) with L.
+TEST(truth, is_as_sensitive_on_the_border_as_lengths_are) {
+  const Formula& formula = formula_named("segment.single_layer");
+  const double length = 0x1.5bf0a8b145769p+1;
+  for (const int axis : {0, 1}) {
+    Sample sample{{{0, 0, 0}, {0, 0, 0}}, {0, 0, 0}, {}, 0, 0};
+    sample.corners[1][axis] = length;
+    sample.point = sample.corners[1];
+    const Truth truth = truth_from(truth_source(formula), sample, 0);
+    EXPECT_LT(truth.norm[0], 1e-15);
+    EXPECT_NEAR(static_cast<double>(truth.conditioned[0]), length / (2 * std::numbers::pi), 1e-9);
+  }
 }
 
 TEST(truth, of_quads_knows_that_the_point_is_on_the_element) {
