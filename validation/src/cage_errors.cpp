@@ -24,7 +24,7 @@ Mat3<double> identity_of(int dim) {
   return identity;
 }
 
-double norm_of(const Mat3<double>& m, int dim) { return m.norm() / std::sqrt(static_cast<double>(dim)); }
+double norm_of(const Mat3<double>& m, int dim) { return m.stableNorm() / std::sqrt(static_cast<double>(dim)); }
 
 Sums sums_of(const CageCoordinates& coordinates, const Cage& cage, const std::vector<Result<double>>& results,
              int order, int derivative) {
@@ -43,7 +43,7 @@ Sums sums_of(const CageCoordinates& coordinates, const Cage& cage, const std::ve
       const Vec3<double> v =
           vertices ? cage.vertices()[i] : Vec3<double>(block.normal_factor * coordinates.elements().normals()[i]);
       s.positions += c * v;
-      s.positions_size += norm_of(c, dim) * v.norm();
+      s.positions_size += norm_of(c, dim) * v.stableNorm();
       if (!vertices) continue;
       s.ones += c;
       s.ones_size += norm_of(c, dim);
@@ -82,13 +82,13 @@ CageError laplacian_error(const CageCoordinates& coordinates, const std::vector<
       double trace = partner ? -(*partner)[i] : 0;
       for (std::size_t a = 0; a < dim * dim; ++a) {
         const double h = results[b].hessian[dim * dim * i + a];
-        size += h * h;
+        size = std::hypot(size, h);
         if (a % (dim + 1) == 0) trace += h;
       }
-      difference += trace * trace;
+      difference = std::hypot(difference, trace);
     }
     const double of_terms = terms.blocks[b][2] + (has_partner ? terms.blocks[expected.block][0] : 0);
-    keep_worst(worst, error_of(std::sqrt(difference), of_terms, std::sqrt(size)));
+    keep_worst(worst, error_of(difference, of_terms, size));
   }
   return worst;
 }
@@ -131,16 +131,15 @@ CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const
       Vec3<double> position = s.positions;
       if (o == 0) position -= expected * point;
       if (o == 1) position[e] -= expected;
-      ones += one * one;
-      positions += position.squaredNorm();
-      ones_size += s.ones_size * s.ones_size;
-      positions_size += s.positions_size * s.positions_size;
+      // Not by squares, which may leave the range of numbers.
+      ones = std::hypot(ones, one);
+      positions = std::hypot(positions, position.stableNorm());
+      ones_size = std::hypot(ones_size, s.ones_size);
+      positions_size = std::hypot(positions_size, s.positions_size);
     }
-    ones_size = std::sqrt(ones_size);
-    positions_size = std::sqrt(positions_size);
-    errors.partition[o] = error_of(std::sqrt(ones), terms ? of_terms.ones[o] : ones_size, o == 0 ? 1 : ones_size);
-    errors.reproduction[o] = error_of(std::sqrt(positions), terms ? of_terms.positions[o] : positions_size,
-                                      o == 0 ? cage.size() : positions_size);
+    errors.partition[o] = error_of(ones, terms ? of_terms.ones[o] : ones_size, o == 0 ? 1 : ones_size);
+    errors.reproduction[o] =
+        error_of(positions, terms ? of_terms.positions[o] : positions_size, o == 0 ? cage.size() : positions_size);
   }
   if (order >= 2 && terms) errors.laplacian = laplacian_error(coordinates, blocks, of_terms);
   return errors;

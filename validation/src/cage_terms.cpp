@@ -9,17 +9,17 @@ namespace {
 // Over that of the identity where a coordinate is a matrix; a number counts as that multiple of the identity.
 double coordinate_norm(const double* entries, std::size_t width, std::size_t stride, int dim) {
   if (width == 1) return std::abs(*entries);
-  double sum = 0;
-  for (std::size_t e = 0; e < width; ++e) sum += entries[e * stride] * entries[e * stride];
-  return std::sqrt(sum / dim);
+  double length = 0;  // squares of entries may leave the range of numbers
+  for (std::size_t e = 0; e < width; ++e) length = std::hypot(length, entries[e * stride]);
+  return length / std::sqrt(static_cast<double>(dim));
 }
 
 }  // namespace
 
 double length_of(std::span<const double> values) {
-  double sum = 0;
-  for (const double x : values) sum += x * x;
-  return std::sqrt(sum);
+  double length = 0;
+  for (const double x : values) length = std::hypot(length, x);
+  return length;
 }
 
 // Sums of absolute values, by order; `ones` and `positions` also by derivative.
@@ -79,9 +79,9 @@ CageTerms::CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation
 double CageTerms::weight_of(std::size_t b, int coordinate) const {
   const CoordinateBlock& block = coordinates_.blocks()[b];
   if (block.reproduces == Reproduces::Normals)
-    return std::abs(block.normal_factor) * coordinates_.elements().normals()[coordinate].norm();
+    return std::abs(block.normal_factor) * coordinates_.elements().normals()[coordinate].stableNorm();
   // Blocks of elements that reproduce nothing have no position.
-  return block.per_vertex ? coordinates_.elements().vertices()[coordinate].norm() : 0;
+  return block.per_vertex ? coordinates_.elements().vertices()[coordinate].stableNorm() : 0;
 }
 
 CageTerms::Sums CageTerms::sums_of_terms(const Vec3<double>& point, int order) const {

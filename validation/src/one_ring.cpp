@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cageproof::validation {
 namespace {
@@ -22,28 +23,33 @@ struct Errors {
 
 using Tensor = std::vector<Mp100>;
 
-double relative(const Tensor& a, const Tensor& b) {
+double relative(const Tensor& a, const Tensor& b, const Mp100& size) {
   Tensor difference(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) difference[i] = a[i] - b[i];
-  return static_cast<double>(Mp100(norm(difference) / norm(b)));
+  return static_cast<double>(Mp100(norm(difference) / size));
 }
 
 Tensor widened(const std::vector<double>& tensor) { return {tensor.begin(), tensor.end()}; }
 
+// Errors of sums are relative to the terms that were added up, which cancel where a cage has thin walls. All in units
+// of the cage's size, since whose derivatives an evaluation gives is no question of its exponent range.
 Errors ring_errors_at(const Cage& cage, const std::vector<std::array<int, 3>>& triangles, const Evaluation& evaluation,
                       const Evaluation& reference, const Vec3<double>& point) {
   Errors errors;
+  const double scale = std::ldexp(1., -std::ilogb(cage.size()));
   std::array<Tensor, 3> sum, truth_sum;
+  std::array<Mp100, 3> of_terms{};
   for (int o = 1; o < 3; ++o) sum[o] = truth_sum[o] = Tensor(cage.vertices().size() * (o == 1 ? 3 : 9), Mp100(0));
   for (const auto& triangle : triangles) {
     Sample sample;
-    for (const int v : triangle) sample.corners.push_back(cage.vertices()[v]);
-    sample.point = point;
+    for (const int v : triangle) sample.corners.emplace_back(cage.vertices()[v] * scale);
+    sample.point = point * scale;
     const Result<double> found = evaluate<double>(evaluation, sample, 2);
     const Result<Mp100> truth = evaluate<Mp100>(reference, sample, 2);
     for (int o = 1; o < 3; ++o) {
       const Tensor wide = widened(found.of(o));
-      errors.own[o] = std::max(errors.own[o], relative(wide, truth.of(o)));
+      errors.own[o] = std::max(errors.own[o], relative(wide, truth.of(o), norm(truth.of(o))));
+      of_terms[o] += norm(wide);
       const int entries = o == 1 ? 3 : 9;
       for (int k = 0; k < 3; ++k)
         for (int i = 0; i < entries; ++i) {
@@ -52,7 +58,7 @@ Errors ring_errors_at(const Cage& cage, const std::vector<std::array<int, 3>>& t
         }
     }
   }
-  for (int o = 1; o < 3; ++o) errors.sum[o] = relative(sum[o], truth_sum[o]);
+  for (int o = 1; o < 3; ++o) errors.sum[o] = relative(sum[o], truth_sum[o], of_terms[o]);
   return errors;
 }
 

@@ -95,7 +95,8 @@ constexpr std::array table{
         "gradients"},
     Row{"own_derivative", "*", "*", "double", "*", 1, 2, 1e-9,
         "2e-2 sizes off the cage; a form that is right in sums alone misses by its size"},
-    Row{"one_ring_sum", "*", "*", "double", "*", 1, 2, 1e-9, "2e-2 sizes off the cage, norm-wise over its vertices"},
+    Row{"one_ring_sum", "*", "*", "double", "*", 1, 2, 1e-9,
+        "2e-2 sizes off the cage, norm-wise over its vertices, in the norms of the terms"},
     // Across the hull of a twisted quad.
     Row{"hull_jump", "*", "riemann-*", "*", "*", 1, 1, none,
         "the projection behind it is continuous across the hull, its derivative is not ([T18] Lemma 3.4)"},
