@@ -76,6 +76,26 @@ TEST_P(Extremes, do_not_depend_on_the_unit) {
 INSTANTIATE_TEST_SUITE_P(kinds, Extremes,
                          testing::Values("mean_value", "quad_mean_value", "spherical_mean_value", "maximum_entropy"));
 
+// Second derivatives of the vertices' part are of the size of 2^1330 there, beyond the range: infinite with their sign.
+TEST(extremes, second_derivatives_in_tiny_cages_are_infinite_with_their_sign) {
+  const Vec point(.25, .375, .125);
+  for (const char* name : {"green", "biharmonic", "somigliana"}) {
+    const auto& kind = *find_coordinate_kind(name);
+    const auto large = CageCoordinates(cube(true), kind, CoordinateOptions{}).at<double>(point, 2);
+    const auto tiny =
+        CageCoordinates(cube(true, -665), kind, CoordinateOptions{}).at<double>(std::ldexp(1., -665) * point, 2);
+    int infinite = 0;
+    for (std::size_t i = 0; i < large[0].hessian.size(); ++i) {
+      const double expected = large[0].hessian[i], found = tiny[0].hessian[i];
+      ASSERT_FALSE(std::isnan(found)) << name << ' ' << i;
+      if (std::abs(expected) < 1e-12) continue;
+      infinite += std::isinf(found);
+      EXPECT_EQ(std::signbit(found), std::signbit(expected)) << name << ' ' << i;
+    }
+    EXPECT_GT(infinite, 10) << name;
+  }
+}
+
 TEST(extremes, harmonic_coordinates_tell_the_sides_apart) {
   const Cage cage = cube(true);
   const CageCoordinates green(cage, *find_coordinate_kind("green"), CoordinateOptions{});

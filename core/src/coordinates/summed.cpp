@@ -56,6 +56,8 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     for (const SummedBlock& spec : kind.blocks) {
       const Formula& formula = *find_formula(first, spec.kernel);
       blocks_.push_back(block_of(kind, spec, formula, *elements_, parameters_));
+      degrees_.push_back(formula.degree);
+      homogeneous_ = homogeneous_ && formula.logarithmic == 0;
       jumps_.push_back(formula.shape.per_corner && formula.face_jump.number != 0 ? formula.face_jump.number : 0);
     }
   }
@@ -142,24 +144,52 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     return exponent == 0 ? p : Vec3<R>(ldexp(p[0], exponent), ldexp(p[1], exponent), ldexp(p[2], exponent));
   }
 
-  // Points off the cage, which stand in the tables from point `first` on. Weights grow like 1/distance, and may leave
-  // double's range where coordinates, which have no unit, do not: such points are summed again in a small unit.
+  // Points off the cage, which stand in the tables from point `first` on.
   template <Scalar R>
   void sum_off(std::span<const Vec3<R>> points, std::size_t first, int order,
                std::span<CoordinateTable<R>> tables) const {
-    if (!normalised_ || is_multiprecision<R>) return sum_in_unit(points, first, order, tables, 0);
-    const int exponent = std::abs(exponent_) > kComfortable<R> ? -exponent_ : 0;
-    sum_in_unit(points, first, order, tables, exponent);
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      const std::size_t stride = tables[0].stride[0], at = (first + p) * stride;
-      const std::span<const R> values = std::span<const R>(tables[0].tensors[0]).subspan(at, stride);
-      if (std::ranges::all_of(values, [](const R& x) { return x - x == R(0); })) continue;
-      for (int o = 0; o <= order; ++o) {
-        const std::size_t width = tables[0].stride[o];
-        std::fill_n(tables[0].tensors[o].begin() + static_cast<std::ptrdiff_t>((first + p) * width), width, R(0));
+    if (is_multiprecision<R>) return sum_in_unit(points, first, order, tables, 0);
+    const bool comfortable = std::abs(exponent_) <= kComfortable<R>;
+    sum_in_unit(points, first, order, tables, normalised_ && !comfortable ? -exponent_ : 0);
+    // Weights grow like 1/distance, and may leave double's range where coordinates, which have no unit, do not. Other
+    // elements' parts have infinities of both signs in cages whose own unit is tiny.
+    if (!normalised_ && (comfortable || exponent_ > 0 || !homogeneous_)) return;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (!is_finite(first + p, normalised_ ? 0 : order, tables)) {
+        clear(first + p, order, tables);
+        const int exponent = (normalised_ ? kSmallUnit<R> : 0) - exponent_;
+        sum_in_unit<R>(points.subspan(p, 1), first + p, order, tables, exponent);
+        if (!normalised_) to_own_unit(first + p, order, tables, exponent);
       }
-      sum_in_unit<R>(points.subspan(p, 1), first + p, order, tables, kSmallUnit<R> - exponent_);
-    }
+  }
+
+  // A point's part of a table.
+  template <Scalar R>
+  static std::span<R> row_of(CoordinateTable<R>& table, std::size_t p, int o) {
+    return std::span<R>(table.tensors[o]).subspan(p * table.stride[o], table.stride[o]);
+  }
+
+  template <Scalar R>
+  static bool is_finite(std::size_t p, int order, std::span<CoordinateTable<R>> tables) {
+    for (CoordinateTable<R>& table : tables)
+      for (int o = 0; o <= order; ++o)
+        if (!std::ranges::all_of(row_of(table, p, o), [](const R& x) { return x - x == R(0); })) return false;
+    return true;
+  }
+
+  template <Scalar R>
+  static void clear(std::size_t p, int order, std::span<CoordinateTable<R>> tables) {
+    for (CoordinateTable<R>& table : tables)
+      for (int o = 0; o <= order; ++o) std::ranges::fill(row_of(table, p, o), R(0));
+  }
+
+  // From the unit 2^-exponent.
+  template <Scalar R>
+  void to_own_unit(std::size_t p, int order, std::span<CoordinateTable<R>> tables, int exponent) const {
+    using std::ldexp;
+    for (std::size_t b = 0; b < blocks_.size(); ++b)
+      for (int o = 0; o <= order; ++o)
+        for (R& x : row_of(tables[b], p, o)) x = ldexp(x, (o - degrees_[b]) * exponent);
   }
 
   template <Scalar R>
@@ -258,6 +288,8 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
   std::array<ElementEvaluations, element_kinds.size()> evaluations_;
   std::vector<CoordinateBlock> blocks_;
   std::vector<double> jumps_;  // of blocks, at faces
+  std::vector<int> degrees_;   // of blocks
+  bool homogeneous_ = true;    // whether no block has a logarithm of the unit
   int max_order_ = 2;
 };
 
