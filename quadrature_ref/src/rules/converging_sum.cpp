@@ -13,8 +13,8 @@ constexpr double kLimitDigits = 20;
 // be a thousand times what it was asked for, and would pass for the norm.
 constexpr double kSeen = 4;
 
-// The most that one sum may cost, in nodes times entries of the tensors: about a second. A node itself costs as much as
-// kEntriesOfNode entries.
+// The most that all sums of a query may cost, in nodes times entries of the tensors: about a second, several where
+// kernels are dear. A node itself costs as much as kEntriesOfNode entries.
 constexpr double kMostWork = 2e7, kEntriesOfNode = 10;
 
 // From tensors at distances h, 2h, 4h: one fewer, without the term h^power. A term h^power log h becomes one in
@@ -146,7 +146,7 @@ bool ConvergingSum::too_much(double nodes) {
     highest = o;
     entries += static_cast<double>(sizes.of(o).size());
   }
-  if (highest < 0 || nodes * entries <= kMostWork) return false;
+  if (highest < 0 || (static_cast<double>(nodes_) + nodes) * entries <= kMostWork) return false;
   norm_[highest] = kDeclined;
   return true;
 }

@@ -53,7 +53,10 @@ class ConvergingSum {
   }
   template <Scalar W>
   KernelTask<W> task() const {
-    return integrand_.task<W>(std::get<std::vector<W>>(parameters_), order_);
+    // Orders that are declined, the highest first, need not be computed.
+    int highest = order_;
+    while (highest > 0 && declines(highest)) --highest;
+    return integrand_.task<W>(std::get<std::vector<W>>(parameters_), highest);
   }
   /// Tensors of zeros.
   template <Scalar W = Mp200>
@@ -70,8 +73,8 @@ class ConvergingSum {
     nodes_ += part.nodes;
   }
 
-  /// Whether sums over as many nodes are more work than one is worth; declines the highest order of those that are left
-  /// if so. Sums then leave it out: error_of is infinite.
+  /// Whether sums over as many nodes more are more work than a query is worth; declines the highest order of those that
+  /// are left if so. Sums then leave it out: error_of is infinite.
   bool too_much(double nodes);
   /// Finds the norms, however much of the integrand's mass (log10, an order) cancels, if they are not known.
   void find_norm(const std::array<double, 3>& mass, const SumWithError& with_error);
