@@ -26,15 +26,17 @@ struct Arguments {
 void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
 
 // Says how many points have no coordinates, and why. Values come first in a row; derivatives may be NaN on the cage.
-void warn_of_missing(const CoordinateColumns& table, std::size_t points, const CoordinateKind& kind) {
+void warn_of_missing(const CoordinateColumns& table, std::size_t points, const CoordinateKind& kind, const Cage& cage) {
   std::size_t missing = 0;
   for (std::size_t p = 0; p < points; ++p) {
     const auto values = std::span(table.values).subspan(p * table.names.size(), table.groups.front().columns);
     missing += std::ranges::any_of(values, [](double x) { return std::isnan(x); });
   }
-  if (missing > 0)
-    warn(fmt::format("{} of {} points have no {} coordinates (nan): {}", missing, points, kind.name,
-                     kind.missing_because.empty() ? "the cage's quads are not valid there" : kind.missing_because));
+  if (missing == 0) return;
+  const std::string_view reason = !kind.missing_because.empty() ? kind.missing_because
+                                  : cage.allows_invalid_quads() ? "the cage's quads are not valid there"
+                                                                : "terms of theirs leave the range of double";
+  warn(fmt::format("{} of {} points have no {} coordinates (nan): {}", missing, points, kind.name, reason));
 }
 
 int run(const Arguments& a) {
@@ -53,7 +55,7 @@ int run(const Arguments& a) {
       cage, kind,
       CoordinateOptions{a.evaluation, a.cage.rule(), parameters_from(a.parameters, parameters_of(kind), kind.name)});
   const CoordinateColumns table = coordinate_columns(coordinates, mesh.vertices, a.order, a.jobs);
-  warn_of_missing(table, mesh.vertices.size(), kind);
+  warn_of_missing(table, mesh.vertices.size(), kind, cage);
   const std::string text = extension == ".npy"   ? npy_text(table)
                            : extension == ".vtp" ? vtp_text(table, mesh)
                                                  : csv_text(table);

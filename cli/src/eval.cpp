@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
@@ -46,7 +47,7 @@ std::string evaluated(const QueryText& text, const Formula& formula, const Evalu
       line += fmt::format(",\"{}\":{}", radius_keys[o], array_text(result.radius_of(o)));
   // Rounded down: 15.95 digits are not 16.
   if (!std::isnan(result.stated_digits))
-    line += fmt::format(",\"stated_digits\":{:.1f}", std::floor(10 * result.stated_digits) / 10);
+    line += fmt::format(",\"stated_digits\":{:.1f}", std::max(0., std::floor(10 * result.stated_digits) / 10));
   if (!result.converged) line += ",\"converged\":false";
   return line + '}';
 }

@@ -22,7 +22,7 @@ using closed_form::Explanation;
 constexpr double kUnit = 0x1p-53;
 
 struct ExplainOptions {
-  std::string formula, evaluation = "closed_form", element, point;
+  std::string formula, evaluation, element, point;
   std::vector<std::string> parameters;
   int order = 0, entry = -1, limit = 15;
   bool json = false;
@@ -195,14 +195,18 @@ QueryText query_of(const ExplainOptions& options, const Formula& formula) {
 
 int run(const ExplainOptions& options) {
   const Formula& formula = formula_named(options.formula);
-  if (evaluation_named(formula.name, options.evaluation).name() != evaluation_named(formula.name, "closed_form").name())
-    throw InputError(
-        fmt::format("{} of {} is not run in counted numbers: closed_form is", options.evaluation, options.formula));
+  const auto recommended = EvaluationRegister::instance().with_role(formula.name, Role::Recommended);
+  if (!recommended) throw InputError(fmt::format("{} has no recommended evaluation, which explain runs", formula.name));
+  if (!options.evaluation.empty() && evaluation_named(formula.name, options.evaluation).name() != recommended->name())
+    throw InputError(fmt::format("{} of {} is not run in counted numbers: {} is", options.evaluation, options.formula,
+                                 recommended->name()));
   const QueryNumbers<double> numbers(query_of(options, formula), formula);
   const auto entry = options.entry < 0 ? std::nullopt : std::optional<std::size_t>(options.entry);
   const Account account = account_of(formula, numbers.query(options.order), entry);
-  if (options.json) std::cout << json_of(account, options).dump(2) << '\n';
-  else print_text(account, options);
+  ExplainOptions named = options;
+  named.evaluation = recommended->name();
+  if (options.json) std::cout << json_of(account, named).dump(2) << '\n';
+  else print_text(account, named);
   return success;
 }
 
@@ -212,7 +216,7 @@ void add_explain(CommandLine& line) {
   Command command = line.command("explain", "which operations of a closed form lose how much, for one input");
   auto options = std::make_shared<ExplainOptions>();
   command.option("--formula", options->formula, "a formula of the catalogue").required();
-  command.option("--evaluation", options->evaluation, "closed_form").showing_default();
+  command.option("--evaluation", options->evaluation, "the recommended one, which is the default");
   Option element = command.option("--element", options->element,
                                   "its corners, [[x,y,z],...]; without, a JSON line from standard input, as eval's");
   Option point = command.option("--point", options->point, "the point, [x,y,z]");

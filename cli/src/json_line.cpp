@@ -39,8 +39,10 @@ class NumbersAsText {
     key_ = name;
     return true;
   }
-  bool parse_error(std::size_t column, const std::string&, const nlohmann::detail::exception&) {
-    error = fmt::format("malformed JSON at column {}", column);
+  bool parse_error(std::size_t column, const std::string& token, const nlohmann::detail::exception& reason) {
+    constexpr int number_overflow = 406;  // nlohmann's number of that error
+    error = reason.id == number_overflow ? fmt::format("the number {} at column {} is too large", token, column)
+                                         : fmt::format("malformed JSON at column {}", column);
     return false;
   }
 
