@@ -53,6 +53,14 @@ TEST(winding_number, agrees_with_the_solid_angle) {
   }
 }
 
+// Every ray within the plane of a surface without a volume runs along its triangles: the box alone ends the search.
+TEST(winding_number, is_zero_beside_a_surface_without_a_volume) {
+  const Triangle<double> front{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0), Vec3<double>(0, 1, 0)};
+  const std::vector<Triangle<double>> both{front, {front[0], front[2], front[1]}};
+  for (const Vec3<double>& beside : {Vec3<double>(-1, 0.25, 0), {0.25, -1, 0}, {2, 0.25, 0}, {0.25, 2, 0}})
+    EXPECT_EQ(winding_number(both, beside), 0);
+}
+
 TEST(winding_number, knows_the_surface_exactly) {
   const std::vector<Triangle<double>> cube = triangles_of(embedded_cage("cube"));
   for (const Vec3<double>& on : {Vec3<double>(0.5, 0.5, 0.5), {0.5, 0.5, 0}, {0.5, 0.125, 0.25}, {0.5, 0.25, 0.25}})
