@@ -145,6 +145,29 @@ TEST(spherical, names_the_evaluation_that_it_does_not_have) {
   }
 }
 
+TEST(coordinate_kinds, refuse_evaluations_that_there_are_not) {
+  const Cage cube = embedded_cage("cube");
+  for (const char* name : {"mean_value", "quad_mean_value", "green"})
+    EXPECT_THROW(CageCoordinates(cube, coordinate_kind_named(name), CoordinateOptions{.evaluation = "no-such"}),
+                 InputError)
+        << name;
+}
+
+TEST(coordinate_kinds, have_the_bits_of_single_points_in_blocks) {
+  const Cage cube = embedded_cage("cube");
+  const std::vector<Vec> points{Vec(.1, .2, -.3), Vec(-.2, .3, .15), Vec(.3, -.1, .2), Vec(.05, -.25, -.4)};
+  for (const char* name : {"mean_value", "quad_mean_value"}) {
+    const CageCoordinates kind(cube, coordinate_kind_named(name), CoordinateOptions{});
+    const auto block = kind.at<double>(std::span<const Vec>(points), 2);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const Result<double> one = kind.at<double>(points[p], 2)[0];
+      for (int o = 0; o <= 2; ++o)
+        for (std::size_t i = 0; i < one.of(o).size(); ++i)
+          EXPECT_EQ(block[0].tensors[o][p * block[0].stride[o] + i], one.of(o)[i]) << name << ' ' << o;
+    }
+  }
+}
+
 TEST(maximum_entropy, keeps_a_prior_that_reproduces) {
   const Cage cube = embedded_cage("cube");
   const Vec point(0.1, 0.2, -0.3);

@@ -162,6 +162,49 @@ TEST(line_form, loses_nothing_to_a_distance_that_is_exact) {
   }
 }
 
+// The nearest corner goes first, whatever its number.
+TEST(line_form, has_the_bits_of_the_same_quad_with_corners_renumbered) {
+  const Corners q{{0, 0, 0}, {1, .125, .25}, {1.125, .875, -.5}, {-.25, 1, .375}};
+  for (const auto& corner : q)
+    for (const double d : {.25, 1e-3, 1e-9}) {
+      const Vec3<double> point = corner + d * Vec3<double>(-.5, .3, .6);
+      const Result<double> plain = evaluate<double>("line_form", q, point, 2);
+      for (int turn = 1; turn < 4; ++turn) {
+        Corners turned(4);
+        for (int k = 0; k < 4; ++k) turned[(k + turn) % 4] = q[k];
+        const Result<double> found = evaluate<double>("line_form", turned, point, 2);
+        for (int o = 0; o <= 2; ++o) {
+          const std::size_t entries = plain.of(o).size() / 4;
+          for (int k = 0; k < 4; ++k)
+            for (std::size_t i = 0; i < entries; ++i)
+              EXPECT_EQ(found.of(o)[entries * ((k + turn) % 4) + i], plain.of(o)[entries * k + i])
+                  << point.transpose() << ", order " << o;
+        }
+      }
+    }
+}
+
+TEST(local_frame, lies_about_the_point_of_its_line_that_is_nearest) {
+  int inside = 0;
+  for (const double size : {.25, 1., 5.}) {
+    Corners q{{0, 0, 0}, {1, .125, .25}, {1.125, .875, -.5}, {-.25, 1, .375}};
+    for (auto& corner : q) corner *= size;
+    const Vec3<double> point = size * Vec3<double>(.5, .45, -1.5);
+    const auto frame = quad_frame<double>(std::span<const Vec3<double>>(q), point);
+    ASSERT_TRUE(frame);
+    for (const double v : {0., .25, .5, .75, 1.}) {
+      const double u = frame_at<double>(*frame, q, point, v).u0;
+      const auto distance = [&](double at) { return (frame->start(v) + at * frame->direction(v)).norm(); };
+      for (const double other : {0., 1., u - 1e-3, u + 1e-3})
+        if (other >= 0 && other <= 1) {
+          EXPECT_LE(distance(u), distance(other)) << size << ' ' << v << ' ' << u;
+        }
+      inside += u > 0 && u < 1;
+    }
+  }
+  EXPECT_GE(inside, 3);
+}
+
 // One ulp off the quad a double's differences are nothing but rounding.
 TEST(line_form, is_finite_one_ulp_off_a_twisted_quad) {
   for (const double u : {0.125, 0.5, 0.875})
