@@ -103,6 +103,28 @@ TEST(Batch, gives_the_bits_of_single_points) {
   }
 }
 
+// Rules that choose their nodes for each point know no blocks of their own.
+TEST(Batch, of_rules_for_one_point_is_point_by_point) {
+  for (const auto& [name, rule] : {Rule{"triangle.double_layer", "adaptive"},
+                                   {"triangle.double_layer", "multiprecision"},
+                                   {"quad.mean_value", "adaptive"},
+                                   {"segment.single_layer", "adaptive"}}) {
+    const Formula& formula = *find_formula(name);
+    const Evaluation evaluation = evaluation_named(name, rule);
+    const auto corners = corners_of(formula.element);
+    const std::vector<Vec3<double>> points{{.5, -.25, 0}, {2, 1, 0}};
+    Block block(formula, points.size(), 1, 0);
+    evaluation(Batch<double>{corners, points, 1}, block.output);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      Result<double> single;
+      evaluation(Query<double>{corners, points[p], 1}, single);
+      for (int o = 0; o <= 1; ++o)
+        for (std::size_t i = 0; i < single.of(o).size(); ++i)
+          EXPECT_TRUE(same(block.tensors[o][p * block.output.stride[o] + i], single.of(o)[i])) << name << ' ' << rule;
+    }
+  }
+}
+
 TEST(Batch, adds_where_slots_say) {
   const Formula& formula = *find_formula("triangle.double_layer");
   const Evaluation evaluation = evaluation_named(formula.name, "gauss-4");

@@ -120,6 +120,20 @@ TEST(Certified, declines_where_nothing_converges) {
   EXPECT_FALSE(enclosed("triangle.single_layer", kEighth, nowhere, 0).converged);
 }
 
+// Exact sums of such numbers have as many bits as their exponents are apart.
+TEST(Certified, declines_numbers_too_far_apart) {
+  const Triangle<Mp200> far{convert<Mp200>(kEighth[0]), convert<Mp200>(kEighth[1]),
+                            Vec3<Mp200>(Mp200(1), ldexp(Mp200(1), 30000), Mp200(1))};
+  const Triangle<Mp200> close{convert<Mp200>(kEighth[0]), convert<Mp200>(kEighth[1]),
+                              Vec3<Mp200>(Mp200(1), Mp200(1), ldexp(Mp200(1), -30000))};
+  for (const auto& corners : {far, close}) {
+    Result<Mp200> r;
+    integrate_certified("triangle.single_layer", Query<Mp200>{corners, convert<Mp200>(kOrigin), 0}, r);
+    EXPECT_FALSE(r.converged);
+    EXPECT_TRUE(isnan(r.value[0]) && isinf(r.value_radius[0]));
+  }
+}
+
 // At nu = 1/2 the traction's kernel vanishes in the plane, and so, exactly, does the ball; its gradient does not.
 TEST(Certified, vanishing_tensors_are_exact_zeros) {
   const Vec3<double> beside(3, 0, 1);

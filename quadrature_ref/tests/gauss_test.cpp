@@ -3,6 +3,8 @@
 #include "cageproof/quadrature_ref/triangle_rules.h"
 #include "support.h"
 
+#include <numbers>
+
 namespace cageproof::quadrature_ref {
 namespace {
 
@@ -67,6 +69,17 @@ TEST(Gauss, polynomials_beyond_are_not_exact) {
   EXPECT_GT(std::abs(result.value[0] / exact(6, 0) - 1), 1e-6);
   result = at_point(triangle::integrate_three_quads<double>, {formula, kernels}, 3, query);
   EXPECT_GT(std::abs(result.value[0] / exact(6, 0) - 1), 1e-6);
+}
+
+// On the triangle the double layer is half a hat function, as it is just inside.
+TEST(NearSingular, has_the_limit_from_inside_on_the_triangle) {
+  const Triangle<double> t{Vec3<double>(0, 0, 0), Vec3<double>(4, 0, 0), Vec3<double>(0, 4, 0)};
+  const auto found = evaluate<double>("triangle.double_layer", "near-singular-16", t, Vec3<double>(1, 1.5, 0), 0);
+  EXPECT_NEAR(found.value[0], .1875, 1e-8);
+  EXPECT_NEAR(found.value[1], .125, 1e-8);
+  EXPECT_NEAR(found.value[2], .1875, 1e-8);
+  const auto angle = evaluate<double>("triangle.solid_angle", "near-singular-16", t, Vec3<double>(2, 2, 0), 0);
+  EXPECT_NEAR(angle.value[0], std::numbers::pi, 1e-8) << "on an edge: half of that within";
 }
 
 TEST(Gauss, names_of_the_families) {

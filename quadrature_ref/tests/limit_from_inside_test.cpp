@@ -4,10 +4,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
+
 namespace cageproof::quadrature_ref {
 namespace {
 
 using Function = std::function<Mp200(const Mp200& inward)>;
+
+const Integrand& solid_angle() {
+  static const KernelSet none;
+  static const Integrand integrand{*find_formula("triangle.solid_angle"), none};
+  return integrand;
+}
 
 // A number that depends on the distance, as a sum that has it exactly.
 class Exact final : public ConvergingSum {
@@ -25,11 +34,9 @@ class Exact final : public ConvergingSum {
 };
 
 Answer limit(const Function& f, bool border, double digits) {
-  static const KernelSet none;
-  const Integrand integrand{*find_formula("triangle.solid_angle"), none};
   const Query<Mp200> query{};
   const Inside inside{
-      .moved = [&](const Mp200& inward) { return std::make_unique<Exact>(integrand, query, f(inward)); },
+      .moved = [&](const Mp200& inward) { return std::make_unique<Exact>(solid_angle(), query, f(inward)); },
       .clearance = Mp200(0.25),
       .border = border};
   return limit_from_inside(inside, digits, 0);
@@ -78,6 +85,77 @@ TEST(LimitFromInside, a_limit_of_zero_is_exactly_zero) {
   const Answer answer = limit([](const Mp200& h) { return Mp200(h * (2 - h)); }, false, 30);
   EXPECT_EQ(answer.sums.value[0], 0);
   EXPECT_GE(answer.digits[0], 30);
+}
+
+// All entries of all orders are 3, but one order may be declined.
+class Declining final : public ConvergingSum {
+ public:
+  Declining(const Query<Mp200>& query, std::optional<int> declined)
+      : ConvergingSum(solid_angle(), query), declined_(declined) {}
+  Result<Mp200> at(double) override {
+    std::array<double, 3> norms{};
+    if (declined_) norms[*declined_] = std::numeric_limits<double>::infinity();
+    take_norm(norms);
+    Result<Mp200> result = empty();
+    for (int o = 0; o <= order_; ++o) std::ranges::fill(result.of(o), Mp200(3));
+    return result;
+  }
+
+ private:
+  std::optional<int> declined_;
+};
+
+TEST(LimitFromInside, an_order_that_one_distance_declines_has_none_and_the_others_have_theirs) {
+  const Query<Mp200> query{{}, Vec3<Mp200>::Zero(), 2};
+  for (int declined = 0; declined <= 2; ++declined) {
+    int sums = 0;
+    const Inside inside{.moved =
+                            [&](const Mp200&) {
+                              ++sums;
+                              return std::make_unique<Declining>(query,
+                                                                 sums == 2 ? std::optional(declined) : std::nullopt);
+                            },
+                        .clearance = Mp200(0.25)};
+    const Answer answer = limit_from_inside(inside, 30, 2);
+    EXPECT_GT(sums, 2);
+    for (int o = 0; o <= 2; ++o)
+      for (const Mp200& entry : answer.sums.of(o)) {
+        if (o == declined) {
+          EXPECT_TRUE(isnan(entry)) << o;
+        } else {
+          EXPECT_EQ(entry, 3) << o << " beside " << declined;
+        }
+      }
+    EXPECT_EQ(answer.digits[declined], 0);
+  }
+}
+
+// Entries of given sizes, log10, of which sums that err by more see nothing.
+class Sized final : public ConvergingSum {
+ public:
+  Sized(const Query<Mp200>& query, const std::array<double, 3>& log10_size)
+      : ConvergingSum(solid_angle(), query), log10_size_(log10_size) {}
+  Result<Mp200> at(double) override {
+    find_norm({0, 0, 0}, [&](const std::array<double, 3>& log10_error) {
+      Result<Mp200> result = empty();
+      for (int o = 0; o <= order_; ++o)
+        if (log10_error[o] < log10_size_[o]) result.of(o)[0] = pow(Mp200(10), Mp200(log10_size_[o]));
+      return result;
+    });
+    return empty();
+  }
+
+ private:
+  std::array<double, 3> log10_size_;
+};
+
+TEST(ConvergingSum, finds_each_orders_norm_however_much_cancels) {
+  const Query<Mp200> query{{}, Vec3<Mp200>::Zero(), 2};
+  for (const auto& sizes : {std::array{0., -30., -60.}, {-60., 0., -30.}, {-5., -80., 0.}, {-150., -1., -20.}}) {
+    Sized sum(query, sizes);
+    sum.at(30);
+    for (int o = 0; o <= 2; ++o) EXPECT_NEAR(sum.norm()[o], sizes[o], 1e-9) << o;
+  }
 }
 
 }  // namespace

@@ -214,6 +214,25 @@ TEST(Quad, gauss_keeps_the_height_next_to_the_plane) {
   }
 }
 
+// Next to a corner at the origin the others' differences to the point lose all that it is off the plane by.
+TEST(Quad, gauss_keeps_the_height_next_to_every_corner) {
+  const std::array<Vec, 4> around{Vec(0, 0, 0), Vec(1, .25, -.5), Vec(.75, 1.125, .5), Vec(-.25, .875, 1)};
+  for (int turn = 0; turn < 4; ++turn) {
+    QuadSample s{"turned", {}, Vec(-3e-20, -1e-20, 7e-20)};
+    for (int k = 0; k < 4; ++k) s.corners[(k + turn) % 4] = around[k];
+    const auto found = evaluate_quad<double>("gauss-8", s, 0);
+    const auto truth = evaluate_quad<Mp50>("gauss-8", s, 0);
+    EXPECT_LT(log10_error(found.value, truth.value), -13) << turn;
+  }
+}
+
+// What docs and headers say of it.
+TEST(Quad, adaptive_aims_at_its_tolerance) {
+  EXPECT_EQ(quad::adaptive_tolerance<float>(), 1e-4);
+  EXPECT_EQ(quad::adaptive_tolerance<double>(), 1e-10);
+  EXPECT_EQ(quad::adaptive_tolerance<Mp50>(), 1e-10);
+}
+
 TEST(Quad, adaptive_is_honest) {
   int met = 0, met_float = 0, count = 0;
   for (const QuadSample& s : samples()) {
