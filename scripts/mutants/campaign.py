@@ -84,18 +84,27 @@ class Campaign:
     def try_all(self, limits: list, whole: bool) -> None:
         """Rounds of ever larger portions. \\param whole whether all detectors are known, not the tests alone, so that what none reaches is unreached"""
         known = [detectors.Detector.of(r) for r in lines_of(self.known) if not r["fails"] and (whole or not r["is_unit"])]
-        finished, tried = set(), {m["number"]: set() for m in self.mutants}
+        tried, outcomes = {m["number"]: set() for m in self.mutants}, {}
         for result in lines_of(self.results):
             tried[result["number"]] |= set(result["tried"])
-            if result["outcome"] != "open":
-                finished.add(result["number"])
+            outcomes[result["number"]] = result["outcome"]
         reaching = {m["number"]: [d for d in known if m["number"] in d.reached] for m in self.mutants}
+        left = {number for number, of_number in reaching.items() if any(d.id not in tried[number] for d in of_number)}
+        # Tests that are new may catch what survived those that there were.
+        finished = {
+            number
+            for number, outcome in outcomes.items()
+            if outcome.startswith("caught") or outcome == "constant" or (outcome != "open" and number not in left)
+        }
         if whole and not self.is_over():
             for mutant in self.mutants:
-                if mutant["number"] not in finished and not reaching[mutant["number"]]:
-                    outcome = "constant" if mutant["may_be_constant"] else "unreached"
-                    self.write(self.results, {"number": mutant["number"], "outcome": outcome, "how": "", "tried": []})
-                    finished.add(mutant["number"])
+                number = mutant["number"]
+                if number in finished or number in left:
+                    continue
+                never = "constant" if mutant["may_be_constant"] else "unreached"
+                outcome = "survived" if reaching[number] else never
+                self.write(self.results, {"number": number, "outcome": outcome, "how": "", "tried": []})
+                finished.add(number)
 
         def work(number, limit):
             if time.time() > self.until:
