@@ -23,8 +23,14 @@ A mutant is caught when `cageproof verify` with its defaults breaks a promise, o
 blind there. The units of work of `verify` are measured a few at a time, and judged together with those of the run without mutants: the verdict is that of
 a whole run in which these units alone are the mutant's.
 
+What a mutant reads or writes beyond an array's end may have no effect in a release build. CI runs `./test` with the address and undefined-behaviour
+sanitizers and with Eigen's assertions as well: such a mutant counts as caught by tests where a test of the campaign's copy fails with it when the test and
+the files that the mutant is in are built with these; how many are such is said below. Tests that are written for survivors are put into the copy
+(`build/mutants/src`) and built there; `--resume` tries them as any others.
+
 A mutant is called equivalent when it changes no promised result, with a line of proof each (`scripts/mutants/equivalent.json`); at most a tenth may be.
-Sites that the compiler alone evaluates ("constant") are no mutants and count nowhere.
+Where what was mutated has been removed since, because the mutant showed that nothing needs it or that it was wrong, the same file says so, and the
+mutant counts nowhere. Nor do sites that the compiler alone evaluates ("constant").
 """
 
 
@@ -51,7 +57,9 @@ class Found:
 
     def __init__(self, root: Path, folder: Path):
         proofs = root / "scripts/mutants/equivalent.json"
-        self.proofs = {key_of(e): e["why"] for e in json.loads(proofs.read_text())} if proofs.exists() else {}
+        entries = json.loads(proofs.read_text()) if proofs.exists() else []
+        self.proofs = {key_of(e): e["why"] for e in entries}
+        gone = {key_of(e) for e in entries if e.get("gone")}
         self.mutants = lines_of(folder / "mutants.jsonl")
         outcome = {}
         for result in lines_of(folder / "results.jsonl"):
@@ -60,8 +68,9 @@ class Found:
             result = outcome.get(mutant["number"], {"outcome": "open", "how": ""})
             mutant["outcome"], mutant["how"] = result["outcome"], result["how"]
             if mutant["outcome"] in ("survived", "unreached", "open") and key_of(mutant) in self.proofs:
-                mutant["outcome"] = "equivalent"
-        self.mutants = [m for m in self.mutants if m["outcome"] != "constant"]
+                mutant["outcome"] = "gone" if key_of(mutant) in gone else "equivalent"
+        self.gone = self.of("gone")
+        self.mutants = [m for m in self.mutants if m["outcome"] not in ("constant", "gone")]
 
     def of(self, outcome: str) -> list:
         return [m for m in self.mutants if m["outcome"] == outcome]
@@ -81,11 +90,13 @@ def write(root: Path, folder: Path) -> None:
     found = Found(root, folder)
     caught = len(found.of("caught by verify")) + len(found.of("caught by tests"))
     judged = len(found.mutants) - len(found.of("equivalent")) - len(found.of("open"))
+    sanitized = sum(m["how"].startswith("sanitized ") for m in found.mutants)
     parts = [HEAD, "## Figures\n"]
     parts.append(
         f"{len(found.mutants)} mutants; of {judged} that were run to the end and are not called equivalent **{caught} are caught, "
         f"{100 * caught / max(judged, 1):.1f} %**."
         + (f" {len(found.of('open'))} are caught by nothing that was run so far, and wait for the rest." if found.of("open") else "")
+        + (f" {sanitized} of those that are caught were so in a sanitized build." if sanitized else "")
         + "\n"
     )
     parts.append(found.counted("room", lambda m: m["file"].split("/")[0]))
@@ -104,4 +115,5 @@ def write(root: Path, folder: Path) -> None:
     listed("Reached by nothing", found.of("unreached"), lambda m: "")
     listed("Not run to the end", found.of("open"), lambda m: "")
     listed("Called equivalent", found.of("equivalent"), lambda m: f". {found.proofs[key_of(m)]}")
+    listed("Of what is gone since", found.gone, lambda m: f". {found.proofs[key_of(m)]}")
     (root / "docs/power.md").write_text("\n".join(parts))
