@@ -120,7 +120,7 @@ Frame<R>::Frame(const Segment<R>& segment, const Vec3<R>& eta) : exponent(0), ne
   using std::abs, std::atan2, std::log, std::log1p, std::max;
   // Differences of the largest numbers overflow, so these are taken a sixteenth as large.
   Segment<R> corner = segment;
-  Vec3<R> point = eta;
+  Vec3<R> point = eta;  // NOLINT(performance-unnecessary-copy-initialization): double's is changed
   int shrunk = 0;
   if constexpr (std::same_as<R, double>) {
     const double largest =
