@@ -190,6 +190,19 @@ TEST(Families, TakeCountsFrom1To512) {
     EXPECT_FALSE(all.find("quad.mean_value", bad)) << bad;
 }
 
+// Verification runs the standard members, which must be cheap; work-precision studies show how the scheme converges.
+TEST(Families, HaveStandardMembersAndStudiedOnes) {
+  int seen = 0;
+  for (const EvaluationFamily* family : EvaluationRegister::instance().families("quad.mean_value")) {
+    if (family->pattern != "riemann-<n>") continue;
+    ++seen;
+    EXPECT_EQ(family->standard, (std::vector<std::string>{"riemann-4", "riemann-7", "riemann-10"}));
+    EXPECT_EQ(family->studied,
+              (std::vector<std::string>{"riemann-2", "riemann-4", "riemann-10", "riemann-40", "riemann-160"}));
+  }
+  EXPECT_EQ(seen, 1);
+}
+
 TEST(Families, TakeDigitsFrom2To90) {
   const auto& all = EvaluationRegister::instance();
   for (const char* good : {"line-2", "line-90"}) EXPECT_TRUE(all.find("quad.mean_value", good)) << good;

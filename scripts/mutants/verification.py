@@ -80,7 +80,9 @@ class Verification:
             code, text = run([str(self.program), "verify", f"--resume={out}", "--jobs=1"], self.folder, limit, environment)
             if code == 2 and "cannot resume" in text:
                 # What is to be measured is the mutant's too: all of it, then.
-                return run(self.command("--suite=quick", slot / "afresh"), self.folder, 3600, environment)
+                code, text = run(self.command("--suite=quick", slot / "afresh"), self.folder, 3600, environment)
+                # An hour without a verdict is none.
+                return (0, "") if code is None else (code, text)
             if code != 0:
                 return code, text
             measured = {unit_of(line): line for line in (out / "journal").read_text().splitlines()[1:] if line.startswith('{"units"')}
