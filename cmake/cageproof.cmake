@@ -15,6 +15,8 @@ if(CAGEPROOF_SANITIZE)
   # Null and misaligned members are checked at every access, which doubles the build; a null one faults under the address sanitizer anyway.
   target_compile_options(cageproof_flags INTERFACE -fsanitize=address,undefined -fno-sanitize=null,alignment -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
+  # Indices of the standard library's arrays, which the sanitizers do not see where there is memory behind them.
+  target_compile_definitions(cageproof_flags INTERFACE _GLIBCXX_ASSERTIONS)
   target_link_options(cageproof_flags INTERFACE -fsanitize=address,undefined)
 endif()
 

@@ -214,7 +214,8 @@ class Hunter {
     for (const Place* place : found) {
       if (result.worst.size() == options_.keep) break;
       if (kept_already(found, place, same)) continue;
-      result.worst.push_back({case_of(k, *place), place->regime->name, against_integral(*place)});
+      result.worst.push_back(
+          {case_of(k, *place), place->regime->name, result.worst.empty() ? against_integral(*place) : std::nullopt});
     }
     return result;
   }

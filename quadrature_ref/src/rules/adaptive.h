@@ -37,6 +37,15 @@ W unresolved(const W& length) {
   return length > 8 ? W(4 * exp(length / 64)) : W(0);
 }
 
+/// Whether a kernel with the factor x.n cannot be integrated in W to any stated error: where the height is next to W's
+/// least number, nodes' products with it are rounded by that number, not by a rounding of theirs.
+template <Scalar W>
+bool height_is_lost(const Formula& formula, const W& height) {
+  using std::abs;
+  if constexpr (is_multiprecision<W>) return false;
+  else return formula.flip_sign < 0 && height != 0 && abs(height) < std::ldexp(std::numeric_limits<W>::min(), 60);
+}
+
 /// What was integrated over one part of the element.
 template <Scalar W>
 struct PartSum {

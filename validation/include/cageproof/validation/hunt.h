@@ -36,8 +36,8 @@ struct HuntOptions {
 struct HuntedCase {
   WorstCase worst;
   std::string_view regime;  ///< where the climb started; `worst` has the sample number and parameter of the start
-  /// Relative difference of the truth and the integral; nothing where the integral has no 30 digits, or is the truth
-  /// itself.
+  /// Relative difference of the truth and the integral, of the worst case alone; nothing where the integral has no 30
+  /// digits, or is the truth itself.
   std::optional<double> against_integral;
 };
 
