@@ -57,12 +57,13 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
                           std::optional<std::size_t> entry) {
   Explanation explanation;
   const auto plain = quad_frame<double>(query.corners, query.point);
-  const double rho = plain ? ellipse_from_distance(*plain) : 0;
+  const double ends = plain ? distance_of_ends(*plain) : 0;
+  const double rho = plain ? ellipse_from_distance(*plain, ends) : 0;
   const SingularPairs<double> singular = plain ? singular_pairs(*plain) : SingularPairs<double>();
   const bool far = plain && rho >= far_across<double, Order>;
   const Exponents exponents = exponents_of(query.corners, query.point);
   const bool extreme = exponents.are_extreme() || (plain && exponents.are_distant() && has_short_side(*plain));
-  if (!plain || extreme || (!far && is_within(kDoubleHolds, *plain, singular))) {
+  if (!plain || extreme || (!far && is_within(kDoubleHolds, *plain, ends, singular))) {
     explanation.route =
         "none in double: on the quad, so close to it that differences are taken in 50 digits, or at the ends of "
         "doubles' "
@@ -91,6 +92,10 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
       add_lines<Order>(local, counted, Counted(counted.centre - local.v0), across.panels_of(rule), kDigits, sums);
     }
     explanation.route = "line form in double, " + std::to_string(across.rules.size()) + " rules across the lines";
+    WeightTensors<double> weights;
+    line_form<Order, double>(query.corners, query.point, kDigits, weights);
+    if (weights.cancelled > kCancelled)
+      explanation.route += ", given up for 50 digits or more, as the terms of a fold's sheets cancel";
   }
   // The entries of WeightSums are those of an upper triangle.
   constexpr std::array<int, 9> upper{4, 5, 6, 5, 7, 8, 6, 8, 9};

@@ -28,3 +28,12 @@ void line_batch_of_order(const Batch<R>& batch, double digits, const BatchOutput
     else if (batch.order == 1) line_batch_of_order<1>(batch, digits, output);                                        \
     else line_batch_of_order<2>(batch, digits, output);                                                              \
   }
+
+#define CAGEPROOF_LINE_FORM_OF_ORDER(Order, R)                                 \
+  template cageproof::Statement cageproof::adaptive_qmvc::line_form<Order, R>( \
+      std::span<const cageproof::Vec3<R>>, const cageproof::Vec3<R>&, double,  \
+      cageproof::adaptive_qmvc::WeightTensors<R>&);
+#define CAGEPROOF_LINE_FORM(R)       \
+  CAGEPROOF_LINE_FORM_OF_ORDER(0, R) \
+  CAGEPROOF_LINE_FORM_OF_ORDER(1, R) \
+  CAGEPROOF_LINE_FORM_OF_ORDER(2, R)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "instances.h"
 
+CAGEPROOF_LINE_FORM(cageproof::Mp100)
 CAGEPROOF_LINE_BATCH(cageproof::Mp100)

@@ -5,11 +5,11 @@
 // the lines Gauss-Legendre panels do the rest (outer_rule.h).
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_values.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_sums.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/seen_quad.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/weight_sums.h"
 #include "cageproof/core/batch.h"
 #include "cageproof/core/quad_geometry.h"
 
@@ -17,148 +17,22 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// The weights' sums over lines: for each corner value, gradient, Hessian (xx, xy, xz, yy, yz, zz).
-template <class R, int Order>
-struct WeightSums {
-  static constexpr int entries = Order == 0 ? 1 : Order == 1 ? 4 : 10;
-  std::array<std::array<R, entries>, 4> corner{};
-};
-
-/// Adds one line, all of whose entries are multiplied with `weight`.
-/// \param s the line's step from the frame's
-template <int Order, class R>
-void add_line(const LocalFrame<R>& q, const LineArea<R>& area, const R& s, const R& weight, double digits,
-              WeightSums<R, Order>& sums) {
-  using std::sqrt;
-  const Vec3<R> a = q.start(s), e = q.direction(s);
-  const R &first = q.first, &last = q.last;
-  const Vec3<R> start = a + first * e, end = a + last * e;
-  using F = std::conditional_t<is_multiprecision<R>, long double, double>;
-  const F length2 = static_cast<F>(e.dot(e)), start2 = static_cast<F>(start.dot(start)),
-          end2 = static_cast<F>(end.dot(end));
-  // Where the ends' distances sum up to `kFarAlongLine` lengths; their squares alone often tell.
-  const auto ends = [&] { return static_cast<double>((std::sqrt(start2) + std::sqrt(end2)) / std::sqrt(length2)); };
-  LineMoments<R> m;
-  Vec3<R> x;  // the line's point at the moments' origin
-  if (2 * (start2 + end2) < kFarAlongLine * kFarAlongLine * length2 || ends() < kFarAlongLine) {
-    const Vec3<R> c = area.at(s);
-    m = moments_about_foot<Order>(a, e, first, last, R(c.dot(c)), digits);
-    // Not a + origin e, whose terms cancel where the foot is far along the line.
-    if constexpr (Order >= 1) x = e.cross(c) / e.dot(e);
-  } else {
-    m = moments_by_gauss<Order>(a, e, first, gauss_rule<R>(length2 > 0 ? nodes_along_line(ends(), Order, digits) : 2));
-    if constexpr (Order >= 1) x = a + m.origin * e;
-  }
-  const R g1 = q.g10 + s * q.g11;
-  const R g0 = q.g00 + s * q.g01 + m.origin * g1;
-  // f0 and f1: the integrals of the kernel and of s times the kernel.
-  std::array<std::array<R, WeightSums<R, Order>::entries>, 2> f;
-  for (int c = 0; c < 2; ++c) f[c][0] = g0 * m.p2[c] + g1 * m.p2[c + 1];
-  if constexpr (Order >= 1) {
-    const Vec3<R>& n1 = q.n_u;
-    const Vec3<R> n0 = q.n + s * q.n_v + m.origin * n1;
-    for (int c = 0; c < 2; ++c) {
-      const R h0 = g0 * m.p3[c] + g1 * m.p3[c + 1], h1 = g0 * m.p3[c + 1] + g1 * m.p3[c + 2];
-      for (int i = 0; i < 3; ++i) f[c][1 + i] = 4 * (x[i] * h0 + e[i] * h1) - (n0[i] * m.p2[c] + n1[i] * m.p2[c + 1]);
-      if constexpr (Order >= 2) {
-        const R k0 = 24 * (g0 * m.p4[c] + g1 * m.p4[c + 1]), k1 = 24 * (g0 * m.p4[c + 1] + g1 * m.p4[c + 2]),
-                k2 = 24 * (g0 * m.p4[c + 2] + g1 * m.p4[c + 3]);
-        // The symmetric products of x and of e with what follows.
-        const Vec3<R> by_x = (k0 / 2) * x + k1 * e - 4 * (m.p3[c] * n0 + m.p3[c + 1] * n1);
-        const Vec3<R> by_e = (k2 / 2) * e - 4 * (m.p3[c + 1] * n0 + m.p3[c + 2] * n1);
-        for (int i = 0, entry = 4; i < 3; ++i)
-          for (int j = i; j < 3; ++j, ++entry) {
-            f[c][entry] = x[i] * by_x[j] + x[j] * by_x[i] + e[i] * by_e[j] + e[j] * by_e[i];
-            if (i == j) f[c][entry] -= 4 * h0;
-          }
-      }
-    }
-  }
-  const R right = weight * (q.v0 + s), left = weight - right;
-  const R along = q.u0 + m.origin, rest = last - m.origin;
-  for (int k = 0; k < WeightSums<R, Order>::entries; ++k) {
-    const R far = along * f[0][k] + f[1][k], near = rest * f[0][k] - f[1][k];
-    sums.corner[0][k] += left * near;
-    sums.corner[1][k] += left * far;
-    sums.corner[2][k] += right * far;
-    sums.corner[3][k] += right * near;
-  }
-}
-
-/// Adds a panel's lines for values in double, in packs of four; those of weight zero fill the last one.
-inline void add_values(const LocalFrame<double>& q, const LineArea<double>& area, const OuterRule<double>& rule,
-                       double centre, double lo, double hi, const GaussLegendre<double>& gauss, double digits,
-                       LineValues& values, WeightSums<double, 0>& sums) {
-  const int count = static_cast<int>(gauss.nodes.size());
-  for (int first = 0; first < count; first += 4) {
-    Lines at, weight;
-    for (int i = 0; i < 4; ++i) {
-      const int k = std::min(first + i, count - 1);
-      at[i] = gauss.nodes[k];
-      weight[i] = first + i < count ? gauss.weights[k] : 0;
-    }
-    at = lo + (hi - lo) * at;
-    weight *= hi - lo;
-    Lines s = at - q.v0;
-    if (!rule.plain) {
-      // sinh and cosh: what their difference cancels is below the roundings of the width.
-      const Lines grown = (rule.width / 2) * at.exp(), shrunk = (rule.width / 2) * (-at).exp();
-      s = centre + (grown - shrunk);
-      weight *= grown + shrunk;
-    }
-    if (values.add(s, weight)) continue;
-    for (int i = 0; i < 4 && first + i < count; ++i) add_line<0, double>(q, area, s[i], weight[i], digits, sums);
-  }
-}
-
-/// Adds all lines of a rule. Returns how many.
-/// \param q about a point of the lines next to which the rule's are dense
-/// \param centre the rule's, as a step from the frame's line
-template <int Order, class R>
-std::size_t add_lines(const LocalFrame<R>& q, const OuterRule<R>& rule, const R& centre, std::span<const Panel> panels,
-                      double digits, WeightSums<R, Order>& sums) {
-  constexpr bool values_only = Order == 0 && std::same_as<R, double>;
-  const LineArea<R> area(q.a, q.e, q.w, q.n, q.n_v);
-  std::size_t lines = 0;
-  [[maybe_unused]] std::conditional_t<values_only, LineValues, std::nullptr_t> values = [&] {
-    if constexpr (values_only) return LineValues(q, area, digits);
-    else return nullptr;
-  }();
-  for (std::size_t p = 0; p < panels.size(); ++p) {
-    const Panel& panel = panels[p];
-    const R lo = p == 0 ? rule.first : R(panel.lo), hi = p + 1 == panels.size() ? rule.last : R(panel.hi);
-    const GaussLegendre<R>& gauss = gauss_rule<R>(panel.nodes);
-    lines += panel.nodes;
-    if constexpr (values_only) {
-      add_values(q, area, rule, centre, lo, hi, gauss, digits, values, sums);
-      continue;
-    }
-    for (int i = 0; i < panel.nodes; ++i) {
-      const R at = lo + (hi - lo) * gauss.nodes[i];
-      R weight = (hi - lo) * gauss.weights[i];
-      if (rule.plain) {
-        add_line(q, area, R(at - q.v0), weight, digits, sums);
-        continue;
-      }
-      using std::exp;
-      const R grown = rule.width / 2 * exp(at), shrunk = rule.width * rule.width / (4 * grown);
-      weight *= grown + shrunk;
-      add_line(q, area, R(centre + (grown - shrunk)), weight, digits, sums);
-    }
-  }
-  if constexpr (values_only) {
-    const std::array<double, 4> corners = values.corners();
-    for (int k = 0; k < 4; ++k) sums.corner[k][0] += corners[k];
-  }
-  return lines;
-}
-
-/// Whether the point is that close to the quad, in units of the sides across the lines, or to its nearest corner, in
-/// units of the extent.
+/// Whether the point is that close to the quad, in units of the sides across the lines, or to its nearest corner, to
+/// both its outermost lines or to a fold's, in units of the extent.
+/// \param ends the distances of both outermost lines together
 template <Scalar R>
-bool is_within(double distance, const QuadFrame<R>& q, const SingularPairs<R>& singular) {
+bool is_within(double distance, const QuadFrame<R>& q, double ends, const SingularPairs<R>& singular) {
+  // All lines of a quad whose sides cross may pass the point, and no pair tells.
+  if (ends < distance) return true;
+  // Where lines touch a crease they stay next to it: pairs are as wide as the root of the distance.
+  const bool folded = is_folded(q);
+  const auto touches = [&](const R& v) {
+    const Vec3<R> area = LineArea<R>(q, v).c0, e = q.direction(v);
+    return area.dot(area) < R(distance * distance) * e.dot(e);
+  };
   const auto close = [&](const SingularPair<R>& pair) {
-    return !pair.beyond && pair.width < distance && pair.centre > R(-1e-6) && pair.centre < R(1 + 1e-6);
+    return !pair.beyond && (pair.width < distance || (folded && touches(pair.centre))) && pair.centre > R(-1e-6) &&
+           pair.centre < R(1 + 1e-6);
   };
   return std::ranges::any_of(singular, close) || q.a.dot(q.a) < R(distance * distance);
 }
@@ -196,6 +70,8 @@ struct WeightTensors {
   std::array<R, 4> value;
   std::array<R, 12> gradient;
   std::array<R, 36> hessian;
+  /// Where the quad folds over: how many times as large as a tensor the terms are that it is the sum of; else one.
+  double cancelled = 1;
 
   std::span<R> of(int order) {
     if (order == 0) return value;
@@ -237,17 +113,41 @@ void fill_infinite(const std::array<double, 4>& basis, WeightTensors<R>& weights
 template <int Order, Scalar R>
 Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, double digits, WeightTensors<R>& weights);
 
-/// As line_form, for points so close to the quad that differences of coordinates say too little.
-template <int Order, Scalar R>
-Statement line_form_in_50_digits(std::span<const Vec3<R>> corners, const Vec3<R>& point, double digits,
-                                 WeightTensors<R>& weights) {
-  std::array<Vec3<Mp50>, 4> wide_corners;
-  for (int k = 0; k < 4; ++k) wide_corners[k] = convert<Mp50>(corners[k]);
-  WeightTensors<Mp50> wide;
-  const Statement statement = line_form<Order, Mp50>(wide_corners, convert<Mp50>(point), digits, wide);
+/// As line_form, in a wider scalar.
+template <class W, int Order, Scalar R>
+Statement line_form_in(std::span<const Vec3<R>> corners, const Vec3<R>& point, double digits,
+                       WeightTensors<R>& weights) {
+  std::array<Vec3<W>, 4> wide_corners;
+  for (int k = 0; k < 4; ++k) wide_corners[k] = convert<W>(corners[k]);
+  WeightTensors<W> wide;
+  const Statement statement = line_form<Order, W>(wide_corners, convert<W>(point), digits, wide);
   for (int o = 0; o <= Order; ++o)
     for (std::size_t i = 0; i < wide.of(o).size(); ++i) weights.of(o)[i] = static_cast<R>(wide.of(o)[i]);
+  weights.cancelled = wide.cancelled;
   return statement;
+}
+
+/// Sums of terms that are more than that many times as large are taken in more digits.
+inline constexpr double kCancelled = 16;
+
+/// As line_form, for points so close to the quad that differences of coordinates say too little, and for folds whose
+/// sheets' terms cancel: in 50 digits or more, and to as many digits more as cancel.
+/// \param cancelled how many times as large as the result its terms are known to be
+template <int Order, Scalar R>
+Statement line_form_in_more_digits(std::span<const Vec3<R>> corners, const Vec3<R>& point, double digits,
+                                   double cancelled, WeightTensors<R>& weights) {
+  // Relative to the terms, each scalar gives as many digits as its closed form is asked for, and no integral more than
+  // 90. What rounding leaves of a sum that cancels altogether tells no more than that there is more to ask for.
+  constexpr double kIn50 = 36, kIn100 = 70, kMost = 90;
+  for (double asked = digits;;) {
+    if (cancelled > kCancelled) asked = std::min(kMost, std::max(asked, digits + 1 + std::log10(cancelled)));
+    Statement statement;
+    if (asked <= kIn50) statement = line_form_in<Mp50, Order, R>(corners, point, asked, weights);
+    else if (asked <= kIn100) statement = line_form_in<Mp100, Order, R>(corners, point, asked, weights);
+    else statement = line_form_in<Mp200, Order, R>(corners, point, asked, weights);
+    cancelled = weights.cancelled;
+    if (asked >= kMost || cancelled <= kCancelled || asked >= digits + std::log10(cancelled)) return statement;
+  }
 }
 
 /// As line_form, for coordinates whose exponents are far apart.
@@ -263,18 +163,21 @@ Statement line_form_of_distant(std::span<const Vec3<R>> corners, const Vec3<R>& 
   std::array<Vec3<Mp200>, 4> wide;
   for (int k = 0; k < 4; ++k) wide[k] = convert<Mp200>(corners[k]);
   const SeenQuad seen = see_in_800_digits(wide, convert<Mp200>(point), order, digits);
+  sums.watched = seen.folded;
   for (const SeenRule& rule : seen.rules) {
     statement.nodes += add_lines<Order>(LocalFrame<R>(rule.frame), OuterRule<R>(rule.rule), static_cast<R>(rule.centre),
                                         rule.panels, digits, sums);
     statement.converged = statement.converged && rule.rule.whole;
   }
   store<Order>(sums, seen.unit, weights);
+  if (seen.folded) weights.cancelled = cancellation<Order>(sums);
   return statement;
 }
 
 template <int Order, Scalar R>
 Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, double digits, WeightTensors<R>& weights) {
   Statement statement;
+  weights.cancelled = 1;
   // The weights grow like 1/distance; in the line's variable their integrand has half an order more, and each
   // derivative adds one.
   constexpr double order = Order + 1.5;
@@ -284,7 +187,7 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
       return line_form_of_distant<Order, R>(corners, point, order, digits, weights);
   } else {
     if (exponents.finite && exponents.are_extreme())
-      return line_form_in_50_digits<Order, R>(corners, point, digits, weights);
+      return line_form_in_more_digits<Order, R>(corners, point, digits, 1, weights);
   }
   const auto q = quad_frame<R>(corners, point);
   if (!q) {
@@ -293,24 +196,26 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
   }
   if constexpr (!is_multiprecision<R>) {
     if (exponents.are_distant() && has_short_side(*q))
-      return line_form_in_50_digits<Order, R>(corners, point, digits, weights);
+      return line_form_in_more_digits<Order, R>(corners, point, digits, 1, weights);
   }
   WeightSums<R, Order> sums;
-  if (const double rho = ellipse_from_distance(*q); rho >= far_across<R, Order>) {
+  const double ends = distance_of_ends(*q);
+  if (const double rho = ellipse_from_distance(*q, ends); rho >= far_across<R, Order>) {
     const Panel panel = plain_panel(rho, order, digits);
     statement.nodes = add_lines<Order>(LocalFrame<R>(*q), OuterRule<R>{}, R(0), {&panel, 1}, digits, sums);
   } else {
     const SingularPairs<R> singular = singular_pairs(*q);
-    if (is_within(1e-12, *q, singular)) {
+    if (is_within(1e-12, *q, ends, singular)) {
       if (const auto on = place_on_quad<R>(corners, point)) {
         fill_infinite<Order>(on->basis, weights);
         return statement;
       }
     }
     if constexpr (!is_multiprecision<R>) {
-      if (is_within(kDoubleHolds, *q, singular))
-        return line_form_in_50_digits<Order, R>(corners, point, digits, weights);
+      if (is_within(kDoubleHolds, *q, ends, singular))
+        return line_form_in_more_digits<Order, R>(corners, point, digits, 1, weights);
     }
+    sums.watched = is_folded(*q);
     thread_local OuterRules<R> across;
     find_outer_rules(singular, order, digits, static_cast<int>(3 * digits), across);
     for (const OuterRule<R>& rule : across.rules) {
@@ -319,9 +224,36 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
       statement.nodes += add_lines<Order>(local, rule, R(rule.centre - local.v0), across.panels_of(rule), digits, sums);
       statement.converged = statement.converged && rule.whole;
     }
+    if (sums.watched) {
+      weights.cancelled = cancellation<Order>(sums);
+      if constexpr (!is_multiprecision<R>) {
+        if (weights.cancelled > kCancelled)
+          return line_form_in_more_digits<Order, R>(corners, point, digits, weights.cancelled, weights);
+      }
+    }
   }
   store<Order>(sums, q->unit, weights);
   return statement;
 }
+
+// Compiled one file a scalar.
+extern template Statement line_form<0, Mp50>(std::span<const Vec3<Mp50>>, const Vec3<Mp50>&, double,
+                                             WeightTensors<Mp50>&);
+extern template Statement line_form<1, Mp50>(std::span<const Vec3<Mp50>>, const Vec3<Mp50>&, double,
+                                             WeightTensors<Mp50>&);
+extern template Statement line_form<2, Mp50>(std::span<const Vec3<Mp50>>, const Vec3<Mp50>&, double,
+                                             WeightTensors<Mp50>&);
+extern template Statement line_form<0, Mp100>(std::span<const Vec3<Mp100>>, const Vec3<Mp100>&, double,
+                                              WeightTensors<Mp100>&);
+extern template Statement line_form<1, Mp100>(std::span<const Vec3<Mp100>>, const Vec3<Mp100>&, double,
+                                              WeightTensors<Mp100>&);
+extern template Statement line_form<2, Mp100>(std::span<const Vec3<Mp100>>, const Vec3<Mp100>&, double,
+                                              WeightTensors<Mp100>&);
+extern template Statement line_form<0, Mp200>(std::span<const Vec3<Mp200>>, const Vec3<Mp200>&, double,
+                                              WeightTensors<Mp200>&);
+extern template Statement line_form<1, Mp200>(std::span<const Vec3<Mp200>>, const Vec3<Mp200>&, double,
+                                              WeightTensors<Mp200>&);
+extern template Statement line_form<2, Mp200>(std::span<const Vec3<Mp200>>, const Vec3<Mp200>&, double,
+                                              WeightTensors<Mp200>&);
 
 }  // namespace cageproof::adaptive_qmvc

@@ -80,4 +80,12 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
   return q;
 }
 
+/// Whether the quad's normals at opposite corners look in opposite directions: sheets over each other add to the
+/// weights with opposite signs.
+template <class R>
+bool is_folded(const QuadFrame<R>& q) {
+  const Vec3<R> after = q.n + q.n_u, before = q.n + q.n_v;
+  return q.n.dot(after + q.n_v) < R(0) || after.dot(before) < R(0);
+}
+
 }  // namespace cageproof::adaptive_qmvc

@@ -134,12 +134,18 @@ double distance_of_segment(const Vec3<R>& start, const Vec3<R>& side) {
   return std::sqrt(static_cast<double>(nearest.dot(nearest)));
 }
 
+/// The distances of eta from both outermost lines together.
+template <class R>
+double distance_of_ends(const QuadFrame<R>& q) {
+  return distance_of_segment(q.a, q.e) + distance_of_segment(Vec3<R>(q.a + q.b), Vec3<R>(q.e + q.w));
+}
+
 /// A lower bound of the ellipse about [0, 1] that singularities in v lie outside of: for every u in [0, 1] the zeros of
 /// r^2 along the straight line v -> xi(u, v) lie on the one whose axis is the distances of both ends over its length.
+/// \param ends distance_of_ends
 template <class R>
-double ellipse_from_distance(const QuadFrame<R>& q) {
+double ellipse_from_distance(const QuadFrame<R>& q, double ends) {
   const double step = std::sqrt(std::max(static_cast<double>(q.b.dot(q.b)), static_cast<double>(q.b1.dot(q.b1))));
-  const double ends = distance_of_segment(q.a, q.e) + distance_of_segment(Vec3<R>(q.a + q.b), Vec3<R>(q.e + q.w));
   if (!(ends < 1e6 * step)) return 1e6;
   const double axis = ends / step;
   return axis > 1 ? axis + std::sqrt(axis * axis - 1) : 1;
