@@ -58,9 +58,18 @@ struct LocalFrame {
       g00 = g01 = g10 = g11 = R(0);
       return;
     }
-    g00 = a.dot(n);
-    g01 = a.dot(n_v);
-    g10 = a.dot(n_u);
+    // Bilinear, from corner 0, or from `a`: whichever adds the smaller terms. The nearest point may be on a side, and
+    // `a` all but in the quad's plane.
+    const auto size = [](const R& x) { return x < R(0) ? R(-x) : x; };
+    const auto sizes = [&](const Vec3<R>& x, const Vec3<R>& y) {
+      return size(x[0] * y[0]) + size(x[1] * y[1]) + size(x[2] * y[2]);
+    };
+    const R from_corner =
+        sizes(q.a, q.n) + size(v) * sizes(q.a, q.n_v) + size(u) * (sizes(q.a, q.n_u) + size(v * q.g11));
+    const bool corner = from_corner < sizes(a, n);
+    g00 = corner ? R(q.g00 + v * q.g01 + u * (q.g10 + v * q.g11)) : R(a.dot(n));
+    g01 = corner ? R(q.g01 + u * q.g11) : R(a.dot(n_v));
+    g10 = corner ? R(q.g10 + v * q.g11) : R(a.dot(n_u));
     g11 = q.g11;
   }
 

@@ -213,7 +213,12 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
     const R along = (pair.centre - lo_v) / length;
     const auto width = static_cast<double>(pair.width / static_cast<Width<R>>(length));
     const double rho = ellipse_through(0, 1, {static_cast<double>(along), width});
-    if (!(rho < nearest)) continue;
+    // Next to the axis ellipses are rounding.
+    const bool nearer =
+        dominant && std::max(rho, nearest) < 1 + 1e-6
+            ? detail::distance_of_pair(pair, lo_v, hi_v) < detail::distance_of_pair(*dominant, lo_v, hi_v)
+            : rho < nearest;
+    if (!nearer) continue;
     nearest = rho;
     dominant = &pair;
   }

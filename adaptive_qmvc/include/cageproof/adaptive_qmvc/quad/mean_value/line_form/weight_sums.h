@@ -22,7 +22,7 @@ template <class R, int Order>
 struct WeightSums {
   static constexpr int entries = Order == 0 ? 1 : Order == 1 ? 4 : 10;
   std::array<std::array<R, entries>, 4> corner{};
-  bool watched = false;                         ///< whether `magnitude` is wanted
+  bool watched = false;                        ///< whether `magnitude` is wanted
   std::array<Size<R>, Order + 1> magnitude{};  ///< for each order, what the sizes of its terms add up to
 };
 
