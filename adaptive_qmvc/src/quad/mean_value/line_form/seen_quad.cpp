@@ -27,7 +27,7 @@ SeenQuad see_in_800_digits(std::span<const Vec3<Mp200>> corners, const Vec3<Mp20
   const auto q = quad_frame<Mp800>(wide, Vec3<Mp800>(point.cast<Mp800>()));
   OuterRules<Mp800> across;
   find_outer_rules(singular_pairs(*q), order, digits, static_cast<int>(3 * digits), across);
-  SeenQuad seen{q->unit, {}};
+  SeenQuad seen{q->unit, {}, is_folded(*q)};
   for (const OuterRule<Mp800>& rule : across.rules) {
     const auto frame = rule.plain ? LocalFrame<Mp800>(*q) : frame_about(*q, std::clamp(rule.centre, rule.lo, rule.hi));
     const auto panels = across.panels_of(rule);

@@ -163,14 +163,14 @@ Statement line_form_of_distant(std::span<const Vec3<R>> corners, const Vec3<R>& 
   std::array<Vec3<Mp200>, 4> wide;
   for (int k = 0; k < 4; ++k) wide[k] = convert<Mp200>(corners[k]);
   const SeenQuad seen = see_in_800_digits(wide, convert<Mp200>(point), order, digits);
-  sums.watched = true;
+  sums.watched = seen.folded;
   for (const SeenRule& rule : seen.rules) {
     statement.nodes += add_lines<Order>(LocalFrame<R>(rule.frame), OuterRule<R>(rule.rule), static_cast<R>(rule.centre),
                                         rule.panels, digits, sums);
     statement.converged = statement.converged && rule.rule.whole;
   }
   store<Order>(sums, seen.unit, weights);
-  weights.cancelled = cancellation<Order>(sums);
+  if (seen.folded) weights.cancelled = cancellation<Order>(sums);
   return statement;
 }
 
@@ -215,8 +215,8 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
       if (is_within(kDoubleHolds, *q, ends, singular))
         return line_form_in_more_digits<Order, R>(corners, point, digits, 1, weights);
     }
-    // In doubles, ordinary quads do not pay for what folds need.
-    sums.watched = is_multiprecision<R> || is_folded(*q);
+    // Ordinary quads do not pay for what folds need.
+    sums.watched = is_folded(*q);
     thread_local OuterRules<R> across;
     find_outer_rules(singular, order, digits, static_cast<int>(3 * digits), across);
     for (const OuterRule<R>& rule : across.rules) {

@@ -56,6 +56,7 @@ struct SeenRule {
 struct SeenQuad {
   FrameUnit unit;
   std::vector<SeenRule> rules;
+  bool folded = false;  ///< see is_folded()
 };
 
 /// The rules for `digits` digits of an integrand with singularities of that order. What is small next to the point is
