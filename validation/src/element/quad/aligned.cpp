@@ -43,23 +43,29 @@ void over_centre(double distance, RandomStream& random, Sample& sample) {
                 [&] { return Vec(random_sign(random) * up); });
 }
 
-// Off a flat quad in small integers that folds over, crosses itself or has corners in one: off a point of it, on the
-// crease in half of the samples.
+// Off a flat quad in small integers that folds over or crosses itself, every other one with two corners in one: off a
+// corner, where both sheets are as near, a point of the crease, or any.
 void over_fold(double distance, RandomStream& random, Sample& sample) {
   const int flat = random.below(dim);
   auto& q = sample.corners;
   q.resize(4);
   std::array<double, 4> turn{};  // the normals at the corners
+  const bool in_one = random.below(2) == 0;
   do {
     for (Vec& v : q) v = random_integers(random, 1, dim, flat);
+    if (in_one) q[3] = q[1];
     for (int k = 0; k < 4; ++k) turn[k] = (q[(k + 1) % 4] - q[k]).cross(q[(k + 3) % 4] - q[k])[flat];
   } while (!(turn[0] * turn[2] < 0 || turn[1] * turn[3] < 0));
-  // turn[0] + u (turn[1] - turn[0]) + v (turn[3] - turn[0]) is zero on the crease, which passes eighths exactly or not.
   double u = inner_eighth(random), v = inner_eighth(random);
-  const bool on_crease = random.below(2) == 0;
-  if (on_crease && turn[3] != turn[0])
-    v = std::clamp(-(turn[0] + u * (turn[1] - turn[0])) / (turn[3] - turn[0]), 0., 1.);
-  else if (on_crease) u = std::clamp(turn[0] / (turn[0] - turn[1]), 0., 1.);
+  switch (random.below(3)) {
+    case 0: u = v = random.below(2); break;
+    case 1:
+      // The normal turn[0] + u (turn[1] - turn[0]) + v (turn[3] - turn[0]) is zero on the crease.
+      if (turn[3] != turn[0]) v = std::clamp((turn[0] + u * (turn[1] - turn[0])) / (turn[0] - turn[3]), 0., 1.);
+      else u = std::clamp(turn[0] / (turn[0] - turn[1]), 0., 1.);
+      break;
+    default: break;
+  }
   place_exactly(sample, type_of(ElementKind::Quad), at(q, u, v), random,
                 [&] { return Vec(distance * random_step(random, dim)); });
 }
@@ -100,9 +106,9 @@ Vec exact_foot(const std::vector<Vec>& q, Feature feature, RandomStream& random)
 }
 
 // Off a point of the face, a side, a corner, or the surface or a side's line beyond; every fourth over a middle, and
-// every eighth off a fold.
+// as many off a fold.
 void aligned(double distance, RandomStream& random, Sample& sample) {
-  if (sample.index % 8 == 5) return over_fold(distance, random, sample);
+  if (sample.index % 4 == 1) return over_fold(distance, random, sample);
   if (sample.index % 4 == 3) return over_centre(distance, random, sample);
   const int flat = random.below(dim);
   sample.corners = integral(random, sample.index, flat);
