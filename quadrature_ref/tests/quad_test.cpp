@@ -270,6 +270,25 @@ TEST(Quad, without_a_limit_on_the_quad_and_without_geometry) {
       EXPECT_TRUE(std::isnan(evaluate_quad<double>(name, s, 1).gradient[0])) << name;
 }
 
+// Newton's method ends at the nearest point of narrow twisted quads too: else these points would be none of the quad's.
+TEST(Quad, sees_points_on_narrow_twisted_ones) {
+  const std::array<Quad<double>, 2> narrow{
+      Quad<double>{Vec(-0.14606474060565233, -0.0008593544916948304, 0.00040213228840002557),
+                   Vec(0.6528186975046992, -0.0005585475446423516, 0.00017928449142345926),
+                   Vec(0.6412687478587031, 0.0003957917360821739, -7.711699527135352e-05),
+                   Vec(-0.058214169926941395, 5.39320899406448e-05, -3.5540892895369325e-05)},
+      Quad<double>{Vec(-1.060554993338883, -0.0013931933026469778, -0.0005427273536042776),
+                   Vec(0.2740425942465663, -0.001913728116051061, -0.00016621971371932887),
+                   Vec(0.04627178888767958, 0.002810085268720286, 0.00029810791966156103),
+                   Vec(-0.8626542212441564, 0.0019654762763821054, 0.0004952912604494486)}};
+  for (const Quad<double>& q : narrow) {
+    const QuadSample s{"narrow", q, Vec(0, 0, 0)};
+    const auto r = evaluate_quad<Mp50>("multiprecision", s, 0);
+    EXPECT_TRUE(r.converged && isnan(r.value[0]) && std::isnan(r.stated_digits));
+    EXPECT_TRUE(std::isnan(evaluate_quad<double>("adaptive", s, 0).value[0]));
+  }
+}
+
 TEST(Quad, units_of_length_change_nothing_but_the_scale) {
   const QuadSample s{"twisted", kTwisted, {.4, .5, -.1}};
   QuadSample scaled = s;

@@ -37,13 +37,19 @@ W unresolved(const W& length) {
   return length > 8 ? W(4 * exp(length / 64)) : W(0);
 }
 
-/// Whether a kernel with the factor x.n cannot be integrated in W to any stated error: where the height is next to W's
-/// least number, nodes' products with it are rounded by that number, not by a rounding of theirs.
+/// Whether sums are next to W's least number, in the frame's unit, so that nodes' shares are rounded by that number and
+/// not by a rounding of theirs: nothing can be stated of such. Kernels with the factor x.n vanish in the element's
+/// plane.
 template <Scalar W>
-bool height_is_lost(const Formula& formula, const W& height) {
-  using std::abs;
-  if constexpr (is_multiprecision<W>) return false;
-  else return formula.flip_sign < 0 && height != 0 && abs(height) < std::ldexp(std::numeric_limits<W>::min(), 60);
+bool is_lost(const Formula& formula, const W& height, const Result<W>& sums, int order) {
+  if constexpr (is_multiprecision<W>) {
+    return false;
+  } else {
+    if (formula.flip_sign < 0 && height == 0) return false;
+    for (int o = 0; o <= order; ++o)
+      if (norm(sums.of(o)) < std::ldexp(std::numeric_limits<W>::min(), 60)) return true;
+    return false;
+  }
 }
 
 /// What was integrated over one part of the element.
