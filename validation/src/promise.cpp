@@ -43,15 +43,13 @@ constexpr std::array table{
     // Printed forms away from their weak spots, which are the lines of edges, thin triangles, and far away.
     Row{"truth", "*", "published", "*", "@(generic|offset)", 0, 2, 1e8,
         "half of double's digits, and enough to tell another formula: logarithms and angles cancel by the square of "
-        "the "
-        "distance to an edge's line, and of a million points within one size hardly any is nearer than 1e-3, which "
+        "the distance to an edge's line, and of a million points within one size hardly any is nearer than 1e-3, which "
         "takes six "
         "digits of rounding, times a hundred terms"},
     Row{"truth", "*", "published", "*", "*", 0, 2, none,
         "as the paper prints it, after the errata: nothing is stabilised"},
     // Rules of fixed size far away, from ten sizes on: n points integrate polynomials of degree 2n - 1, and the
-    // kernel's
-    // expansion about the element has a remainder of (size/distance)^2n.
+    // kernel's expansion about the element has a remainder of (size/distance)^2n.
     Row{"truth", "*", "gauss-4", "double", "far", 0, 2, 1e8,
         "its rate: 10^-8 of the truth at ten sizes, in units of 1e-16"},
     Row{"truth", "*", "three-quad-75", "double", "far", 0, 2, 1e6,
@@ -103,8 +101,7 @@ constexpr std::array table{
     Row{"hull_jump", "*", "*", "*", "*", 0, 1, 1e-6, "limits extrapolated from 2e-6 sizes"},
     // Cages, at points at least 1e-6 of their size away, and on them. Errors of sums are counted in roundings of their
     // terms, as those of elements are in roundings times conditioning: the sides of a thin wall cancel, and what is
-    // left
-    // of a sum is off by as much as its terms are.
+    // left of a sum is off by as much as its terms are.
     Row{"partition_of_unity", "maximum_entropy", "*", "double", "*", 1, 2, none,
         "the entropy's matrix becomes singular where few vertices carry the weight, and derivatives divide by it"},
     Row{"linear_reproduction", "maximum_entropy", "*", "double", "*", 1, 2, none,
@@ -122,32 +119,25 @@ constexpr std::array table{
         "in"},
     Row{"linear_reproduction", "spherical_mean_value", "*", "double", "wedge-*", 0, 0, none,
         "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
-        "terms "
-        "are known to count it in"},
+        "terms are known to count it in"},
     Row{"cage_truth", "spherical_mean_value", "*", "double", "wedge-*", 0, 0, none,
         "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
-        "terms "
-        "are known to count it in"},
+        "terms are known to count it in"},
     Row{"cage_rigid_motion", "spherical_mean_value", "*", "double", "wedge-*", 0, 0, none,
         "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
-        "terms "
-        "are known to count it in"},
+        "terms are known to count it in"},
     Row{"cage_corner_permutation", "spherical_mean_value", "*", "double", "wedge-*", 0, 0, none,
         "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
-        "terms "
-        "are known to count it in"},
+        "terms are known to count it in"},
     Row{"cage_truth", "spherical_mean_value", "*", "double", "crack-*", 0, 0, none,
         "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
-        "terms "
-        "are known to count it in"},
+        "terms are known to count it in"},
     Row{"cage_rigid_motion", "spherical_mean_value", "*", "double", "crack-*", 0, 0, none,
         "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
-        "terms "
-        "are known to count it in"},
+        "terms are known to count it in"},
     Row{"cage_corner_permutation", "spherical_mean_value", "*", "double", "crack-*", 0, 0, none,
         "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
-        "terms "
-        "are known to count it in"},
+        "terms are known to count it in"},
     Row{"partition_of_unity", "*", recommended, "double", "*", 0, 2, 64,
         "each term of the sums to a few roundings, normalised ones by the quotient rule"},
     Row{"linear_reproduction", "*", recommended, "double", "*", 0, 2, 64, "as the partition of unity"},
@@ -162,8 +152,7 @@ constexpr std::array table{
         "enlarge"},
     Row{"limit_from_inside", "*", recommended, "double", "*", 1, 2, 1e-10,
         "1e-11 sizes inside, derivatives differ by that over a power of the distance to the next edge, which the "
-        "figure "
-        "is multiplied with, times a number of order ten"},
+        "figure is multiplied with, times a number of order ten"},
     Row{"cage_scaling", "*", recommended, "double", "*", 0, 0, 64, "as the partition of unity, norm-wise over a block"},
     Row{"cage_rigid_motion", "*", recommended, "double", "*", 0, 0, 64,
         "as the partition of unity, norm-wise over a block"},
