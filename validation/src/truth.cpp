@@ -89,19 +89,35 @@ void add_conditioning(const Evaluation& reference, const Sample& sample, int ord
   });
 }
 
-// On the border a single coordinate's move leads off the element, or to where no limit is. What keeps the point on the
-// border is scaling an axis: exact in 100 digits by a factor that has few bits.
+// On the border most moves of a single coordinate lead off the element, or to where no limit is. Those that keep the
+// point on the border: of a corner that is the point, together with it, of corners whose edges it is not on, and
+// scaling an axis as a whole. All are exact in 100 digits by a factor that has few bits.
 void add_border_conditioning(const Evaluation& reference, const Sample& sample, int order, Truth& truth) {
   const Formula& formula = reference.formula();
   const Mp100 relative = ldexp(Mp100(1), -100), factor = 1 + relative;
+  const auto add = [&](const QueryOf<Mp100>& input) {
+    Result<Mp100> moved;
+    reference(input.query(), moved);
+    for (int o = 0; o <= order; ++o) {
+      if (!truth.exists[o] && !truth.partial[o]) continue;
+      const auto [found, expected] = finite_entries(moved.of(o), truth.tensors.of(o));
+      truth.conditioned[o] += norm(difference(found, expected)) / relative;
+    }
+  };
+  const auto basis = type_of(formula.element).contact(sample.corners, sample.point).basis;
   for (int axis = 0; axis < formula.dim(); ++axis) {
-    QueryOf<Mp100> input(sample, order);
-    for (int vertex = 0; vertex <= input.point_vertex(); ++vertex) input.coordinate(vertex, axis) *= factor;
-    Result<Mp100> scaled;
-    reference(input.query(), scaled);
-    for (int o = 0; o <= order; ++o)
-      if (truth.exists[o] && all_finite(scaled.of(o)))
-        truth.conditioned[o] += norm(difference(scaled.of(o), truth.tensors.of(o))) / relative;
+    QueryOf<Mp100> scaled(sample, order);
+    const int point = scaled.point_vertex();
+    for (int vertex = 0; vertex <= point; ++vertex) scaled.coordinate(vertex, axis) *= factor;
+    add(scaled);
+    for (int vertex = 0; vertex < point; ++vertex) {
+      const bool is_point = sample.corners[vertex] == sample.point;
+      if (sample.corners[vertex][axis] == 0 || (!is_point && basis[vertex] != 0)) continue;
+      QueryOf<Mp100> moved(sample, order);
+      moved.coordinate(vertex, axis) *= factor;
+      if (is_point) moved.coordinate(point, axis) *= factor;
+      add(moved);
+    }
   }
 }
 
