@@ -60,9 +60,9 @@ std::array<double, 3> largest(const Setting& s, const Evaluation& evaluation) {
   return worst;
 }
 
-class every_check : public testing::TestWithParam<std::string> {};
+class EveryCheck : public testing::TestWithParam<std::string> {};
 
-TEST_P(every_check, passes_the_closed_form_and_fails_a_broken_one) {
+TEST_P(EveryCheck, passes_the_closed_form_and_fails_a_broken_one) {
   const Check* check = find_check(GetParam());
   const bool on_face = GetParam() == "face_jump" || GetParam() == "limit";
   const ScalarKind scalar = GetParam() == "gradient_by_differences" || GetParam() == "limit" ? ScalarKind::Digits200
@@ -97,7 +97,7 @@ std::vector<std::string> check_names() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(all, every_check, testing::ValuesIn(check_names()), [](const auto& i) { return i.param; });
+INSTANTIATE_TEST_SUITE_P(all, EveryCheck, testing::ValuesIn(check_names()), [](const auto& i) { return i.param; });
 
 TEST(stated_error, is_asked_of_all_that_state_one) {
   const Check& check = *find_check("stated_error");
