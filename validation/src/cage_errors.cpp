@@ -24,7 +24,9 @@ Mat3<double> identity_of(int dim) {
   return identity;
 }
 
-double norm_of(const Mat3<double>& m, int dim) { return m.stableNorm() / std::sqrt(static_cast<double>(dim)); }
+double norm_of(const Mat3<double>& m, int dim) {
+  return m.reshaped().stableNorm() / std::sqrt(static_cast<double>(dim));
+}
 
 Sums sums_of(const CageCoordinates& coordinates, const Cage& cage, const std::vector<Result<double>>& results,
              int order, int derivative) {
