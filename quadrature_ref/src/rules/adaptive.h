@@ -38,16 +38,18 @@ W unresolved(const W& length) {
 }
 
 /// Whether sums are next to W's least number, in the frame's unit, so that nodes' shares are rounded by that number and
-/// not by a rounding of theirs: nothing can be stated of such. Kernels with the factor x.n vanish in the element's
-/// plane.
+/// not by a rounding of theirs: nothing can be stated of such. The same of heights, a factor of kernels with x.n, which
+/// vanish in the element's plane. \param height exact
 template <Scalar W>
-bool is_lost(const Formula& formula, const W& height, const Result<W>& sums, int order) {
+bool is_lost(const Formula& formula, const Mp200& height, const Result<W>& sums, int order) {
   if constexpr (is_multiprecision<W>) {
     return false;
   } else {
+    const W least = std::ldexp(std::numeric_limits<W>::min(), 60);
     if (formula.flip_sign < 0 && height == 0) return false;
+    if (formula.flip_sign < 0 && abs(height) < least) return true;
     for (int o = 0; o <= order; ++o)
-      if (norm(sums.of(o)) < std::ldexp(std::numeric_limits<W>::min(), 60)) return true;
+      if (norm(sums.of(o)) < least) return true;
     return false;
   }
 }

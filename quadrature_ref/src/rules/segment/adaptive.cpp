@@ -61,7 +61,7 @@ AdaptiveOutcome integrate_from(const ArmFrame<Mp200>& exact_frame, const Integra
       intervals, W(tolerance), kronrod_rule<W>().nodes.size(),
       [&](Interval<W>& interval) { integrate(integrand, task.order, caster, interval); }, halve);
   sums = total.sums();
-  if (is_lost(integrand.formula, frame.height, sums, task.order))
+  if (is_lost(integrand.formula, exact_frame.height, sums, task.order))
     return {false, std::numeric_limits<double>::infinity()};
   return {converged, static_cast<double>(total.bound())};
 }

@@ -161,7 +161,7 @@ AdaptiveOutcome integrate_from(const PolarFrame<Mp200>& exact_frame, const Integ
   AdaptiveSum<W> sum(frame, disc_end(exact_frame), integrand, task);
   const bool converged = sum.refine(W(tolerance));
   sums = sum.total().sums();
-  if (is_lost(integrand.formula, frame.height, sums, task.order))
+  if (is_lost(integrand.formula, exact_frame.height, sums, task.order))
     return {false, std::numeric_limits<double>::infinity()};
   return {converged, static_cast<double>(sum.total().bound())};
 }
