@@ -11,7 +11,7 @@ class KelvinTraction {
  public:
   static_assert(Dim == 3, "the plane's has other powers and factors");
   explicit KelvinTraction(std::span<const R> parameters)
-      : shear_((1 - 1 / (2 * (1 - parameters[1]))) / (4 * pi<R>())), bulk_(6 / (16 * pi<R>() * (1 - parameters[1]))) {}
+      : shear_(shear_share(parameters[1]) / (4 * pi<R>())), bulk_(6 / (16 * pi<R>() * (1 - parameters[1]))) {}
 
   template <int Order>
   void jets(const Node<R>& node, std::array<KernelJet<Dim, R>, Dim * Dim>& matrix) const {
@@ -42,6 +42,12 @@ class KelvinTraction {
   }
 
  private:
+  // (a - 2b)/a, without the difference, which cancels where the medium is all but incompressible.
+  static R shear_share(const R& nu) {
+    using std::isinf;
+    return isinf(nu) ? R(1) : R((R(1) / 2 - nu) / (1 - nu));
+  }
+
   R shear_, bulk_;
 };
 
