@@ -18,14 +18,15 @@ PolarQuadFrame<Mp200> polar_quad_frame(const QuadFrame<Mp200>& q, const Mp200& u
     const Mp200 start_u = from[0] - u, start_v = from[1] - v;
     s.jacobian = start_u * s.step_v - start_v * s.step_u;
     if (!(s.jacobian > 0)) continue;
-    // xi(c) - q_k, which is not the difference of two vectors to eta: that may be far away.
-    const Vec3<Mp200> from_corner =
-        -(frame.at.along_u * start_u + frame.at.along_v * start_v + q.twist * (start_u * start_v));
-    const Mp200 square = dot(q.edges[k], q.edges[k]);
+    // Of the directions, not of the quad's edge, which is another line where opposite sides differ: next to c, where
+    // integrands are largest, only they matter.
+    s.edge = frame.at.along_u * s.step_u + frame.at.along_v * s.step_v;
+    const Vec3<Mp200> to_start = frame.at.along_u * start_u + frame.at.along_v * start_v;
+    const Mp200 square = dot(s.edge, s.edge);
     Mp200 foot = 0, eps = 4;
     if (square > 0) {
-      foot = dot(from_corner, q.edges[k]) / square;
-      eps = length(Vec3<Mp200>(from_corner - q.edges[k] * foot)) / sqrt(square);
+      foot = -dot(to_start, s.edge) / square;
+      eps = length(Vec3<Mp200>(to_start + s.edge * foot)) / sqrt(square);
       // A foot far beyond the edge's ends concentrates nothing, and its sinh would only cancel.
       const Mp200 beyond = foot < 0 ? Mp200(-foot) : foot > 1 ? Mp200(foot - 1) : Mp200(0);
       if (beyond > 1) {
@@ -34,12 +35,11 @@ PolarQuadFrame<Mp200> polar_quad_frame(const QuadFrame<Mp200>& q, const Mp200& u
       }
       eps = std::min<Mp200>(eps, 4);
     }
-    if (!(eps > 0)) eps = s.jacobian;  // xi(c) on the edge's line with c off the edge: a quad that folds flat
+    if (!(eps > 0)) eps = s.jacobian;  // all directions along one line: a quad that is flat at c
     s.eps = eps;
     s.du = start_u + foot * s.step_u;
     s.dv = start_v + foot * s.step_v;
     s.to_edge = frame.at.along_u * s.du + frame.at.along_v * s.dv;
-    s.edge = frame.at.along_u * s.step_u + frame.at.along_v * s.step_v;
     s.tau = inverse_sinh(Mp200(-foot / eps));
     s.tau_length = inverse_sinh(Mp200((1 - foot) / eps)) - s.tau;
     frame.sectors.push_back(std::move(s));

@@ -4,7 +4,7 @@
 // In each, (u, v) = c + rho d(t), 0 <= rho <= 1, with d(t) + c on a side of the square: along it one of u and v is
 // constant, so that xi - eta = X + rho D(t) + rho^2 d_u d_v W with D = A d_u + B d_v is linear in t and quadratic in
 // rho: both its zeros as a function of t and as a function of rho can be computed, and with them how fast rules
-// converge. Variables: t - t* = eps sinh tau, t* the foot of xi(c) on the quad's straight edge; rho = delta sinh w.
+// converge. Variables: t - t* = eps sinh tau, t* where D is shortest; rho = delta sinh w.
 #pragma once
 
 #include "../elementary.h"
@@ -18,7 +18,7 @@ struct QuadSector {
   R step_u, step_v;   ///< d' : one of them 0, the other 1 or -1
   Vec3<R> to_edge;    ///< D at the foot
   Vec3<R> edge;       ///< D'
-  R eps;              ///< distance of xi(c) to the edge's line in units of the edge
+  R eps;              ///< |D| at the foot in units of D'
   R tau, tau_length;  ///< tau at the edge's start and its growth to the end
   R jacobian;         ///< d x d': du dv = jacobian rho drho dt
 };

@@ -83,6 +83,34 @@ std::array<double, 3> QuadCaster<W>::log10_mass(const QuadCell& cell) {
   return mass;
 }
 
+template <Scalar W>
+double QuadCaster<W>::cancellation(const QuadCell& cell) {
+  const auto size = [](const Vec3<W>& v) { return static_cast<double>(length(v)); };
+  const auto magnitude = [](const W& x) { return std::abs(static_cast<double>(x)); };
+  const W w_range = inverse_sinh(W(1 / W(cell.delta)));
+  const auto& at = frame_.at;
+  const QuadSector<W>& sector = frame_.sectors[cell.sector];
+  nodes_.resize(1);
+  double of_positions = 1, terms = 0, normals = 0;
+  for (int i = 0; i < 3; ++i) {
+    aim(sector, cell, W(W(i) / 2));
+    const double step = size(sector.edge) > 0 ? size(Vec3<W>(direction_ - sector.to_edge)) / size(sector.edge) : 0;
+    const double du = magnitude(sector.du) + step * magnitude(sector.step_u),
+                 dv = magnitude(sector.dv) + step * magnitude(sector.step_v);
+    const double direction = size(sector.to_edge) + step * size(sector.edge), bend = du * dv * size(at.twist);
+    for (int j = 0; j < 3; ++j) {
+      const Radius r = radius(cell, w_range, W(W(j) / 2));
+      set_node(r, W(1), nodes_[0]);
+      const double rho = magnitude(r.rho);
+      const double position = size(at.base) + rho * (direction + rho * bend);
+      of_positions = std::max(of_positions, position / size(nodes_[0].x));
+      terms = std::max(terms, size(at.normal) + rho * (du * size(at.normal_u) + dv * size(at.normal_v)));
+      normals = std::max(normals, size(nodes_[0].normal));
+    }
+  }
+  return normals > 0 ? std::max(of_positions, terms / normals) : of_positions;
+}
+
 template class QuadCaster<double>;
 template class QuadCaster<Mp50>;
 template class QuadCaster<Mp100>;

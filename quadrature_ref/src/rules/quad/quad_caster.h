@@ -37,6 +37,9 @@ class QuadCaster {
   void add_cell(const QuadCell& cell, QuadPoints points, Result<W>& sums);
   /// For each derivative order, log10 of the largest |integrand| times the cell's extent, from 3 x 3 samples.
   std::array<double, 3> log10_mass(const QuadCell& cell);
+  /// How many times as large as a cell's positions and normals the terms are that they are summed from, by 3 x 3
+  /// samples: of quads whose opposite sides differ much in length, away from c, they cancel.
+  double cancellation(const QuadCell& cell);
 
  private:
   struct Radius {

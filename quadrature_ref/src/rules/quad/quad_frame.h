@@ -7,6 +7,7 @@
 
 #include "../local_corners.h"
 
+#include "cageproof/core/exact_geometry.h"
 #include "cageproof/quadrature_ref/kernel.h"
 
 #include <optional>
@@ -40,7 +41,8 @@ struct QuadExpansion {
 /// Corners q_k - eta and edges q_{k+1} - q_k.
 template <Scalar R>
 struct QuadFrame : LocalCorners<R, 4> {
-  Vec3<R> twist;  ///< q0 - q1 + q2 - q3
+  Vec3<R> twist;               ///< q0 - q1 + q2 - q3
+  std::array<R, 4> heights{};  ///< N.x at the corners, exact but for one rounding; in 200 digits alone
 
   Vec3<R> along_u(const R& v) const { return this->edges[0] + twist * v; }
   Vec3<R> along_v(const R& u) const { return twist * u - this->edges[3]; }
@@ -57,7 +59,37 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
   if (vanishes(q.edges[3].cross(q.edges[0])) && vanishes(q.edges[0].cross(q.twist)) &&
       vanishes(q.edges[3].cross(q.twist)))
     return std::nullopt;
+  if constexpr (std::same_as<R, Mp200>)
+    for (int k = 0; k < 4; ++k) {
+      const ExactTriangle corner({corners[k], corners[(k + 1) % 4], corners[(k + 3) % 4]}, point);
+      q.heights[k] = ldexp(corner.volume, -3 * q.exponent);
+    }
   return q;
+}
+
+/// The heights of an expansion about (u, v): from corner `nearest`, (a, b) away.
+template <Scalar R>
+void set_heights(const QuadFrame<R>& q, int nearest, const R& a, const R& b, QuadExpansion<R>& e) {
+  R height, height_u, height_v;
+  if constexpr (std::same_as<R, Mp200>) {
+    const std::array<R, 4>& at = q.heights;
+    height = at[nearest];
+    height_u = nearest < 2 ? R(at[1] - at[0]) : R(at[2] - at[3]);
+    height_v = nearest % 3 == 0 ? R(at[3] - at[0]) : R(at[2] - at[1]);
+    e.height_uv = (at[0] - at[1]) + (at[2] - at[3]);
+  } else {
+    // A height that is zero everywhere stays so.
+    const Vec3<R> along_u = nearest >= 2 ? Vec3<R>(-q.edges[2]) : q.edges[0];
+    const Vec3<R> along_v = nearest % 3 == 0 ? Vec3<R>(-q.edges[3]) : q.edges[1];
+    const Vec3<R>& corner = q.corners[nearest];
+    height = dot(corner, Vec3<R>(along_u.cross(along_v)));
+    height_u = dot(corner, Vec3<R>(along_u.cross(q.twist)));
+    height_v = dot(corner, Vec3<R>(q.twist.cross(along_v)));
+    e.height_uv = -dot(q.twist, Vec3<R>(along_u.cross(along_v)));
+  }
+  e.height = height + a * height_u + b * height_v + a * b * e.height_uv;
+  e.height_u = height_u + b * e.height_uv;
+  e.height_v = height_v + a * e.height_uv;
 }
 
 /// The expansion about (u, v). Where u and v are 0 or 1 its vectors are differences of corners.
@@ -78,15 +110,7 @@ QuadExpansion<R> expand(const QuadFrame<R>& q, const R& u, const R& v) {
   e.normal = e.along_u.cross(e.along_v);
   e.normal_u = e.along_u.cross(q.twist);
   e.normal_v = q.twist.cross(e.along_v);
-  // About the corner first: in wide arithmetic these are exact, and a height that is zero everywhere stays so.
-  const Vec3<R>& corner = q.corners[nearest];
-  const R height = dot(corner, Vec3<R>(along_u.cross(along_v)));
-  const R height_u = dot(corner, Vec3<R>(along_u.cross(q.twist)));
-  const R height_v = dot(corner, Vec3<R>(q.twist.cross(along_v)));
-  e.height_uv = -dot(q.twist, Vec3<R>(along_u.cross(along_v)));
-  e.height = height + a * height_u + b * height_v + a * b * e.height_uv;
-  e.height_u = height_u + b * e.height_uv;
-  e.height_v = height_v + a * e.height_uv;
+  set_heights(q, nearest, a, b, e);
   return e;
 }
 
