@@ -11,6 +11,9 @@ namespace cageproof::closed_form::triangle {
 struct AffineSingleLayer : OddPowers {
   static constexpr int components = 3, degree = 1, border_order = 1, far_power = -1;
   static constexpr OnBorder on_border = OnBorder::Logarithm;
+  // The hat functions' shares of the near form cancel where these grow: three quarters of a size away a gradient may
+  // lose 66 roundings.
+  static constexpr int far_limit = 28;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R>, std::array<Taylor<R, N>, 3>& out) {
     const auto& a = s.A();

@@ -51,8 +51,7 @@ Components<F, R, O> far_components(const Frame<R>& frame, int n, std::span<const
 /// The points a side that the far form needs for `tolerance` at this ellipse_of a frame; nothing where the form near
 /// the triangle is the better choice.
 template <class F, int O>
-std::optional<int> far_points_for(double ellipse, double tolerance,
-                                  int limit = F::cancels_nearby ? kCancellingLimit : kFarLimit) {
+std::optional<int> far_points_for(double ellipse, double tolerance, int limit = F::far_limit) {
   return far_points(ellipse, F::far_power, O + F::extra, tolerance, limit);
 }
 

@@ -17,6 +17,7 @@
 #include "cageproof/closed_form/arithmetic/taylor.h"
 #include "cageproof/closed_form/triangle/engine/edge_form.h"
 #include "cageproof/closed_form/triangle/engine/even_form.h"
+#include "cageproof/closed_form/triangle/engine/far_form.h"
 
 #include <span>
 
@@ -36,6 +37,8 @@ struct OddPowers {
   /// Whether the form near the triangle cancels within a triangle's size of it already, so that the far form must take
   /// over as early as it can, and the near form in double is always asked for its error bound.
   static constexpr bool cancels_nearby = false;
+  /// The most points a side that the far form may take in double.
+  static constexpr int far_limit = kFarLimit;
   /// Whether derivatives cancel far away: their far form in double is then asked for its error bound.
   static constexpr bool cancels_far = false;
   /// The moments near the triangle, for derivatives up to order O.
@@ -50,6 +53,7 @@ struct EvenPowers {
   static constexpr OnBorder on_border = OnBorder::NoLimit;
   static constexpr bool diverges_on_triangle = true;
   static constexpr bool cancels_nearby = true;
+  static constexpr int far_limit = kCancellingLimit;
   static constexpr bool cancels_far = false;
   template <class F, class R, int O>
   using Near = EvenForm<R, O>;
