@@ -79,7 +79,8 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   WeightSums<Counted, Order> sums;
   if (far) {
     const Panel panel = plain_panel(rho, order, kDigits);
-    add_lines<Order>(LocalFrame<Counted>(q), OuterRule<Counted>{}, Counted(0.0), {&panel, 1}, kDigits, sums);
+    add_lines<Order>(LineReferences<Counted>(LocalFrame<Counted>(q)), OuterRule<Counted>{}, Counted(0.0), {&panel, 1},
+                     kDigits, sums);
     explanation.route = "line form in double, far away";
   } else {
     OuterRules<double> across;
@@ -89,7 +90,8 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
                                     : counted_frame_at(q, *plain, query.corners, query.point,
                                                        std::clamp(rule.centre, rule.lo, rule.hi));
       const OuterRule<Counted> counted = counted_rule(rule);
-      add_lines<Order>(local, counted, Counted(counted.centre - local.v0), across.panels_of(rule), kDigits, sums);
+      add_lines<Order>(LineReferences<Counted>(local, q), counted, Counted(counted.centre - local.v0),
+                       across.panels_of(rule), kDigits, sums);
     }
     explanation.route = "line form in double, " + std::to_string(across.rules.size()) + " rules across the lines";
     WeightTensors<double> weights;

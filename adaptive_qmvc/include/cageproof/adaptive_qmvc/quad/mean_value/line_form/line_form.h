@@ -165,8 +165,8 @@ Statement line_form_of_distant(std::span<const Vec3<R>> corners, const Vec3<R>& 
   const SeenQuad seen = see_in_800_digits(wide, convert<Mp200>(point), order, digits);
   sums.watched = seen.folded;
   for (const SeenRule& rule : seen.rules) {
-    statement.nodes += add_lines<Order>(LocalFrame<R>(rule.frame), OuterRule<R>(rule.rule), static_cast<R>(rule.centre),
-                                        rule.panels, digits, sums);
+    statement.nodes += add_lines<Order>(LineReferences<R>(LocalFrame<R>(rule.frame)), OuterRule<R>(rule.rule),
+                                        static_cast<R>(rule.centre), rule.panels, digits, sums);
     statement.converged = statement.converged && rule.rule.whole;
   }
   store<Order>(sums, seen.unit, weights);
@@ -202,7 +202,8 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
   const double ends = distance_of_ends(*q);
   if (const double rho = ellipse_from_distance(*q, ends); rho >= far_across<R, Order>) {
     const Panel panel = plain_panel(rho, order, digits);
-    statement.nodes = add_lines<Order>(LocalFrame<R>(*q), OuterRule<R>{}, R(0), {&panel, 1}, digits, sums);
+    statement.nodes =
+        add_lines<Order>(LineReferences<R>(LocalFrame<R>(*q)), OuterRule<R>{}, R(0), {&panel, 1}, digits, sums);
   } else {
     const SingularPairs<R> singular = singular_pairs(*q);
     if (is_within(1e-12, *q, ends, singular)) {
@@ -222,7 +223,8 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
     for (const OuterRule<R>& rule : across.rules) {
       const auto local =
           rule.plain ? LocalFrame<R>(*q) : frame_at<R>(*q, corners, point, std::clamp(rule.centre, rule.lo, rule.hi));
-      statement.nodes += add_lines<Order>(local, rule, R(rule.centre - local.v0), across.panels_of(rule), digits, sums);
+      statement.nodes += add_lines<Order>(LineReferences<R>(local, *q), rule, R(rule.centre - local.v0),
+                                          across.panels_of(rule), digits, sums);
       statement.converged = statement.converged && rule.whole;
     }
     if (sums.watched) {

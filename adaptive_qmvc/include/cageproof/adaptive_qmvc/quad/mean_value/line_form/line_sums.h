@@ -3,8 +3,8 @@
 #pragma once
 
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_references.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_values.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/weight_sums.h"
 
@@ -13,11 +13,14 @@
 namespace cageproof::adaptive_qmvc {
 
 /// Adds one line, all of whose entries are multiplied with `weight`.
-/// \param s the line's step from the frame's
+/// \param step the line's from the rule's frame
 template <int Order, class R>
-void add_line(const LocalFrame<R>& q, const LineArea<R>& area, const R& s, const R& weight, double digits,
+void add_line(const LineReferences<R>& references, const R& step, const R& weight, double digits,
               WeightSums<R, Order>& sums) {
   using std::sqrt;
+  const LineReference<R>& reference = references.at(step);
+  const LocalFrame<R>& q = reference.q;
+  const R s = step + reference.ahead;
   const Vec3<R> a = q.start(s), e = q.direction(s);
   const R &first = q.first, &last = q.last;
   const Vec3<R> start = a + first * e, end = a + last * e;
@@ -29,7 +32,7 @@ void add_line(const LocalFrame<R>& q, const LineArea<R>& area, const R& s, const
   LineMoments<R> m;
   Vec3<R> x;  // the line's point at the moments' origin
   if (2 * (start2 + end2) < kFarAlongLine * kFarAlongLine * length2 || ends() < kFarAlongLine) {
-    const Vec3<R> c = area.at(s);
+    const Vec3<R> c = reference.area.at(s);
     m = moments_about_foot<Order>(a, e, first, last, R(c.dot(c)), digits);
     // Not a + origin e, whose terms cancel where the foot is far along the line.
     if constexpr (Order >= 1) x = e.cross(c) / e.dot(e);
@@ -75,9 +78,9 @@ void add_line(const LocalFrame<R>& q, const LineArea<R>& area, const R& s, const
 }
 
 /// Adds a panel's lines for values in double, in packs of four; those of weight zero fill the last one.
-inline void add_values(const LocalFrame<double>& q, const LineArea<double>& area, const OuterRule<double>& rule,
-                       double centre, double lo, double hi, const GaussLegendre<double>& gauss, double digits,
-                       LineValues& values, WeightSums<double, 0>& sums) {
+inline void add_values(const LineReferences<double>& references, const OuterRule<double>& rule, double centre,
+                       double lo, double hi, const GaussLegendre<double>& gauss, double digits, LineValues& values,
+                       WeightSums<double, 0>& sums) {
   const int count = static_cast<int>(gauss.nodes.size());
   for (int first = 0; first < count; first += 4) {
     Lines at, weight;
@@ -88,29 +91,28 @@ inline void add_values(const LocalFrame<double>& q, const LineArea<double>& area
     }
     at = lo + (hi - lo) * at;
     weight *= hi - lo;
-    Lines s = at - q.v0;
+    Lines s = at - references.base().v0;
     if (!rule.plain) {
       // sinh and cosh: what their difference cancels is below the roundings of the width.
       const Lines grown = (rule.width / 2) * at.exp(), shrunk = (rule.width / 2) * (-at).exp();
       s = centre + (grown - shrunk);
       weight *= grown + shrunk;
     }
-    if (values.add(s, weight)) continue;
-    for (int i = 0; i < 4 && first + i < count; ++i) add_line<0, double>(q, area, s[i], weight[i], digits, sums);
+    if (values.add(references.at(s[0]), s, weight)) continue;
+    for (int i = 0; i < 4 && first + i < count; ++i) add_line<0, double>(references, s[i], weight[i], digits, sums);
   }
 }
 
 /// Adds all lines of a rule. Returns how many.
-/// \param q about a point of the lines next to which the rule's are dense
+/// \param references the first one is the point of the lines next to which the rule's are dense
 /// \param centre the rule's, as a step from the frame's line
 template <int Order, class R>
-std::size_t add_lines(const LocalFrame<R>& q, const OuterRule<R>& rule, const R& centre, std::span<const Panel> panels,
-                      double digits, WeightSums<R, Order>& sums) {
+std::size_t add_lines(const LineReferences<R>& references, const OuterRule<R>& rule, const R& centre,
+                      std::span<const Panel> panels, double digits, WeightSums<R, Order>& sums) {
   constexpr bool values_only = Order == 0 && std::same_as<R, double>;
-  const LineArea<R> area(q.a, q.e, q.w, q.n, q.n_v);
   std::size_t lines = 0;
   [[maybe_unused]] std::conditional_t<values_only, LineValues, std::nullptr_t> values = [&] {
-    if constexpr (values_only) return LineValues(q, area, digits);
+    if constexpr (values_only) return LineValues(digits);
     else return nullptr;
   }();
   for (std::size_t p = 0; p < panels.size(); ++p) {
@@ -121,7 +123,7 @@ std::size_t add_lines(const LocalFrame<R>& q, const OuterRule<R>& rule, const R&
     if constexpr (values_only) {
       // Four lines at a time add no magnitudes.
       if (!sums.watched) {
-        add_values(q, area, rule, centre, lo, hi, gauss, digits, values, sums);
+        add_values(references, rule, centre, lo, hi, gauss, digits, values, sums);
         continue;
       }
     }
@@ -129,13 +131,13 @@ std::size_t add_lines(const LocalFrame<R>& q, const OuterRule<R>& rule, const R&
       const R at = lo + (hi - lo) * gauss.nodes[i];
       R weight = (hi - lo) * gauss.weights[i];
       if (rule.plain) {
-        add_line(q, area, R(at - q.v0), weight, digits, sums);
+        add_line(references, R(at - references.base().v0), weight, digits, sums);
         continue;
       }
       using std::exp;
       const R grown = rule.width / 2 * exp(at), shrunk = rule.width * rule.width / (4 * grown);
       weight *= grown + shrunk;
-      add_line(q, area, R(centre + (grown - shrunk)), weight, digits, sums);
+      add_line(references, R(centre + (grown - shrunk)), weight, digits, sums);
     }
   }
   if constexpr (values_only) {

@@ -4,8 +4,7 @@
 #pragma once
 
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_references.h"
 
 #include <algorithm>
 #include <array>
@@ -38,14 +37,16 @@ struct FourVectors {
 /// Sums of the four corners' weights over lines.
 class LineValues {
  public:
-  LineValues(const LocalFrame<double>& q, const LineArea<double>& area, double digits)
-      : q_(q), area_(area), digits_(digits) {}
+  explicit LineValues(double digits) : digits_(digits) {}
 
   /// Adds four lines. False, and nothing added, where one of them is too close.
-  /// \param s the lines' steps from the frame's
-  bool add(const Lines& s, const Lines& weight) {
+  /// \param steps the lines' from the rule's frame
+  bool add(const LineReference<double>& reference, const Lines& steps, const Lines& weight) {
+    const LocalFrame<double>& q = reference.q;
+    const LineArea<double>& area = reference.area;
+    const Lines s = steps + reference.ahead;
     const FourInRegisters at{s[0], s[1], s[2], s[3]};
-    const FourVectors a(q_.a, at, q_.b), e(q_.e, at, q_.w), start(a, q_.first, e), end(a, q_.last, e);
+    const FourVectors a(q.a, at, q.b), e(q.e, at, q.w), start(a, q.first, e), end(a, q.last, e);
     const FourInRegisters length2 = e.x * e.x + e.y * e.y + e.z * e.z;
     const FourInRegisters start2 = start.x * start.x + start.y * start.y + start.z * start.z;
     const FourInRegisters end2 = end.x * end.x + end.y * end.y + end.z * end.z;
@@ -58,16 +59,16 @@ class LineValues {
       ratio2 = std::min(ratio2, own);
     }
     // r^2 = least2 + length2 (t - foot)^2, whose terms do not cancel; N.x = g0 + t g1.
-    const FourVectors c(area_.c0, at, FourVectors(area_.c1, at, area_.c2));
+    const FourVectors c(area.c0, at, FourVectors(area.c1, at, area.c2));
     const FourInRegisters inverse = 1 / length2;
     const FourInRegisters foot = -(a.x * e.x + a.y * e.y + a.z * e.z) * inverse,
                           least2 = (c.x * c.x + c.y * c.y + c.z * c.z) * inverse;
-    const FourInRegisters g0 = q_.g00 + at * q_.g01, g1 = q_.g10 + at * q_.g11;
+    const FourInRegisters g0 = q.g00 + at * q.g01, g1 = q.g10 + at * q.g11;
     const GaussLegendre<double>& rule = gauss_rule<double>(nodes_along_line(std::sqrt(ratio2), 0, digits_));
     FourInRegisters sum{}, moment{};
     for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
       const double u = rule.nodes[k];
-      const double t = u + q_.first;
+      const double t = u + q.first;
       const FourInRegisters step = t - foot;
       const FourInRegisters square = least2 + length2 * step * step;
       const FourInRegisters f = rule.weights[k] * (g0 + t * g1) / (square * square);
@@ -75,7 +76,7 @@ class LineValues {
       moment += u * f;
     }
     const Lines zeroth(sum[0], sum[1], sum[2], sum[3]), first(moment[0], moment[1], moment[2], moment[3]);
-    const Lines all = weight * zeroth, far = weight * first, v = q_.v0 + s;
+    const Lines all = weight * zeroth, far = weight * first, v = q.v0 + s;
     left_ += (1 - v) * (all - far);
     left_far_ += (1 - v) * far;
     right_far_ += v * far;
@@ -87,8 +88,6 @@ class LineValues {
   std::array<double, 4> corners() const { return {left_.sum(), left_far_.sum(), right_far_.sum(), right_.sum()}; }
 
  private:
-  const LocalFrame<double>& q_;
-  const LineArea<double>& area_;
   double digits_;
   Lines left_ = Lines::Zero(), left_far_ = Lines::Zero(), right_far_ = Lines::Zero(), right_ = Lines::Zero();
 };

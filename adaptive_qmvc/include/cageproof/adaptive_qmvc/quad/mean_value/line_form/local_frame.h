@@ -46,11 +46,11 @@ struct LocalFrame {
         first(-u),
         last(1 - u),
         a(seen),
-        e(q.direction(v)),
-        b(q.b + u * q.w),
+        e(q.along(v)),
+        b(q.across(u)),
         w(q.w),
         // Not e x b, which cancels next to a corner whose sides lie on one line: there the normal vanishes.
-        n(q.n + u * q.n_u + v * q.n_v),
+        n(q.normal_at(u, v)),
         n_u(q.n_u),
         n_v(q.n_v) {
     if (q.g00 == R(0) && q.g01 == R(0) && q.g10 == R(0) && q.g11 == R(0)) {

@@ -22,19 +22,36 @@ struct FrameUnit {
 /// N.x = g00 + v g01 + u (g10 + v g11), to a rounding of their terms.
 template <class R>
 struct QuadFrame {
-  Vec3<R> a;      ///< corner 0 - eta, the nearest one
-  Vec3<R> a1;     ///< corner 1 - eta
-  Vec3<R> e;      ///< corner 1 - corner 0
-  Vec3<R> b, b1;  ///< corner 3 - corner 0, corner 2 - corner 1
-  Vec3<R> w;      ///< b1 - b: zero for a parallelogram
+  Vec3<R> a;                    ///< corner 0 - eta, the nearest one
+  std::array<Vec3<R>, 4> seen;  ///< the corners - eta
+  Vec3<R> e, e1;                ///< corner 1 - corner 0, corner 2 - corner 3
+  Vec3<R> b, b1;                ///< corner 3 - corner 0, corner 2 - corner 1
+  Vec3<R> w;                    ///< b1 - b: zero for a parallelogram
   Vec3<R> n, n_u, n_v;
+  std::array<Vec3<R>, 4> normal;  ///< N at the corners, each from its own sides
   R g00, g01, g10, g11;
   FrameUnit unit;
 
   /// Along the line v: its start, seen from eta, and its direction.
   Vec3<R> start(const R& v) const { return a + v * b; }
   Vec3<R> direction(const R& v) const { return e + v * w; }
+
+  /// Means of what the corners and sides have, in which short sides lose nothing to long ones.
+  Vec3<R> along(const R& v) const { return (1 - v) * e + v * e1; }
+  Vec3<R> across(const R& u) const { return (1 - u) * b + u * b1; }
+  Vec3<R> normal_at(const R& u, const R& v) const {
+    return (1 - v) * ((1 - u) * normal[0] + u * normal[1]) + v * (u * normal[2] + (1 - u) * normal[3]);
+  }
 };
+
+/// The cross product of two edges of a triangle p + q + r = 0, in their order, whichever is the longest: the others
+/// have the smaller terms.
+template <class R>
+Vec3<R> area_vector(const Vec3<R>& p, const Vec3<R>& q, const Vec3<R>& r) {
+  const R p2 = p.dot(p), q2 = q.dot(q), r2 = r.dot(r);
+  if (p2 > q2 && p2 > r2) return q.cross(r);
+  return r2 > q2 ? p.cross(q) : r.cross(p);
+}
 
 /// Nothing where a difference is not finite.
 template <class R>
@@ -64,20 +81,42 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
   const bool turned = s01.dot(s01) + s32.dot(s32) < s03.dot(s03) + s12.dot(s12);
   q.unit.sign = turned ? -1 : 1;
   for (int k = 0; k < 4; ++k) q.unit.corner[k] = (nearest + (turned ? 4 - k : k)) % 4;
-  q.a = x[q.unit.corner[0]];
-  q.a1 = x[q.unit.corner[1]];
+  for (int k = 0; k < 4; ++k) q.seen[k] = x[q.unit.corner[k]];
+  q.a = q.seen[0];
   q.e = turned ? s03 : s01;
+  q.e1 = turned ? s12 : s32;
   q.b = turned ? s01 : s03;
   q.b1 = turned ? s32 : s12;
   q.w = q.b1 - q.b;
-  q.n = q.e.cross(q.b);
-  q.n_u = q.e.cross(q.w);
-  q.n_v = q.w.cross(q.b);
+  const auto diagonal = [&](int from, int to) {
+    return scaled(corners[q.unit.corner[to]] - corners[q.unit.corner[from]]);
+  };
+  const Vec3<R> d02 = diagonal(0, 2), d13 = diagonal(1, 3);
+  q.normal = {area_vector<R>(q.e, d13, -q.b), area_vector<R>(q.b1, -d02, q.e), area_vector<R>(-q.e1, -d13, q.b1),
+              area_vector<R>(-q.b, d02, -q.e1)};
+  q.n = q.normal[0];
+  // Of two opposite sides, which differ by w, the shorter one has the smaller terms.
+  const auto shorter = [](const Vec3<R>& one, const Vec3<R>& other) {
+    return other.dot(other) < one.dot(one) ? other : one;
+  };
+  const Vec3<R> across = shorter(q.b, q.b1);
+  q.n_u = shorter(q.e, q.e1).cross(q.w);
+  q.n_v = q.w.cross(across);
   q.g00 = q.a.dot(q.n);
   q.g01 = q.a.dot(q.n_v);
   q.g10 = q.a.dot(q.n_u);
-  q.g11 = q.b.dot(q.n_u);
+  q.g11 = across.dot(q.n_u);
   return q;
+}
+
+/// Whether one side is more than four times as long as the opposite one.
+template <class R>
+bool is_uneven(const QuadFrame<R>& q) {
+  const auto differ = [](const Vec3<R>& one, const Vec3<R>& other) {
+    const R one2 = one.dot(one), other2 = other.dot(other);
+    return one2 > 16 * other2 || other2 > 16 * one2;
+  };
+  return differ(q.e, q.e1) || differ(q.b, q.b1);
 }
 
 /// Whether the quad's normals at opposite corners look in opposite directions: sheets over each other add to the

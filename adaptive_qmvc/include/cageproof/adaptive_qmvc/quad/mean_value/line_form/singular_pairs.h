@@ -159,7 +159,7 @@ SingularPairs<R> singular_pairs(const QuadFrame<R>& q) {
   using F = Width<R>;
   SingularPairs<R> pairs;
   detail::add_side(q.a, q.b, pairs);
-  detail::add_side(q.a1, q.b1, pairs);
+  detail::add_side(q.seen[1], q.b1, pairs);
   const auto keep = [&](SingularPair<R> pair) {
     if (!std::isfinite(pair.width)) return;
     const Vec3<R> a = q.start(pair.centre), e = q.direction(pair.centre);

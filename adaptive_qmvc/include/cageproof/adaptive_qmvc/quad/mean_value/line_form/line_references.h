@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The points of a bilinear quad that its lines are taken about.
+#pragma once
+
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/quad_frame.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
+#include "cageproof/core/scalar.h"
+
+#include <boost/container/static_vector.hpp>
+
+namespace cageproof::adaptive_qmvc {
+
+/// A point that lines are taken about.
+template <class R>
+struct LineReference {
+  LocalFrame<R> q;
+  LineArea<R> area;
+  R ahead;  ///< the rule's frame's line less this one's: steps from here are that much longer
+  double distance2, across2, along2, twist2;  ///< squares of lengths: of a, b, e and w
+
+  LineReference(const LocalFrame<R>& frame, const R& from)
+      : q(frame),
+        area(frame.a, frame.e, frame.w, frame.n, frame.n_v),
+        ahead(from - frame.v0),
+        distance2(static_cast<double>(R(frame.a.dot(frame.a)))),
+        across2(static_cast<double>(R(frame.b.dot(frame.b)))),
+        along2(static_cast<double>(R(frame.e.dot(frame.e)))),
+        twist2(static_cast<double>(R(frame.w.dot(frame.w)))) {}
+
+  /// The square of the roundings of points of a line next to this one, in units of a rounding: of its own point, and of
+  /// its direction.
+  /// \param length2 the square of the line's length
+  double roundings2(double s, double length2) const {
+    const double step = s + static_cast<double>(ahead), square = step * step;
+    return (distance2 + square * across2) * (1 + (along2 + square * twist2) / length2);
+  }
+};
+
+/// A rule's point, next to which its lines are dense; and, of a quad with sides of unequal lengths, the corners. There
+/// lines may end next to eta that are a thousand times as long as they are away from it, so that their ends, seen from
+/// another place, are known to a rounding of the length.
+template <class R>
+class LineReferences {
+ public:
+  /// \param base the frame about the rule's point
+  explicit LineReferences(const LocalFrame<R>& base) { references_.emplace_back(base, base.v0); }
+
+  LineReferences(const LocalFrame<R>& base, const QuadFrame<R>& q) : LineReferences(base) {
+    // The digits of multiprecision scalars are more than asked for.
+    if constexpr (!is_multiprecision<R>) {
+      if (!is_uneven(q)) return;
+      first_ = q.e;
+      last_ = q.e1;
+      for (int k = 0; k < 4; ++k) {
+        const R u = k == 1 || k == 2 ? R(1) : R(0), v = k < 2 ? R(0) : R(1);
+        references_.emplace_back(LocalFrame<R>(q, u, v, q.seen[k]), base.v0);
+      }
+    }
+  }
+
+  const LocalFrame<R>& base() const { return references_.front().q; }
+
+  /// The best for the line at a step from the base's.
+  const LineReference<R>& at(const R& s) const {
+    if (references_.size() == 1) return references_.front();
+    const auto step = static_cast<double>(s);
+    const R v = base().v0 + s;
+    const Vec3<R> e = (1 - v) * first_ + v * last_;
+    const auto length2 = static_cast<double>(R(e.dot(e)));
+    const LineReference<R>* best = nullptr;
+    for (const LineReference<R>& reference : references_)
+      if (!best || reference.roundings2(step, length2) < best->roundings2(step, length2)) best = &reference;
+    return *best;
+  }
+
+ private:
+  boost::container::static_vector<LineReference<R>, 5> references_;
+  Vec3<R> first_, last_;  ///< the directions of the outermost lines
+};
+
+}  // namespace cageproof::adaptive_qmvc
