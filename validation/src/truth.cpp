@@ -121,6 +121,30 @@ void add_border_conditioning(const Evaluation& reference, const Sample& sample, 
   }
 }
 
+// How far a point may go until a tensor of an order up to `order` changes by about all of itself; where those say
+// nothing, until the next ones do; or else the input's extent. \param base values and derivatives up to `order`
+Mp50 reach_of(const Evaluation& rough, const Sample& sample, const Result<Mp50>& base, int order) {
+  const auto size = [&](const Result<Mp50>& result, int o) {
+    Mp50 sum = 0;
+    for (const Mp50& x : result.of(o)) sum += x * x;
+    return Mp50(sqrt(sum));
+  };
+  const auto length_at = [&](const Result<Mp50>& result, int o) {
+    const Mp50 length = size(result, o - 1) / size(result, o);
+    return isfinite(length) ? length : Mp50(0);
+  };
+  Mp50 reach = 0;
+  for (int o = 1; o <= order; ++o) {
+    const Mp50 length = length_at(base, o);
+    if (length > 0 && (reach == 0 || length < reach)) reach = length;
+  }
+  for (int o = order + 1; o <= 2 && reach == 0; ++o) reach = length_at(evaluate<Mp50>(rough, sample, o), o);
+  if (reach > 0) return reach;
+  double extent = sample.point.cwiseAbs().maxCoeff();
+  for (const Vec3<double>& corner : sample.corners) extent = std::max(extent, corner.cwiseAbs().maxCoeff());
+  return extent;
+}
+
 // As add_conditioning, from an evaluation in 50 digits that is right to twelve: steps are 1e-6 of what it takes to
 // change a tensor.
 void add_rough_conditioning(const Evaluation& rough, const Sample& sample, int order, Truth& truth) {
@@ -128,16 +152,11 @@ void add_rough_conditioning(const Evaluation& rough, const Sample& sample, int o
   QueryOf<Mp100> wide_input(sample, order);
   Result<Mp50> base, moved;
   rough(input.query(), base);
-  Mp100 reach = 1;
-  for (int o = 1; o <= order; ++o)
-    if (truth.exists[o] && truth.exists[o - 1] && truth.norm[o] > 0 && truth.norm[o - 1] > 0) {
-      const Mp100 length = truth.norm[o - 1] / truth.norm[o];
-      if (o == 1 || length < reach) reach = length;
-    }
+  const Mp50 reach = reach_of(rough, sample, base, order);
   for_each_coordinate(rough.formula(), input, [&](int vertex, int axis) {
     Mp50& x = input.coordinate(vertex, axis);
     const Mp50 original = x;
-    Mp50 relative = Mp50("1e-6") * std::min(Mp50(1), Mp50(reach) / abs(x));
+    Mp50 relative = Mp50("1e-6") * std::min<Mp50>(1, reach / abs(x));
     if (truth.on_element) {
       Mp100& wide = wide_input.coordinate(vertex, axis);
       const Mp100 wide_original = wide;
