@@ -234,11 +234,23 @@ void sliver(double height, RandomStream& random, Sample& sample) {
   permute_corners(sample, random);
 }
 
+// One side is short, seen from all around or from as near as it is long; or three corners are close to each other, seen
+// from there: opposite sides differ as much as a quad's can.
 void needle(double width, RandomStream& random, Sample& sample) {
   sample.corners = well_shaped(random, sample.index);
   auto& q = sample.corners;
-  q[2] = q[3] + width * (q[2] - q[3]);
-  sample.point = centroid(q) + random_in_ball(random);
+  const std::uint64_t kind = sample.index / 3 % 3;
+  if (kind == 0) {
+    q[2] = q[3] + width * (q[2] - q[3]);
+    sample.point = centroid(q) + random_in_ball(random);
+  } else if (kind == 1) {
+    q[2] = q[3] + width * (q[2] - q[3]);
+    sample.point = (q[2] + q[3]) / 2 + 2 * width * random_in_ball(random);
+  } else {
+    for (const int k : {0, 2}) q[k] = q[1] + width * (q[k] - q[1]);
+    const Vec in_plane = random.uniform(-1, 1) * (q[0] - q[1]) + random.uniform(-1, 1) * (q[2] - q[1]);
+    sample.point = random.below(2) == 0 ? Vec(q[1] + in_plane) : Vec(q[1] + 2 * width * random_in_ball(random));
+  }
   permute_corners(sample, random);
 }
 
