@@ -231,12 +231,12 @@ TEST(search_domain, holds_samples_of_every_kind_of_element_and_nothing_degenerat
       if (!exists_for(regime, kind)) continue;
       int inside = 0;
       for (std::uint64_t i = 0; i < 60; ++i) inside += in_search_domain(of_kind, make_sample(of_kind, regime, 3, i));
-      // Quads on an edge or at a corner may be thinner than the domain's border allows; a needle made of a quad with a
-      // short side is thinner than the domain; one in four aligned quads has two corners in one.
-      EXPECT_GE(inside, regime.name.starts_with("on-") ? 30
-                        : regime.name == "needle"      ? 55
-                        : regime.name == "aligned"     ? 40
-                                                       : 60)
+      // Quads on an edge or at a corner may be thinner than the domain's border allows; needles made of a quad with a
+      // short side, or with three corners close to each other, are thinner than the domain; one in four aligned quads
+      // has two corners in one.
+      EXPECT_GE(inside, regime.name.starts_with("on-")                        ? 30
+                        : regime.name == "needle" || regime.name == "aligned" ? 40
+                                                                              : 60)
           << name_of(kind) << ' ' << regime.name;
     }
     Sample sample = make_sample(of_kind, *find_regime("generic"), 3, 0);
