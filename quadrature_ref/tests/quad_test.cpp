@@ -300,5 +300,43 @@ TEST(Quad, units_of_length_change_nothing_but_the_scale) {
   }
 }
 
+// Beside the quad, close to its plane, weights are linear in the height, whose 290 digits no scalar holds.
+TEST(quad_heights, are_exact_beside_the_quad) {
+  const Quad<double> q{Vec(-1.5, 1.25, 1.375), Vec(.5, 1.25, .375), Vec(.5, 3.25, 1.375), Vec(-1.5, 3.25, 2.375)};
+  const auto slope = [&](double h) {
+    const Quad<Mp50> wide{convert<Mp50>(q[0]), convert<Mp50>(q[1]), convert<Mp50>(q[2]), convert<Mp50>(q[3])};
+    Result<Mp50> found = evaluate_quad<Mp50>("multiprecision", wide, convert<Mp50>(Vec(0, -h, 0)), 0);
+    EXPECT_TRUE(found.converged);
+    for (Mp50& x : found.value) x /= Mp50(h);
+    return found.value;
+  };
+  const auto expected = slope(1e-30);
+  for (const double h : {1e-100, 1e-291}) {
+    const auto found = slope(h);
+    for (int k = 0; k < 4; ++k)
+      EXPECT_LT(std::abs(static_cast<double>(Mp50(found[k] / expected[k] - 1))), 1e-28) << h << ' ' << k;
+  }
+}
+
+// Squares of what such a quad gives underflow, and with them the error that the rule would find.
+TEST(quad_adaptive, finds_its_error_as_far_away_as_doubles_reach) {
+  const Quad<double> q{Vec(-0x1.9da24f862f2aep+20, -0x1.4aee9d525d91p+21, -0x1.5d42aa836c17cp+20),
+                       Vec(-0x1.9da23f9addc08p+20, -0x1.4aeead525d91p+21, -0x1.5d42bac36c17cp+20),
+                       Vec(-0x1.9da22f863160cp+20, -0x1.4aeead525d91p+21, -0x1.5d42ca836c17cp+20),
+                       Vec(-0x1.9da24c862f2aep+20, -0x1.4aee9e525d91p+21, -0x1.5d42ab836c17cp+20)};
+  for (const double far : {0x1p+307, 0x1p+290, 0x1p+200}) {
+    const Vec point = far * Vec(-.4, .5, .6);
+    const Result<double> found = evaluate_quad<double>("adaptive", q, point, 0);
+    const Result<double> truth = evaluate_quad<double>("multiprecision", q, point, 0);
+    double error = 0, size = 0;
+    for (int k = 0; k < 4; ++k) {
+      error = std::hypot(error, found.value[k] - truth.value[k]);
+      size = std::hypot(size, truth.value[k]);
+    }
+    EXPECT_TRUE(found.converged) << far;
+    EXPECT_LE(error, std::pow(10, -found.stated_digits) * size) << far;
+  }
+}
+
 }  // namespace
 }  // namespace cageproof::quadrature_ref

@@ -14,6 +14,11 @@ namespace {
 // Digits the rules are designed for before anything is known of the result.
 constexpr double kDesign = 12;
 
+double norm_of_difference(std::vector<double> a, const std::vector<double>& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) a[k] -= b[k];
+  return norm(a);
+}
+
 struct Part {
   PlannedCell cell;
   Result<double> sums{};
@@ -66,17 +71,15 @@ void AdaptiveQuad::integrate(Part& part) {
   const Result<double> along_w = rule(part.cell.cell, {fine.t, coarser(fine.w)});
   double worst_t = 0, worst_w = 0;
   for (int o = 0; o <= order_; ++o) {
-    double square_t = 0, square_w = 0;
-    for (std::size_t k = 0; k < part.sums.of(o).size(); ++k) {
-      square_t += std::pow(part.sums.of(o)[k] - along_t.of(o)[k], 2);
-      square_w += std::pow(part.sums.of(o)[k] - along_w.of(o)[k], 2);
-    }
-    part.error[o] = std::sqrt(square_t) + std::sqrt(square_w);
+    // Not sums of squares, which underflow far away.
+    const double error_t = norm_of_difference(part.sums.of(o), along_t.of(o)),
+                 error_w = norm_of_difference(part.sums.of(o), along_w.of(o));
+    part.error[o] = error_t + error_w;
     // Orders differ in unit: each counts relative to the cell's own tensor.
     const double size = norm(part.sums.of(o));
     if (size > 0) {
-      worst_t = std::max(worst_t, std::sqrt(square_t) / size);
-      worst_w = std::max(worst_w, std::sqrt(square_w) / size);
+      worst_t = std::max(worst_t, error_t / size);
+      worst_w = std::max(worst_w, error_w / size);
     }
   }
   part.split_t = worst_t > worst_w;

@@ -85,7 +85,9 @@ std::array<double, 3> QuadCaster<W>::log10_mass(const QuadCell& cell) {
 
 template <Scalar W>
 double QuadCaster<W>::cancellation(const QuadCell& cell) {
-  const auto size = [](const Vec3<W>& v) { return static_cast<double>(length(v)); };
+  const auto size = [](const Vec3<W>& v) {
+    return std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2]));
+  };
   const auto magnitude = [](const W& x) { return std::abs(static_cast<double>(x)); };
   const W w_range = inverse_sinh(W(1 / W(cell.delta)));
   const auto& at = frame_.at;
