@@ -121,25 +121,19 @@ void add_border_conditioning(const Evaluation& reference, const Sample& sample, 
   }
 }
 
-// How far a point may go until a tensor of an order up to `order` changes by about all of itself; where those say
-// nothing, until the next ones do; or else the input's extent. \param base values and derivatives up to `order`
-Mp50 reach_of(const Evaluation& rough, const Sample& sample, const Result<Mp50>& base, int order) {
-  const auto size = [&](const Result<Mp50>& result, int o) {
-    Mp50 sum = 0;
-    for (const Mp50& x : result.of(o)) sum += x * x;
-    return Mp50(sqrt(sum));
-  };
-  const auto length_at = [&](const Result<Mp50>& result, int o) {
-    const Mp50 length = size(result, o - 1) / size(result, o);
-    return isfinite(length) ? length : Mp50(0);
-  };
-  Mp50 reach = 0;
-  for (int o = 1; o <= order; ++o) {
-    const Mp50 length = length_at(base, o);
-    if (length > 0 && (reach == 0 || length < reach)) reach = length;
+// How far a point may go until a value's change is no longer as its gradient says: |f'|/|f''|, or, where the gradient
+// vanishes, sqrt(|f|/|f''|). Not |f|/|f'|, which is nothing in a plane where f vanishes. The input's extent where f is
+// linear.
+Mp50 reach_of(const Evaluation& rough, const Sample& sample) {
+  const Result<Mp50> base = evaluate<Mp50>(rough, sample, 2);
+  std::array<Mp50, 3> size;
+  for (int o = 0; o <= 2; ++o) {
+    size[o] = 0;
+    for (const Mp50& x : base.of(o)) size[o] += x * x;
+    size[o] = sqrt(size[o]);
   }
-  for (int o = order + 1; o <= 2 && reach == 0; ++o) reach = length_at(evaluate<Mp50>(rough, sample, o), o);
-  if (reach > 0) return reach;
+  const Mp50 reach = std::max<Mp50>(size[1] / size[2], sqrt(Mp50(size[0] / size[2])));
+  if (isfinite(reach) && reach > 0) return reach;
   double extent = sample.point.cwiseAbs().maxCoeff();
   for (const Vec3<double>& corner : sample.corners) extent = std::max(extent, corner.cwiseAbs().maxCoeff());
   return extent;
@@ -152,7 +146,7 @@ void add_rough_conditioning(const Evaluation& rough, const Sample& sample, int o
   QueryOf<Mp100> wide_input(sample, order);
   Result<Mp50> base, moved;
   rough(input.query(), base);
-  const Mp50 reach = reach_of(rough, sample, base, order);
+  const Mp50 reach = reach_of(rough, sample);
   for_each_coordinate(rough.formula(), input, [&](int vertex, int axis) {
     Mp50& x = input.coordinate(vertex, axis);
     const Mp50 original = x;
