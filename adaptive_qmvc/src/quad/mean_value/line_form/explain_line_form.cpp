@@ -62,7 +62,8 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   const SingularPairs<double> singular = plain ? singular_pairs(*plain) : SingularPairs<double>();
   const bool far = plain && rho >= far_across<double, Order>;
   const Exponents exponents = exponents_of(query.corners, query.point);
-  const bool extreme = exponents.are_extreme() || (plain && exponents.are_distant() && has_short_side(*plain));
+  const bool extreme = exponents.are_extreme() || (plain && exponents.are_distant() &&
+                                                   (has_short_side(*plain) || is_all_but_in_plane(*plain, exponents)));
   if (!plain || extreme || (!far && is_within(kDoubleHolds, *plain, ends, singular))) {
     explanation.route =
         "none in double: on the quad, so close to it that differences are taken in 50 digits, or at the ends of "

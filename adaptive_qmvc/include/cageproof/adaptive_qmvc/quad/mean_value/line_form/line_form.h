@@ -64,6 +64,13 @@ inline bool has_short_side(const QuadFrame<double>& q) {
   return is_short(q.e) || is_short(q.b) || is_short(q.b1) || is_short(q.e + q.w);
 }
 
+/// Whether heights, which values in the plane are proportional to, have lost digits to the end of doubles' range.
+inline bool is_all_but_in_plane(const QuadFrame<double>& q, const Exponents& exponents) {
+  constexpr int kLeast = -900;
+  const double highest = std::max({std::abs(q.g00), std::abs(q.g01), std::abs(q.g10), std::abs(q.g11)});
+  return exponents.smallest < kLeast && highest < std::ldexp(1, kLeast);
+}
+
 /// The four weights with derivatives, in the caller's order of corners; the tensors of each order one after the other.
 template <class R>
 struct WeightTensors {
@@ -195,7 +202,7 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
     return statement;
   }
   if constexpr (!is_multiprecision<R>) {
-    if (exponents.are_distant() && has_short_side(*q))
+    if (exponents.are_distant() && (has_short_side(*q) || is_all_but_in_plane(*q, exponents)))
       return line_form_in_more_digits<Order, R>(corners, point, digits, 1, weights);
   }
   WeightSums<R, Order> sums;
