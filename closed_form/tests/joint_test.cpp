@@ -142,6 +142,12 @@ TEST(joint, all_formulas_on_a_triangle) {
        "triangle.single_layer", "triangle.biharmonic_double_layer"},
       triangle_inputs(16), 2);
 }
+TEST(joint, all_formulas_on_a_segment) {
+  expect_equal_in_all_scalars(
+      {"segment.mean_value", "segment.winding_angle", "segment.biharmonic_double_layer", "segment.affine_single_layer",
+       "segment.double_layer", "segment.biharmonic_single_layer", "segment.single_layer"},
+      segment_inputs(16), 2);
+}
 TEST(joint, green_coordinates_of_polygons) {
   expect_equal_in_all_scalars({"segment.double_layer", "segment.single_layer"}, segment_inputs(40), 20);
 }

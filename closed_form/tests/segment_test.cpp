@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Closed forms on segments against the integrals of their kernels, and in double against themselves in 100 digits.
+#include "cageproof/closed_form/segment/affine_single_layer.h"
+#include "cageproof/closed_form/segment/biharmonic_double_layer.h"
+#include "cageproof/closed_form/segment/biharmonic_single_layer.h"
 #include "cageproof/closed_form/segment/double_layer.h"
+#include "cageproof/closed_form/segment/mean_value.h"
 #include "cageproof/closed_form/segment/single_layer.h"
+#include "cageproof/closed_form/segment/winding_angle.h"
 #include "cageproof/core/evaluation.h"
 #include "segment_samples.h"
 
@@ -66,25 +71,89 @@ struct SingleKernel {
     sum.hessian[0](1, 0) += m;
   }
 };
-struct DoubleKernel {
-  static constexpr int components = 2;
-  static void add(const Mp100& weight, const Mp100& t, const Mp100& x, const Mp100& y, const Mp100& nx, const Mp100& ny,
-                  Jet<Mp100, 2, 2>& sum) {
+struct HeightKernel {
+  static void add(const Mp100& weight, const Mp100&, const Mp100& x, const Mp100& y, const Mp100& nx, const Mp100& ny,
+                  Jet<Mp100, 1, 2>& sum) {
     const Mp100 q = 1 / (x * x + y * y), height = x * nx + y * ny;
     const std::array<Mp100, 2> v{x, y}, n{nx, ny};
-    for (int k = 0; k < 2; ++k) {
-      const Mp100 hat = weight * (k == 0 ? Mp100(1 - t) : t);
-      sum.value[k] += hat * height * q;
-      for (int i = 0; i < 2; ++i) {
-        sum.gradient[k][i] -= hat * q * (n[i] - 2 * height * v[i] * q);
-        for (int j = 0; j < 2; ++j)
-          sum.hessian[k](i, j) +=
-              hat * q * q *
-              (8 * height * v[i] * v[j] * q - 2 * (n[i] * v[j] + n[j] * v[i]) - (i == j ? 2 * height : Mp100(0)));
-      }
+    sum.value[0] += weight * height * q;
+    for (int i = 0; i < 2; ++i) {
+      sum.gradient[0][i] -= weight * q * (n[i] - 2 * height * v[i] * q);
+      for (int j = 0; j < 2; ++j)
+        sum.hessian[0](i, j) +=
+            weight * q * q *
+            (8 * height * v[i] * v[j] * q - 2 * (n[i] * v[j] + n[j] * v[i]) - (i == j ? 2 * height : Mp100(0)));
     }
   }
 };
+struct AngleKernel {
+  static constexpr int components = 1;
+  static void add(const Mp100& weight, const Mp100& t, const Mp100& x, const Mp100& y, const Mp100& nx, const Mp100& ny,
+                  Jet<Mp100, 1, 2>& sum) {
+    HeightKernel::add(weight * 2 * pi<Mp100>(), t, x, y, nx, ny, sum);
+  }
+};
+struct MeanValueKernel {
+  static void add(const Mp100& weight, const Mp100&, const Mp100& x, const Mp100& y, const Mp100& nx, const Mp100& ny,
+                  Jet<Mp100, 1, 2>& sum) {
+    const Mp100 q = 1 / (x * x + y * y), height = x * nx + y * ny, part = weight * 2 * pi<Mp100>() * q * sqrt(q);
+    const std::array<Mp100, 2> v{x, y}, n{nx, ny};
+    sum.value[0] += part * height;
+    for (int i = 0; i < 2; ++i) {
+      sum.gradient[0][i] -= part * (n[i] - 3 * height * v[i] * q);
+      for (int j = 0; j < 2; ++j)
+        sum.hessian[0](i, j) +=
+            part * q *
+            (15 * height * v[i] * v[j] * q - 3 * (n[i] * v[j] + n[j] * v[i]) - (i == j ? 3 * height : Mp100(0)));
+    }
+  }
+};
+struct BiharmonicKernel {
+  static constexpr int components = 1;
+  static void add(const Mp100& weight, const Mp100&, const Mp100& x, const Mp100& y, const Mp100&, const Mp100&,
+                  Jet<Mp100, 1, 2>& sum) {
+    const Mp100 square = x * x + y * y, logarithm = log(square), part = weight / 4;
+    const std::array<Mp100, 2> v{x, y};
+    sum.value[0] -= part * square * (logarithm / 2 - 1);
+    for (int i = 0; i < 2; ++i) {
+      sum.gradient[0][i] += part * v[i] * (logarithm - 1);
+      for (int j = 0; j < 2; ++j)
+        sum.hessian[0](i, j) -= part * ((i == j ? Mp100(logarithm - 1) : Mp100(0)) + 2 * v[i] * v[j] / square);
+    }
+  }
+};
+struct BiharmonicHeightKernel {
+  static void add(const Mp100& weight, const Mp100&, const Mp100& x, const Mp100& y, const Mp100& nx, const Mp100& ny,
+                  Jet<Mp100, 1, 2>& sum) {
+    const Mp100 q = 1 / (x * x + y * y), logarithm = -log(q), height = x * nx + y * ny, part = weight / 4;
+    const std::array<Mp100, 2> v{x, y}, n{nx, ny};
+    sum.value[0] += part * height * (logarithm - 1);
+    for (int i = 0; i < 2; ++i) {
+      sum.gradient[0][i] -= part * (n[i] * (logarithm - 1) + 2 * height * q * v[i]);
+      for (int j = 0; j < 2; ++j)
+        sum.hessian[0](i, j) +=
+            2 * part * q *
+            (n[i] * v[j] + v[i] * n[j] + height * ((i == j ? Mp100(1) : Mp100(0)) - 2 * q * v[i] * v[j]));
+    }
+  }
+};
+// A kernel weighted with the hat functions.
+template <class K>
+struct OfHats {
+  static constexpr int components = 2;
+  static void add(const Mp100& weight, const Mp100& t, const Mp100& x, const Mp100& y, const Mp100& nx, const Mp100& ny,
+                  Jet<Mp100, 2, 2>& sum) {
+    Jet<Mp100, 1, 2> one;
+    K::add(weight, t, x, y, nx, ny, one);
+    for (int k = 0; k < 2; ++k) {
+      const Mp100 hat = k == 0 ? Mp100(1 - t) : t;
+      sum.value[k] += hat * one.value[0];
+      sum.gradient[k] += hat * one.gradient[0];
+      sum.hessian[k] += hat * one.hessian[0];
+    }
+  }
+};
+using DoubleKernel = OfHats<HeightKernel>;
 
 // The integral over panels that double away from the point of the segment that is nearest. Their integrands are
 // analytic one panel's length around.
@@ -178,6 +247,23 @@ TEST(segment_double_layer, is_the_kernels_integral_in_all_regimes) {
   expect_exact_in_all_regimes<DoubleLayer, DoubleKernel>({6, 6, 6});
 }
 
+TEST(segment_affine_single_layer, is_the_kernels_integral_in_all_regimes) {
+  expect_exact_in_all_regimes<AffineSingleLayer, OfHats<SingleKernel>>({8, 6, 6});
+}
+TEST(segment_mean_value, is_the_kernels_integral_in_all_regimes) {
+  expect_exact_in_all_regimes<MeanValue, OfHats<MeanValueKernel>>({8, 8, 8});
+}
+TEST(segment_winding_angle, is_the_kernels_integral_in_all_regimes) {
+  expect_exact_in_all_regimes<WindingAngle, AngleKernel>({6, 6, 6});
+}
+
+TEST(segment_biharmonic_single_layer, is_the_kernels_integral_in_all_regimes) {
+  expect_exact_in_all_regimes<BiharmonicSingleLayer, BiharmonicKernel>({12, 8, 8});
+}
+TEST(segment_biharmonic_double_layer, is_the_kernels_integral_in_all_regimes) {
+  expect_exact_in_all_regimes<BiharmonicDoubleLayer, OfHats<BiharmonicHeightKernel>>({8, 8, 8});
+}
+
 const Segment<double> unit{Vec(0, 0, 0), Vec(1, 0, 0)};  // the inside is where y > 0
 
 template <class F, int O>
@@ -234,6 +320,94 @@ TEST(segment_double_layer, half_the_hat_functions_on_the_segment_and_nothing_bey
   }
 }
 
+TEST(segment_affine_single_layer, ends_have_values_and_one_infinite_slope) {
+  const double turn = 0.5 / std::numbers::pi;
+  const auto first = at<AffineSingleLayer, 2>(0, 0), last = at<AffineSingleLayer, 2>(1, 0);
+  // int (1 - t) ln t = -3/4, int t ln t = -1/4
+  EXPECT_DOUBLE_EQ(first.value[0], 0.75 * turn);
+  EXPECT_DOUBLE_EQ(first.value[1], 0.25 * turn);
+  EXPECT_DOUBLE_EQ(last.value[0], 0.25 * turn);
+  EXPECT_DOUBLE_EQ(last.value[1], 0.75 * turn);
+  EXPECT_EQ(first.gradient[0][0], std::numeric_limits<double>::infinity());
+  EXPECT_EQ(last.gradient[1][0], -std::numeric_limits<double>::infinity());
+  EXPECT_DOUBLE_EQ(first.gradient[0][1], -0.25);
+  EXPECT_DOUBLE_EQ(first.gradient[1][0], turn);
+  EXPECT_EQ(first.gradient[1][1], 0);
+  EXPECT_DOUBLE_EQ(last.gradient[0][0], -turn);
+  for (const auto& end : {first, last})
+    for (int k = 0; k < 2; ++k) EXPECT_TRUE(end.hessian[k].array().isNaN().all());
+}
+
+TEST(segment_biharmonic_single_layer, has_all_limits_at_the_ends) {
+  const double turn = 0.125 / std::numbers::pi;
+  const auto first = at<BiharmonicSingleLayer, 2>(0, 0);
+  // int t^2 (ln t - 1) = -4/9, int t (2 ln t - 1) = -1, int 2 ln t = -2
+  EXPECT_DOUBLE_EQ(first.value[0], turn * 4 / 9);
+  EXPECT_DOUBLE_EQ(first.gradient[0][0], -turn);
+  EXPECT_EQ(first.gradient[0][1], 0);
+  EXPECT_DOUBLE_EQ(first.hessian[0](0, 0), turn);
+  EXPECT_DOUBLE_EQ(first.hessian[0](1, 1), 3 * turn);
+  EXPECT_EQ(first.hessian[0](0, 1), 0);
+}
+
+TEST(segment_biharmonic_double_layer, is_zero_on_the_line_and_has_one_infinite_curvature) {
+  for (const double x : {0.0, 0.25, 1.0, 2.0, -1e9})
+    for (int k = 0; k < 2; ++k) EXPECT_EQ((at<BiharmonicDoubleLayer, 0>(x, 0).value[k]), 0);
+  const double turn = 0.125 / std::numbers::pi;
+  const auto first = at<BiharmonicDoubleLayer, 2>(0, 0);
+  // 2 int (1 - t) ln t - 1/2 = -2, 2 int t ln t - 1/2 = -1; the normal is (0, -1)
+  EXPECT_DOUBLE_EQ(first.gradient[0][1], -2 * turn);
+  EXPECT_DOUBLE_EQ(first.gradient[1][1], -turn);
+  EXPECT_EQ(first.gradient[0][0], 0);
+  EXPECT_EQ(first.hessian[0](0, 1), -std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isnan(first.hessian[0](0, 0)));
+  EXPECT_DOUBLE_EQ(first.hessian[1](0, 1), -2 * turn);
+  EXPECT_EQ(first.hessian[1](1, 1), 0);
+  // Next to it, on the inner side.
+  const auto inside = at<BiharmonicDoubleLayer, 2>(0, 1e-12);
+  EXPECT_LT(inside.hessian[0](0, 1), -40 * turn);
+  EXPECT_NEAR(inside.hessian[1](0, 1), -2 * turn, 1e-9);
+}
+
+// Over the middle what differs between the ends is far below either: of the gradient, h from the middle along the line,
+// int x (2 ln r - 1) = h length (2 ln(length/2) - 2 + 1) + O(h^2) is left.
+TEST(segment_biharmonic_single_layer, keeps_its_gradient_over_the_middle) {
+  const Segment<double> s{Vec(1, 0, 0), Vec(-1, 0, 0)};
+  for (const double h : {1e-10, 1e-15})
+    EXPECT_DOUBLE_EQ((closed_form<BiharmonicSingleLayer, 1, double>(s, Vec(h, 0, 0)).gradient[0][0]),
+                     h / (4 * std::numbers::pi));
+  const auto wide = closed_form<BiharmonicSingleLayer, 1, Mp100>({convert<Mp100>(s[0]), convert<Mp100>(s[1])},
+                                                                 Vec3<Mp100>(Mp100("1e-200"), Mp100(0), Mp100(0)));
+  EXPECT_DOUBLE_EQ(static_cast<double>(wide.gradient[0][0]), 1e-200 / (4 * std::numbers::pi));
+}
+
+TEST(segment_mean_value, diverges_on_the_segment_and_vanishes_beyond) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  // Over the middle tan(45 degrees) over the distance.
+  EXPECT_DOUBLE_EQ((at<MeanValue, 0>(0.5, 0.5).value[0]), std::numbers::sqrt2);
+  const auto on = at<MeanValue, 2>(0.25, 0), end = at<MeanValue, 1>(0, 0);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_EQ(on.value[k], infinity);
+    EXPECT_TRUE(on.gradient[k].array().isNaN().all() && on.hessian[k].array().isNaN().all());
+    EXPECT_EQ((at<MeanValue, 0>(2, 0).value[k]), 0);
+  }
+  EXPECT_EQ(end.value[0], infinity);
+  EXPECT_TRUE(std::isnan(end.value[1]));
+  EXPECT_DOUBLE_EQ((at<MeanValue, 0>(0.25, 1e-200).value[0]), 1.5e200);
+  EXPECT_DOUBLE_EQ((at<MeanValue, 0>(0.25, -1e-200).value[1]), -5e199);
+}
+
+TEST(segment_winding_angle, pi_on_the_segment_and_nothing_beyond) {
+  EXPECT_DOUBLE_EQ((at<WindingAngle, 0>(0.25, 0).value[0]), std::numbers::pi);
+  EXPECT_DOUBLE_EQ((at<WindingAngle, 0>(0.25, -1e-300).value[0]), -std::numbers::pi);
+  EXPECT_DOUBLE_EQ((at<WindingAngle, 0>(0.5, 0.5).value[0]), std::numbers::pi / 2);
+  const auto end = at<WindingAngle, 2>(0, 0);
+  EXPECT_DOUBLE_EQ(end.value[0], std::numbers::pi / 2);
+  EXPECT_TRUE(end.gradient[0].array().isNaN().all());
+  EXPECT_TRUE(end.hessian[0].array().isNaN().all());
+  EXPECT_EQ((at<WindingAngle, 0>(2, 0).value[0]), 0);
+}
+
 // In every scalar the limits are taken from the same side.
 TEST(segment, sides_agree_in_all_scalars) {
   for (const double x : {0.25, 0.5, 0.0, 1.0}) {
@@ -287,6 +461,11 @@ void expect_registered(const char* formula) {
 TEST(segment, registered_evaluations_have_the_bits_of_the_closed_forms) {
   expect_registered<SingleLayer>("segment.single_layer");
   expect_registered<DoubleLayer>("segment.double_layer");
+  expect_registered<AffineSingleLayer>("segment.affine_single_layer");
+  expect_registered<BiharmonicSingleLayer>("segment.biharmonic_single_layer");
+  expect_registered<BiharmonicDoubleLayer>("segment.biharmonic_double_layer");
+  expect_registered<MeanValue>("segment.mean_value");
+  expect_registered<WindingAngle>("segment.winding_angle");
 }
 
 }  // namespace

@@ -124,8 +124,10 @@ void set(const Tuple<T, 6>& x, const Round& round, ExactSegment& out) {
   out.p = {vector(p[0]), vector(p[1])};
   out.e = vector(e);
   out.cross = round(T(e[0] * p[0][1] - e[1] * p[0][0]), 2);
-  out.before = round(dot(e, p[0]), 2);
-  out.after = round(dot(e, p[1]), 2);
+  const T before = dot(e, p[0]), after = dot(e, p[1]);
+  out.before = round(before, 2);
+  out.after = round(after, 2);
+  out.middle = round(T(before + after), 2);
 }
 
 template <std::size_t N, class Exact>

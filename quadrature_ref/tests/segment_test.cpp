@@ -147,7 +147,7 @@ TEST(Segment, adaptive_declines_what_it_cannot_meet) {
 // others.
 TEST(Segment, homogeneity_with_the_logarithm) {
   const Formula& row = *find_formula(kFormula);
-  EXPECT_NEAR(row.logarithmic, -1 / (2 * std::numbers::pi), 1e-16);
+  EXPECT_NEAR(row.logarithmic.factor, -1 / (2 * std::numbers::pi), 1e-16);
   const Segment<Mp100> s{Vec3<Mp100>(Mp100(1) / 3, 0, 0), Vec3<Mp100>(2, Mp100(1) / 7, 0)};
   const Vec3<Mp100> point(Mp100(1) / 2, Mp100(-3) / 5, 0);
   const Mp100 length = sqrt(Mp100((s[1] - s[0]).dot(s[1] - s[0]))), logarithmic = -1 / (2 * pi<Mp100>());

@@ -2,6 +2,7 @@
 #include "cageproof/validation/cage_symmetries.h"
 
 #include "element/element_sampling.h"
+#include "logarithmic_part.h"
 #include "turn.h"
 
 #include <algorithm>
@@ -32,15 +33,6 @@ std::pair<int, int> rank_of_corner(const std::array<double, 4>& basis, int corne
   int along = 0;
   while (along < corners && (basis[along] == 0 || basis[(along + 1) % corners] == 0)) ++along;
   return {corners - static_cast<int>(std::ranges::count(std::span(basis).first(corners), 0.0)), along};
-}
-
-// What scaling adds to the coordinates of an element whose kernel has the logarithm of the distance, over the unit's
-// power.
-double logarithm(const CoordinateBlock& block, double unit, const std::vector<Vec3<double>>& corners,
-                 const ElementType& type) {
-  if (block.logarithmic == 0) return 0;
-  const double measure = type.extent(corners).norm();
-  return block.logarithmic * std::log(unit) * (block.per_vertex ? measure / type.corners : measure);
 }
 
 }  // namespace
@@ -127,7 +119,8 @@ CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, con
 }
 
 // A variant's coordinates as the base's should be: without the turn and the unit, shares added where they belong.
-std::vector<double> CageSymmetries::folded(const Variant& v, std::size_t b, const Result<double>& found) const {
+std::vector<double> CageSymmetries::folded(const Variant& v, std::size_t b, const Result<double>& found,
+                                           const Vec3<double>& point) const {
   const CoordinateBlock& block = base_.blocks()[b];
   const std::size_t width = block.entries();
   std::vector<double> result(block.size * width, 0.0);
@@ -140,14 +133,17 @@ std::vector<double> CageSymmetries::folded(const Variant& v, std::size_t b, cons
     else
       for (const Share& share : v.shares[coordinate]) result[share.vertex * width + entry] += x * share.weight;
   }
-  if (v.unit == 1) return result;
+  if (v.unit == 1 || block.logarithmic.factor == 0) return result;
+  // What scaling adds where kernels have the logarithm of the distance, over the unit's power.
   const CageElements& elements = base_.elements();
+  Shape shape = block.shape;
+  shape.per_corner = block.per_vertex;
   for (std::size_t e = 0; e < elements.count(); ++e) {
-    const double term = logarithm(block, v.unit, elements.corners(e), elements.type(e));
-    if (term == 0) continue;
+    const std::vector<double> part = logarithmic_part(block.logarithmic, shape, elements.corners(e), point, 0);
     const int own = static_cast<int>(e);
-    for (const int slot : block.per_vertex ? elements.vertices_of(e) : std::span(&own, 1))
-      for (std::size_t entry = 0; entry < width; entry += block.shape.columns + 1) result[slot * width + entry] -= term;
+    const std::span<const int> slots = block.per_vertex ? elements.vertices_of(e) : std::span(&own, 1);
+    for (std::size_t i = 0; i < part.size(); ++i)
+      result[slots[i / width] * width + i % width] -= std::log(v.unit) * part[i];
   }
   return result;
 }
@@ -166,7 +162,7 @@ std::map<std::string, CageError> CageSymmetries::errors_at(const Vec3<double>& p
     }
     worst = {0, 0};
     for (std::size_t b = 0; b < found.size(); ++b) {
-      const double relative = relative_difference(folded(v, b, found[b]), expected[b].value);
+      const double relative = relative_difference(folded(v, b, found[b], point), expected[b].value);
       worst.relative = std::max(worst.relative, relative);
       worst.roundings = std::max(
           worst.roundings, relative / unit_roundoff<double>() * length_of(expected[b].value) / terms.blocks[b][0]);

@@ -3,6 +3,7 @@
 #include "checks.h"
 
 #include "element/element_sampling.h"
+#include "logarithmic_part.h"
 #include "turn.h"
 
 #include <algorithm>
@@ -84,21 +85,23 @@ class Scaling final : public SymmetryCheck {
   }
   Values undo(const CheckInput& in, Values tensor, int order) const override {
     for (double& x : tensor) x = std::ldexp(x, -exponent(in.sample) * (in.formula.degree - order));
-    const double term = logarithm(in, order);
-    if (term == 0) return tensor;
-    // Of matrices the kernel's logarithm is a multiple of the identity.
-    const Shape& shape = in.formula.shape;
-    for (std::size_t i = 0; i < tensor.size(); ++i)
-      if (i % shape.entries() % (shape.columns + 1) == 0) tensor[i] -= term;
+    if (in.formula.logarithmic.factor == 0) return tensor;
+    const Values added = logarithm(in, order);
+    for (std::size_t i = 0; i < tensor.size(); ++i) tensor[i] -= added[i];
     return tensor;
   }
-  double added(const CheckInput& in, int order) const override { return std::abs(logarithm(in, order)); }
-  // What scaling adds to the value of kernels with the logarithm of the distance, over s^degree.
-  static double logarithm(const CheckInput& in, int order) {
+  double added(const CheckInput& in, int order) const override {
+    double size = 0;
+    if (in.formula.logarithmic.factor != 0)
+      for (const double x : logarithm(in, order)) size = std::hypot(size, x);
+    return size;
+  }
+  // What scaling adds to kernels with the logarithm of the distance, over s^(degree - order).
+  static Values logarithm(const CheckInput& in, int order) {
     const Formula& formula = in.formula;
-    if (formula.logarithmic == 0 || order > 0) return 0;
-    const double measure = type_of(formula.element).extent(in.sample.corners).stableNorm();
-    return formula.logarithmic * exponent(in.sample) * std::numbers::ln2 * measure / formula.tensors();
+    Values part = logarithmic_part(formula.logarithmic, formula.shape, in.sample.corners, in.sample.point, order);
+    for (double& x : part) x *= exponent(in.sample) * std::numbers::ln2;
+    return part;
   }
 };
 

@@ -4,8 +4,13 @@
 
 #include "cageproof/closed_form/arithmetic/counted_rule.h"
 #include "cageproof/closed_form/explain.h"
+#include "cageproof/closed_form/segment/affine_single_layer.h"
+#include "cageproof/closed_form/segment/biharmonic_double_layer.h"
+#include "cageproof/closed_form/segment/biharmonic_single_layer.h"
 #include "cageproof/closed_form/segment/double_layer.h"
+#include "cageproof/closed_form/segment/mean_value.h"
 #include "cageproof/closed_form/segment/single_layer.h"
+#include "cageproof/closed_form/segment/winding_angle.h"
 
 namespace cageproof::closed_form::segment {
 
@@ -38,6 +43,7 @@ Frame<Counted>::Frame(const Segment<Counted>& segment, const Vec3<Counted>& eta)
   }
   n = {u[1], -u[0]};
   length = seen(f.length, in_units(x.length), "frame: length");
+  sum = seen(f.sum, in_units(x.sum), "frame: sum");
   h = seen(f.h, in_units(x.h), "frame: h");
   log_ratio = seen(f.log_ratio, x.log_ratio, "frame: log_ratio");
   angle = seen(f.angle, x.angle, "frame: angle");
@@ -61,7 +67,9 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   using Shared = SharedOnSegment;
   const Shared::Element<double> element(query.corners);
   Explanation explanation;
-  if (Shared::At<double, O>(element, query.point).beyond) {
+  const Shared::At<double, O> at(element, query.point);
+  if (at.beyond || is_next_to_line<F>(at.frame) ||
+      is_next_to_nothing(at.frame, F::template at<0, double>(at.frame).value)) {
     explanation.route = "none in double: the point is extreme";
     choose_none(explanation, values, entry);
     return explanation;
@@ -94,6 +102,11 @@ Explanation explain_form(const Query<double>& query, std::span<const double> val
 const RegisterExplainer explainers[] = {
     {"segment.single_layer", &explain_form<SingleLayer>},
     {"segment.double_layer", &explain_form<DoubleLayer>},
+    {"segment.affine_single_layer", &explain_form<AffineSingleLayer>},
+    {"segment.biharmonic_single_layer", &explain_form<BiharmonicSingleLayer>},
+    {"segment.biharmonic_double_layer", &explain_form<BiharmonicDoubleLayer>},
+    {"segment.mean_value", &explain_form<MeanValue>},
+    {"segment.winding_angle", &explain_form<WindingAngle>},
 };
 
 }  // namespace

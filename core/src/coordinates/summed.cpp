@@ -57,7 +57,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
       const Formula& formula = *find_formula(first, spec.kernel);
       blocks_.push_back(block_of(kind, spec, formula, *elements_, parameters_));
       degrees_.push_back(formula.degree);
-      homogeneous_ = homogeneous_ && formula.logarithmic == 0;
+      homogeneous_ = homogeneous_ && formula.logarithmic.factor == 0;
       jumps_.push_back(formula.shape.per_corner && formula.face_jump.number != 0 ? formula.face_jump.number : 0);
     }
   }

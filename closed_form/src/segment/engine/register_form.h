@@ -45,19 +45,35 @@ struct SharedOnSegment {
   };
 };
 
+/// Whether values are so small that double may have no digits of them, as of angles of the size of the least numbers.
+/// Far away nothing cancels, nor is there need.
+template <std::size_t C>
+bool is_next_to_nothing(const Frame<double>& frame, const std::array<double, C>& values) {
+  double size = 0;
+  for (const double x : values) size = std::max(size, std::abs(x));
+  return size > 0 && size < 0x1p-900 && !frame.is_far();
+}
+
+/// Whether a formula's powers of the height over the segment's line leave double's range.
+template <class F>
+bool is_next_to_line(const Frame<double>& frame) {
+  if constexpr (requires { F::diverges_on_segment; })
+    return !frame.at_end && frame.near.im != 0 && std::abs(frame.near.im) < 0x1p-300;
+  else return false;
+}
+
 /// Puts a formula's tensors at a point.
 template <class F>
 struct PutForm {
   template <Scalar R, int O>
   static void put(SharedOnSegment::At<R, O>& at, std::span<const R>, bool, std::size_t point,
                   const BatchOutput<R>& output) {
+    if constexpr (!is_multiprecision<R>)
+      if (!at.beyond && is_next_to_line<F>(at.frame)) at.beyond.emplace(at.in_multiprecision());
     if (at.beyond) return closed_form::put(narrowed<R>(F::template at<O, Mp200>(*at.beyond)), O, point, output);
     auto jet = F::template at<O, Working<R>>(at.frame);
     if constexpr (!is_multiprecision<R>) {
-      // Angles of the size of the least numbers have no digits in double. Far away nothing cancels, nor is there need.
-      double size = 0;
-      for (const double x : jet.value) size = std::max(size, std::abs(x));
-      if (size > 0 && size < 0x1p-900 && !at.frame.is_far())
+      if (is_next_to_nothing(at.frame, jet.value))
         return closed_form::put(narrowed<R>(F::template at<O, Mp200>(at.in_multiprecision())), O, point, output);
     }
     if constexpr (O >= 2 && !is_multiprecision<R>)

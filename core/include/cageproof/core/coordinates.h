@@ -34,7 +34,7 @@ struct CoordinateBlock {
   double normal_factor = 1;  ///< of blocks that reproduce normals
   /// The power of the unit of length that coordinates grow with, and Formula::logarithmic.
   int degree = 0;
-  double logarithmic = 0;
+  Logarithm logarithmic = {};
   /// The trace of the Hessian: nothing known, zero, or another block.
   struct Trace {
     enum class Kind { Unknown, Zero, Block } kind = Kind::Unknown;

@@ -31,6 +31,7 @@ struct ExactSegment {
   std::array<Mp200, 2> e;                 ///< end 1 minus end 0
   Mp200 cross;                            ///< e x p[i], the same for both ends: positive for points right of the line
   Mp200 before, after;                    ///< e . p[0] and e . p[1]
+  Mp200 middle;                           ///< e . (p[0] + p[1]): zero over the middle
 
   ExactSegment(const Segment<Mp200>& s, const Vec3<Mp200>& point);
 };

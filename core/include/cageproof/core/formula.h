@@ -58,6 +58,14 @@ struct FaceJump {
   bool diverges = false;
 };
 
+/// What stands before ln r in a kernel of the plane: factor r^(2 squares), times x.n or not. The factor is zero for
+/// kernels without logarithm.
+struct Logarithm {
+  double factor = 0;
+  int squares = 0;
+  bool height = false;
+};
+
 /// One row of the catalogue. Every relation a campaign checks is stated here as data, so that no check knows a formula.
 struct Formula {
   std::string_view name;        ///< stable, `<element>.<kernel>`
@@ -71,9 +79,9 @@ struct Formula {
   Laplacian laplacian;
   FaceJump face_jump;
   std::vector<Parameter> parameters;
-  /// Of kernels with the logarithm of the distance: f(s element, s point) = s^degree (f(element, point) + logarithmic
-  /// log(s) |element|), |element| its length; derivatives are homogeneous. Zero for all others.
-  double logarithmic = 0;
+  /// Of kernels with the logarithm of the distance: f(s element, s point) = s^degree (f(element, point) + log(s) times
+  /// the integral of what stands before the logarithm), and derivatives alike.
+  Logarithm logarithmic = {};
 
   int corners() const { return corner_count(element); }
   /// Number of scalars of the value: (corners or 1) x rows x columns.

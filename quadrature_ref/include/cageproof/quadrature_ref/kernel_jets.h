@@ -81,6 +81,21 @@ void log_jet(const Node<R>& node, const R& scale, KernelJet<Dim, R>& jet) {
   }
 }
 
+/// jet = scale * r^2 (log r + constant), r in the input's unit of length where it is in the logarithm, and its
+/// derivatives up to Order.
+template <int Order, int Dim, Scalar R>
+void square_log_jet(const Node<R>& node, const R& scale, const R& constant, KernelJet<Dim, R>& jet) {
+  using std::log;
+  const R r2 = squared_distance<Dim>(node.x);
+  const R logarithm = log(r2) / 2 + node.log_unit + constant;
+  jet.value = scale * r2 * logarithm;
+  if constexpr (Order >= 1) {
+    const R slope = scale * (2 * logarithm + 1);
+    set_radial_gradient(node.x, slope, jet);
+    if constexpr (Order >= 2) set_radial_hessian(node.x, slope, R(2 * scale / r2), jet);
+  }
+}
+
 /// jet = scale * (x.n) r^M and its derivatives up to Order; d(x.n)/d eta = -n.
 template <int M, int Order, int Dim, Scalar R>
 void height_power_jet(const Node<R>& node, const R& scale, KernelJet<Dim, R>& jet) {

@@ -48,7 +48,8 @@ class CageSymmetries {
   };
   Variant variant(std::string check, const Cage& cage, const CoordinateKind& kind, const std::string& evaluation) const;
   Subdivision subdivision() const;
-  std::vector<double> folded(const Variant& v, std::size_t block, const Result<double>& found) const;
+  std::vector<double> folded(const Variant& v, std::size_t block, const Result<double>& found,
+                             const Vec3<double>& point) const;
 
   double size_;
   CageCoordinates base_;

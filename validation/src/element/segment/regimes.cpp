@@ -92,14 +92,16 @@ std::vector<Vec> many_bits(RandomStream& random, std::uint64_t index) {
 }
 
 // The point with hat functions (16 - i, i)/16, either way round; every other sample is moved by one ulp in one
-// coordinate.
+// coordinate, half of them off the line for certain.
 void place_on(Sample& sample, int i, RandomStream& random) {
   sample.corners = has_many_bits(sample.index) ? many_bits(random, sample.index) : dyadic(random);
   const bool turned = random.below(2) == 1;
   const Vec &from = sample.corners[turned ? 1 : 0], &to = sample.corners[turned ? 0 : 1];
   const Vec along = (to - from) / 16;
   sample.point = from + i * along;
-  if (sample.index % 2 == 1) move_by_one_ulp(sample, random, dim);
+  if (sample.index % 2 == 0) return;
+  if (sample.index % 4 == 1) return move_by_one_ulp(sample, random, dim);
+  move_by_one_ulp_along(std::abs(along[0]) < std::abs(along[1]) ? 0 : 1, sample, random);
 }
 
 void on_face(double, RandomStream& random, Sample& sample) { place_on(sample, 1 + random.below(15), random); }

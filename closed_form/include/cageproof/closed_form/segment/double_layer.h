@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/segment/engine/closed_form.h"
-#include "cageproof/closed_form/segment/engine/far_sums.h"
+#include "cageproof/closed_form/segment/engine/hat_integrals.h"
 
 namespace cageproof::closed_form::segment {
 
@@ -21,24 +21,12 @@ struct DoubleLayer {
   static Jet<R, 2, 2> at(const Frame<R>& f) {
     Jet<R, 2, 2> jet;
     const R turn = 1 / (2 * pi<R>());
-    std::array<Complex<R>, 2> slope;  // F_k' in the caller's units
-    if constexpr (!is_multiprecision<R>) {
-      if (f.is_far()) {
-        const FarSums<R> sums(f);
-        for (int k = 0; k < 2; ++k) {
-          jet.value[k] = -turn * sums.inverse[k].im;
-          slope[k] = {shifted<R>(-sums.square[k].re, -f.exponent), shifted<R>(-sums.square[k].im, -f.exponent)};
-        }
-      } else {
-        set_near<O>(f, turn, jet, slope);
-      }
-    } else {
-      set_near<O>(f, turn, jet, slope);
-    }
+    const HatIntegrals<O, R> hats(f);
+    for (int k = 0; k < 2; ++k) jet.value[k] = -turn * hats.inverse[k].im;
     if constexpr (O >= 1)
       for (int k = 0; k < 2; ++k)
         jet.gradient[k] = f.at_end ? Gradient<R>(Gradient<R>::Constant(nan<R>()))
-                                   : Gradient<R>(turn * (slope[k].im * f.u + slope[k].re * f.n));
+                                   : Gradient<R>(-turn * (hats.square[k].im * f.u + hats.square[k].re * f.n));
     if constexpr (O >= 2)
       for (int k = 0; k < 2; ++k) jet.hessian[k] = hessian(f, k, turn);
     return jet;
@@ -50,16 +38,6 @@ struct DoubleLayer {
   template <class R>
   static R nan() {
     return std::numeric_limits<R>::quiet_NaN();
-  }
-
-  template <int O, Scalar R>
-  static void set_near(const Frame<R>& f, const R& turn, Jet<R, 2, 2>& jet, std::array<Complex<R>, 2>& slope) {
-    const R lift = f.at_end ? R(0) : R(f.h * f.log_ratio), scale = turn / f.length;
-    jet.value = {scale * (lift - f.s[1] * f.angle), scale * (f.s[0] * f.angle - lift)};
-    if (O < 1 || f.at_end) return;
-    // F_0' = log(z1/z0)/length - 1/z0, F_1' = 1/z1 - log(z1/z0)/length
-    const Complex<R> mean{shifted<R>(f.log_ratio / f.length, -f.exponent), shifted<R>(f.angle / f.length, -f.exponent)};
-    slope = {mean - f.inverse(0), f.inverse(1) - mean};
   }
 
   template <Scalar R>

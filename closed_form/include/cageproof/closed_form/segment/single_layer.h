@@ -4,6 +4,7 @@
 
 #include "cageproof/closed_form/arithmetic/jet.h"
 #include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/logarithms.h"
 
 namespace cageproof::closed_form::segment {
 
@@ -23,30 +24,13 @@ struct SingleLayer {
   static Jet<R, 1, 2> at(const Frame<R>& f) {
     Jet<R, 1, 2> jet;
     const R turn = 1 / (2 * pi<R>());
-    jet.value[0] = value(f) * turn;
+    jet.value[0] = shifted<R>(-turn * (integral_of_logarithm(f) + f.length * unit_logarithm(f)), f.exponent);
     if constexpr (O >= 1) jet.gradient[0] = gradient(f, turn);
     if constexpr (O >= 2) jet.hessian[0] = hessian(f, turn);
     return jet;
   }
 
  private:
-  template <Scalar R>
-  static R value(const Frame<R>& f) {
-    const std::array<R, 2>&s = f.s, &log_r = f.log_r;
-    R whole;  // int ln r + length - h alpha
-    if (f.is_far()) {
-      // s1 ln r1 - s0 ln r0 where both terms are much larger than the difference.
-      whole = (f.length * (log_r[0] + log_r[1]) + (s[0] + s[1]) * f.log_ratio) / 2;
-    } else {
-      const R at_near = f.at_end ? R(0) : R(s[f.near_end] * log_r[f.near_end]),
-              at_far = f.far_s() * log_r[1 - f.near_end];
-      whole = f.near_end == 0 ? R(at_far - at_near) : R(at_near - at_far);
-    }
-    R scaled = f.length - f.h * f.angle - whole;
-    if constexpr (!is_multiprecision<R>) scaled -= f.length * (f.exponent * ln_two<R>());
-    return shifted<R>(scaled, f.exponent);
-  }
-
   template <Scalar R>
   static Eigen::Matrix<R, 2, 1> gradient(const Frame<R>& f, const R& turn) {
     Eigen::Matrix<R, 2, 1> g;

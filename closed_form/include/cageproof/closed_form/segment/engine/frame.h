@@ -46,6 +46,7 @@ struct Frame {
   R length;
   R h;                 ///< signed distance of the point from the line, positive outside
   std::array<R, 2> s;  ///< arc length of the ends from the nearest point of the line, s[1] - s[0] = length
+  R sum;               ///< s[0] + s[1], which is small over the segment's middle: r[1]^2 - r[0]^2 = length sum
   std::array<R, 2> r;  ///< distances of the ends
   R log_ratio;         ///< log(r[1]/r[0]); infinite at an end
   R angle;             ///< under which the segment is seen, with the sign of h: in [-pi, pi]
@@ -62,9 +63,19 @@ struct Frame {
 
   const R& far_s() const { return s[1 - near_end]; }
   const R& far_r() const { return r[1 - near_end]; }
-  /// Whether the point is more than the segment's length away from it: closed forms that cancel far away hand over to
-  /// Gauss points here.
+  /// Whether the point is more than the segment's length away from it.
   bool is_far() const { return r[near_end] > length; }
+  /// Whether both ends are about as far, so that differences of what depends on their distances cancel.
+  bool are_alike() const {
+    const R square = length * sum;
+    return 2 * (square < 0 ? R(-square) : square) < r[near_end] * r[near_end];
+  }
+  /// Whether closed forms that cancel far away hand over to Gauss points: from is_far() on, in multiprecision from a
+  /// million lengths on, where they have lost no more than a fraction of their digits.
+  bool is_for_sums() const {
+    if constexpr (is_multiprecision<R>) return r[near_end] > 1e6 * length;
+    else return is_far();
+  }
   /// 1/z_i, in the caller's units. \pre not at that end
   Complex<R> inverse(int i) const {
     if (i == near_end)
@@ -74,6 +85,10 @@ struct Frame {
   }
 };
 
+template <class W>
+WideVec<W> plane_sum(const WideVec<W>& a, const WideVec<W>& b) {
+  return {{a[0] + b[0], a[1] + b[1], W{}}};
+}
 template <class W>
 W plane_cross(const WideVec<W>& a, const WideVec<W>& b) {
   return a[0] * b[1] - a[1] * b[0];
@@ -153,6 +168,7 @@ Frame<R>::Frame(const Segment<R>& segment, const Vec3<R>& eta) : exponent(0), ne
     r[i] = plane_length<R>(static_cast<R>(p[0]), static_cast<R>(p[1]));
     s[i] = static_cast<R>(plane_dot(e, p)) / length;
   }
+  sum = static_cast<R>(plane_dot(e, shifted<R>(plane_sum(exact[0], exact[1]), -scale))) / length;
   near_end = r[0] <= r[1] ? 0 : 1;
   at_end = eta[0] == segment[near_end][0] && eta[1] == segment[near_end][1];
 
@@ -171,6 +187,7 @@ Frame<R>::Frame(const Segment<R>& segment, const Vec3<R>& eta) : exponent(0), ne
   } else {
     const ExactSegment x = exactly<R>(segment, eta);
     s = {static_cast<R>(x.before) / length, static_cast<R>(x.after) / length};
+    sum = static_cast<R>(x.middle) / length;
     sine = exact_sine<R>(x, near_end);
     cosine = s[near_end] / near_mantissa;
     if (sine == 0) sine = -R(0);
@@ -188,9 +205,9 @@ Frame<R>::Frame(const Segment<R>& segment, const Vec3<R>& eta) : exponent(0), ne
   if constexpr (std::same_as<R, double>)
     if (!at_end && near_exponent - exponent < -1000)
       log_r[near_end] = log(near_mantissa) + (near_exponent - exponent) * std::numbers::ln2;
-  if (is_far()) {
+  if (is_far() || are_alike()) {
     const R sign(near_end == 0 ? 1 : -1), q = r[near_end];
-    log_ratio = sign * log1p(R(sign * length * (s[0] + s[1]) / (q * q))) / 2;
+    log_ratio = sign * log1p(R(sign * length * sum / (q * q))) / 2;
   } else {
     log_ratio = log_r[1] - log_r[0];
   }
