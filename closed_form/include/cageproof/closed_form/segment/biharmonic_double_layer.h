@@ -9,9 +9,9 @@
 
 namespace cageproof::closed_form::segment {
 
-/// phibar_s^k = int Gamma_k x.n (2 ln r - 1)/(8 pi) ([W12] Section 4.1 after the errata): an area times the logarithm of
-/// a length; its Laplacian is phi_s^k. x.n = -h is the same all along, so that with F_k = int Gamma_k/z, whose parts are
-/// those of int Gamma_k x/r^2, and S_k = int Gamma_k/z^2
+/// phibar_s^k = int Gamma_k x.n (2 ln r - 1)/(8 pi) ([W12] Section 4.1 after the errata): an area times the logarithm
+/// of a length; its Laplacian is phi_s^k. x.n = -h is the same all along, so that with F_k = int Gamma_k/z, whose parts
+/// are those of int Gamma_k x/r^2, and S_k = int Gamma_k/z^2
 ///   8 pi phibar = -h q_k,  q_k = 2 int Gamma_k ln r - length/2,
 ///   8 pi grad phibar = -q_k n + 2 h (Re F_k u - Im F_k n),
 ///   8 pi Hess phibar = 2 h Re S_k (u u' - n n') + (2 Re F_k - 2 h Im S_k)(u n' + n u') - 4 Im F_k n n'.

@@ -50,9 +50,9 @@ struct BiharmonicSingleLayer {
       const R uu = round + 2 * (length - lift), nn = round + 2 * lift, un = -2 * mixed;
       for (int i = 0; i < 2; ++i)
         for (int j = 0; j < 2; ++j)
-          jet.hessian[0](i, j) = shifted<R>(-factor * (uu * f.u[i] * f.u[j] + nn * f.n[i] * f.n[j] +
-                                                       un * (f.u[i] * f.n[j] + f.n[i] * f.u[j])),
-                                            f.exponent);
+          jet.hessian[0](i, j) = shifted<R>(
+              -factor * (uu * f.u[i] * f.u[j] + nn * f.n[i] * f.n[j] + un * (f.u[i] * f.n[j] + f.n[i] * f.u[j])),
+              f.exponent);
     }
     return jet;
   }

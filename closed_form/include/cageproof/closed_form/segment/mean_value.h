@@ -7,10 +7,10 @@
 
 namespace cageproof::closed_form::segment {
 
-/// w_s^k = int Gamma_k x.n/r^3 ([T18] Eq 11 in the plane): 1/length, positive inside; normalised over a polygon they are
-/// mean value coordinates. With alpha the angle under which the segment is seen (positive outside): w^k = -tan(alpha/2)/
-/// r_k. On the segment they diverge: infinite within and at the end that is the point, NaN for the other end's weight
-/// there, whose limit depends on the direction; derivatives are NaN.
+/// w_s^k = int Gamma_k x.n/r^3 ([T18] Eq 11 in the plane): 1/length, positive inside; normalised over a polygon they
+/// are mean value coordinates. With alpha the angle under which the segment is seen (positive outside): w^k =
+/// -tan(alpha/2)/ r_k. On the segment they diverge: infinite within and at the end that is the point, NaN for the other
+/// end's weight there, whose limit depends on the direction; derivatives are NaN.
 struct MeanValue {
   static constexpr int components = 2;
   /// Next to the segment's line double has no digits of the square of the height.
@@ -56,9 +56,9 @@ struct MeanValue {
     for (int i = 0; i < 2; ++i) jet.gradient[k][i] = shifted<R>(gradient[i], -2 * f.exponent);
     if constexpr (O >= 2) {
       const Complex<R> cube = square * (to_far + to_near);  // int 2/z^3
-      const Eigen::Matrix<R, 2, 2> bend =
-          cube.im * (f.u * f.u.transpose() - f.n * f.n.transpose()) +
-          cube.re * (f.u * f.n.transpose() + f.n * f.u.transpose()) + tangent * (of_angle * of_angle.transpose());
+      const Eigen::Matrix<R, 2, 2> bend = cube.im * (f.u * f.u.transpose() - f.n * f.n.transpose()) +
+                                          cube.re * (f.u * f.n.transpose() + f.n * f.u.transpose()) +
+                                          tangent * (of_angle * of_angle.transpose());
       const Eigen::Matrix<R, 2, 2> mixed = of_angle * away.transpose() + away * of_angle.transpose();
       const Eigen::Matrix<R, 2, 2> of_distance =
           3 * away * away.transpose() - away.dot(away) * Eigen::Matrix<R, 2, 2>::Identity();

@@ -10,7 +10,7 @@ namespace cageproof::closed_form::segment {
 /// int Gamma_0/z = z1 log(z1/z0)/length - 1, int Gamma_1/z = 1 - z0 log(z1/z0)/length.
 template <int O, Scalar R>
 struct HatIntegrals {
-  std::array<Complex<R>, 2> inverse;  ///< int Gamma_k/z: unitless; at an end that of its own hat function is infinite
+  std::array<Complex<R>, 2> inverse;   ///< int Gamma_k/z: unitless; at an end that of its own hat function is infinite
   std::array<Complex<R>, 2> square{};  ///< O >= 1: int Gamma_k/z^2, in the caller's units; at an end not set
 
   explicit HatIntegrals(const Frame<R>& f) {

@@ -23,7 +23,8 @@ R integral_of_logarithm(const Frame<R>& f) {
     // Both terms are much larger than their difference.
     ends = (f.length * (log_r[0] + log_r[1]) + f.sum * f.log_ratio) / 2;
   } else {
-    const R at_near = f.at_end ? R(0) : R(s[f.near_end] * log_r[f.near_end]), at_far = f.far_s() * log_r[1 - f.near_end];
+    const R at_near = f.at_end ? R(0) : R(s[f.near_end] * log_r[f.near_end]),
+            at_far = f.far_s() * log_r[1 - f.near_end];
     ends = f.near_end == 0 ? R(at_far - at_near) : R(at_near - at_far);
   }
   return ends - (f.length - f.h * f.angle);
