@@ -42,6 +42,7 @@ Frame<Counted>::Frame(const Segment<Counted>& segment, const Vec3<Counted>& eta)
     log_r[i] = seen(f.log_r[i], Mp200(x.log_r[i] - f.exponent * MpConstants<200>::ln_two()), "frame: log_r");
   }
   n = {u[1], -u[0]};
+  way = f.way;
   length = seen(f.length, in_units(x.length), "frame: length");
   sum = seen(f.sum, in_units(x.sum), "frame: sum");
   h = seen(f.h, in_units(x.h), "frame: h");

@@ -58,7 +58,7 @@ bool is_next_to_nothing(const Frame<double>& frame, const std::array<double, C>&
 template <class F>
 bool is_next_to_line(const Frame<double>& frame) {
   if constexpr (requires { F::diverges_on_segment; })
-    return !frame.at_end && frame.near.im != 0 && std::abs(frame.near.im) < 0x1p-300;
+    return !frame.at_end && std::abs(frame.near.im) < 0x1p-300;  // zero may be an underflow
   else return false;
 }
 
@@ -68,12 +68,10 @@ struct PutForm {
   template <Scalar R, int O>
   static void put(SharedOnSegment::At<R, O>& at, std::span<const R>, bool, std::size_t point,
                   const BatchOutput<R>& output) {
-    if constexpr (!is_multiprecision<R>)
-      if (!at.beyond && is_next_to_line<F>(at.frame)) at.beyond.emplace(at.in_multiprecision());
     if (at.beyond) return closed_form::put(narrowed<R>(F::template at<O, Mp200>(*at.beyond)), O, point, output);
     auto jet = F::template at<O, Working<R>>(at.frame);
     if constexpr (!is_multiprecision<R>) {
-      if (is_next_to_nothing(at.frame, jet.value))
+      if (is_next_to_line<F>(at.frame) || is_next_to_nothing(at.frame, jet.value))
         return closed_form::put(narrowed<R>(F::template at<O, Mp200>(at.in_multiprecision())), O, point, output);
     }
     if constexpr (O >= 2 && !is_multiprecision<R>)

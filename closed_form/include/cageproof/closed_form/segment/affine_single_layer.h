@@ -36,10 +36,12 @@ struct AffineSingleLayer {
  private:
   template <Scalar R>
   static Eigen::Matrix<R, 2, 1> gradient(const Frame<R>& f, const Complex<R>& inverse, const R& turn) {
+    using std::abs;
     Eigen::Matrix<R, 2, 1> g;
+    const bool infinite = abs(inverse.re) == std::numeric_limits<double>::infinity();
     for (int i = 0; i < 2; ++i) {
       const R across = f.n[i] * inverse.im;
-      const R along = f.at_end && f.u[i] == 0 ? R(0) : R(f.u[i] * inverse.re);
+      const R along = !infinite ? R(f.u[i] * inverse.re) : f.way[i] == 0 ? R(0) : R(R(f.way[i]) * inverse.re);
       g[i] = turn * (along - across);
     }
     return g;
@@ -48,8 +50,11 @@ struct AffineSingleLayer {
   template <Scalar R>
   static Eigen::Matrix<R, 2, 2> hessian(const Frame<R>& f, const Complex<R>& square, const R& turn) {
     if (f.at_end) return Eigen::Matrix<R, 2, 2>::Constant(std::numeric_limits<R>::quiet_NaN());
-    return turn * square.re * (f.u * f.u.transpose() - f.n * f.n.transpose()) -
-           turn * square.im * (f.u * f.n.transpose() + f.n * f.u.transpose());
+    Eigen::Matrix<R, 2, 2> hessian = turn * square.re * (f.u * f.u.transpose() - f.n * f.n.transpose()) -
+                                     turn * square.im * (f.u * f.n.transpose() + f.n * f.u.transpose());
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) hessian(i, j) = shifted<R>(hessian(i, j), -f.exponent);
+    return hessian;
   }
 };
 

@@ -47,7 +47,7 @@ struct BiharmonicDoubleLayer {
   template <Scalar R>
   static Eigen::Matrix<R, 2, 2> hessian(const Frame<R>& f, const HatIntegrals<1, R>& hats, int k, const R& factor) {
     const Complex<R>&first = hats.inverse[k], &square = hats.square[k];
-    const R h = 2 * shifted<R>(f.h, f.exponent);
+    const R h = 2 * f.h;
     const R uu = h * square.re, un = 2 * first.re - h * square.im, nn = -4 * first.im - uu;
     return factor * (uu * f.u * f.u.transpose() + un * (f.u * f.n.transpose() + f.n * f.u.transpose()) +
                      nn * f.n * f.n.transpose());

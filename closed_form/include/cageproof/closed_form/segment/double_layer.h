@@ -25,16 +25,16 @@ struct DoubleLayer {
     for (int k = 0; k < 2; ++k) jet.value[k] = -turn * hats.inverse[k].im;
     if constexpr (O >= 1)
       for (int k = 0; k < 2; ++k)
-        jet.gradient[k] = f.at_end ? Gradient<R>(Gradient<R>::Constant(nan<R>()))
-                                   : Gradient<R>(-turn * (hats.square[k].im * f.u + hats.square[k].re * f.n));
+        for (int i = 0; i < 2; ++i)
+          jet.gradient[k][i] =
+              f.at_end ? nan<R>()
+                       : shifted<R>(-turn * (hats.square[k].im * f.u[i] + hats.square[k].re * f.n[i]), -f.exponent);
     if constexpr (O >= 2)
       for (int k = 0; k < 2; ++k) jet.hessian[k] = hessian(f, k, turn);
     return jet;
   }
 
  private:
-  template <class R>
-  using Gradient = Eigen::Matrix<R, 2, 1>;
   template <class R>
   static R nan() {
     return std::numeric_limits<R>::quiet_NaN();

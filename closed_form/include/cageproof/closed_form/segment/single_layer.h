@@ -36,7 +36,7 @@ struct SingleLayer {
     Eigen::Matrix<R, 2, 1> g;
     for (int i = 0; i < 2; ++i) {
       const R across = f.n[i] * f.angle;
-      const R along = f.at_end && f.u[i] == 0 ? R(0) : R(f.u[i] * f.log_ratio);
+      const R along = !f.at_end ? R(f.u[i] * f.log_ratio) : f.way[i] == 0 ? R(0) : R(R(f.way[i]) * f.log_ratio);
       g[i] = turn * (along - across);
     }
     return g;

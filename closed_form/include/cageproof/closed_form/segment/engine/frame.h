@@ -43,6 +43,7 @@ template <Scalar R>
 struct Frame {
   Eigen::Matrix<R, 2, 1> u;  ///< unit direction from end 0 to end 1
   Eigen::Matrix<R, 2, 1> n;  ///< outward unit normal, to the right of u
+  std::array<int, 2> way;    ///< the signs of u, exactly: what is infinite along the segment is so where u underflows
   R length;
   R h;                 ///< signed distance of the point from the line, positive outside
   std::array<R, 2> s;  ///< arc length of the ends from the nearest point of the line, s[1] - s[0] = length
@@ -75,6 +76,12 @@ struct Frame {
   bool is_for_sums() const {
     if constexpr (is_multiprecision<R>) return r[near_end] > 1e6 * length;
     else return is_far();
+  }
+  /// 1/z_i, in units of the frame. \pre not at that end
+  Complex<R> scaled_inverse(int i) const {
+    if (i != near_end) return {s[i] / r[i] / r[i], h / r[i] / r[i]};
+    const int up = exponent - near_exponent;
+    return {shifted<R>(near.re / near_mantissa, up), shifted<R>(-near.im / near_mantissa, up)};
   }
   /// 1/z_i, in the caller's units. \pre not at that end
   Complex<R> inverse(int i) const {
@@ -163,6 +170,7 @@ Frame<R>::Frame(const Segment<R>& segment, const Vec3<R>& eta) : exponent(0), ne
   length = plane_length<R>(static_cast<R>(e[0]), static_cast<R>(e[1]));
   u = {static_cast<R>(e[0]) / length, static_cast<R>(e[1]) / length};
   n = {u[1], -u[0]};
+  for (int i = 0; i < 2; ++i) way[i] = (segment[0][i] < segment[1][i]) - (segment[1][i] < segment[0][i]);
   for (int i = 0; i < 2; ++i) {
     const WideVec<Wide<R>> p = shifted<R>(exact[i], -scale);
     r[i] = plane_length<R>(static_cast<R>(p[0]), static_cast<R>(p[1]));

@@ -11,14 +11,13 @@ namespace cageproof::closed_form::segment {
 template <int O, Scalar R>
 struct HatIntegrals {
   std::array<Complex<R>, 2> inverse;   ///< int Gamma_k/z: unitless; at an end that of its own hat function is infinite
-  std::array<Complex<R>, 2> square{};  ///< O >= 1: int Gamma_k/z^2, in the caller's units; at an end not set
+  std::array<Complex<R>, 2> square{};  ///< O >= 1: int Gamma_k/z^2, in units of the frame; at an end not set
 
   explicit HatIntegrals(const Frame<R>& f) {
     if (f.is_for_sums()) {
       const FarSums<R> sums(f);
       inverse = sums.inverse;
-      for (int k = 0; k < 2; ++k)
-        square[k] = {shifted<R>(sums.square[k].re, -f.exponent), shifted<R>(sums.square[k].im, -f.exponent)};
+      square = sums.square;
       return;
     }
     const std::array<R, 2> along{f.at_end && f.near_end == 0 ? R(0) : R(f.s[0] * f.log_ratio),
@@ -27,8 +26,8 @@ struct HatIntegrals {
     inverse[0] = {(along[1] + across) / f.length - 1, (f.s[1] * f.angle - lift) / f.length};
     inverse[1] = {1 - (along[0] + across) / f.length, (lift - f.s[0] * f.angle) / f.length};
     if (O < 1 || f.at_end) return;
-    const Complex<R> mean{shifted<R>(f.log_ratio / f.length, -f.exponent), shifted<R>(f.angle / f.length, -f.exponent)};
-    square = {f.inverse(0) - mean, mean - f.inverse(1)};
+    const Complex<R> mean{f.log_ratio / f.length, f.angle / f.length};
+    square = {f.scaled_inverse(0) - mean, mean - f.scaled_inverse(1)};
   }
 };
 
