@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/quadrature_ref/tensor_kernel.h"
+#include "cageproof/quadrature_ref/scalar_kernel.h"
 
 namespace cageproof::quadrature_ref {
 namespace {

@@ -120,4 +120,28 @@ void height_power_jet(const Node<R>& node, const R& scale, KernelJet<Dim, R>& je
   }
 }
 
+/// The product of two jets, up to Order.
+template <int Order, int Dim, Scalar R>
+KernelJet<Dim, R> product(const KernelJet<Dim, R>& a, const KernelJet<Dim, R>& b) {
+  KernelJet<Dim, R> p;
+  p.value = a.value * b.value;
+  if constexpr (Order >= 1)
+    for (int i = 0; i < Dim; ++i) p.gradient[i] = a.value * b.gradient[i] + b.value * a.gradient[i];
+  if constexpr (Order >= 2)
+    for (int i = 0, entry = 0; i < Dim; ++i)
+      for (int j = i; j < Dim; ++j, ++entry)
+        p.hessian[entry] = a.value * b.hessian[entry] + b.value * a.hessian[entry] +
+                           (a.gradient[i] * b.gradient[j] + a.gradient[j] * b.gradient[i]);
+  return p;
+}
+
+/// x.n, whose value the rule states.
+template <int Dim, Scalar R>
+KernelJet<Dim, R> height_jet(const Node<R>& node) {
+  KernelJet<Dim, R> jet;
+  jet.value = node.height;
+  for (int i = 0; i < Dim; ++i) jet.gradient[i] = -node.normal[i];
+  return jet;
+}
+
 }  // namespace cageproof::quadrature_ref

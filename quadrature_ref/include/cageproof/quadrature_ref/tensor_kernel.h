@@ -7,21 +7,6 @@
 
 namespace cageproof::quadrature_ref {
 
-/// The product of two jets, up to Order.
-template <int Order, int Dim, Scalar R>
-KernelJet<Dim, R> product(const KernelJet<Dim, R>& a, const KernelJet<Dim, R>& b) {
-  KernelJet<Dim, R> p;
-  p.value = a.value * b.value;
-  if constexpr (Order >= 1)
-    for (int i = 0; i < Dim; ++i) p.gradient[i] = a.value * b.gradient[i] + b.value * a.gradient[i];
-  if constexpr (Order >= 2)
-    for (int i = 0, entry = 0; i < Dim; ++i)
-      for (int j = i; j < Dim; ++j, ++entry)
-        p.hessian[entry] = a.value * b.hessian[entry] + b.value * a.hessian[entry] +
-                           (a.gradient[i] * b.gradient[j] + a.gradient[j] * b.gradient[i]);
-  return p;
-}
-
 /// The product of a jet and coordinate c of x = xi - eta, whose gradient is -1 there, up to Order.
 template <int Order, int Dim, Scalar R>
 KernelJet<Dim, R> times_coordinate(const KernelJet<Dim, R>& a, const Node<R>& node, int c) {
@@ -40,15 +25,6 @@ KernelJet<Dim, R> times_coordinate(const KernelJet<Dim, R>& a, const Node<R>& no
         if (j == c) p.hessian[entry] -= a.gradient[i];
       }
   return p;
-}
-
-/// x.n, whose value the rule states.
-template <int Dim, Scalar R>
-KernelJet<Dim, R> height_jet(const Node<R>& node) {
-  KernelJet<Dim, R> jet;
-  jet.value = node.height;
-  for (int i = 0; i < Dim; ++i) jet.gradient[i] = -node.normal[i];
-  return jet;
 }
 
 /// A kernel from its definition, a class with

@@ -60,8 +60,12 @@ struct BiharmonicDoubleLayer {
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {
         const R mixed = f.u[i] * f.n[j] + f.n[i] * f.u[j];
-        if (k == f.near_end && mixed == 0) hessian(i, j) = std::numeric_limits<R>::quiet_NaN();
-        else hessian(i, j) = factor * 2 * inverse.re * mixed;
+        // On the diagonal 2 u[0] u[1] and its negative, whose signs are known where they underflow.
+        const int sign = i != j ? 0 : (i == 0 ? 1 : -1) * f.way[0] * f.way[1];
+        const bool vanishes = i == j ? sign == 0 : mixed == R(0);
+        if (k != f.near_end) hessian(i, j) = factor * 2 * inverse.re * mixed;
+        else if (vanishes) hessian(i, j) = std::numeric_limits<R>::quiet_NaN();
+        else hessian(i, j) = inverse.re * (i == j ? R(sign) : mixed);
       }
     return hessian;
   }

@@ -44,11 +44,8 @@ struct MeanValue {
   template <int O, Scalar R>
   static void set_derivatives(const Frame<R>& f, int k, const R& tangent, const R& inverse, Jet<R, 2, 2>& jet) {
     using Vec = Eigen::Matrix<R, 2, 1>;
-    const auto inverse_of = [&f](int end) {
-      const Complex<R> z = f.inverse(end);
-      return Complex<R>{shifted<R>(z.re, f.exponent), shifted<R>(z.im, f.exponent)};
-    };
-    const Complex<R> to_far = inverse_of(1 - f.near_end), to_near = inverse_of(f.near_end), own = inverse_of(k);
+    const Complex<R> to_far = f.scaled_inverse(1 - f.near_end), to_near = f.scaled_inverse(f.near_end),
+                     own = f.scaled_inverse(k);
     const Complex<R> square = (f.length * to_far) * to_near;  // int 1/z^2
     const R slope = (1 + tangent * tangent) / 2;              // of the tangent by alpha
     const Vec of_angle = square.im * f.u + square.re * f.n, away = own.re * f.u - own.im * f.n;

@@ -85,10 +85,8 @@ struct Frame {
   }
   /// 1/z_i, in the caller's units. \pre not at that end
   Complex<R> inverse(int i) const {
-    if (i == near_end)
-      return {shifted<R>(near.re / near_mantissa, -near_exponent),
-              shifted<R>(-near.im / near_mantissa, -near_exponent)};
-    return {shifted<R>(s[i] / r[i] / r[i], -exponent), shifted<R>(h / r[i] / r[i], -exponent)};
+    const Complex<R> scaled = scaled_inverse(i);
+    return {shifted<R>(scaled.re, -exponent), shifted<R>(scaled.im, -exponent)};
   }
 };
 
