@@ -34,7 +34,8 @@ Json formula_json(const Formula& f) {
   }
   Json parameters = Json::array();
   for (const Parameter& p : f.parameters)
-    parameters.push_back({{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}});
+    parameters.push_back(
+        {{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}, {"whole", p.whole}});
   return {{"name", f.name},
           {"symbol", f.symbol},
           {"source", f.source},

@@ -24,6 +24,28 @@ std::vector<Parameter> elastic() {
            .includes_infinity = true}};
 }
 
+// -(a - b) of [C23] Eq 3 stands before the logarithm.
+Behaviour displacement_behaviour(std::span<const double> p) {
+  return {1, {.factor = -(1 - 1 / (4 * (1 - p[1]))) / (2 * std::numbers::pi * p[0])}};
+}
+
+// The order of polyharmonic layers.
+std::vector<Parameter> order() { return {{.name = "order", .preset = 3, .lowest = 0, .highest = 7, .whole = true}}; }
+
+// a_s of [W12] Appendix B: 1/(4^(s - 1) ((s - 1)!)^2).
+double leading_factor(double order) { return std::pow(4, 1 - order) / std::pow(std::tgamma(order), 2); }
+
+Behaviour polyharmonic_single_behaviour(std::span<const double> p) {
+  const int s = static_cast<int>(p[0]);
+  return {2 * s - 1, {.factor = -leading_factor(s) / (2 * std::numbers::pi), .squares = s - 1}};
+}
+
+Behaviour polyharmonic_double_behaviour(std::span<const double> p) {
+  const int s = static_cast<int>(p[0]);
+  if (s == 1) return {.degree = 0, .face_jump = {.number = 1}};
+  return {2 * s - 2, {.factor = (s - 1) * leading_factor(s) / std::numbers::pi, .squares = s - 2, .height = true}};
+}
+
 constexpr Laplacian laplacian_is(std::string_view formula) { return {Laplacian::Kind::Formula, formula}; }
 
 // x = xi - eta, r = |x|, n the outward normal, Gamma_k the hat function of corner k, G1 = -1/(4 pi r), G2 = -r/(8 pi).
@@ -198,6 +220,53 @@ std::list<Formula> own_rows() {
               .face_jump = {},
               .parameters = {},
               .logarithmic = {.factor = 1 / (4 * std::numbers::pi), .height = true}},
+      Formula{.name = "segment.kelvin_displacement",
+              .symbol = "K_s",
+              .source = "[C23] Eq 3, 8 in the plane",
+              .definition = "int_s -(a-b) ln r I + b x x'/r^2, a = 1/(2 pi mu), b = a/(4(1-nu))",
+              .element = ElementKind::Segment,
+              .shape = {.rows = 2, .columns = 2},
+              .degree = 1,
+              .flip_sign = 1,
+              .laplacian = kUnknown,
+              .face_jump = {},
+              .parameters = elastic(),
+              .behaviour_of = displacement_behaviour},
+      Formula{.name = "segment.kelvin_traction",
+              .symbol = "T_s^k",
+              .source = "[C23] Eq 4, 8 in the plane",
+              .definition = "int_s Gamma_k mu ((a-2b)(x.n I + n x' - x n')/r^2 + 4b x.n x x'/r^4)",
+              .element = ElementKind::Segment,
+              .shape = {.per_corner = true, .rows = 2, .columns = 2},
+              .degree = 0,
+              .flip_sign = -1,
+              .laplacian = kUnknown,
+              .face_jump = {.number = 1},
+              .parameters = elastic()},
+      Formula{.name = "segment.polyharmonic_single_layer",
+              .symbol = "psi_s,i",
+              .source = "[W12] Appendix B, exponent and b_i after the errata",
+              .definition = "int_s -G_i, G_i = r^(2(i-1)) (a_i ln r - b_i)/(2 pi), i = order",
+              .element = ElementKind::Segment,
+              .shape = {},
+              .degree = 5,
+              .flip_sign = 1,
+              .laplacian = {Laplacian::Kind::LowerOrder},
+              .face_jump = {},
+              .parameters = order(),
+              .behaviour_of = polyharmonic_single_behaviour},
+      Formula{.name = "segment.polyharmonic_double_layer",
+              .symbol = "phi_s,i^k",
+              .source = "[W12] Appendix B, exponent and b_i after the errata",
+              .definition = "int_s Gamma_k dG_i/dn, G_i = r^(2(i-1)) (a_i ln r - b_i)/(2 pi), i = order",
+              .element = ElementKind::Segment,
+              .shape = {.per_corner = true},
+              .degree = 4,
+              .flip_sign = -1,
+              .laplacian = {Laplacian::Kind::LowerOrder},
+              .face_jump = {},
+              .parameters = order(),
+              .behaviour_of = polyharmonic_double_behaviour},
       Formula{.name = "segment.mean_value",
               .symbol = "w_s^k",
               .source = "[T18] Eq 11 in the plane",

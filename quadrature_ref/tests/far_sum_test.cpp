@@ -24,7 +24,7 @@ struct Flux {
 
 TEST(FarSum, has_the_digits_that_it_is_asked_for) {
   const auto kernels = scalar_kernels<Flux, 2, 3>();
-  const Integrand integrand{*find_formula("triangle.double_layer"), *kernels};
+  const Integrand integrand{*find_formula("triangle.double_layer"), *kernels, 0};
   for (int i = 0; i < 6; ++i) {
     RandomStream random(3, "far sums", i);
     const auto near_to = [&](double x, double y) {

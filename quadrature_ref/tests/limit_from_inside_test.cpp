@@ -14,7 +14,7 @@ using Function = std::function<Mp200(const Mp200& inward)>;
 
 const Integrand& solid_angle() {
   static const KernelSet none;
-  static const Integrand integrand{*find_formula("triangle.solid_angle"), none};
+  static const Integrand integrand{*find_formula("triangle.solid_angle"), none, 0};
   return integrand;
 }
 

@@ -30,6 +30,11 @@ class LaplacianCheck final : public Check {
     if (findings[2].status != Finding::Status::Measured) return findings;
     const Result<double> f = evaluate<double>(in.evaluation, in.sample, 2);
     std::vector<double> expected(f.value.size(), 0.0), trace;
+    if (in.formula.laplacian.kind == Laplacian::Kind::LowerOrder && in.sample.parameters.back() > 1) {
+      Sample lower = in.sample;
+      lower.parameters.back() -= 1;
+      expected = evaluate<double>(in.evaluation, lower, 0).value;
+    }
     if (in.formula.laplacian.kind == Laplacian::Kind::Formula) {
       const auto partner = partner_of(in.formula, in.evaluation);
       if (!partner) {
@@ -195,18 +200,19 @@ class FaceJumpCheck final : public Check {
       return result.value;
     };
     const std::vector<Mp100> inside = at(-step), outside = at(step);
+    const Behaviour behaviour = in.formula.behaviour(in.sample.parameters);
     std::vector<Mp100> jump(inside.size()), expected(inside.size(), Mp100(0));
     const std::size_t columns = in.formula.shape.columns, entries = columns * in.formula.shape.rows;
     for (std::size_t i = 0; i < inside.size(); ++i) {
       jump[i] = inside[i] - outside[i];
       if (i % entries % (columns + 1) != 0) continue;  // off the diagonal
-      expected[i] = in.formula.face_jump.number + in.formula.face_jump.pi_multiple * pi<Mp100>();
+      expected[i] = behaviour.face_jump.number + behaviour.face_jump.pi_multiple * pi<Mp100>();
       if (!in.formula.shape.per_corner) continue;
       expected[i] *= basis[i / entries];
     }
     findings[0].status = Finding::Status::Measured;
     // Values that vanish on the face have the element's size alone to be compared with.
-    const Mp100 natural = pow(Mp100(longest_edge<double>(in.sample.corners)), in.formula.degree);
+    const Mp100 natural = pow(Mp100(longest_edge<double>(in.sample.corners)), behaviour.degree);
     findings[0].error = ratio_of_difference(jump, expected, Mp100(natural + norm(expected)));
     return findings;
   }

@@ -37,7 +37,8 @@ class LimitCheck final : public Check {
         continue;
       }
       findings[o].status = Finding::Status::Measured;
-      const Mp200 natural = pow(Mp200(longest_edge<double>(in.sample.corners)), in.formula.degree - o);
+      const Mp200 natural =
+          pow(Mp200(longest_edge<double>(in.sample.corners)), in.formula.behaviour(in.sample.parameters).degree - o);
       findings[o].error = error_of(on.of(o), farther.of(o), nearer.of(o), natural);
     }
     return findings;

@@ -10,27 +10,29 @@
 namespace cageproof::validation {
 namespace {
 
-using PlaneVec = std::array<double, 2>;
+// Powers of distances leave double's range where the factor before them brings the product back.
+using Wide = long double;
+using PlaneVec = std::array<Wide, 2>;
 
 // r^(2 m) as a function of the point, x = xi - eta: itself, its gradient -2 m r^(2m - 2) x, its Hessian.
 struct EvenPower {
-  double value, slope, bend;  // the Hessian is slope I + bend x x', the gradient -slope x
+  Wide value, slope, bend;  // the Hessian is slope I + bend x x', the gradient -slope x
 
-  EvenPower(double square, int m)
+  EvenPower(Wide square, int m)
       : value(std::pow(square, m)),
         slope(m == 0 ? 0 : 2 * m * std::pow(square, m - 1)),
         bend(m < 2 ? 0 : 4 * m * (m - 1) * std::pow(square, m - 2)) {}
-  double gradient(const PlaneVec& x, int i) const { return -slope * x[i]; }
-  double hessian(const PlaneVec& x, int i, int j) const { return bend * x[i] * x[j] + (i == j ? slope : 0); }
+  Wide gradient(const PlaneVec& x, int i) const { return -slope * x[i]; }
+  Wide hessian(const PlaneVec& x, int i, int j) const { return bend * x[i] * x[j] + (i == j ? slope : 0); }
 };
 
 // The derivatives of a point's share, one number after the other.
-std::vector<double> share(const Logarithm& logarithm, const PlaneVec& x, const PlaneVec& n, double height, int order) {
+std::vector<Wide> share(const Logarithm& logarithm, const PlaneVec& x, const PlaneVec& n, Wide height, int order) {
   const EvenPower p(x[0] * x[0] + x[1] * x[1], logarithm.squares);
-  const double h = logarithm.height ? height : 1;
+  const Wide h = logarithm.height ? height : 1;
   const PlaneVec dh = logarithm.height ? PlaneVec{-n[0], -n[1]} : PlaneVec{0, 0};
   if (order == 0) return {h * p.value};
-  std::vector<double> derivatives;
+  std::vector<Wide> derivatives;
   for (int i = 0; i < 2; ++i) {
     if (order == 1) derivatives.push_back(h * p.gradient(x, i) + (logarithm.height ? dh[i] * p.value : 0));
     for (int j = 0; order == 2 && j < 2; ++j)
@@ -55,14 +57,14 @@ std::vector<double> logarithmic_part(const Logarithm& logarithm, const Shape& sh
   const auto& rule = gauss_legendre<double>(12);
   for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
     const double t = rule.nodes[k];
-    const PlaneVec x{from[0] + t * e[0], from[1] + t * e[1]};
-    const std::vector<double> one = share(logarithm, x, n, height, order);
-    const double weight = rule.weights[k] * length * logarithm.factor;
+    const PlaneVec x{Wide(from[0] + t * e[0]), Wide(from[1] + t * e[1])};
+    const std::vector<Wide> one = share(logarithm, x, n, height, order);
+    const Wide weight = rule.weights[k] * length * logarithm.factor;
     for (int component = 0; component < components; ++component) {
       const int entry = component % shape.entries();
       if (entry % (shape.columns + 1) != 0) continue;
       const double hat = !shape.per_corner ? 1 : component < shape.entries() ? 1 - t : t;
-      for (std::size_t d = 0; d < derivatives; ++d) part[component * derivatives + d] += weight * hat * one[d];
+      for (std::size_t d = 0; d < derivatives; ++d) part[component * derivatives + d] += static_cast<double>(weight * hat * one[d]);
     }
   }
   return part;

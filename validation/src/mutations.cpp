@@ -218,6 +218,10 @@ void change_parameter(const Formula& formula, Sample& s, RandomStream& random) {
   const int k = random.below(static_cast<int>(formula.parameters.size()));
   const Parameter& p = formula.parameters[k];
   double& x = s.parameters[k];
+  if (p.whole) {
+    x = p.lowest + 1 + random.below(static_cast<int>(p.highest - p.lowest) - 1);
+    return;
+  }
   switch (random.below(5)) {
     case 0: x = p.preset; break;
     case 1: x = p.includes_infinity ? random_sign(random) * HUGE_VAL : p.highest; break;

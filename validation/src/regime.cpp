@@ -41,6 +41,7 @@ Stratum stratum_of(const Regime& regime, std::uint64_t seed, std::uint64_t index
 
 double make_parameter(const Parameter& p, Stratum stratum, RandomStream& random) {
   const double number = random.uniform(), sign = random_sign(random);
+  if (p.whole) return std::floor(p.lowest) + 1 + std::floor(number * (p.highest - std::floor(p.lowest) - 1));
   switch (stratum) {
     case Stratum::Highest:
       if (p.includes_highest) return p.highest;

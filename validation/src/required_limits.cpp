@@ -41,13 +41,14 @@ bool is_input(const Formula& formula, const Sample& sample) {
 std::array<bool, 3> limits_that_must_exist(const Formula& formula, const Sample& sample) {
   std::array<bool, 3> required{false, false, false};
   if (!is_input(formula, sample)) return required;
+  const Behaviour behaviour = formula.behaviour(sample.parameters);
   // A limit is excused by both, so that neither hides what the other's fault loses.
   const auto contacts = {type_of(formula.element).contact(sample.corners, sample.point).contact,
                          contact_in_multiprecision(formula.element, sample)};
   for (const Contact contact : contacts)
     for (int order = 0; order < 3; ++order)
       required[order] = required[order] || contact == Contact::Off ||
-                        (!formula.face_jump.diverges && (contact == Contact::Interior || order < formula.degree));
+                        (!behaviour.face_jump.diverges && (contact == Contact::Interior || order < behaviour.degree));
   return required;
 }
 

@@ -81,25 +81,27 @@ class Scaling final : public SymmetryCheck {
     return down ? -20 : 20;
   }
   Mp100 factor(const CheckInput& in, int order) const override {
-    return ldexp(Mp100(1), exponent(in.sample) * (in.formula.degree - order));
+    return ldexp(Mp100(1), exponent(in.sample) * (behaviour(in).degree - order));
   }
   Values undo(const CheckInput& in, Values tensor, int order) const override {
-    for (double& x : tensor) x = std::ldexp(x, -exponent(in.sample) * (in.formula.degree - order));
-    if (in.formula.logarithmic.factor == 0) return tensor;
+    for (double& x : tensor) x = std::ldexp(x, -exponent(in.sample) * (behaviour(in).degree - order));
+    if (behaviour(in).logarithmic.factor == 0) return tensor;
     const Values added = logarithm(in, order);
     for (std::size_t i = 0; i < tensor.size(); ++i) tensor[i] -= added[i];
     return tensor;
   }
   double added(const CheckInput& in, int order) const override {
     double size = 0;
-    if (in.formula.logarithmic.factor != 0)
+    if (behaviour(in).logarithmic.factor != 0)
       for (const double x : logarithm(in, order)) size = std::hypot(size, x);
     return size;
   }
+  static Behaviour behaviour(const CheckInput& in) { return in.formula.behaviour(in.sample.parameters); }
   // What scaling adds to kernels with the logarithm of the distance, over s^(degree - order).
   static Values logarithm(const CheckInput& in, int order) {
     const Formula& formula = in.formula;
-    Values part = logarithmic_part(formula.logarithmic, formula.shape, in.sample.corners, in.sample.point, order);
+    const Logarithm logarithm = behaviour(in).logarithmic;
+    Values part = logarithmic_part(logarithm, formula.shape, in.sample.corners, in.sample.point, order);
     for (double& x : part) x *= exponent(in.sample) * std::numbers::ln2;
     return part;
   }

@@ -61,6 +61,16 @@ class published_form : public testing::TestWithParam<std::string> {
 
 // Tractions diverge on borders, but for the incompressible limit, of which Appendix C says nothing: they are not among
 // these.
+class published_form_of_the_plane : public published_form {};
+
+TEST_P(published_form_of_the_plane, is_the_integral) { expect_integral("generic", 4, 1e-28); }
+TEST_P(published_form_of_the_plane, is_the_limit_from_inside_on_a_segment) { expect_integral("on-face", 2, 1e-28); }
+
+INSTANTIATE_TEST_SUITE_P(formulas, published_form_of_the_plane,
+                         testing::Values("segment.single_layer", "segment.double_layer",
+                                         "segment.biharmonic_single_layer", "segment.biharmonic_double_layer"),
+                         [](const auto& info) { return info.param.substr(8); });
+
 class published_form_on_border : public published_form {};
 
 std::vector<std::string> printed_on_border() {

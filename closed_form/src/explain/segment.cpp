@@ -8,7 +8,11 @@
 #include "cageproof/closed_form/segment/biharmonic_double_layer.h"
 #include "cageproof/closed_form/segment/biharmonic_single_layer.h"
 #include "cageproof/closed_form/segment/double_layer.h"
+#include "cageproof/closed_form/segment/kelvin_displacement.h"
+#include "cageproof/closed_form/segment/kelvin_traction.h"
 #include "cageproof/closed_form/segment/mean_value.h"
+#include "cageproof/closed_form/segment/polyharmonic_double_layer.h"
+#include "cageproof/closed_form/segment/polyharmonic_single_layer.h"
 #include "cageproof/closed_form/segment/single_layer.h"
 #include "cageproof/closed_form/segment/winding_angle.h"
 
@@ -69,8 +73,8 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   const Shared::Element<double> element(query.corners);
   Explanation explanation;
   const Shared::At<double, O> at(element, query.point);
-  if (at.beyond || is_next_to_line<F>(at.frame) ||
-      is_next_to_nothing(at.frame, F::template at<0, double>(at.frame).value)) {
+  if (at.beyond || (at.frame.at_end && has_signs_at_ends<F>) || is_next_to_line<F>(at.frame) ||
+      is_next_to_nothing(at.frame, jet_at<F, 0>(at.frame, query.parameters, query.finite_part).value)) {
     explanation.route = "none in double: the point is extreme";
     choose_none(explanation, values, entry);
     return explanation;
@@ -78,7 +82,7 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   const CountedTape tape;
   const Segment<Counted> s{convert<Counted>(element.s[0]), convert<Counted>(element.s[1])};
   const Frame<Counted> frame(s, convert<Counted>(query.point));
-  const auto jet = F::template at<O, Counted>(frame);
+  const auto jet = jet_at<F, O>(frame, query.parameters, query.finite_part);
   std::vector<Counted> counted;
   counted.reserve(values.size());
   for (int c = 0; c < F::components; ++c) {
@@ -106,7 +110,11 @@ const RegisterExplainer explainers[] = {
     {"segment.affine_single_layer", &explain_form<AffineSingleLayer>},
     {"segment.biharmonic_single_layer", &explain_form<BiharmonicSingleLayer>},
     {"segment.biharmonic_double_layer", &explain_form<BiharmonicDoubleLayer>},
+    {"segment.kelvin_displacement", &explain_form<KelvinDisplacement>},
+    {"segment.kelvin_traction", &explain_form<KelvinTraction>},
     {"segment.mean_value", &explain_form<MeanValue>},
+    {"segment.polyharmonic_single_layer", &explain_form<PolyharmonicSingleLayer>},
+    {"segment.polyharmonic_double_layer", &explain_form<PolyharmonicDoubleLayer>},
     {"segment.winding_angle", &explain_form<WindingAngle>},
 };
 

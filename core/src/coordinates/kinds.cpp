@@ -9,10 +9,11 @@
 namespace cageproof {
 namespace {
 
-// c of [T24], below Eq 49: the traction of the identity map is c n. It grows without bound towards nu = 1/2.
-double identity_traction(std::span<const double> p) {
+// c of [C23], below Eq 7, and [T24], below Eq 49: the traction of the identity map is c n. It grows without bound
+// towards nu = 1/2, and is zero in the plane for an infinite nu.
+double identity_traction(std::span<const double> p, int dimension) {
   const double mu = p[0], nu = p[1];
-  return std::isinf(nu) ? -mu : 2 * mu * (1 + 3 * nu / (1 - 2 * nu));
+  return 2 * mu * (1 + (std::isinf(nu) ? -dimension / 2. : dimension * nu / (1 - 2 * nu)));
 }
 
 // Sums of catalogue formulas; other rooms add kinds that compute differently.

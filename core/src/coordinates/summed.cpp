@@ -23,11 +23,12 @@ CoordinateBlock block_of(const CoordinateKind& kind, const SummedBlock& spec, co
       .size = static_cast<int>(formula.shape.per_corner ? elements.vertices().size() : elements.count()),
       .shape = {false, formula.shape.rows, formula.shape.columns},
       .reproduces = spec.reproduces};
-  if (spec.normal_factor) block.normal_factor = spec.normal_factor(parameters);
+  if (spec.normal_factor) block.normal_factor = spec.normal_factor(parameters, elements.dimension());
   // Normalised weights have no unit, and no Laplacian of their own.
   if (kind.normalised) return block;
-  block.degree = formula.degree;
-  block.logarithmic = formula.logarithmic;
+  const Behaviour behaviour = formula.behaviour(parameters);
+  block.degree = behaviour.degree;
+  block.logarithmic = behaviour.logarithmic;
   if (formula.laplacian.kind == Laplacian::Kind::Zero) block.trace.kind = CoordinateBlock::Trace::Kind::Zero;
   if (formula.laplacian.kind != Laplacian::Kind::Formula) return block;
   for (std::size_t b = 0; b < kind.blocks.size(); ++b)
@@ -56,9 +57,10 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     for (const SummedBlock& spec : kind.blocks) {
       const Formula& formula = *find_formula(first, spec.kernel);
       blocks_.push_back(block_of(kind, spec, formula, *elements_, parameters_));
-      degrees_.push_back(formula.degree);
-      homogeneous_ = homogeneous_ && formula.logarithmic.factor == 0;
-      jumps_.push_back(formula.shape.per_corner && formula.face_jump.number != 0 ? formula.face_jump.number : 0);
+      const Behaviour behaviour = formula.behaviour(parameters_);
+      degrees_.push_back(behaviour.degree);
+      homogeneous_ = homogeneous_ && behaviour.logarithmic.factor == 0;
+      jumps_.push_back(formula.shape.per_corner ? behaviour.face_jump.number : 0);
     }
   }
 

@@ -125,8 +125,8 @@ Answer limit_from_inside(const Inside& inside, double digits, int order);
 
 /// Sets a multiprecision evaluation's result: tensors scaled back from units of 2^exponent, and what it states.
 template <Scalar R>
-void set_answer(const Formula& formula, int exponent, const Answer& answer, int order, Result<R>& result) {
-  finish(formula, exponent, answer.sums, result);
+void set_answer(const Integrand& integrand, int exponent, const Answer& answer, int order, Result<R>& result) {
+  finish(integrand, exponent, answer.sums, result);
   result.nodes = answer.sums.nodes;
   for (int o = 0; o <= order; ++o)
     result.stated_digits = std::fmin(result.stated_digits, answer.digits[o]);  // ignores NaN

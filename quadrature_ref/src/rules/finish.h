@@ -27,13 +27,13 @@ void set_flat(std::vector<Node<R>>& nodes, std::size_t count, const Vec3<R>& nor
 
 /// Sets `result` to the tensors of `sums`, made symmetric and scaled back from units of 2^exponent.
 template <Scalar R, Scalar W>
-void finish(const Formula& formula, int exponent, const Result<W>& sums, Result<R>& result) {
+void finish(const Integrand& integrand, int exponent, const Result<W>& sums, Result<R>& result) {
   for (int order = 0; order <= 2; ++order) {
-    const PowerOfTwo<W> from_unit(exponent * (formula.degree - order));
+    const PowerOfTwo<W> from_unit(exponent * (integrand.degree - order));
     for (std::size_t i = 0; i < sums.of(order).size(); ++i)
       result.of(order)[i] = static_cast<R>(from_unit(sums.of(order)[i]));
   }
-  fill_symmetric(result, formula.dim());
+  fill_symmetric(result, integrand.formula.dim());
 }
 
 /// What a rule answers where nothing can be computed.
@@ -56,7 +56,7 @@ void integrate_block(const Integrand& integrand, const Batch<R>& batch, const Ba
     if (const auto frame = frame_of(batch.points[p])) {
       integrand.reset(sums, batch.order);
       add(*frame, sums);
-      finish(integrand.formula, frame->exponent, sums, result);
+      finish(integrand, frame->exponent, sums, result);
       result.nodes = sums.nodes;
     } else {
       fill_not_a_number(result);

@@ -4,6 +4,14 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
+template <Scalar R>
+Integrand integrand_of(const Formula& row, const KernelSet& kernels, std::span<const R> parameters) {
+  if (row.behaviour_of == nullptr) return {row, kernels, row.degree};
+  std::vector<double> given;
+  for (const R& p : parameters) given.push_back(static_cast<double>(p));
+  return {row, kernels, row.behaviour(given).degree};
+}
+
 // An evaluation made of a rule and a kernel, which it keeps alive.
 Evaluation evaluation(const RuleFamily& family, std::string_view name, int number, const Formula& row,
                       const std::shared_ptr<const KernelSet>& kernels) {
@@ -13,11 +21,11 @@ Evaluation evaluation(const RuleFamily& family, std::string_view name, int numbe
       const RuleFunctions<R>& rule = std::get<RuleFunctions<R>>(family.functions);
       if (rule.block)
         result.set_batch<R>([&row, &rule, kernels, number](const Batch<R>& batch, const BatchOutput<R>& output) {
-          rule.block(Integrand{row, *kernels}, number, batch, output);
+          rule.block(integrand_of(row, *kernels, batch.parameters), number, batch, output);
         });
       if (rule.point)
         result.set_point<R>([&row, &rule, kernels, number](const Query<R>& query, Result<R>& tensors) {
-          rule.point(Integrand{row, *kernels}, number, query, tensors);
+          rule.point(integrand_of(row, *kernels, query.parameters), number, query, tensors);
         });
     });
   return result;

@@ -62,30 +62,34 @@ bool is_next_to_line(const Frame<double>& frame) {
   else return false;
 }
 
+/// Whether what is infinite at the ends has signs that double may not tell: polynomials of the segment's direction.
+template <class F>
+inline constexpr bool has_signs_at_ends = requires {
+  F::has_signs_at_ends;
+};
+
 /// Puts a formula's tensors at a point.
 template <class F>
 struct PutForm {
   template <Scalar R, int O>
-  static void put(SharedOnSegment::At<R, O>& at, std::span<const R>, bool, std::size_t point,
+  static void put(SharedOnSegment::At<R, O>& at, std::span<const R> parameters, bool finite_part, std::size_t point,
                   const BatchOutput<R>& output) {
-    if (at.beyond) return closed_form::put(narrowed<R>(F::template at<O, Mp200>(*at.beyond)), O, point, output);
-    auto jet = F::template at<O, Working<R>>(at.frame);
+    const auto beyond = [&](const Frame<Mp200>& frame) { return jet_at<F, O>(frame, parameters, finite_part); };
+    if (at.beyond) return closed_form::put(narrowed<R>(beyond(*at.beyond)), O, point, output);
+    if constexpr (!is_multiprecision<R>)
+      if (at.frame.at_end && has_signs_at_ends<F>)
+        return closed_form::put(narrowed<R>(beyond(at.in_multiprecision())), O, point, output);
+    auto jet = jet_at<F, O>(at.frame, parameters, finite_part);
     if constexpr (!is_multiprecision<R>) {
       if (is_next_to_line<F>(at.frame) || is_next_to_nothing(at.frame, jet.value))
-        return closed_form::put(narrowed<R>(F::template at<O, Mp200>(at.in_multiprecision())), O, point, output);
+        return closed_form::put(narrowed<R>(beyond(at.in_multiprecision())), O, point, output);
     }
+    // Far from a tiny segment second derivatives overflow first: infinities times a normal's zeros have no sign. They
+    // are products, which lose nothing in multiprecision, as far as the point may be.
     if constexpr (O >= 2 && !is_multiprecision<R>)
       if (!at.frame.at_end && !std::ranges::all_of(jet.hessian, [](const auto& h) { return h.allFinite(); }))
-        set_large_hessian(at, jet);
+        jet.hessian = narrowed<double>(beyond(at.in_multiprecision())).hessian;
     closed_form::put(narrowed<R>(jet), O, point, output);
-  }
-
- private:
-  // Far from a tiny segment second derivatives overflow first: infinities times a normal's zeros have no sign. They are
-  // products, which lose nothing in multiprecision, as far as the point may be.
-  template <Scalar R, int O>
-  static void set_large_hessian(const SharedOnSegment::At<R, O>& at, Jet<double, F::components, 2>& jet) {
-    jet.hessian = narrowed<double>(F::template at<O, Mp200>(at.in_multiprecision())).hessian;
   }
 };
 

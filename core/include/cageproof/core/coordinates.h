@@ -20,8 +20,8 @@ struct SummedBlock {
   std::string_view label;   ///< "phi", "psi" ...
   std::string_view kernel;  ///< "double_layer"
   Reproduces reproduces;
-  /// What the normals are multiplied with, from the formula's parameters; null for one.
-  double (*normal_factor)(std::span<const double> parameters) = nullptr;
+  /// What the normals are multiplied with, from the formula's parameters and the space's dimension; null for one.
+  double (*normal_factor)(std::span<const double> parameters, int dimension) = nullptr;
 };
 
 /// One block of prepared coordinates: a coordinate (a number, or a matrix) a vertex, or one an element.
@@ -32,7 +32,8 @@ struct CoordinateBlock {
   Shape shape;  ///< of one coordinate
   Reproduces reproduces = Reproduces::Nothing;
   double normal_factor = 1;  ///< of blocks that reproduce normals
-  /// The power of the unit of length that coordinates grow with, and Formula::logarithmic.
+  /// The power of the unit of length that coordinates grow with, and what stands before the logarithm:
+  /// Formula::behaviour.
   int degree = 0;
   Logarithm logarithmic = {};
   /// The trace of the Hessian: nothing known, zero, or another block.

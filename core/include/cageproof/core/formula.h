@@ -24,9 +24,11 @@ struct Parameter {
   double highest;
   bool includes_highest = false;   ///< the limit `highest` itself is allowed
   bool includes_infinity = false;  ///< the limits +-infinity are allowed
+  bool whole = false;              ///< only whole numbers are allowed
 
   /// Whether the formula is defined for this value.
   bool allows(double value) const {
+    if (whole && value != std::floor(value)) return false;
     if (std::isinf(value)) return includes_infinity;
     return lowest < value && (value < highest || (includes_highest && value == highest));
   }
@@ -44,9 +46,10 @@ struct Shape {
   int space_indices() const { return (rows > 1) + (columns > 1); }
 };
 
-/// What taking the trace of the Hessian must give: nothing known, zero (harmonic), or another formula (biharmonic).
+/// What taking the trace of the Hessian must give: nothing known, zero (harmonic), another formula (biharmonic), or the
+/// formula itself with its last parameter one less, which is zero where that would be zero (polyharmonic).
 struct Laplacian {
-  enum class Kind { Unknown, Zero, Formula } kind = Kind::Unknown;
+  enum class Kind { Unknown, Zero, Formula, LowerOrder } kind = Kind::Unknown;
   std::string_view formula = {};
 };
 
@@ -58,12 +61,21 @@ struct FaceJump {
   bool diverges = false;
 };
 
-/// What stands before ln r in a kernel of the plane: factor r^(2 squares), times x.n or not. The factor is zero for
-/// kernels without logarithm.
+/// What stands before ln r in a kernel of the plane: factor r^(2 squares), times x.n or not; of matrices, times the
+/// identity. The factor is zero for kernels without logarithm.
 struct Logarithm {
   double factor = 0;
   int squares = 0;
   bool height = false;
+};
+
+/// What a formula does for given parameters. With the unit of length: f(s element, s point) = s^degree f(element,
+/// point), s > 0, or, of kernels with the logarithm of the distance, s^degree (f(element, point) + log(s) times the
+/// integral of what stands before the logarithm), and derivatives alike. And across the element.
+struct Behaviour {
+  int degree;
+  Logarithm logarithmic = {};
+  FaceJump face_jump = {};
 };
 
 /// One row of the catalogue. Every relation a campaign checks is stated here as data, so that no check knows a formula.
@@ -74,15 +86,18 @@ struct Formula {
   std::string_view definition;  ///< the defining integral, in one line
   ElementKind element;
   Shape shape;
-  int degree;     ///< f(s element, s point) = s^degree f(element, point), s > 0; see `logarithmic`
+  int degree;     ///< Behaviour::degree
   int flip_sign;  ///< +1 or -1: the factor when the element's orientation is reversed
   Laplacian laplacian;
   FaceJump face_jump;
   std::vector<Parameter> parameters;
-  /// Of kernels with the logarithm of the distance: f(s element, s point) = s^degree (f(element, point) + log(s) times
-  /// the integral of what stands before the logarithm), and derivatives alike.
   Logarithm logarithmic = {};
+  /// Of formulas whose degree, logarithm or jump depends on their parameters; null elsewhere.
+  Behaviour (*behaviour_of)(std::span<const double> parameters) = nullptr;
 
+  Behaviour behaviour(std::span<const double> given) const {
+    return behaviour_of ? behaviour_of(given) : Behaviour{degree, logarithmic, face_jump};
+  }
   int corners() const { return corner_count(element); }
   /// Number of scalars of the value: (corners or 1) x rows x columns.
   int components() const { return tensors() * shape.entries(); }

@@ -100,6 +100,7 @@ class KernelSet {
 struct Integrand {
   const Formula& formula;
   const KernelSet& kernels;
+  int degree;  ///< of homogeneity, for the parameters that are asked for: Behaviour::degree
 
   template <Scalar R>
   const Kernel<R>& kernel() const {

@@ -37,6 +37,20 @@ void add_component(const KernelJet<Dim, R>& jet, std::size_t c, Result<R>& sums)
       for (int j = i; j < Dim; ++j, ++entry) sums.hessian[Dim * Dim * c + Dim * i + j] += jet.hessian[entry];
 }
 
+/// Adds the sums over the nodes of the basis functions times `jet(node, weight, KernelJet&)`, up to Order.
+template <int Order, int Dim, Scalar R, class JetAt>
+void accumulate_jets(std::span<const Node<R>> nodes, int corners, const JetAt& jet_at, Result<R>& sums) {
+  std::array<KernelJet<Dim, R>, kMostCorners> totals{};
+  KernelJet<Dim, R> jet;
+  for (const Node<R>& node : nodes) {
+    jet_at(node, node.weight, jet);
+    if (corners == 0) add<Order>(jet, totals[0]);
+    for (int k = 0; k < corners; ++k) add_scaled<Order>(jet, node.hat[k], totals[k]);
+  }
+  const int tensors = corners == 0 ? 1 : corners;
+  for (int k = 0; k < tensors; ++k) add_component<Order>(totals[k], k, sums);
+}
+
 /// A kernel from its definition, a struct with
 ///   `template <int Dim, Scalar R> static R factor()`: the constant in front
 ///   `template <int Order, int Dim, Scalar R> static void jet(const Node<R>&, const R& scale, KernelJet<Dim, R>&)`:
@@ -54,15 +68,34 @@ class ScalarKernel final : public Kernel<R> {
   template <int Order>
   static void accumulate_order(std::span<const Node<R>> nodes, int corners, Result<R>& sums) {
     const R factor = Definition::template factor<Dim, R>();
-    std::array<KernelJet<Dim, R>, kMostCorners> totals{};
-    KernelJet<Dim, R> jet;
-    for (const Node<R>& node : nodes) {
-      Definition::template jet<Order>(node, R(factor * node.weight), jet);
-      if (corners == 0) add<Order>(jet, totals[0]);
-      for (int k = 0; k < corners; ++k) add_scaled<Order>(jet, node.hat[k], totals[k]);
-    }
-    const int tensors = corners == 0 ? 1 : corners;
-    for (int k = 0; k < tensors; ++k) add_component<Order>(totals[k], k, sums);
+    accumulate_jets<Order, Dim>(
+        nodes, corners,
+        [&](const Node<R>& node, const R& weight, KernelJet<Dim, R>& jet) {
+          Definition::template jet<Order>(node, R(factor * weight), jet);
+        },
+        sums);
+  }
+};
+
+/// A kernel with parameters from its definition, a class with
+///   `Definition(std::span<const R> parameters)`
+///   `template <int Order, int Dim> void jet(const Node<R>&, const R& scale, KernelJet<Dim, R>&) const`
+template <template <class> class Definition, int Dim, Scalar R>
+class ParametricKernel final : public Kernel<R> {
+ public:
+  void accumulate(std::span<const Node<R>> nodes, const KernelTask<R>& task, Result<R>& sums) const override {
+    const Definition<R> definition(task.parameters);
+    const auto add_order = [&]<int Order>() {
+      accumulate_jets<Order, Dim>(
+          nodes, task.corners,
+          [&](const Node<R>& node, const R& weight, KernelJet<Dim, R>& jet) {
+            definition.template jet<Order>(node, weight, jet);
+          },
+          sums);
+    };
+    if (task.order == 0) add_order.template operator()<0>();
+    else if (task.order == 1) add_order.template operator()<1>();
+    else add_order.template operator()<2>();
   }
 };
 
@@ -74,6 +107,17 @@ std::shared_ptr<const KernelSet> scalar_kernels() {
   for (const ScalarKind kind : scalar_kinds)
     with_scalar(
         kind, [&]<Scalar R>() { (kernels->set<R>(Dims, std::make_unique<ScalarKernel<Definition, Dims, R>>()), ...); });
+  return kernels;
+}
+
+/// The same for a definition with parameters: `parametric_kernels<PolyharmonicSingleLayer, 2>()`.
+template <template <class> class Definition, int... Dims>
+std::shared_ptr<const KernelSet> parametric_kernels() {
+  auto kernels = std::make_shared<KernelSet>();
+  for (const ScalarKind kind : scalar_kinds)
+    with_scalar(kind, [&]<Scalar R>() {
+      (kernels->set<R>(Dims, std::make_unique<ParametricKernel<Definition, Dims, R>>()), ...);
+    });
   return kernels;
 }
 

@@ -158,7 +158,7 @@ void quad::integrate_adaptive(const Integrand& integrand, const Query<R>& query,
   for (const Mp200& height : q->heights) highest = std::max<Mp200>(highest, abs(height));
   if (is_lost(integrand.formula, highest, sum.sums(), query.order))
     outcome = {false, std::numeric_limits<double>::infinity()};
-  finish(integrand.formula, q->exponent, sum.sums(), result);
+  finish(integrand, q->exponent, sum.sums(), result);
   state(outcome, sum.sums().nodes, result);
 }
 

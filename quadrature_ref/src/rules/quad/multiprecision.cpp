@@ -45,7 +45,7 @@ void quad::integrate_multiprecision(const Integrand& integrand, const Query<R>& 
     if (asked > digits) continue;
     try {
       QuadSum sum(integrand, *q, c, exact.query, asked + 8, asked > kDigitsPromised ? kBudgetForMore : kBudget);
-      return set_answer(integrand.formula, q->exponent, converge(sum, asked, query.order), query.order, result);
+      return set_answer(integrand, q->exponent, converge(sum, asked, query.order), query.order, result);
     } catch (const TooCostly&) {
     }
   }

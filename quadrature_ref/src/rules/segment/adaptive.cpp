@@ -83,7 +83,7 @@ void segment::integrate_adaptive(const Integrand& integrand, const Query<R>& que
   };
   Result<W> sums;
   const AdaptiveOutcome outcome = integrate_off_or_inside(on_segment(*s), query.order, tolerance, integrate_at, sums);
-  finish(integrand.formula, s->exponent, sums, result);
+  finish(integrand, s->exponent, sums, result);
   state(outcome, sums.nodes, result);
 }
 

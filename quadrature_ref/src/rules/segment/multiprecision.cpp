@@ -15,7 +15,7 @@ Inside inside_of(const Integrand& integrand, const SegmentFrame<Mp200>& s, const
       .clearance = on.clearance,
       .border = on.border};
   for (int order = 0; order <= query.order; ++order)
-    inside.log10_natural[order] = (integrand.formula.degree - order) * log10_magnitude(s.extent);
+    inside.log10_natural[order] = (integrand.degree - order) * log10_magnitude(s.extent);
   return inside;
 }
 
@@ -35,7 +35,7 @@ void segment::integrate_multiprecision(const Integrand& integrand, const Query<R
     SegmentSum sum(integrand, arm_frame(*s, Mp200(0)), exact.query);
     answer = converge(sum, digits, query.order);
   }
-  set_answer(integrand.formula, s->exponent, answer, query.order, result);
+  set_answer(integrand, s->exponent, answer, query.order, result);
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \

@@ -183,7 +183,7 @@ void triangle::integrate_adaptive(const Integrand& integrand, const Query<R>& qu
   };
   Result<W> sums;
   const AdaptiveOutcome outcome = integrate_off_or_inside(on_triangle(*t), query.order, tolerance, integrate_at, sums);
-  finish(integrand.formula, t->exponent, sums, result);
+  finish(integrand, t->exponent, sums, result);
   state(outcome, sums.nodes, result);
 }
 

@@ -50,8 +50,7 @@ void triangle::integrate_multiprecision(const Integrand& integrand, const Query<
   const ConvertedQuery<Mp200> exact(query);
   const auto t = lined_triangle(exact.query.corners, exact.query.point);
   if (!t) return fill_not_a_number(result);
-  set_answer(integrand.formula, t->exponent, integral(integrand, *t, exact.query, digits_wanted<R>()), query.order,
-             result);
+  set_answer(integrand, t->exponent, integral(integrand, *t, exact.query, digits_wanted<R>()), query.order, result);
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \

@@ -114,6 +114,24 @@ inline const std::vector<Erratum>& errata() {
        {{"triangle.biharmonic_single_layer", 0}}},
       {"[T24] Appendix D.1", "right-hand vector (V'; D')", "(V'; N')"},
       {"[T24] Eq 64", "(I - Phi_V) V'", "(M_V - Phi_V) V'"},
+      {"[W12] Section 4.1, G^H and G^BH", "-ln r/(2 pi) and -r^2 (ln r - 1)/(8 pi)",
+       "both without the minus sign, or Eq 12 to 14 give -f for outward normals"},
+      {"[W12] Section 5.2, C_j", "alpha_j + i (beta_{j-1}/l_{j-1}) - beta_j/l_j",
+       "alpha_j - i (beta_{j-1}/l_{j-1} - beta_j/l_j) with Appendix A's outward normals"},
+      {"[W12] Eq 20 in discrete form", "|l|^2", "an approximation: lengths and the mass matrix of l are left out"},
+      {"[W12] Appendix A, hat-phi^BH",
+       "the bracket over 16 pi c closes after the first line",
+       "all four terms are over 16 pi c",
+       AppendixA,
+       "generic",
+       {{"segment.biharmonic_double_layer", 0}}},
+      {"[W12] Appendix B, Green's identity", "sum over i <= s of int Laplacian^(i-1) G_i d(Laplacian^(s-i) u)/dn - ...",
+       "Laplacian^(s-1) u = sum over i <= r - s + 1 of int Laplacian^(s+i-2) u dG_i/dn - G_i d(Laplacian^(s+i-2) "
+       "u)/dn"},
+      {"[W12] Appendix B, G_i", "r^(i-1)", "r^(2(i-1))"},
+      {"[W12] Appendix B, b_i", "a_(i-1)/(4 (i-1)^2) (a_(i-1)/(i-1) + b_(i-1))",
+       "(a_(i-1)/(i-1) + b_(i-1))/(4 (i-1)^2)"},
+      {"[C23] Eq 1", "mu Laplacian u + mu/(1 - 2 nu) grad div u = b", "= -b, as Eq 3 and 5 have it"},
   };
   return all;
 }

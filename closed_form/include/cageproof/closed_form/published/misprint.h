@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which misprint of [T24] an evaluation keeps.
+// Which misprint of [T24], or of [W12] in the plane, an evaluation keeps.
 #pragma once
 
 #include <array>

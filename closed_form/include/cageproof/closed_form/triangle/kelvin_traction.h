@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/triangle/engine/closed_form.h"
-#include "cageproof/closed_form/triangle/engine/kelvin_shares.h"
+#include "cageproof/closed_form/arithmetic/kelvin_shares.h"
 
 namespace cageproof::closed_form::triangle {
 

@@ -4,7 +4,7 @@
 
 #include "cageproof/closed_form/arithmetic/tracked.h"
 
-namespace cageproof::closed_form::triangle {
+namespace cageproof::closed_form {
 
 /// The shares of [T24] Eq 48's constants: 2b/a = 1/(2 (1 - nu)) and (a - 2b)/a = (1 - 2 nu)/(2 (1 - nu)), each without
 /// cancellation; 0 and 1 in the limit of an infinite Poisson ratio.
@@ -19,4 +19,4 @@ struct KelvinShares {
   }
 };
 
-}  // namespace cageproof::closed_form::triangle
+}  // namespace cageproof::closed_form

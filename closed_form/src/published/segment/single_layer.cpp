@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/closed_form/published/segment/single_layer.h"
+
+#include "engine/register.h"
+
+namespace cageproof::closed_form::published {
+namespace {
+
+const RegisterPlaneForm plane_single_layer_forms{
+    "segment.single_layer",
+    {{Misprint::None, "[W12] Appendix A"}},
+    []<Scalar R>(const PlaneEdge<R>& e, Misprint misprint) { return single_layer<R>(e, misprint); }};
+
+}  // namespace
+}  // namespace cageproof::closed_form::published
