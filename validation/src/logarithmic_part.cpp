@@ -64,7 +64,8 @@ std::vector<double> logarithmic_part(const Logarithm& logarithm, const Shape& sh
       const int entry = component % shape.entries();
       if (entry % (shape.columns + 1) != 0) continue;
       const double hat = !shape.per_corner ? 1 : component < shape.entries() ? 1 - t : t;
-      for (std::size_t d = 0; d < derivatives; ++d) part[component * derivatives + d] += static_cast<double>(weight * hat * one[d]);
+      for (std::size_t d = 0; d < derivatives; ++d)
+        part[component * derivatives + d] += static_cast<double>(weight * hat * one[d]);
     }
   }
   return part;

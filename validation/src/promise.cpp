@@ -41,6 +41,8 @@ constexpr std::array table{
     Row{"relative", "*", "accurate", "double", "*", 0, 2, 256,
         "accepted at a running error bound of 128 units, which is itself rounded; else computed with more digits"},
     // Printed forms away from their weak spots, which are the lines of edges, thin triangles, and far away.
+    Row{"truth", "segment.*", "published", "float", "offset", 0, 2, none,
+        "in float points far from the origin round onto ends, of whose limits [W12] Appendix A says nothing"},
     Row{"truth", "*", "published", "*", "@(generic|offset)", 0, 2, 1e8,
         "half of double's digits, and enough to tell another formula: logarithms and angles cancel by the square of "
         "the distance to an edge's line, and of a million points within one size hardly any is nearer than 1e-3, which "
