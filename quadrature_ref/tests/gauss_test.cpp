@@ -51,10 +51,10 @@ TEST(Gauss, polynomial_exactness) {
       const int q = 2 * n - 2 - p;
       KernelSet kernels;
       kernels.set<double>(3, std::make_unique<Monomial>(p, q));
-      auto result = at_point(triangle::integrate_gauss<double>, {formula, kernels}, n, query);
+      auto result = at_point(triangle::integrate_gauss<double>, {formula, kernels, formula.degree}, n, query);
       EXPECT_NEAR(result.value[0] / exact(p, q), 1, 1e-14) << n << ' ' << p;
       EXPECT_EQ(result.nodes, std::size_t(n) * n);
-      result = at_point(triangle::integrate_three_quads<double>, {formula, kernels}, n, query);
+      result = at_point(triangle::integrate_three_quads<double>, {formula, kernels, formula.degree}, n, query);
       EXPECT_NEAR(result.value[0] / exact(p, q), 1, 1e-14) << n << ' ' << p;
       EXPECT_EQ(result.nodes, std::size_t(n) * n * 3);
     }
@@ -65,9 +65,9 @@ TEST(Gauss, polynomials_beyond_are_not_exact) {
   const Query<double> query{kTriangle, Vec3<double>(1, 1, 1)};
   KernelSet kernels;
   kernels.set<double>(3, std::make_unique<Monomial>(6, 0));
-  auto result = at_point(triangle::integrate_gauss<double>, {formula, kernels}, 3, query);
+  auto result = at_point(triangle::integrate_gauss<double>, {formula, kernels, formula.degree}, 3, query);
   EXPECT_GT(std::abs(result.value[0] / exact(6, 0) - 1), 1e-6);
-  result = at_point(triangle::integrate_three_quads<double>, {formula, kernels}, 3, query);
+  result = at_point(triangle::integrate_three_quads<double>, {formula, kernels, formula.degree}, 3, query);
   EXPECT_GT(std::abs(result.value[0] / exact(6, 0) - 1), 1e-6);
 }
 
