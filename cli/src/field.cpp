@@ -17,7 +17,7 @@ namespace {
 
 struct Arguments {
   CageArguments cage;
-  std::string formula, kind, evaluation, out, command_line;
+  std::string formula, kind, coordinate, evaluation, out, command_line;
   std::vector<std::string> parameters;
   std::vector<double> colours;
   int order = 0, resolution = 0, jobs = 0;
@@ -31,6 +31,7 @@ struct Shown {
 
 Shown formula_field(const Arguments& a, RunResult& result) {
   const Formula& formula = formula_named(a.formula);
+  if (a.evaluation.empty()) throw InputError("--formula needs --evaluation");
   const Evaluation evaluation = evaluation_named(a.formula, a.evaluation);
   if (a.order > evaluation.max_order())
     throw InputError(fmt::format("{} of {} gives no derivatives of order {}", a.evaluation, a.formula, a.order));
@@ -53,6 +54,25 @@ Shown formula_field(const Arguments& a, RunResult& result) {
           fmt::format("{}, {} of {}, {}", a.formula, orders[a.order], a.evaluation, where), "relative error"};
 }
 
+// "alpha:3": the block's label and the coordinate's index.
+std::pair<std::string, int> coordinate_of(const std::string& text) {
+  const auto colon = text.rfind(':');
+  const std::string digits = colon == std::string::npos ? "" : text.substr(colon + 1);
+  if (digits.empty() || digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos)
+    throw InputError(fmt::format("--coordinate {}: a block and an index, as lambda:0", text));
+  return {text.substr(0, colon), std::stoi(digits)};
+}
+
+Shown value_field(const Arguments& a, RunResult& result) {
+  const CoordinateKind& kind = coordinate_kind_named(a.kind);
+  const auto cage = std::make_shared<const Cage>(a.cage.load());
+  result.settings = {{"cage", cage->name()}};
+  const auto [label, index] = coordinate_of(a.coordinate);
+  const auto plan = validation::coordinate_field(cage, kind, label, index, a.resolution > 0 ? a.resolution : 128);
+  const std::string array = plan.field.arrays.front().name;
+  return {validation::sampled(plan, a.jobs), fmt::format("{} of {}, {}", array, a.kind, cage->name()), array};
+}
+
 Shown kind_field(const Arguments& a, RunResult& result) {
   const CoordinateKind& kind = coordinate_kind_named(a.kind);
   const auto cage = std::make_shared<const Cage>(a.cage.load());
@@ -62,7 +82,9 @@ Shown kind_field(const Arguments& a, RunResult& result) {
   const auto plan = validation::reproduction_field(cage, kind, a.evaluation, a.cage.rule(), n,
                                                    parameters_from(a.parameters, parameters_of(kind), kind.name));
   return {validation::sampled(plan, a.jobs),
-          fmt::format("{}, partition of unity of {}, {}", a.kind, a.evaluation, cage->name()), "partition of unity"};
+          fmt::format("{}, partition of unity of {}, {}", a.kind, a.evaluation.empty() ? "recommended" : a.evaluation,
+                      cage->name()),
+          "partition of unity"};
 }
 
 std::optional<reports::ColourLimits> limits_of(const Arguments& a) {
@@ -80,15 +102,19 @@ int run(const Arguments& a) {
   result.sessions = {{validation::timestamp(), 0, a.command_line, validation::machine_facts()}};
   const auto start = std::chrono::steady_clock::now();
   reports::ReportWriter writer(a.out, reports::ReportWriter::Kind::Field);
-  const Shown shown = a.kind.empty() ? formula_field(a, result) : kind_field(a, result);
-  result.fields.push_back(
-      writer.write_image(shown.field, shown.title, shown.array, reports::ColourScale::Log10, limits));
+  const Shown shown = a.kind.empty()         ? formula_field(a, result)
+                      : a.coordinate.empty() ? kind_field(a, result)
+                                             : value_field(a, result);
+  const auto scale = a.coordinate.empty() ? reports::ColourScale::Log10 : reports::ColourScale::Linear;
+  result.fields.push_back(writer.write_image(shown.field, shown.title, shown.array, scale, limits));
   result.sessions.front().seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   writer.write(result);
   writer.commit();
   fmt::print("largest {} {:.3g}; {}/{}, {}/{}\n",
-             a.kind.empty() ? "relative error" : "residual of the partition of unity", result.fields[0].largest, a.out,
-             result.fields[0].data, a.out, result.fields[0].picture);
+             a.kind.empty()         ? "relative error"
+             : a.coordinate.empty() ? "residual of the partition of unity"
+                                    : shown.array,
+             result.fields[0].largest, a.out, result.fields[0].data, a.out, result.fields[0].picture);
   return success;
 }
 
@@ -101,7 +127,11 @@ void add_field(CommandLine& line, const std::string& command_line) {
   Command what = command.exactly_one_of("what is shown");
   const Option formula = what.option("--formula", a->formula, "relative error of a formula of the catalogue");
   Option kind = what.option("--kind", a->kind, "partition of unity of a kind of cage coordinates");
-  command.option("--evaluation", a->evaluation, "one of its evaluations").required();
+  Option evaluation = command.option("--evaluation", a->evaluation,
+                                     "one of its evaluations; of a kind, by default the recommended one");
+  command.option("--coordinate", a->coordinate, "BLOCK:INDEX, as lambda:0: the values of that coordinate instead")
+      .needs(kind)
+      .excludes(evaluation);
   command.option("--order", a->order, "0 value, 1 gradient, 2 Hessian").in_range(0, 2).showing_default().excludes(kind);
   command.option("--parameter", a->parameters, "mu=..., nu=... of a kind").excludes(formula);
   kind.needs(a->cage.add_to(command, false));

@@ -114,13 +114,13 @@ std::vector<Evaluation> group_of(std::initializer_list<const char*> formulas) {
 }
 
 void expect_equal_in_all_scalars(std::initializer_list<const char*> formulas, const std::vector<Input>& inputs,
-                                 int wide_inputs) {
+                                 int wide_inputs, std::array<double, 2> given = {1.5, 0.25}) {
   const auto group = group_of(formulas);
   const std::vector<Input> few(inputs.begin(), inputs.begin() + wide_inputs);
   for (const ScalarKind kind : scalar_kinds)
     with_scalar(kind, [&]<Scalar R>() {
-      const std::array<R, 2> elastic{R(1.5), R(0.25)};
-      expect_equal<R>(group, is_multiprecision<R> ? few : inputs, elastic);
+      const std::array<R, 2> parameters{R(given[0]), R(given[1])};
+      expect_equal<R>(group, is_multiprecision<R> ? few : inputs, parameters);
     });
 }
 
@@ -144,9 +144,15 @@ TEST(joint, all_formulas_on_a_triangle) {
 }
 TEST(joint, all_formulas_on_a_segment) {
   expect_equal_in_all_scalars(
-      {"segment.mean_value", "segment.winding_angle", "segment.biharmonic_double_layer", "segment.affine_single_layer",
-       "segment.double_layer", "segment.biharmonic_single_layer", "segment.single_layer"},
+      {"segment.mean_value", "segment.kelvin_traction", "segment.winding_angle", "segment.biharmonic_double_layer",
+       "segment.affine_single_layer", "segment.kelvin_displacement", "segment.double_layer",
+       "segment.biharmonic_single_layer", "segment.single_layer"},
       segment_inputs(16), 2);
+}
+TEST(joint, polyharmonic_layers) {
+  for (const double order : {1., 2., 3., 6.})
+    expect_equal_in_all_scalars({"segment.polyharmonic_single_layer", "segment.polyharmonic_double_layer"},
+                                segment_inputs(16), 2, {order, 0});
 }
 TEST(joint, green_coordinates_of_polygons) {
   expect_equal_in_all_scalars({"segment.double_layer", "segment.single_layer"}, segment_inputs(40), 20);

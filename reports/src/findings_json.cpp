@@ -119,6 +119,7 @@ Json json_of(int place, const FieldPart& part) {
     arrays.push_back({{"name", array.name},
                       {"unit", array.unit},
                       {"components", array.components},
+                      {"linear", array.linear},
                       {"values", json_of(array.values)}});
   Json json{{"place", place}, {"name", part.image.name}, {"title", part.title}, {"shown", part.shown}};
   if (part.mesh.empty())
@@ -145,7 +146,8 @@ FieldPart field_of(const Json& json) {
   }
   for (const Json& array : list(json, "arrays"))
     part.image.arrays.push_back({array.at("name").get<std::string>(), array.at("unit").get<std::string>(),
-                                 small(array.at("components")), numbers(array.at("values"))});
+                                 small(array.at("components")), numbers(array.at("values")),
+                                 array.value("linear", false)});
   return part;
 }
 

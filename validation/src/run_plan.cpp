@@ -115,6 +115,7 @@ class Planner {
       if (options_.mesh) add_mesh(cage);
     } else {
       for (const auto name : embedded_cage_names()) add_cage(std::make_shared<const Cage>(embedded_cage(name)));
+      add_figure_three();
       for (const auto name : extreme_cage_names())
         add_recommended(std::make_shared<const Cage>(embedded_cage(name)), extreme_cage_options());
     }
@@ -240,6 +241,26 @@ class Planner {
     if (!scheme) return;
     add(field_measurement(coordinate_difference_field(cage, kind, scheme->name(), "", rule, resolution), fields_++,
                           fmt::format("{}: error of {}", title, scheme->name()), "difference"));
+  }
+
+  // [W12] Figure 3: the coordinates of a vertex and an edge themselves, for kinds from mean value to biharmonic.
+  void add_figure_three() {
+    struct Shown {
+      std::string_view kind, label;
+    };
+    static constexpr std::array shown{Shown{"mean_value", "lambda"},         Shown{"harmonic", "lambda"},
+                                      Shown{"biharmonic_boundary", "alpha"}, Shown{"biharmonic_goursat", "alpha"},
+                                      Shown{"biharmonic_boundary", "beta"},  Shown{"biharmonic_goursat", "beta"}};
+    constexpr int index = 3;  // the reentrant corner, and the edge from it
+    const auto cage = std::make_shared<const Cage>(embedded_cage("l-shape"));
+    for (const Shown& one : shown) {
+      const CoordinateKind* kind = find_coordinate_kind(one.kind);
+      if (kind == nullptr || !is_asked(*kind, *cage)) continue;
+      add(field_measurement(
+          coordinate_field(cage, *kind, std::string(one.label), index, options_.suite.slice), fields_++,
+          fmt::format("{}, {} coordinates: {}_{} itself ([W12] Figure 3)", cage->name(), kind->name, one.label, index),
+          fmt::format("{}_{}", one.label, index)));
+    }
   }
 
   void add_mesh(const std::shared_ptr<const Cage>& cage) {

@@ -18,16 +18,20 @@ namespace {
 
 using reports::Journal;
 
-constexpr auto kFieldScale = reports::ColourScale::Log10;
+reports::ColourScale scale_of(const FieldPart& part) {
+  for (const ImageField::Array& array : part.image.arrays)
+    if (array.name == part.shown && array.linear) return reports::ColourScale::Linear;
+  return reports::ColourScale::Log10;
+}
 
 FieldEntry write_field(reports::ReportWriter& writer, const FieldPart& part, const Findings& findings) {
-  if (part.mesh.empty()) return writer.write_image(part.image, part.title, part.shown, kFieldScale);
+  if (part.mesh.empty()) return writer.write_image(part.image, part.title, part.shown, scale_of(part));
   const auto mesh = findings.meshes.find(part.mesh);
   if (mesh == findings.meshes.end()) throw InputError(fmt::format("the journal has no mesh '{}'", part.mesh));
   MeshField field = mesh->second;
   field.name = part.image.name;
   field.arrays = part.image.arrays;
-  return writer.write_mesh(field, part.title, part.shown, kFieldScale);
+  return writer.write_mesh(field, part.title, part.shown, scale_of(part));
 }
 
 void require_finished(const Journal& journal, const std::filesystem::path& folder) {
@@ -154,7 +158,7 @@ std::string summary_of_journal(const std::filesystem::path& journal) {
   const Journal read = reports::read_journal(journal);
   RunResult result = result_of(read);
   for (const auto& [place, part] : whole_fields(read.findings))
-    result.fields.push_back(reports::unwritten_entry(part.image.arrays, part.title, part.shown, kFieldScale));
+    result.fields.push_back(reports::unwritten_entry(part.image.arrays, part.title, part.shown, scale_of(part)));
   return reports::summary_json(result);
 }
 

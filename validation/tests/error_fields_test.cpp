@@ -32,6 +32,29 @@ TEST(coordinate_difference_field, shows_what_the_scheme_is_off_by_and_nothing_of
   EXPECT_LT(fine[median], coarse[median] / 10);
 }
 
+// On the unit square the weights of its corners add up to one inside, and nothing is shown outside.
+TEST(coordinate_field, shows_a_coordinate_inside_the_cage_alone) {
+  const auto cage = std::make_shared<const Cage>(embedded_cage("square"));
+  const CoordinateKind& kind = *find_coordinate_kind("mean_value");
+  std::vector<ImageField> fields;
+  for (int k = 0; k < 4; ++k) fields.push_back(sampled(coordinate_field(cage, kind, "lambda", k, 12), 1));
+  EXPECT_TRUE(fields[0].arrays[0].linear);
+  EXPECT_EQ(fields[2].arrays[0].name, "lambda_2");
+  int inside = 0;
+  for (int i = 0; i < 144; ++i) {
+    double sum = 0;
+    for (const ImageField& field : fields) sum += field.arrays[0].values[i];
+    const bool on_rim = i / 12 == 0 || i / 12 == 11 || i % 12 == 0 || i % 12 == 11;
+    EXPECT_EQ(std::isnan(sum), on_rim) << i;
+    if (on_rim) continue;
+    ++inside;
+    EXPECT_NEAR(sum, 1, 1e-14);
+  }
+  EXPECT_EQ(inside, 100);
+  EXPECT_THROW(coordinate_field(cage, kind, "alpha", 0, 12), InputError);
+  EXPECT_THROW(coordinate_field(cage, kind, "lambda", 4, 12), InputError);
+}
+
 TEST(formula_error_field, takes_elements_of_the_formulas_kind) {
   for (const char* name : {"triangle.double_layer", "quad.mean_value"}) {
     const Formula& formula = formula_named(name);

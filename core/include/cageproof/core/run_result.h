@@ -107,6 +107,7 @@ struct ImageField {
     std::string unit;
     int components = 1;
     std::vector<double> values;  ///< x fastest; NaN where masked
+    bool linear = false;         ///< its picture shows the values themselves, with their signs: they are no errors
   };
   std::vector<Array> arrays;
 };

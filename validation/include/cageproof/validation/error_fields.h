@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Error fields on slices: through a cage, or across one element.
+// Fields on slices, of errors and of coordinates themselves: through a cage, or across one element.
 #pragma once
 
 #include "cageproof/core/coordinates.h"
@@ -63,6 +63,13 @@ FieldPlan coordinate_error_field(std::shared_ptr<const Cage> cage, const Coordin
 FieldPlan coordinate_difference_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
                                       const std::string& evaluation, const std::string& other, Triangulation rule,
                                       int resolution);
+
+/// One coordinate of a block on a slice, inside the cage: array `<label>_<index>`, linear; of matrices the entry in the
+/// first row and column.
+/// \param label of the block \param index of the vertex or element
+/// \throws InputError for a block that the kind does not have, or an index beyond it
+FieldPlan coordinate_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind, const std::string& label,
+                           int index, int resolution);
 
 /// Relative error of one formula on a slice, norm-wise over all elements, against its truth's source in 50 digits;
 /// arrays `value` (norm over all elements) and `relative error`. \param elements corners of elements of the formula's
