@@ -24,9 +24,25 @@ namespace {
 constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
 constexpr std::array<std::string_view, 2> kContainers{"g", "a"};
 // These draw nothing where they stand.
-constexpr std::array<std::string_view, 16> kSilent{
-    "defs", "title",  "desc",   "metadata",       "style",          "script", "symbol",  "clipPath",
-    "mask", "marker", "filter", "linearGradient", "radialGradient", "view",   "pattern", "solidcolor"};
+constexpr std::array<std::string_view, 15> kSilent{"defs",   "title",          "desc",           "metadata", "style",
+                                                   "script", "symbol",         "clipPath",       "mask",     "marker",
+                                                   "filter", "linearGradient", "radialGradient", "view",     "pattern"};
+
+// Properties of styles that would change what is read.
+constexpr std::array<std::string_view, 7> kMoving{"transform", "-webkit-transform", "translate", "rotate",
+                                                  "scale",     "offset-path",       "d"};
+constexpr std::array<std::string_view, 6> kSides{"x", "y", "width", "height", "rx", "ry"};
+
+// The property whose name ends there, but for blanks; empty for other words, as selectors have.
+std::string property_before(const std::string& text, std::size_t end) {
+  const auto is_part = [](char c) { return c == '-' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  while (end > 0 && !is_part(text[end - 1]) && text[end - 1] <= ' ') --end;
+  std::size_t begin = end;
+  while (begin > 0 && is_part(text[begin - 1])) --begin;
+  const bool property =
+      begin == 0 || text[begin - 1] <= ' ' || std::string_view(";{/").find(text[begin - 1]) != std::string_view::npos;
+  return property ? text.substr(begin, end - begin) : "";
+}
 
 std::string_view text_of(const xmlChar* text) { return text ? reinterpret_cast<const char*>(text) : ""; }
 
@@ -84,8 +100,16 @@ class SvgReader {
     if (!container && !read_shape)
       fail(node, "is not read; polygons are path, polygon, polyline and rect, in svg, g and a");
     const svg::Transform transform = transform_of(node, outer);
-    if (container) read_children(node, transform);
-    else (this->*read_shape)(node, transform);
+    if (container) return read_children(node, transform);
+    check_children(node);
+    (this->*read_shape)(node, transform);
+  }
+  // Descriptions, but no animations.
+  void check_children(xmlNode& shape) {
+    for (xmlNode* node = shape.children; node; node = node->next)
+      if (node->type == XML_ELEMENT_NODE && is_svg(*node) &&
+          std::ranges::find(kSilent, text_of(node->name)) == kSilent.end())
+        fail(*node, fmt::format("is not read in a {}", text_of(shape.name)));
   }
 
   using Shape = void (SvgReader::*)(xmlNode&, const svg::Transform&);
@@ -135,16 +159,19 @@ class SvgReader {
     if (attribute(node, "transform-origin")) fail(node, "transform-origin is not read; use a rotation about a point");
     return outer.after(parsed(node, "transform", "", svg::parse_transform));
   }
-  // Transforms of a style sheet would be lost.
+  // Shapes and transforms of a style would be lost.
   void check_style(xmlNode& node) {
     std::string style = attribute(node, "style").value_or("");
     if (text_of(node.name) == "style") {
       const std::unique_ptr<xmlChar, void (*)(void*)> sheet(xmlNodeGetContent(&node), xmlFree);
       style += text_of(sheet.get());
     }
-    for (const std::string_view property : {"transform", "translate:", "rotate:", "scale:", "offset-path"})
-      if (style.find(property) != std::string::npos)
-        fail(node, fmt::format("a style with \"{}\" is not read; use the attribute transform", property));
+    for (std::size_t colon = style.find(':'); colon != std::string::npos; colon = style.find(':', colon + 1)) {
+      const std::string property = property_before(style, colon);
+      const bool moves = std::ranges::find(kMoving, property) != kMoving.end();
+      const bool shapes = text_of(node.name) == "rect" && std::ranges::find(kSides, property) != kSides.end();
+      if (moves || shapes) fail(node, fmt::format("a style with {} is not read; write it as an attribute", property));
+    }
   }
 
   static std::size_t line_of(const xmlNode& node) {

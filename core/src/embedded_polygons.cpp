@@ -20,13 +20,15 @@ Loops square() { return {rectangle(0, 0, 1, 1)}; }
 
 Loops l_shape() { return {{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}}; }
 
-// Five points on the unit circle.
+// Five points near the unit circle, in units of 2^-10: so that points along the edges are exact, and limits there have
+// samples.
 Loops star() {
   constexpr int points = 5;
   Loop loop;
   for (int k = 0; k < 2 * points; ++k) {
     const double radius = k % 2 == 0 ? 1 : 0.375, angle = std::numbers::pi * (0.5 + k / static_cast<double>(points));
-    loop.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    const auto rounded = [](double x) { return std::round(1024 * x) / 1024; };
+    loop.emplace_back(rounded(radius * std::cos(angle)), rounded(radius * std::sin(angle)), 0);
   }
   return {loop};
 }

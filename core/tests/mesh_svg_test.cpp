@@ -171,8 +171,16 @@ TEST(svg_rejects, transforms_that_it_does_not_read) {
   for (const char* transform : {"rotate3d(1)", "rotate(45deg)", "translate", "translate()", "scale(1 2 3)",
                                 "matrix(1 2 3)", "translate(1", "1 2", "skewX(90)", "translate(1e999)"})
     expect_parts(path_error("M0 0H1V1Z", transform), {"case.svg:2: ", "attribute transform: "});
-  expect_parts(error_of(svg("<g style='fill:red;transform:scale(2)'/>")), {":2: <g>", "transform", "attribute"});
+  expect_parts(error_of(svg("<g style='fill:red;transform:scale(2)'/>")),
+               {":2: <g>", "a style with transform", "attribute"});
   expect_parts(error_of(svg("<defs/><style>path { transform: scale(2) }</style>")), {"<style>", "transform"});
+  expect_parts(error_of(svg("<path style='fill:none; d : path(none)'/>")), {"<path>", "a style with d is not read"});
+  expect_parts(error_of(svg("<rect width='1' height='1' style='width:2px'/>")), {"<rect>", "a style with width"});
+  EXPECT_NO_THROW(
+      mesh_of(svg("<style>.d:hover{fill:url(#rotate);text-transform:none}</style>"
+                  "<path style='width:3px;text-transform:none' d='M0 0H1V1Z'/>")));
+  expect_parts(error_of(svg("<path d='M0 0H1V1Z'><title>x</title>\n<animateTransform/></path>")),
+               {":3: <animateTransform>: is not read in a path"});
   expect_parts(error_of(svg("<g transform-origin='1 1'/>")), {"<g>", "transform-origin"});
 }
 

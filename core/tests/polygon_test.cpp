@@ -270,7 +270,8 @@ TEST(embedded_polygons, enclose_what_they_should) {
     const Cage cage = embedded_cage(name);
     EXPECT_EQ(cage.dimension(), 2);
     EXPECT_EQ(cage.faces().size(), edges) << name;
-    EXPECT_NEAR(area_of(cage), area, 1e-15) << name;
+    // The star's corners are rounded to 2^-10.
+    EXPECT_NEAR(area_of(cage), area, std::string_view(name) == "star" ? 2e-3 : 1e-15) << name;
   }
   const Cage figure = embedded_cage("figure");
   EXPECT_EQ(figure.faces().size(), 100u);
