@@ -19,6 +19,7 @@ libcgal-dev              exact predicates: on which side of a plane or an edge a
 libflint-arb-dev         ball arithmetic (Arb): enclosures that are proofs
 libflint-dev             integers and polynomials under Arb
 libvtk9-dev              reads PLY, STL and VTP; writes fields for ParaView and pictures
+libxml2-dev              reads SVG
 libtinyobjloader-dev     reads OBJ, keeping quads and the order of vertices
 libcli11-dev             command line
 nlohmann-json3-dev       JSON in and out

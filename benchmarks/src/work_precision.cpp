@@ -158,6 +158,8 @@ WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, 
                                   const WorkPrecisionOptions& given) {
   if (!kind.is_sum())
     throw InputError(fmt::format("{} is no sum of formulas that could be timed one by one", kind.name));
+  if (!exists_on(kind, cage))
+    throw InputError(fmt::format("{}: {} coordinates do not exist on cages of this dimension", cage.name(), kind.name));
   WorkPrecisionOptions options = given;
   if (options.evaluations.empty())
     options.evaluations = default_work_precision_evaluations(leading_formulas(kind, cage), options.order);

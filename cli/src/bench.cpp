@@ -105,7 +105,9 @@ void add_bench(CommandLine& line, const std::string& command_line) {
             "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1, or quad_mean_value by those "
             "of --evaluations");
   a->cage.add_to(command, false).excludes(formula).showing_default("cube");
-  command.option("--points", a->points, "a mesh, or text with three numbers a line, instead of random points inside")
+  command
+      .option("--points", a->points,
+              "a mesh, or text with three numbers a line (for polygons two), instead of random points inside")
       .excludes(formula);
   command.option("--regime", a->regimes, "regimes of a formula's samples")
       .separated_by(',')

@@ -15,9 +15,12 @@ namespace cageproof::cli {
 
 Option CageArguments::add_to(Command command, bool required) {
   const Option cage =
-      command.option("--cage", file, "cage: a file (OBJ, PLY, STL, VTP), or the name of an embedded cage")
+      command
+          .option(
+              "--cage", file,
+              "cage: a file (OBJ, PLY, STL, VTP; polygons: SVG, GeoJSON, OBJ, VTP), or the name of an embedded cage")
           .required(required);
-  command.flag("--flip-inward", flip_inward, "turn a cage whose normals point inward");
+  command.flag("--flip-inward", flip_inward, "turn a cage whose normals point inward, a polygon that runs clockwise");
   command
       .option("--triangulate", triangulate,
               "how quads become triangles: shortest diagonal, or fan from the first corner")
@@ -59,15 +62,9 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
 }
 
 Mesh load_points(const std::string& file, int dimension) {
-  const auto extension = std::filesystem::path(file).extension();
-  const bool text = extension == ".csv" || extension == ".xyz" || extension == ".txt";
-  Mesh mesh = text ? Mesh{read_points(file), {}} : read_mesh(file);
-  if (dimension == 3) return mesh;
-  const auto off = std::ranges::find_if(mesh.vertices, [](const Vec3<double>& p) { return p[2] != 0; });
-  if (off != mesh.vertices.end())
-    throw InputError(
-        fmt::format("{}: point {} (counted from 0) is not in the plane of the cage: its third number is {}", file,
-                    off - mesh.vertices.begin(), format_scalar((*off)[2])));
+  if (is_text_of_points(file)) return {read_points(file, dimension), {}};
+  Mesh mesh = read_mesh(file);
+  if (dimension == 2) check_plane(mesh, file);
   return mesh;
 }
 

@@ -83,7 +83,7 @@ std::string npy_text(const CoordinateColumns& table) {
 }
 
 std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh) {
-  MeshField field{"coordinates", mesh.vertices, mesh.faces, {}};
+  MeshField field{"coordinates", mesh.vertices, mesh.faces, {}, mesh.segments};
   const std::size_t columns = table.names.size();
   std::size_t first = 0;
   for (const CoordinateColumns::Group& group : table.groups) {

@@ -76,7 +76,7 @@ void add_coordinates(CommandLine& line) {
   Command command = line.command("coordinates", "coordinates of points in a cage");
   auto a = std::make_shared<Arguments>();
   a->cage.add_to(command, true);
-  command.option("--points", a->points, "a mesh, or text with three numbers a line").required();
+  command.option("--points", a->points, "a mesh, or text with three numbers a line, for polygons two").required();
   command.option("--kind", a->kind, names_of_kinds()).required();
   command.flag("--allow-invalid-quads", a->cage.allow_invalid_quads,
                "compute with quads that are not valid, of kinds that keep quads");

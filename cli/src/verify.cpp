@@ -138,7 +138,8 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   command.option("--evaluations", a->options.evaluations, "glob").showing_default();
   command.option("--regimes", a->options.regimes, "glob").showing_default();
   a->cage.add_to(command, false);
-  command.option("--points", a->points, "points to try the cage at: a mesh, or text with three numbers a line");
+  command.option("--points", a->points,
+                 "points to try the cage at: a mesh, or text with three numbers a line (for polygons two)");
   command.option("--samples", a->samples, "samples of each formula in each regime, instead of the suite's")
       .in_range(1, 100000000);
   command

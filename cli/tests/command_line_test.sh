@@ -82,6 +82,63 @@ write crossing.obj "$tetrahedron" "$good_faces" 'v 0.1 0.1 -0.1' 'v 0.3 0.1 -0.1
 "$cageproof" coordinates --cage "$work/crossing.obj" --points "$work/centre.csv" --kind green >"$work/stdout" 2>"$work/stderr" || fail "coordinates in crossing.obj"
 grep -qF 'warning: ' "$work/stderr" && grep -qF 'faces 0 and 5 (lines 5 and 14)' "$work/stderr" || fail "crossing faces: $(cat "$work/stderr")"
 
+# Polygons: the same square, with a hole, in each format, and as the embedded one; an SVG's is drawn the way round that a screen shows.
+svg() { printf '<svg xmlns="http://www.w3.org/2000/svg">\n<g transform="translate(-1 1)">\n%s\n</g>\n</svg>\n' "$2" >"$work/$1"; }
+write ring.obj 'v -1 -1' 'v 1 -1' 'v 1 1' 'v -1 1' 'v -0.5 0.5' 'v 0.5 0.5' 'v 0.5 -0.5' 'v -0.5 -0.5' 'l 1 2 3 4 1' 'l 5 6 7 8 5'
+svg ring.svg '<path d="M0 0H2V-2H0ZM.5-1.5h1v1h-1z"/>'
+write ring.geojson '{"type":"Feature","properties":null,"geometry":{"type":"Polygon","coordinates":[' \
+  '[[-1,-1],[1,-1],[1,1],[-1,1],[-1,-1]],' '[[-0.5,0.5],[0.5,0.5],[0.5,-0.5],[-0.5,-0.5],[-0.5,0.5]]]}}'
+write flat.csv '0.75,0.125' '-0.75 , -0.625,0' '0,0'
+for kind in green biharmonic mean_value; do
+  for cage in ring.obj ring.svg ring.geojson; do
+    "$cageproof" coordinates --cage "$work/$cage" --points "$work/flat.csv" --kind $kind --order 2 >"$work/$cage.$kind" 2>"$work/stderr" || fail "coordinates in $cage: $(cat "$work/stderr")"
+    cmp -s "$work/ring.obj.$kind" "$work/$cage.$kind" || fail "$kind coordinates in $cage are others than in ring.obj"
+  done
+done
+head -1 "$work/ring.obj.green" | grep -q '^phi_0,.*,phi_7,phi_0_dx,phi_0_dy,phi_1_dx.*phi_0_dxx,phi_0_dxy,phi_0_dyx,phi_0_dyy' || fail "columns of a polygon: $(head -1 "$work/ring.obj.green")"
+"$cageproof" coordinates --cage "$work/ring.svg" --points "$work/ring.geojson" --kind mean_value --out "$work/ring.vtp" || fail "ring.vtp"
+"$cageproof" coordinates --cage "$work/ring.vtp" --points "$work/flat.csv" --kind mean_value --order 2 | cmp -s - "$work/ring.obj.mean_value" || fail "the polygon of a written .vtp is another one"
+for cage in square l-shape star comb thin-bar frame figure; do
+  "$cageproof" coordinates --cage $cage --points "$work/flat.csv" --kind green >"$work/stdout" || fail "coordinates in $cage"
+  # Of a point in it the functions of the vertices sum to one, of one outside to nothing.
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) phi[i] = $i ~ /^phi/ } NR > 1 { s = 0; for (i = 1; i <= NF; i++) if (phi[i]) s += $i
+    if (s * s > 1e-24 && (s - 1) * (s - 1) > 1e-24) exit 1 }' "$work/stdout" || fail "coordinates in $cage: $(cat "$work/stdout")"
+done
+coordinates_in() { "$cageproof" coordinates --points "$work/flat.csv" --kind green --cage "$work/$1" "${@:2}"; }
+write cross.obj 'v 0 0' 'v 1 0' 'v 0 1' 'v 1 1' 'l 1 2 3 4 1'
+refuses cross.obj 'segments 1 and 3 (lines 5 and 5) cross' -- coordinates_in cross.obj
+write open.obj 'v 0 0' 'v 1 0' 'v 0 1' 'l 1 2' 'l 2 3'
+refuses open.obj 'vertex 0' 'open' 'segment 0 (line 4)' -- coordinates_in open.obj
+write twice.obj 'v 0 0' 'v 1 0' 'v 1 1' 'v 0 0' 'l 1 2 3 4 1'
+refuses twice.obj 'segment 3 (line 5)' 'coincide' -- coordinates_in twice.obj
+write clockwise.obj 'v 0 0' 'v 1 0' 'v 0 1' 'l 1 3 2 1'
+refuses clockwise.obj clockwise 'line 4' --flip-inward -- coordinates_in clockwise.obj
+coordinates_in clockwise.obj --flip-inward >/dev/null || fail "--flip-inward of a polygon"
+write lifted.obj 'v 0 0 0' 'v 1 0 0' 'v 0 1 2' 'l 1 2 3 1'
+refuses lifted.obj 'vertex 2' '3D points for a polygon' -- coordinates_in lifted.obj
+write mixed.obj "$tetrahedron" "$good_faces" 'l 1 2 3 1'
+refuses mixed.obj 'faces (the first in line 5)' 'polylines (the first in line 9)' -- coordinates_in mixed.obj
+svg curve.svg '<path id="leaf" d="M0 0H1c1 1 2 2 0 1z"/>'
+refuses curve.svg:3 leaf 'cubic Bezier' -- coordinates_in curve.svg
+svg round.svg '<circle r="1"/>'
+refuses round.svg:3 '<circle>' -- coordinates_in round.svg
+svg empty.svg ''
+refuses empty.svg -- coordinates_in empty.svg
+write open.geojson '{"type":"Polygon","coordinates":[' '[[0,0],[1,0],[1,1],[0,1]]]}'
+refuses open.geojson:2 'coordinates[0]' open -- coordinates_in open.geojson
+refuses ring.obj 'dimension' -- "$cageproof" coordinates --points "$work/flat.csv" --kind spherical_mean_value --cage "$work/ring.obj"
+refuses lifted.obj 'vertex 2' '3D points for a polygon' -- "$cageproof" coordinates --cage square --points "$work/lifted.obj" --kind green
+refuses figure 'dimension' -- "$cageproof" bench --coordinates --cage figure
+refuses ring.obj 'no triangle' -- "$cageproof" field --formula triangle.double_layer --evaluation gauss-4 --cage "$work/ring.obj" --out "$work/out"
+refuses cross.obj 'cross each other' -- verify_cage "$work/cross.obj"
+refuses flat.csv:1 'three coordinates' -- verify_cage cube --points "$work/flat.csv"
+"$cageproof" bench --kind green --cage "$work/ring.svg" --samples 1 --seconds 0 >"$work/stdout" || fail "bench in a polygon"
+"$cageproof" field --kind biharmonic --cage "$work/ring.svg" --evaluation closed_form --resolution 8 --out "$work/flat_field" >/dev/null || fail "field in a polygon"
+"$cageproof" verify --suite quick --formulas segment.double_layer --regimes near-face --cage "$work/ring.svg" --points "$work/flat.csv" --out "$work/flat_report" >"$work/stdout" ||
+  fail "verify of a polygon: $(cat "$work/stdout")"
+grep -q '"ring.svg\|ring.svg' "$work/flat_report/worst.jsonl" || fail "no worst case in a polygon"
+"$cageproof" replay "$work/flat_report/worst.jsonl" >"$work/stdout" || fail "replay in a polygon: $(tail -n 3 "$work/stdout")"
+
 # Bad points and names.
 write points.csv '0.1,0.2,0.3' '0.1,0.2'
 refuses points.csv:2 -- verify_cage cube --points "$work/points.csv"
@@ -112,7 +169,7 @@ refuses --seed "'-1'" -- "$cageproof" verify --seed -1 --out "$work/out"
 refuses --seed 18446744073709551616 -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --seed 18446744073709551616
 refuses nowhere 'no such file' cube -- "$cageproof" coordinates --cage nowhere --points "$work/missing.csv" --kind green
 write lifted.csv '0.3,0.4,0' '0.3,0.4,7'
-refuses lifted.csv 'point 1' plane -- "$cageproof" coordinates --cage square --points "$work/lifted.csv" --kind green
+refuses lifted.csv:2 '3D points for a polygon' -- "$cageproof" coordinates --cage square --points "$work/lifted.csv" --kind green
 refuses "$work/nowhere" -- "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out "$work/nowhere/out"
 write one.csv '0.1 0.2 0.3'
 refuses .doc -- "$cageproof" coordinates --cage cube --points "$work/one.csv" --kind green --out "$work/out.doc"

@@ -18,6 +18,7 @@
 #include <cstring>
 #include <limits>
 #include <new>
+#include <span>
 
 namespace cageproof::mesh_files {
 namespace {
@@ -50,6 +51,20 @@ class VtkMessages {
   vtkLogger::Verbosity verbosity_;
 };
 
+// The vertices of a cell, indices in range. \param name of such a cell, in messages
+std::span<const vtkIdType> vertices_of(vtkCellArray& cells, vtkIdType i, vtkIdType count, std::string_view name,
+                                       const FileLine& at) {
+  vtkIdType size = 0;
+  const vtkIdType* first = nullptr;
+  cells.GetCellAtId(i, size, first);
+  const std::span<const vtkIdType> vertices(first, static_cast<std::size_t>(size));
+  const auto wrong = std::ranges::find_if(vertices, [&](vtkIdType v) { return v < 0 || v >= count; });
+  if (wrong != vertices.end())
+    at.fail(
+        fmt::format("{} {}: index {} is out of range, there are {} vertices (counted from 0)", name, i, *wrong, count));
+  return vertices;
+}
+
 Mesh to_mesh(vtkPolyData* data, const FileLine& at) {
   Mesh mesh;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
@@ -62,14 +77,14 @@ Mesh to_mesh(vtkPolyData* data, const FileLine& at) {
   const auto count = data->GetNumberOfPoints();
   vtkCellArray* cells = data->GetPolys();
   for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i) {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    cells->GetCellAtId(i, size, corners);
-    const auto* wrong = std::find_if(corners, corners + size, [&](vtkIdType v) { return v < 0 || v >= count; });
-    if (wrong != corners + size)
-      at.fail(
-          fmt::format("face {}: index {} is out of range, there are {} vertices (counted from 0)", i, *wrong, count));
-    mesh.faces.emplace_back(corners, corners + size);
+    const auto corners = vertices_of(*cells, i, count, "face", at);
+    mesh.faces.emplace_back(corners.begin(), corners.end());
+  }
+  vtkCellArray* polylines = data->GetLines();
+  for (vtkIdType i = 0; i < polylines->GetNumberOfCells(); ++i) {
+    const auto vertices = vertices_of(*polylines, i, count, "polyline", at);
+    for (std::size_t k = 1; k < vertices.size(); ++k)
+      mesh.segments.push_back({static_cast<int>(vertices[k - 1]), static_cast<int>(vertices[k])});
   }
   return mesh;
 }

@@ -7,6 +7,7 @@
 #include "cageproof/core/quad_geometry.h"
 #include "cage_checks.h"
 #include "cage_parts.h"
+#include "polygon_checks.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -61,11 +62,21 @@ Cage Cage::make(std::string name, std::vector<Vec3<double>> vertices, std::vecto
 
 Cage Cage::make_polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
                         CageOptions options) {
+  return polygon(std::move(name), std::move(vertices), std::move(segments), std::move(options), true);
+}
+
+Cage Cage::polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
+                   CageOptions options, bool look_for_contacts) {
   const cage_checks::Candidate candidate{name, vertices, segments, options.face_lines, 2};
   cage_checks::check_coordinates(candidate);
   cage_checks::check_plane(candidate);
   cage_checks::check_indices(candidate);
+  cage_checks::check_lengths(candidate);
+  if (look_for_contacts) cage_checks::check_places(candidate);
   cage_checks::check_loops(candidate);
+  if (options.flip_inward) cage_checks::align_segments(segments, vertices.size());
+  cage_checks::check_directions(candidate);
+  if (look_for_contacts) cage_checks::check_simple(candidate);
   orient_parts(candidate, segments, options.flip_inward);
   Cage cage;
   cage.dimension_ = 2;
@@ -78,7 +89,7 @@ Cage Cage::make_polygon(std::string name, std::vector<Vec3<double>> vertices, st
 
 Cage Cage::with(std::vector<Vec3<double>> vertices, std::vector<Face> faces) const {
   const CageOptions options{.allow_invalid_quads = allows_invalid_quads_};
-  return dimension_ == 2 ? make_polygon(name_, std::move(vertices), std::move(faces), options)
+  return dimension_ == 2 ? polygon(name_, std::move(vertices), std::move(faces), options, false)
                          : make(name_, std::move(vertices), std::move(faces), options);
 }
 

@@ -18,18 +18,6 @@ namespace {
 // overflows.
 using Exact = Mp100;
 
-[[noreturn]] void fail(const Candidate& cage, const std::string& reason) {
-  throw InputError(cage.name + ": " + reason);
-}
-
-[[noreturn]] void fail_face(const Candidate& cage, std::size_t face, const std::string& reason) {
-  fail(cage, fmt::format("{}: {} (faces and vertices counted from 0)", face_label(cage, face), reason));
-}
-
-[[noreturn]] void fail_vertex(const Candidate& cage, std::size_t vertex, const std::string& reason) {
-  fail(cage, fmt::format("vertex {}: {} (faces and vertices counted from 0)", vertex, reason));
-}
-
 Vec3<Exact> normal(const Vec3<Exact>& a, const Vec3<Exact>& b, const Vec3<Exact>& c) {
   return Vec3<Exact>(b - a).cross(Vec3<Exact>(c - a));
 }
@@ -63,7 +51,22 @@ void check_shape(const Candidate& cage, std::size_t index) {
               "the quad crosses itself (a bow-tie), or folds by more than a right angle along both diagonals");
 }
 
+// What the numbers in a message count.
+std::string counted(const Candidate& cage) {
+  return fmt::format("({} and vertices counted from 0)", is_plane(cage) ? "segments" : "faces");
+}
+
 }  // namespace
+
+void fail(const Candidate& cage, const std::string& reason) { throw InputError(cage.name + ": " + reason); }
+
+void fail_face(const Candidate& cage, std::size_t face, const std::string& reason) {
+  fail(cage, fmt::format("{}: {} {}", face_label(cage, face), reason, counted(cage)));
+}
+
+void fail_vertex(const Candidate& cage, std::size_t vertex, const std::string& reason) {
+  fail(cage, fmt::format("vertex {}: {} {}", vertex, reason, counted(cage)));
+}
 
 std::string face_label(const Candidate& cage, std::size_t face) {
   const std::string_view element = is_plane(cage) ? "segment" : "face";
@@ -73,7 +76,7 @@ std::string face_label(const Candidate& cage, std::size_t face) {
 
 void check_coordinates(const Candidate& cage) {
   if (cage.vertices.empty()) fail(cage, "no vertices");
-  if (cage.faces.empty()) fail(cage, "no faces");
+  if (cage.faces.empty()) fail(cage, is_plane(cage) ? "no segments" : "no faces");
   for (std::size_t i = 0; i < cage.vertices.size(); ++i)
     if (!cage.vertices[i].allFinite()) fail_vertex(cage, i, "a coordinate is not finite");
 }
@@ -94,7 +97,9 @@ void check_indices(const Candidate& cage) {
     }
   }
   const auto loose = std::ranges::find(used, false);
-  if (loose != used.end()) fail_vertex(cage, loose - used.begin(), "no face uses it; remove it from the cage");
+  if (loose != used.end())
+    fail_vertex(cage, loose - used.begin(),
+                fmt::format("no {} uses it; remove it from the cage", is_plane(cage) ? "segment" : "face"));
 }
 
 void check_shapes(const Candidate& cage, bool allow_invalid_quads) {
@@ -150,27 +155,6 @@ void check_fans(const Candidate& cage) {
   }
 }
 
-void check_plane(const Candidate& cage) {
-  for (std::size_t i = 0; i < cage.vertices.size(); ++i)
-    if (cage.vertices[i][2] != 0) fail_vertex(cage, i, "a polygon lies in the plane z = 0");
-}
-
-void check_loops(const Candidate& cage) {
-  std::vector<int> begins(cage.vertices.size(), 0), ends = begins;
-  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
-    const auto& v = cage.faces[f].vertices;
-    if (cage.faces[f].size() != 2) fail_face(cage, f, "a polygon's elements are segments");
-    if (cage.vertices[v[0]] == cage.vertices[v[1]])
-      fail_face(cage, f, fmt::format("degenerate: vertices {} and {} coincide", v[0], v[1]));
-    ++begins[v[0]];
-    ++ends[v[1]];
-  }
-  for (std::size_t v = 0; v < cage.vertices.size(); ++v)
-    if (begins[v] != 1 || ends[v] != 1)
-      fail_vertex(cage, v,
-                  fmt::format("{} segments begin and {} end there: a polygon has one of each", begins[v], ends[v]));
-}
-
 int orientation(const Candidate& cage, std::span<const int> faces) {
   const Vec3<Exact> origin = convert<Exact>(cage.vertices[cage.faces[faces.front()].vertices[0]]);
   Exact measure = 0;
@@ -178,10 +162,6 @@ int orientation(const Candidate& cage, std::span<const int> faces) {
     const Face& face = cage.faces[f];
     std::array<Vec3<Exact>, 4> q;
     for (int k = 0; k < face.size(); ++k) q[k] = convert<Exact>(cage.vertices[face.vertices[k]]) - origin;
-    if (is_plane(cage)) {
-      measure += q[0][0] * q[1][1] - q[0][1] * q[1][0];
-      continue;
-    }
     // Twice a bilinear quad's volume is the sum over both of its splits.
     const auto tetrahedron = [&](int a, int b, int c) { return Exact(q[a].dot(q[b].cross(q[c]))); };
     const auto splits = type_of(face.kind()).splits;

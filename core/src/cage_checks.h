@@ -23,6 +23,12 @@ inline bool is_plane(const Candidate& cage) { return cage.least_corners == 2; }
 /// "face 3 (line 12)", or "face 3" where no lines are known; "segment 3" in the plane.
 std::string face_label(const Candidate& cage, std::size_t face);
 
+/// \throws InputError "name: reason"
+[[noreturn]] void fail(const Candidate& cage, const std::string& reason);
+/// The same with the face, or the vertex, and how they are counted.
+[[noreturn]] void fail_face(const Candidate& cage, std::size_t face, const std::string& reason);
+[[noreturn]] void fail_vertex(const Candidate& cage, std::size_t vertex, const std::string& reason);
+
 /// Vertices and faces there are, all coordinates finite.
 void check_coordinates(const Candidate& cage);
 /// Indices in range, none twice in a face, every vertex in a face.
@@ -34,11 +40,7 @@ void check_shapes(const Candidate& cage, bool allow_invalid_quads);
 void check_edges(const Candidate& cage);
 /// The faces around every vertex form one fan. \pre check_edges passed
 void check_fans(const Candidate& cage);
-/// A polygon's vertices lie in the plane z = 0.
-void check_plane(const Candidate& cage);
-/// A polygon's segments have a length, and one begins and one ends at every vertex.
-void check_loops(const Candidate& cage);
-/// The sign of the volume that closed faces enclose, in the plane of the area: 1, -1, or 0 for none.
+/// The sign of the volume that closed faces enclose: 1, -1, or 0 for none. In the plane polygon_checks.h says it.
 int orientation(const Candidate& cage, std::span<const int> faces);
 
 }  // namespace cageproof::cage_checks

@@ -6,6 +6,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/winding_number.h"
 #include "face_pieces.h"
+#include "polygon_checks.h"
 
 #include <fmt/format.h>
 
@@ -110,14 +111,13 @@ void nest(const Candidate& cage, std::vector<Part>& parts) {
   std::vector<Region> regions;
   regions.reserve(parts.size());
   for (const Part& part : parts) regions.emplace_back(cage, part);
-  const bool plane = is_plane(cage);
-  const auto crossings = plane ? std::vector<std::pair<int, int>>() : crossing_parts(cage, parts);
+  // Polygons do not cross.
+  const auto crossings = is_plane(cage) ? std::vector<std::pair<int, int>>() : crossing_parts(cage, parts);
   const int count = static_cast<int>(parts.size());
   for (int inner = 0; inner < count; ++inner)
     for (int outer = 0; outer < count; ++outer) {
       if (inner == outer) continue;
-      // Nobody looks for crossings in the plane, where polygons are small.
-      const bool crossing = plane || std::ranges::binary_search(crossings, std::minmax({inner, outer}));
+      const bool crossing = std::ranges::binary_search(crossings, std::minmax({inner, outer}));
       if (regions[outer].holds(regions[inner], crossing)) parts[inner].around.push_back(outer);
     }
 }
@@ -132,11 +132,10 @@ std::string label(const Candidate& cage, const Part& part) {
 std::vector<Part> parts_of(const Candidate& cage) {
   std::vector<Part> parts = connected_parts(cage);
   for (Part& part : parts) {
-    part.orientation = orientation(cage, part.faces);
-    if (part.orientation != 0) continue;
-    const std::string_view nothing = is_plane(cage) ? "area" : "volume";
-    throw InputError(
-        fmt::format("{}: {} encloses no {}", cage.name, parts.size() == 1 ? "the cage" : label(cage, part), nothing));
+    part.orientation = is_plane(cage) ? turning(cage, part.faces) : orientation(cage, part.faces);
+    if (part.orientation == 0)
+      throw InputError(
+          fmt::format("{}: {} encloses no volume", cage.name, parts.size() == 1 ? "the cage" : label(cage, part)));
   }
   if (parts.size() > 1) nest(cage, parts);
   return parts;
@@ -153,8 +152,11 @@ std::string wrong_way(const Candidate& cage, const std::vector<Part>& parts, con
           ? "within no other part"
           : fmt::format("within {} other part{}, the first from {} on", part.around.size(),
                         part.around.size() == 1 ? "" : "s", face_label(cage, parts[part.around.front()].faces.front()));
-  const std::string_view how = part.orientation < 0 ? "bounds no cavity, though its normals point inward"
-                                                    : "bounds a cavity, so its normals should point into it";
+  const bool plane = is_plane(cage);
+  const std::string_view how = part.orientation < 0 ? (plane ? "bounds no hole, though it runs clockwise"
+                                                             : "bounds no cavity, though its normals point inward")
+                                                    : (plane ? "bounds a hole, so it should run clockwise"
+                                                             : "bounds a cavity, so its normals should point into it");
   return fmt::format("{}: {} lies {}: it {}; --flip-inward reverses such parts", cage.name, label(cage, part), where,
                      how);
 }

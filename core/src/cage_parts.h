@@ -19,8 +19,8 @@ struct Part {
 /// The parts, in the order of their first faces. One lies within another when that winds around those of its vertices
 /// that do not lie on it; so parts that cross each other lie beside each other. Quads are cut by the diagonal at their
 /// first corner, or by the other one where that folds them. Exact.
-/// \pre check_edges and check_fans passed, or check_loops in the plane \throws InputError for a part without volume (or
-/// area)
+/// \pre check_edges and check_fans passed, in the plane all of polygon_checks.h \throws InputError for a part without
+/// volume
 std::vector<Part> parts_of(const Candidate& cage);
 
 /// Why the part should be turned, for a message.

@@ -2,6 +2,7 @@
 #include "cageproof/core/embedded_cages.h"
 
 #include "cageproof/core/input_error.h"
+#include "embedded_polygons.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -164,14 +165,6 @@ Surface spiky_box() {
   return s;
 }
 
-// The unit square, in the plane.
-Surface square() {
-  Surface s;
-  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}) s.vertices.emplace_back(x, y, 0);
-  for (int k = 0; k < 4; ++k) s.faces.push_back({{k, (k + 1) % 4, -1, -1}});
-  return s;
-}
-
 // A prism over a polygon of n points of the plane y = 0, which are the first n vertices, counter-clockwise seen from
 // -y; its caps are to be added.
 Surface prism(const std::vector<std::pair<double, double>>& outline) {
@@ -268,12 +261,11 @@ Surface fan(double) {
 struct Row {
   std::string_view name;
   Surface (*make)();
-  bool polygon = false;
 };
 
-constexpr std::array kRows{Row{"cube", cube},           Row{"icosphere", icosphere},     Row{"torus", torus},
-                           Row{"l-block", l_block},     Row{"twisted-bar", twisted_bar}, Row{"thin-box", thin_box},
-                           Row{"spiky-box", spiky_box}, Row{"square", square, true}};
+constexpr std::array kRows{Row{"cube", cube},          Row{"icosphere", icosphere},     Row{"torus", torus},
+                           Row{"l-block", l_block},    Row{"twisted-bar", twisted_bar}, Row{"thin-box", thin_box},
+                           Row{"spiky-box", spiky_box}};
 
 // Cages with a thickness, opening or width that goes to zero by decades: 1e-<first>, then every `step`-th up to
 // 1e-<last>.
@@ -319,12 +311,14 @@ std::vector<std::string_view> extreme_cage_names() {
 
 bool is_embedded_cage(std::string_view name) {
   return std::ranges::find(kRows, name, &Row::name) != kRows.end() ||
+         std::ranges::find(embedded_polygons(), name, &EmbeddedPolygon::name) != embedded_polygons().end() ||
          std::ranges::find(extremes(), name, &Extreme::name) != extremes().end();
 }
 
 std::vector<std::string_view> embedded_cage_names() {
   std::vector<std::string_view> names;
   for (const Row& row : kRows) names.push_back(row.name);
+  for (const EmbeddedPolygon& polygon : embedded_polygons()) names.push_back(polygon.name);
   return names;
 }
 
@@ -332,9 +326,10 @@ Cage embedded_cage(std::string_view name) {
   for (const Row& row : kRows)
     if (row.name == name) {
       Surface surface = row.make();
-      const auto make = row.polygon ? Cage::make_polygon : Cage::make;
-      return make(std::string(name), std::move(surface.vertices), std::move(surface.faces), {});
+      return Cage::make(std::string(name), std::move(surface.vertices), std::move(surface.faces));
     }
+  for (const EmbeddedPolygon& polygon : embedded_polygons())
+    if (polygon.name == name) return polygon.make();
   for (const Extreme& extreme : extremes())
     if (extreme.name == name) {
       Surface surface = extreme.family->make(extreme.parameter);

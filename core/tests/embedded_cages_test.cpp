@@ -36,8 +36,9 @@ double bulge(const Cage& cage, const Face& face) {
 }
 
 TEST(embedded_cages, have_the_stated_names_and_order) {
-  const std::vector<std::string_view> names{"cube",        "icosphere", "torus",     "l-block",
-                                            "twisted-bar", "thin-box",  "spiky-box", "square"};
+  const std::vector<std::string_view> names{"cube",     "icosphere", "torus",  "l-block", "twisted-bar",
+                                            "thin-box", "spiky-box", "square", "l-shape", "star",
+                                            "comb",     "thin-bar",  "frame",  "figure"};
   EXPECT_EQ(embedded_cage_names(), names);
   for (const auto name : names) EXPECT_EQ(embedded_cage(name).name(), name);
 }

@@ -39,6 +39,25 @@ TEST(points_rejects, points_in_the_plane) {
   expect_parts(error_of("p.obj", "v 3 4\n"), {"p.obj:1: ", "three coordinates", "2"});
 }
 
+TEST(points_in_the_plane, have_two_numbers_or_a_zero) {
+  const TemporaryFolder folder;
+  const auto flat = [&](const std::string& name, std::string_view text) {
+    return read_points(folder.write(name, text), 2);
+  };
+  const std::vector<Vec3<double>> points{{0.1, 2, 0}, {-3, 4, 0}};
+  EXPECT_EQ(flat("p.csv", "x,y\n0.1,2\n-3,4\n"), points);
+  EXPECT_EQ(flat("p.xyz", "0.1 2 0\n-3 4\n"), points);
+  EXPECT_EQ(flat("p.obj", "v 0.1 2 0\nv -3 4 -0\n"), points);
+  EXPECT_EQ(flat("p.obj", "v 0.1 2\nv -3 4\nl 1 2\n"), points);
+  EXPECT_EQ(flat("p.svg", "<svg><path d='M.1-2-3-4'/></svg>"), points);
+  EXPECT_EQ(flat("p.geojson", R"({"type":"MultiPoint","coordinates":[[0.1,2],[-3,4]]})"), points);
+  expect_parts(input_error_of([&] { flat("p.csv", "0,1\n0,1,2\n"); }), {"p.csv:2: 3D points for a polygon", "\"2\""});
+  expect_parts(input_error_of([&] { flat("p.csv", "0,1\n0\n"); }), {"p.csv:2: ", "two coordinates", "1"});
+  expect_parts(input_error_of([&] { flat("p.csv", "0,1,0,0\n"); }), {"p.csv:1: ", "two coordinates", "4"});
+  expect_parts(input_error_of([&] { flat("p.obj", "v 0 0 0\nv 0 0 1e-300\n"); }),
+               {"p.obj: vertex 1", "3D points for a polygon", "1e-300"});
+}
+
 TEST(points_rejects, more_than_three_numbers) {
   expect_parts(error_of("p.csv", "0,1,2\n0,1,2,3\n"), {"p.csv:2: ", "4"});
 }

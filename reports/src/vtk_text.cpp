@@ -82,10 +82,19 @@ std::string vtp_text(const MeshField& field) {
     cells->InsertNextCell(static_cast<int>(face.size()));
     for (const int vertex : face) cells->InsertCellPoint(vertex);
   }
-  if (field.faces.empty()) {
+  if (!field.segments.empty()) {
+    vtkNew<vtkCellArray> lines;
+    for (const auto& [from, to] : field.segments) {
+      lines->InsertNextCell(2);
+      lines->InsertCellPoint(from);
+      lines->InsertCellPoint(to);
+    }
+    mesh->SetLines(lines);
+  }
+  if (field.faces.empty() && field.segments.empty()) {
     for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) cells->InsertNextCell(1, &i);
     mesh->SetVerts(cells);
-  } else {
+  } else if (!field.faces.empty()) {
     mesh->SetPolys(cells);
   }
   add_arrays(*mesh, field.arrays);

@@ -32,7 +32,7 @@ struct Face {
 /// What may be repaired instead of rejected.
 struct CageOptions {
   /// Reverse the faces of parts that are oriented the wrong way: outer shells whose normals point inward, and cavities
-  /// whose normals point into the solid.
+  /// whose normals point into the solid. In the plane also single segments, so that all of a polygon follow each other.
   bool flip_inward = false;
   /// Quads may have coinciding corners, three on a line, cross themselves or fold over; for coordinates that keep
   /// quads.
@@ -67,12 +67,14 @@ class Cage {
                    CageOptions options = {});
 
   /// A polygon in the plane, or several: those within an odd number of others bound holes, and run clockwise.
-  /// \param vertices with third coordinate zero \param segments from vertex to vertex
-  /// \throws InputError naming the first segment (or vertex) at fault: empty input, a coordinate that is not finite or
-  /// not in the plane; index out of
-  ///   range or repeated, unused vertex; a segment without length; a vertex where not exactly one segment ends and one
-  ///   begins; a polygon without area, or that runs the wrong way unless options.flip_inward. Exact. Intersections are
-  ///   not looked for.
+  /// \param vertices with third coordinate zero \param segments from vertex to vertex, in any order
+  /// \throws InputError naming the first vertex or segment at fault, and the reason: empty input, a coordinate that is
+  ///   not finite or not in the plane; index out of range or repeated, unused vertex; a segment without length, two
+  ///   vertices at one place; a vertex where not exactly one segment ends and one begins; two segments that cross,
+  ///   touch or overlap; a polygon that runs the wrong way. With options.flip_inward segments and polygons that run the
+  ///   wrong way are turned instead. Exact, as make is.
+  /// In space faces that cross bring a warning, in the plane an error: a polygon is drawn in one piece, by hand or by a
+  /// program, and one that crosses itself is an accident.
   static Cage make_polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
                            CageOptions options = {});
 
@@ -103,11 +105,14 @@ class Cage {
     std::vector<int> face_of;
   };
   Parts parts(bool keep_quads, Triangulation rule) const;
-  /// The same cage with other vertices and faces, of the same dimension. \throws InputError as make
+  /// The same cage with other vertices and faces, of the same dimension: moved, turned, subdivided. \throws InputError
+  /// as make and make_polygon, which look for no contacts here: walls as thin as a rounding may have come to touch.
   Cage with(std::vector<Vec3<double>> vertices, std::vector<Face> faces) const;
 
  private:
   Cage() = default;
+  static Cage polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
+                      CageOptions options, bool look_for_contacts);
   int dimension_ = 3;
   std::string name_;
   std::vector<Vec3<double>> vertices_;
@@ -120,9 +125,9 @@ class Cage {
 std::vector<std::string> invalid_quads(const Cage& cage);
 
 /// The pairs of faces that cross or touch each other (face_crossings), each as "faces f and g", with the lines of the
-/// file where they are known; empty for none, and in the plane, where nobody looks. No error: integrals over such a
-/// surface exist and agree with all that is said of them, but for the number that they sum to, which is how often the
-/// cage winds around the point, 2 where two parts of it overlap.
+/// file where they are known; empty for none, and in the plane, where make_polygon refuses them. No error: integrals
+/// over such a surface exist and agree with all that is said of them, but for the number that they sum to, which is how
+/// often the cage winds around the point, 2 where two parts of it overlap.
 std::vector<std::string> crossing_faces(const Cage& cage);
 
 /// One line that names the first of them and says what it means; nothing where no faces cross.

@@ -7,7 +7,7 @@
 namespace cageproof {
 
 /// Names of the embedded cages, in report order: cube, icosphere, torus, l-block, twisted-bar, thin-box, spiky-box; in
-/// the plane square.
+/// the plane square, l-shape, star, comb, thin-bar, frame (a square with a hole), figure (of a person, 100 edges).
 std::vector<std::string_view> embedded_cage_names();
 
 /// Names of the extreme ones, in report order, each family swept by decades of its thickness, opening or width, 1e-3

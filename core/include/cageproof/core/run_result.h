@@ -116,8 +116,9 @@ struct ImageField {
 struct MeshField {
   std::string name;
   std::vector<Vec3<double>> vertices;
-  std::vector<std::vector<int>> faces;  ///< empty: a point cloud
+  std::vector<std::vector<int>> faces;  ///< where there are neither these nor segments: a point cloud
   std::vector<ImageField::Array> arrays;
+  std::vector<std::array<int, 2>> segments = {};  ///< of polylines
 };
 
 }  // namespace cageproof

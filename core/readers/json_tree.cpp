@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "json_tree.h"
+
+#include "../src/mesh_files.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+
+namespace cageproof::mesh_files {
+namespace {
+
+using Json = nlohmann::json;
+// Counts the lines that the parser has passed.
+class CountingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountingIterator(const char* at, std::size_t& line) : at_(at), line_(&line) {}
+  reference operator*() const { return *at_; }
+  CountingIterator& operator++() {
+    if (*at_++ == '\n') ++*line_;
+    return *this;
+  }
+  CountingIterator operator++(int) {
+    const CountingIterator before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  std::size_t* line_;
+};
+
+class TreeBuilder {
+ public:
+  explicit TreeBuilder(const std::size_t& line) : line_(line) {}
+
+  bool null() { return put({JsonType::Null, line_}); }
+  bool boolean(bool) { return put({JsonType::Boolean, line_}); }
+  bool number_integer(Json::number_integer_t value) {
+    return put({JsonType::Number, line_, static_cast<double>(value)});
+  }
+  bool number_unsigned(Json::number_unsigned_t value) {
+    return put({JsonType::Number, line_, static_cast<double>(value)});
+  }
+  bool number_float(Json::number_float_t value, const std::string&) { return put({JsonType::Number, line_, value}); }
+  bool string(std::string& value) { return put({JsonType::String, line_, 0, std::move(value)}); }
+  bool binary(Json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(JsonType::Object); }
+  bool start_array(std::size_t) { return open(JsonType::Array); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool key(std::string& name) {
+    auto& keys = open_.back()->keys;
+    if (std::ranges::find(keys, name) != keys.end())
+      throw JsonFault{line_, fmt::format("the key {} occurs twice", shown(name))};
+    keys.push_back(std::move(name));
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string& token, const nlohmann::detail::exception& reason) {
+    constexpr int number_overflow = 406;  // nlohmann's number of that error
+    throw JsonFault{line_, reason.id == number_overflow
+                               ? fmt::format("the number {} is beyond the range of double", shown(token))
+                               : fmt::format("malformed JSON at {}", shown(token))};
+  }
+
+  JsonValue root;
+
+ private:
+  JsonValue* add(JsonValue value) {
+    if (open_.empty()) {
+      root = std::move(value);
+      return &root;
+    }
+    return &open_.back()->items.emplace_back(std::move(value));
+  }
+  bool put(JsonValue value) {
+    add(std::move(value));
+    return true;
+  }
+  bool open(JsonType type) {
+    constexpr std::size_t deepest = 100;
+    if (open_.size() == deepest) throw JsonFault{line_, fmt::format("nested more than {} deep", deepest)};
+    // Items of those that are open do not move: they are the last ones of theirs.
+    open_.push_back(add({type, line_}));
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  const std::size_t& line_;
+  std::vector<JsonValue*> open_;
+};
+
+}  // namespace
+
+const JsonValue* JsonValue::find(std::string_view key) const {
+  const auto found = std::ranges::find(keys, key);
+  return type == JsonType::Object && found != keys.end() ? &items[found - keys.begin()] : nullptr;
+}
+
+JsonValue parse_json_tree(std::string_view text) {
+  std::size_t line = 1;
+  TreeBuilder builder(line);
+  Json::sax_parse(CountingIterator(text.data(), line), CountingIterator(text.data() + text.size(), line), &builder);
+  return std::move(builder.root);
+}
+
+}  // namespace cageproof::mesh_files
