@@ -125,6 +125,23 @@ TEST(segment_accurate, keeps_its_digits_at_the_ends_of_the_range) {
   EXPECT_LE(weights.bound[0], kAccurateTolerance);
 }
 
+// omega = pi - 2 y (1 + x^2) + 2 y^3/3 + ... about the middle of a segment from -1 to 1: its Hessian vanishes there.
+TEST(segment_accurate, sees_the_angles_hessian_vanish_at_the_middle) {
+  const Segment<double> s{Vec(-1, 0, 0), Vec(1, 0, 0)};
+  for (const double size : {1e-5, 1e-40, 1e-120, 1e-230, 1e-300}) {
+    const double x = 3 * size, y = 0.5 * size;
+    const auto found = accurate<WindingAngle, 2>(s, Vec(x, y, 0));
+    const auto wide =
+        closed_form<WindingAngle, 2, Mp100>({convert<Mp100>(s[0]), convert<Mp100>(s[1])}, convert<Mp100>(Vec(x, y, 0)));
+    const std::array<double, 4> hessian{-4 * y, -4 * x, -4 * x, 4 * y};
+    EXPECT_LE(found.bound[2], kAccurateTolerance) << size;
+    for (int i = 0; i < 4; ++i) {
+      EXPECT_NEAR(found.jet.hessian[0](i / 2, i % 2), hessian[i], 1e-8 * size) << size;
+      EXPECT_NEAR(static_cast<double>(wide.hessian[0](i / 2, i % 2)), hessian[i], 1e-8 * size) << size;
+    }
+  }
+}
+
 // In float the statement holds of what is rounded to float.
 TEST(segment_accurate, states_its_error_in_float) {
   const Evaluation evaluation = evaluation_named("segment.double_layer", "accurate");
