@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cageproof/closed_form/segment/engine/closed_form.h"
-#include "segment_samples.h"
+#include "segment_kernels.h"
 
 #include <gtest/gtest.h>
 
@@ -13,35 +13,6 @@ namespace cageproof::closed_form::segment {
 template <class F, Scalar R>
 using Tensors = Jet<R, F::components, 2>;
 
-/// The parts of derivative order o, one number after the other.
-template <Scalar R, int C>
-std::vector<R> part(const Jet<R, C, 2>& jet, int order) {
-  std::vector<R> x;
-  for (int c = 0; c < C; ++c) {
-    if (order == 0) x.push_back(jet.value[c]);
-    for (int i = 0; i < 2; ++i) {
-      if (order == 1) x.push_back(jet.gradient[c][i]);
-      for (int j = 0; order == 2 && j < 2; ++j) x.push_back(jet.hessian[c](i, j));
-    }
-  }
-  return x;
-}
-
-template <Scalar R>
-R norm(const std::vector<R>& x) {
-  R sum = 0;
-  for (const R& y : x) sum += y * y;
-  using std::sqrt;
-  return sqrt(sum);
-}
-
-template <Scalar R, Scalar S>
-std::vector<R> difference(const std::vector<R>& a, const std::vector<S>& b) {
-  std::vector<R> d;
-  for (std::size_t i = 0; i < a.size(); ++i) d.push_back(R(a[i]) - R(b[i]));
-  return d;
-}
-
 using Parameters = std::span<const double>;
 
 /// The closed form in R. \param given its parameters
@@ -49,42 +20,6 @@ template <class F, Scalar R>
 Tensors<F, R> evaluate(const SegmentSample& sample, Parameters given = {}) {
   const std::vector<R> parameters(given.begin(), given.end());
   return closed_form<F, 2, R>({convert<R>(sample.s[0]), convert<R>(sample.s[1])}, convert<R>(sample.point), parameters);
-}
-
-/// Over 2 pi, the integral of a kernel of the test's own, `add(weight, t, x, y, nx, ny, sum)`, over panels that double
-/// away from the point of the segment that is nearest. Their integrands are analytic one panel's length around.
-template <class K>
-Jet<Mp100, K::components, 2> integral(const SegmentSample& sample, const K& kernel = {}) {
-  const auto& rule = gauss_legendre<Mp100>(60);
-  const Vec3<Mp100> a = convert<Mp100>(sample.s[0]), e = convert<Mp100>(sample.s[1]) - a,
-                    from = convert<Mp100>(sample.point) - a;
-  const Mp100 length = sqrt(Mp100(e.dot(e))), nx = e[1] / length, ny = -e[0] / length;
-  const Mp100 nearest = std::clamp(Mp100(from.dot(e) / e.dot(e)), Mp100(0), Mp100(1));
-  const Vec3<Mp100> arm = from - nearest * e;
-  const Mp100 first = sqrt(Mp100(arm.dot(arm))) / length;
-  Jet<Mp100, K::components, 2> sum;
-  for (const int side : {-1, 1}) {
-    const Mp100 whole = side > 0 ? Mp100(1 - nearest) : nearest;
-    Mp100 begin = 0, width = first;
-    while (begin < whole) {
-      const Mp100 end = std::min(Mp100(begin + width), whole);
-      for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
-        const Mp100 step = side * (begin + (end - begin) * rule.nodes[j]), t = nearest + step;
-        // From the nearest point, where differences are small.
-        kernel.add(rule.weights[j] * (end - begin) * length, t, step * e[0] - arm[0], step * e[1] - arm[1], nx, ny,
-                   sum);
-      }
-      begin = end;
-      width *= 2;
-    }
-  }
-  const Mp100 turn = 1 / (2 * pi<Mp100>());
-  for (int c = 0; c < K::components; ++c) {
-    sum.value[c] *= turn;
-    sum.gradient[c] *= turn;
-    sum.hessian[c] *= turn;
-  }
-  return sum;
 }
 
 template <class F, class K>

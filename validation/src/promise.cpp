@@ -38,6 +38,8 @@ constexpr std::array table{
     Row{"truth", "*", recommended, "double", "*", 0, 2, 64, "backward stable: a few roundings times conditioning"},
     Row{"truth", "*", recommended, "float", "*", 0, 2, 64, "computed in double and rounded"},
     Row{"truth", "*", "accurate", "double", "*", 0, 2, 256, "what is small relatively is so with conditioning"},
+    Row{"truth", "*", "accurate", "float", "*", 0, 2, 256, "computed in double and rounded"},
+    Row{"relative", "*", "accurate", "float", "*", 0, 2, 256, "computed in double and rounded"},
     Row{"relative", "*", "accurate", "double", "*", 0, 2, 256,
         "accepted at a running error bound of 128 units, which is itself rounded; else computed with more digits"},
     // Printed forms away from their weak spots, which are the lines of edges, thin triangles, and far away.

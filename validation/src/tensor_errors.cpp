@@ -100,14 +100,16 @@ double relative_error(const Result<R>& f, const Truth& truth, int order) {
   return ratio(c, sqrt(c.truth));
 }
 
-double error_over_digits(const Result<double>& f, const Truth& truth, int order, double digits) {
+template <Scalar R>
+double error_over_digits(const Result<R>& f, const Truth& truth, int order, double digits) {
   const Compared c = compared(f.of(order), truth.tensors.of(order), false);
   return ratio(c, Mp100(sqrt(c.truth) * pow(Mp100(10), Mp100(-digits))));
 }
 
 #define CAGEPROOF_INSTANTIATE(R)                                                           \
   template double conditioned_error<R>(const Result<R>&, const Truth&, int, const Mp100&); \
-  template double relative_error<R>(const Result<R>&, const Truth&, int);
+  template double relative_error<R>(const Result<R>&, const Truth&, int);                  \
+  template double error_over_digits<R>(const Result<R>&, const Truth&, int, double);
 CAGEPROOF_INSTANTIATE(float)
 CAGEPROOF_INSTANTIATE(double)
 CAGEPROOF_INSTANTIATE(Mp50)

@@ -37,6 +37,11 @@ bool has_zero(const Truth& truth, int order) {
   return false;
 }
 
+/// Whether an evaluation that states its error does so in a scalar that people compute in.
+bool is_stated_in(ScalarKind scalar, const Evaluation& evaluation) {
+  return (scalar == ScalarKind::Double || scalar == ScalarKind::Float) && evaluation.role() == cageproof::Role::Stated;
+}
+
 /// An evaluation against the truth, in conditioned units.
 class TruthCheck final : public Check {
  public:
@@ -48,7 +53,7 @@ class TruthCheck final : public Check {
     // for where people compute in it.
     const cageproof::Role role = evaluation.role();
     if (role == cageproof::Role::Integral) return false;
-    return scalar == ScalarKind::Double ||
+    return scalar == ScalarKind::Double || is_stated_in(scalar, evaluation) ||
            (scalar == ScalarKind::Float && (role == cageproof::Role::Recommended || role == cageproof::Role::Printed));
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
@@ -78,18 +83,20 @@ class RelativeCheck final : public Check {
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar,
                std::string_view regime) const override {
     const bool hunted = is_recommended(evaluation) && regime == hunted_regime;
-    return scalar == ScalarKind::Double && (hunted || evaluation.role() == cageproof::Role::Stated);
+    return is_stated_in(scalar, evaluation) || (hunted && scalar == ScalarKind::Double);
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
-    const Result<double> f = evaluate<double>(in.evaluation, in.sample, in.order);
-    std::array<Finding, 3> findings;
-    for (int o = 0; o <= in.order; ++o) {
-      findings[o] = finding_of(f, in.truth, in.evaluation, o);
-      if (findings[o].status != Finding::Status::Measured) continue;
-      findings[o].relative = relative_error(f, in.truth, o);
-      findings[o].error = findings[o].relative / unit_roundoff<double>();
-    }
-    return findings;
+    return with_scalar(in.scalar, [&]<Scalar R>() {
+      const Result<R> f = evaluate<R>(in.evaluation, in.sample, in.order);
+      std::array<Finding, 3> findings;
+      for (int o = 0; o <= in.order; ++o) {
+        findings[o] = finding_of(f, in.truth, in.evaluation, o);
+        if (findings[o].status != Finding::Status::Measured) continue;
+        findings[o].relative = relative_error(f, in.truth, o);
+        findings[o].error = findings[o].relative / static_cast<double>(unit_roundoff<R>());
+      }
+      return findings;
+    });
   }
 };
 
@@ -161,27 +168,29 @@ class StatedErrorCheck final : public Check {
     return "error over the evaluation's own statement of it: above one the statement is false";
   }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
-    return evaluation.states_error() && scalar == ScalarKind::Double;
+    return is_stated_in(scalar, evaluation) || (evaluation.states_error() && scalar == ScalarKind::Double);
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
-    const Result<double> f = evaluate<double>(in.evaluation, in.sample, in.order);
-    std::array<Finding, 3> findings;
-    for (int o = 0; o <= in.order; ++o) {
-      // Beside infinite entries there is no norm for a statement to be relative to.
-      findings[o] = finding_for(in.truth, o);
-      if (findings[o].status != Finding::Status::Measured) continue;
-      // No digit stated: it says that it could not, where it owes a statement.
-      const bool owed = in.truth.required[o] && !has_zero(in.truth, in.order) && !is_next_to_zero(in.truth, in.order);
-      if (!(f.stated_digits > 0)) findings[o].status = owed ? Finding::Status::Declined : Finding::Status::NoTruth;
-      // A relative statement says nothing about what a double cannot hold, nor about a zero that is met.
-      if (!representable<double>(in.truth.norm[o])) findings[o].status = Finding::Status::NoTruth;
-      const double relative = relative_error(f, in.truth, o);
-      if (in.truth.norm[o] == 0 && relative == 0) findings[o].status = Finding::Status::NoTruth;
-      if (findings[o].status != Finding::Status::Measured) continue;
-      findings[o].relative = relative;
-      findings[o].error = error_over_digits(f, in.truth, o, f.stated_digits);
-    }
-    return findings;
+    return with_scalar(in.scalar, [&]<Scalar R>() {
+      const Result<R> f = evaluate<R>(in.evaluation, in.sample, in.order);
+      std::array<Finding, 3> findings;
+      for (int o = 0; o <= in.order; ++o) {
+        // Beside infinite entries there is no norm for a statement to be relative to.
+        findings[o] = finding_for(in.truth, o);
+        if (findings[o].status != Finding::Status::Measured) continue;
+        // No digit stated: it says that it could not, where it owes a statement.
+        const bool owed = in.truth.required[o] && !has_zero(in.truth, in.order) && !is_next_to_zero(in.truth, in.order);
+        if (!(f.stated_digits > 0)) findings[o].status = owed ? Finding::Status::Declined : Finding::Status::NoTruth;
+        // A relative statement says nothing about what the scalar cannot hold, nor about a zero that is met.
+        if (!representable<R>(in.truth.norm[o])) findings[o].status = Finding::Status::NoTruth;
+        const double relative = relative_error(f, in.truth, o);
+        if (in.truth.norm[o] == 0 && relative == 0) findings[o].status = Finding::Status::NoTruth;
+        if (findings[o].status != Finding::Status::Measured) continue;
+        findings[o].relative = relative;
+        findings[o].error = error_over_digits(f, in.truth, o, f.stated_digits);
+      }
+      return findings;
+    });
   }
 };
 

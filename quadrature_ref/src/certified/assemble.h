@@ -2,8 +2,10 @@
 // A definition's tensors from moments: the derivatives' terms summed in the frame, then turned into the axes of space.
 #pragma once
 
-#include "kernel_terms.h"
 #include "moments.h"
+#include "seen_element.h"
+
+#include "cageproof/core/formula.h"
 
 namespace cageproof::quadrature_ref::certified {
 
@@ -13,16 +15,19 @@ class DifferentiatedKernel {
   explicit DifferentiatedKernel(const Definition& definition);
   const Definition& definition() const { return *definition_; }
 
-  /// The moments that orders 0 to `order` need.
+  const Formula& formula() const { return *formula_; }
+
+  /// The moments that orders 0 to `order` need of a triangle.
   MomentRange moments(int order) const;
-  /// Whether the integral of this order converges with the point on the triangle, and is continuous there.
-  bool weakly_singular(int order) const;
+  /// Whether the integral of this order converges with the point on the element, and is continuous there.
+  /// \param parameters in the order of Formula::parameters
+  bool weakly_singular(int order, const std::vector<Real>& parameters) const;
   /// The tensor of one order, entries as in Result. \param parameters in the order of Formula::parameters
-  std::vector<Real> tensor(int order, const Frame& frame, const Moments& moments,
-                           const std::vector<Real>& parameters) const;
+  std::vector<Real> tensor(int order, const SeenElement& element, const std::vector<Real>& parameters) const;
 
  private:
   const Definition* definition_;
+  const Formula* formula_;
   /// [order][component][i <= j entries]
   std::array<std::vector<std::vector<Polynomial>>, 3> terms_;
 };

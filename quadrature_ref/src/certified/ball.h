@@ -169,6 +169,11 @@ inline Real log(const Real& a) {
   arb_log(c.raw(), a.raw(), working_bits);
   return c;
 }
+inline Real log1p(const Real& a) {
+  Real c;
+  arb_log1p(c.raw(), a.raw(), working_bits);
+  return c;
+}
 inline Complex log(const Complex& a) {
   Complex c;
   acb_log_analytic(c.raw(), a.raw(), 1, working_bits);

@@ -2,6 +2,7 @@
 #include "cageproof/quadrature_ref/certified.h"
 
 #include "assemble.h"
+#include "segment/moments.h"
 
 #include <algorithm>
 
@@ -11,6 +12,7 @@ namespace {
 using namespace certified;
 
 constexpr int guard_bits = 64;  // of the working precision beyond the truncation error aimed at
+constexpr int kBitsOfSegments = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Square root of the sum of squares of midpoints or of radii.
@@ -82,25 +84,38 @@ struct Attempt {
   std::size_t nodes = 0;
 };
 
-template <Scalar R>
-std::optional<Attempt> attempt(const DifferentiatedKernel& kernel, const Query<R>& query, int bits, double& work_left) {
-  const WorkingBits working(bits);
-  const auto frame = frame_of(query);
-  if (!frame) return std::nullopt;
-  std::vector<Real> parameters;
-  for (const R& p : query.parameters) parameters.push_back(Real::exactly(p));
-  Attempt found;
-  const auto moments =
-      integrate_moments(*frame, kernel.moments(query.order), bits - guard_bits, work_left, found.nodes);
-  if (!moments) return std::nullopt;
-  for (int order = 0; order <= query.order; ++order) {
-    if (frame->on_triangle && !kernel.weakly_singular(order)) {
+// Tensors of the orders that can be enclosed.
+void assemble(const DifferentiatedKernel& kernel, const SeenElement& element, bool on_element, int order,
+              const std::vector<Real>& parameters, Attempt& found) {
+  for (int o = 0; o <= order; ++o) {
+    if (on_element && !kernel.weakly_singular(o, parameters)) {
       found.all_orders = false;
       continue;
     }
-    found.tensors[order] = kernel.tensor(order, *frame, *moments, parameters);
-    found.bits = std::min(found.bits, bits_of(found.tensors[order]));
+    found.tensors[o] = kernel.tensor(o, element, parameters);
+    found.bits = std::min(found.bits, bits_of(found.tensors[o]));
   }
+}
+
+template <Scalar R>
+std::optional<Attempt> attempt(const DifferentiatedKernel& kernel, const Query<R>& query, int bits, double& work_left) {
+  const WorkingBits working(bits);
+  std::vector<Real> parameters;
+  for (const R& p : query.parameters) parameters.push_back(Real::exactly(p));
+  Attempt found;
+  if (kernel.formula().element == ElementKind::Segment) {
+    auto frame = segment_frame_of(query);
+    if (!frame) return std::nullopt;
+    const SegmentMoments moments(std::move(*frame));
+    assemble(kernel, moments, moments.frame().on_segment, query.order, parameters, found);
+    return found;
+  }
+  const auto frame = frame_of(query);
+  if (!frame) return std::nullopt;
+  const auto moments =
+      integrate_moments(*frame, kernel.moments(query.order), bits - guard_bits, work_left, found.nodes);
+  if (!moments) return std::nullopt;
+  assemble(kernel, SeenTriangle(*frame, *moments), frame->on_triangle, query.order, parameters, found);
   return found;
 }
 
@@ -117,12 +132,14 @@ void integrate_certified(std::string_view formula, const Query<R>& query, Result
                          const CertifiedEffort& effort) {
   [[maybe_unused]] static thread_local const ThreadCaches caches;
   const DifferentiatedKernel& kernel = kernel_of(formula);
-  const Formula& row = formula_named(formula);
+  const Formula& row = kernel.formula();
   result.reset(row.components(), row.dim(), query.order);
+  // A segment's moments take microseconds, and cancel next to its line what a triangle's do not.
+  const int most_bits = row.element == ElementKind::Segment ? effort.most_bits * kBitsOfSegments : effort.most_bits;
   std::optional<Attempt> best;
   std::size_t nodes = 0;
   double work_left = effort.most_work;
-  for (int bits = effort.first_bits; bits <= effort.most_bits;) {
+  for (int bits = effort.first_bits; bits <= most_bits;) {
     auto found = attempt(kernel, query, bits, work_left);
     if (!found) break;
     nodes += found->nodes;
@@ -143,7 +160,7 @@ void integrate_certified(std::string_view formula, const Query<R>& query, Result
   result.converged = best && best->all_orders && best->bits >= effort.bits_wanted;
   if (!best || std::ranges::all_of(best->tensors, &std::vector<Real>::empty)) return;
   constexpr double digits_a_bit = 0.30102999566398119521;
-  result.stated_digits = std::clamp(best->bits, 0.0, static_cast<double>(effort.most_bits)) * digits_a_bit;
+  result.stated_digits = std::clamp(best->bits, 0.0, static_cast<double>(most_bits)) * digits_a_bit;
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \

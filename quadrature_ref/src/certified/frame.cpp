@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "frame.h"
 
+#include "exact_input.h"
+
 namespace cageproof::quadrature_ref::certified {
 namespace {
-
-using Vector = std::array<Real, 3>;
 
 Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Vector operator/(const Vector& a, const Real& s) { return {a[0] / s, a[1] / s, a[2] / s}; }
@@ -23,39 +23,15 @@ struct ExactTriangle {
   std::array<Real, 3> lengths_squared, first, last;  // first, last: corner . edge
 };
 
-// Exact arithmetic on a spread of exponents costs as many bits.
-constexpr slong widest_spread = 20000;
-
 template <Scalar R>
 std::optional<ExactTriangle> exact_triangle(const Query<R>& query) {
-  using std::isfinite;
-  slong lowest = 0, highest = 0;
-  bool any = false;
-  const auto read = [&](const Vec3<R>& from, Vector& to) {
-    for (int i = 0; i < 3; ++i) {
-      if (!isfinite(from[i])) return false;
-      to[i] = Real::exactly(from[i]);
-      if (to[i].is_zero()) continue;
-      const double log2 = to[i].log2_size();
-      if (std::abs(log2) > 1e9) return false;
-      const auto exponent = static_cast<slong>(log2);
-      lowest = any ? std::min(lowest, exponent) : exponent;
-      highest = any ? std::max(highest, exponent) : exponent;
-      any = true;
-    }
-    return true;
-  };
-  Vector point;
-  std::array<Vector, 3> at;
-  if (!read(query.point, point)) return std::nullopt;
-  for (int k = 0; k < 3; ++k)
-    if (!read(query.corners[k], at[k])) return std::nullopt;
-  if (highest - lowest > widest_spread) return std::nullopt;
-
+  const auto input = exact_input<3>(query);
+  if (!input) return std::nullopt;
+  const ExactInput<3>& at = *input;
   const WorkingBits exact = WorkingBits::exact();
   ExactTriangle t;
   for (int k = 0; k < 3; ++k) {
-    t.corners[k] = at[k] - point;
+    t.corners[k] = at[k] - at[3];
     t.edges[k] = at[(k + 1) % 3] - at[k];
   }
   t.normal = cross(t.edges[0], t.edges[1]);

@@ -23,6 +23,13 @@ Polynomial Polynomial::derivative(int i) const {
       steeper.q += 2;
       result.add(steeper, factor * monomial.q);
     }
+    if (monomial.logarithms != 0) {
+      Monomial without = monomial;
+      --without.logarithms;
+      ++without.powers[i];
+      without.q += 2;
+      result.add(without, -factor * monomial.logarithms);
+    }
   }
   return result;
 }
@@ -40,6 +47,7 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
       Monomial both;
       for (int i = 0; i < 3; ++i) both.powers[i] = m.powers[i] + n.powers[i];
       both.q = m.q + n.q;
+      both.logarithms = m.logarithms + n.logarithms;
       both.constant = m.constant + n.constant;
       product.add(both, f * g);
     }
@@ -61,6 +69,12 @@ Polynomial coordinate(int i) {
 Polynomial inverse_distance(int q) {
   Monomial m;
   m.q = q;
+  return Polynomial(m);
+}
+
+Polynomial logarithm() {
+  Monomial m;
+  m.logarithms = 1;
   return Polynomial(m);
 }
 

@@ -2,8 +2,9 @@
 // Enclosures of the moments int y1^a y2^b r^(-q) over the triangle, r^2 = y1^2 + y2^2 + d^2.
 #pragma once
 
-#include "radial.h"
 #include "frame.h"
+#include "radial.h"
+#include "seen_element.h"
 
 #include <optional>
 
@@ -44,6 +45,27 @@ class Moments {
   MomentRange range_;
   int stride_;
   std::vector<Real> values_;
+};
+
+/// A triangle with its moments.
+class SeenTriangle final : public SeenElement {
+ public:
+  /// Both must outlive it.
+  SeenTriangle(const Frame& frame, const Moments& moments) : frame_(frame), moments_(moments) {}
+  const Real& axis(int axis, int i) const override { return frame_.axes[axis][i]; }
+  const Real& height() const override { return frame_.height; }
+  bool in_plane() const override { return frame_.in_plane; }
+  Real moment(const Monomial& term, std::optional<int> corner) const override {
+    const int a = term.powers[0], b = term.powers[1], q = term.q;
+    const Real& plain = moments_.at(a, b, q);
+    if (!corner) return plain;
+    const auto& hat = frame_.hat[*corner];
+    return plain * hat[0] + moments_.at(a + 1, b, q) * hat[1] + moments_.at(a, b + 1, q) * hat[2];
+  }
+
+ private:
+  const Frame& frame_;
+  const Moments& moments_;
 };
 
 /// The moments, by one-dimensional integrals over the edges (docs/certified.md), at working_bits.

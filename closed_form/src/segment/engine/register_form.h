@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Enters a segment formula's evaluation into the register.
+// Enters a segment formula's two evaluations into the register.
 #pragma once
 
 #include "../../joint.h"
 
-#include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/accurate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,14 +101,40 @@ template <class F>
 class RegisterForm {
  public:
   explicit RegisterForm(std::string_view formula)
-      : evaluation_(single_family(formula, "closed_form",
-                                  {.description = "logarithms and an angle, in forms that do not cancel",
-                                   .role = Role::Recommended,
-                                   .cost = CostClass::Direct},
-                                  true, [](Evaluation& evaluation) { set_member(evaluation, member_of<F>); })) {}
+      : fast_(single_family(formula, "closed_form",
+                            {.description = "logarithms and an angle, in forms that do not cancel",
+                             .role = Role::Recommended,
+                             .cost = CostClass::Direct},
+                            true, [](Evaluation& evaluation) { set_member(evaluation, member_of<F>); })),
+        careful_(single_family(formula, "accurate",
+                               {.description = "closed form that bounds its own error, in as many digits as that takes",
+                                .role = Role::Stated,
+                                .cost = CostClass::Direct,
+                                .states_error = true},
+                               true, [](Evaluation& evaluation) {
+                                 evaluation.set_batch<float>(careful<float>);
+                                 evaluation.set_batch<double>(careful<double>);
+                               })) {}
 
  private:
-  RegisterEvaluation evaluation_;
+  // Float's is double's, rounded.
+  template <Scalar R>
+  static void careful(const Batch<R>& batch, const BatchOutput<R>& output) {
+    const Segment<double> s{convert<double>(batch.corners[0]), convert<double>(batch.corners[1])};
+    const std::vector<double> parameters(batch.parameters.begin(), batch.parameters.end());
+    const auto u = static_cast<double>(unit_roundoff<R>());
+    with_order(batch.order, [&]<int O>() {
+      for (std::size_t p = 0; p < batch.points.size(); ++p) {
+        const auto f = accurate<F, O>(s, convert<double>(batch.points[p]), parameters, batch.finite_part);
+        closed_form::put(narrowed<R>(f.jet), O, p, output);
+        const double rounding = std::same_as<R, double> || f.worst() == 0 ? 0 : 2 * u, worst = f.worst() + rounding;
+        output.state(p, {.digits = worst > 0 ? -std::log10(worst) : std::numeric_limits<double>::quiet_NaN(),
+                         .converged = worst <= 128 * u});
+      }
+    });
+  }
+
+  RegisterEvaluation fast_, careful_;
 };
 
 }  // namespace cageproof::closed_form::segment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rigorous enclosures of a triangle formula's defining integral, in ball arithmetic (FLINT/Arb).
+// Rigorous enclosures of a triangle's or segment's formula's defining integral, in ball arithmetic (FLINT/Arb).
 #pragma once
 
 #include "cageproof/core/evaluation.h"
@@ -9,7 +9,7 @@ namespace cageproof::quadrature_ref {
 /// How hard to try.
 struct CertifiedEffort {
   int first_bits = 192;  ///< working precision of the first attempt
-  int most_bits = 4096;  ///< of the last
+  int most_bits = 4096;  ///< of the last; on a segment, which costs little, eight times as many
   /// Relative radius aimed at, norm-wise for each order, as a power of two: below 1e-30.
   int bits_wanted = 100;
   /// What all attempts together may cost, in evaluations of an integrand in one word: a few seconds.
@@ -18,14 +18,15 @@ struct CertifiedEffort {
 
 /// Value, gradient and Hessian of a formula as balls that contain them: `Result::of(order)` the midpoints,
 /// `radius_of(order)` the radii, the rounding of the midpoint to R included. Derivatives are taken under the integral
-/// sign. Inputs are taken exactly. docs/certified.md has the proof, and what it costs: 1 to 250 ms.
+/// sign. Inputs are taken exactly. docs/certified.md has the proof, and what it costs: 1 to 250 ms on a triangle, a
+/// fraction of one on a segment.
 ///
 /// Precision grows until the radius is below 2^-bits_wanted of the tensor, norm-wise, in every order asked; `converged`
 /// is false where most_bits, or most_work, do not reach that, and the enclosure, wide as it is, still holds.
-/// `stated_digits` come from the radius before rounding to R. On the triangle, an order whose kernel is weakly singular
-/// is enclosed; all others are NaN with infinite radius, and `converged` is false. So is all of a triangle without
-/// area, and of an input that is not finite. In the plane outside the triangle nothing is special. A function of its
-/// input alone, thread-safe.
+/// `stated_digits` come from the radius before rounding to R. On the element, an order whose kernel is weakly singular
+/// is enclosed; all others are NaN with infinite radius, and `converged` is false. So is all of an element without
+/// area or length, and of an input that is not finite. In its plane, or on its line, outside it nothing is special. A
+/// function of its input alone, thread-safe.
 ///
 /// \throws std::out_of_range when the formula has no definition
 template <Scalar R>

@@ -70,7 +70,8 @@ double relative_error(const Result<R>& f, const Truth& truth, int order);
 
 /// |f - truth| / |truth|, norm-wise, in units of what so many decimal digits leave; as conditioned_error, but that one
 /// denormal counts as any other error.
-double error_over_digits(const Result<double>& f, const Truth& truth, int order, double digits);
+template <Scalar R>
+double error_over_digits(const Result<R>& f, const Truth& truth, int order, double digits);
 
 /// Where a sample's point lies on its element, decided exactly.
 Contact contact_of(ElementKind element, const Sample& sample);

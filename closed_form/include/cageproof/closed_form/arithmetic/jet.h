@@ -10,7 +10,7 @@ namespace cageproof::closed_form {
 
 /// C scalars with their derivatives with respect to the point, in the D coordinates of the space; what lies above the
 /// order asked for is zero.
-template <Scalar R, int C, int D = 3>
+template <class R, int C, int D = 3>
 struct Jet {
   using Gradient = Eigen::Matrix<R, D, 1>;
   using Hessian = Eigen::Matrix<R, D, D>;

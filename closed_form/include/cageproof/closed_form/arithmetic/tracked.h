@@ -44,6 +44,8 @@ struct Tracked {
   Tracked(double x) : value(x) {}
   Tracked(const T& v, Error e) : value(v), error(e) {}
 
+  explicit operator double() const { return static_cast<double>(value); }
+
   Error magnitude() const { return size_of(value); }
   static Tracked rounded(const T& v, Error e, double roundings = 1) { return {v, e + roundings * size_of(v)}; }
 
@@ -84,6 +86,10 @@ struct Tracked {
     using std::log;
     return rounded(T(log(a.value)), a.error / remaining(a), kFunctionRoundings);
   }
+  friend Tracked log1p(const Tracked& a) {
+    using std::log1p;
+    return rounded(T(log1p(a.value)), a.error / remaining(Tracked(T(T(1) + a.value), a.error)), kFunctionRoundings);
+  }
   friend Tracked atanh(const Tracked& a) {
     using std::atanh;
     return rounded(T(atanh(a.value)), a.error / remaining(Tracked(T(T(1) - a.value * a.value), 2 * a.error)),
@@ -120,6 +126,10 @@ template <class T>
 inline constexpr bool is_tracked<Tracked<T>> = true;
 
 }  // namespace cageproof::closed_form
+
+/// Infinities, and what is no number.
+template <class T>
+class std::numeric_limits<cageproof::closed_form::Tracked<T>> : public std::numeric_limits<T> {};
 
 namespace Eigen {
 template <class T>

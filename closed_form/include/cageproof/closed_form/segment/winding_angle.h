@@ -29,7 +29,9 @@ struct WindingAngle {
       const Complex<R> square = (shifted<R>(f.length, f.exponent) * to_far) * to_near;  // int 1/z^2
       jet.gradient[0] = -square.im * f.u - square.re * f.n;
       if constexpr (O >= 2) {
-        const Complex<R> cube = square * (to_far + to_near);  // int 2/z^3
+        // 1/z0 + 1/z1, whose terms cancel about the segment's middle, is (z0 + z1)/(z0 z1).
+        const Complex<R> ends{shifted<R>(f.sum, f.exponent), shifted<R>(-2 * f.h, f.exponent)};
+        const Complex<R> cube = square * ((ends * to_far) * to_near);  // int 2/z^3
         jet.hessian[0] = cube.im * (f.n * f.n.transpose() - f.u * f.u.transpose()) -
                          cube.re * (f.u * f.n.transpose() + f.n * f.u.transpose());
       }

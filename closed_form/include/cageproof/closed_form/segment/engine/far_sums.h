@@ -4,7 +4,6 @@
 #pragma once
 
 #include "cageproof/closed_form/segment/engine/frame.h"
-#include "cageproof/core/gauss_legendre.h"
 
 namespace cageproof::closed_form::segment {
 

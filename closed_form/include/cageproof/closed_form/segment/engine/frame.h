@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/wide.h"
+#include "cageproof/closed_form/segment/engine/scalar.h"
 #include "cageproof/core/exact_geometry.h"
 #include "cageproof/core/orientation.h"
 
@@ -17,6 +18,7 @@ namespace cageproof::closed_form::segment {
 template <Scalar R>
 R shifted(const R& x, int exponent) {
   if constexpr (is_multiprecision<R>) return x;
+  else if constexpr (is_tracked<R>) return {std::ldexp(x.value, exponent), std::ldexp(x.error, exponent)};
   else return std::ldexp(x, exponent);
 }
 
@@ -61,6 +63,8 @@ struct Frame {
   int near_exponent;
 
   Frame(const Segment<R>& segment, const Vec3<R>& eta);
+  /// The same with bounds of what was rounded. \pre no number has underflown
+  explicit Frame(const Frame<double>& plain) requires is_tracked<R>;
 
   const R& far_s() const { return s[1 - near_end]; }
   const R& far_r() const { return r[1 - near_end]; }
