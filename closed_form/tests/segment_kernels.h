@@ -157,7 +157,8 @@ Jet<Mp100, K::components, 2> integral(const SegmentSample& sample, const K& kern
       for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
         const Mp100 step = side * (begin + (end - begin) * rule.nodes[j]), t = nearest + step;
         // From the nearest point, where differences are small.
-        kernel.add(rule.weights[j] * (end - begin) * length, t, step * e[0] - arm[0], step * e[1] - arm[1], nx, ny, sum);
+        kernel.add(rule.weights[j] * (end - begin) * length, t, step * e[0] - arm[0], step * e[1] - arm[1], nx, ny,
+                   sum);
       }
       begin = end;
       width *= 2;

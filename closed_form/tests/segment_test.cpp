@@ -17,7 +17,6 @@ namespace {
 
 using Vec = Vec3<double>;
 
-
 TEST(segment_single_layer, is_the_kernels_integral_in_all_regimes) {
   expect_exact_in_all_regimes<SingleLayer, SingleKernel>({6, 6, 6});
 }

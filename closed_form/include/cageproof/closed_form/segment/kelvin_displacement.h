@@ -79,12 +79,18 @@ struct KelvinDisplacement {
     }
   }
 
+  // Below this the logarithm's factor is called zero: a few roundings of 53 bits, 100 or 200 digits.
+  template <Scalar R>
+  static constexpr double kNoise = !is_multiprecision<R>                    ? 0x1p-48
+                                   : std::numeric_limits<R>::digits10 < 150 ? 1e-90
+                                                                            : 1e-190;
+
   // Where the logarithm of the distance enters the gradient there is its sign: (a - b) Re(v F) I - 2 (b/2) v_n Re F
   // (u n' + n u') grows like Re F, which is infinite.
   template <int O, Scalar R>
   static void set_at_end(const Frame<R>& f, const Shares<R>& k, bool finite_part, Jet<R, 4, 2>& jet) {
     const R nan = std::numeric_limits<R>::quiet_NaN(), infinity = std::numeric_limits<R>::infinity();
-    const R sign(f.near_end == 0 ? 1 : -1), noise = 32 * R(unit_roundoff<R>());
+    const R sign(f.near_end == 0 ? 1 : -1), noise = R(kNoise<R>);
     const Spin<R> spin(f, {R(0), R(1)});
     for (int row = 0; row < 2; ++row)
       for (int column = 0; column < 2; ++column)
