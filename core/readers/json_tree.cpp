@@ -4,39 +4,26 @@
 #include "../src/mesh_files.h"
 
 #include <fmt/format.h>
+#include <boost/iterator/iterator_adaptor.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <iterator>
 
 namespace cageproof::mesh_files {
 namespace {
 
 using Json = nlohmann::json;
 // Counts the lines that the parser has passed.
-class CountingIterator {
+class CountingIterator : public boost::iterators::iterator_adaptor<CountingIterator, const char*> {
  public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = const char&;
-
-  CountingIterator(const char* at, std::size_t& line) : at_(at), line_(&line) {}
-  reference operator*() const { return *at_; }
-  CountingIterator& operator++() {
-    if (*at_++ == '\n') ++*line_;
-    return *this;
-  }
-  CountingIterator operator++(int) {
-    const CountingIterator before = *this;
-    ++*this;
-    return before;
-  }
-  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+  CountingIterator(const char* at, std::size_t& line) : iterator_adaptor_(at), line_(&line) {}
 
  private:
-  const char* at_;
+  friend class boost::iterators::iterator_core_access;
+  void increment() {
+    if (*base_reference()++ == '\n') ++*line_;
+  }
+
   std::size_t* line_;
 };
 

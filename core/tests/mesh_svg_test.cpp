@@ -107,7 +107,7 @@ TEST(svg_reads, transforms_exactly) {
   EXPECT_EQ(first(" scale( 2 ) "), Vec3<double>(2, -4, 0));
   EXPECT_EQ(first("scale(1 -1)"), Vec3<double>(1, 2, 0));
   EXPECT_EQ(first("rotate(90)"), Vec3<double>(-2, -1, 0));
-  EXPECT_EQ(first("rotate(-90 1 1)"), Vec3<double>(2, -1, 0));
+  EXPECT_EQ(first("rotate(-90 2 1)"), Vec3<double>(3, -2, 0));
   EXPECT_EQ(first("rotate(30)")[0], -0.13397459621556135) << "sqrt(3/4) - 1, rounded once";
   EXPECT_EQ(first("skewX(45)"), Vec3<double>(3, -2, 0));
   EXPECT_EQ(first("skewY(-45)"), Vec3<double>(1, -1, 0));

@@ -50,6 +50,7 @@ std::string error_of(const std::vector<Loop>& loops) {
 
 std::string error_of(const Loop& vertices, const std::vector<std::array<int, 2>>& segments) {
   std::vector<Face> faces;
+  faces.reserve(segments.size());
   for (const auto& [from, to] : segments) faces.push_back({{from, to, -1, -1}});
   return input_error_of([&] { Cage::make_polygon("p", vertices, faces, {.face_lines = {11, 12, 13, 14, 15, 16}}); });
 }
@@ -243,14 +244,15 @@ TEST(polygon_checks, take_little_time) {
   EXPECT_NO_THROW(polygon({saw}));
   // All pairs of a fan of chords cross.
   std::vector<Loop> chords;
-  for (int k = 0; k < count / 4; ++k) {
-    const double angle = std::numbers::pi * (k + 0.25) / (count / 4), c = std::cos(angle), s = std::sin(angle);
+  constexpr int parts = count / 4;
+  for (int k = 0; k < parts; ++k) {
+    const double angle = std::numbers::pi * (k + 0.25) / parts, c = std::cos(angle), s = std::sin(angle);
     chords.push_back({{c, s, 0}, {-c, -s, 0}, {-c - 1e-6 * s, -s + 1e-6 * c, 0}, {c - 1e-6 * s, s + 1e-6 * c, 0}});
   }
   expect_parts(error_of(chords), {"cross each other"});
   // Squares in squares, each a part.
   std::vector<Loop> nested;
-  for (int k = 0; k < count / 4; ++k) {
+  for (int k = 0; k < parts; ++k) {
     const Loop square = rectangle(k, k, 2 * count - k, 2 * count - k);
     nested.push_back(k % 2 == 0 ? square : reversed(square));
   }

@@ -133,8 +133,16 @@ std::vector<double> CageSymmetries::folded(const Variant& v, std::size_t b, cons
     else
       for (const Share& share : v.shares[coordinate]) result[share.vertex * width + entry] += x * share.weight;
   }
-  if (v.unit == 1 || block.logarithmic.factor == 0) return result;
-  // What scaling adds where kernels have the logarithm of the distance, over the unit's power.
+  const Added logarithms = added(v, b, point);
+  for (std::size_t i = 0; i < logarithms.value.size(); ++i) result[i] -= logarithms.value[i];
+  return result;
+}
+
+CageSymmetries::Added CageSymmetries::added(const Variant& v, std::size_t b, const Vec3<double>& point) const {
+  const CoordinateBlock& block = base_.blocks()[b];
+  if (v.unit == 1 || block.logarithmic.factor == 0) return {};
+  const std::size_t width = block.entries();
+  Added sum{std::vector<double>(block.size * width, 0.0), std::vector<double>(block.size * width, 0.0)};
   const CageElements& elements = base_.elements();
   Shape shape = block.shape;
   shape.per_corner = block.per_vertex;
@@ -142,10 +150,14 @@ std::vector<double> CageSymmetries::folded(const Variant& v, std::size_t b, cons
     const std::vector<double> part = logarithmic_part(block.logarithmic, shape, elements.corners(e), point, 0);
     const int own = static_cast<int>(e);
     const std::span<const int> slots = block.per_vertex ? elements.vertices_of(e) : std::span(&own, 1);
-    for (std::size_t i = 0; i < part.size(); ++i)
-      result[slots[i / width] * width + i % width] -= std::log(v.unit) * part[i];
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const std::size_t to = slots[i / width] * width + i % width;
+      const double term = std::log(v.unit) * part[i];
+      sum.value[to] += term;
+      sum.size[to] += std::abs(term);
+    }
   }
-  return result;
+  return sum;
 }
 
 std::map<std::string, CageError> CageSymmetries::errors_at(const Vec3<double>& point) const {
@@ -164,8 +176,10 @@ std::map<std::string, CageError> CageSymmetries::errors_at(const Vec3<double>& p
     for (std::size_t b = 0; b < found.size(); ++b) {
       const double relative = relative_difference(folded(v, b, found[b], point), expected[b].value);
       worst.relative = std::max(worst.relative, relative);
-      worst.roundings = std::max(
-          worst.roundings, relative / unit_roundoff<double>() * length_of(expected[b].value) / terms.blocks[b][0]);
+      // What is added and taken away again is rounded as well: where ln r is nothing, that is all there is.
+      const double terms_of_both = terms.blocks[b][0] + length_of(added(v, b, point).size);
+      worst.roundings =
+          std::max(worst.roundings, relative / unit_roundoff<double>() * length_of(expected[b].value) / terms_of_both);
     }
   }
   return errors;

@@ -116,6 +116,16 @@ TEST(plane_cage, symmetries_hold_for_the_form_and_fail_for_a_broken_one) {
   }
 }
 
+// Where ln r is nearly nothing along long edges, another unit adds terms a thousand times larger than all there are.
+TEST(plane_cage, another_unit_adds_terms_that_are_rounded_too) {
+  const CageSymmetries symmetries(embedded_cage("thin-bar"), coordinate_kind_named("green"), "closed_form",
+                                  Triangulation::Shortest);
+  for (int k = 0; k < 50; ++k) {
+    const auto errors = symmetries.errors_at(Vec3<double>(0.001 * k, 0.8483, 0));
+    EXPECT_LT(errors.at("cage_scaling").roundings, 16) << k;
+  }
+}
+
 TEST(plane_cage, points_on_it_are_its_vertices_and_points_within_segments) {
   static const CoordinateKind kind{
       .name = "psi in the plane", .source = "", .blocks = {{"psi", "single_layer", Reproduces::Normals}}};

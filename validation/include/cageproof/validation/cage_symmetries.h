@@ -16,7 +16,8 @@ class CageSymmetries {
   CageSymmetries(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation, Triangulation rule);
 
   /// By check (cage_scaling, cage_rigid_motion, cage_corner_permutation, cage_subdivision for sums over faces): the
-  /// largest difference over the blocks, in roundings of the block's terms and relative to the block's norm. \pre the
+  /// largest difference over the blocks, in roundings of the block's terms, with those that a logarithm adds in another
+  /// unit, and relative to the block's norm. \pre the
   /// point lies off the cage
   std::map<std::string, CageError> errors_at(const Vec3<double>& point) const;
 
@@ -50,6 +51,13 @@ class CageSymmetries {
   Subdivision subdivision() const;
   std::vector<double> folded(const Variant& v, std::size_t block, const Result<double>& found,
                              const Vec3<double>& point) const;
+
+  /// What another unit of length adds to coordinates whose kernels have the logarithm of the distance, over the unit's
+  /// power, and the size of its terms, each as coordinates are; empty for others.
+  struct Added {
+    std::vector<double> value, size;
+  };
+  Added added(const Variant& v, std::size_t block, const Vec3<double>& point) const;
 
   double size_;
   CageCoordinates base_;
