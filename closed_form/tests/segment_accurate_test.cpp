@@ -123,6 +123,10 @@ TEST(segment_accurate, keeps_its_digits_at_the_ends_of_the_range) {
   const auto weights = accurate<MeanValue, 0>({Vec(-1, 0, 0), Vec(1, 0, 0)}, Vec(0, 1e-300, 0));
   EXPECT_DOUBLE_EQ(weights.jet.value[0], 1e300);  // half of 2/height
   EXPECT_LE(weights.bound[0], kAccurateTolerance);
+  // Off the line by less than a double holds: on its outer side.
+  const double least = std::numeric_limits<double>::denorm_min();
+  const auto outside = accurate<MeanValue, 0>({Vec(1, 2, 0), Vec(-1, -2, 0)}, Vec(-least, 0, 0));
+  for (const double w : outside.jet.value) EXPECT_EQ(w, -std::numeric_limits<double>::infinity());
 }
 
 // omega = pi - 2 y (1 + x^2) + 2 y^3/3 + ... about the middle of a segment from -1 to 1: its Hessian vanishes there.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/double_double.h"
+#include "cageproof/core/linear.h"
 
 #include <algorithm>
 #include <limits>

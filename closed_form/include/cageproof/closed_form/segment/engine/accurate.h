@@ -106,11 +106,11 @@ template <class F, int O>
 BoundedJet<F::components> accurate(const Segment<double>& s, const Vec3<double>& eta,
                                    std::span<const double> parameters = {}, bool finite_part = false) {
   const Frame<double> frame(s, eta);
-  if (!leaves_range(frame)) {
+  if (!leaves_range(s, eta, frame)) {
     const Frame<Tracked<double>> tracked(frame);
     // Gauss points are as many as make their rule good to a quarter of a rounding.
     const double beside = frame.is_for_sums() ? unit_roundoff<double>() : 0;
-    const auto result = bounded<O>(jet_at<F, O>(tracked, parameters, finite_part), beside);
+    auto result = bounded<O>(jet_at<F, O>(tracked, parameters, finite_part), beside);
     if (result.worst() <= kAccurateTolerance) return result;
   }
   return confirmed<F, O>(s, eta, parameters, finite_part);

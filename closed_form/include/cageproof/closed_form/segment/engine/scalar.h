@@ -16,6 +16,11 @@ template <class R>
 concept Scalar = cageproof::Scalar<R> || std::same_as<R, Tracked<double>>;
 
 template <Scalar R>
+R unit_roundoff() {
+  if constexpr (is_tracked<R>) return R(cageproof::unit_roundoff<double>());
+  else return cageproof::unit_roundoff<R>();
+}
+template <Scalar R>
 R pi() {
   if constexpr (is_tracked<R>) return R::rounded(cageproof::pi<double>(), 0);
   else return cageproof::pi<R>();
