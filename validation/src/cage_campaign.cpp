@@ -202,11 +202,12 @@ class CageMeasurement final : public Measurement {
     result.with_laplacian = setup.order == 2 && has_laplacian(setup.coordinates);
     if (options_.properties_alone || i % setup.stride != 0) return result;
     // Coordinates that exist in double alone would meet themselves.
-    if (setup.reference->is_exact_in(ScalarKind::Digits50))
+    if (setup.reference->is_exact_in(ScalarKind::Digits50) && setup.reference->is_prompt_in(ScalarKind::Digits50))
       result.truth = truth_errors_at(setup.coordinates, *setup.reference, p.point, setup.order, &setup.terms);
     result.symmetries = setup.symmetries->errors_at(p.point);
     // Seven sums in 100 digits: a quarter of these points.
-    if (options_.differences && i / setup.stride % 4 == 0 && setup.order == 2)
+    if (options_.differences && i / setup.stride % 4 == 0 && setup.order == 2 &&
+        setup.coordinates.is_prompt_in(ScalarKind::Digits100))
       result.differences = setup.symmetries->differences_at(p.point);
     return result;
   }

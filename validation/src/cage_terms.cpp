@@ -47,7 +47,7 @@ struct CageTerms::Sums {
     for (std::size_t d = 0; d < derivatives; ++d) {
       const double size = coordinate_norm(term + d, width, derivatives, dim);
       positions[order][d] += size * weight;
-      if (block.reproduces == Reproduces::Vertices) ones[order][d] += size;
+      if (block.reproduces != Reproduces::Normals) ones[order][d] += size;
     }
     if (width > 1) return;
     for (std::size_t d = 0; d < derivatives; ++d) totals[order][d] += term[d];

@@ -12,13 +12,13 @@ namespace {
 
 // Defaults filled in, ranges checked.
 std::vector<double> checked_parameters(const CoordinateKind& kind, std::vector<double> parameters) {
-  const std::vector<Parameter>& known = parameters_of(kind);
+  const std::vector<KindParameter> known = parameters_of(kind);
   if (parameters.empty())
-    for (const Parameter& p : known) parameters.push_back(p.preset);
+    for (const KindParameter& p : known) parameters.push_back(p.preset);
   if (parameters.size() != known.size())
     throw InputError(fmt::format("{} has {} parameters, not {}", kind.name, known.size(), parameters.size()));
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (!known[i].allows(parameters[i]))
+    if (!known[i].admits(parameters[i]))
       throw InputError(
           fmt::format("{}: the parameter {} = {} is out of range", kind.name, known[i].name, parameters[i]));
   return parameters;
