@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "boundary_data.h"
 #include "commands.h"
 #include "coordinate_table.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 struct Arguments {
   CageArguments cage;
-  std::string points, kind, evaluation, out, solved;
+  std::string points, kind, evaluation, out, solved, data;
   std::vector<std::string> parameters;
   int order = 0, jobs = 0;
 };
@@ -82,10 +83,12 @@ int run(const Arguments& a) {
   const Mesh mesh = load_points(a.points, cage.dimension());
   const CageCoordinates coordinates(
       cage, kind, CoordinateOptions{a.evaluation, a.cage.rule(), parameters_from(a.parameters, kind)});
+  const BoundaryData data = a.data.empty() ? BoundaryData() : read_boundary_data(a.data, coordinates);
   tell_solved(coordinates);
   if (!a.solved.empty()) reports::replace_file(a.solved, solved_json(coordinates).dump(2) + '\n');
-  const CoordinateColumns table = coordinate_columns(coordinates, mesh.vertices, a.order, a.jobs);
+  CoordinateColumns table = coordinate_columns(coordinates, mesh.vertices, a.order, a.jobs);
   warn_of_missing(table, mesh.vertices.size(), kind, cage);
+  if (!a.data.empty()) table = functions_of(table, coordinates, a.order, data);
   const std::string text = extension == ".npy"   ? npy_text(table)
                            : extension == ".vtp" ? vtp_text(table, mesh)
                                                  : csv_text(table);
@@ -116,6 +119,8 @@ void add_coordinates(CommandLine& line) {
   command.option("--evaluation", a->evaluation, "how its formulas are evaluated, instead of as recommended");
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
   command.option("--out", a->out, ".csv, .npy (points x columns) or .vtp; CSV on standard output if not given");
+  command.option("--data", a->data,
+                 "text, a line of numbers a coordinate: writes the functions that coordinates make of them instead");
   command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system");
   command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
   command.runs([a] { return run(*a); });

@@ -109,7 +109,7 @@ CageTerms::Sums CageTerms::sums_of_terms(const Vec3<double>& point, int order) c
 
 CageTerms::Sums CageTerms::sums_of_coordinates(const Vec3<double>& point, int order) const {
   Sums sums(coordinates_, order);
-  const auto found = coordinates_.at<double>(point, order);
+  const auto found = coordinates_.terms_at(point, order);
   for (std::size_t b = 0; b < found.size(); ++b) {
     const CoordinateBlock& block = coordinates_.blocks()[b];
     for (int o = 0; o <= order; ++o)

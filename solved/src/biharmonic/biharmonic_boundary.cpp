@@ -31,10 +31,10 @@ struct BiharmonicScheme {
   /// l = B f + C d and k = A l of Eq 17-19, with hat functions at the collocation points in place of I.
   template <Scalar R>
   static Densities<R> solve(const RefinedPolygon& polygon, const BoundaryLayers<R>& layers,
-                            const std::vector<double>& parameters) {
+                            const std::vector<double>& parameters, double inset) {
     const BiharmonicCollocation& where = biharmonic_collocations()[static_cast<std::size_t>(parameters[1])];
-    const LayerRows<R> laplacian = layers.rows(points_on(polygon, where.of_laplacian));
-    const LayerRows<R> value = layers.rows(points_on(polygon, where.of_value));
+    const LayerRows<R> laplacian = layers.rows(points_on(polygon, where.of_laplacian), inset);
+    const LayerRows<R> value = layers.rows(points_on(polygon, where.of_value), inset);
     const LeastSquares<R> first(laplacian[Layer::Single]);
     const Matrix<R> right = laplacian.hats - laplacian[Layer::Double];
     const Matrix<R> a = first.solve(right);
@@ -72,7 +72,8 @@ const RegisterCoordinateKind register_biharmonic_boundary{
                     {{"collocation", 1, -1, static_cast<double>(biharmonic_collocations().size())},
                      "where the boundary's equations are asked to hold",
                      true,
-                     biharmonic_names()}}}};
+                     biharmonic_names()}},
+     .other_evaluations = {offset_evaluation}}};
 
 }  // namespace
 }  // namespace cageproof::solved

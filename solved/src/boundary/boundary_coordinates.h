@@ -27,18 +27,24 @@ struct Densities {
   std::vector<SolvedSystem> systems;  ///< in double alone
 };
 
+inline constexpr std::string_view offset_evaluation = "offset-1e-6";
+
 /// A row of coordinates is phi^H of the cage itself, or psi^H, and beside it the layers of the refined polygon times
 /// their densities. The first comes from the cage's own Green coordinates, which know on which side of the cage a point
 /// lies and have the exact limits on it; the second changes by rounding alone where nodes are rounded.
 ///
+/// With the evaluation `offset-1e-6` of kinds with normals, equations are asked to hold on the cage offset inwards by
+/// 1e-6 of its diameter, as the paper does, instead of in the limit.
+///
 /// Scheme: `unknown`, the layers that densities are of; `has_normals`, whether there is a second block, of normal
-/// derivatives; `is_harmonic`; `label`; solve<R>(polygon, layers, parameters).
+/// derivatives; `is_harmonic`; `label`; solve<R>(polygon, layers, parameters, inset).
 template <class Scheme>
 class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Scheme>> {
  public:
   BoundaryCoordinates(const Cage& cage, const CoordinateOptions& options)
-      : green_(cage, coordinate_kind_named("green"), CoordinateOptions{.evaluation = options.evaluation}),
-        evaluations_(layer_evaluations(options.evaluation)),
+      : inset_(Scheme::has_normals && options.evaluation == offset_evaluation ? 1e-6 : 0),
+        green_(cage, coordinate_kind_named("green"), CoordinateOptions{.evaluation = of_layers(options)}),
+        evaluations_(layer_evaluations(of_layers(options))),
         polygon_(cage, static_cast<int>(options.parameters[0])),
         parameters_(options.parameters) {
     blocks_.push_back({.label = std::string(Scheme::label),
@@ -60,7 +66,9 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
 
   const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
   int max_order() const override { return max_order_; }
-  std::string evaluation() const override { return evaluations_[0].name(); }
+  std::string evaluation() const override {
+    return inset_ == 0 ? evaluations_[0].name() : std::string(offset_evaluation);
+  }
   bool is_exact_in(ScalarKind scalar) const override {
     return scalar != ScalarKind::Digits200 &&
            std::ranges::all_of(evaluations_, [&](const Evaluation& e) { return e.supports(scalar); });
@@ -68,6 +76,21 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
   bool is_prompt_in(ScalarKind scalar) const override {
     // Solving takes the cube of the number of nodes.
     return scalar == ScalarKind::Float || scalar == ScalarKind::Double || polygon_.nodes() <= 64;
+  }
+  bool fill_terms(std::span<const Vec3<double>> points, int order,
+                  std::span<CoordinateTable<double>> tables) const override {
+    Densities<double> sizes = prepared<double>().densities;
+    sizes.first = sizes.first.cwiseAbs().eval();
+    sizes.second_of_first = sizes.second_of_first.cwiseAbs().eval();
+    Parts<double> parts = parts_at<double>(points, order);
+    const auto make_sizes = [](std::vector<double>& numbers) {
+      for (double& x : numbers) x = std::abs(x);
+    };
+    for (auto* part : {&parts.layers, &parts.own})
+      for (CoordinateTable<double>& table : *part) std::ranges::for_each(table.tensors, make_sizes);
+    make_sizes(parts.single);
+    put(sizes, parts, points.size(), 0, order, tables);
+    return true;
   }
   std::vector<SolvedSystem> solved() const override { return prepared<double>().densities.systems; }
 
@@ -84,6 +107,10 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
   }
 
  private:
+  std::string of_layers(const CoordinateOptions& options) const {
+    return inset_ == 0 ? options.evaluation : std::string();
+  }
+
   template <Scalar R>
   struct Prepared {
     std::once_flag once;
@@ -96,7 +123,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     Prepared<R>& made = std::get<Prepared<R>>(prepared_);
     std::call_once(made.once, [&] {
       made.layers = std::make_unique<BoundaryLayers<R>>(polygon_, evaluations_);
-      made.densities = Scheme::template solve<R>(polygon_, *made.layers, parameters_);
+      made.densities = Scheme::template solve<R>(polygon_, *made.layers, parameters_, inset_);
       made.densities.first = made.densities.first.transpose().eval();
       made.densities.second_of_first = made.densities.second_of_first.transpose().eval();
     });
@@ -106,26 +133,45 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
   template <Scalar R>
   void compute_block(std::span<const Vec3<R>> points, std::size_t first, int order,
                      std::span<CoordinateTable<R>> tables) const {
-    const Prepared<R>& made = prepared<R>();
-    std::vector<CoordinateTable<R>> layers;
-    for (const Layer layer : Scheme::unknown) layers.push_back(made.layers->table(layer, points.size(), order));
-    add_layers(*made.layers, points, order, std::span<CoordinateTable<R>>(layers));
-    const auto own = green_.at<R>(points, order);
-    const std::vector<R> single = Scheme::has_normals ? single_layer_in_frame(points) : std::vector<R>();
-    for (std::size_t p = 0; p < points.size(); ++p)
+    put(prepared<R>().densities, parts_at<R>(points, order), points.size(), first, order, tables);
+  }
+
+  // What coordinates are put together from, at a block of points.
+  template <Scalar R>
+  struct Parts {
+    std::vector<CoordinateTable<R>> layers;  // of the refined polygon, in its frame
+    std::vector<CoordinateTable<R>> own;     // phi^H and psi^H of the cage
+    std::vector<R> single;                   // psi^H of the cage in the polygon's frame: [point][edge]
+  };
+
+  template <Scalar R>
+  Parts<R> parts_at(std::span<const Vec3<R>> points, int order) const {
+    const BoundaryLayers<R>& layers = *prepared<R>().layers;
+    Parts<R> parts;
+    for (const Layer layer : Scheme::unknown) parts.layers.push_back(layers.table(layer, points.size(), order));
+    add_layers(layers, points, order, std::span<CoordinateTable<R>>(parts.layers));
+    parts.own = green_.at<R>(points, order);
+    if (Scheme::has_normals) parts.single = single_layer_in_frame(points);
+    return parts;
+  }
+
+  template <Scalar R>
+  void put(const Densities<R>& densities, const Parts<R>& parts, std::size_t points, std::size_t first, int order,
+           std::span<CoordinateTable<R>> tables) const {
+    for (std::size_t p = 0; p < points; ++p)
       for (int o = 0; o <= order; ++o) {
-        const Matrix<R> sums = sums_at<R>(made.densities, layers, p, o);
+        const Matrix<R> sums = sums_at<R>(densities, parts.layers, p, o);
         const int width = static_cast<int>(derivative_count(2, o));
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
           const R unit = power_of_unit<R>(blocks_[b].degree - o);
-          const R* const from = &own[b].tensors[o][p * own[b].stride[o]];
+          const R* const from = &parts.own[b].tensors[o][p * parts.own[b].stride[o]];
           R* const to = &tables[b].tensors[o][(first + p) * tables[b].stride[o]];
           const int above = b == 0 ? 0 : polygon_.vertices();
           for (int k = 0; k < blocks_[b].size; ++k)
             for (int d = 0; d < width; ++d) {
               const R& sum = sums(above + k, d);
               // The single layer's own value has the logarithm of the user's unit.
-              if (b == 1 && o == 0) to[k] = unit * (single[p * polygon_.edges() + k] + sum);
+              if (b == 1 && o == 0) to[k] = unit * (parts.single[p * polygon_.edges() + k] + sum);
               else to[k * width + d] = from[k * width + d] + unit * sum;
             }
         }
@@ -217,6 +263,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     return found;
   }
 
+  double inset_;
   CageCoordinates green_;
   LayerEvaluations evaluations_;
   RefinedPolygon polygon_;

@@ -35,6 +35,11 @@ void turn(const typename RefinedPolygon::Line<R>& line, int order, const R* from
   }
 }
 
+template <Scalar R>
+Eigen::Matrix<R, 1, Eigen::Dynamic> row_of(const CoordinateTable<R>& table) {
+  return Eigen::Map<const Eigen::Matrix<R, 1, Eigen::Dynamic>>(table.tensors[0].data(), table.tensors[0].size());
+}
+
 }  // namespace
 
 LayerEvaluations layer_evaluations(const std::string& name) {
@@ -121,7 +126,7 @@ void BoundaryLayers<R>::add_on(std::span<const Layer> layers, const Vec3<R>& poi
 }
 
 template <Scalar R>
-LayerRows<R> BoundaryLayers<R>::rows(std::span<const CollocationPoint> points) const {
+LayerRows<R> BoundaryLayers<R>::rows(std::span<const CollocationPoint> points, double inset) const {
   const auto count = static_cast<Eigen::Index>(points.size());
   LayerRows<R> found;
   found.hats = Matrix<R>::Zero(count, polygon_.nodes());
@@ -130,30 +135,48 @@ LayerRows<R> BoundaryLayers<R>::rows(std::span<const CollocationPoint> points) c
         Matrix<R>::Zero(count, is_per_node(layer) ? polygon_.nodes() : polygon_.pieces());
   for (Eigen::Index row = 0; row < count; ++row) {
     const CollocationPoint& p = points[row];
-    const R share = R(p.part) / p.parts;
-    std::vector<OnEdge<R>> on{{p.edge, R(p.piece) + share}};
-    if (p.is_vertex()) on.push_back({polygon_.before(p.edge), R(polygon_.pieces_an_edge())});
-    const Vec3<R> at = p.part == 0 ? polygon_.position<R>(p.edge, p.piece) : polygon_.line<R>(p.edge).at(on[0].steps);
-    std::array<CoordinateTable<R>, 4> tables;
-    for (std::size_t k = 0; k < 4; ++k) tables[k] = table(all_layers[k], 1, 0);
-    for (const Piece& piece : pieces_)
-      if (std::ranges::find(on, piece.number / polygon_.pieces_an_edge(), &OnEdge<R>::edge) == on.end())
-        add_piece(piece, all_layers, std::span(&at, 1), 0, tables);
-    for (const OnEdge<R>& own : on)
-      add_in_line(own.edge, own.steps, std::span(all_layers).subspan(1), 0, std::span(tables).subspan(1));
-    for (std::size_t k = 0; k < 4; ++k)
-      found.layer[k].row(row) =
-          Eigen::Map<const Eigen::Matrix<R, 1, Eigen::Dynamic>>(tables[k].tensors[0].data(), found.layer[k].cols());
-    R left = 1;
-    for (const R& x : tables[0].tensors[0]) left -= x;
-    const int first = polygon_.node(p.edge, p.piece), second = polygon_.node(p.edge, p.piece + 1);
-    found.hats(row, first) += R(p.parts - p.part) / p.parts;
-    found.layer[0](row, first) += left * found.hats(row, first);
-    if (p.part == 0) continue;
-    found.hats(row, second) += share;
-    found.layer[0](row, second) += left * share;
+    found.hats(row, polygon_.node(p.edge, p.piece)) += R(p.parts - p.part) / p.parts;
+    if (p.part != 0) found.hats(row, polygon_.node(p.edge, p.piece + 1)) += R(p.part) / p.parts;
+    if (inset == 0) put_limits(p, row, found);
+    else put_inset(p, inset, row, found);
   }
   return found;
+}
+
+template <Scalar R>
+void BoundaryLayers<R>::put_limits(const CollocationPoint& p, Eigen::Index row, LayerRows<R>& rows) const {
+  std::vector<OnEdge<R>> on{{p.edge, R(p.piece) + R(p.part) / p.parts}};
+  if (p.is_vertex()) on.push_back({polygon_.before(p.edge), R(polygon_.pieces_an_edge())});
+  const Vec3<R> at = p.part == 0 ? polygon_.position<R>(p.edge, p.piece) : polygon_.line<R>(p.edge).at(on[0].steps);
+  std::array<CoordinateTable<R>, 4> tables;
+  for (std::size_t k = 0; k < 4; ++k) tables[k] = table(all_layers[k], 1, 0);
+  for (const Piece& piece : pieces_)
+    if (std::ranges::find(on, piece.number / polygon_.pieces_an_edge(), &OnEdge<R>::edge) == on.end())
+      add_piece(piece, all_layers, std::span(&at, 1), 0, tables);
+  for (const OnEdge<R>& own : on)
+    add_in_line(own.edge, own.steps, std::span(all_layers).subspan(1), 0, std::span(tables).subspan(1));
+  R left = 1;
+  for (const R& x : tables[0].tensors[0]) left -= x;
+  for (std::size_t k = 0; k < 4; ++k) rows.layer[k].row(row) = row_of(tables[k]);
+  rows.layer[0].row(row) += left * rows.hats.row(row);
+}
+
+template <Scalar R>
+Vec3<R> BoundaryLayers<R>::inset_node(int edge, int k, const R& inset) const {
+  const int other = k == 0 ? polygon_.before(edge) : k == polygon_.pieces_an_edge() ? polygon_.after(edge) : edge;
+  const Vec3<R> one = polygon_.line<R>(edge).left(), two = polygon_.line<R>(other).left();
+  // Where the lines that are offset from both edges cross.
+  return polygon_.position<R>(edge, k) + inset / (1 + one.dot(two)) * (one + two);
+}
+
+template <Scalar R>
+void BoundaryLayers<R>::put_inset(const CollocationPoint& p, double inset, Eigen::Index row, LayerRows<R>& rows) const {
+  const Vec3<R> from = inset_node(p.edge, p.piece, R(inset)), to = inset_node(p.edge, p.piece + 1, R(inset));
+  const Vec3<R> at = from + R(p.part) / p.parts * (to - from);
+  std::array<CoordinateTable<R>, 4> tables;
+  for (std::size_t k = 0; k < 4; ++k) tables[k] = table(all_layers[k], 1, 0);
+  add(all_layers, std::span(&at, 1), 0, tables);
+  for (std::size_t k = 0; k < 4; ++k) rows.layer[k].row(row) = row_of(tables[k]);
 }
 
 template class BoundaryLayers<double>;

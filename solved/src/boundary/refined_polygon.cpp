@@ -15,7 +15,11 @@ RefinedPolygon::RefinedPolygon(const Cage& cage, int pieces) : pieces_(pieces), 
     ending_at[face.vertices[1]] = edges();
     edges_.push_back({face.vertices[0], face.vertices[1]});
   }
-  for (const auto& edge : edges_) before_.push_back(ending_at[edge[0]]);
+  after_.resize(edges_.size());
+  for (const auto& edge : edges_) {
+    before_.push_back(ending_at[edge[0]]);
+    after_[before_.back()] = static_cast<int>(before_.size()) - 1;
+  }
   if (pieces > 1 && nodes() > most_nodes)
     throw InputError(fmt::format("{}: {} edges in {} pieces each have {} nodes, more than {}", cage.name(), edges(),
                                  pieces, nodes(), most_nodes));

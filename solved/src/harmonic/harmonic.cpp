@@ -29,7 +29,7 @@ struct HarmonicScheme {
   /// extensions: f = phi^H f + psi^H d on the boundary.
   template <Scalar R>
   static Densities<R> solve(const RefinedPolygon& polygon, const BoundaryLayers<R>& layers,
-                            const std::vector<double>& parameters) {
+                            const std::vector<double>& parameters, double) {
     const HarmonicCollocation& where = harmonic_collocations()[static_cast<std::size_t>(parameters[1])];
     const LayerRows<R> rows = layers.rows(points_on(polygon, where.points));
     const LeastSquares<R> system(rows[Layer::Single]);

@@ -89,6 +89,13 @@ class PreparedCoordinates {
                     std::span<CoordinateTable<double>> tables) const = 0;
   virtual void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const = 0;
   virtual void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const = 0;
+  /// The same tables with the sums of the absolute values of the terms that coordinates are summed from, at least
+  /// about: what a rounding of each of them costs. False, and nothing done, for kinds that know of no terms but the
+  /// coordinates themselves.
+  virtual bool fill_terms(std::span<const Vec3<double>> /*points*/, int /*order*/,
+                          std::span<CoordinateTable<double>> /*tables*/) const {
+    return false;
+  }
 };
 
 /// Implements PreparedCoordinates::fill by `template <Scalar R> void compute(points, order, tables) const` of the
@@ -147,6 +154,8 @@ struct CoordinateKind {
   std::shared_ptr<const PreparedCoordinates> (*prepare)(const Cage& cage, const CoordinateOptions& options) = nullptr;
   /// Of kinds that are no sums over elements; those of sums are their formulas'.
   std::vector<KindParameter> parameters = {};
+  /// Of kinds that are no sums: names of evaluations, beside those of their formulas, that are measured by themselves.
+  std::vector<std::string_view> other_evaluations = {};
   /// Why there may be points without coordinates; empty for kinds that have them everywhere.
   std::string_view missing_because = {};
 
@@ -214,7 +223,13 @@ class CageCoordinates {
   template <Scalar R>
   std::vector<Result<R>> at(const Vec3<R>& point, int order) const;
 
+  /// The sizes of the terms of one point's coordinates (PreparedCoordinates::fill_terms), or those of the coordinates.
+  std::vector<Result<double>> terms_at(const Vec3<double>& point, int order) const;
+
  private:
+  template <Scalar R>
+  std::vector<CoordinateTable<R>> tables_for(std::size_t points, int order) const;
+
   const CoordinateKind* kind_;
   std::shared_ptr<const CageElements> elements_;
   std::shared_ptr<const PreparedCoordinates> prepared_;

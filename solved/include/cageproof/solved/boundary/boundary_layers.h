@@ -69,7 +69,9 @@ class BoundaryLayers {
 
   /// At a point on the polygon the hat functions' double layer is: of pieces on other edges as off the polygon; of
   /// pieces on its own edges the hat function at the point, times what is left of one.
-  LayerRows<R> rows(std::span<const CollocationPoint> points) const;
+  /// \param inset instead of the limits the layers at points of the polygon that is offset inwards by so much, in the
+  /// frame, and pieces' points by the same shares ([W12] Section 6); 0: the limits
+  LayerRows<R> rows(std::span<const CollocationPoint> points, double inset = 0) const;
 
   /// The table of one layer at so many points, of zeros.
   CoordinateTable<R> table(Layer layer, std::size_t points, int order) const;
@@ -85,6 +87,9 @@ class BoundaryLayers {
   void add_in_line(int edge, const R& steps, std::span<const Layer> layers, int order,
                    std::span<CoordinateTable<R>> tables) const;
   Piece piece(int edge, int part) const;
+  void put_limits(const CollocationPoint& point, Eigen::Index row, LayerRows<R>& rows) const;
+  void put_inset(const CollocationPoint& point, double inset, Eigen::Index row, LayerRows<R>& rows) const;
+  Vec3<R> inset_node(int edge, int k, const R& inset) const;
 
   const RefinedPolygon& polygon_;
   const LayerEvaluations& evaluations_;

@@ -35,6 +35,8 @@ class RefinedPolygon {
   const std::array<int, 2>& edge(int e) const { return edges_[e]; }
   /// The edge that ends where edge e begins.
   int before(int e) const { return before_[e]; }
+  /// The edge that begins where edge e ends.
+  int after(int e) const { return after_[e]; }
   /// Node number k = 0 ... pieces_an_edge() of an edge.
   int node(int e, int k) const {
     if (k == 0 || k == pieces_) return edges_[e][k == 0 ? 0 : 1];
@@ -81,7 +83,7 @@ class RefinedPolygon {
   double unit_ = 0;
   std::vector<Vec3<double>> vertices_;
   std::vector<std::array<int, 2>> edges_;
-  std::vector<int> before_;
+  std::vector<int> before_, after_;
 };
 
 }  // namespace cageproof::solved
