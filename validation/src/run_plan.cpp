@@ -198,10 +198,10 @@ class Planner {
         add(cage_measurements(cage, campaign));
       }
     }
-    // Other ways to prepare a kind that is no sum, against the recommended one.
+    // Other ways to prepare a kind that is no sum, against the recommended one; on larger cages it takes its time.
     for (const CoordinateKind& kind : coordinate_kinds())
       for (const std::string_view evaluation : kind.other_evaluations) {
-        if (!exists(kind)) continue;
+        if (!exists(kind) || !is_shown(*cage)) continue;
         CageCampaignOptions campaign = cage_options();
         campaign.evaluation = evaluation;
         campaign.kinds = kind.name;

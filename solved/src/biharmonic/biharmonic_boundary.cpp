@@ -31,7 +31,7 @@ struct BiharmonicScheme {
   /// l = B f + C d and k = A l of Eq 17-19, with hat functions at the collocation points in place of I.
   template <Scalar R>
   static Densities<R> solve(const RefinedPolygon& polygon, const BoundaryLayers<R>& layers,
-                            const std::vector<double>& parameters, double inset) {
+                            const std::vector<double>& parameters, double inset, bool described) {
     const BiharmonicCollocation& where = biharmonic_collocations()[static_cast<std::size_t>(parameters[1])];
     const LayerRows<R> laplacian = layers.rows(points_on(polygon, where.of_laplacian), inset);
     const LayerRows<R> value = layers.rows(points_on(polygon, where.of_value), inset);
@@ -45,10 +45,11 @@ struct BiharmonicScheme {
     const LeastSquares<R> second(k);
     Densities<R> found{second.inverse() * data, a, {}};
     if constexpr (std::same_as<R, double>)
-      found.systems = {
-          describe("Eq 14, the Laplacian's normal derivative from the Laplacian", laplacian[Layer::Single],
-                   first.rank(), right, a),
-          describe("Eq 13, the Laplacian from values and normal derivatives", k, second.rank(), data, found.first)};
+      if (described)
+        found.systems = {
+            describe("Eq 14, the Laplacian's normal derivative from the Laplacian", laplacian[Layer::Single],
+                     first.rank(), right, a),
+            describe("Eq 13, the Laplacian from values and normal derivatives", k, second.rank(), data, found.first)};
     return found;
   }
 };

@@ -24,7 +24,7 @@ struct Densities {
   /// together before they are multiplied with densities: those are large where a cage is thin, and of affine maps they
   /// vanish.
   Matrix<R> second_of_first;
-  std::vector<SolvedSystem> systems;  ///< in double alone
+  std::vector<SolvedSystem> systems;  ///< in double alone, and where asked for
 };
 
 inline constexpr std::string_view offset_evaluation = "offset-1e-6";
@@ -37,7 +37,8 @@ inline constexpr std::string_view offset_evaluation = "offset-1e-6";
 /// 1e-6 of its diameter, as the paper does, instead of in the limit.
 ///
 /// Scheme: `unknown`, the layers that densities are of; `has_normals`, whether there is a second block, of normal
-/// derivatives; `is_harmonic`; `label`; solve<R>(polygon, layers, parameters, inset).
+/// derivatives; `is_harmonic`; `label`; solve<R>(polygon, layers, parameters, inset,
+/// whether to describe the systems).
 template <class Scheme>
 class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Scheme>> {
  public:
@@ -92,7 +93,10 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     put(sizes, parts, points.size(), 0, order, tables);
     return true;
   }
-  std::vector<SolvedSystem> solved() const override { return prepared<double>().densities.systems; }
+  std::vector<SolvedSystem> solved() const override {
+    // Singular values take longer than solving does, and few ask for them.
+    return Scheme::template solve<double>(polygon_, *prepared<double>().layers, parameters_, inset_, true).systems;
+  }
 
   template <Scalar R>
   void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
@@ -123,7 +127,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     Prepared<R>& made = std::get<Prepared<R>>(prepared_);
     std::call_once(made.once, [&] {
       made.layers = std::make_unique<BoundaryLayers<R>>(polygon_, evaluations_);
-      made.densities = Scheme::template solve<R>(polygon_, *made.layers, parameters_, inset_);
+      made.densities = Scheme::template solve<R>(polygon_, *made.layers, parameters_, inset_, false);
       made.densities.first = made.densities.first.transpose().eval();
       made.densities.second_of_first = made.densities.second_of_first.transpose().eval();
     });

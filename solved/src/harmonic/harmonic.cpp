@@ -29,15 +29,16 @@ struct HarmonicScheme {
   /// extensions: f = phi^H f + psi^H d on the boundary.
   template <Scalar R>
   static Densities<R> solve(const RefinedPolygon& polygon, const BoundaryLayers<R>& layers,
-                            const std::vector<double>& parameters, double) {
+                            const std::vector<double>& parameters, double, bool described) {
     const HarmonicCollocation& where = harmonic_collocations()[static_cast<std::size_t>(parameters[1])];
     const LayerRows<R> rows = layers.rows(points_on(polygon, where.points));
     const LeastSquares<R> system(rows[Layer::Single]);
     const Matrix<R> data = (rows.hats - rows[Layer::Double]) * nodes_from_vertices<R>(polygon);
     Densities<R> found{system.inverse() * data, {}, {}};
     if constexpr (std::same_as<R, double>)
-      found.systems = {
-          describe("Eq 12, the normal derivative from values", rows[Layer::Single], system.rank(), data, found.first)};
+      if (described)
+        found.systems = {describe("Eq 12, the normal derivative from values", rows[Layer::Single], system.rank(), data,
+                                  found.first)};
     return found;
   }
 };
