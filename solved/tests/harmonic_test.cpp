@@ -74,6 +74,16 @@ TEST(harmonic, are_nearly_the_hat_functions_on_the_boundary) {
   }
 }
 
+// Where pieces meet the density jumps, and the gradient grows like the distance's logarithm; also on edges of
+// directions in which no node is exactly what it should be.
+TEST(harmonic, have_no_gradient_where_pieces_meet) {
+  const CageCoordinates h = coordinates(polygon(convex_pentagon), "harmonic", {4, 1});
+  for (const Vec& middle :
+       {Vec(1, 0, 0), Vec(2.25, 0.625, 0), Vec(1.75, 1.625, 0), Vec(0.25, 1.5, 0), Vec(-0.25, 0.5, 0)})
+    EXPECT_TRUE(std::ranges::none_of(h.at<double>(middle, 1)[0].gradient, [](double x) { return std::isfinite(x); }))
+        << middle.transpose();
+}
+
 TEST(harmonic, are_harmonic) {
   for (const auto& block : coordinates(polygon(l_shape), "harmonic").at<double>(Vec(0.3, 0.7, 0), 2))
     for (std::size_t i = 0; i < block.value.size(); ++i)
