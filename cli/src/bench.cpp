@@ -25,7 +25,7 @@ struct Arguments {
 
 WorkPrecision measure_cage(const Arguments& a, benchmarks::WorkPrecisionOptions options) {
   const CoordinateKind* kind = &coordinate_kind_named(a.kind);
-  options.parameters = parameters_from(a.parameters, parameters_of(*kind), kind->name);
+  options.parameters = parameters_from(a.parameters, *kind);
   options.triangulation = a.cage.rule();
   const Cage cage = a.cage.load();
   const validation::CageLocator locator(cage, options.triangulation, kind->keeps_quads);

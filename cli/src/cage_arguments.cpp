@@ -40,25 +40,40 @@ Cage CageArguments::load() const {
   return cage;
 }
 
-std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known,
-                                    std::string_view owner) {
+namespace {
+
+std::vector<double> values_of(const std::vector<std::string>& given, const std::vector<KindParameter>& known,
+                              std::string_view owner) {
   std::vector<double> values;
   values.reserve(known.size());
-  for (const Parameter& p : known) values.push_back(p.preset);
+  for (const KindParameter& p : known) values.push_back(p.preset);
   for (const std::string& text : given) {
     const auto equals = text.find('=');
-    const auto found = std::ranges::find(known, std::string_view(text).substr(0, equals), &Parameter::name);
+    const auto found = std::ranges::find(known, std::string_view(text).substr(0, equals), &KindParameter::name);
     if (equals == std::string::npos || found == known.end())
       throw InputError(fmt::format("--parameter {}: {} has no such parameter; write name=value", text, owner));
-    const std::string number = text.substr(equals + 1);
-    const std::optional<double> value = number == "inf"    ? HUGE_VAL
-                                        : number == "-inf" ? -HUGE_VAL
-                                                           : parse_scalar<double>(number);
-    if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, number));
-    if (!found->allows(*value)) throw InputError(fmt::format("--parameter {}: out of range for {}", text, owner));
+    const std::string_view after = std::string_view(text).substr(equals + 1);
+    const std::optional<double> value = found->value_of(after);
+    if (!value && !found->names.empty())
+      throw InputError(fmt::format("--parameter {}: '{}' is none of {}", text, after, fmt::join(found->names, ", ")));
+    if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, after));
+    if (!found->admits(*value)) throw InputError(fmt::format("--parameter {}: out of range for {}", text, owner));
     values[found - known.begin()] = *value;
   }
   return values;
+}
+
+}  // namespace
+
+std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known,
+                                    std::string_view owner) {
+  std::vector<KindParameter> numbers;
+  for (const Parameter& p : known) numbers.push_back({p});
+  return values_of(given, numbers, owner);
+}
+
+std::vector<double> parameters_from(const std::vector<std::string>& given, const CoordinateKind& kind) {
+  return values_of(given, parameters_of(kind), kind.name);
 }
 
 Mesh load_points(const std::string& file, int dimension) {

@@ -4,6 +4,7 @@
 
 #include "command_line.h"
 
+#include "cageproof/core/coordinates.h"
 #include "cageproof/core/formula.h"
 #include "cageproof/core/mesh_io.h"
 #include "cageproof/core/run_result.h"
@@ -53,6 +54,8 @@ struct CageArguments {
 /// \throws InputError for a text that is none, an unknown name, or a value out of range
 std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known,
                                     std::string_view owner);
+/// The same for a kind of coordinates, whose parameters may have names for values: "collocation=vertices".
+std::vector<double> parameters_from(const std::vector<std::string>& given, const CoordinateKind& kind);
 
 /// Points with the faces that they carry, if any: a mesh file, or text.
 /// \param dimension of the cage that they are for: in the plane third numbers must be zero

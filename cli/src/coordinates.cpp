@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "boundary_data.h"
 #include "commands.h"
 #include "coordinate_table.h"
 
@@ -7,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +20,7 @@ namespace {
 
 struct Arguments {
   CageArguments cage;
-  std::string points, kind, evaluation, out;
+  std::string points, kind, evaluation, out, solved, data;
   std::vector<std::string> parameters;
   int order = 0, jobs = 0;
 };
@@ -39,6 +41,34 @@ void warn_of_missing(const CoordinateColumns& table, std::size_t points, const C
   warn(fmt::format("{} of {} points have no {} coordinates (nan): {}", missing, points, kind.name, reason));
 }
 
+// Says what was solved for the cage, and warns where the solution is not unique.
+void tell_solved(const CageCoordinates& coordinates) {
+  for (const SolvedSystem& s : coordinates.solved()) {
+    fmt::print(stderr, "solved {}: {} x {}, rank {}, condition {:.2g}, residual {:.2g}\n", s.name, s.rows, s.columns,
+               s.rank, s.condition, s.residual);
+    if (s.is_singular())
+      warn(fmt::format("{}: the system is singular: its rank is {}, not {}; the least solution is taken", s.name,
+                       s.rank, s.columns));
+  }
+}
+
+// JSON has no infinity: what is none is null.
+nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
+  nlohmann::ordered_json all = {{"schema", "cageproof-solved"}, {"schema_version", 1}};
+  all["kind"] = coordinates.kind().name;
+  all["evaluation"] = coordinates.evaluation();
+  all["systems"] = nlohmann::ordered_json::array();
+  for (const SolvedSystem& s : coordinates.solved())
+    all["systems"].push_back({{"name", s.name},
+                              {"rows", s.rows},
+                              {"columns", s.columns},
+                              {"rank", s.rank},
+                              {"singular", s.is_singular()},
+                              {"condition", s.condition},
+                              {"residual", s.residual}});
+  return all;
+}
+
 int run(const Arguments& a) {
   const CoordinateKind& kind = coordinate_kind_named(a.kind);
   if (a.cage.allow_invalid_quads && !kind.keeps_quads)
@@ -52,10 +82,13 @@ int run(const Arguments& a) {
       warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
   const Mesh mesh = load_points(a.points, cage.dimension());
   const CageCoordinates coordinates(
-      cage, kind,
-      CoordinateOptions{a.evaluation, a.cage.rule(), parameters_from(a.parameters, parameters_of(kind), kind.name)});
-  const CoordinateColumns table = coordinate_columns(coordinates, mesh.vertices, a.order, a.jobs);
+      cage, kind, CoordinateOptions{a.evaluation, a.cage.rule(), parameters_from(a.parameters, kind)});
+  const BoundaryData data = a.data.empty() ? BoundaryData() : read_boundary_data(a.data, coordinates);
+  tell_solved(coordinates);
+  if (!a.solved.empty()) reports::replace_file(a.solved, solved_json(coordinates).dump(2) + '\n');
+  CoordinateColumns table = coordinate_columns(coordinates, mesh.vertices, a.order, a.jobs);
   warn_of_missing(table, mesh.vertices.size(), kind, cage);
+  if (!a.data.empty()) table = functions_of(table, coordinates, a.order, data);
   const std::string text = extension == ".npy"   ? npy_text(table)
                            : extension == ".vtp" ? vtp_text(table, mesh)
                                                  : csv_text(table);
@@ -80,10 +113,15 @@ void add_coordinates(CommandLine& line) {
   command.option("--kind", a->kind, names_of_kinds()).required();
   command.flag("--allow-invalid-quads", a->cage.allow_invalid_quads,
                "compute with quads that are not valid, of kinds that keep quads");
-  command.option("--parameter", a->parameters, "mu=..., nu=... of somigliana; nu in (-1, 0.5] or inf or -inf");
+  command.option("--parameter", a->parameters,
+                 "mu=..., nu=... of somigliana (nu in (-1, 0.5] or inf or -inf); pieces=1 ... 64, collocation=NAME of "
+                 "kinds that solve boundary equations");
   command.option("--evaluation", a->evaluation, "how its formulas are evaluated, instead of as recommended");
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
   command.option("--out", a->out, ".csv, .npy (points x columns) or .vtp; CSV on standard output if not given");
+  command.option("--data", a->data,
+                 "text, a line of numbers a coordinate: writes the functions that coordinates make of them instead");
+  command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system");
   command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
   command.runs([a] { return run(*a); });
 }

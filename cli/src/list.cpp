@@ -60,7 +60,16 @@ Json catalogue_json() {
   for (const CoordinateKind& kind : coordinate_kinds()) {
     Json blocks = Json::array();
     for (const SummedBlock& b : kind.blocks) blocks.push_back({{"label", b.label}, {"kernel", b.kernel}});
-    all["coordinates"].push_back({{"name", kind.name}, {"source", kind.source}, {"blocks", blocks}});
+    Json parameters = Json::array();
+    for (const KindParameter& p : parameters_of(kind)) {
+      Json parameter = {{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}};
+      if (!p.names.empty())
+        parameter = {{"name", p.name}, {"default", p.names[static_cast<std::size_t>(p.preset)]}, {"names", p.names}};
+      if (!p.meaning.empty()) parameter["meaning"] = p.meaning;
+      parameters.push_back(std::move(parameter));
+    }
+    all["coordinates"].push_back(
+        {{"name", kind.name}, {"source", kind.source}, {"blocks", blocks}, {"parameters", parameters}});
   }
   for (const auto& regime : validation::regimes())
     all["regimes"].push_back(

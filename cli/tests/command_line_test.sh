@@ -229,6 +229,35 @@ for order in 1 2; do
   "$cageproof" coordinates --cage cube --points "$work/on.vtp" --kind green >/dev/null 2>"$work/stderr" || fail "vtp of order $order: $(cat "$work/stderr")"
 done
 
+# Coordinates that are solved for: sums of one, what was solved on standard error and as JSON, and a warning where it is singular.
+write flat.csv '0.25,0.5,0' '0,0,0' '0.375,0,0'
+for parameter in collocation=vertices-and-midpoints collocation=vertices; do
+  "$cageproof" coordinates --cage square --points "$work/flat.csv" --kind biharmonic_boundary --parameter pieces=1 --parameter $parameter \
+    --solved "$work/solved.json" >"$work/stdout" 2>"$work/stderr" || fail "biharmonic_boundary: $(cat "$work/stderr")"
+  awk -F, 'NR > 1 { s = $1 + $2 + $3 + $4; if (NF != 8 || s < 0.999999999 || s > 1.000000001) exit 1 } END { if (NR != 4) exit 1 }' "$work/stdout" ||
+    fail "biharmonic_boundary, $parameter: $(cat "$work/stdout")"
+  grep -q 'rank 4, condition' "$work/stderr" || fail "what was solved: $(cat "$work/stderr")"
+  grep -q '"residual"' "$work/solved.json" || fail "what was solved: $(cat "$work/solved.json")"
+done
+grep -q '^warning: .*singular.* 3, not 4' "$work/stderr" || fail "no warning of a singular system: $(cat "$work/stderr")"
+grep -q '"singular": true' "$work/solved.json" || fail "no singular system: $(cat "$work/solved.json")"
+# Data at vertices, then normal derivatives of edges: x, and a constant.
+write affine.csv 'f g' '0 2' '1 2' '1 2' '0 2' '' '0 0 # bottom' '1 0' '0 0' '-1 0'
+"$cageproof" coordinates --cage square --points "$work/flat.csv" --kind biharmonic_boundary --data "$work/affine.csv" --order 1 >"$work/stdout" 2>"$work/stderr" ||
+  fail "data: $(cat "$work/stderr")"
+head -1 "$work/stdout" | grep -qx 'f_0,f_0_dx,f_0_dy,f_1,f_1_dx,f_1_dy' || fail "columns of data: $(head -1 "$work/stdout")"
+awk -F, 'function off(a, b) { return a - b > 1e-12 || b - a > 1e-12 } NR == 2 && (off($1, 0.25) || off($2, 1) || off($3, 0) || off($4, 2) || off($5, 0)) { exit 1 }' \
+  "$work/stdout" || fail "functions of data: $(cat "$work/stdout")"
+write short.csv '1' '2'
+refuses short.csv '4 of alpha and 4 of beta' -- "$cageproof" coordinates --cage square --points "$work/flat.csv" --kind biharmonic_boundary --data "$work/short.csv"
+write words.csv '1' 'two'
+refuses words.csv:2 -- "$cageproof" coordinates --cage square --points "$work/flat.csv" --kind biharmonic_boundary --data "$work/words.csv"
+refuses matrices -- "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind somigliana --data "$work/short.csv"
+refuses collocation=corners vertices-and-midpoints -- "$cageproof" coordinates --cage square --points "$work/flat.csv" --kind biharmonic_boundary --parameter collocation=corners
+refuses pieces=1.5 range -- "$cageproof" coordinates --cage square --points "$work/flat.csv" --kind harmonic --parameter pieces=1.5
+refuses cube dimension -- "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind harmonic
+refuses nonsense evaluation -- "$cageproof" coordinates --cage square --points "$work/flat.csv" --kind cauchy --evaluation nonsense
+
 # Stated digits are rounded down: one rounding of a double is 15.95 digits.
 echo '{"element":[[0,-1,0],[0,0,0],[0,0,1]],"point":["0x1.12e0be826d695p-30","-0x1.000010c6f7a0bp+0",0]}' |
   "$cageproof" eval --formula triangle.double_layer --evaluation accurate --order 2 >"$work/stdout"

@@ -11,6 +11,8 @@ INCLUDED = [
     "closed_form/src/*",
     "adaptive_qmvc/include/*",
     "adaptive_qmvc/src/*",
+    "solved/include/*",
+    "solved/src/*",
     "quadrature_ref/include/*",
     "quadrature_ref/src/*",
     "core/include/*",

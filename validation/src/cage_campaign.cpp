@@ -102,14 +102,16 @@ void add_point(CageRows& rows, const CoordinateKind& kind, int order, const Cage
 }
 
 void add_on_cage(CageRows& rows, const Cage& cage, const CageCoordinates& coordinates, const CageLocator& locator,
-                 const CagePoint& p) {
+                 const CageTerms& terms, const CagePoint& p) {
   const auto place = name_of(p.place);
   // Midpoints that rounding moved off the cage prove nothing about it; those that are exact lie on it.
   const bool on = !coordinates.elements().touching(p.point).empty();
-  if (!coordinates.kind().normalised)
+  if (!coordinates.kind().normalised) {
+    const CageTerms* known = coordinates.kind().is_sum() ? nullptr : &terms;
     rows.add("linear_reproduction", place, 0,
-             on ? errors_at(coordinates, cage, p.point, 1, 0).reproduction[0] : CageError(), !p.exact, p.point,
+             on ? errors_at(coordinates, cage, p.point, 1, 0, known).reproduction[0] : CageError(), !p.exact, p.point,
              p.index);
+  }
   const int order = p.place == Place::OnFace && !coordinates.kind().normalised ? coordinates.max_order() : 0;
   const auto errors = inside_limit_errors_at(coordinates, cage, locator, p.point, order);
   for (int o = 0; o <= order; ++o)
@@ -149,7 +151,7 @@ class CageMeasurement final : public Measurement {
       if (p.place != Place::TooClose) add_point(rows, kind_, setup.order, p, measured(setup, i));
     }
     for (std::size_t i = block; i < setup.on.size(); i += blocks())
-      add_on_cage(rows, *cage_, setup.coordinates, setup.locator, setup.on[i]);
+      add_on_cage(rows, *cage_, setup.coordinates, setup.locator, setup.terms, setup.on[i]);
     return std::move(rows.found);
   }
 
@@ -202,11 +204,12 @@ class CageMeasurement final : public Measurement {
     result.with_laplacian = setup.order == 2 && has_laplacian(setup.coordinates);
     if (options_.properties_alone || i % setup.stride != 0) return result;
     // Coordinates that exist in double alone would meet themselves.
-    if (setup.reference->is_exact_in(ScalarKind::Digits50))
+    if (setup.reference->is_exact_in(ScalarKind::Digits50) && setup.reference->is_prompt_in(ScalarKind::Digits50))
       result.truth = truth_errors_at(setup.coordinates, *setup.reference, p.point, setup.order, &setup.terms);
     result.symmetries = setup.symmetries->errors_at(p.point);
     // Seven sums in 100 digits: a quarter of these points.
-    if (options_.differences && i / setup.stride % 4 == 0 && setup.order == 2)
+    if (options_.differences && i / setup.stride % 4 == 0 && setup.order == 2 &&
+        setup.coordinates.is_prompt_in(ScalarKind::Digits100))
       result.differences = setup.symmetries->differences_at(p.point);
     return result;
   }

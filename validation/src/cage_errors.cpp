@@ -36,11 +36,14 @@ Sums sums_of(const CageCoordinates& coordinates, const Cage& cage, const std::ve
   for (std::size_t b = 0; b < results.size(); ++b) {
     const CoordinateBlock& block = coordinates.blocks()[b];
     if (block.reproduces == Reproduces::Nothing) continue;
-    const bool vertices = block.reproduces == Reproduces::Vertices;
+    const bool vertices = block.reproduces != Reproduces::Normals;
     const std::size_t width = block.entries();
+    // What a number stands for: that multiple of the identity, or of the quarter turn.
+    Mat3<double> one = identity_of(dim);
+    if (block.reproduces == Reproduces::TurnedVertices) one << 0, -1, 0, 1, 0, 0, 0, 0, 0;
     for (int i = 0; i < block.size; ++i) {
       const double* from = &results[b].of(order)[i * width * derivatives + derivative];
-      Mat3<double> c = *from * identity_of(dim);
+      Mat3<double> c = *from * one;
       for (std::size_t e = 0; width > 1 && e < width; ++e) c(e / dim, e % dim) = from[e * derivatives];
       const Vec3<double> v =
           vertices ? cage.vertices()[i] : Vec3<double>(block.normal_factor * coordinates.elements().normals()[i]);

@@ -47,7 +47,7 @@ struct CageTerms::Sums {
     for (std::size_t d = 0; d < derivatives; ++d) {
       const double size = coordinate_norm(term + d, width, derivatives, dim);
       positions[order][d] += size * weight;
-      if (block.reproduces == Reproduces::Vertices) ones[order][d] += size;
+      if (block.reproduces != Reproduces::Normals) ones[order][d] += size;
     }
     if (width > 1) return;
     for (std::size_t d = 0; d < derivatives; ++d) totals[order][d] += term[d];
@@ -109,7 +109,7 @@ CageTerms::Sums CageTerms::sums_of_terms(const Vec3<double>& point, int order) c
 
 CageTerms::Sums CageTerms::sums_of_coordinates(const Vec3<double>& point, int order) const {
   Sums sums(coordinates_, order);
-  const auto found = coordinates_.at<double>(point, order);
+  const auto found = coordinates_.terms_at(point, order);
   for (std::size_t b = 0; b < found.size(); ++b) {
     const CoordinateBlock& block = coordinates_.blocks()[b];
     for (int o = 0; o <= order; ++o)

@@ -199,6 +199,17 @@ class Planner {
         add(cage_measurements(cage, campaign));
       }
     }
+    // Other ways to prepare a kind that is no sum, against the recommended one; on larger cages it takes its time.
+    for (const CoordinateKind& kind : coordinate_kinds())
+      for (const std::string_view evaluation : kind.other_evaluations) {
+        if (!exists(kind) || !is_shown(*cage)) continue;
+        CageCampaignOptions campaign = cage_options();
+        campaign.evaluation = evaluation;
+        campaign.kinds = kind.name;
+        campaign.points = std::min(campaign.points, 40);
+        campaign.differences = false;
+        add(cage_measurements(cage, campaign));
+      }
     if (one_ring_exists_on(*cage) && matches(options_.formulas, one_ring_formula))
       for (const std::string& evaluation : {std::string(), OneRingOptions{}.evaluation})
         add(one_ring_measurement(

@@ -2,9 +2,8 @@
 // Registers maximum entropy coordinates, whose prior is quad mean value coordinates.
 #include "cageproof/adaptive_qmvc/coordinates/maximum_entropy.h"
 
-#include "rounded.h"
-
 #include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates_in_double.h"
 
 #include <memory>
 

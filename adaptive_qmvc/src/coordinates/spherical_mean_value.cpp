@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Spherical mean value coordinates (Langer, Belyaev, Seidel 2006; [T18] Section 5).
-#include "rounded.h"
 #include "spherical_derivatives.h"
 
 #include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates_in_double.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/quad_geometry.h"
 

@@ -12,13 +12,13 @@ namespace {
 
 // Defaults filled in, ranges checked.
 std::vector<double> checked_parameters(const CoordinateKind& kind, std::vector<double> parameters) {
-  const std::vector<Parameter>& known = parameters_of(kind);
+  const std::vector<KindParameter> known = parameters_of(kind);
   if (parameters.empty())
-    for (const Parameter& p : known) parameters.push_back(p.preset);
+    for (const KindParameter& p : known) parameters.push_back(p.preset);
   if (parameters.size() != known.size())
     throw InputError(fmt::format("{} has {} parameters, not {}", kind.name, known.size(), parameters.size()));
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (!known[i].allows(parameters[i]))
+    if (!known[i].admits(parameters[i]))
       throw InputError(
           fmt::format("{}: the parameter {} = {} is out of range", kind.name, known[i].name, parameters[i]));
   return parameters;
@@ -36,6 +36,17 @@ void require_accepted(const CoordinateKind& kind, const Cage& cage) {
       cage.name(), faults.front(), more, kind.name));
 }
 
+// Of one point.
+template <Scalar R>
+std::vector<Result<R>> results_of(std::vector<CoordinateTable<R>> tables, int order) {
+  std::vector<Result<R>> results;
+  for (CoordinateTable<R>& table : tables) {
+    Result<R>& result = results.emplace_back();
+    for (int o = 0; o <= order; ++o) result.of(o) = std::move(table.tensors[o]);
+  }
+  return results;
+}
+
 }  // namespace
 
 CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, CoordinateOptions options)
@@ -47,26 +58,33 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
 }
 
 template <Scalar R>
-std::vector<CoordinateTable<R>> CageCoordinates::at(std::span<const Vec3<R>> points, int order) const {
+std::vector<CoordinateTable<R>> CageCoordinates::tables_for(std::size_t points, int order) const {
   std::vector<CoordinateTable<R>> tables(blocks().size());
   for (std::size_t b = 0; b < tables.size(); ++b)
     for (int o = 0; o <= order; ++o) {
       tables[b].stride[o] =
           static_cast<std::size_t>(blocks()[b].size) * blocks()[b].entries() * derivative_count(dimension(), o);
-      tables[b].tensors[o].assign(points.size() * tables[b].stride[o], R(0));
+      tables[b].tensors[o].assign(points * tables[b].stride[o], R(0));
     }
+  return tables;
+}
+
+template <Scalar R>
+std::vector<CoordinateTable<R>> CageCoordinates::at(std::span<const Vec3<R>> points, int order) const {
+  auto tables = tables_for<R>(points.size(), order);
   prepared_->fill(points, order, tables);
   return tables;
 }
 
 template <Scalar R>
 std::vector<Result<R>> CageCoordinates::at(const Vec3<R>& point, int order) const {
-  std::vector<Result<R>> results;
-  for (CoordinateTable<R>& table : at<R>(std::span(&point, 1), order)) {
-    Result<R>& result = results.emplace_back();
-    for (int o = 0; o <= order; ++o) result.of(o) = std::move(table.tensors[o]);
-  }
-  return results;
+  return results_of(at<R>(std::span(&point, 1), order), order);
+}
+
+std::vector<Result<double>> CageCoordinates::terms_at(const Vec3<double>& point, int order) const {
+  auto tables = tables_for<double>(1, order);
+  if (!prepared_->fill_terms(std::span(&point, 1), order, tables)) return at<double>(point, order);
+  return results_of(std::move(tables), order);
 }
 
 #define CAGEPROOF_INSTANTIATE(R)                                                                        \

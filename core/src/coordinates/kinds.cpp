@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/coordinates.h"
 
+#include "cageproof/core/scalar_text.h"
 #include "cageproof/core/unknown_name.h"
 
 #include <algorithm>
@@ -95,12 +96,25 @@ std::vector<const Formula*> formulas_of(const CoordinateKind& kind, const Cage& 
   return found;
 }
 
-const std::vector<Parameter>& parameters_of(const CoordinateKind& kind) {
-  static const std::vector<Parameter> none;
+std::vector<KindParameter> parameters_of(const CoordinateKind& kind) {
+  if (!kind.is_sum()) return kind.parameters;
   for (const SummedBlock& block : kind.blocks)
     for (const ElementKind element : element_kinds)
-      if (const Formula* formula = find_formula(element, block.kernel)) return formula->parameters;
-  return none;
+      if (const Formula* formula = find_formula(element, block.kernel)) {
+        std::vector<KindParameter> found;
+        for (const Parameter& p : formula->parameters) found.push_back({p});
+        return found;
+      }
+  return {};
+}
+
+std::optional<double> KindParameter::value_of(std::string_view text) const {
+  if (!names.empty()) {
+    const auto named = std::ranges::find(names, text);
+    if (named == names.end()) return std::nullopt;
+    return static_cast<double>(named - names.begin());
+  }
+  return parse_scalar<double>(text);
 }
 
 const CoordinateKind* find_coordinate_kind(std::string_view name) {

@@ -6,13 +6,15 @@
 #include "cageproof/core/cage_elements.h"
 #include "cageproof/core/evaluation.h"
 
+#include <cmath>
 #include <list>
 #include <memory>
 
 namespace cageproof {
 
-/// What a block of coordinates multiplies when a linear map is reproduced.
-enum class Reproduces { Vertices, Normals, Nothing };
+/// What a block of coordinates multiplies when a linear map is reproduced. TurnedVertices, in the plane: vertices
+/// turned by a quarter counter-clockwise, as the imaginary parts of complex coordinates do.
+enum class Reproduces { Vertices, TurnedVertices, Normals, Nothing };
 
 /// One block of a kind that is a sum over elements. The kernel is resolved to `<element>.<kernel>` on each element of
 /// the cage.
@@ -53,6 +55,18 @@ struct CoordinateTable {
   std::array<std::size_t, 3> stride{};  ///< numbers a point
 };
 
+/// A linear system that was solved to prepare a kind for its cage.
+struct SolvedSystem {
+  std::string name;   ///< "Psi^H k = (H - Phi^H) l"
+  int rows, columns;  ///< equations and unknowns
+  int rank;           ///< as found; columns where the solution is unique
+  double condition;   ///< largest over smallest singular value; infinite where the smallest is zero
+  /// What the solution leaves of the right sides, over these: the largest of their columns, in Euclidean norms.
+  double residual;
+
+  bool is_singular() const { return rank < columns; }
+};
+
 /// A kind prepared for one cage. Safe from any thread.
 class PreparedCoordinates {
  public:
@@ -63,6 +77,11 @@ class PreparedCoordinates {
   virtual std::string evaluation() const { return std::string(name_of(Role::Recommended)); }
   /// Whether values in multiprecision have that precision's digits.
   virtual bool is_exact_in(ScalarKind scalar) const = 0;
+  /// Whether what is prepared once a cage in that scalar takes a second or so: not where large systems are solved in
+  /// multiprecision.
+  virtual bool is_prompt_in(ScalarKind /*scalar*/) const { return true; }
+  /// The systems that were solved in double; none for kinds that solve none.
+  virtual std::vector<SolvedSystem> solved() const { return {}; }
   /// One table a block, sized and set to zero by the caller. Where a point is exactly a double and lies on the cage,
   /// values are the limits from inside: interpolating kinds give the basis functions; derivatives that do not exist are
   /// NaN. Points without coordinates are NaN. \pre order <= max_order()
@@ -71,6 +90,13 @@ class PreparedCoordinates {
                     std::span<CoordinateTable<double>> tables) const = 0;
   virtual void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const = 0;
   virtual void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const = 0;
+  /// The same tables with the sums of the absolute values of the terms that coordinates are summed from, at least
+  /// about: what a rounding of each of them costs. False, and nothing done, for kinds that know of no terms but the
+  /// coordinates themselves.
+  virtual bool fill_terms(std::span<const Vec3<double>> /*points*/, int /*order*/,
+                          std::span<CoordinateTable<double>> /*tables*/) const {
+    return false;
+  }
 };
 
 /// Implements PreparedCoordinates::fill by `template <Scalar R> void compute(points, order, tables) const` of the
@@ -95,6 +121,20 @@ class CoordinatesIn : public PreparedCoordinates {
   const Derived& own() const { return static_cast<const Derived&>(*this); }
 };
 
+/// A parameter of a kind of coordinates: a number, a whole number, or one of several names, which stand for 0, 1, ...
+struct KindParameter : Parameter {
+  std::string_view meaning = {};
+  bool whole = false;
+  std::vector<std::string_view> names = {};
+
+  /// Whether the kind is defined for this value.
+  bool admits(double value) const {
+    return allows(value) && (!(whole || !names.empty()) || value == std::floor(value));
+  }
+  /// The value that a text stands for: a number ("0.3", "inf"), or one of the names. Nothing for any other text.
+  std::optional<double> value_of(std::string_view text) const;
+};
+
 /// What a kind is prepared with.
 struct CoordinateOptions {
   std::string evaluation = {};  ///< of its formulas; empty for each formula's recommended one
@@ -113,6 +153,10 @@ struct CoordinateKind {
   /// Of kinds that are no sums over elements: the dimension of their cages, and what prepares them. Null for sums.
   int own_dimension = 3;
   std::shared_ptr<const PreparedCoordinates> (*prepare)(const Cage& cage, const CoordinateOptions& options) = nullptr;
+  /// Of kinds that are no sums over elements; those of sums are their formulas'.
+  std::vector<KindParameter> parameters = {};
+  /// Of kinds that are no sums: names of evaluations, beside those of their formulas, that are measured by themselves.
+  std::vector<std::string_view> other_evaluations = {};
   /// Why there may be points without coordinates; empty for kinds that have them everywhere.
   std::string_view missing_because = {};
 
@@ -128,8 +172,8 @@ struct RegisterCoordinateKind {
   explicit RegisterCoordinateKind(CoordinateKind kind);
 };
 
-/// The parameters of a kind's formulas, which they share; none for most kinds.
-const std::vector<Parameter>& parameters_of(const CoordinateKind& kind);
+/// The parameters of a kind: its own, or those of its formulas, which they share; none for most kinds.
+std::vector<KindParameter> parameters_of(const CoordinateKind& kind);
 
 /// The formulas that a kind sums on a cage's elements, each once.
 std::vector<const Formula*> formulas_of(const CoordinateKind& kind, const Cage& cage);
@@ -169,6 +213,8 @@ class CageCoordinates {
   /// The name of the formulas' evaluation; where elements differ, that of quads.
   std::string evaluation() const { return prepared_->evaluation(); }
   bool is_exact_in(ScalarKind scalar) const { return prepared_->is_exact_in(scalar); }
+  bool is_prompt_in(ScalarKind scalar) const { return prepared_->is_prompt_in(scalar); }
+  std::vector<SolvedSystem> solved() const { return prepared_->solved(); }
 
   /// A block of points: one table a block of coordinates, as PreparedCoordinates::fill.
   template <Scalar R>
@@ -178,7 +224,13 @@ class CageCoordinates {
   template <Scalar R>
   std::vector<Result<R>> at(const Vec3<R>& point, int order) const;
 
+  /// The sizes of the terms of one point's coordinates (PreparedCoordinates::fill_terms), or those of the coordinates.
+  std::vector<Result<double>> terms_at(const Vec3<double>& point, int order) const;
+
  private:
+  template <Scalar R>
+  std::vector<CoordinateTable<R>> tables_for(std::size_t points, int order) const;
+
   const CoordinateKind* kind_;
   std::shared_ptr<const CageElements> elements_;
   std::shared_ptr<const PreparedCoordinates> prepared_;

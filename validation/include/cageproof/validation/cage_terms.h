@@ -16,7 +16,7 @@ namespace cageproof::validation {
 /// g_o the norm of those of W, both over |W|, the terms of the quotient rule: t_0 = a_0, t_1 = a_1 + t_0 g_1, t_2 = a_2
 /// + t_0 g_2 + 2 t_1 g_1. By block, the coordinates' derivatives times the roundings of W and its derivatives are terms
 /// as well; they have no part in sums over all coordinates, which are known. Kinds that are no sums have no terms but
-/// their coordinates.
+/// their coordinates, unless they say which (CageCoordinates::terms_at).
 struct TermSizes {
   std::array<double, 3> ones{};       ///< of the sum of all coordinates
   std::array<double, 3> positions{};  ///< of the sum of all coordinates times positions, or normals
@@ -39,7 +39,7 @@ class CageTerms {
  public:
   /// The terms are those of the recommended evaluation.
   CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation rule);
-  /// \pre the point lies off the cage, order <= CageCoordinates::max_order()
+  /// \pre the point lies off the cage, or the kind is no sum; order <= CageCoordinates::max_order()
   TermSizes at(const Vec3<double>& point, int order) const;
 
  private:

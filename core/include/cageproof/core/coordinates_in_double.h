@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace cageproof::adaptive_qmvc {
+namespace cageproof {
 
 /// \param compute fills tables in double: (points, tables)
 template <class Compute>
@@ -26,4 +26,4 @@ void compute_in_double(std::span<const Vec3<float>> points, std::span<Coordinate
                              [](double x) { return static_cast<float>(x); });
 }
 
-}  // namespace cageproof::adaptive_qmvc
+}  // namespace cageproof

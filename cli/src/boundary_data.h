@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Data that a user gives on a cage's boundary, and the functions that coordinates make of them.
+#pragma once
+
+#include "coordinate_table.h"
+
+namespace cageproof::cli {
+
+/// Numbers for every coordinate of a kind: [coordinate][function]; of kinds with several blocks one block after the
+/// other, as values at vertices, then derivatives along edges' outward normals ([W12] Eq 4).
+struct BoundaryData {
+  std::vector<double> numbers;
+  std::size_t functions = 0;
+};
+
+/// Text, a line a coordinate, numbers between commas or blanks, as many on each line; a first line without numbers,
+/// empty lines and what follows # are passed over. \throws InputError naming file and line for anything else, and when
+/// lines and coordinates are not as many, or coordinates are matrices
+BoundaryData read_boundary_data(const std::filesystem::path& file, const CageCoordinates& coordinates);
+
+/// Sums of coordinates times data, with derivatives: `f_0`, `f_0_dx` ..., one group a function and order.
+/// \param table of all coordinates up to that order
+CoordinateColumns functions_of(const CoordinateColumns& table, const CageCoordinates& coordinates, int order,
+                               const BoundaryData& data);
+
+}  // namespace cageproof::cli

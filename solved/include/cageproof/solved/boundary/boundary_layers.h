@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// The four layers of [W12] Section 4.2 on the pieces of a refined polygon, off the polygon and on it.
+#pragma once
+
+#include "cageproof/solved/boundary/refined_polygon.h"
+
+#include "cageproof/core/coordinates.h"
+
+#include <Eigen/Core>
+
+namespace cageproof::solved {
+
+template <Scalar R>
+using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// phi^H, psi^H, phi^BH, psi^BH: double layers have a number a node, single layers one a piece.
+enum class Layer { Double, Single, BiharmonicDouble, BiharmonicSingle };
+
+inline constexpr std::array all_layers{Layer::Double, Layer::Single, Layer::BiharmonicDouble, Layer::BiharmonicSingle};
+
+constexpr bool is_per_node(Layer layer) { return layer == Layer::Double || layer == Layer::BiharmonicDouble; }
+
+/// Evaluations of the layers on segments, by layer.
+using LayerEvaluations = std::array<Evaluation, 4>;
+
+/// \param name of the evaluations; empty for the recommended ones \throws InputError where a layer has none of that
+/// name
+LayerEvaluations layer_evaluations(const std::string& name);
+
+/// Where a point is on the polygon: on an edge, so many pieces from its beginning.
+template <Scalar R>
+struct OnEdge {
+  int edge;
+  R steps;
+};
+
+/// A point of the polygon where equations are asked to hold: `part` of `parts` along a piece of an edge, 0 for the
+/// node that the piece begins at.
+struct CollocationPoint {
+  int edge, piece, part, parts;
+
+  bool is_vertex() const { return piece == 0 && part == 0; }
+};
+
+/// The layers at collocation points, limits from inside: one row a point, one column a node or piece.
+template <Scalar R>
+struct LayerRows {
+  std::array<Matrix<R>, 4> layer;
+  Matrix<R> hats;  ///< the nodes' hat functions there
+
+  const Matrix<R>& operator[](Layer which) const { return layer[static_cast<std::size_t>(which)]; }
+};
+
+/// Asks the evaluations for layers of all pieces. Keeps references.
+template <Scalar R>
+class BoundaryLayers {
+ public:
+  BoundaryLayers(const RefinedPolygon& polygon, const LayerEvaluations& evaluations);
+
+  /// Layers at points off the polygon, in the frame: adds to tables whose coordinates are nodes or pieces.
+  void add(std::span<const Layer> layers, std::span<const Vec3<R>> points, int order,
+           std::span<CoordinateTable<R>> tables) const;
+
+  /// The same at one point on the polygon, limits from inside. The pieces of the edges that the point is on are seen in
+  /// their edge's own direction, in which it is exactly on their line, whatever rounding made of nodes and point.
+  /// \param on an edge that the point is on; both that meet where it is a vertex
+  void add_on(std::span<const Layer> layers, const Vec3<R>& point, std::span<const OnEdge<R>> on, int order,
+              std::span<CoordinateTable<R>> tables) const;
+
+  /// At a point on the polygon the hat functions' double layer is: of pieces on other edges as off the polygon; of
+  /// pieces on its own edges the hat function at the point, times what is left of one.
+  /// \param inset instead of the limits the layers at points of the polygon that is offset inwards by so much, in the
+  /// frame, and pieces' points by the same shares ([W12] Section 6); 0: the limits
+  LayerRows<R> rows(std::span<const CollocationPoint> points, double inset = 0) const;
+
+  /// The table of one layer at so many points, of zeros.
+  CoordinateTable<R> table(Layer layer, std::size_t points, int order) const;
+
+ private:
+  struct Piece {
+    std::array<Vec3<R>, 2> ends;
+    std::array<int, 2> nodes;
+    int number;
+  };
+  void add_piece(const Piece& piece, std::span<const Layer> layers, std::span<const Vec3<R>> points, int order,
+                 std::span<CoordinateTable<R>> tables) const;
+  void add_in_line(int edge, const R& steps, std::span<const Layer> layers, int order,
+                   std::span<CoordinateTable<R>> tables) const;
+  Piece piece(int edge, int part) const;
+  void put_limits(const CollocationPoint& point, Eigen::Index row, LayerRows<R>& rows) const;
+  void put_inset(const CollocationPoint& point, double inset, Eigen::Index row, LayerRows<R>& rows) const;
+  Vec3<R> inset_node(int edge, int k, const R& inset) const;
+
+  const RefinedPolygon& polygon_;
+  const LayerEvaluations& evaluations_;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace cageproof::solved

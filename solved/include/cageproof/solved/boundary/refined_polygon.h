@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// A polygon cut into boundary elements ([W12] Section 4.3: virtual vertices), in a frame of its own.
+#pragma once
+
+#include "cageproof/core/cage.h"
+#include "cageproof/core/linear.h"
+
+#include <vector>
+
+namespace cageproof::solved {
+
+/// The polygon's edges, each cut into pieces of one length, in a frame of its own: the origin is the cage's first
+/// vertex, the unit of length the largest distance between two vertices. Systems that are solved in it, whose kernels
+/// have the logarithm of the distance, and what comes of them, do not depend on the user's unit, place or direction;
+/// and no set of that diameter has logarithmic capacity one, at which the single layer loses constants.
+///
+/// Nodes are the cage's vertices, by their own numbers, then the new ones, by edge; pieces go by edge, too.
+class RefinedPolygon {
+ public:
+  /// \param pieces an edge, at least 1 \pre the cage is in the plane
+  /// \throws InputError when there would be more than most_nodes
+  RefinedPolygon(const Cage& cage, int pieces);
+
+  static constexpr int most_nodes = 4096;
+
+  int pieces_an_edge() const { return pieces_; }
+  int vertices() const { return static_cast<int>(vertices_.size()); }
+  int edges() const { return static_cast<int>(edges_.size()); }
+  int nodes() const { return vertices() + edges() * (pieces_ - 1); }
+  int pieces() const { return edges() * pieces_; }
+  /// In the user's unit.
+  double unit() const { return unit_; }
+
+  /// The vertices that an edge joins; the cage lies on its left.
+  const std::array<int, 2>& edge(int e) const { return edges_[e]; }
+  /// The edge that ends where edge e begins.
+  int before(int e) const { return before_[e]; }
+  /// The edge that begins where edge e ends.
+  int after(int e) const { return after_[e]; }
+  /// Node number k = 0 ... pieces_an_edge() of an edge.
+  int node(int e, int k) const {
+    if (k == 0 || k == pieces_) return edges_[e][k == 0 ? 0 : 1];
+    return vertices() + e * (pieces_ - 1) + k - 1;
+  }
+
+  /// A point of the user's in the frame.
+  template <Scalar R>
+  Vec3<R> in_frame(const Vec3<R>& point) const {
+    return (point - convert<R>(vertices_[0])) / R(unit_);
+  }
+  template <Scalar R>
+  Vec3<R> vertex(int v) const {
+    return in_frame<R>(convert<R>(vertices_[v]));
+  }
+
+  /// An edge in the frame: where it begins, its direction, and how long its pieces are.
+  template <Scalar R>
+  struct Line {
+    Vec3<R> begin, direction;
+    R piece;
+
+    Vec3<R> left() const { return {-direction[1], direction[0], R(0)}; }
+    /// The point that many pieces along it.
+    Vec3<R> at(const R& steps) const { return begin + (steps * piece) * direction; }
+  };
+  template <Scalar R>
+  Line<R> line(int e) const {
+    using std::hypot;
+    const Vec3<R> from = vertex<R>(edges_[e][0]), along = vertex<R>(edges_[e][1]) - from;
+    const R length = hypot(along[0], along[1]);
+    return {from, along / length, length / pieces_};
+  }
+
+  /// Where a node of an edge is; at vertices exactly there.
+  template <Scalar R>
+  Vec3<R> position(int e, int k) const {
+    if (k == 0 || k == pieces_) return vertex<R>(edges_[e][k == 0 ? 0 : 1]);
+    return line<R>(e).at(R(k));
+  }
+
+ private:
+  int pieces_;
+  double unit_ = 0;
+  std::vector<Vec3<double>> vertices_;
+  std::vector<std::array<int, 2>> edges_;
+  std::vector<int> before_, after_;
+};
+
+}  // namespace cageproof::solved

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Biharmonic coordinates of polygons ([W12] Section 4, after the errata).
+#include "../boundary/boundary_coordinates.h"
+
+#include "cageproof/solved/boundary/least_squares.h"
+
+namespace cageproof::solved {
+namespace {
+
+/// Where Eq 14 and Eq 13 are asked to hold.
+struct BiharmonicCollocation {
+  std::string_view name;
+  PiecePoints of_laplacian, of_value;
+};
+
+const std::vector<BiharmonicCollocation>& biharmonic_collocations() {
+  const PiecePoints nodes{1, {0}}, midpoints{2, {1}}, both{2, {0, 1}}, quarters{4, {0, 1, 2, 3}};
+  static const std::vector<BiharmonicCollocation> all{{"vertices", nodes, nodes},
+                                                      {"vertices-and-midpoints", both, both},
+                                                      {"quarter-points", quarters, quarters},
+                                                      {"mixed", midpoints, nodes},
+                                                      {"mixed-and-midpoints", midpoints, both}};
+  return all;
+}
+
+struct BiharmonicScheme {
+  static constexpr std::string_view label = "alpha";
+  static constexpr bool has_normals = true, is_harmonic = false;
+  static constexpr std::array unknown{Layer::BiharmonicDouble, Layer::BiharmonicSingle};
+
+  /// l = B f + C d and k = A l of Eq 17-19, with hat functions at the collocation points in place of I.
+  template <Scalar R>
+  static Densities<R> solve(const RefinedPolygon& polygon, const BoundaryLayers<R>& layers,
+                            const std::vector<double>& parameters, double inset, bool described) {
+    const BiharmonicCollocation& where = biharmonic_collocations()[static_cast<std::size_t>(parameters[1])];
+    const LayerRows<R> laplacian = layers.rows(points_on(polygon, where.of_laplacian), inset);
+    const LayerRows<R> value = layers.rows(points_on(polygon, where.of_value), inset);
+    const LeastSquares<R> first(laplacian[Layer::Single]);
+    const Matrix<R> right = laplacian.hats - laplacian[Layer::Double];
+    const Matrix<R> a = first.solve(right);
+    const Matrix<R> k = value[Layer::BiharmonicDouble] + value[Layer::BiharmonicSingle] * a;
+    Matrix<R> data(k.rows(), polygon.vertices() + polygon.edges());
+    data << (value.hats - value[Layer::Double]) * nodes_from_vertices<R>(polygon),
+        -value[Layer::Single] * pieces_from_edges<R>(polygon);
+    const LeastSquares<R> second(k);
+    Densities<R> found{second.inverse() * data, a, {}};
+    if constexpr (std::same_as<R, double>)
+      if (described)
+        found.systems = {
+            describe("Eq 14, the Laplacian's normal derivative from the Laplacian", laplacian[Layer::Single],
+                     first.rank(), right, a),
+            describe("Eq 13, the Laplacian from values and normal derivatives", k, second.rank(), data, found.first)};
+    return found;
+  }
+};
+
+std::shared_ptr<const PreparedCoordinates> prepare_biharmonic(const Cage& cage, const CoordinateOptions& options) {
+  return std::make_shared<BoundaryCoordinates<BiharmonicScheme>>(cage, options);
+}
+
+std::vector<std::string_view> biharmonic_names() {
+  std::vector<std::string_view> found;
+  for (const BiharmonicCollocation& c : biharmonic_collocations()) found.push_back(c.name);
+  return found;
+}
+
+const RegisterCoordinateKind register_biharmonic_boundary{
+    {.name = "biharmonic_boundary",
+     .source = "[W12] Section 4, Eq 17-19 after the errata",
+     .own_dimension = 2,
+     .prepare = prepare_biharmonic,
+     .parameters = {{{"pieces", 4, 0, 64, true}, "that each edge is cut into", true},
+                    {{"collocation", 1, -1, static_cast<double>(biharmonic_collocations().size())},
+                     "where the boundary's equations are asked to hold",
+                     true,
+                     biharmonic_names()}},
+     .other_evaluations = {offset_evaluation}}};
+
+}  // namespace
+}  // namespace cageproof::solved

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+// Coordinates of polygons that are layers of the boundary with densities solved for once a cage.
+#pragma once
+
+#include "cageproof/solved/boundary/boundary_layers.h"
+#include "cageproof/solved/boundary/collocation.h"
+
+#include "cageproof/core/coordinates_in_double.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <tuple>
+
+namespace cageproof::solved {
+
+/// What a scheme has solved for, in the polygon's frame.
+template <Scalar R>
+struct Densities {
+  /// Of the first layer, a row a node or piece, and for every coordinate a column: those of values at vertices, then
+  /// those of edges' normal derivatives.
+  Matrix<R> first;
+  /// What the second layer's densities are of the first's; empty where there is no second layer. Layers are put
+  /// together before they are multiplied with densities: those are large where a cage is thin, and of affine maps they
+  /// vanish.
+  Matrix<R> second_of_first;
+  std::vector<SolvedSystem> systems;  ///< in double alone, and where asked for
+};
+
+inline constexpr std::string_view offset_evaluation = "offset-1e-6";
+
+/// A row of coordinates is phi^H of the cage itself, or psi^H, and beside it the layers of the refined polygon times
+/// their densities. The first comes from the cage's own Green coordinates, which know on which side of the cage a point
+/// lies and have the exact limits on it; the second changes by rounding alone where nodes are rounded.
+///
+/// With the evaluation `offset-1e-6` of kinds with normals, equations are asked to hold on the cage offset inwards by
+/// 1e-6 of its diameter, as the paper does, instead of in the limit.
+///
+/// Scheme: `unknown`, the layers that densities are of; `has_normals`, whether there is a second block, of normal
+/// derivatives; `is_harmonic`; `label`; solve<R>(polygon, layers, parameters, inset,
+/// whether to describe the systems).
+template <class Scheme>
+class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Scheme>> {
+ public:
+  BoundaryCoordinates(const Cage& cage, const CoordinateOptions& options)
+      : inset_(Scheme::has_normals && options.evaluation == offset_evaluation ? 1e-6 : 0),
+        green_(cage, coordinate_kind_named("green"), CoordinateOptions{.evaluation = of_layers(options)}),
+        evaluations_(layer_evaluations(of_layers(options))),
+        polygon_(cage, static_cast<int>(options.parameters[0])),
+        parameters_(options.parameters) {
+    blocks_.push_back({.label = std::string(Scheme::label),
+                       .per_vertex = true,
+                       .size = polygon_.vertices(),
+                       .shape = {},
+                       .reproduces = Reproduces::Vertices});
+    if (Scheme::is_harmonic) blocks_[0].trace.kind = CoordinateBlock::Trace::Kind::Zero;
+    if (Scheme::has_normals)
+      blocks_.push_back({.label = "beta",
+                         .per_vertex = false,
+                         .size = polygon_.edges(),
+                         .shape = {},
+                         .reproduces = Reproduces::Normals,
+                         .degree = 1});
+    for (const Evaluation& e : evaluations_) max_order_ = std::min(max_order_, e.max_order());
+    prepared<double>();
+  }
+
+  const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
+  int max_order() const override { return max_order_; }
+  std::string evaluation() const override {
+    return inset_ == 0 ? evaluations_[0].name() : std::string(offset_evaluation);
+  }
+  bool is_exact_in(ScalarKind scalar) const override {
+    return scalar != ScalarKind::Digits200 &&
+           std::ranges::all_of(evaluations_, [&](const Evaluation& e) { return e.supports(scalar); });
+  }
+  bool is_prompt_in(ScalarKind scalar) const override {
+    // Solving takes the cube of the number of nodes.
+    return scalar == ScalarKind::Float || scalar == ScalarKind::Double || polygon_.nodes() <= 64;
+  }
+  bool fill_terms(std::span<const Vec3<double>> points, int order,
+                  std::span<CoordinateTable<double>> tables) const override {
+    Densities<double> sizes = prepared<double>().densities;
+    sizes.first = sizes.first.cwiseAbs().eval();
+    sizes.second_of_first = sizes.second_of_first.cwiseAbs().eval();
+    Parts<double> parts = parts_at<double>(points, order);
+    const auto make_sizes = [](std::vector<double>& numbers) {
+      for (double& x : numbers) x = std::abs(x);
+    };
+    for (auto* part : {&parts.layers, &parts.own})
+      for (CoordinateTable<double>& table : *part) std::ranges::for_each(table.tensors, make_sizes);
+    make_sizes(parts.single);
+    put(sizes, parts, points.size(), 0, order, tables);
+    return true;
+  }
+  std::vector<SolvedSystem> solved() const override {
+    // Singular values take longer than solving does, and few ask for them.
+    return Scheme::template solve<double>(polygon_, *prepared<double>().layers, parameters_, inset_, true).systems;
+  }
+
+  template <Scalar R>
+  void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
+    if constexpr (std::same_as<R, float>) {
+      compute_in_double(points, tables,
+                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
+    } else {
+      constexpr std::size_t together = 32;  // tables of all nodes at so many points stay in the cache
+      for (std::size_t first = 0; first < points.size(); first += together)
+        compute_block(points.subspan(first, std::min(together, points.size() - first)), first, order, tables);
+    }
+  }
+
+ private:
+  std::string of_layers(const CoordinateOptions& options) const {
+    return inset_ == 0 ? options.evaluation : std::string();
+  }
+
+  template <Scalar R>
+  struct Prepared {
+    std::once_flag once;
+    std::unique_ptr<BoundaryLayers<R>> layers;
+    Densities<R> densities;  // transposed
+  };
+
+  template <Scalar R>
+  const Prepared<R>& prepared() const {
+    Prepared<R>& made = std::get<Prepared<R>>(prepared_);
+    std::call_once(made.once, [&] {
+      made.layers = std::make_unique<BoundaryLayers<R>>(polygon_, evaluations_);
+      made.densities = Scheme::template solve<R>(polygon_, *made.layers, parameters_, inset_, false);
+      made.densities.first = made.densities.first.transpose().eval();
+      made.densities.second_of_first = made.densities.second_of_first.transpose().eval();
+    });
+    return made;
+  }
+
+  template <Scalar R>
+  void compute_block(std::span<const Vec3<R>> points, std::size_t first, int order,
+                     std::span<CoordinateTable<R>> tables) const {
+    put(prepared<R>().densities, parts_at<R>(points, order), points.size(), first, order, tables);
+  }
+
+  // What coordinates are put together from, at a block of points.
+  template <Scalar R>
+  struct Parts {
+    std::vector<CoordinateTable<R>> layers;  // of the refined polygon, in its frame
+    std::vector<CoordinateTable<R>> own;     // phi^H and psi^H of the cage
+    std::vector<R> single;                   // psi^H of the cage in the polygon's frame: [point][edge]
+  };
+
+  template <Scalar R>
+  Parts<R> parts_at(std::span<const Vec3<R>> points, int order) const {
+    const BoundaryLayers<R>& layers = *prepared<R>().layers;
+    Parts<R> parts;
+    for (const Layer layer : Scheme::unknown) parts.layers.push_back(layers.table(layer, points.size(), order));
+    add_layers(layers, points, order, std::span<CoordinateTable<R>>(parts.layers));
+    parts.own = green_.at<R>(points, order);
+    if (Scheme::has_normals) parts.single = single_layer_in_frame(points);
+    return parts;
+  }
+
+  template <Scalar R>
+  void put(const Densities<R>& densities, const Parts<R>& parts, std::size_t points, std::size_t first, int order,
+           std::span<CoordinateTable<R>> tables) const {
+    for (std::size_t p = 0; p < points; ++p)
+      for (int o = 0; o <= order; ++o) {
+        const Matrix<R> sums = sums_at<R>(densities, parts.layers, p, o);
+        const int width = static_cast<int>(derivative_count(2, o));
+        for (std::size_t b = 0; b < blocks_.size(); ++b) {
+          const R unit = power_of_unit<R>(blocks_[b].degree - o);
+          const R* const from = &parts.own[b].tensors[o][p * parts.own[b].stride[o]];
+          R* const to = &tables[b].tensors[o][(first + p) * tables[b].stride[o]];
+          const int above = b == 0 ? 0 : polygon_.vertices();
+          for (int k = 0; k < blocks_[b].size; ++k)
+            for (int d = 0; d < width; ++d) {
+              const R& sum = sums(above + k, d);
+              // The single layer's own value has the logarithm of the user's unit.
+              if (b == 1 && o == 0) to[k] = unit * (parts.single[p * polygon_.edges() + k] + sum);
+              else to[k * width + d] = from[k * width + d] + unit * sum;
+            }
+        }
+      }
+  }
+
+  template <Scalar R>
+  R power_of_unit(int exponent) const {
+    using std::pow;
+    return pow(R(polygon_.unit()), exponent);
+  }
+
+  // Layers at a point times densities: one row a coordinate, one column a derivative.
+  template <Scalar R>
+  Matrix<R> sums_at(const Densities<R>& densities, const std::vector<CoordinateTable<R>>& layers, std::size_t p,
+                    int order) const {
+    const auto here = [&](const CoordinateTable<R>& layer) {
+      using RowMajor = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      const auto width = static_cast<Eigen::Index>(derivative_count(2, order));
+      const auto count = static_cast<Eigen::Index>(layer.stride[order]) / width;
+      return Eigen::Map<const RowMajor>(&layer.tensors[order][p * layer.stride[order]], count, width);
+    };
+    if (layers.size() == 1) return densities.first * here(layers[0]);
+    Matrix<R> together = here(layers[0]);
+    together.noalias() += densities.second_of_first * here(layers[1]);
+    return densities.first * together;
+  }
+
+  // Points that are no doubles are taken to lie off the cage, as sums over elements take them.
+  template <Scalar R>
+  std::vector<Touching> touching(const Vec3<R>& point) const {
+    const Vec3<double> rounded = convert<double>(point);
+    if (convert<R>(rounded) != point) return {};
+    return green_.elements().touching(rounded);
+  }
+
+  template <Scalar R>
+  void add_layers(const BoundaryLayers<R>& layers, std::span<const Vec3<R>> points, int order,
+                  std::span<CoordinateTable<R>> tables) const {
+    std::vector<Vec3<R>> in_frame;
+    std::vector<std::vector<Touching>> on;
+    for (const Vec3<R>& point : points) {
+      in_frame.push_back(polygon_.in_frame<R>(point));
+      on.push_back(touching(point));
+    }
+    if (std::ranges::all_of(on, [](const auto& touches) { return touches.empty(); }))
+      return layers.add(Scheme::unknown, in_frame, order, tables);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      std::vector<CoordinateTable<R>> one;
+      for (const Layer layer : Scheme::unknown) one.push_back(layers.table(layer, 1, order));
+      if (on[p].empty()) layers.add(Scheme::unknown, std::span(&in_frame[p], 1), order, one);
+      else layers.add_on(Scheme::unknown, in_frame[p], places<R>(on[p], in_frame[p]), order, one);
+      for (std::size_t k = 0; k < one.size(); ++k)
+        for (int o = 0; o <= order; ++o)
+          std::ranges::copy(one[k].tensors[o], &tables[k].tensors[o][p * tables[k].stride[o]]);
+    }
+  }
+
+  // Which edges a point on the cage is on, and how far along.
+  template <Scalar R>
+  std::vector<OnEdge<R>> places(const std::vector<Touching>& touches, const Vec3<R>& in_frame) const {
+    std::vector<OnEdge<R>> found;
+    for (const Touching& touch : touches) {
+      const auto line = polygon_.line<R>(touch.element);
+      R steps = line.direction.dot(in_frame - line.begin) / line.piece;
+      using std::abs, std::round;
+      // A node of the refined polygon, but for rounding.
+      const R whole = round(steps);
+      if (abs(steps - whole) <= 16 * polygon_.pieces_an_edge() * unit_roundoff<R>()) steps = whole;
+      found.push_back({touch.element, steps});
+    }
+    return found;
+  }
+
+  // psi^H of the cage's edges in the polygon's frame.
+  template <Scalar R>
+  std::vector<R> single_layer_in_frame(std::span<const Vec3<R>> points) const {
+    std::vector<Vec3<R>> in_frame;
+    for (const Vec3<R>& point : points) in_frame.push_back(polygon_.in_frame<R>(point));
+    std::vector<R> found(points.size() * polygon_.edges());
+    for (int e = 0; e < polygon_.edges(); ++e) {
+      const std::array<Vec3<R>, 2> ends{polygon_.vertex<R>(polygon_.edge(e)[0]),
+                                        polygon_.vertex<R>(polygon_.edge(e)[1])};
+      BatchOutput<R> output{
+          .stride = {static_cast<std::size_t>(polygon_.edges())}, .dim = 2, .slots = std::span(&e, 1)};
+      output.tensors[0] = found.data();
+      evaluations_[static_cast<std::size_t>(Layer::Single)](Batch<R>{ends, in_frame, 0, {}}, output);
+    }
+    return found;
+  }
+
+  double inset_;
+  CageCoordinates green_;
+  LayerEvaluations evaluations_;
+  RefinedPolygon polygon_;
+  std::vector<double> parameters_;
+  std::vector<CoordinateBlock> blocks_;
+  int max_order_ = 2;
+  mutable std::tuple<Prepared<double>, Prepared<Mp50>, Prepared<Mp100>> prepared_;
+};
+
+}  // namespace cageproof::solved

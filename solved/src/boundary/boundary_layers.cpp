@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/solved/boundary/boundary_layers.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace cageproof::solved {
+namespace {
+
+constexpr std::array<std::string_view, 4> formulas{"segment.double_layer", "segment.single_layer",
+                                                   "segment.biharmonic_double_layer",
+                                                   "segment.biharmonic_single_layer"};
+
+// Derivatives of a number along a line and to its left, in the axes of the plane.
+template <Scalar R>
+void turn(const typename RefinedPolygon::Line<R>& line, int order, const R* from, R* to) {
+  if (order == 0) {
+    to[0] += from[0];
+    return;
+  }
+  const std::array<Vec3<R>, 2> axes{line.direction, line.left()};
+  for (int a = 0; a < 2; ++a) {
+    if (order == 1) {
+      to[a] += axes[0][a] * from[0] + axes[1][a] * from[1];
+      continue;
+    }
+    for (int b = 0; b < 2; ++b) {
+      R sum = 0;
+      for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) sum += axes[i][a] * axes[j][b] * from[2 * i + j];
+      to[2 * a + b] += sum;
+    }
+  }
+}
+
+template <Scalar R>
+Eigen::Matrix<R, 1, Eigen::Dynamic> row_of(const CoordinateTable<R>& table) {
+  return Eigen::Map<const Eigen::Matrix<R, 1, Eigen::Dynamic>>(table.tensors[0].data(), table.tensors[0].size());
+}
+
+}  // namespace
+
+LayerEvaluations layer_evaluations(const std::string& name) {
+  LayerEvaluations found;
+  for (std::size_t k = 0; k < formulas.size(); ++k)
+    found[k] = name.empty() ? EvaluationRegister::instance().with_role(formulas[k], Role::Recommended).value()
+                            : evaluation_named(formulas[k], name);
+  return found;
+}
+
+template <Scalar R>
+BoundaryLayers<R>::BoundaryLayers(const RefinedPolygon& polygon, const LayerEvaluations& evaluations)
+    : polygon_(polygon), evaluations_(evaluations) {
+  for (int e = 0; e < polygon_.edges(); ++e)
+    for (int k = 0; k < polygon_.pieces_an_edge(); ++k) pieces_.push_back(piece(e, k));
+}
+
+template <Scalar R>
+typename BoundaryLayers<R>::Piece BoundaryLayers<R>::piece(int edge, int part) const {
+  return {{polygon_.position<R>(edge, part), polygon_.position<R>(edge, part + 1)},
+          {polygon_.node(edge, part), polygon_.node(edge, part + 1)},
+          edge * polygon_.pieces_an_edge() + part};
+}
+
+template <Scalar R>
+CoordinateTable<R> BoundaryLayers<R>::table(Layer layer, std::size_t points, int order) const {
+  CoordinateTable<R> made;
+  for (int o = 0; o <= order; ++o) {
+    made.stride[o] = (is_per_node(layer) ? polygon_.nodes() : polygon_.pieces()) * derivative_count(2, o);
+    made.tensors[o].assign(points * made.stride[o], R(0));
+  }
+  return made;
+}
+
+template <Scalar R>
+void BoundaryLayers<R>::add_piece(const Piece& piece, std::span<const Layer> layers, std::span<const Vec3<R>> points,
+                                  int order, std::span<CoordinateTable<R>> tables) const {
+  std::array<const Evaluation*, 4> members{};
+  std::array<BatchOutput<R>, 4> outputs;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    members[k] = &evaluations_[static_cast<std::size_t>(layers[k])];
+    outputs[k] = {.stride = tables[k].stride, .dim = 2, .add = true};
+    outputs[k].slots = is_per_node(layers[k]) ? std::span<const int>(piece.nodes) : std::span(&piece.number, 1);
+    for (int o = 0; o <= order; ++o) outputs[k].tensors[o] = tables[k].tensors[o].data();
+  }
+  Evaluation::together<R>(std::span(members).first(layers.size()), Batch<R>{piece.ends, points, order, {}},
+                          std::span(outputs).first(layers.size()));
+}
+
+template <Scalar R>
+void BoundaryLayers<R>::add(std::span<const Layer> layers, std::span<const Vec3<R>> points, int order,
+                            std::span<CoordinateTable<R>> tables) const {
+  for (const Piece& piece : pieces_) add_piece(piece, layers, points, order, tables);
+}
+
+template <Scalar R>
+void BoundaryLayers<R>::add_in_line(int edge, const R& steps, std::span<const Layer> layers, int order,
+                                    std::span<CoordinateTable<R>> tables) const {
+  const auto line = polygon_.line<R>(edge);
+  const auto along = [&](const R& s) { return Vec3<R>(R(s * line.piece), R(0), R(0)); };
+  Result<R> found;
+  for (int k = 0; k < polygon_.pieces_an_edge(); ++k) {
+    const std::array<Vec3<R>, 2> ends{along(R(k)), along(R(k + 1))};
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+      evaluations_[static_cast<std::size_t>(layers[l])](Query<R>{ends, along(steps), order, {}}, found);
+      const bool per_node = is_per_node(layers[l]);
+      for (int c = 0; c < (per_node ? 2 : 1); ++c)
+        for (int o = 0; o <= order; ++o) {
+          const std::size_t width = derivative_count(2, o);
+          const std::size_t slot = per_node ? polygon_.node(edge, k + c) : edge * polygon_.pieces_an_edge() + k;
+          turn<R>(line, o, &found.of(o)[c * width], &tables[l].tensors[o][slot * width]);
+        }
+    }
+  }
+}
+
+template <Scalar R>
+void BoundaryLayers<R>::add_on(std::span<const Layer> layers, const Vec3<R>& point, std::span<const OnEdge<R>> on,
+                               int order, std::span<CoordinateTable<R>> tables) const {
+  for (const Piece& piece : pieces_)
+    if (std::ranges::find(on, piece.number / polygon_.pieces_an_edge(), &OnEdge<R>::edge) == on.end())
+      add_piece(piece, layers, std::span(&point, 1), order, tables);
+  for (const OnEdge<R>& own : on) add_in_line(own.edge, own.steps, layers, order, tables);
+}
+
+template <Scalar R>
+LayerRows<R> BoundaryLayers<R>::rows(std::span<const CollocationPoint> points, double inset) const {
+  const auto count = static_cast<Eigen::Index>(points.size());
+  LayerRows<R> found;
+  found.hats = Matrix<R>::Zero(count, polygon_.nodes());
+  for (const Layer layer : all_layers)
+    found.layer[static_cast<std::size_t>(layer)] =
+        Matrix<R>::Zero(count, is_per_node(layer) ? polygon_.nodes() : polygon_.pieces());
+  for (Eigen::Index row = 0; row < count; ++row) {
+    const CollocationPoint& p = points[row];
+    found.hats(row, polygon_.node(p.edge, p.piece)) += R(p.parts - p.part) / p.parts;
+    if (p.part != 0) found.hats(row, polygon_.node(p.edge, p.piece + 1)) += R(p.part) / p.parts;
+    if (inset == 0) put_limits(p, row, found);
+    else put_inset(p, inset, row, found);
+  }
+  return found;
+}
+
+template <Scalar R>
+void BoundaryLayers<R>::put_limits(const CollocationPoint& p, Eigen::Index row, LayerRows<R>& rows) const {
+  std::vector<OnEdge<R>> on{{p.edge, R(p.piece) + R(p.part) / p.parts}};
+  if (p.is_vertex()) on.push_back({polygon_.before(p.edge), R(polygon_.pieces_an_edge())});
+  const Vec3<R> at = p.part == 0 ? polygon_.position<R>(p.edge, p.piece) : polygon_.line<R>(p.edge).at(on[0].steps);
+  std::array<CoordinateTable<R>, 4> tables;
+  for (std::size_t k = 0; k < 4; ++k) tables[k] = table(all_layers[k], 1, 0);
+  for (const Piece& piece : pieces_)
+    if (std::ranges::find(on, piece.number / polygon_.pieces_an_edge(), &OnEdge<R>::edge) == on.end())
+      add_piece(piece, all_layers, std::span(&at, 1), 0, tables);
+  for (const OnEdge<R>& own : on)
+    add_in_line(own.edge, own.steps, std::span(all_layers).subspan(1), 0, std::span(tables).subspan(1));
+  R left = 1;
+  for (const R& x : tables[0].tensors[0]) left -= x;
+  for (std::size_t k = 0; k < 4; ++k) rows.layer[k].row(row) = row_of(tables[k]);
+  rows.layer[0].row(row) += left * rows.hats.row(row);
+}
+
+template <Scalar R>
+Vec3<R> BoundaryLayers<R>::inset_node(int edge, int k, const R& inset) const {
+  const int other = k == 0 ? polygon_.before(edge) : k == polygon_.pieces_an_edge() ? polygon_.after(edge) : edge;
+  const Vec3<R> one = polygon_.line<R>(edge).left(), two = polygon_.line<R>(other).left();
+  // Where the lines that are offset from both edges cross.
+  return polygon_.position<R>(edge, k) + inset / (1 + one.dot(two)) * (one + two);
+}
+
+template <Scalar R>
+void BoundaryLayers<R>::put_inset(const CollocationPoint& p, double inset, Eigen::Index row, LayerRows<R>& rows) const {
+  const Vec3<R> from = inset_node(p.edge, p.piece, R(inset)), to = inset_node(p.edge, p.piece + 1, R(inset));
+  const Vec3<R> at = from + R(p.part) / p.parts * (to - from);
+  std::array<CoordinateTable<R>, 4> tables;
+  for (std::size_t k = 0; k < 4; ++k) tables[k] = table(all_layers[k], 1, 0);
+  add(all_layers, std::span(&at, 1), 0, tables);
+  for (std::size_t k = 0; k < 4; ++k) rows.layer[k].row(row) = row_of(tables[k]);
+}
+
+template class BoundaryLayers<double>;
+template class BoundaryLayers<Mp50>;
+template class BoundaryLayers<Mp100>;
+
+}  // namespace cageproof::solved

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/solved/boundary/least_squares.h"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <limits>
+
+namespace cageproof::solved {
+
+template <Scalar R>
+struct LeastSquares<R>::Factors {
+  Eigen::CompleteOrthogonalDecomposition<Matrix<R>> of_matrix;
+};
+
+template <Scalar R>
+LeastSquares<R>::LeastSquares(const Matrix<R>& matrix) : factors_(std::make_unique<Factors>()) {
+  // Between the condition of systems that are singular but for rounding, 1e15 and more, and of those that are not.
+  factors_->of_matrix.setThreshold(R(1e-13));
+  factors_->of_matrix.compute(matrix);
+}
+
+template <Scalar R>
+LeastSquares<R>::~LeastSquares() = default;
+
+template <Scalar R>
+int LeastSquares<R>::rank() const {
+  return static_cast<int>(factors_->of_matrix.rank());
+}
+
+template <Scalar R>
+Matrix<R> LeastSquares<R>::inverse() const {
+  return factors_->of_matrix.pseudoInverse();
+}
+
+template <Scalar R>
+Matrix<R> LeastSquares<R>::solve(const Matrix<R>& right) const {
+  return factors_->of_matrix.solve(right);
+}
+
+SolvedSystem describe(std::string name, const Matrix<double>& matrix, int rank, const Matrix<double>& right,
+                      const Matrix<double>& solution) {
+  const Eigen::VectorXd values = Eigen::BDCSVD<Matrix<double>>(matrix).singularValues();
+  const double least = values[values.size() - 1];
+  const Eigen::VectorXd sizes = right.colwise().norm(), left = (matrix * solution - right).colwise().norm();
+  double residual = 0;
+  for (Eigen::Index k = 0; k < sizes.size(); ++k)
+    if (sizes[k] > 0) residual = std::max(residual, left[k] / sizes[k]);
+  return {.name = std::move(name),
+          .rows = static_cast<int>(matrix.rows()),
+          .columns = static_cast<int>(matrix.cols()),
+          .rank = rank,
+          .condition = least > 0 ? values[0] / least : std::numeric_limits<double>::infinity(),
+          .residual = residual};
+}
+
+template class LeastSquares<double>;
+template class LeastSquares<Mp50>;
+template class LeastSquares<Mp100>;
+
+}  // namespace cageproof::solved

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/solved/boundary/refined_polygon.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cageproof::solved {
+
+RefinedPolygon::RefinedPolygon(const Cage& cage, int pieces) : pieces_(pieces), vertices_(cage.vertices()) {
+  std::vector<int> ending_at(vertices_.size());
+  for (const Face& face : cage.faces()) {
+    ending_at[face.vertices[1]] = edges();
+    edges_.push_back({face.vertices[0], face.vertices[1]});
+  }
+  after_.resize(edges_.size());
+  for (const auto& edge : edges_) {
+    before_.push_back(ending_at[edge[0]]);
+    after_[before_.back()] = static_cast<int>(before_.size()) - 1;
+  }
+  if (pieces > 1 && nodes() > most_nodes)
+    throw InputError(fmt::format("{}: {} edges in {} pieces each have {} nodes, more than {}", cage.name(), edges(),
+                                 pieces, nodes(), most_nodes));
+  for (std::size_t i = 0; i < vertices_.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) unit_ = std::max(unit_, (vertices_[i] - vertices_[j]).stableNorm());
+}
+
+}  // namespace cageproof::solved

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Cauchy coordinates: Green coordinates of the plane as complex numbers (Weber, Ben-Chen, Gotsman 2009; [W12] Section
+// 5.2 after the errata).
+#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates_in_double.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::solved {
+namespace {
+
+// In f(z) = sum phi_j f_j + sum psi_j d_j of Green coordinates, a similarity of the edge gives d_j = -i (f_next - f_j)
+// / length_j for the outward normal. So C_j = phi_j + i (psi_j / length_j - psi_before / length_before): the complex
+// number that vertex j is multiplied with. What the single layers' logarithm makes of a unit of length drops out.
+class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates> {
+ public:
+  CauchyCoordinates(const Cage& cage, const CoordinateOptions& options)
+      : exponent_(exponent_of(cage)),
+        green_(in_unit(cage, exponent_), coordinate_kind_named("green"),
+               CoordinateOptions{.evaluation = options.evaluation}) {
+    const int vertices = static_cast<int>(cage.vertices().size());
+    for (const auto& [label, reproduces] :
+         {std::pair{"re", Reproduces::Vertices}, std::pair{"im", Reproduces::TurnedVertices}})
+      blocks_.push_back({.label = label,
+                         .per_vertex = true,
+                         .size = vertices,
+                         .shape = {},
+                         .reproduces = reproduces,
+                         .trace = {.kind = CoordinateBlock::Trace::Kind::Zero}});
+  }
+
+  const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
+  int max_order() const override { return green_.max_order(); }
+  std::string evaluation() const override { return green_.evaluation(); }
+  bool is_exact_in(ScalarKind scalar) const override {
+    return scalar != ScalarKind::Digits200 && green_.is_exact_in(scalar);
+  }
+
+  template <Scalar R>
+  void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
+    if constexpr (std::same_as<R, float>) {
+      compute_in_double(points, tables,
+                        [&](auto wide, auto wide_tables) { compute<double>(wide, order, wide_tables); });
+    } else {
+      using std::hypot, std::ldexp;
+      std::vector<Vec3<R>> scaled;
+      for (const Vec3<R>& p : points) scaled.push_back(Vec3<R>(ldexp(p[0], -exponent_), ldexp(p[1], -exponent_), R(0)));
+      const auto green = green_.at<R>(scaled, order);
+      const CageElements& elements = green_.elements();
+      for (int o = 0; o <= order; ++o) {
+        const std::size_t width = derivative_count(2, o), stride = tables[0].stride[o];
+        for (std::size_t i = 0; i < green[0].tensors[o].size(); ++i)
+          tables[0].tensors[o][i] = ldexp(green[0].tensors[o][i], -o * exponent_);
+        for (std::size_t e = 0; e < elements.count(); ++e) {
+          const auto ends = elements.vertices_of(e);
+          const Vec3<R> along = convert<R>(elements.vertices()[ends[1]]) - convert<R>(elements.vertices()[ends[0]]);
+          const R length = hypot(along[0], along[1]);
+          for (std::size_t p = 0; p < points.size(); ++p)
+            for (std::size_t d = 0; d < width; ++d) {
+              const R part =
+                  ldexp(R(green[1].tensors[o][p * green[1].stride[o] + e * width + d] / length), -o * exponent_);
+              R* const at = &tables[1].tensors[o][p * stride + d];
+              at[ends[0] * width] += part;
+              at[ends[1] * width] -= part;
+            }
+        }
+      }
+    }
+  }
+
+ private:
+  // Of the largest extent: in a unit of that size logarithms are no larger than need be.
+  static int exponent_of(const Cage& cage) {
+    Vec3<double> low = cage.vertices().front(), high = low;
+    for (const Vec3<double>& v : cage.vertices()) {
+      low = low.cwiseMin(v);
+      high = high.cwiseMax(v);
+    }
+    return std::ilogb((high - low).maxCoeff());
+  }
+
+  // In units of 2^exponent, exactly.
+  static Cage in_unit(const Cage& cage, int exponent) {
+    std::vector<Vec3<double>> vertices;
+    for (const Vec3<double>& v : cage.vertices())
+      vertices.emplace_back(std::ldexp(v[0], -exponent), std::ldexp(v[1], -exponent), 0);
+    return cage.with(std::move(vertices), cage.faces());
+  }
+
+  int exponent_;
+  CageCoordinates green_;
+  std::vector<CoordinateBlock> blocks_;
+};
+
+const RegisterCoordinateKind register_cauchy{
+    {.name = "cauchy",
+     .source = "Weber, Ben-Chen, Gotsman 2009; [W12] Section 5.2 after the errata",
+     .own_dimension = 2,
+     .prepare = [](const Cage& cage, const CoordinateOptions& options) -> std::shared_ptr<const PreparedCoordinates> {
+       return std::make_shared<CauchyCoordinates>(cage, options);
+     }}};
+
+}  // namespace
+}  // namespace cageproof::solved
