@@ -88,6 +88,7 @@ bool has_laplacian(const CageCoordinates& coordinates) {
 
 void add_point(CageRows& rows, const CoordinateKind& kind, int order, const CagePoint& p, const PointResult& r) {
   const auto place = name_of(p.place);
+  if (kind.inside_alone && p.place == Place::Outside) return;
   const bool outside = p.place == Place::Outside && !kind.normalised;
   for (int o = 0; o <= order; ++o) {
     rows.add(outside ? "zero_outside" : "partition_of_unity", place, o, r.errors.partition[o], r.excused, p.point,
@@ -196,6 +197,7 @@ class CageMeasurement final : public Measurement {
   PointResult measured(const Setup& setup, std::size_t i) const {
     const CagePoint& p = setup.off[i];
     PointResult result;
+    if (kind_.inside_alone && p.place == Place::Outside) return result;
     result.errors = errors_at(setup.coordinates, *cage_, p.point, expected_sum(kind_, setup.locator, p.point),
                               setup.order, &setup.terms);
     result.excused = may_be_missing(setup.prior, p.point);
@@ -273,7 +275,8 @@ class MeshMeasurement final : public Measurement {
       const CageErrors errors = errors_at(setup.coordinates, *cage_, point, expected_sum(kind_, setup.locator, point),
                                           0, place == Place::TooClose ? nullptr : &setup.terms);
       // Points nearer than the promise reaches are shown in the field and counted, not judged.
-      const bool judged = place != Place::TooClose, excused = !judged || may_be_missing(setup.prior, point);
+      const bool missing = kind_.inside_alone && place == Place::Outside;
+      const bool judged = place != Place::TooClose && !missing, excused = !judged || may_be_missing(setup.prior, point);
       rows.add("partition_of_unity", "mesh", 0, judged ? errors.partition[0] : CageError(), excused, point, i);
       rows.add("linear_reproduction", "mesh", 0, judged ? errors.reproduction[0] : CageError(), excused, point, i);
       part.image.arrays[0].values.push_back(errors.partition[0].relative);

@@ -98,7 +98,7 @@ CageError laplacian_error(const CageCoordinates& coordinates, const std::vector<
 }  // namespace
 
 std::optional<CageCoordinates> prior_of(const Cage& cage, const CoordinateKind& kind, Triangulation rule) {
-  if (kind.missing_because.empty()) return std::nullopt;
+  if (kind.missing_because.empty() || kind.inside_alone) return std::nullopt;
   return CageCoordinates(cage, coordinate_kind_named("quad_mean_value"), CoordinateOptions{.triangulation = rule});
 }
 

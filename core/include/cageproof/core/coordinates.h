@@ -52,6 +52,22 @@ struct CoordinateTable {
   std::array<std::size_t, 3> stride{};  ///< numbers a point
 };
 
+/// A linear system that was solved to prepare a kind for its cage.
+struct SolvedSystem {
+  std::string name;   ///< "Psi^H k = (H - Phi^H) l"
+  int rows, columns;  ///< equations and unknowns
+  int rank;           ///< as found; columns where the solution is unique
+  double condition;   ///< largest over smallest singular value; infinite where the smallest is zero
+  /// What the solution leaves of the right sides, over these: the largest of their columns, in Euclidean norms.
+  double residual;
+  /// Of least squares on the cage's boundary: the largest differences of values and of gradients there, between the
+  /// points that were solved for, over the largest number of each right side. NaN where nobody measured.
+  double boundary_values = std::numeric_limits<double>::quiet_NaN();
+  double boundary_gradients = std::numeric_limits<double>::quiet_NaN();
+
+  bool is_singular() const { return rank < columns; }
+};
+
 /// A kind prepared for one cage. Safe from any thread.
 class PreparedCoordinates {
  public:
@@ -62,6 +78,8 @@ class PreparedCoordinates {
   virtual std::string evaluation() const { return std::string(name_of(Role::Recommended)); }
   /// Whether values in multiprecision have that precision's digits.
   virtual bool is_exact_in(ScalarKind scalar) const = 0;
+  /// The systems that were solved in double; none for kinds that solve none.
+  virtual std::vector<SolvedSystem> solved() const { return {}; }
   /// One table a block, sized and set to zero by the caller. Where a point is exactly a double and lies on the cage,
   /// values are the limits from inside: interpolating kinds give the basis functions; derivatives that do not exist are
   /// NaN. Points without coordinates are NaN. \pre order <= max_order()
@@ -114,6 +132,10 @@ struct CoordinateKind {
   std::shared_ptr<const PreparedCoordinates> (*prepare)(const Cage& cage, const CoordinateOptions& options) = nullptr;
   /// Why there may be points without coordinates; empty for kinds that have them everywhere.
   std::string_view missing_because = {};
+  /// Whether points outside are those without coordinates, and no others.
+  bool inside_alone = false;
+  /// Why the kind has no coordinates in a cage of its dimension; empty where it has. Null for kinds that refuse none.
+  std::string (*refuses)(const Cage& cage) = nullptr;
 
   bool is_sum() const { return prepare == nullptr; }
 };
@@ -142,9 +164,12 @@ const CoordinateKind& coordinate_kind_named(std::string_view name);
 /// Whether the kind exists on a cage like this one: all its kernels have formulas on the cage's elements.
 bool exists_on(const CoordinateKind& kind, const Cage& cage);
 
-/// Whether the kind has coordinates in the cage: it exists on it, and it triangulates quads, or all are valid, or the
-/// cage allows others.
+/// Whether the kind has coordinates in the cage: it exists on it, does not refuse it, and it triangulates quads, or all
+/// are valid, or the cage allows others.
 bool accepts(const CoordinateKind& kind, const Cage& cage);
+
+/// Why a kind that exists on the cage does not accept it, the first reason; empty where it does.
+std::string why_refused(const CoordinateKind& kind, const Cage& cage);
 
 /// Coordinates of points in one cage. Keeps a reference to the kind, copies of the rest; safe from any thread.
 class CageCoordinates {
@@ -168,6 +193,7 @@ class CageCoordinates {
   /// The name of the formulas' evaluation; where elements differ, that of quads.
   std::string evaluation() const { return prepared_->evaluation(); }
   bool is_exact_in(ScalarKind scalar) const { return prepared_->is_exact_in(scalar); }
+  std::vector<SolvedSystem> solved() const { return prepared_->solved(); }
 
   /// A block of points: one table a block of coordinates, as PreparedCoordinates::fill.
   template <Scalar R>
