@@ -271,6 +271,41 @@ TEST(goursat_coordinates, have_the_ranges_of_the_audit) {
   EXPECT_GE(std::ranges::max(beta), -0.0005);
 }
 
+TEST(goursat_coordinates, refuse_many_edges_by_name) {
+  std::vector<std::array<double, 2>> points;
+  for (int k = 0; k < 49; ++k)
+    points.push_back({std::cos(2 * std::numbers::pi * k / 49), std::sin(2 * std::numbers::pi * k / 49)});
+  const Cage cage = polygon("circle", points);
+  try {
+    coordinates_of(cage, "harmonic_goursat");
+    ADD_FAILURE() << "49 edges were taken";
+  } catch (const InputError& e) {
+    for (const char* part : {"circle", "harmonic_goursat", "49 edges"})
+      EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+  }
+  points.pop_back();
+  EXPECT_TRUE(accepts(coordinate_kind_named("harmonic_goursat"), polygon("48 edges", points)));
+}
+
+// Twenty-four corners next to flat, and slender cages: fewer functions a corner, higher polynomials.
+TEST(goursat_coordinates, of_round_and_slender_cages) {
+  std::vector<std::array<double, 2>> points;
+  for (int k = 0; k < 24; ++k)
+    points.push_back({std::cos(std::numbers::pi * k / 12), std::sin(std::numbers::pi * k / 12)});
+  const SolvedSystem round = coordinates_of(polygon("round", points), "biharmonic_goursat").solved().front();
+  EXPECT_LE(round.boundary_values, 1e-8);
+  const Cage bar = polygon("bar", {{-1, 0}, {1, 0}, {1, 0x1p-6}, {-1, 0x1p-6}});
+  const CageCoordinates coordinates = coordinates_of(bar, "biharmonic_goursat");
+  EXPECT_LE(coordinates.solved().front().boundary_values, 1e-6);
+  // Far from both ends a cubic across the bar, straight along it.
+  const double h = 0x1p-6, y = 0.25;
+  const auto found = coordinates.at<double>(Vec(0.25, y * h, 0), 0);
+  const double top = y * y * (3 - 2 * y);
+  EXPECT_NEAR(found[0].value[0], (1 - top) * 0.375, 1e-6);
+  EXPECT_NEAR(found[0].value[2], top * 0.625, 1e-6);
+  EXPECT_NEAR(found[1].value[0], -h * y * (1 - y) * (1 - y), 1e-6 * h + 1e-8);
+}
+
 TEST(goursat_coordinates, refuse_holes_by_name) {
   const std::vector<Vec> vertices{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0},
                                   {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}};

@@ -144,6 +144,31 @@ TEST(goursat_manufactured, errors_of_smooth_functions_fall_geometrically) {
   for (std::size_t i = 1; i < logarithms.size(); ++i) EXPECT_LE(logarithms[i], logarithms[i - 1] - 1) << i;
 }
 
+// What corners cost. The hat function of the L's notch by polynomials and what its kink needs alone: each degree's
+// double leaves a half of the residual or more. With the exponents of the corners, each four of them bring a digit.
+TEST(goursat_manufactured, corners_cost_their_exponents) {
+  const Cage cage = l_shape();
+  const auto residual = [&](int degree, int terms) {
+    const DirichletSolution u(cage, Equation::Biharmonic, 1,
+                              [](const EdgePoint& at, const BoundaryData& data) {
+                                data.values[0] = at.face == 3 ? at.from_end : at.face == 2 ? at.from_start : 0;
+                                data.derivatives_along[0] = at.face == 3 ? -1 : at.face == 2 ? 1 : 0;
+                              },
+                              {.degree = degree, .terms = terms});
+    return u.report().value_residual;
+  };
+  const double ten = residual(10, 1), eighty = residual(80, 1);
+  EXPECT_GE(eighty, 1e-4);
+  EXPECT_LE(eighty, ten / 8);
+  double before = residual(20, 4);
+  for (const int terms : {8, 12, 16}) {
+    const double here = residual(20, terms);
+    EXPECT_LE(here, before / 8) << terms;
+    before = here;
+  }
+  EXPECT_LE(before, 1e-9);
+}
+
 // A function that satisfies another equation has the data of a solution that it is not.
 TEST(goursat_manufactured, other_functions_do_not_return) {
   const Cage cage = unit_square();

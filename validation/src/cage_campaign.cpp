@@ -88,7 +88,6 @@ bool has_laplacian(const CageCoordinates& coordinates) {
 
 void add_point(CageRows& rows, const CoordinateKind& kind, int order, const CagePoint& p, const PointResult& r) {
   const auto place = name_of(p.place);
-  if (kind.inside_alone && p.place == Place::Outside) return;
   const bool outside = p.place == Place::Outside && !kind.normalised;
   for (int o = 0; o <= order; ++o) {
     rows.add(outside ? "zero_outside" : "partition_of_unity", place, o, r.errors.partition[o], r.excused, p.point,
@@ -115,6 +114,13 @@ void add_on_cage(CageRows& rows, const Cage& cage, const CageCoordinates& coordi
   const auto errors = inside_limit_errors_at(coordinates, cage, locator, p.point, order);
   for (int o = 0; o <= order; ++o)
     if (errors[o]) rows.add_relative("limit_from_inside", place, o, *errors[o], !p.exact, p.point, p.index);
+}
+
+void add_boundary(CageRows& rows, const Cage& cage, const CageCoordinates& coordinates) {
+  const std::array<std::optional<double>, 2> residuals = boundary_residuals(coordinates);
+  for (int o = 0; o < 2; ++o)
+    if (residuals[o])
+      rows.add_relative("boundary_residual", "on-face", o, *residuals[o], false, cage.vertices().front(), 0);
 }
 
 // Every n-th, so that at most so many are left.
@@ -149,6 +155,7 @@ class CageMeasurement final : public Measurement {
       const CagePoint& p = setup.off[i];
       if (p.place != Place::TooClose) add_point(rows, kind_, setup.order, p, measured(setup, i));
     }
+    if (block == 0) add_boundary(rows, *cage_, setup.coordinates);
     for (std::size_t i = block; i < setup.on.size(); i += blocks())
       add_on_cage(rows, *cage_, setup.coordinates, setup.locator, setup.on[i]);
     return std::move(rows.found);
@@ -181,6 +188,7 @@ class CageMeasurement final : public Measurement {
                 {},
                 {}};
     setup.off = points_off(*cage_, setup.locator, o.seed, o.points);
+    if (kind_.inside_alone) std::erase_if(setup.off, [](const CagePoint& p) { return p.place == Place::Outside; });
     if (o.properties_alone) return setup;
     setup.on = points_on(setup.coordinates, *cage_);
     if (o.on_points > 0) keep_evenly(setup.on, o.on_points);
@@ -197,7 +205,6 @@ class CageMeasurement final : public Measurement {
   PointResult measured(const Setup& setup, std::size_t i) const {
     const CagePoint& p = setup.off[i];
     PointResult result;
-    if (kind_.inside_alone && p.place == Place::Outside) return result;
     result.errors = errors_at(setup.coordinates, *cage_, p.point, expected_sum(kind_, setup.locator, p.point),
                               setup.order, &setup.terms);
     result.excused = may_be_missing(setup.prior, p.point);

@@ -17,8 +17,11 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-// Of the triangle's pivots: columns of unit length are known to a few roundings.
-constexpr double kThreshold = 1e-14;
+// Of the triangle's pivots, of columns of unit length. Below it rounding takes more than functions give: at 1e-14
+// coefficients are so large that their rounding shows in sums, at 1e-12 residuals rise.
+constexpr double kThreshold = 1e-13;
+// Of points next to edges, over the largest coordinate: more than the rounding of points, less than any residual.
+constexpr double kStep = 0x1p-51;
 
 // Equations at points of the boundary: values, and of biharmonic functions normal derivatives and those along the edge,
 // in the frame's unit, block by block.
@@ -50,14 +53,24 @@ Matrix data_at(const Problem& problem, std::span<const FramePoint> points) {
   return data;
 }
 
-Matrix functions_at(const Problem& problem, const GoursatBasis& basis, std::span<const FramePoint> points) {
+// The point as whoever asks for it has it: rounded, and a few roundings inside.
+SeenPoint<double> seen_nearby(const PolygonFrame& frame, const FramePoint& p, double step) {
+  const EdgePoint on = edge_point(frame, p);
+  return frame.see(Vec3<double>(on.point - step * on.normal));
+}
+
+// \param step 0: exactly on the edges; else points rounded, that far inside.
+Matrix functions_at(const Problem& problem, const GoursatBasis& basis, std::span<const FramePoint> points,
+                    double step = 0) {
   const auto n = static_cast<Eigen::Index>(points.size());
   const bool biharmonic = problem.equation == Equation::Biharmonic;
   Matrix functions(problem.rows_a_point() * n, basis.size());
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows(3, basis.size());
   for (Eigen::Index i = 0; i < n; ++i) {
     const FramePoint& p = points[i];
-    basis.rows_at(problem.frame->see_on_edge(p.edge, p.from_start, p.from_end), biharmonic ? 1 : 0, rows.data());
+    const SeenPoint<double> seen =
+        step > 0 ? seen_nearby(*problem.frame, p, step) : problem.frame->see_on_edge(p.edge, p.from_start, p.from_end);
+    basis.rows_at(seen, biharmonic ? 1 : 0, rows.data());
     functions.row(i) = rows.row(0);
     if (!biharmonic) continue;
     const Complex<double> e = problem.frame->edge(p.edge);
@@ -109,7 +122,7 @@ Trial solved_with(const Problem& problem, int degree, int terms) {
   expected *= scale.cwiseInverse().asDiagonal();
   Matrix functions = functions_at(problem, *trial.basis, points);
   LeastSquares found = solve_least_squares(functions, data, kThreshold);
-  functions = functions_at(problem, *trial.basis, between);
+  functions = functions_at(problem, *trial.basis, between, kStep * problem.frame->largest_coordinate());
   const Matrix left = (functions * found.solution - expected).cwiseAbs();
   const auto n = static_cast<Eigen::Index>(between.size());
   trial.report = {.degree = degree,
@@ -125,17 +138,33 @@ Trial solved_with(const Problem& problem, int degree, int terms) {
   return trial;
 }
 
-// Exponents of each corner, so that all corners together do not take more than half of the unknowns.
-int terms_of(const PolygonFrame& frame, const DirichletOptions& options) {
+// Exponents of each corner, so that all corners together take about half of the unknowns, or a third: of biharmonic
+// functions there are two to an exponent, of harmonic ones one.
+int terms_of(const Problem& problem, const DirichletOptions& options) {
   constexpr int kFewest = 3, kMost = 20;
-  return std::clamp(options.most_unknowns / (4 * frame.size()) + 2, kFewest, kMost);
+  const int share = problem.equation == Equation::Biharmonic ? 4 : 3;
+  return std::clamp(options.most_unknowns / (share * problem.frame->size()) + 2, kFewest, kMost);
+}
+
+// About how many times as long as wide the polygon and its limbs are: the layers at their ends, as wide as they are,
+// take polynomials of more than the first degrees.
+double slenderness(const PolygonFrame& frame) {
+  double area = 0, perimeter = 0;
+  for (int k = 0; k < frame.size(); ++k) {
+    area += (conj(frame.corner(k).position) * frame.corner(frame.next(k)).position).im / 2;
+    perimeter += frame.length(k);
+  }
+  return perimeter * perimeter / (4 * area) / 4;
 }
 
 Trial best_of(const Problem& problem, const DirichletOptions& options) {
   if (options.degree > 0) return solved_with(problem, options.degree, options.terms);
-  const int terms = terms_of(*problem.frame, options);
+  const int terms = terms_of(problem, options);
   std::optional<Trial> best;
+  const bool slender =
+      problem.equation == Equation::Biharmonic && problem.frame->size() <= 8 && slenderness(*problem.frame) > 16;
   for (const int degree : {40, 80, 160, 240}) {
+    if (slender && degree < 160) continue;
     Trial trial = solved_with(problem, degree, terms);
     const double excess = trial.excess(options), before = best ? best->excess(options) : HUGE_VAL;
     const int unknowns = trial.report.unknowns;
@@ -153,7 +182,7 @@ struct DirichletSolution::State {
   Trial trial;
 };
 
-std::string why_no_dirichlet_solution(const Cage& cage) { return why_no_simple_polygon(cage); }
+std::string why_no_dirichlet_solution(const Cage& cage) { return why_not_solved(cage); }
 
 DirichletSolution::DirichletSolution(const Cage& cage, Equation equation, int problems, const BoundaryFunction& data,
                                      const DirichletOptions& options) {
@@ -193,7 +222,13 @@ std::array<std::vector<R>, 3> DirichletSolution::at(const Vec3<R>& point, int or
     int edge = 0;
     while (!frame.is_on(edge, rounded)) ++edge;
     const Segment<double>& s = frame.segments()[edge];
-    const R from = (point - convert<R>(s[0])).norm(), to = (point - convert<R>(s[1])).norm();
+    const auto distance = [&](const Vec3<double>& end) {
+      using std::ldexp, std::sqrt;
+      const R x = ldexp(R(point[0] - R(end[0])), -frame.exponent()),
+              y = ldexp(R(point[1] - R(end[1])), -frame.exponent());
+      return R(sqrt(R(x * x + y * y)));
+    };
+    const R from = distance(s[0]), to = distance(s[1]);
     seen = frame.see_on_edge(edge, R(from / (from + to)), R(to / (from + to)));
   }
   const int rows = rows_of_order(order), n = basis.size();

@@ -4,6 +4,7 @@
 
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/input_error.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,8 @@
 
 namespace cageproof::solved {
 namespace {
+
+constexpr std::string_view kEvaluation = "least_squares";
 
 // With the normal derivatives of the paper: hat functions have none, and beta's is one on its edge, outward.
 BoundaryFunction coordinate_data(const Cage& cage, Equation equation) {
@@ -91,7 +94,7 @@ class GoursatCoordinates final : public CoordinatesIn<GoursatCoordinates> {
 
   const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
   int max_order() const override { return 2; }
-  std::string evaluation() const override { return "least_squares"; }
+  std::string evaluation() const override { return std::string(kEvaluation); }
   bool is_exact_in(ScalarKind) const override { return false; }
   std::vector<SolvedSystem> solved() const override {
     const DirichletReport& r = solution_->report();
@@ -138,7 +141,10 @@ class GoursatCoordinates final : public CoordinatesIn<GoursatCoordinates> {
 };
 
 template <Equation equation>
-std::shared_ptr<const PreparedCoordinates> prepare(const Cage& cage, const CoordinateOptions& /*options*/) {
+std::shared_ptr<const PreparedCoordinates> prepare(const Cage& cage, const CoordinateOptions& options) {
+  if (!options.evaluation.empty() && options.evaluation != kEvaluation)
+    throw InputError(fmt::format("no evaluation is called \"{}\"; Goursat coordinates have {} alone",
+                                 options.evaluation, kEvaluation));
   return std::make_shared<GoursatCoordinates>(cage, equation);
 }
 

@@ -4,6 +4,26 @@
 #include <Eigen/QR>
 
 namespace cageproof::solved {
+namespace {
+
+// Largest over smallest singular value of a triangle, by power iterations on both ends: a lower bound, that is close.
+double condition_of(const Eigen::MatrixXd& triangle) {
+  constexpr int steps = 20;
+  const auto upper = triangle.triangularView<Eigen::Upper>();
+  Eigen::VectorXd x = Eigen::VectorXd::Constant(triangle.cols(), 1), y = x;
+  double largest = 0, inverse = 0;
+  for (int i = 0; i < steps; ++i) {
+    x = (upper * x.normalized()).eval();
+    largest = x.norm();
+    x = (upper.adjoint() * x).eval();
+    y = upper.adjoint().solve(y.normalized());
+    inverse = y.norm();
+    y = upper.solve(y);
+  }
+  return largest * inverse;
+}
+
+}  // namespace
 
 LeastSquares solve_least_squares(Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double threshold) {
   const Eigen::Index n = a.cols();
@@ -29,8 +49,7 @@ LeastSquares solve_least_squares(Eigen::MatrixXd& a, const Eigen::MatrixXd& b, d
   }
   found.solution = unit.asDiagonal() * found.solution;
   found.rank = static_cast<int>(revealing.rank());
-  const auto pivots = revealing.matrixQTZ().diagonal().cwiseAbs();
-  found.condition = found.rank > 0 ? pivots[0] / pivots[found.rank - 1] : 0;
+  found.condition = condition_of(revealing.matrixT().topLeftCorner(found.rank, found.rank));
   return found;
 }
 

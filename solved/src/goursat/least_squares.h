@@ -9,7 +9,7 @@ namespace cageproof::solved {
 struct LeastSquares {
   Eigen::MatrixXd solution;
   int rank;
-  double condition;  ///< largest over smallest pivot kept
+  double condition;  ///< largest over smallest singular value of what is kept; a lower bound, within some per cent
   double residual;   ///< the largest of the right sides' columns, relative, in Euclidean norms
 };
 

@@ -4,6 +4,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/linear.h"
 #include "cageproof/core/orientation.h"
+#include "cageproof/solved/goursat/dirichlet_solver.h"
 
 #include <fmt/format.h>
 
@@ -33,9 +34,12 @@ double dot(const Complex<double>& a, const Complex<double>& b) { return (conj(a)
 
 }  // namespace
 
-std::string why_no_simple_polygon(const Cage& cage) {
+std::string why_not_solved(const Cage& cage) {
   if (cage.dimension() != 2) return "it is no polygon";
   const std::size_t first = first_polygon(cage).size();
+  if (first == cage.faces().size() && first > most_edges)
+    return fmt::format("it has {} edges, more than {}, each of whose corners needs functions of its own", first,
+                       most_edges);
   if (first == cage.faces().size()) return {};
   return fmt::format(
       "it has holes or several parts ({} of {} segments form the first polygon), around which functions of the Goursat "
@@ -44,7 +48,7 @@ std::string why_no_simple_polygon(const Cage& cage) {
 }
 
 PolygonFrame::PolygonFrame(const Cage& cage) {
-  if (const std::string reason = why_no_simple_polygon(cage); !reason.empty())
+  if (const std::string reason = why_not_solved(cage); !reason.empty())
     throw InputError(fmt::format("{}: {}", cage.name(), reason));
   faces_ = first_polygon(cage);
   edges_.resize(faces_.size());
@@ -55,6 +59,7 @@ PolygonFrame::PolygonFrame(const Cage& cage) {
     high = high.cwiseMax(v);
   }
   centre_ = low / 2 + high / 2;
+  largest_ = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
   std::frexp(cage.size(), &exponent_);
   --exponent_;
   for (int k = 0; k < static_cast<int>(faces_.size()); ++k) {

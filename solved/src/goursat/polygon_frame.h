@@ -31,7 +31,7 @@ class PolygonFrame {
     int vertex;       ///< of the cage
   };
 
-  /// \throws InputError for a cage that is no single polygon: holes and further parts are not supported
+  /// \throws InputError for a cage that is no single polygon of at most most_edges edges
   explicit PolygonFrame(const Cage& cage);
 
   int size() const { return static_cast<int>(corners_.size()); }
@@ -44,6 +44,8 @@ class PolygonFrame {
   int edge_of_face(int face) const { return edges_[face]; }
   /// Lengths here are 2^-exponent() times those of the cage.
   int exponent() const { return exponent_; }
+  /// Of the cage's vertices, in its unit: how points in the cage are rounded.
+  double largest_coordinate() const { return largest_; }
   /// In the cage's unit, by edge.
   const std::vector<Segment<double>>& segments() const { return segments_; }
   /// Whether a point lies on an edge, ends included, exactly.
@@ -62,6 +64,7 @@ class PolygonFrame {
   void set_angles(SeenPoint<R>& seen, const Vec3<double>* point, int edge) const;
 
   Vec3<double> centre_;
+  double largest_;
   int exponent_;
   std::vector<Corner> corners_;
   std::vector<Segment<double>> segments_;  // by edge
@@ -70,7 +73,7 @@ class PolygonFrame {
   std::vector<double> shifts_;  // added to angles that are summed along the polygon
 };
 
-/// Why the cage is no single polygon; empty where it is one.
-std::string why_no_simple_polygon(const Cage& cage);
+/// Why problems are not solved in such a cage; empty where they are.
+std::string why_not_solved(const Cage& cage);
 
 }  // namespace cageproof::solved

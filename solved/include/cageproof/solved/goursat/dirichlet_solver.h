@@ -38,11 +38,12 @@ struct DirichletReport {
   int degree = 0;  ///< of the polynomials
   int terms = 0;   ///< exponents of corners are taken up to terms pi/angle
   int equations = 0, unknowns = 0;
-  int rank = 0;          ///< of the equations with columns of unit length, pivots below 1e-14 of the largest left out
-  double condition = 0;  ///< largest over smallest pivot kept
+  int rank = 0;          ///< of the equations with columns of unit length, pivots below 1e-13 of the largest left out
+  double condition = 0;  ///< largest over smallest singular value of what is kept
   double residual =
       0;  ///< Euclidean norm of what least squares leave, over that of the right side: the worst problem's
-  /// Largest differences on the boundary, over the largest number of a problem's data. By the maximum principle a
+  /// Largest differences next to the boundary, a few roundings of a point inside, and so with the rounding of
+  /// evaluations, over the largest number of a problem's data. By the maximum principle a
   /// harmonic solution is off by at most the first anywhere in the polygon. For biharmonic solutions there is no such
   /// bound for all polygons; differences found were below the sum of both.
   double value_residual = 0;
@@ -66,7 +67,7 @@ enum class PointPlace { Inside, OnEdge, OnCorner, Outside };
 class DirichletSolution {
  public:
   /// \param problems the number of solutions
-  /// \throws InputError for a cage that is no single polygon without holes
+  /// \throws InputError for a cage that is no single polygon without holes, or has more than most_edges edges
   DirichletSolution(const Cage& cage, Equation equation, int problems, const BoundaryFunction& data,
                     const DirichletOptions& options = {});
   ~DirichletSolution();
@@ -85,6 +86,10 @@ class DirichletSolution {
   struct State;
   std::unique_ptr<const State> state_;
 };
+
+/// Each corner takes functions of its own, and least squares the cube of their number in time: with more edges the
+/// functions that a second of solving allows no longer meet the data.
+inline constexpr int most_edges = 48;
 
 /// Why there are no solutions in such a cage; empty where there are.
 std::string why_no_dirichlet_solution(const Cage& cage);
