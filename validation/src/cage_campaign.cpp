@@ -118,6 +118,13 @@ void add_on_cage(CageRows& rows, const Cage& cage, const CageCoordinates& coordi
     if (errors[o]) rows.add_relative("limit_from_inside", place, o, *errors[o], !p.exact, p.point, p.index);
 }
 
+void add_boundary(CageRows& rows, const Cage& cage, const CageCoordinates& coordinates) {
+  const std::array<std::optional<double>, 2> residuals = boundary_residuals(coordinates);
+  for (int o = 0; o < 2; ++o)
+    if (residuals[o])
+      rows.add_relative("boundary_residual", "on-face", o, *residuals[o], false, cage.vertices().front(), 0);
+}
+
 // Every n-th, so that at most so many are left.
 void keep_evenly(std::vector<CagePoint>& points, int most) {
   const std::size_t step = std::max<std::size_t>(1, (points.size() + most - 1) / most);
@@ -150,6 +157,7 @@ class CageMeasurement final : public Measurement {
       const CagePoint& p = setup.off[i];
       if (p.place != Place::TooClose) add_point(rows, kind_, setup.order, p, measured(setup, i));
     }
+    if (block == 0) add_boundary(rows, *cage_, setup.coordinates);
     for (std::size_t i = block; i < setup.on.size(); i += blocks())
       add_on_cage(rows, *cage_, setup.coordinates, setup.locator, setup.terms, setup.on[i]);
     return std::move(rows.found);
@@ -182,6 +190,7 @@ class CageMeasurement final : public Measurement {
                 {},
                 {}};
     setup.off = points_off(*cage_, setup.locator, o.seed, o.points);
+    if (kind_.inside_alone) std::erase_if(setup.off, [](const CagePoint& p) { return p.place == Place::Outside; });
     if (o.properties_alone) return setup;
     setup.on = points_on(setup.coordinates, *cage_);
     if (o.on_points > 0) keep_evenly(setup.on, o.on_points);
@@ -276,7 +285,8 @@ class MeshMeasurement final : public Measurement {
       const CageErrors errors = errors_at(setup.coordinates, *cage_, point, expected_sum(kind_, setup.locator, point),
                                           0, place == Place::TooClose ? nullptr : &setup.terms);
       // Points nearer than the promise reaches are shown in the field and counted, not judged.
-      const bool judged = place != Place::TooClose, excused = !judged || may_be_missing(setup.prior, point);
+      const bool missing = kind_.inside_alone && place == Place::Outside;
+      const bool judged = place != Place::TooClose && !missing, excused = !judged || may_be_missing(setup.prior, point);
       rows.add("partition_of_unity", "mesh", 0, judged ? errors.partition[0] : CageError(), excused, point, i);
       rows.add("linear_reproduction", "mesh", 0, judged ? errors.reproduction[0] : CageError(), excused, point, i);
       part.image.arrays[0].values.push_back(errors.partition[0].relative);

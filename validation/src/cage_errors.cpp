@@ -100,8 +100,17 @@ CageError laplacian_error(const CageCoordinates& coordinates, const std::vector<
 
 }  // namespace
 
+std::array<std::optional<double>, 2> boundary_residuals(const CageCoordinates& coordinates) {
+  std::array<std::optional<double>, 2> worst;
+  for (const SolvedSystem& system : coordinates.solved()) {
+    if (!std::isnan(system.boundary_values)) worst[0] = std::max(worst[0].value_or(0), system.boundary_values);
+    if (!std::isnan(system.boundary_gradients)) worst[1] = std::max(worst[1].value_or(0), system.boundary_gradients);
+  }
+  return worst;
+}
+
 std::optional<CageCoordinates> prior_of(const Cage& cage, const CoordinateKind& kind, Triangulation rule) {
-  if (kind.missing_because.empty()) return std::nullopt;
+  if (kind.missing_because.empty() || kind.inside_alone) return std::nullopt;
   return CageCoordinates(cage, coordinate_kind_named("quad_mean_value"), CoordinateOptions{.triangulation = rule});
 }
 

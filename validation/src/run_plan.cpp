@@ -222,7 +222,7 @@ class Planner {
         else left_out = true;
       } else {
         plan_.header.notes.push_back(
-            fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, invalid_quads(*cage).front()));
+            fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, why_refused(kind, *cage)));
       }
     }
     if (left_out)

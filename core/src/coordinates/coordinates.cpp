@@ -28,6 +28,8 @@ void require_accepted(const CoordinateKind& kind, const Cage& cage) {
   if (!exists_on(kind, cage))
     throw InputError(fmt::format("{}: {} coordinates do not exist on cages of this dimension", cage.name(), kind.name));
   if (accepts(kind, cage)) return;
+  if (!kind.keeps_quads)
+    throw InputError(fmt::format("{}: no {} coordinates, {}", cage.name(), kind.name, why_refused(kind, cage)));
   const auto faults = invalid_quads(cage);
   const std::string more = faults.size() > 1 ? fmt::format(", and {} more", faults.size() - 1) : "";
   throw InputError(fmt::format(

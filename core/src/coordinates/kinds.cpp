@@ -85,7 +85,15 @@ bool exists_on(const CoordinateKind& kind, const Cage& cage) {
 }
 
 bool accepts(const CoordinateKind& kind, const Cage& cage) {
-  return exists_on(kind, cage) && (!kind.keeps_quads || cage.allows_invalid_quads() || invalid_quads(cage).empty());
+  return exists_on(kind, cage) && why_refused(kind, cage).empty();
+}
+
+std::string why_refused(const CoordinateKind& kind, const Cage& cage) {
+  if (kind.refuses != nullptr)
+    if (std::string reason = kind.refuses(cage); !reason.empty()) return reason;
+  if (!kind.keeps_quads || cage.allows_invalid_quads()) return {};
+  const std::vector<std::string> faults = invalid_quads(cage);
+  return faults.empty() ? std::string() : faults.front();
 }
 
 std::vector<const Formula*> formulas_of(const CoordinateKind& kind, const Cage& cage) {

@@ -21,7 +21,7 @@ const std::vector<HarmonicCollocation>& harmonic_collocations() {
 }
 
 struct HarmonicScheme {
-  static constexpr std::string_view label = "h";
+  static constexpr std::string_view label = "lambda";
   static constexpr bool has_normals = false, is_harmonic = true;
   static constexpr std::array unknown{Layer::Single};
 

@@ -63,6 +63,10 @@ struct SolvedSystem {
   double condition;   ///< largest over smallest singular value; infinite where the smallest is zero
   /// What the solution leaves of the right sides, over these: the largest of their columns, in Euclidean norms.
   double residual;
+  /// Of least squares on the cage's boundary: the largest differences of values and of gradients there, between the
+  /// points that were solved for, over the largest number of each right side. NaN where nobody measured.
+  double boundary_values = std::numeric_limits<double>::quiet_NaN();
+  double boundary_gradients = std::numeric_limits<double>::quiet_NaN();
 
   bool is_singular() const { return rank < columns; }
 };
@@ -159,6 +163,10 @@ struct CoordinateKind {
   std::vector<std::string_view> other_evaluations = {};
   /// Why there may be points without coordinates; empty for kinds that have them everywhere.
   std::string_view missing_because = {};
+  /// Whether points outside are those without coordinates, and no others.
+  bool inside_alone = false;
+  /// Why the kind has no coordinates in a cage of its dimension; empty where it has. Null for kinds that refuse none.
+  std::string (*refuses)(const Cage& cage) = nullptr;
 
   bool is_sum() const { return prepare == nullptr; }
 };
@@ -187,9 +195,12 @@ const CoordinateKind& coordinate_kind_named(std::string_view name);
 /// Whether the kind exists on a cage like this one: all its kernels have formulas on the cage's elements.
 bool exists_on(const CoordinateKind& kind, const Cage& cage);
 
-/// Whether the kind has coordinates in the cage: it exists on it, and it triangulates quads, or all are valid, or the
-/// cage allows others.
+/// Whether the kind has coordinates in the cage: it exists on it, does not refuse it, and it triangulates quads, or all
+/// are valid, or the cage allows others.
 bool accepts(const CoordinateKind& kind, const Cage& cage);
+
+/// Why a kind that exists on the cage does not accept it, the first reason; empty where it does.
+std::string why_refused(const CoordinateKind& kind, const Cage& cage);
 
 /// Coordinates of points in one cage. Keeps a reference to the kind, copies of the rest; safe from any thread.
 class CageCoordinates {

@@ -44,7 +44,12 @@ struct CageErrors {
 CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point, double expected,
                      int order, const CageTerms* terms = nullptr);
 
-/// The coordinates that a positive kind is made from, of kinds that points may lack (CoordinateKind::missing_because).
+/// How far solved coordinates are from the data that they were solved for, in values and in gradients, as
+/// SolvedSystem says it; nothing of kinds that do not measure it.
+std::array<std::optional<double>, 2> boundary_residuals(const CageCoordinates& coordinates);
+
+/// The coordinates that a positive kind is made from, of kinds that points inside may lack
+/// (CoordinateKind::missing_because, not inside_alone).
 std::optional<CageCoordinates> prior_of(const Cage& cage, const CoordinateKind& kind, Triangulation rule);
 
 /// Whether a point may have no coordinates: of kinds that points may lack, where not all of the prior's are positive.
