@@ -200,7 +200,7 @@ std::vector<Point> parse_points(std::string_view text) {
 
 Rational parse_number(std::string_view text) {
   Scanner scanner(text);
-  const Rational number = scanner.number();
+  Rational number = scanner.number();
   if (!scanner.at_end()) throw Fault{scanner.shown() + " after a number; lengths are in user units"};
   return number;
 }
