@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <list>
 #include <map>
 #include <mutex>
 
@@ -140,12 +139,12 @@ class GoursatCoordinates final : public CoordinatesIn<GoursatCoordinates> {
   std::shared_ptr<const DirichletSolution> solution_;
 };
 
-template <Equation equation>
+template <Equation Kind>
 std::shared_ptr<const PreparedCoordinates> prepare(const Cage& cage, const CoordinateOptions& options) {
   if (!options.evaluation.empty() && options.evaluation != kEvaluation)
     throw InputError(fmt::format("no evaluation is called \"{}\"; Goursat coordinates have {} alone",
                                  options.evaluation, kEvaluation));
-  return std::make_shared<GoursatCoordinates>(cage, equation);
+  return std::make_shared<GoursatCoordinates>(cage, Kind);
 }
 
 constexpr std::string_view kMissing = "points outside the cage";
