@@ -99,10 +99,12 @@ std::string parameter(const Json& given, const Parameter& p) {
                          ? number(given[std::string(p.name)], std::string(p.name), p.includes_infinity)
                          : format_scalar(p.preset);
   const double x = *parse_scalar<double>(text);
-  if (!p.allows(x))
-    throw InputError(fmt::format("parameter {} = {} is outside ({}, {}{}{}", p.name, text, p.lowest, p.highest,
-                                 p.includes_highest ? "]" : ")", p.includes_infinity ? " and not infinite" : ""));
-  return text;
+  if (p.allows(x)) return text;
+  if (p.whole)
+    throw InputError(fmt::format("parameter {} = {} is no whole number between {} and {}", p.name, text, p.lowest + 1,
+                                 p.highest - 1));
+  throw InputError(fmt::format("parameter {} = {} is outside ({}, {}{}{}", p.name, text, p.lowest, p.highest,
+                               p.includes_highest ? "]" : ")", p.includes_infinity ? " and not infinite" : ""));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 namespace {
 
 using Vec = Vec3<double>;
@@ -325,4 +325,4 @@ TEST(goursat_coordinates, refuse_holes_by_name) {
   }
 }
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

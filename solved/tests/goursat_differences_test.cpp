@@ -7,7 +7,7 @@
 
 #include <Eigen/SparseCholesky>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 namespace {
 
 // A coordinate of l_shape(): values at the boundary's nodes, and outward derivatives, by position.
@@ -97,4 +97,4 @@ TEST(goursat_differences, agree_on_the_l) {
   }
 }
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

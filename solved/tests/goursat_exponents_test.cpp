@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -76,4 +76,4 @@ TEST(clamped_exponents, functions_vanish_on_both_sides_with_their_slopes) {
 }
 
 }  // namespace
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

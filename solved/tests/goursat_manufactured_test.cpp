@@ -7,7 +7,7 @@
 
 #include <complex>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 namespace {
 
 using Number = std::complex<double>;
@@ -202,4 +202,4 @@ TEST(goursat_manufactured, problems_do_not_mix) {
   EXPECT_NEAR(both.at(p, 0)[0][0], exact(known[1], p).value, 1e-11);
 }
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

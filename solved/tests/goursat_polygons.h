@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 /// A polygon through points, in their order.
 inline Cage polygon(const char* name, const std::vector<std::array<double, 2>>& points) {
@@ -65,4 +65,4 @@ std::vector<Vec3<double>> points_within(const Cage& cage, double least, int side
   return found;
 }
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 std::vector<FramePoint> boundary_points(const PolygonFrame& frame, int least, double phase) {
   constexpr int kFewest = 16;  // of an edge
@@ -36,4 +36,4 @@ EdgePoint edge_point(const PolygonFrame& frame, const FramePoint& p) {
   return {frame.face_of_edge(p.edge), p.from_start, p.from_end, point, along, {along[1], -along[0], 0}};
 }
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

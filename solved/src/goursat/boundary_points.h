@@ -6,7 +6,7 @@
 
 #include "cageproof/solved/goursat/dirichlet_solver.h"
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 /// A point of the boundary in the frame.
 struct FramePoint {
@@ -21,4 +21,4 @@ std::vector<FramePoint> boundary_points(const PolygonFrame& frame, int least, do
 /// The same point in the cage's unit.
 EdgePoint edge_point(const PolygonFrame& frame, const FramePoint& p);
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 template <class R>
 struct Complex {
@@ -53,4 +53,4 @@ Complex<To> converted(const Complex<From>& a) {
   return {static_cast<To>(a.re), static_cast<To>(a.im)};
 }
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 namespace {
 
 using Number = std::complex<double>;
@@ -72,4 +72,4 @@ std::vector<CornerExponent> clamped_exponents(double angle, double largest) {
   return found;
 }
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

@@ -5,7 +5,7 @@
 #include <complex>
 #include <vector>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 /// A solution r^(mu + 1) F(psi) of the biharmonic equation in a wedge, psi the angle from its bisector, that vanishes
 /// with its gradient on both sides: F = outer C((mu + 1) psi) + inner C((mu - 1) psi), C the sine for odd ones, else
@@ -25,4 +25,4 @@ struct CornerExponent {
 /// \param angle of the wedge, in (0, 2 pi]
 std::vector<CornerExponent> clamped_exponents(double angle, double largest);
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

@@ -3,13 +3,11 @@
 
 #include <numbers>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // At such an angle the solutions that vanish on both sides are polynomials.
-bool is_flat(double angle) { return std::abs(angle - kPi) < 1e-9; }
+bool is_flat(double angle) { return std::abs(angle - std::numbers::pi) < 1e-9; }
 
 // A CornerExponent's function. z^(mu - 1) and w^(mu - 1) are given as p and q; with s = 1 for even functions, -1 for
 // odd ones, and half = 1/2 or 1/(2 i):
@@ -44,10 +42,10 @@ CornerFunctions::CornerFunctions(Equation equation, double angle, int terms)
     : equation_(equation), angle_(angle), terms_(terms) {
   if (equation == Equation::Biharmonic) {
     size_ = 2;
-    if (!is_flat(angle)) exponents_ = clamped_exponents(angle, terms * kPi / angle);
+    if (!is_flat(angle)) exponents_ = clamped_exponents(angle, terms * std::numbers::pi / angle);
     for (const CornerExponent& e : exponents_) size_ += e.is_real() ? 1 : 2;
   } else {
-    with_logarithm_ = std::abs(angle - kPi) < 0.5;
+    with_logarithm_ = std::abs(angle - std::numbers::pi) < 0.5;
     if (is_flat(angle)) terms_ = 0;
     size_ = terms_ + (with_logarithm_ ? 2 : 0);
   }
@@ -87,7 +85,7 @@ void CornerFunctions::put_harmonic(const Complex<R>& z, const Complex<R>& log, c
   // Im of (z exp(i omega/2))^lambda.
   const Complex<R> from_side = log + Complex<R>(R(0), R(angle_ / 2));
   for (int k = 1; k <= terms_; ++k) {
-    const R lambda = R(k) * R(kPi / angle_);
+    const R lambda = R(k) * R(std::numbers::pi / angle_);
     const Complex<R> f = Complex<R>(R(0), R(-1)) * exp(lambda * from_side), df = lambda * (f * inverse);
     rows.put(in_frame(holomorphic(f, df, R(lambda - 1) * (df * inverse)), turn));
   }
@@ -108,4 +106,4 @@ CAGEPROOF_INSTANTIATE(Mp50)
 CAGEPROOF_INSTANTIATE(Mp100)
 #undef CAGEPROOF_INSTANTIATE
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

@@ -7,7 +7,7 @@
 
 #include "cageproof/solved/goursat/dirichlet_solver.h"
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 /// Of a corner with the angle omega, in polar coordinates r and psi from its bisector.
 ///
@@ -41,4 +41,4 @@ class CornerFunctions {
   int size_;
 };
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

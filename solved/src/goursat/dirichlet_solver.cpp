@@ -12,7 +12,7 @@
 #include <cmath>
 #include <optional>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
@@ -260,4 +260,4 @@ CAGEPROOF_INSTANTIATE(Mp50)
 CAGEPROOF_INSTANTIATE(Mp100)
 #undef CAGEPROOF_INSTANTIATE
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

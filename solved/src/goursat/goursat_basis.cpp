@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "goursat_basis.h"
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 GoursatBasis::GoursatBasis(std::shared_ptr<const PolygonFrame> frame, Equation equation, int degree, int terms,
                            std::span<const std::complex<double>> points)
@@ -35,4 +35,4 @@ CAGEPROOF_INSTANTIATE(Mp50)
 CAGEPROOF_INSTANTIATE(Mp100)
 #undef CAGEPROOF_INSTANTIATE
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

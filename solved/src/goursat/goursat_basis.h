@@ -6,7 +6,7 @@
 #include "orthogonal_polynomials.h"
 #include "polygon_frame.h"
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 /// Harmonic: Re and Im of polynomials. Biharmonic: these, and Re and Im of the conjugate of z times polynomials. And
 /// each corner's functions.
@@ -34,4 +34,4 @@ class GoursatBasis {
 /// Numbers of values and derivatives up to an order, of which second ones in both orders are one.
 constexpr int rows_of_order(int order) { return order == 0 ? 1 : order == 1 ? 3 : 6; }
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

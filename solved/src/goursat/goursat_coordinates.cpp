@@ -11,7 +11,7 @@
 #include <map>
 #include <mutex>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 namespace {
 
 constexpr std::string_view kEvaluation = "least_squares";
@@ -165,4 +165,4 @@ const RegisterCoordinateKind register_harmonic_goursat{{.name = "harmonic_goursa
                                                         .refuses = why_no_dirichlet_solution}};
 
 }  // namespace
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

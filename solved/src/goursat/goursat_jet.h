@@ -4,7 +4,7 @@
 
 #include "complex.h"
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 /// F(z, w) where w is the conjugate of z, and its derivatives as if both were independent. The real part of F is
 /// biharmonic where F = w phi(z) + chi(z), or the same with z and w exchanged.
@@ -73,4 +73,4 @@ class RowWriter {
   int order_;
 };
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

@@ -3,7 +3,7 @@
 
 #include <Eigen/QR>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 namespace {
 
 // Largest over smallest singular value of a triangle, by power iterations on both ends: a lower bound, that is close.
@@ -53,4 +53,4 @@ LeastSquares solve_least_squares(Eigen::MatrixXd& a, const Eigen::MatrixXd& b, d
   return found;
 }
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

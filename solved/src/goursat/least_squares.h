@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 struct LeastSquares {
   Eigen::MatrixXd solution;
@@ -18,4 +18,4 @@ struct LeastSquares {
 /// \param a overwritten \pre at least as many rows as columns
 LeastSquares solve_least_squares(Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double threshold);
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "orthogonal_polynomials.h"
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 OrthogonalPolynomials::OrthogonalPolynomials(std::span<const std::complex<double>> points, int degree)
     : recurrence_(Eigen::MatrixXcd::Zero(degree + 1, degree)) {
@@ -43,4 +43,4 @@ template std::vector<std::array<Complex<double>, 3>> OrthogonalPolynomials::at(c
 template std::vector<std::array<Complex<Mp50>, 3>> OrthogonalPolynomials::at(const Complex<Mp50>&) const;
 template std::vector<std::array<Complex<Mp100>, 3>> OrthogonalPolynomials::at(const Complex<Mp100>&) const;
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 /// q_0 = 1, q_1, ... of rising degree, in the mean over the points.
 class OrthogonalPolynomials {
@@ -28,4 +28,4 @@ class OrthogonalPolynomials {
   Eigen::MatrixXcd recurrence_;  // z q_j = sum of recurrence(i, j) q_i over i <= j + 1
 };
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

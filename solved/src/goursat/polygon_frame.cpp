@@ -11,10 +11,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // The faces in the order that the polygon of the first runs through them.
 std::vector<int> first_polygon(const Cage& cage) {
@@ -75,7 +73,7 @@ PolygonFrame::PolygonFrame(const Cage& cage) {
   for (int k = 0; k < size(); ++k) {
     const Complex<double> out = edge(k), back = -edge(k == 0 ? size() - 1 : k - 1);
     double angle = std::atan2(cross(out, back), dot(out, back));
-    if (angle <= 0) angle += 2 * kPi;
+    if (angle <= 0) angle += 2 * std::numbers::pi;
     corners_[k].angle = angle;
     corners_[k].bisector = std::atan2(out.im, out.re) + angle / 2;
   }
@@ -85,7 +83,7 @@ PolygonFrame::PolygonFrame(const Cage& cage) {
   std::vector<double> shifts;
   for (int k = 0; k < size(); ++k) {
     const double wanted = -corners_[k].angle / 2, summed = see_on_edge(k, 0.5, 0.5).angles[k];
-    shifts.push_back(2 * kPi * std::round((wanted - summed) / (2 * kPi)));
+    shifts.push_back(2 * std::numbers::pi * std::round((wanted - summed) / (2 * std::numbers::pi)));
   }
   shifts_ = std::move(shifts);
 }
@@ -117,7 +115,7 @@ void PolygonFrame::set_angles(SeenPoint<R>& seen, const Vec3<double>* point, int
   for (int i = 0; i < n; ++i) {
     const int k = (extreme_ + i) % n, before = k == 0 ? n - 1 : k - 1;
     if (i > 0 && before == on_edge) {
-      absolute += R(kPi);
+      absolute += R(std::numbers::pi);
     } else if (i > 0) {
       const Complex<R> between = conj(seen.offsets[before]) * seen.offsets[k];
       R sine = between.im;
@@ -168,4 +166,4 @@ CAGEPROOF_INSTANTIATE(Mp50)
 CAGEPROOF_INSTANTIATE(Mp100)
 #undef CAGEPROOF_INSTANTIATE
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 /// A point as seen from all corners: the offset from each, and its angle from the corner's bisector, continuous in the
 /// whole polygon, however it winds around the corner.
@@ -76,4 +76,4 @@ class PolygonFrame {
 /// Why problems are not solved in such a cage; empty where they are.
 std::string why_not_solved(const Cage& cage);
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

@@ -15,6 +15,8 @@ namespace cageproof::closed_form::segment {
 /// Ends nearer than 2^-kExtreme, of the segment or of one, are seen in multiprecision: squares of 1/r leave double's
 /// range.
 inline constexpr int kExtreme = 400;
+/// And lengths, and their products with the sine of the angle at the nearer end, over what is longest.
+inline constexpr double kTiny = 0x1p-900;
 
 /// What closed forms on a segment share: the ends, and at each point the frame, all in the scalar that they compute in.
 struct SharedOnSegment {
@@ -34,9 +36,15 @@ struct SharedOnSegment {
     At(const Element<R>& element, const Vec3<R>& point)
         : given{element.s}, at_point(convert<Working<R>>(point)), frame(element.s, at_point) {
       if constexpr (!is_multiprecision<R>)
-        if (!frame.at_end && !frame.is_far() &&
-            (frame.near_exponent - frame.exponent < -kExtreme || frame.exponent < -kExtreme))
-          beyond.emplace(in_multiprecision());
+        if (is_extreme()) beyond.emplace(in_multiprecision());
+    }
+
+    // A point off the line may have a height, over what is longest, that double has few bits of, or none.
+    bool is_extreme() const {
+      if (frame.at_end) return false;
+      if (frame.near_exponent - frame.exponent < -kExtreme || frame.exponent < -kExtreme) return true;
+      if (frame.length < kTiny) return true;
+      return std::abs(frame.length * frame.near.im) < kTiny && side_of_line(given, at_point) != 0;
     }
 
     Frame<Mp200> in_multiprecision() const {

@@ -26,7 +26,7 @@ struct KelvinDisplacement {
   static Jet<R, 4, 2> at(const Frame<R>& f, const Given<R>& given) {
     Jet<R, 4, 2> jet;
     const R bulk = KelvinShares<R>(given.parameters[1]).bulk;
-    const Shares<R> k{1 / (2 * pi<R>() * given.parameters[0]), 1 - bulk / 2, bulk / 4};
+    const Shares<R> k{given.parameters[0], 1 / (2 * pi<R>()), 1 - bulk / 2, bulk / 4};
     const Complex<R> lifted = f.at_end ? Complex<R>{R(0), R(0)} : Complex<R>{f.h * f.log_ratio, f.h * f.angle};
     set<R>(k, -(integral_of_logarithm(f) + f.length * unit_logarithm(f)), f.length,
            Spin<R>(f, conjugate(Complex<R>{f.length - 2 * lifted.im, 2 * lifted.re})), f.exponent, jet.value);
@@ -41,10 +41,10 @@ struct KelvinDisplacement {
   }
 
  private:
-  // Of K/a: (a - b)/a stands before the logarithm, b/(2 a) before the rest.
+  // a = turn/mu; of K/a (a - b)/a stands before the logarithm, b/(2 a) before the rest.
   template <Scalar R>
   struct Shares {
-    R a, round, bent;
+    R mu, turn, round, bent;
   };
 
   // a (round potential I + bent (size I + spin)), in units of 2^exponent.
@@ -55,7 +55,7 @@ struct KelvinDisplacement {
     for (int row = 0; row < 2; ++row)
       for (int column = 0; column < 2; ++column)
         matrix[2 * row + column] =
-            shifted<R>(R(k.a * ((row == column ? diagonal : R(0)) + k.bent * spin(row, column))), exponent);
+            shifted<R>(R(k.turn * ((row == column ? diagonal : R(0)) + k.bent * spin(row, column))), exponent) / k.mu;
   }
 
   template <int O, Scalar R>

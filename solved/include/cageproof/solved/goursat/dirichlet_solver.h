@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace cageproof::solved {
+namespace cageproof::solved::goursat {
 
 /// Harmonic functions from their boundary values; biharmonic functions from boundary values and normal derivatives.
 enum class Equation { Harmonic, Biharmonic };
@@ -94,4 +94,4 @@ inline constexpr int most_edges = 48;
 /// Why there are no solutions in such a cage; empty where there are.
 std::string why_no_dirichlet_solution(const Cage& cage);
 
-}  // namespace cageproof::solved
+}  // namespace cageproof::solved::goursat

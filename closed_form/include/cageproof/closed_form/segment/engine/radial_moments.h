@@ -33,8 +33,10 @@ Radial<R> polyharmonic_green_function(int order) {
 
 /// h^k int s^i g(r) ds over the segment, in units of the frame but for the logarithm, which is that of the distance
 /// itself: s the arc length from the nearest point of the line, r^2 = s^2 + h^2. Nearby from
-///   int s^q ln r = ([s^(q+1) ln r] - E_(q+2))/(q + 1),  E_q = int s^q/r^2,  E_(q+2) = int s^q - h^2 E_q,
-/// which begin with E_1 = ln(r1/r0) and h E_0, the angle; far away, where these cancel, from Gauss points.
+///   (q + 1) int s^q (a ln r + b) = [s^(q+1) (a ln r + b - a/(q + 1))] + a h^2 E_q,
+///   E_q = int s^q/r^2,  E_(q+2) = int s^q - h^2 E_q,
+/// which begin with E_1 = ln(r1/r0) and h E_0, the angle; far away, where these cancel, from Gauss points. a ln r and b
+/// may cancel, and do so in one number, before anything is multiplied with it.
 template <Scalar R>
 class RadialMoments {
  public:
@@ -79,21 +81,43 @@ class RadialMoments {
   }
 
   void set_near(int most) {
-    const R square = f_.h * f_.h;
     ratios_[0] = f_.angle;  // h E_0
     ratios_[1] = f_.log_ratio;
     std::array<R, 2> s{R(1), R(1)};
     for (int q = 0; q <= most; ++q) {
-      std::array<R, 2> at_ends;
-      for (int end = 0; end < 2; ++end) {
-        s[end] *= f_.s[end];
-        at_ends[end] = f_.at_end && end == f_.near_end ? R(0) : R(s[end] * f_.log_r[end]);
-      }
-      powers_[q] = (s[1] - s[0]) / R(q + 1);
-      const R below = q == 0 ? R(f_.h * f_.angle) : f_.at_end && q == 1 ? R(0) : R(square * ratios_[q]);
-      ratios_[q + 2] = powers_[q] - below;
-      logarithms_[q] = (at_ends[1] - at_ends[0] - ratios_[q + 2]) / R(q + 1);
+      for (int end = 0; end < 2; ++end) s[end] *= f_.s[end];
+      powers_[q] = s;
+      differences_[q] = difference(q + 1);
+      ratios_[q + 2] = differences_[q] / R(q + 1) - lifted(q);
     }
+    for (int end = 0; end < 2; ++end) logarithms_[end] = f_.log_r[end] + unit_;
+  }
+
+  // h^2 E_q.
+  R lifted(int q) const {
+    if (q == 0) return f_.h * f_.angle;
+    return f_.at_end && q == 1 ? R(0) : R(f_.h * f_.h * ratios_[q]);
+  }
+
+  // s1^n - s0^n, which over the middle is small for even n: length (s0 + s1) times a sum of even powers.
+  R difference(int n) const {
+    const R &s0 = f_.s[0], &s1 = f_.s[1];
+    if (n % 2 != 0) return power(s1, n) - power(s0, n);
+    R sum = 0;
+    for (int i = 0; i < n; i += 2) sum += power(s1, i) * power(s0, n - 2 - i);
+    return f_.length * f_.sum * sum;
+  }
+
+  // [s^(q+1) (a ln r + b)], b with what the recurrence takes from it.
+  R between_ends(int q, const R& a, const R& b) const {
+    if (q % 2 != 0 && f_.are_alike()) {
+      const R mean = a * (logarithms_[0] + logarithms_[1]) / R(2) + b;
+      return differences_[q] * mean + (powers_[q][0] + powers_[q][1]) * a * f_.log_ratio / R(2);
+    }
+    std::array<R, 2> at;
+    for (int end = 0; end < 2; ++end)
+      at[end] = f_.at_end && end == f_.near_end ? R(0) : R(powers_[q][end] * (a * logarithms_[end] + b));
+    return at[1] - at[0];
   }
 
   R near(int i, const Radial<R>& g, int k) const {
@@ -104,8 +128,8 @@ class RadialMoments {
     R sum = 0, binomial = 1;
     for (int j = 0; j <= g.power; ++j) {
       const int q = 2 * j + i;
-      sum +=
-          binomial * power(f_.h, 2 * (g.power - j)) * (g.log * logarithms_[q] + (g.plain + g.log * unit_) * powers_[q]);
+      const R moment = between_ends(q, g.log, R(g.plain - g.log / R(q + 1))) + g.log * lifted(q);
+      sum += binomial * power(f_.h, 2 * (g.power - j)) * moment / R(q + 1);
       binomial = binomial * R(g.power - j) / R(j + 1);
     }
     return power(f_.h, k) * sum;
@@ -123,9 +147,12 @@ class RadialMoments {
 
   const Frame<R>& f_;
   R unit_;
-  std::vector<Node> nodes_;                   // far away
-  std::array<R, kMost> powers_, logarithms_;  // nearby: int s^q, int s^q ln r
-  std::array<R, kMost + 2> ratios_;           // nearby: E_q
+  std::vector<Node> nodes_;  // far away
+  // Nearby, of s^(q+1): at the ends, and the difference; E_q; and the logarithms of the ends' distances.
+  std::array<std::array<R, 2>, kMost> powers_;
+  std::array<R, kMost> differences_;
+  std::array<R, kMost + 2> ratios_;
+  std::array<R, 2> logarithms_;
 };
 
 }  // namespace cageproof::closed_form::segment
