@@ -177,11 +177,14 @@ constexpr std::array table{
     Row{"cage_corner_permutation", "spherical_mean_value", "*", "double", "crack-*", 0, 0, none,
         "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
         "terms are known to count it in"},
-    Row{"cage_truth", "biharmonic_boundary", recommended, "double", "*", 0, 2, 16384,
+    Row{"cage_truth", "@(biharmonic_boundary|harmonic)", recommended, "double", "*", 0, 2, 16384,
         "the systems that are solved enlarge the roundings of their matrices by their condition: 1e2 ... 1e4 with four "
         "pieces an edge, the most in thin bars"},
     Row{"partition_of_unity", "*", recommended, "double", "*", 0, 2, 64,
         "each term of the sums to a few roundings, normalised ones by the quotient rule"},
+    Row{"linear_reproduction", "harmonic", recommended, "double", "*", 1, 2, 16384,
+        "as its truth: what the system's solution is rounded by is summed next to the boundary with derivatives that "
+        "grow there"},
     Row{"linear_reproduction", "*", recommended, "double", "*", 0, 2, 64, "as the partition of unity"},
     Row{"partition_of_unity", "quad_mean_value", "*", "double", "*", 0, 0, 64, "normalised sums"},
     Row{"linear_reproduction", "quad_mean_value", "gauss-*", "double", "*", 0, 0, none,
@@ -192,6 +195,8 @@ constexpr std::array table{
     Row{"limit_from_inside", "*", recommended, "double", "*", 0, 0, 1e-6,
         "1e-11 sizes inside, coordinates differ by that times their gradient, which small faces and a logarithm "
         "enlarge"},
+    Row{"limit_from_inside", "@(biharmonic_boundary|harmonic)", recommended, "double", "*", 1, 2, none,
+        "derivatives have a logarithm at the ends of each piece of an edge, which may lie next to the point"},
     Row{"limit_from_inside", "*", recommended, "double", "*", 1, 2, 1e-10,
         "1e-11 sizes inside, derivatives differ by that over a power of the distance to the next edge, which the "
         "figure is multiplied with, times a number of order ten"},

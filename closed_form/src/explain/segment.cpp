@@ -31,6 +31,14 @@ Counted seen(double value, const Mp200& exact, const char* name) { return Counte
 
 }  // namespace
 
+template <>
+Counted scaled_exponential<Counted>(long double x, int shift) {
+  const auto high = static_cast<double>(x), low = static_cast<double>(x - high);
+  return Counted::seen(scaled_exponential<double>(x, shift), ldexp(exp(Mp200(Mp200(high) + Mp200(low))), shift),
+                       "constant: where the kernel vanishes",
+                       "closed_form/include/cageproof/closed_form/segment/engine/radial_moments.h");
+}
+
 // Frames of 200 digits have the exponents zero.
 template <>
 Frame<Counted>::Frame(const Segment<Counted>& segment, const Vec3<Counted>& eta) {

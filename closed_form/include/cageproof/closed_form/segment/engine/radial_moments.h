@@ -14,21 +14,33 @@ template <Scalar R>
 struct Radial {
   int power;
   R log, plain;
+  long double zero;  ///< -plain/log: the logarithm of the distance at which it vanishes
 
   /// g'/r, of which gradients and Hessians are made: grad g = x g'/r.
-  Radial next() const { return {power - 1, 2 * power * log, 2 * power * plain + log}; }
+  Radial next() const {
+    return {power - 1, 2 * power * log, 2 * power * plain + log, power == 0 ? zero : zero - 0.5L / power};
+  }
 };
 
 /// G_s times 2 pi, the Green function of the s-th power of the Laplacian ([W12] Appendix B, exponent and b_i after the
 /// errata): r^(2(s - 1)) (a_s ln r - b_s). \param order s, from 1 on
 template <Scalar R>
 Radial<R> polyharmonic_green_function(int order) {
-  Radial<R> g{order - 1, R(1), R(0)};
+  Radial<R> g{order - 1, R(1), R(0), 0};
   for (int i = 1; i < order; ++i) {
+    g.zero += 1.0L / i;
     g.plain = (g.plain - g.log / R(i)) / R(4 * i * i);
     g.log /= R(4 * i * i);
   }
   return g;
+}
+
+/// e^x 2^shift, to a rounding of double.
+template <Scalar R>
+R scaled_exponential(long double x, int shift) {
+  const auto value = static_cast<double>(std::ldexp(std::exp(x), shift));
+  if constexpr (is_tracked<R>) return R::rounded(value, 0);
+  else return R(value);
 }
 
 /// h^k int s^i g(r) ds over the segment, in units of the frame but for the logarithm, which is that of the distance
@@ -36,7 +48,7 @@ Radial<R> polyharmonic_green_function(int order) {
 ///   (q + 1) int s^q (a ln r + b) = [s^(q+1) (a ln r + b - a/(q + 1))] + a h^2 E_q,
 ///   E_q = int s^q/r^2,  E_(q+2) = int s^q - h^2 E_q,
 /// which begin with E_1 = ln(r1/r0) and h E_0, the angle; far away, where these cancel, from Gauss points. a ln r and b
-/// may cancel, and do so in one number, before anything is multiplied with it.
+/// may cancel, where the distance is e^(-b/a): a ln r + b is a times the logarithm of their ratio.
 template <Scalar R>
 class RadialMoments {
  public:
@@ -90,7 +102,17 @@ class RadialMoments {
       differences_[q] = difference(q + 1);
       ratios_[q + 2] = differences_[q] / R(q + 1) - lifted(q);
     }
-    for (int end = 0; end < 2; ++end) logarithms_[end] = f_.log_r[end] + unit_;
+  }
+
+  // ln r - zero, of an end.
+  R relative_logarithm(int end, const Radial<R>& g, int q) const {
+    using std::log;
+    if constexpr (!is_multiprecision<R>) {
+      constexpr int kComfortable = 60;  // beyond, r is far from where anything vanishes
+      if (std::abs(f_.exponent) <= kComfortable)
+        return log(R(f_.r[end] * scaled_exponential<R>(-(g.zero + 1.0L / (q + 1)), f_.exponent)));
+    }
+    return f_.log_r[end] + unit_ + (g.plain / g.log - R(1) / R(q + 1));
   }
 
   // h^2 E_q.
@@ -108,15 +130,15 @@ class RadialMoments {
     return f_.length * f_.sum * sum;
   }
 
-  // [s^(q+1) (a ln r + b)], b with what the recurrence takes from it.
-  R between_ends(int q, const R& a, const R& b) const {
+  // [s^(q+1) (ln r + b/a - 1/(q + 1))].
+  R between_ends(int q, const Radial<R>& g) const {
     if (q % 2 != 0 && f_.are_alike()) {
-      const R mean = a * (logarithms_[0] + logarithms_[1]) / R(2) + b;
-      return differences_[q] * mean + (powers_[q][0] + powers_[q][1]) * a * f_.log_ratio / R(2);
+      const R mean = (relative_logarithm(0, g, q) + relative_logarithm(1, g, q)) / R(2);
+      return differences_[q] * mean + (powers_[q][0] + powers_[q][1]) * f_.log_ratio / R(2);
     }
     std::array<R, 2> at;
     for (int end = 0; end < 2; ++end)
-      at[end] = f_.at_end && end == f_.near_end ? R(0) : R(powers_[q][end] * (a * logarithms_[end] + b));
+      at[end] = f_.at_end && end == f_.near_end ? R(0) : R(powers_[q][end] * relative_logarithm(end, g, q));
     return at[1] - at[0];
   }
 
@@ -128,11 +150,10 @@ class RadialMoments {
     R sum = 0, binomial = 1;
     for (int j = 0; j <= g.power; ++j) {
       const int q = 2 * j + i;
-      const R moment = between_ends(q, g.log, R(g.plain - g.log / R(q + 1))) + g.log * lifted(q);
-      sum += binomial * power(f_.h, 2 * (g.power - j)) * moment / R(q + 1);
+      sum += binomial * power(f_.h, 2 * (g.power - j)) * (between_ends(q, g) + lifted(q)) / R(q + 1);
       binomial = binomial * R(g.power - j) / R(j + 1);
     }
-    return power(f_.h, k) * sum;
+    return g.log * power(f_.h, k) * sum;
   }
 
   template <class Factor>
@@ -148,11 +169,10 @@ class RadialMoments {
   const Frame<R>& f_;
   R unit_;
   std::vector<Node> nodes_;  // far away
-  // Nearby, of s^(q+1): at the ends, and the difference; E_q; and the logarithms of the ends' distances.
+  // Nearby, of s^(q+1): at the ends, and the difference; and E_q.
   std::array<std::array<R, 2>, kMost> powers_;
   std::array<R, kMost> differences_;
   std::array<R, kMost + 2> ratios_;
-  std::array<R, 2> logarithms_;
 };
 
 }  // namespace cageproof::closed_form::segment
