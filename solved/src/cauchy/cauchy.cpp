@@ -37,6 +37,41 @@ class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates> {
     return scalar != ScalarKind::Digits200 && green_.is_exact_in(scalar);
   }
 
+  // Both layers of each edge: next to a vertex those of its two edges are larger than their sum.
+  bool fill_terms(std::span<const Vec3<double>> points, int order,
+                  std::span<CoordinateTable<double>> tables) const override {
+    const CageElements& elements = green_.elements();
+    const auto& known = EvaluationRegister::instance();
+    const Evaluation of_hats = *known.with_role("segment.double_layer", Role::Recommended),
+                     of_edge = *known.with_role("segment.single_layer", Role::Recommended);
+    Result<double> hats, edge;
+    const auto add = [&](CoordinateTable<double>& table, std::size_t p, int o, int vertex, std::span<const double> part,
+                         double over) {
+      for (std::size_t d = 0; d < part.size(); ++d)
+        if (const double x = std::abs(std::ldexp(part[d], -o * exponent_)) / over; std::isfinite(x))
+          table.tensors[o][p * table.stride[o] + vertex * part.size() + d] += x;
+    };
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const Vec3<double> point(std::ldexp(points[p][0], -exponent_), std::ldexp(points[p][1], -exponent_), 0);
+      for (std::size_t e = 0; e < elements.count(); ++e) {
+        const std::vector<Vec3<double>> corners = elements.corners(e);
+        const Query<double> query{corners, point, order};
+        of_hats(query, hats);
+        of_edge(query, edge);
+        const double length = (corners[1] - corners[0]).norm();
+        const auto ends = elements.vertices_of(e);
+        for (int o = 0; o <= order; ++o) {
+          const std::size_t width = derivative_count(2, o);
+          for (std::size_t k = 0; k < 2; ++k) {
+            add(tables[0], p, o, ends[k], std::span(hats.of(o)).subspan(k * width, width), 1);
+            add(tables[1], p, o, ends[k], edge.of(o), length);
+          }
+        }
+      }
+    }
+    return true;
+  }
+
   template <Scalar R>
   void compute(std::span<const Vec3<R>> points, int order, std::span<CoordinateTable<R>> tables) const {
     if constexpr (std::same_as<R, float>) {
