@@ -273,6 +273,7 @@ TEST(goursat_coordinates, have_the_ranges_of_the_audit) {
 
 TEST(goursat_coordinates, refuse_many_edges_by_name) {
   std::vector<std::array<double, 2>> points;
+  points.reserve(49);
   for (int k = 0; k < 49; ++k)
     points.push_back({std::cos(2 * std::numbers::pi * k / 49), std::sin(2 * std::numbers::pi * k / 49)});
   const Cage cage = polygon("circle", points);
@@ -290,6 +291,7 @@ TEST(goursat_coordinates, refuse_many_edges_by_name) {
 // Twenty-four corners next to flat, and slender cages: fewer functions a corner, higher polynomials.
 TEST(goursat_coordinates, of_round_and_slender_cages) {
   std::vector<std::array<double, 2>> points;
+  points.reserve(24);
   for (int k = 0; k < 24; ++k)
     points.push_back({std::cos(std::numbers::pi * k / 12), std::sin(std::numbers::pi * k / 12)});
   const SolvedSystem round = coordinates_of(polygon("round", points), "biharmonic_goursat").solved().front();
@@ -310,6 +312,7 @@ TEST(goursat_coordinates, refuse_holes_by_name) {
   const std::vector<Vec> vertices{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0},
                                   {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}};
   std::vector<Face> faces;
+  faces.reserve(8);
   for (int k = 0; k < 4; ++k) faces.push_back({{k, (k + 1) % 4, -1, -1}});
   for (int k = 0; k < 4; ++k) faces.push_back({{4 + k, 4 + (k + 1) % 4, -1, -1}});
   const Cage cage = Cage::make_polygon("frame", vertices, faces);

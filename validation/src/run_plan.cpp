@@ -263,12 +263,13 @@ class Planner {
                                       Shown{"biharmonic_boundary", "alpha"}, Shown{"biharmonic_goursat", "alpha"},
                                       Shown{"biharmonic_boundary", "beta"},  Shown{"biharmonic_goursat", "beta"}};
     constexpr int index = 3;  // the reentrant corner, and the edge from it
+    const int side = std::max(options_.suite.slice, 48);
     const auto cage = std::make_shared<const Cage>(embedded_cage("l-shape"));
     for (const Shown& one : shown) {
       const CoordinateKind* kind = find_coordinate_kind(one.kind);
       if (kind == nullptr || !is_asked(*kind, *cage)) continue;
       add(field_measurement(
-          coordinate_field(cage, *kind, std::string(one.label), index, options_.suite.slice), fields_++,
+          coordinate_field(cage, *kind, std::string(one.label), index, side), fields_++,
           fmt::format("{}, {} coordinates: {}_{} itself ([W12] Figure 3)", cage->name(), kind->name, one.label, index),
           fmt::format("{}_{}", one.label, index)));
     }
