@@ -50,9 +50,9 @@ double largest(const Check& check, const Evaluation& evaluation) {
   return worst;
 }
 
-class plane_check : public testing::TestWithParam<const char*> {};
+class PlaneCheck : public testing::TestWithParam<const char*> {};
 
-TEST_P(plane_check, passes_the_form_and_fails_a_broken_one) {
+TEST_P(PlaneCheck, passes_the_form_and_fails_a_broken_one) {
   const Check& check = *find_check(GetParam());
   // The form is not stabilised: near its line it loses digits that a closed form keeps.
   EXPECT_LT(largest(check, test::plane_form()), 1e6);
@@ -60,7 +60,7 @@ TEST_P(plane_check, passes_the_form_and_fails_a_broken_one) {
   EXPECT_GT(largest(check, broken()), 1e8);
 }
 
-INSTANTIATE_TEST_SUITE_P(properties, plane_check,
+INSTANTIATE_TEST_SUITE_P(properties, PlaneCheck,
                          testing::Values("scaling", "rigid_motion", "orientation_flip", "truth"),
                          [](const auto& name) { return std::string(name.param); });
 

@@ -35,7 +35,7 @@ bool has_limit(const Result<Mp50>& integral, int order) {
   return true;
 }
 
-class published_form : public testing::TestWithParam<std::string> {
+class PublishedForm : public testing::TestWithParam<std::string> {
  protected:
   // Largest order-wise error over samples of a regime, those exactly on the element where it is a regime on it.
   void expect_integral(std::string_view regime, int samples, double bound) {
@@ -61,17 +61,17 @@ class published_form : public testing::TestWithParam<std::string> {
 
 // Tractions diverge on borders, but for the incompressible limit, of which Appendix C says nothing: they are not among
 // these.
-class published_form_of_the_plane : public published_form {};
+class PublishedFormOfThePlane : public PublishedForm {};
 
-TEST_P(published_form_of_the_plane, is_the_integral) { expect_integral("generic", 4, 1e-28); }
-TEST_P(published_form_of_the_plane, is_the_limit_from_inside_on_a_segment) { expect_integral("on-face", 2, 1e-28); }
+TEST_P(PublishedFormOfThePlane, is_the_integral) { expect_integral("generic", 4, 1e-28); }
+TEST_P(PublishedFormOfThePlane, is_the_limit_from_inside_on_a_segment) { expect_integral("on-face", 2, 1e-28); }
 
-INSTANTIATE_TEST_SUITE_P(formulas, published_form_of_the_plane,
+INSTANTIATE_TEST_SUITE_P(formulas, PublishedFormOfThePlane,
                          testing::Values("segment.single_layer", "segment.double_layer",
                                          "segment.biharmonic_single_layer", "segment.biharmonic_double_layer"),
                          [](const auto& info) { return info.param.substr(8); });
 
-class published_form_on_border : public published_form {};
+class PublishedFormOnBorder : public PublishedForm {};
 
 std::vector<std::string> printed_on_border() {
   std::vector<std::string> names(std::begin(kPublished), std::end(kPublished));
@@ -79,16 +79,16 @@ std::vector<std::string> printed_on_border() {
   return names;
 }
 
-TEST_P(published_form, is_the_integral) { expect_integral("generic", 2, 1e-28); }
-TEST_P(published_form, is_the_limit_from_inside_on_a_face) { expect_integral("on-face", 1, 1e-28); }
-TEST_P(published_form_on_border, is_the_limit_from_inside_on_an_edge) { expect_integral("on-edge", 1, 1e-28); }
-TEST_P(published_form_on_border, is_the_limit_from_inside_at_a_vertex) { expect_integral("on-vertex", 1, 1e-28); }
-TEST_P(published_form, holds_in_the_plane) { expect_integral("on-plane", 1, 1e-28); }
+TEST_P(PublishedForm, is_the_integral) { expect_integral("generic", 2, 1e-28); }
+TEST_P(PublishedForm, is_the_limit_from_inside_on_a_face) { expect_integral("on-face", 1, 1e-28); }
+TEST_P(PublishedFormOnBorder, is_the_limit_from_inside_on_an_edge) { expect_integral("on-edge", 1, 1e-28); }
+TEST_P(PublishedFormOnBorder, is_the_limit_from_inside_at_a_vertex) { expect_integral("on-vertex", 1, 1e-28); }
+TEST_P(PublishedForm, holds_in_the_plane) { expect_integral("on-plane", 1, 1e-28); }
 
-INSTANTIATE_TEST_SUITE_P(formulas, published_form, testing::ValuesIn(kPublished),
+INSTANTIATE_TEST_SUITE_P(formulas, PublishedForm, testing::ValuesIn(kPublished),
                          [](const auto& name) { return name.param.substr(name.param.find('.') + 1); });
 
-INSTANTIATE_TEST_SUITE_P(formulas, published_form_on_border, testing::ValuesIn(printed_on_border()),
+INSTANTIATE_TEST_SUITE_P(formulas, PublishedFormOnBorder, testing::ValuesIn(printed_on_border()),
                          [](const auto& name) { return name.param.substr(name.param.find('.') + 1); });
 
 TEST(errata, misprints_are_wrong_and_corrections_right) {

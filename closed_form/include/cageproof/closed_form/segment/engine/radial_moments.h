@@ -86,6 +86,7 @@ class RadialMoments {
     using std::log;
     // Every factor s^2 takes a degree of those that the rule is exact for.
     const auto& [nodes, weights] = gauss_legendre<R>(far_points(f_) + (most + 1) / 2);
+    nodes_.reserve(nodes.size());
     for (std::size_t j = 0; j < nodes.size(); ++j) {
       const R s = f_.s[0] + f_.length * nodes[j], square = s * s + f_.h * f_.h;
       nodes_.push_back({s, weights[j] * f_.length, square, log(square) / 2 + unit_, {1 - nodes[j], nodes[j]}});
