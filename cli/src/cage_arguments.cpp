@@ -50,14 +50,24 @@ std::vector<double> values_of(const std::vector<std::string>& given, const std::
   for (const std::string& text : given) {
     const auto equals = text.find('=');
     const auto found = std::ranges::find(known, std::string_view(text).substr(0, equals), &KindParameter::name);
-    if (equals == std::string::npos || found == known.end())
-      throw InputError(fmt::format("--parameter {}: {} has no such parameter; write name=value", text, owner));
+    if (known.empty()) throw InputError(fmt::format("--parameter {}: {} has no parameters", text, owner));
+    if (found == known.end()) {
+      std::vector<std::string_view> names;
+      names.reserve(known.size());
+      for (const KindParameter& p : known) names.push_back(p.name);
+      throw InputError(fmt::format("--parameter {}: {} has {} alone", text, owner, fmt::join(names, ", ")));
+    }
+    if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: write {}=value", text, text));
     const std::string_view after = std::string_view(text).substr(equals + 1);
     const std::optional<double> value = found->value_of(after);
     if (!value && !found->names.empty())
       throw InputError(fmt::format("--parameter {}: '{}' is none of {}", text, after, fmt::join(found->names, ", ")));
     if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, after));
-    if (!found->admits(*value)) throw InputError(fmt::format("--parameter {}: out of range for {}", text, owner));
+    if (!found->allows(*value))
+      throw InputError(fmt::format("--parameter {}: out of range for {}, {} < {} {} {}{}{}", text, owner, found->lowest,
+                                   found->name, found->includes_highest ? "<=" : "<", found->highest,
+                                   found->includes_infinity ? ", or infinite" : "",
+                                   found->whole ? ", a whole number" : ""));
     values[found - known.begin()] = *value;
   }
   return values;
@@ -68,6 +78,7 @@ std::vector<double> values_of(const std::vector<std::string>& given, const std::
 std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known,
                                     std::string_view owner) {
   std::vector<KindParameter> numbers;
+  numbers.reserve(known.size());
   for (const Parameter& p : known) numbers.push_back({p});
   return values_of(given, numbers, owner);
 }

@@ -41,12 +41,22 @@ void warn_of_missing(const CoordinateColumns& table, std::size_t points, const C
   warn(fmt::format("{} of {} points have no {} coordinates (nan): {}", missing, points, kind.name, reason));
 }
 
-// Says what was solved for the cage, and warns where the solution is not unique.
+// Beyond this a solution by least squares is not the function that its data belong to to the digits it aims at.
+constexpr double kMetData = 1e-8;
+
+// Says what was solved for the cage, and warns where the solution is not unique, or does not meet its data. Functions
+// by least squares are more than independent ones: their rank says nothing.
 void tell_solved(const CageCoordinates& coordinates) {
   for (const SolvedSystem& s : coordinates.solved()) {
     fmt::print(stderr, "solved {}: {} x {}, rank {}, condition {:.2g}, residual {:.2g}\n", s.name, s.rows, s.columns,
                s.rank, s.condition, s.residual);
-    if (s.is_singular())
+    if (!std::isnan(s.boundary_values)) {
+      fmt::print(stderr, "  meets its data on the boundary to {:.2g}, gradients to {:.2g}\n", s.boundary_values,
+                 s.boundary_gradients);
+      if (s.boundary_values > kMetData)
+        warn(fmt::format("{}: the data on the boundary are met to {:.2g} alone, and values inside are no better",
+                         s.name, s.boundary_values));
+    } else if (s.is_singular())
       warn(fmt::format("{}: the system is singular: its rank is {}, not {}; the least solution is taken", s.name,
                        s.rank, s.columns));
   }
@@ -65,7 +75,9 @@ nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
                               {"rank", s.rank},
                               {"singular", s.is_singular()},
                               {"condition", s.condition},
-                              {"residual", s.residual}});
+                              {"residual", s.residual},
+                              {"boundary_values", s.boundary_values},
+                              {"boundary_gradients", s.boundary_gradients}});
   return all;
 }
 

@@ -89,8 +89,10 @@ Shown kind_field(const Arguments& a, RunResult& result) {
 
 std::optional<reports::ColourLimits> limits_of(const Arguments& a) {
   if (a.colours.empty()) return std::nullopt;
-  if (!(0 < a.colours[0] && a.colours[0] < a.colours[1] && std::isfinite(a.colours[1])))
-    throw InputError("--colours: two numbers, 0 < LOW < HIGH");
+  const bool ordered = a.colours[0] < a.colours[1] && std::isfinite(a.colours[0]) && std::isfinite(a.colours[1]);
+  if (!ordered || (a.coordinate.empty() && !(0 < a.colours[0])))
+    throw InputError(a.coordinate.empty() ? "--colours: two numbers, 0 < LOW < HIGH"
+                                          : "--colours: two numbers, LOW < HIGH");
   return reports::ColourLimits{a.colours[0], a.colours[1]};
 }
 

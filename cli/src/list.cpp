@@ -9,6 +9,7 @@
 #include "cageproof/validation/regime.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <iostream>
@@ -54,12 +55,20 @@ std::vector<std::string_view> other_checks() {
   return names;
 }
 
+// Of a kind that is no sum: as it has them in a cage of its dimension.
+std::vector<CoordinateBlock> own_blocks(const CoordinateKind& kind) {
+  return CageCoordinates(embedded_cage(kind.own_dimension == 2 ? "square" : "cube"), kind, {}).blocks();
+}
+
 Json catalogue_json() {
   Json all = {{"schema", "cageproof-catalogue"}, {"schema_version", 1}, {"formulas", Json::array()}};
   for (const Formula& f : catalogue()) all["formulas"].push_back(formula_json(f));
   for (const CoordinateKind& kind : coordinate_kinds()) {
     Json blocks = Json::array();
     for (const SummedBlock& b : kind.blocks) blocks.push_back({{"label", b.label}, {"kernel", b.kernel}});
+    if (!kind.is_sum())
+      for (const CoordinateBlock& b : own_blocks(kind))
+        blocks.push_back({{"label", b.label}, {"one_a", b.per_vertex ? "vertex" : "element"}});
     Json parameters = Json::array();
     for (const KindParameter& p : parameters_of(kind)) {
       Json parameter = {{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}};
@@ -98,7 +107,13 @@ void print_text() {
     fmt::print("\n");
   }
   fmt::print("\ncoordinates:");
-  for (const CoordinateKind& kind : coordinate_kinds()) fmt::print(" {}", kind.name);
+  for (const CoordinateKind& kind : coordinate_kinds()) {
+    std::vector<std::string> labels;
+    for (const SummedBlock& b : kind.blocks) labels.emplace_back(b.label);
+    if (!kind.is_sum())
+      for (const CoordinateBlock& b : own_blocks(kind)) labels.push_back(b.label);
+    fmt::print(" {} ({})", kind.name, fmt::join(labels, ", "));
+  }
   fmt::print("\nregimes:");
   for (const auto& regime : validation::regimes()) fmt::print(" {}", regime.name);
   fmt::print(" {} {}\nchecks:", validation::hull_regime, validation::hunted_regime);

@@ -53,8 +53,11 @@ std::vector<Vec3<double>> read_text_points(const std::filesystem::path& path, in
     line = line.substr(0, line.find('#'));
     if (line.find_first_not_of(" \t") == std::string_view::npos) continue;
     const auto fields = fields_of(line, at);
+    // A header names columns; what begins like a number is one that is spelled wrongly.
     const bool is_header =
-        is_first && std::ranges::none_of(fields, [](auto f) { return parse_scalar<double>(f).has_value(); });
+        is_first && std::ranges::none_of(fields, [](std::string_view f) {
+          return f.empty() || f.find_first_of("0123456789.+-") == 0 || parse_scalar<double>(f).has_value();
+        });
     is_first = false;
     if (is_header) continue;
     points.push_back(point_of(fields, dimension, at));

@@ -24,6 +24,8 @@ std::string error_of(const std::string& name, std::string_view text) {
 TEST(points_reads, text_in_its_usual_forms) {
   EXPECT_EQ(points_of("p.csv", "x,y,z\n0.1,2,-3\n1e-300,0,5\n"), kPoints);
   EXPECT_EQ(points_of("p.csv", "\xEF\xBB\xBF\"x\", \"y\", \"z\"\r\n0.1, 2, -3\r\n1e-300 , 0 ,5"), kPoints);
+  EXPECT_EQ(points_of("p.csv", "x0,y0,z0\n0.1,2,-3\n1e-300,0,5\n"), kPoints);
+  EXPECT_THROW(points_of("p.csv", "1;1;1\n2 2 2\n"), InputError);  // no header: a separator that is none
   EXPECT_EQ(points_of("p.xyz", "# two points\n\n  0.1 2\t-3  # the first\n1e-300 0 5\n"), kPoints);
   EXPECT_EQ(points_of("p.TXT", "x y z\n0.1 +2 -3\n1e-300 0 0x5p0\n"), kPoints);
 }

@@ -199,7 +199,7 @@ TEST(biharmonic_boundary, takes_names_for_collocation) {
   EXPECT_EQ(parameters[1].value_of("mixed-and-midpoints"), 4);
   EXPECT_FALSE(parameters[1].value_of("0"));
   EXPECT_EQ(parameters[0].value_of("3"), 3);
-  EXPECT_FALSE(parameters[0].admits(2.5));
+  EXPECT_FALSE(parameters[0].allows(2.5));
 }
 
 }  // namespace

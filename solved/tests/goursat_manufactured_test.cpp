@@ -93,7 +93,8 @@ std::array<double, 3> errors_inside(const Cage& cage, const Known& f, const Diri
     const Exact e = exact(f, p);
     const auto found = u.at(p, 2);
     const auto add = [&](int order, double x, double truth) {
-      errors[order] = std::max(errors[order], std::abs(x - truth));
+      const double error = std::abs(x - truth);
+      if (!(error <= errors[order])) errors[order] = std::isnan(errors[order]) ? errors[order] : error;
       sizes[order] = std::max(sizes[order], std::abs(truth));
     };
     add(0, found[0][0], e.value);

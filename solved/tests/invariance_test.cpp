@@ -7,9 +7,9 @@
 namespace cageproof::solved::test {
 namespace {
 
-class every_solved_kind : public testing::TestWithParam<const char*> {};
+class EverySolvedKind : public testing::TestWithParam<const char*> {};
 
-INSTANTIATE_TEST_SUITE_P(kinds, every_solved_kind, testing::Values("biharmonic_boundary", "harmonic", "cauchy"),
+INSTANTIATE_TEST_SUITE_P(kinds, EverySolvedKind, testing::Values("biharmonic_boundary", "harmonic", "cauchy"),
                          [](const auto& name) { return std::string(name.param); });
 
 // Values of a cage that was scaled, without what its unit makes of them.
@@ -21,7 +21,7 @@ std::vector<double> without_unit(const CageCoordinates& coordinates, const Vec& 
   return all;
 }
 
-TEST_P(every_solved_kind, has_no_unit_of_length) {
+TEST_P(EverySolvedKind, has_no_unit_of_length) {
   const Vec point(0.5, 0.75, 0);
   const auto expected = values_at(coordinates(polygon(l_shape), GetParam()), point);
   for (const double unit : {1e-150, 1e-6, 0.7, 3., 1e6, 1e150}) {
@@ -30,14 +30,14 @@ TEST_P(every_solved_kind, has_no_unit_of_length) {
   }
 }
 
-TEST_P(every_solved_kind, has_no_origin) {
+TEST_P(EverySolvedKind, has_no_origin) {
   const Vec point(0.5, 0.75, 0), offset(1e6, -3e6, 0);
   const auto expected = values_at(coordinates(polygon(l_shape), GetParam()), point);
   const CageCoordinates other = coordinates(polygon(l_shape, 1, offset), GetParam());
   EXPECT_LT(largest_difference(values_at(other, point + offset), expected), 1e-13);
 }
 
-TEST_P(every_solved_kind, turns_with_the_cage) {
+TEST_P(EverySolvedKind, turns_with_the_cage) {
   const double c = std::cos(0.6), s = std::sin(0.6);
   Corners turned;
   for (const auto& [x, y] : l_shape) turned.push_back({c * x - s * y, s * x + c * y});
@@ -48,7 +48,7 @@ TEST_P(every_solved_kind, turns_with_the_cage) {
 }
 
 // The vertex that the frame begins at is one as any other.
-TEST_P(every_solved_kind, begins_anywhere) {
+TEST_P(EverySolvedKind, begins_anywhere) {
   Corners rotated = l_shape;
   std::rotate(rotated.begin(), rotated.begin() + 1, rotated.end());
   const Vec point(0.5, 0.75, 0);
@@ -58,7 +58,7 @@ TEST_P(every_solved_kind, begins_anywhere) {
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(first[block].value[(i + 1) % 6], second[block].value[i], 1e-13);
 }
 
-TEST_P(every_solved_kind, has_its_digits_in_every_scalar) {
+TEST_P(EverySolvedKind, has_its_digits_in_every_scalar) {
   const CageCoordinates c = coordinates(polygon(convex_pentagon), GetParam());
   for (const Vec& point : {Vec(0.75, 0.5, 0), Vec(1, 0, 0), Vec(0, 0, 0)}) {
     const auto wide = c.at<Mp100>(convert<Mp100>(point), 0), fifty_block = std::vector<Result<Mp100>>();
@@ -76,7 +76,7 @@ TEST_P(every_solved_kind, has_its_digits_in_every_scalar) {
   EXPECT_TRUE(c.is_exact_in(ScalarKind::Digits50) && c.is_exact_in(ScalarKind::Digits100));
 }
 
-TEST_P(every_solved_kind, has_the_derivatives_of_its_values) {
+TEST_P(EverySolvedKind, has_the_derivatives_of_its_values) {
   const CageCoordinates c = coordinates(polygon(l_shape, 3), GetParam());
   const Mp100 step("1e-30");
   const Vec3<Mp100> point(Mp100("1.4"), Mp100("2.2"), Mp100(0));
@@ -97,7 +97,7 @@ TEST_P(every_solved_kind, has_the_derivatives_of_its_values) {
 
 // Points on the cage that are doubles, next to one inside: values differ by the distance times gradients, with a
 // logarithm of it.
-TEST_P(every_solved_kind, is_continuous_up_to_the_cage) {
+TEST_P(EverySolvedKind, is_continuous_up_to_the_cage) {
   const CageCoordinates c = coordinates(polygon(l_shape), GetParam());
   const double step = 1e-12;
   const std::vector<std::pair<Vec, Vec>> places{{{0.5, 0, 0}, {0, 1, 0}},      {{0.3125, 0, 0}, {0, 1, 0}},
@@ -107,7 +107,7 @@ TEST_P(every_solved_kind, is_continuous_up_to_the_cage) {
     EXPECT_LT(largest_difference(values_at(c, point), values_at(c, point + step * inward)), 1e-9) << point.transpose();
 }
 
-TEST_P(every_solved_kind, has_derivatives_from_inside_within_edges) {
+TEST_P(EverySolvedKind, has_derivatives_from_inside_within_edges) {
   const CageCoordinates c = coordinates(polygon(l_shape), GetParam());
   const Vec point(0.3125, 0, 0), near(0.3125, 1e-9, 0);
   const auto on = c.at<double>(point, 2), inside = c.at<double>(near, 2);
@@ -115,9 +115,10 @@ TEST_P(every_solved_kind, has_derivatives_from_inside_within_edges) {
     for (int o = 1; o <= 2; ++o) EXPECT_LT(largest_difference(on[b].of(o), inside[b].of(o)), 1e-5) << b << ' ' << o;
 }
 
-TEST_P(every_solved_kind, is_the_same_for_many_points_at_once) {
+TEST_P(EverySolvedKind, is_the_same_for_many_points_at_once) {
   const CageCoordinates c = coordinates(polygon(l_shape), GetParam());
   std::vector<Vec> points;
+  points.reserve(70);
   for (int i = 0; i < 70; ++i) points.emplace_back(0.015625 * i, 0.5, 0);  // the first on the cage
   const auto together = c.at<double>(std::span<const Vec>(points), 2);
   for (std::size_t p = 0; p < points.size(); ++p) {

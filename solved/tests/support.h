@@ -107,10 +107,11 @@ inline std::array<double, 3> affine_errors(const CageCoordinates& c, const Vec& 
         size += std::abs(b);
       }
       if (o == 0) size = std::max(size, diameter);
-      one = std::max(one, std::abs(sum));
-      positions = std::max(positions, x.norm());
+      one += std::abs(sum);
+      positions += x.norm();
     }
-    errors[o] = std::max(one / terms, positions / size);
+    // Sums, which what is not a number does not leave.
+    errors[o] = one / terms + positions / size;
   }
   return errors;
 }

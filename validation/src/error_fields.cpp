@@ -198,26 +198,25 @@ FieldPlan coordinate_difference_field(std::shared_ptr<const Cage> cage, const Co
 FieldPlan coordinate_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind, const std::string& label,
                            int index, int resolution) {
   const auto rule = Triangulation::Shortest;
-  const auto coordinates = std::make_shared<Lazy<std::shared_ptr<const CageCoordinates>>>(
-      [=, &kind] { return std::make_shared<const CageCoordinates>(*cage, kind, "", rule); });
-  const auto& blocks = coordinates->get()->blocks();
-  const auto block = std::ranges::find(blocks, label, &CoordinateBlock::label);
-  if (block == blocks.end()) throw InputError(fmt::format("{} coordinates have no block {}", kind.name, label));
-  if (index < 0 || index >= block->size)
-    throw InputError(fmt::format("{} of {} coordinates in {} has indices 0 to {}, not {}", label, kind.name,
-                                 cage->name(), block->size - 1, index));
   FieldPlan plan;
   const std::string name = fmt::format("{}_{}", label, index);
   plan.field =
       empty_field(slice_through(*cage, resolution), fmt::format("{}.{}.{}", file_name(*cage), kind.name, name));
   plan.field.arrays = {{name, "", 1, {}, true}};
-  const auto place = static_cast<std::size_t>(std::distance(blocks.begin(), block));
-  const std::size_t entry = static_cast<std::size_t>(index) * block->entries();
   plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
+    const auto coordinates = std::make_shared<const CageCoordinates>(*cage, kind, "", rule);
+    const auto& blocks = coordinates->blocks();
+    const auto block = std::ranges::find(blocks, label, &CoordinateBlock::label);
+    if (block == blocks.end()) throw InputError(fmt::format("{} coordinates have no block {}", kind.name, label));
+    if (index < 0 || index >= block->size)
+      throw InputError(fmt::format("{} of {} coordinates in {} has indices 0 to {}, not {}", label, kind.name,
+                                   cage->name(), block->size - 1, index));
+    const auto place = static_cast<std::size_t>(std::distance(blocks.begin(), block));
+    const std::size_t entry = static_cast<std::size_t>(index) * block->entries();
     const auto locator = std::make_shared<const CageLocator>(*cage, rule, kind.keeps_quads);
     return [=](const Vec3<double>& p, std::span<double> values) {
       const bool inside = locator->place(p) == Place::Inside;
-      values[0] = inside ? coordinates->get()->at<double>(p, 0)[place].value[entry] : masked;
+      values[0] = inside ? coordinates->at<double>(p, 0)[place].value[entry] : masked;
     };
   };
   return plan;

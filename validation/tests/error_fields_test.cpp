@@ -51,8 +51,8 @@ TEST(coordinate_field, shows_a_coordinate_inside_the_cage_alone) {
     EXPECT_NEAR(sum, 1, 1e-14);
   }
   EXPECT_EQ(inside, 100);
-  EXPECT_THROW(coordinate_field(cage, kind, "alpha", 0, 12), InputError);
-  EXPECT_THROW(coordinate_field(cage, kind, "lambda", 4, 12), InputError);
+  EXPECT_THROW(sampled(coordinate_field(cage, kind, "alpha", 0, 12), 1), InputError);
+  EXPECT_THROW(sampled(coordinate_field(cage, kind, "lambda", 4, 12), 1), InputError);
 }
 
 TEST(formula_error_field, takes_elements_of_the_formulas_kind) {

@@ -18,7 +18,7 @@ std::vector<double> checked_parameters(const CoordinateKind& kind, std::vector<d
   if (parameters.size() != known.size())
     throw InputError(fmt::format("{} has {} parameters, not {}", kind.name, known.size(), parameters.size()));
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (!known[i].admits(parameters[i]))
+    if (!known[i].allows(parameters[i]))
       throw InputError(
           fmt::format("{}: the parameter {} = {} is out of range", kind.name, known[i].name, parameters[i]));
   return parameters;

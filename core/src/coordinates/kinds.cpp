@@ -110,6 +110,7 @@ std::vector<KindParameter> parameters_of(const CoordinateKind& kind) {
     for (const ElementKind element : element_kinds)
       if (const Formula* formula = find_formula(element, block.kernel)) {
         std::vector<KindParameter> found;
+        found.reserve(formula->parameters.size());
         for (const Parameter& p : formula->parameters) found.push_back({p});
         return found;
       }

@@ -4,6 +4,9 @@
 
 #include "cageproof/core/formula.h"
 
+#include <stdexcept>
+#include <string>
+
 namespace cageproof::quadrature_ref::certified {
 namespace {
 
@@ -25,9 +28,8 @@ Real kelvin_a_minus_2b(const Real& a, const Real& nu) {
 // x_i of a space of `dim` dimensions, in the order of its frame's axes: the normal is the last of them.
 Polynomial axis(int dim, int i) { return coordinate(i == dim - 1 ? 2 : i); }
 
-// (a - b)/r I + b x x'/r^3 with a = 1/(4 pi mu), b = a/(4 (1 - nu)), [C23] Eq 3, [T24] Eq 47; in the plane (b - a) ln r
-// I
-// + b x x'/r^2 with a = 1/(2 pi mu). Constants: a - b, b.
+// (a - b)/r I + b x x'/r^3 with a = 1/(4 pi mu), b = a/(4 (1 - nu)), [C23] Eq 3, [T24] Eq 47; in the plane
+// (b - a) ln r I + b x x'/r^2 with a = 1/(2 pi mu). Constants: a - b, b.
 std::vector<Polynomial> kelvin_displacement(int dim) {
   const Polynomial potential = dim == 2 ? (-1) * logarithm() : one_over_r(1);
   std::vector<Polynomial> matrix;
@@ -169,10 +171,11 @@ std::vector<Definition> of_segments() {
 
 const std::vector<Definition>& definitions() {
   static const std::vector<Definition> all = [] {
-    std::vector<Definition> known;
-    for (const auto& list : {of_triangles(), of_segments()})
-      for (const Definition& definition : list)
-        if (find_formula(definition.formula) != nullptr) known.push_back(definition);
+    std::vector<Definition> known = of_triangles();
+    for (Definition& definition : of_segments()) known.push_back(std::move(definition));
+    for (const Definition& definition : known)
+      if (find_formula(definition.formula) == nullptr)
+        throw std::logic_error("no formula is called " + std::string(definition.formula));
     return known;
   }();
   return all;

@@ -69,12 +69,22 @@ const RegisterCoordinateKind register_biharmonic_boundary{
      .source = "[W12] Section 4, Eq 17-19 after the errata",
      .own_dimension = 2,
      .prepare = prepare_biharmonic,
-     .parameters = {{{"pieces", 4, 0, 64, true}, "that each edge is cut into", true},
-                    {{"collocation", 1, -1, static_cast<double>(biharmonic_collocations().size())},
+     .parameters = {{{.name = "pieces",
+                      .preset = default_pieces,
+                      .lowest = 0,
+                      .highest = 64,
+                      .includes_highest = true,
+                      .whole = true},
+                     "that each edge is cut into"},
+                    {{.name = "collocation",
+                      .preset = 1,
+                      .lowest = -1,
+                      .highest = static_cast<double>(biharmonic_collocations().size()),
+                      .whole = true},
                      "where the boundary's equations are asked to hold",
-                     true,
                      biharmonic_names()}},
-     .other_evaluations = {offset_evaluation}}};
+     .other_evaluations = {offset_evaluation},
+     .refuses = why_not_refined}};
 
 }  // namespace
 }  // namespace cageproof::solved

@@ -225,6 +225,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
       return layers.add(Scheme::unknown, in_frame, order, tables);
     for (std::size_t p = 0; p < points.size(); ++p) {
       std::vector<CoordinateTable<R>> one;
+      one.reserve(std::size(Scheme::unknown));
       for (const Layer layer : Scheme::unknown) one.push_back(layers.table(layer, 1, order));
       if (on[p].empty()) layers.add(Scheme::unknown, std::span(&in_frame[p], 1), order, one);
       else layers.add_on(Scheme::unknown, in_frame[p], places<R>(on[p], in_frame[p]), order, one);

@@ -20,11 +20,18 @@ RefinedPolygon::RefinedPolygon(const Cage& cage, int pieces) : pieces_(pieces), 
     before_.push_back(ending_at[edge[0]]);
     after_[before_.back()] = static_cast<int>(before_.size()) - 1;
   }
-  if (pieces > 1 && nodes() > most_nodes)
+  if (nodes() > most_nodes)
     throw InputError(fmt::format("{}: {} edges in {} pieces each have {} nodes, more than {}", cage.name(), edges(),
                                  pieces, nodes(), most_nodes));
   for (std::size_t i = 0; i < vertices_.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) unit_ = std::max(unit_, (vertices_[i] - vertices_[j]).stableNorm());
+}
+
+std::string why_not_refined(const Cage& cage) {
+  const int nodes = default_pieces * static_cast<int>(cage.faces().size());
+  if (nodes <= RefinedPolygon::most_nodes) return "";
+  return fmt::format("{} edges in {} pieces each have {} nodes, more than {}", cage.faces().size(), default_pieces,
+                     nodes, RefinedPolygon::most_nodes);
 }
 
 }  // namespace cageproof::solved

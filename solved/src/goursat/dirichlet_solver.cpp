@@ -5,8 +5,11 @@
 #include "goursat_basis.h"
 #include "least_squares.h"
 
+#include "cageproof/core/input_error.h"
 #include "cageproof/core/linear.h"
 #include "cageproof/core/winding_number.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -168,7 +171,7 @@ Trial best_of(const Problem& problem, const DirichletOptions& options) {
     Trial trial = solved_with(problem, degree, terms);
     const double excess = trial.excess(options), before = best ? best->excess(options) : HUGE_VAL;
     const int unknowns = trial.report.unknowns;
-    if (excess < before) best = std::move(trial);
+    if (!best || excess < before) best = std::move(trial);
     // What helps little now will not help much more.
     if (excess <= 1 || excess > before / 4 || 2 * unknowns > options.most_unknowns) break;
   }
@@ -187,7 +190,11 @@ std::string why_no_dirichlet_solution(const Cage& cage) { return why_not_solved(
 DirichletSolution::DirichletSolution(const Cage& cage, Equation equation, int problems, const BoundaryFunction& data,
                                      const DirichletOptions& options) {
   const auto frame = std::make_shared<const PolygonFrame>(cage);
-  state_ = std::make_unique<const State>(State{frame, best_of({frame, equation, problems, &data}, options)});
+  Trial best = best_of({frame, equation, problems, &data}, options);
+  if (!best.coefficients.allFinite())
+    throw InputError(
+        fmt::format("{}: lengths leave the range in which its equation can be solved in double", cage.name()));
+  state_ = std::make_unique<const State>(State{frame, std::move(best)});
 }
 
 DirichletSolution::~DirichletSolution() = default;

@@ -58,10 +58,19 @@ const RegisterCoordinateKind register_harmonic{
      .source = "Joshi et al. 2007, by the boundary elements of [W12] Section 4.2",
      .own_dimension = 2,
      .prepare = prepare_harmonic,
-     .parameters = {{{"pieces", 4, 0, 64, true}, "that each edge is cut into", true},
-                    {{"collocation", 1, -1, static_cast<double>(harmonic_collocations().size())},
+     .parameters = {{{.name = "pieces",
+                      .preset = default_pieces,
+                      .lowest = 0,
+                      .highest = 64,
+                      .includes_highest = true,
+                      .whole = true},
+                     "that each edge is cut into"},
+                    {{.name = "collocation",
+                      .preset = 1,
+                      .lowest = -1,
+                      .highest = static_cast<double>(harmonic_collocations().size()),
+                      .whole = true},
                      "where the boundary's equation is asked to hold",
-                     true,
                      harmonic_names()}}}};
 
 }  // namespace

@@ -128,13 +128,8 @@ class CoordinatesIn : public PreparedCoordinates {
 /// A parameter of a kind of coordinates: a number, a whole number, or one of several names, which stand for 0, 1, ...
 struct KindParameter : Parameter {
   std::string_view meaning = {};
-  bool whole = false;
   std::vector<std::string_view> names = {};
 
-  /// Whether the kind is defined for this value.
-  bool admits(double value) const {
-    return allows(value) && (!(whole || !names.empty()) || value == std::floor(value));
-  }
   /// The value that a text stands for: a number ("0.3", "inf"), or one of the names. Nothing for any other text.
   std::optional<double> value_of(std::string_view text) const;
 };

@@ -67,7 +67,7 @@ FieldPlan coordinate_difference_field(std::shared_ptr<const Cage> cage, const Co
 /// One coordinate of a block on a slice, inside the cage: array `<label>_<index>`, linear; of matrices the entry in the
 /// first row and column.
 /// \param label of the block \param index of the vertex or element
-/// \throws InputError for a block that the kind does not have, or an index beyond it
+/// What prepares it throws InputError for a block that the kind does not have, or an index beyond it.
 FieldPlan coordinate_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind, const std::string& label,
                            int index, int resolution);
 

@@ -21,8 +21,8 @@ class LeastSquares {
 
   int rank() const;
   Matrix<R> solve(const Matrix<R>& right) const;
-  /// The pseudo-inverse. Solutions that are its products depend on their right sides linearly but for a rounding of the
-  /// product: where combinations of right sides vanish, those of solutions do, however ill-conditioned the matrix is.
+  /// The pseudo-inverse. Its own error is common to all columns of right sides: where combinations of these vanish,
+  /// those of its products with them do, but for the roundings of the products, which are larger the larger it is.
   Matrix<R> inverse() const;
 
  private:

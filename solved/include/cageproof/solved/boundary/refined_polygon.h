@@ -5,6 +5,7 @@
 #include "cageproof/core/cage.h"
 #include "cageproof/core/linear.h"
 
+#include <string>
 #include <vector>
 
 namespace cageproof::solved {
@@ -85,5 +86,11 @@ class RefinedPolygon {
   std::vector<std::array<int, 2>> edges_;
   std::vector<int> before_, after_;
 };
+
+/// Pieces of an edge where nobody says how many.
+inline constexpr int default_pieces = 4;
+
+/// Why a polygon in default_pieces has no system of a size that can be solved; empty where it has.
+std::string why_not_refined(const Cage& cage);
 
 }  // namespace cageproof::solved
