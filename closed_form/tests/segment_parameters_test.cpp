@@ -265,5 +265,47 @@ TEST(segment_polyharmonic, has_all_limits_at_the_ends_from_order_three_on) {
                    0.34 / (128 * std::numbers::pi));
 }
 
+// u = x^4 y: its Laplacians are 12 x^2 y, 24 y and zero, so that it is triharmonic.
+struct Triharmonic {
+  static std::array<double, 3> value(const Vec& p) {
+    return {std::pow(p[0], 4) * p[1], 12 * p[0] * p[0] * p[1], 24 * p[1]};
+  }
+  static std::array<double, 3> derivative(const Vec& p, const Vec& n) {
+    return {4 * std::pow(p[0], 3) * p[1] * n[0] + std::pow(p[0], 4) * n[1],
+            24 * p[0] * p[1] * n[0] + 12 * p[0] * p[0] * n[1], 24 * n[1]};
+  }
+};
+
+// The right side of the s-th Green identity ([W12] Appendix B after the errata) in the unit square, each edge in so
+// many pieces, with values between them linear and normal derivatives constant on each.
+double green_identity(int s, const Vec& point, int pieces) {
+  const std::array<Vec, 4> corners{Vec(0, 0, 0), Vec(1, 0, 0), Vec(1, 1, 0), Vec(0, 1, 0)};
+  double sum = 0;
+  for (int e = 0; e < 4; ++e)
+    for (int k = 0; k < pieces; ++k) {
+      const Vec along = corners[(e + 1) % 4] - corners[e];
+      const Segment<double> piece{corners[e] + k * along / pieces, corners[e] + (k + 1) * along / pieces};
+      const Vec normal(along[1], -along[0], 0);
+      for (int i = 1; i <= 4 - s; ++i) {
+        const auto phi = registered("segment.polyharmonic_double_layer", piece, point, 0, {double(i)}).value;
+        for (int end = 0; end < 2; ++end) sum += Triharmonic::value(piece[end])[s + i - 2] * phi[end];
+        sum += Triharmonic::derivative((piece[0] + piece[1]) / 2, normal)[s + i - 2] *
+               registered("segment.polyharmonic_single_layer", piece, point, 0, {double(i)}).value[0];
+      }
+    }
+  return sum;
+}
+
+TEST(segment_polyharmonic, layers_keep_greens_identities) {
+  for (const Vec& point : {Vec(0.5, 0.5, 0), Vec(0.25, 0.625, 0), Vec(0.875, 0.25, 0)})
+    for (int s = 1; s <= 3; ++s) {
+      const double coarse = green_identity(s, point, 16), fine = green_identity(s, point, 32),
+                   finest = green_identity(s, point, 64);
+      // The errors are series of the square of a piece's length.
+      const double first = fine + (fine - coarse) / 3, second = finest + (finest - fine) / 3;
+      EXPECT_NEAR(second + (second - first) / 15, Triharmonic::value(point)[s - 1], 1e-7) << s;
+    }
+}
+
 }  // namespace
 }  // namespace cageproof::closed_form::segment
