@@ -109,6 +109,7 @@ void print_text() {
   fmt::print("\ncoordinates:");
   for (const CoordinateKind& kind : coordinate_kinds()) {
     std::vector<std::string> labels;
+    labels.reserve(kind.blocks.size());
     for (const SummedBlock& b : kind.blocks) labels.emplace_back(b.label);
     if (!kind.is_sum())
       for (const CoordinateBlock& b : own_blocks(kind)) labels.push_back(b.label);

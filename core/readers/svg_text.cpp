@@ -138,7 +138,7 @@ Rational tangent(const Rational& degrees) {
 
 Transform rotation(const std::vector<Rational>& n) {
   const Rational c = cosine(n[0]), s = sine(n[0]);
-  const Transform turn{c, s, Rational(-s), c, 0, 0};
+  Transform turn{c, s, Rational(-s), c, 0, 0};
   if (n.size() == 1) return turn;
   const Transform there{1, 0, 0, 1, n[1], n[2]}, back{1, 0, 0, 1, Rational(-n[1]), Rational(-n[2])};
   return there.after(turn.after(back));

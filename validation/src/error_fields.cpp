@@ -33,8 +33,8 @@ std::size_t count_of(const SlicePlan& slice) {
 
 Vec3<double> point_of(const SlicePlan& slice, std::size_t i) {
   const std::size_t nx = slice.points[0], ny = slice.points[1];
-  const Vec3<double> steps(static_cast<double>(i % nx), static_cast<double>(i / nx % ny),
-                           static_cast<double>(i / (nx * ny)));
+  const std::size_t layer = i / (nx * ny);
+  const Vec3<double> steps(static_cast<double>(i % nx), static_cast<double>(i / nx % ny), static_cast<double>(layer));
   return slice.origin + slice.spacing.cwiseProduct(steps);
 }
 
@@ -133,7 +133,7 @@ std::unique_ptr<const Measurement> field_measurement(FieldPlan plan, int place, 
   return std::make_unique<FieldMeasurement>(std::move(plan), place, title, shown);
 }
 
-FieldPlan reproduction_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+FieldPlan reproduction_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
                              const std::string& evaluation, Triangulation rule, int resolution,
                              const std::vector<double>& parameters) {
   FieldPlan plan;
@@ -155,7 +155,7 @@ FieldPlan reproduction_field(std::shared_ptr<const Cage> cage, const CoordinateK
   return plan;
 }
 
-FieldPlan coordinate_error_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+FieldPlan coordinate_error_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
                                  const std::string& evaluation, Triangulation rule, int resolution) {
   FieldPlan plan;
   plan.field = empty_field(slice_through(*cage, resolution), name_of_field(*cage, kind, evaluation, rule, "error"));
@@ -171,7 +171,7 @@ FieldPlan coordinate_error_field(std::shared_ptr<const Cage> cage, const Coordin
   return plan;
 }
 
-FieldPlan coordinate_difference_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+FieldPlan coordinate_difference_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
                                       const std::string& evaluation, const std::string& other, Triangulation rule,
                                       int resolution) {
   FieldPlan plan;
@@ -195,8 +195,8 @@ FieldPlan coordinate_difference_field(std::shared_ptr<const Cage> cage, const Co
   return plan;
 }
 
-FieldPlan coordinate_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind, const std::string& label,
-                           int index, int resolution) {
+FieldPlan coordinate_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
+                           const std::string& label, int index, int resolution) {
   const auto rule = Triangulation::Shortest;
   FieldPlan plan;
   const std::string name = fmt::format("{}_{}", label, index);
@@ -259,6 +259,7 @@ ImageField formula_error_field(const std::vector<std::vector<Vec3<double>>>& ele
   field.arrays = {{"value", "1", 1, std::vector<double>(count)},
                   {"relative error", "1", 1, std::vector<double>(count)}};
   std::vector<double> presets;
+  presets.reserve(formula.parameters.size());
   for (const Parameter& p : formula.parameters) presets.push_back(p.preset);
   for_each_parallel(count, jobs, [&](std::size_t i) {
     Mp100 error = 0, size = 0;

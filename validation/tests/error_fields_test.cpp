@@ -37,6 +37,7 @@ TEST(coordinate_field, shows_a_coordinate_inside_the_cage_alone) {
   const auto cage = std::make_shared<const Cage>(embedded_cage("square"));
   const CoordinateKind& kind = *find_coordinate_kind("mean_value");
   std::vector<ImageField> fields;
+  fields.reserve(4);
   for (int k = 0; k < 4; ++k) fields.push_back(sampled(coordinate_field(cage, kind, "lambda", k, 12), 1));
   EXPECT_TRUE(fields[0].arrays[0].linear);
   EXPECT_EQ(fields[2].arrays[0].name, "lambda_2");

@@ -49,18 +49,18 @@ std::vector<std::vector<Vec3<double>>> elements_of(const Cage& cage, ElementKind
 /// Partition of unity and linear reproduction on a slice (arrays of those names, raw errors).
 /// \param evaluation empty for each formula's recommended one
 /// \param parameters in the order of parameters_of(kind); empty for their defaults
-FieldPlan reproduction_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+FieldPlan reproduction_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
                              const std::string& evaluation, Triangulation rule, int resolution,
                              const std::vector<double>& parameters = {});
 
 /// Relative error of a kind of coordinates against the recommended evaluation in 50 digits on a slice: array `relative
 /// error`, the largest over the blocks.
-FieldPlan coordinate_error_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+FieldPlan coordinate_error_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
                                  const std::string& evaluation, Triangulation rule, int resolution);
 
 /// How far one evaluation of a kind of coordinates is from another, both in double, on a slice: array `difference`, the
 /// largest of a coordinate. For errors far above rounding, where a truth in 50 digits would only cost time.
-FieldPlan coordinate_difference_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+FieldPlan coordinate_difference_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
                                       const std::string& evaluation, const std::string& other, Triangulation rule,
                                       int resolution);
 
@@ -68,8 +68,8 @@ FieldPlan coordinate_difference_field(std::shared_ptr<const Cage> cage, const Co
 /// first row and column.
 /// \param label of the block \param index of the vertex or element
 /// What prepares it throws InputError for a block that the kind does not have, or an index beyond it.
-FieldPlan coordinate_field(std::shared_ptr<const Cage> cage, const CoordinateKind& kind, const std::string& label,
-                           int index, int resolution);
+FieldPlan coordinate_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
+                           const std::string& label, int index, int resolution);
 
 /// Relative error of one formula on a slice, norm-wise over all elements, against its truth's source in 50 digits;
 /// arrays `value` (norm over all elements) and `relative error`. \param elements corners of elements of the formula's
