@@ -51,8 +51,9 @@ void tell_solved(const CageCoordinates& coordinates) {
     fmt::print(stderr, "solved {}: {} x {}, rank {}, condition {:.2g}, residual {:.2g}\n", s.name, s.rows, s.columns,
                s.rank, s.condition, s.residual);
     if (!std::isnan(s.boundary_values)) {
-      fmt::print(stderr, "  meets its data on the boundary to {:.2g}, gradients to {:.2g}\n", s.boundary_values,
-                 s.boundary_gradients);
+      const bool with_gradients = !std::isnan(s.boundary_gradients);
+      fmt::print(stderr, "  meets its data on the boundary to {:.2g}{}\n", s.boundary_values,
+                 with_gradients ? fmt::format(", gradients to {:.2g}", s.boundary_gradients) : "");
       if (s.boundary_values > kMetData)
         warn(fmt::format("{}: the data on the boundary are met to {:.2g} alone, and values inside are no better",
                          s.name, s.boundary_values));

@@ -58,7 +58,7 @@ void register_rules(ElementKind kind, std::string_view kernel, const std::shared
          family.studied});
 }
 
-RegisterKernel::RegisterKernel(std::string_view kernel, std::shared_ptr<const KernelSet> kernels) {
+RegisterKernel::RegisterKernel(std::string_view kernel, const std::shared_ptr<const KernelSet>& kernels) {
   for (const ElementKind kind : element_kinds)
     if (kernels->defined_in(dimension(kind))) register_rules(kind, kernel, kernels);
 }

@@ -123,7 +123,7 @@ struct Integrand {
 /// `<element>.<kernel>` by the time that evaluations are asked for, gets them; the row says whether basis functions
 /// weight the tensor.
 struct RegisterKernel {
-  RegisterKernel(std::string_view kernel, std::shared_ptr<const KernelSet> kernels);
+  RegisterKernel(std::string_view kernel, const std::shared_ptr<const KernelSet>& kernels);
 };
 
 }  // namespace cageproof::quadrature_ref
