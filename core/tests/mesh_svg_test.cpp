@@ -48,7 +48,9 @@ TEST(svg_reads, paths_with_y_turned_up) {
     EXPECT_EQ(mesh.vertices, (Vertices{{1, -2, 0}, {4, -2, 0}, {4, -6, 0}})) << data;
     EXPECT_EQ(mesh.segments, kTriangle) << data;
     // An element's line is that of the end of its tag.
-    if (data[0] != '\n') EXPECT_EQ(mesh.segment_lines, (std::vector<std::size_t>{2, 2, 2})) << data;
+    if (data[0] != '\n') {
+      EXPECT_EQ(mesh.segment_lines, (std::vector<std::size_t>{2, 2, 2})) << data;
+    }
   }
 }
 
