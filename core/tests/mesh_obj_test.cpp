@@ -128,10 +128,12 @@ TEST(obj_reads, what_modellers_write) {
     const Mesh mesh = read_mesh(folder.write(name, text));
     EXPECT_EQ(mesh.vertices.size(), 4u) << name;
     EXPECT_EQ(mesh.faces, kTetrahedronFaces) << name;
-    if (mesh.segments.empty()) EXPECT_NO_THROW(read_cage(folder.path() / name)) << name;
-    else
+    if (mesh.segments.empty()) {
+      EXPECT_NO_THROW(read_cage(folder.path() / name)) << name;
+    } else {
       expect_parts(input_error_of([&] { read_cage(folder.path() / name); }),
                    {"4 faces (the first in line 14)", "1 segments of polylines (the first in line 19)"});
+    }
   }
 }
 

@@ -166,8 +166,11 @@ TEST(polygon_turns, loops_and_single_segments_when_told) {
     for (int k = 0; k < 4; ++k)
       EXPECT_EQ(std::minmax(cage.faces()[k].vertices[0], cage.faces()[k].vertices[1]),
                 std::minmax(segments[k].vertices[0], segments[k].vertices[1]));
-    if (mask == 0) EXPECT_NO_THROW(Cage::make_polygon("p", square, segments));
-    else EXPECT_THROW(Cage::make_polygon("p", square, segments), InputError) << mask;
+    if (mask == 0) {
+      EXPECT_NO_THROW(Cage::make_polygon("p", square, segments));
+    } else {
+      EXPECT_THROW(Cage::make_polygon("p", square, segments), InputError) << mask;
+    }
   }
 }
 

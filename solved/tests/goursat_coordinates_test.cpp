@@ -212,10 +212,12 @@ TEST(goursat_coordinates, do_not_depend_on_unit_or_place) {
       const auto found = coordinates_of(cage.with(vertices, cage.faces()), kind).at<double>(change.move(point), 1);
       for (std::size_t i = 0; i < expected[0].value.size(); ++i) {
         EXPECT_NEAR(found[0].value[i], expected[0].value[i], change.tolerance) << kind << ' ' << change.name;
-        if (found.size() > 1)
+        if (found.size() > 1) {
           EXPECT_NEAR(found[1].value[i] / change.unit, expected[1].value[i], change.tolerance) << change.name;
-        if (std::string_view(change.name) != "turned")
+        }
+        if (std::string_view(change.name) != "turned") {
           EXPECT_NEAR(found[0].gradient[2 * i] * change.unit, expected[0].gradient[2 * i], 100 * change.tolerance);
+        }
       }
     }
   }
@@ -246,7 +248,9 @@ TEST(goursat_coordinates, of_divided_edges_add_up) {
     for (const Vec& p : points_in(divided, 0.05, 8)) {
       const auto a = fine.at<double>(p, 0), b = coarse.at<double>(p, 0);
       EXPECT_NEAR(a[0].value[0] + a[0].value[1] / 2, b[0].value[0], 1e-9) << kind;
-      if (a.size() > 1) EXPECT_NEAR(a[1].value[0] + a[1].value[1], b[1].value[0], 1e-9);
+      if (a.size() > 1) {
+        EXPECT_NEAR(a[1].value[0] + a[1].value[1], b[1].value[0], 1e-9);
+      }
     }
   }
 }
