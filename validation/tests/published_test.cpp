@@ -69,7 +69,7 @@ TEST_P(PublishedFormOfThePlane, is_the_limit_from_inside_on_a_segment) { expect_
 INSTANTIATE_TEST_SUITE_P(formulas, PublishedFormOfThePlane,
                          testing::Values("segment.single_layer", "segment.double_layer",
                                          "segment.biharmonic_single_layer", "segment.biharmonic_double_layer"),
-                         [](const auto& info) { return info.param.substr(8); });
+                         [](const auto& name) { return name.param.substr(8); });
 
 class PublishedFormOnBorder : public PublishedForm {};
 

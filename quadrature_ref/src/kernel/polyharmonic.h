@@ -12,7 +12,7 @@ struct RadialFunction {
   int power;
   R log, plain;
 
-  RadialFunction slope() const { return {power - 1, 2 * power * log, 2 * power * plain + log}; }
+  RadialFunction slope() const { return {power - 1, R(2 * power) * log, R(2 * power) * plain + log}; }
 
   template <int Dim>
   R at(const Node<R>& node) const {

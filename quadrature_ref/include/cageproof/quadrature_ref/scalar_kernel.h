@@ -37,20 +37,6 @@ void add_component(const KernelJet<Dim, R>& jet, std::size_t c, Result<R>& sums)
       for (int j = i; j < Dim; ++j, ++entry) sums.hessian[Dim * Dim * c + Dim * i + j] += jet.hessian[entry];
 }
 
-/// Adds the sums over the nodes of the basis functions times `jet(node, weight, KernelJet&)`, up to Order.
-template <int Order, int Dim, Scalar R, class JetAt>
-void accumulate_jets(std::span<const Node<R>> nodes, int corners, const JetAt& jet_at, Result<R>& sums) {
-  std::array<KernelJet<Dim, R>, kMostCorners> totals{};
-  KernelJet<Dim, R> jet;
-  for (const Node<R>& node : nodes) {
-    jet_at(node, node.weight, jet);
-    if (corners == 0) add<Order>(jet, totals[0]);
-    for (int k = 0; k < corners; ++k) add_scaled<Order>(jet, node.hat[k], totals[k]);
-  }
-  const int tensors = corners == 0 ? 1 : corners;
-  for (int k = 0; k < tensors; ++k) add_component<Order>(totals[k], k, sums);
-}
-
 /// A kernel from its definition, a struct with
 ///   `template <int Dim, Scalar R> static R factor()`: the constant in front
 ///   `template <int Order, int Dim, Scalar R> static void jet(const Node<R>&, const R& scale, KernelJet<Dim, R>&)`:
@@ -68,12 +54,15 @@ class ScalarKernel final : public Kernel<R> {
   template <int Order>
   static void accumulate_order(std::span<const Node<R>> nodes, int corners, Result<R>& sums) {
     const R factor = Definition::template factor<Dim, R>();
-    accumulate_jets<Order, Dim>(
-        nodes, corners,
-        [&](const Node<R>& node, const R& weight, KernelJet<Dim, R>& jet) {
-          Definition::template jet<Order>(node, R(factor * weight), jet);
-        },
-        sums);
+    std::array<KernelJet<Dim, R>, kMostCorners> totals{};
+    KernelJet<Dim, R> jet;
+    for (const Node<R>& node : nodes) {
+      Definition::template jet<Order>(node, R(factor * node.weight), jet);
+      if (corners == 0) add<Order>(jet, totals[0]);
+      for (int k = 0; k < corners; ++k) add_scaled<Order>(jet, node.hat[k], totals[k]);
+    }
+    const int tensors = corners == 0 ? 1 : corners;
+    for (int k = 0; k < tensors; ++k) add_component<Order>(totals[k], k, sums);
   }
 };
 
@@ -85,17 +74,24 @@ class ParametricKernel final : public Kernel<R> {
  public:
   void accumulate(std::span<const Node<R>> nodes, const KernelTask<R>& task, Result<R>& sums) const override {
     const Definition<R> definition(task.parameters);
-    const auto add_order = [&]<int Order>() {
-      accumulate_jets<Order, Dim>(
-          nodes, task.corners,
-          [&](const Node<R>& node, const R& weight, KernelJet<Dim, R>& jet) {
-            definition.template jet<Order>(node, weight, jet);
-          },
-          sums);
-    };
-    if (task.order == 0) add_order.template operator()<0>();
-    else if (task.order == 1) add_order.template operator()<1>();
-    else add_order.template operator()<2>();
+    if (task.order == 0) accumulate_order<0>(nodes, definition, task.corners, sums);
+    else if (task.order == 1) accumulate_order<1>(nodes, definition, task.corners, sums);
+    else accumulate_order<2>(nodes, definition, task.corners, sums);
+  }
+
+ private:
+  template <int Order>
+  static void accumulate_order(std::span<const Node<R>> nodes, const Definition<R>& definition, int corners,
+                               Result<R>& sums) {
+    std::array<KernelJet<Dim, R>, kMostCorners> totals{};
+    KernelJet<Dim, R> jet;
+    for (const Node<R>& node : nodes) {
+      definition.template jet<Order>(node, node.weight, jet);
+      if (corners == 0) add<Order>(jet, totals[0]);
+      for (int k = 0; k < corners; ++k) add_scaled<Order>(jet, node.hat[k], totals[k]);
+    }
+    const int tensors = corners == 0 ? 1 : corners;
+    for (int k = 0; k < tensors; ++k) add_component<Order>(totals[k], k, sums);
   }
 };
 

@@ -18,7 +18,7 @@ struct Radial {
 
   /// g'/r, of which gradients and Hessians are made: grad g = x g'/r.
   Radial next() const {
-    return {power - 1, 2 * power * log, 2 * power * plain + log, power == 0 ? zero : zero - 0.5L / power};
+    return {power - 1, R(2 * power) * log, R(2 * power) * plain + log, power == 0 ? zero : zero - 0.5L / power};
   }
 };
 
