@@ -145,7 +145,8 @@ TEST(obj_reads, line_numbers_for_every_line_end) {
 TEST(obj_reads, big_meshes_in_about_a_second) {
   constexpr int side = 300;
   std::string text;
-  for (int i = 0; i < side * side; ++i) text += fmt::format("v {:.6f} {:.6f} 0\n", i % side * 0.013, i / side * 0.017);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) text += fmt::format("v {:.6f} {:.6f} 0\n", x * 0.013, y * 0.017);
   for (int i = 0; i + side < side * side; ++i)
     for (int repeat = 0; repeat < 4; ++repeat) text += fmt::format("f {} {} {}\n", i + 1, i + 2, i + side + 1);
   const TemporaryFolder folder;

@@ -110,8 +110,8 @@ Trial solved_with(const Problem& problem, int degree, int terms) {
   int unknowns = (degree + 1) * (problem.equation == Equation::Biharmonic ? 4 : 2);
   for (int k = 0; k < problem.frame->size(); ++k)
     unknowns += CornerFunctions(problem.equation, problem.frame->corner(k).angle, terms).size();
-  // Three equations to an unknown of the biharmonic equation, and of the harmonic one, so that nothing oscillates
-  // between the points.
+  // Three equations to an unknown, so that nothing oscillates between the points: biharmonic data give three at a point
+  // (the value and two derivatives), harmonic ones one.
   const int least = problem.equation == Equation::Biharmonic ? unknowns : 3 * unknowns;
   const std::vector<FramePoint> points = boundary_points(*problem.frame, least, 0.5);
   trial.basis = std::make_shared<const GoursatBasis>(problem.frame, problem.equation, degree, terms, positions(points));
@@ -182,7 +182,9 @@ Trial best_of(const Problem& problem, const DirichletOptions& options) {
 
 struct DirichletSolution::State {
   std::shared_ptr<const PolygonFrame> frame;
-  Trial trial;
+  std::shared_ptr<const GoursatBasis> basis;
+  Eigen::MatrixXd coefficients;  // by function and problem
+  DirichletReport report;
 };
 
 std::string why_no_dirichlet_solution(const Cage& cage) { return why_not_solved(cage); }
@@ -194,15 +196,15 @@ DirichletSolution::DirichletSolution(const Cage& cage, Equation equation, int pr
   if (!best.coefficients.allFinite())
     throw InputError(
         fmt::format("{}: lengths leave the range in which its equation can be solved in double", cage.name()));
-  state_ = std::make_unique<const State>(State{frame, std::move(best)});
+  state_ = std::make_unique<const State>(State{frame, best.basis, std::move(best.coefficients), best.report});
 }
 
 DirichletSolution::~DirichletSolution() = default;
 DirichletSolution::DirichletSolution(DirichletSolution&&) noexcept = default;
 
-int DirichletSolution::problems() const { return static_cast<int>(state_->trial.coefficients.cols()); }
+int DirichletSolution::problems() const { return static_cast<int>(state_->coefficients.cols()); }
 
-const DirichletReport& DirichletSolution::report() const { return state_->trial.report; }
+const DirichletReport& DirichletSolution::report() const { return state_->report; }
 
 PointPlace DirichletSolution::place(const Vec3<double>& point) const {
   const std::optional<int> winding = winding_number(state_->frame->segments(), point);
@@ -215,8 +217,8 @@ PointPlace DirichletSolution::place(const Vec3<double>& point) const {
 template <Scalar R>
 std::array<std::vector<R>, 3> DirichletSolution::at(const Vec3<R>& point, int order) const {
   const PolygonFrame& frame = *state_->frame;
-  const GoursatBasis& basis = *state_->trial.basis;
-  const Matrix& coefficients = state_->trial.coefficients;
+  const GoursatBasis& basis = *state_->basis;
+  const Matrix& coefficients = state_->coefficients;
   std::array<std::vector<R>, 3> found;
   for (int o = 0; o <= order; ++o) found[o].assign(problems() << o, std::numeric_limits<R>::quiet_NaN());
   const Vec3<double> rounded = convert<double>(point);
