@@ -192,6 +192,17 @@ TEST(biharmonic_boundary, refuses_what_it_cannot_prepare) {
   EXPECT_NE(refusal({64, 1}, polygon(subdivided(unit_square, 17))).find("4352 nodes"), std::string::npos);
 }
 
+// So that a campaign on an outline of many edges leaves the kind out, and says so.
+TEST(biharmonic_boundary, is_refused_by_polygons_of_too_many_edges_as_harmonic_is) {
+  const Cage many = polygon(subdivided(unit_square, 260)), few = polygon(subdivided(unit_square, 256));
+  for (const char* name : {"biharmonic_boundary", "harmonic"}) {
+    const CoordinateKind& kind = coordinate_kind_named(name);
+    EXPECT_TRUE(accepts(kind, few)) << name;
+    EXPECT_FALSE(accepts(kind, many)) << name;
+    EXPECT_NE(why_refused(kind, many).find("1040 edges in 4 pieces each have 4160 nodes"), std::string::npos) << name;
+  }
+}
+
 TEST(biharmonic_boundary, takes_names_for_collocation) {
   const auto parameters = parameters_of(coordinate_kind_named("biharmonic_boundary"));
   ASSERT_EQ(parameters.size(), 2u);

@@ -24,10 +24,12 @@ std::vector<double> checked_parameters(const CoordinateKind& kind, std::vector<d
   return parameters;
 }
 
-void require_accepted(const CoordinateKind& kind, const Cage& cage) {
+void require_accepted(const CoordinateKind& kind, const Cage& cage, const std::vector<double>& parameters) {
   if (!exists_on(kind, cage))
     throw InputError(fmt::format("{}: {} coordinates do not exist on cages of this dimension", cage.name(), kind.name));
-  if (accepts(kind, cage)) return;
+  // Sizes hang on parameters: other ones than the defaults are for what prepares the kind to judge.
+  const bool defaults = std::ranges::equal(parameters, parameters_of(kind), {}, {}, &KindParameter::preset);
+  if (accepts(kind, cage) || (kind.refuses != nullptr && !defaults)) return;
   if (!kind.keeps_quads)
     throw InputError(fmt::format("{}: no {} coordinates, {}", cage.name(), kind.name, why_refused(kind, cage)));
   const auto faults = invalid_quads(cage);
@@ -54,7 +56,7 @@ std::vector<Result<R>> results_of(std::vector<CoordinateTable<R>> tables, int or
 CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, CoordinateOptions options)
     : kind_(&kind) {
   options.parameters = checked_parameters(kind, std::move(options.parameters));
-  require_accepted(kind, cage);
+  require_accepted(kind, cage, options.parameters);
   elements_ = std::make_shared<const CageElements>(cage, kind.keeps_quads, options.triangulation);
   prepared_ = kind.is_sum() ? prepare_sum(kind, elements_, options) : kind.prepare(cage, options);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Biharmonic coordinates of polygons ([W12] Section 4, after the errata).
 #include "../boundary/boundary_coordinates.h"
+#include "../boundary/boundary_parameters.h"
 
-#include "cageproof/solved/boundary/least_squares.h"
+#include "../boundary/least_squares.h"
 
 namespace cageproof::solved {
 namespace {
@@ -58,31 +59,12 @@ std::shared_ptr<const PreparedCoordinates> prepare_biharmonic(const Cage& cage, 
   return std::make_shared<BoundaryCoordinates<BiharmonicScheme>>(cage, options);
 }
 
-std::vector<std::string_view> biharmonic_names() {
-  std::vector<std::string_view> found;
-  for (const BiharmonicCollocation& c : biharmonic_collocations()) found.push_back(c.name);
-  return found;
-}
-
 const RegisterCoordinateKind register_biharmonic_boundary{
     {.name = "biharmonic_boundary",
      .source = "[W12] Section 4, Eq 17-19 after the errata",
      .own_dimension = 2,
      .prepare = prepare_biharmonic,
-     .parameters = {{{.name = "pieces",
-                      .preset = default_pieces,
-                      .lowest = 0,
-                      .highest = 64,
-                      .includes_highest = true,
-                      .whole = true},
-                     "that each edge is cut into"},
-                    {{.name = "collocation",
-                      .preset = 1,
-                      .lowest = -1,
-                      .highest = static_cast<double>(biharmonic_collocations().size()),
-                      .whole = true},
-                     "where the boundary's equations are asked to hold",
-                     biharmonic_names()}},
+     .parameters = boundary_parameters(biharmonic_collocations(), "where the boundary's equations are asked to hold"),
      .other_evaluations = {offset_evaluation},
      .refuses = why_not_refined}};
 

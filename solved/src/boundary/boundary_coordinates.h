@@ -2,8 +2,8 @@
 // Coordinates of polygons that are layers of the boundary with densities solved for once a cage.
 #pragma once
 
-#include "cageproof/solved/boundary/boundary_layers.h"
-#include "cageproof/solved/boundary/collocation.h"
+#include "boundary_layers.h"
+#include "collocation.h"
 
 #include "cageproof/core/coordinates_in_double.h"
 

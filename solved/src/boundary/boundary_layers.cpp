@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/solved/boundary/boundary_layers.h"
+#include "boundary_layers.h"
 
 #include "cageproof/core/input_error.h"
 

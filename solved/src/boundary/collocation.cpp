@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/solved/boundary/collocation.h"
+#include "collocation.h"
 
 namespace cageproof::solved {
 

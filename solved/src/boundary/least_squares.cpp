@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/solved/boundary/least_squares.h"
+#include "least_squares.h"
 
 #include <Eigen/QR>
 #include <Eigen/SVD>

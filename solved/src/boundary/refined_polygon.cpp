@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/solved/boundary/refined_polygon.h"
+#include "refined_polygon.h"
 
 #include "cageproof/core/input_error.h"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Harmonic coordinates of polygons (Joshi et al. 2007) by boundary elements: the baseline of [W12].
 #include "../boundary/boundary_coordinates.h"
+#include "../boundary/boundary_parameters.h"
 
-#include "cageproof/solved/boundary/least_squares.h"
+#include "../boundary/least_squares.h"
 
 namespace cageproof::solved {
 namespace {
@@ -47,31 +48,13 @@ std::shared_ptr<const PreparedCoordinates> prepare_harmonic(const Cage& cage, co
   return std::make_shared<BoundaryCoordinates<HarmonicScheme>>(cage, options);
 }
 
-std::vector<std::string_view> harmonic_names() {
-  std::vector<std::string_view> found;
-  for (const HarmonicCollocation& c : harmonic_collocations()) found.push_back(c.name);
-  return found;
-}
-
 const RegisterCoordinateKind register_harmonic{
     {.name = "harmonic",
      .source = "Joshi et al. 2007, by the boundary elements of [W12] Section 4.2",
      .own_dimension = 2,
      .prepare = prepare_harmonic,
-     .parameters = {{{.name = "pieces",
-                      .preset = default_pieces,
-                      .lowest = 0,
-                      .highest = 64,
-                      .includes_highest = true,
-                      .whole = true},
-                     "that each edge is cut into"},
-                    {{.name = "collocation",
-                      .preset = 1,
-                      .lowest = -1,
-                      .highest = static_cast<double>(harmonic_collocations().size()),
-                      .whole = true},
-                     "where the boundary's equation is asked to hold",
-                     harmonic_names()}}}};
+     .parameters = boundary_parameters(harmonic_collocations(), "where the boundary's equation is asked to hold"),
+     .refuses = why_not_refined}};
 
 }  // namespace
 }  // namespace cageproof::solved

@@ -84,6 +84,8 @@ class PreparedCoordinates {
   /// Whether what is prepared once a cage in that scalar takes a second or so: not where large systems are solved in
   /// multiprecision.
   virtual bool is_prompt_in(ScalarKind /*scalar*/) const { return true; }
+  /// Whether `solved` states how well the data on the boundary are met.
+  virtual bool measures_boundary() const { return false; }
   /// The systems that were solved in double; none for kinds that solve none.
   virtual std::vector<SolvedSystem> solved() const { return {}; }
   /// One table a block, sized and set to zero by the caller. Where a point is exactly a double and lies on the cage,
@@ -160,7 +162,8 @@ struct CoordinateKind {
   std::string_view missing_because = {};
   /// Whether points outside are those without coordinates, and no others.
   bool inside_alone = false;
-  /// Why the kind has no coordinates in a cage of its dimension; empty where it has. Null for kinds that refuse none.
+  /// Why the kind has no coordinates in a cage of its dimension, with its parameters' defaults; empty where it has.
+  /// Null for kinds that refuse none. What other parameters make too large, `prepare` refuses.
   std::string (*refuses)(const Cage& cage) = nullptr;
 
   bool is_sum() const { return prepare == nullptr; }
@@ -194,7 +197,8 @@ bool exists_on(const CoordinateKind& kind, const Cage& cage);
 /// are valid, or the cage allows others.
 bool accepts(const CoordinateKind& kind, const Cage& cage);
 
-/// Why a kind that exists on the cage does not accept it, the first reason; empty where it does.
+/// Why a kind that exists on the cage does not accept it with its parameters' defaults, the first reason; empty where
+/// it does.
 std::string why_refused(const CoordinateKind& kind, const Cage& cage);
 
 /// Coordinates of points in one cage. Keeps a reference to the kind, copies of the rest; safe from any thread.
@@ -220,6 +224,7 @@ class CageCoordinates {
   std::string evaluation() const { return prepared_->evaluation(); }
   bool is_exact_in(ScalarKind scalar) const { return prepared_->is_exact_in(scalar); }
   bool is_prompt_in(ScalarKind scalar) const { return prepared_->is_prompt_in(scalar); }
+  bool measures_boundary() const { return prepared_->measures_boundary(); }
   std::vector<SolvedSystem> solved() const { return prepared_->solved(); }
 
   /// A block of points: one table a block of coordinates, as PreparedCoordinates::fill.

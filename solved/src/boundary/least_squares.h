@@ -2,7 +2,7 @@
 // Linear systems with at least as many equations as unknowns, solved with a factorisation that finds their rank.
 #pragma once
 
-#include "cageproof/solved/boundary/boundary_layers.h"
+#include "boundary_layers.h"
 
 #include <memory>
 

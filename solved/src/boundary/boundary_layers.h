@@ -2,7 +2,7 @@
 // The four layers of [W12] Section 4.2 on the pieces of a refined polygon, off the polygon and on it.
 #pragma once
 
-#include "cageproof/solved/boundary/refined_polygon.h"
+#include "refined_polygon.h"
 
 #include "cageproof/core/coordinates.h"
 

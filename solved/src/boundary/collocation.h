@@ -2,7 +2,7 @@
 // Where boundary equations are asked to hold: the ways to refine of [W12] Section 4.3.
 #pragma once
 
-#include "cageproof/solved/boundary/boundary_layers.h"
+#include "boundary_layers.h"
 
 #include <string_view>
 #include <vector>
