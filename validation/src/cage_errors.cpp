@@ -102,9 +102,16 @@ CageError laplacian_error(const CageCoordinates& coordinates, const std::vector<
 
 std::array<std::optional<double>, 2> boundary_residuals(const CageCoordinates& coordinates) {
   std::array<std::optional<double>, 2> worst;
+  // Others would solve their systems once more to say nothing of it.
+  if (!coordinates.measures_boundary()) return worst;
+  const auto keep = [](std::optional<double>& of, double found) {
+    // What is not a number stays.
+    if (!of || !(found <= *of)) of = found;
+  };
   for (const SolvedSystem& system : coordinates.solved()) {
-    if (!std::isnan(system.boundary_values)) worst[0] = std::max(worst[0].value_or(0), system.boundary_values);
-    if (!std::isnan(system.boundary_gradients)) worst[1] = std::max(worst[1].value_or(0), system.boundary_gradients);
+    keep(worst[0], system.boundary_values);
+    // Harmonic functions are given by values alone.
+    if (!std::isnan(system.boundary_gradients)) keep(worst[1], system.boundary_gradients);
   }
   return worst;
 }

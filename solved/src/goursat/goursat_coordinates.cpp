@@ -35,15 +35,15 @@ BoundaryFunction coordinate_data(const Cage& cage, Equation equation) {
 class Solutions {
  public:
   std::shared_ptr<const DirichletSolution> of(const Cage& cage, Equation equation) {
-    Entry& entry = entry_of(cage, equation);
-    const std::lock_guard lock(entry.mutex);
-    std::shared_ptr<const DirichletSolution> found = entry.solution.lock();
+    const std::shared_ptr<Entry> entry = entry_of(cage, equation);
+    const std::lock_guard lock(entry->mutex);
+    std::shared_ptr<const DirichletSolution> found = entry->solution.lock();
     if (found) return found;
     const std::size_t vertices = cage.vertices().size();
     const std::size_t problems = equation == Equation::Biharmonic ? vertices + cage.faces().size() : vertices;
     found = std::make_shared<const DirichletSolution>(cage, equation, static_cast<int>(problems),
                                                       coordinate_data(cage, equation));
-    entry.solution = found;
+    entry->solution = found;
     return found;
   }
 
@@ -53,16 +53,23 @@ class Solutions {
     std::weak_ptr<const DirichletSolution> solution;
   };
 
-  Entry& entry_of(const Cage& cage, Equation equation) {
+  std::shared_ptr<Entry> entry_of(const Cage& cage, Equation equation) {
     std::vector<double> key{equation == Equation::Harmonic ? 0.0 : 1.0};
     for (const Vec3<double>& v : cage.vertices()) key.insert(key.end(), {v[0], v[1]});
     for (const Face& f : cage.faces()) key.insert(key.end(), {double(f.vertices[0]), double(f.vertices[1])});
     const std::lock_guard lock(mutex_);
-    return entries_[key];
+    std::erase_if(entries_, [](const auto& entry) {
+      if (entry.second.use_count() > 1) return false;
+      const std::lock_guard unused(entry.second->mutex);
+      return entry.second->solution.expired();
+    });
+    std::shared_ptr<Entry>& entry = entries_[key];
+    if (!entry) entry = std::make_shared<Entry>();
+    return entry;
   }
 
   std::mutex mutex_;
-  std::map<std::vector<double>, Entry> entries_;  // entries stay where they are, small once nobody keeps the solution
+  std::map<std::vector<double>, std::shared_ptr<Entry>> entries_;  // those that somebody keeps, or is solving
 };
 
 Solutions& solutions() {
@@ -95,6 +102,7 @@ class GoursatCoordinates final : public CoordinatesIn<GoursatCoordinates> {
   int max_order() const override { return 2; }
   std::string evaluation() const override { return std::string(kEvaluation); }
   bool is_exact_in(ScalarKind) const override { return false; }
+  bool measures_boundary() const override { return true; }
   std::vector<SolvedSystem> solved() const override {
     const DirichletReport& r = solution_->report();
     const bool biharmonic = equation_ == Equation::Biharmonic;

@@ -12,9 +12,6 @@ template <class R>
 struct GoursatJet {
   Complex<R> value, z, w, zz, zw, ww;
 
-  friend GoursatJet operator+(const GoursatJet& a, const GoursatJet& b) {
-    return {a.value + b.value, a.z + b.z, a.w + b.w, a.zz + b.zz, a.zw + b.zw, a.ww + b.ww};
-  }
   friend GoursatJet operator*(const Complex<R>& a, const GoursatJet& b) {
     return {a * b.value, a * b.z, a * b.w, a * b.zz, a * b.zw, a * b.ww};
   }

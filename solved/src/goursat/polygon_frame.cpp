@@ -49,7 +49,6 @@ PolygonFrame::PolygonFrame(const Cage& cage) {
   if (const std::string reason = why_not_solved(cage); !reason.empty())
     throw InputError(fmt::format("{}: {}", cage.name(), reason));
   faces_ = first_polygon(cage);
-  edges_.resize(faces_.size());
   const auto& vertices = cage.vertices();
   Vec3<double> low = vertices.front(), high = low;
   for (const Vec3<double>& v : vertices) {
@@ -61,7 +60,6 @@ PolygonFrame::PolygonFrame(const Cage& cage) {
   std::frexp(cage.size(), &exponent_);
   --exponent_;
   for (int k = 0; k < static_cast<int>(faces_.size()); ++k) {
-    edges_[faces_[k]] = k;
     const auto& ends = cage.faces()[faces_[k]].vertices;
     const Vec3<double> at = vertices[ends[0]] - centre_;
     corners_.push_back({{std::ldexp(at[0], -exponent_), std::ldexp(at[1], -exponent_)}, 0, 0, ends[0]});

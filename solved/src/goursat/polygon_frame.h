@@ -41,7 +41,6 @@ class PolygonFrame {
   double length(int k) const;
   /// The cage's face that edge k is, and back.
   int face_of_edge(int k) const { return faces_[k]; }
-  int edge_of_face(int face) const { return edges_[face]; }
   /// Lengths here are 2^-exponent() times those of the cage.
   int exponent() const { return exponent_; }
   /// Of the cage's vertices, in its unit: how points in the cage are rounded.
@@ -68,7 +67,7 @@ class PolygonFrame {
   int exponent_;
   std::vector<Corner> corners_;
   std::vector<Segment<double>> segments_;  // by edge
-  std::vector<int> faces_, edges_;
+  std::vector<int> faces_;
   int extreme_ = 0;             // a corner of the convex hull
   std::vector<double> shifts_;  // added to angles that are summed along the polygon
 };

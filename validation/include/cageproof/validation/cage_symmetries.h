@@ -17,8 +17,7 @@ class CageSymmetries {
 
   /// By check (cage_scaling, cage_rigid_motion, cage_corner_permutation, cage_subdivision for sums over faces): the
   /// largest difference over the blocks, in roundings of the block's terms, with those that a logarithm adds in another
-  /// unit, and relative to the block's norm. \pre the
-  /// point lies off the cage
+  /// unit, and relative to the block's norm. \pre the point lies off the cage
   std::map<std::string, CageError> errors_at(const Vec3<double>& point) const;
 
   /// Derivatives of order 1 and 2 against central differences in 100 digits, relative, of the worst block. \pre as
