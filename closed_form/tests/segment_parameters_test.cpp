@@ -85,16 +85,27 @@ struct Traction {
   }
 };
 
-// r^(2(s - 1)) (ln r - 1 - 1/2 ... - 1/(s - 1))/(4^(s - 1) (s - 1)!^2): the recurrence of [W12] Appendix B, resolved.
-Number green_function(int order, const Number& square) {
-  Mp100 harmonic = 0, a = 1;
-  Number power = constant(1);
-  for (int i = 1; i < order; ++i) {
-    harmonic += 1 / Mp100(i);
-    a /= 4 * i * i;
-    power *= square;
+// What [W12] Appendix B's recurrences resolve to: G_s = a r^(2(s - 1)) (ln r - harmonic), a = 1/(4^(s - 1) (s - 1)!^2).
+struct GreenConstants {
+  Mp100 a = 1, harmonic = 0;
+
+  explicit GreenConstants(int order) {
+    for (int i = 1; i < order; ++i) {
+      harmonic += 1 / Mp100(i);
+      a /= 4 * i * i;
+    }
   }
-  return constant(a) * power * (constant(Mp100(1) / 2) * log_of(square) - constant(harmonic));
+};
+
+Number power_of(const Number& square, int n) {
+  Number power = constant(1);
+  for (int i = 0; i < n; ++i) power *= square;
+  return power;
+}
+
+Number green_function(int order, const Number& square) {
+  const GreenConstants g(order);
+  return constant(g.a) * power_of(square, order - 1) * (constant(Mp100(1) / 2) * log_of(square) - constant(g.harmonic));
 }
 
 struct PolyharmonicSingle {
@@ -117,15 +128,11 @@ struct PolyharmonicDouble {
     const Seen s(px, py, nx, ny);
     // d/dq of q^m (ln(q)/2 - H) = q^(m - 1) (m ln(q)/2 - m H + 1/2), q = r^2, m = order - 1.
     const int m = order - 1;
-    Mp100 harmonic = 0, a = 1;
-    for (int i = 1; i <= m; ++i) {
-      harmonic += 1 / Mp100(i);
-      a /= 4 * i * i;
-    }
-    Number slope = constant(Mp100(m) / 2) * log_of(s.square) + constant(Mp100(1) / 2 - m * harmonic);
-    for (int i = 1; i < m; ++i) slope *= s.square;
+    const GreenConstants g(order);
+    Number slope = constant(Mp100(m) / 2) * log_of(s.square) + constant(Mp100(1) / 2 - m * g.harmonic);
     if (m == 0) slope /= s.square;
-    const Number f = constant(2 * a) * s.height * slope;
+    else slope *= power_of(s.square, m - 1);
+    const Number f = constant(2 * g.a) * s.height * slope;
     for (int k = 0; k < 2; ++k) add_number(f, weight * (k == 0 ? 1 - t : t), k, sum);
   }
 };

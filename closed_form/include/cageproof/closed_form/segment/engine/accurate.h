@@ -39,9 +39,9 @@ inline double as_bound(double error, double size) {
   return bound < 1 ? bound : 1;
 }
 
-/// A tracked jet rounded, with its bound. \param beside relative error beside the tracked one
+/// A tracked jet rounded, with its bound. \param factor that bounds are multiplied with
 template <int O, int C>
-BoundedJet<C> bounded(const Jet<Tracked<double>, C, 2>& from, double beside) {
+BoundedJet<C> bounded(const Jet<Tracked<double>, C, 2>& from, double factor) {
   BoundedJet<C> result;
   for (int c = 0; c < C; ++c) {
     result.jet.value[c] = from.value[c].value;
@@ -59,8 +59,7 @@ BoundedJet<C> bounded(const Jet<Tracked<double>, C, 2>& from, double beside) {
           error = std::hypot(error, x.error);
         },
         from);
-    result.bound[o] = as_bound(unit_roundoff<double>() * error, size);
-    if (result.bound[o] > 0) result.bound[o] += beside;
+    result.bound[o] = as_bound(factor * unit_roundoff<double>() * error, size);
   }
   return result;
 }
@@ -108,9 +107,9 @@ BoundedJet<F::components> accurate(const Segment<double>& s, const Vec3<double>&
   const Frame<double> frame(s, eta);
   if (!leaves_range(s, eta, frame)) {
     const Frame<Tracked<double>> tracked(frame);
-    // Gauss points are as many as make their rule good to a quarter of a rounding.
-    const double beside = frame.is_for_sums() ? unit_roundoff<double>() : 0;
-    auto result = bounded<O>(jet_at<F, O>(tracked, parameters, finite_part), beside);
+    // Gauss points are as many as make their rule good to a quarter of a rounding of the terms, each of which has been
+    // rounded at least once in the bound: where terms cancel, both grow.
+    auto result = bounded<O>(jet_at<F, O>(tracked, parameters, finite_part), frame.is_for_sums() ? 1.25 : 1);
     if (result.worst() <= kAccurateTolerance) return result;
   }
   return confirmed<F, O>(s, eta, parameters, finite_part);

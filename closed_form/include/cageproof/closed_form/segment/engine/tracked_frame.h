@@ -8,9 +8,10 @@ namespace cageproof::closed_form::segment {
 
 /// Whether products of a few of the frame's numbers may leave double's range, or have no bound: at an end some are
 /// infinite, and a direction off the line may have become zero. All else is far from both ends of the range: powers up
-/// to the sixth of a distance, in units of the frame and of the caller, times an angle as small as 2^-200.
+/// to the eleventh of a distance, those of polyharmonic layers, in units of the frame and of the caller, times an angle
+/// as small as 2^-200.
 inline bool leaves_range(const Segment<double>& s, const Vec3<double>& eta, const Frame<double>& f) {
-  constexpr int kUnit = 150, kWithin = 100;
+  constexpr int kUnit = 70, kWithin = 100;
   const auto extreme = [](double x, int bits) { return std::abs(x) < std::ldexp(1., -bits); };
   return f.at_end || std::abs(f.exponent) > kUnit || f.near_exponent - f.exponent < -kWithin ||
          extreme(f.length, kWithin) || (extreme(f.near.im, 2 * kWithin) && side_of_line(s, eta) != 0);
