@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Enclosures: numbers known by hand lie in them, so does the independent integrator's result, and nothing wrong does.
+#include "certified_support.h"
 #include "support.h"
 
 #include "cageproof/quadrature_ref/certified.h"
@@ -23,12 +24,6 @@ Result<R> enclosed(const std::string& formula, const Triangle<double>& t, const 
   Result<R> result;
   integrate_certified(formula, Query<R>{corners, convert<R>(point), order, parameters}, result, effort);
   return result;
-}
-
-// Whether `known` lies in the ball, which must be narrow; `known` carries its own rounding.
-bool holds(const Mp100& middle, const Mp100& radius, const Mp100& known) {
-  const Mp100 rounding("1e-95");
-  return radius < Mp100("1e-30") && abs(Mp100(known - middle)) <= radius + rounding;
 }
 
 Mp100 sum(const std::vector<Mp100>& v) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Enclosures on segments: numbers known by hand lie in them, so does the independent integrator's result, and nothing
 // wrong does.
+#include "certified_support.h"
 #include "segment_support.h"
 
 #include "cageproof/quadrature_ref/certified.h"
@@ -27,12 +28,6 @@ Result<R> enclosed(std::string_view formula, const Segment<double>& s, const Vec
   Result<R> result;
   integrate_certified(formula, Query<R>{corners, convert<R>(point), order, parameters}, result, effort);
   return result;
-}
-
-// Whether `known` lies in the ball, which must be narrow; `known` carries its own rounding.
-bool holds(const Mp100& middle, const Mp100& radius, const Mp100& known) {
-  const Mp100 rounding("1e-95");
-  return radius < Mp100("1e-30") && abs(Mp100(known - middle)) <= radius + rounding;
 }
 
 const Segment<double> kBelow{Vec(-1, -1, 0), Vec(1, -1, 0)};  // the origin is on its inner side, at distance one
