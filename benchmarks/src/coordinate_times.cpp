@@ -3,38 +3,18 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/validation/parallel.h"
+#include "point_times.h"
 #include "summarise.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <numeric>
 
 namespace cageproof::benchmarks {
 
 using namespace validation;
 namespace {
-
-// Seconds a point, from points spread over all of them: at least `seconds` of them, or each once.
-double seconds_a_point(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& points, double seconds,
-                       double& sink) {
-  using Clock = std::chrono::steady_clock;
-  // Tables that an evaluation builds at its first call are no part of its time.
-  sink += coordinates.at<double>(points.front(), 0).front().value.front();
-  std::size_t stride = static_cast<std::size_t>(0.618 * static_cast<double>(points.size())) | 1;
-  while (std::gcd(stride, points.size()) != 1) ++stride;
-  const auto start = Clock::now();
-  double elapsed = 0;
-  std::size_t done = 0;
-  while (done < points.size() && elapsed < seconds) {
-    sink += coordinates.at<double>(points[done * stride % points.size()], 0).front().value.front();
-    ++done;
-    elapsed = std::chrono::duration<double>(Clock::now() - start).count();
-  }
-  return elapsed / static_cast<double>(done);
-}
 
 double difference(const std::vector<double>& found, const std::vector<Mp50>& truth) {
   double worst = 0;
@@ -93,7 +73,7 @@ WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>
       errors[i] = difference(coordinates.at<double>(compared[i], 0).front().value, truth[i]);
     });
     summarise(std::move(errors), row);
-    row.nanoseconds = 1e9 * seconds_a_point(coordinates, points, std::max(1.0, options.seconds), sink);
+    row.nanoseconds = 1e9 * seconds_a_point(coordinates, points, std::max(1.0, options.seconds), points.size(), sink);
     result.notes.push_back(fmt::format("{}, {}: {:.0f} ms for the mesh", kind, row.evaluation,
                                        row.nanoseconds * static_cast<double>(points.size()) / 1e6));
     result.rows.push_back(std::move(row));

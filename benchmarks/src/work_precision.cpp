@@ -6,6 +6,7 @@
 #include "cageproof/validation/parallel.h"
 #include "cageproof/validation/truth.h"
 #include "summarise.h"
+#include "whole_work_precision.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -156,10 +157,9 @@ std::vector<RegimePlace> places_of(const std::vector<const Regime*>& regimes, co
 
 WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, const std::vector<PointGroup>& groups,
                                   const WorkPrecisionOptions& given) {
-  if (!kind.is_sum())
-    throw InputError(fmt::format("{} is no sum of formulas that could be timed one by one", kind.name));
   if (!exists_on(kind, cage))
     throw InputError(fmt::format("{}: {} coordinates do not exist on cages of this dimension", cage.name(), kind.name));
+  if (!kind.is_sum()) return whole_work_precision(cage, kind, groups, given);
   WorkPrecisionOptions options = given;
   if (options.evaluations.empty())
     options.evaluations = default_work_precision_evaluations(leading_formulas(kind, cage), options.order);

@@ -74,6 +74,35 @@ TEST(work_precision, shows_a_known_error_its_nodes_and_its_time) {
   }
 }
 
+// More pieces come nearer to what the scheme approximates, and take longer.
+TEST(work_precision, measures_solved_kinds_by_their_pieces) {
+  const Cage square = embedded_cage("square");
+  const auto groups = groups_inside(square, CageLocator(square, Triangulation::Shortest), 1, 3);
+  const auto result = cage_work_precision(square, coordinate_kind_named("biharmonic_boundary"), groups, quick({}));
+  EXPECT_EQ(result.timed, "point");
+  EXPECT_EQ(result.error, "difference from biharmonic_goursat");
+  ASSERT_EQ(result.rows.size(), 6 * groups.size());
+  EXPECT_EQ(result.rows[0].evaluation, "pieces=1");
+  EXPECT_EQ(result.rows[5].evaluation, "pieces=32");
+  EXPECT_EQ(result.rows[0].place, "interior");
+  EXPECT_LT(result.rows[5].largest, result.rows[0].largest / 4);
+  EXPECT_GT(result.rows[5].largest, 1e-4);
+  EXPECT_GT(result.rows[0].nanoseconds, 0);
+}
+
+TEST(work_precision, measures_solved_kinds_as_asked) {
+  const Cage square = embedded_cage("square");
+  const auto groups = groups_inside(square, CageLocator(square, Triangulation::Shortest), 1, 3);
+  WorkPrecisionOptions options = quick({});
+  options.parameters = {2, 1};
+  const auto one = cage_work_precision(square, coordinate_kind_named("harmonic"), groups, options);
+  ASSERT_EQ(one.rows.size(), groups.size());
+  EXPECT_EQ(one.error, "difference from harmonic_goursat");
+  const auto cauchy = cage_work_precision(square, coordinate_kind_named("cauchy"), groups, quick({}));
+  EXPECT_EQ(cauchy.error, "partition of unity residual");
+  for (const WorkPrecisionRow& row : cauchy.rows) EXPECT_LT(row.largest, 1e-14);
+}
+
 TEST(work_precision, measures_conditioned_errors_of_a_formula) {
   const auto result = formula_work_precision(*find_formula("triangle.double_layer"), {find_regime("generic")},
                                              quick({"seven-nodes", "closed_form"}));

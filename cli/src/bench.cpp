@@ -25,7 +25,7 @@ struct Arguments {
 
 WorkPrecision measure_cage(const Arguments& a, benchmarks::WorkPrecisionOptions options) {
   const CoordinateKind* kind = &coordinate_kind_named(a.kind);
-  options.parameters = parameters_from(a.parameters, *kind);
+  if (!a.parameters.empty()) options.parameters = parameters_from(a.parameters, *kind);
   options.triangulation = a.cage.rule();
   const Cage cage = a.cage.load();
   const validation::CageLocator locator(cage, options.triangulation, kind->keeps_quads);
@@ -98,8 +98,7 @@ void add_bench(CommandLine& line, const std::string& command_line) {
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
   Command what = command.exactly_one_of("what is measured");
-  const Option kind =
-      what.option("--kind", a->kind, "cage coordinates that sum formulas: mean_value, green, quad_mean_value ...");
+  const Option kind = what.option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic_boundary ...");
   const Option formula = what.option("--formula", a->formula, "one formula of the catalogue");
   what.flag("--coordinates", a->coordinates,
             "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1, or quad_mean_value by those "
@@ -114,7 +113,7 @@ void add_bench(CommandLine& line, const std::string& command_line) {
       .excludes(kind)
       .showing_default();
   command.option("--evaluations", a->options.evaluations, "what is compared").separated_by(',');
-  command.option("--parameter", a->parameters, "mu=..., nu=...");
+  command.option("--parameter", a->parameters, "nu=..., pieces=...");
   command.option("--order", a->options.order, "of a formula: 0 value, 1 gradient, 2 Hessian")
       .in_range(0, 2)
       .excludes(kind);

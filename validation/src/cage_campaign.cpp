@@ -6,6 +6,7 @@
 #include "cageproof/validation/cage_symmetries.h"
 #include "cageproof/validation/parallel.h"
 #include "cageproof/validation/promise.h"
+#include "cageproof/validation/scheme_errors.h"
 #include "cageproof/validation/verdicts.h"
 
 #include <fmt/format.h>
@@ -73,7 +74,7 @@ std::vector<const CoordinateKind*> kinds_matching(const std::string& pattern, co
 struct PointResult {
   CageErrors errors;
   std::optional<std::array<CageError, 3>> truth;
-  std::optional<std::array<double, 3>> differences;
+  std::optional<std::array<double, 3>> differences, scheme;
   std::map<std::string, CageError> symmetries;
   bool with_laplacian = false;
   bool excused = false;
@@ -98,6 +99,8 @@ void add_point(CageRows& rows, const CoordinateKind& kind, int order, const Cage
   for (const auto& [check, error] : r.symmetries) rows.add(check, place, 0, error, r.excused, p.point, p.index);
   for (int o = 1; o < 3 && r.differences; ++o)
     rows.add_relative("cage_differences", place, o, (*r.differences)[o], r.excused, p.point, p.index);
+  for (int o = 0; o <= order && r.scheme; ++o)
+    rows.add_relative("scheme_error", place, o, (*r.scheme)[o], r.excused, p.point, p.index);
   if (r.with_laplacian) rows.add("cage_laplacian", place, 2, r.errors.laplacian, r.excused, p.point, p.index);
 }
 
@@ -112,6 +115,10 @@ void add_on_cage(CageRows& rows, const Cage& cage, const CageCoordinates& coordi
              on ? errors_at(coordinates, cage, p.point, 1, 0, known).reproduction[0] : CageError(), !p.exact, p.point,
              p.index);
   }
+  if (!coordinates.kind().approximates.empty())
+    if (const auto missed = boundary_data_errors_at(coordinates, cage, p.point))
+      for (int o = 0; o < 2; ++o)
+        if ((*missed)[o]) rows.add_relative("boundary_data", place, o, *(*missed)[o], false, p.point, p.index);
   const int order = p.place == Place::OnFace && !coordinates.kind().normalised ? coordinates.max_order() : 0;
   const auto errors = inside_limit_errors_at(coordinates, cage, locator, p.point, order);
   for (int o = 0; o <= order; ++o)
@@ -175,6 +182,7 @@ class CageMeasurement final : public Measurement {
     // Where more than properties is asked.
     std::optional<CageCoordinates> reference;
     std::optional<CageSymmetries> symmetries;
+    std::optional<CageCoordinates> approximated;  // what the kind's scheme is to come near
   };
 
   Setup set_up() const {
@@ -187,6 +195,7 @@ class CageMeasurement final : public Measurement {
                 0,
                 1,
                 prior_of(*cage_, kind_, o.triangulation),
+                {},
                 {},
                 {}};
     setup.off = points_off(*cage_, setup.locator, o.seed, o.points);
@@ -201,6 +210,7 @@ class CageMeasurement final : public Measurement {
     setup.stride = std::max<std::size_t>(1, setup.off.size() / std::max(1, truth_points)) | 1;
     setup.reference.emplace(*cage_, kind_, CoordinateOptions{.triangulation = o.triangulation});
     setup.symmetries.emplace(*cage_, kind_, o.evaluation, o.triangulation);
+    setup.approximated = approximated_by(*cage_, kind_, o.triangulation);
     return setup;
   }
 
@@ -211,6 +221,8 @@ class CageMeasurement final : public Measurement {
                               setup.order, &setup.terms);
     result.excused = may_be_missing(setup.prior, p.point);
     result.with_laplacian = setup.order == 2 && has_laplacian(setup.coordinates);
+    if (setup.approximated && p.place == Place::Inside)
+      result.scheme = scheme_errors_at(setup.coordinates, *setup.approximated, *cage_, p.point, setup.order);
     if (options_.properties_alone || i % setup.stride != 0) return result;
     // Coordinates that exist in double alone would meet themselves.
     if (setup.reference->is_exact_in(ScalarKind::Digits50) && setup.reference->is_prompt_in(ScalarKind::Digits50))

@@ -9,6 +9,7 @@
 #include "cageproof/validation/cage_symmetries.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/one_ring.h"
+#include "cageproof/validation/scheme_errors.h"
 
 #include <fmt/format.h>
 
@@ -89,6 +90,15 @@ CageError replay_cage(const RowKey& row, const WorstCase& worst, Triangulation r
     if (row.check == "cage_differences") return relative(symmetries.differences_at(worst.point)[row.order]);
     const auto errors = symmetries.errors_at(worst.point);
     if (const auto found = errors.find(row.check); found != errors.end()) return found->second;
+  }
+  if (row.check == "scheme_error") {
+    const auto approximated = approximated_by(cage, *kind, rule);
+    if (!approximated) throw InputError(fmt::format("{} does not accept {}", kind->approximates, cage.name()));
+    return relative(scheme_errors_at(coordinates, *approximated, cage, worst.point, asked)[row.order]);
+  }
+  if (row.check == "boundary_data" && row.order < 2) {
+    const auto missed = boundary_data_errors_at(coordinates, cage, worst.point);
+    return relative(missed ? (*missed)[row.order].value_or(NAN) : NAN);
   }
   if (row.check == "boundary_residual" && row.order < 2)
     return relative(boundary_residuals(coordinates)[row.order].value_or(NAN));

@@ -8,33 +8,17 @@
 namespace cageproof::solved {
 namespace {
 
-/// Where Eq 14 and Eq 13 are asked to hold.
-struct BiharmonicCollocation {
-  std::string_view name;
-  PiecePoints of_laplacian, of_value;
-};
-
-const std::vector<BiharmonicCollocation>& biharmonic_collocations() {
-  const PiecePoints nodes{1, {0}}, midpoints{2, {1}}, both{2, {0, 1}}, quarters{4, {0, 1, 2, 3}};
-  static const std::vector<BiharmonicCollocation> all{{"vertices", nodes, nodes},
-                                                      {"vertices-and-midpoints", both, both},
-                                                      {"quarter-points", quarters, quarters},
-                                                      {"mixed", midpoints, nodes},
-                                                      {"mixed-and-midpoints", midpoints, both}};
-  return all;
-}
-
 struct BiharmonicScheme {
   static constexpr std::string_view label = "alpha";
-  static constexpr bool has_normals = true, is_harmonic = false;
+  static constexpr int order = 2;
   static constexpr std::array unknown{Layer::BiharmonicDouble, Layer::BiharmonicSingle};
 
   /// l = B f + C d and k = A l of Eq 17-19, with hat functions at the collocation points in place of I.
   template <Scalar R>
   static Densities<R> solve(const RefinedPolygon& polygon, const BoundaryLayers<R>& layers,
                             const std::vector<double>& parameters, double inset, bool described) {
-    const BiharmonicCollocation& where = biharmonic_collocations()[static_cast<std::size_t>(parameters[1])];
-    const LayerRows<R> laplacian = layers.rows(points_on(polygon, where.of_laplacian), inset);
+    const Collocation& where = collocations()[static_cast<std::size_t>(parameters[1])];
+    const LayerRows<R> laplacian = layers.rows(points_on(polygon, where.of_laplacians), inset);
     const LayerRows<R> value = layers.rows(points_on(polygon, where.of_value), inset);
     const LeastSquares<R> first(laplacian[Layer::Single]);
     const Matrix<R> right = laplacian.hats - laplacian[Layer::Double];
@@ -44,13 +28,13 @@ struct BiharmonicScheme {
     data << (value.hats - value[Layer::Double]) * nodes_from_vertices<R>(polygon),
         -value[Layer::Single] * pieces_from_edges<R>(polygon);
     const LeastSquares<R> second(k);
-    Densities<R> found{second.inverse() * data, a, {}};
+    Densities<R> found{second.inverse() * data, {{0, 0, {}}, {1, 0, a}}, {}};
     if constexpr (std::same_as<R, double>)
       if (described)
         found.systems = {
             describe("Eq 14, the Laplacian's normal derivative from the Laplacian", laplacian[Layer::Single],
                      first.rank(), right, a),
-            describe("Eq 13, the Laplacian from values and normal derivatives", k, second.rank(), data, found.first)};
+            describe("Eq 13, the Laplacian from values and normal derivatives", k, second.rank(), data, found.own)};
     return found;
   }
 };
@@ -64,8 +48,9 @@ const RegisterCoordinateKind register_biharmonic_boundary{
      .source = "[W12] Section 4, Eq 17-19 after the errata",
      .own_dimension = 2,
      .prepare = prepare_biharmonic,
-     .parameters = boundary_parameters(biharmonic_collocations(), "where the boundary's equations are asked to hold"),
+     .parameters = boundary_parameters(collocations(), "where the boundary's equations are asked to hold"),
      .other_evaluations = {offset_evaluation},
+     .approximates = "biharmonic_goursat",
      .refuses = why_not_refined}};
 
 }  // namespace

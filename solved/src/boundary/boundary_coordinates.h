@@ -17,13 +17,18 @@ namespace cageproof::solved {
 /// What a scheme has solved for, in the polygon's frame.
 template <Scalar R>
 struct Densities {
-  /// Of the first layer, a row a node or piece, and for every coordinate a column: those of values at vertices, then
-  /// those of edges' normal derivatives.
-  Matrix<R> first;
-  /// What the second layer's densities are of the first's; empty where there is no second layer. Layers are put
-  /// together before they are multiplied with densities: those are large where a cage is thin, and of affine maps they
-  /// vanish.
-  Matrix<R> second_of_first;
+  /// What was solved for: a column a coordinate, those of values at vertices, of edges' normal derivatives, of
+  /// Laplacians at vertices.
+  Matrix<R> own;
+  /// The densities of layer number `layer` of Scheme::unknown are, summed over its shares, `matrix` times the rows of
+  /// `own` from `row` on; those themselves where the matrix is empty. Layers are put together before they are
+  /// multiplied with `own`, which is large where a cage is thin, and vanishes of affine maps.
+  struct Share {
+    std::size_t layer;
+    Eigen::Index row;
+    Matrix<R> matrix;
+  };
+  std::vector<Share> shares;
   std::vector<SolvedSystem> systems;  ///< in double alone, and where asked for
 };
 
@@ -36,16 +41,16 @@ inline constexpr std::string_view offset_evaluation = "offset-1e-6";
 /// With the evaluation `offset-1e-6` of kinds with normals, equations are asked to hold on the cage offset inwards by
 /// 1e-6 of its diameter, as the paper does, instead of in the limit.
 ///
-/// Scheme: `unknown`, the layers that densities are of; `has_normals`, whether there is a second block, of normal
-/// derivatives; `is_harmonic`; `label`; solve<R>(polygon, layers, parameters, inset,
-/// whether to describe the systems).
+/// Scheme: `order`, 1 for harmonic functions of values at vertices, 2 for biharmonic ones of normal derivatives at
+/// edges, too, 3 for triharmonic ones of Laplacians at vertices, too; `unknown`, the layers that densities are of;
+/// `label`; solve<R>(polygon, layers, parameters, inset, whether to describe the systems).
 template <class Scheme>
 class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Scheme>> {
  public:
   BoundaryCoordinates(const Cage& cage, const CoordinateOptions& options)
-      : inset_(Scheme::has_normals && options.evaluation == offset_evaluation ? 1e-6 : 0),
+      : inset_(has_normals && options.evaluation == offset_evaluation ? 1e-6 : 0),
         green_(cage, coordinate_kind_named("green"), CoordinateOptions{.evaluation = of_layers(options)}),
-        evaluations_(layer_evaluations(of_layers(options))),
+        evaluations_(layer_evaluations(of_layers(options), Scheme::order)),
         polygon_(cage, static_cast<int>(options.parameters[0])),
         parameters_(options.parameters) {
     blocks_.push_back({.label = std::string(Scheme::label),
@@ -53,14 +58,16 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
                        .size = polygon_.vertices(),
                        .shape = {},
                        .reproduces = Reproduces::Vertices});
-    if (Scheme::is_harmonic) blocks_[0].trace.kind = CoordinateBlock::Trace::Kind::Zero;
-    if (Scheme::has_normals)
+    if (!has_normals) blocks_[0].trace.kind = CoordinateBlock::Trace::Kind::Zero;
+    if (has_normals)
       blocks_.push_back({.label = "beta",
                          .per_vertex = false,
                          .size = polygon_.edges(),
                          .shape = {},
                          .reproduces = Reproduces::Normals,
                          .degree = 1});
+    if (Scheme::order == 3)
+      blocks_.push_back({.label = "gamma", .per_vertex = true, .size = polygon_.vertices(), .shape = {}, .degree = 2});
     for (const Evaluation& e : evaluations_) max_order_ = std::min(max_order_, e.max_order());
     prepared<double>();
   }
@@ -81,8 +88,8 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
   bool fill_terms(std::span<const Vec3<double>> points, int order,
                   std::span<CoordinateTable<double>> tables) const override {
     Densities<double> sizes = prepared<double>().densities;
-    sizes.first = sizes.first.cwiseAbs().eval();
-    sizes.second_of_first = sizes.second_of_first.cwiseAbs().eval();
+    sizes.own = sizes.own.cwiseAbs().eval();
+    for (auto& share : sizes.shares) share.matrix = share.matrix.cwiseAbs().eval();
     Parts<double> parts = parts_at<double>(points, order);
     const auto make_sizes = [](std::vector<double>& numbers) {
       for (double& x : numbers) x = std::abs(x);
@@ -111,6 +118,8 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
   }
 
  private:
+  static constexpr bool has_normals = Scheme::order >= 2;
+
   std::string of_layers(const CoordinateOptions& options) const {
     return inset_ == 0 ? options.evaluation : std::string();
   }
@@ -128,8 +137,8 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     std::call_once(made.once, [&] {
       made.layers = std::make_unique<BoundaryLayers<R>>(polygon_, evaluations_);
       made.densities = Scheme::template solve<R>(polygon_, *made.layers, parameters_, inset_, false);
-      made.densities.first = made.densities.first.transpose().eval();
-      made.densities.second_of_first = made.densities.second_of_first.transpose().eval();
+      made.densities.own = made.densities.own.transpose().eval();
+      for (auto& share : made.densities.shares) share.matrix = share.matrix.transpose().eval();
     });
     return made;
   }
@@ -155,7 +164,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     for (const Layer layer : Scheme::unknown) parts.layers.push_back(layers.table(layer, points.size(), order));
     add_layers(layers, points, order, std::span<CoordinateTable<R>>(parts.layers));
     parts.own = green_.at<R>(points, order);
-    if (Scheme::has_normals) parts.single = single_layer_in_frame(points);
+    if (has_normals) parts.single = single_layer_in_frame(points);
     return parts;
   }
 
@@ -166,18 +175,20 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
       for (int o = 0; o <= order; ++o) {
         const Matrix<R> sums = sums_at<R>(densities, parts.layers, p, o);
         const int width = static_cast<int>(derivative_count(2, o));
+        int above = 0;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
           const R unit = power_of_unit<R>(blocks_[b].degree - o);
-          const R* const from = &parts.own[b].tensors[o][p * parts.own[b].stride[o]];
+          const R* const from = b < 2 ? &parts.own[b].tensors[o][p * parts.own[b].stride[o]] : nullptr;
           R* const to = &tables[b].tensors[o][(first + p) * tables[b].stride[o]];
-          const int above = b == 0 ? 0 : polygon_.vertices();
           for (int k = 0; k < blocks_[b].size; ++k)
             for (int d = 0; d < width; ++d) {
               const R& sum = sums(above + k, d);
               // The single layer's own value has the logarithm of the user's unit.
               if (b == 1 && o == 0) to[k] = unit * (parts.single[p * polygon_.edges() + k] + sum);
-              else to[k * width + d] = from[k * width + d] + unit * sum;
+              else if (b < 2) to[k * width + d] = from[k * width + d] + unit * sum;
+              else to[k * width + d] = unit * sum;
             }
+          above += blocks_[b].size;
         }
       }
   }
@@ -198,10 +209,13 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
       const auto count = static_cast<Eigen::Index>(layer.stride[order]) / width;
       return Eigen::Map<const RowMajor>(&layer.tensors[order][p * layer.stride[order]], count, width);
     };
-    if (layers.size() == 1) return densities.first * here(layers[0]);
-    Matrix<R> together = here(layers[0]);
-    together.noalias() += densities.second_of_first * here(layers[1]);
-    return densities.first * together;
+    Matrix<R> together = Matrix<R>::Zero(densities.own.cols(), static_cast<Eigen::Index>(derivative_count(2, order)));
+    for (const auto& share : densities.shares) {
+      const auto layer = here(layers[share.layer]);
+      if (share.matrix.size() == 0) together.middleRows(share.row, layer.rows()) += layer;
+      else together.middleRows(share.row, share.matrix.rows()).noalias() += share.matrix * layer;
+    }
+    return densities.own * together;
   }
 
   // Points that are no doubles are taken to lie off the cage, as sums over elements take them.

@@ -9,9 +9,20 @@
 namespace cageproof::solved {
 namespace {
 
-constexpr std::array<std::string_view, 4> formulas{"segment.double_layer", "segment.single_layer",
+constexpr std::array<std::string_view, 6> formulas{"segment.double_layer",
+                                                   "segment.single_layer",
                                                    "segment.biharmonic_double_layer",
-                                                   "segment.biharmonic_single_layer"};
+                                                   "segment.biharmonic_single_layer",
+                                                   "segment.polyharmonic_double_layer",
+                                                   "segment.polyharmonic_single_layer"};
+
+// Of the layers' formulas; only those of order 3 have any.
+template <Scalar R>
+std::span<const R> parameters_of(Layer layer) {
+  static const std::array<R, 1> order{R(3)};
+  if (layer == Layer::TriharmonicDouble || layer == Layer::TriharmonicSingle) return order;
+  return {};
+}
 
 // Derivatives of a number along a line and to its left, in the axes of the plane.
 template <Scalar R>
@@ -42,11 +53,11 @@ Eigen::Matrix<R, 1, Eigen::Dynamic> row_of(const CoordinateTable<R>& table) {
 
 }  // namespace
 
-LayerEvaluations layer_evaluations(const std::string& name) {
+LayerEvaluations layer_evaluations(const std::string& name, int order) {
   LayerEvaluations found;
-  for (std::size_t k = 0; k < formulas.size(); ++k)
-    found[k] = name.empty() ? EvaluationRegister::instance().with_role(formulas[k], Role::Recommended).value()
-                            : evaluation_named(formulas[k], name);
+  for (const std::string_view formula : std::span(formulas).first(2 * order))
+    found.push_back(name.empty() ? EvaluationRegister::instance().with_role(formula, Role::Recommended).value()
+                                 : evaluation_named(formula, name));
   return found;
 }
 
@@ -77,16 +88,22 @@ CoordinateTable<R> BoundaryLayers<R>::table(Layer layer, std::size_t points, int
 template <Scalar R>
 void BoundaryLayers<R>::add_piece(const Piece& piece, std::span<const Layer> layers, std::span<const Vec3<R>> points,
                                   int order, std::span<CoordinateTable<R>> tables) const {
-  std::array<const Evaluation*, 4> members{};
-  std::array<BatchOutput<R>, 4> outputs;
+  std::array<const Evaluation*, all_layers.size()> members{};
+  std::array<BatchOutput<R>, all_layers.size()> outputs;
   for (std::size_t k = 0; k < layers.size(); ++k) {
     members[k] = &evaluations_[static_cast<std::size_t>(layers[k])];
     outputs[k] = {.stride = tables[k].stride, .dim = 2, .add = true};
     outputs[k].slots = is_per_node(layers[k]) ? std::span<const int>(piece.nodes) : std::span(&piece.number, 1);
     for (int o = 0; o <= order; ++o) outputs[k].tensors[o] = tables[k].tensors[o].data();
   }
-  Evaluation::together<R>(std::span(members).first(layers.size()), Batch<R>{piece.ends, points, order, {}},
-                          std::span(outputs).first(layers.size()));
+  // Those of the same parameters together.
+  for (std::size_t first = 0, end = 0; first < layers.size(); first = end) {
+    const std::span<const R> parameters = parameters_of<R>(layers[first]);
+    while (end < layers.size() && parameters_of<R>(layers[end]).size() == parameters.size()) ++end;
+    Evaluation::together<R>(std::span(members).subspan(first, end - first),
+                            Batch<R>{piece.ends, points, order, parameters},
+                            std::span(outputs).subspan(first, end - first));
+  }
 }
 
 template <Scalar R>
@@ -104,7 +121,8 @@ void BoundaryLayers<R>::add_in_line(int edge, const R& steps, std::span<const La
   for (int k = 0; k < polygon_.pieces_an_edge(); ++k) {
     const std::array<Vec3<R>, 2> ends{along(R(k)), along(R(k + 1))};
     for (std::size_t l = 0; l < layers.size(); ++l) {
-      evaluations_[static_cast<std::size_t>(layers[l])](Query<R>{ends, along(steps), order, {}}, found);
+      evaluations_[static_cast<std::size_t>(layers[l])](
+          Query<R>{ends, along(steps), order, parameters_of<R>(layers[l])}, found);
       const bool per_node = is_per_node(layers[l]);
       for (int c = 0; c < (per_node ? 2 : 1); ++c)
         for (int o = 0; o <= order; ++o) {
@@ -126,13 +144,20 @@ void BoundaryLayers<R>::add_on(std::span<const Layer> layers, const Vec3<R>& poi
 }
 
 template <Scalar R>
+std::vector<CoordinateTable<R>> BoundaryLayers<R>::tables() const {
+  std::vector<CoordinateTable<R>> made;
+  made.reserve(evaluations_.size());
+  for (const Layer layer : layers()) made.push_back(table(layer, 1, 0));
+  return made;
+}
+
+template <Scalar R>
 LayerRows<R> BoundaryLayers<R>::rows(std::span<const CollocationPoint> points, double inset) const {
   const auto count = static_cast<Eigen::Index>(points.size());
   LayerRows<R> found;
   found.hats = Matrix<R>::Zero(count, polygon_.nodes());
-  for (const Layer layer : all_layers)
-    found.layer[static_cast<std::size_t>(layer)] =
-        Matrix<R>::Zero(count, is_per_node(layer) ? polygon_.nodes() : polygon_.pieces());
+  for (const Layer layer : layers())
+    found.layer.push_back(Matrix<R>::Zero(count, is_per_node(layer) ? polygon_.nodes() : polygon_.pieces()));
   for (Eigen::Index row = 0; row < count; ++row) {
     const CollocationPoint& p = points[row];
     found.hats(row, polygon_.node(p.edge, p.piece)) += R(p.parts - p.part) / p.parts;
@@ -148,16 +173,14 @@ void BoundaryLayers<R>::put_limits(const CollocationPoint& p, Eigen::Index row, 
   std::vector<OnEdge<R>> on{{p.edge, R(p.piece) + R(p.part) / p.parts}};
   if (p.is_vertex()) on.push_back({polygon_.before(p.edge), R(polygon_.pieces_an_edge())});
   const Vec3<R> at = p.part == 0 ? polygon_.position<R>(p.edge, p.piece) : polygon_.line<R>(p.edge).at(on[0].steps);
-  std::array<CoordinateTable<R>, 4> tables;
-  for (std::size_t k = 0; k < 4; ++k) tables[k] = table(all_layers[k], 1, 0);
+  std::vector<CoordinateTable<R>> found = tables();
   for (const Piece& piece : pieces_)
     if (std::ranges::find(on, piece.number / polygon_.pieces_an_edge(), &OnEdge<R>::edge) == on.end())
-      add_piece(piece, all_layers, std::span(&at, 1), 0, tables);
-  for (const OnEdge<R>& own : on)
-    add_in_line(own.edge, own.steps, std::span(all_layers).subspan(1), 0, std::span(tables).subspan(1));
+      add_piece(piece, layers(), std::span(&at, 1), 0, found);
+  for (const OnEdge<R>& own : on) add_in_line(own.edge, own.steps, layers().subspan(1), 0, std::span(found).subspan(1));
   R left = 1;
-  for (const R& x : tables[0].tensors[0]) left -= x;
-  for (std::size_t k = 0; k < 4; ++k) rows.layer[k].row(row) = row_of(tables[k]);
+  for (const R& x : found[0].tensors[0]) left -= x;
+  for (std::size_t k = 0; k < found.size(); ++k) rows.layer[k].row(row) = row_of(found[k]);
   rows.layer[0].row(row) += left * rows.hats.row(row);
 }
 
@@ -173,10 +196,9 @@ template <Scalar R>
 void BoundaryLayers<R>::put_inset(const CollocationPoint& p, double inset, Eigen::Index row, LayerRows<R>& rows) const {
   const Vec3<R> from = inset_node(p.edge, p.piece, R(inset)), to = inset_node(p.edge, p.piece + 1, R(inset));
   const Vec3<R> at = from + R(p.part) / p.parts * (to - from);
-  std::array<CoordinateTable<R>, 4> tables;
-  for (std::size_t k = 0; k < 4; ++k) tables[k] = table(all_layers[k], 1, 0);
-  add(all_layers, std::span(&at, 1), 0, tables);
-  for (std::size_t k = 0; k < 4; ++k) rows.layer[k].row(row) = row_of(tables[k]);
+  std::vector<CoordinateTable<R>> found = tables();
+  add(layers(), std::span(&at, 1), 0, found);
+  for (std::size_t k = 0; k < found.size(); ++k) rows.layer[k].row(row) = row_of(found[k]);
 }
 
 template class BoundaryLayers<double>;

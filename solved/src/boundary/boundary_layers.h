@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The four layers of [W12] Section 4.2 on the pieces of a refined polygon, off the polygon and on it.
+// The layers of [W12] Section 4.2 and Appendix B on the pieces of a refined polygon, off the polygon and on it.
 #pragma once
 
 #include "refined_polygon.h"
@@ -8,24 +8,33 @@
 
 #include <Eigen/Core>
 
+#include <span>
+#include <vector>
+
 namespace cageproof::solved {
 
 template <Scalar R>
 using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// phi^H, psi^H, phi^BH, psi^BH: double layers have a number a node, single layers one a piece.
-enum class Layer { Double, Single, BiharmonicDouble, BiharmonicSingle };
+/// phi^H, psi^H, phi^BH, psi^BH, then those of Appendix B for order 3: double layers have a number a node, single
+/// layers one a piece.
+enum class Layer { Double, Single, BiharmonicDouble, BiharmonicSingle, TriharmonicDouble, TriharmonicSingle };
 
-inline constexpr std::array all_layers{Layer::Double, Layer::Single, Layer::BiharmonicDouble, Layer::BiharmonicSingle};
+inline constexpr std::array all_layers{
+    Layer::Double,           Layer::Single, Layer::BiharmonicDouble, Layer::BiharmonicSingle, Layer::TriharmonicDouble,
+    Layer::TriharmonicSingle};
 
-constexpr bool is_per_node(Layer layer) { return layer == Layer::Double || layer == Layer::BiharmonicDouble; }
+constexpr bool is_per_node(Layer layer) { return static_cast<int>(layer) % 2 == 0; }
 
-/// Evaluations of the layers on segments, by layer.
-using LayerEvaluations = std::array<Evaluation, 4>;
+/// The layers up to an order: 1 harmonic, 2 biharmonic, 3 triharmonic.
+constexpr std::span<const Layer> layers_up_to(int order) { return std::span(all_layers).first(2 * order); }
+
+/// Evaluations of the layers on segments, by layer, up to an order.
+using LayerEvaluations = std::vector<Evaluation>;
 
 /// \param name of the evaluations; empty for the recommended ones \throws InputError where a layer has none of that
 /// name
-LayerEvaluations layer_evaluations(const std::string& name);
+LayerEvaluations layer_evaluations(const std::string& name, int order);
 
 /// Where a point is on the polygon: on an edge, so many pieces from its beginning.
 template <Scalar R>
@@ -45,7 +54,7 @@ struct CollocationPoint {
 /// The layers at collocation points, limits from inside: one row a point, one column a node or piece.
 template <Scalar R>
 struct LayerRows {
-  std::array<Matrix<R>, 4> layer;
+  std::vector<Matrix<R>> layer;
   Matrix<R> hats;  ///< the nodes' hat functions there
 
   const Matrix<R>& operator[](Layer which) const { return layer[static_cast<std::size_t>(which)]; }
@@ -90,6 +99,11 @@ class BoundaryLayers {
   void put_limits(const CollocationPoint& point, Eigen::Index row, LayerRows<R>& rows) const;
   void put_inset(const CollocationPoint& point, double inset, Eigen::Index row, LayerRows<R>& rows) const;
   Vec3<R> inset_node(int edge, int k, const R& inset) const;
+
+  // All layers that there are evaluations of.
+  std::span<const Layer> layers() const { return layers_up_to(static_cast<int>(evaluations_.size()) / 2); }
+  // One table a layer, at one point, of values alone.
+  std::vector<CoordinateTable<R>> tables() const;
 
   const RefinedPolygon& polygon_;
   const LayerEvaluations& evaluations_;

@@ -15,6 +15,16 @@ struct PiecePoints {
   std::vector<int> taken;
 };
 
+/// Where the equations of polyharmonic functions are asked to hold, a way to refine and its name: those of Laplacians
+/// (Eq 14 of [W12]), and the one of values (Eq 13).
+struct Collocation {
+  std::string_view name;
+  PiecePoints of_laplacians, of_value;
+};
+
+/// All ways; the second is the default.
+const std::vector<Collocation>& collocations();
+
 /// The points of all pieces.
 std::vector<CollocationPoint> points_on(const RefinedPolygon& polygon, const PiecePoints& of_piece);
 

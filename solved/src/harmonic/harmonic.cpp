@@ -23,7 +23,7 @@ const std::vector<HarmonicCollocation>& harmonic_collocations() {
 
 struct HarmonicScheme {
   static constexpr std::string_view label = "lambda";
-  static constexpr bool has_normals = false, is_harmonic = true;
+  static constexpr int order = 1;
   static constexpr std::array unknown{Layer::Single};
 
   /// The normal derivative of each coordinate, constant on pieces, from Eq 12 for the hat functions' harmonic
@@ -35,11 +35,11 @@ struct HarmonicScheme {
     const LayerRows<R> rows = layers.rows(points_on(polygon, where.points));
     const LeastSquares<R> system(rows[Layer::Single]);
     const Matrix<R> data = (rows.hats - rows[Layer::Double]) * nodes_from_vertices<R>(polygon);
-    Densities<R> found{system.inverse() * data, {}, {}};
+    Densities<R> found{system.inverse() * data, {{0, 0, {}}}, {}};
     if constexpr (std::same_as<R, double>)
       if (described)
-        found.systems = {describe("Eq 12, the normal derivative from values", rows[Layer::Single], system.rank(), data,
-                                  found.first)};
+        found.systems = {
+            describe("Eq 12, the normal derivative from values", rows[Layer::Single], system.rank(), data, found.own)};
     return found;
   }
 };
@@ -54,6 +54,7 @@ const RegisterCoordinateKind register_harmonic{
      .own_dimension = 2,
      .prepare = prepare_harmonic,
      .parameters = boundary_parameters(harmonic_collocations(), "where the boundary's equation is asked to hold"),
+     .approximates = "harmonic_goursat",
      .refuses = why_not_refined}};
 
 }  // namespace

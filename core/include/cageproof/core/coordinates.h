@@ -158,6 +158,9 @@ struct CoordinateKind {
   std::vector<KindParameter> parameters = {};
   /// Of kinds that are no sums: names of evaluations, beside those of their formulas, that are measured by themselves.
   std::vector<std::string_view> other_evaluations = {};
+  /// The kind, of the same blocks, that is what this one approximates by its scheme; empty for kinds that are no
+  /// approximation of another.
+  std::string_view approximates = {};
   /// Why there may be points without coordinates; empty for kinds that have them everywhere.
   std::string_view missing_because = {};
   /// Whether points outside are those without coordinates, and no others.

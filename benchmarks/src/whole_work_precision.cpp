@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "whole_work_precision.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/parallel.h"
+#include "cageproof/validation/scheme_errors.h"
+#include "point_times.h"
+#include "summarise.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace cageproof::benchmarks {
+
+using namespace validation;
+namespace {
+
+// Solving takes the cube of their number: a second or so.
+constexpr int most_nodes = 1024;
+
+// One way to compute the kind.
+struct Way {
+  std::string name;  // empty: as the coordinates call their evaluation
+  CoordinateOptions options;
+};
+
+std::vector<Way> ways_of(const CoordinateKind& kind, const Cage& cage, const WorkPrecisionOptions& given,
+                         std::vector<std::string>& notes) {
+  std::vector<double> parameters = given.parameters;
+  if (parameters.empty())
+    for (const KindParameter& p : kind.parameters) parameters.push_back(p.preset);
+  const auto pieces = std::ranges::find(kind.parameters, "pieces", &KindParameter::name);
+  std::vector<Way> ways;
+  if (!given.evaluations.empty()) {
+    for (const std::string& evaluation : given.evaluations)
+      ways.push_back({"", {evaluation, given.triangulation, parameters}});
+  } else if (given.parameters.empty() && pieces != kind.parameters.end()) {
+    for (const int n : {1, 2, 4, 8, 16, 32}) {
+      if (n * static_cast<int>(cage.faces().size()) > most_nodes) {
+        notes.push_back(fmt::format("not measured, more than {} nodes: {} pieces and more", most_nodes, n));
+        break;
+      }
+      parameters[pieces - kind.parameters.begin()] = n;
+      ways.push_back({fmt::format("pieces={}", n), {"", given.triangulation, parameters}});
+    }
+  } else {
+    ways.push_back({"", {"", given.triangulation, parameters}});
+  }
+  return ways;
+}
+
+}  // namespace
+
+WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind, const std::vector<PointGroup>& groups,
+                                   const WorkPrecisionOptions& options) {
+  if (!accepts(kind, cage)) throw InputError(fmt::format("{}: {}", cage.name(), why_refused(kind, cage)));
+  WorkPrecision result;
+  result.subject = kind.name;
+  result.where = cage.name();
+  result.unit = "1";
+  result.timed = "point";
+  result.order = 0;
+  result.seed = options.seed;
+  const auto approximated = approximated_by(cage, kind, options.triangulation);
+  result.error = approximated ? fmt::format("difference from {}", kind.approximates) : "partition of unity residual";
+  double sink = 0;
+  std::vector<std::pair<std::string, CageCoordinates>> prepared;
+  for (const Way& way : ways_of(kind, cage, options, result.notes)) {
+    const auto start = std::chrono::steady_clock::now();
+    CageCoordinates coordinates(cage, kind, way.options);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    const std::string name = way.name.empty() ? coordinates.evaluation() : way.name;
+    result.notes.push_back(fmt::format("{}: prepared in {:.2g} s", name, spent.count()));
+    prepared.emplace_back(name, std::move(coordinates));
+  }
+  for (const PointGroup& group : groups) {
+    if (group.points.empty()) {
+      result.notes.push_back(fmt::format("{}: no point found", group.place));
+      continue;
+    }
+    std::vector<Vec3<double>> points;
+    for (const CagePoint& p : group.points) points.push_back(p.point);
+    for (const auto& [name, coordinates] : prepared) {
+      WorkPrecisionRow row;
+      row.evaluation = name;
+      row.place = group.place;
+      row.distance = group.distance;
+      std::vector<double> errors(points.size());
+      for_each_parallel(errors.size(), options.jobs, [&](std::size_t i) {
+        const double expected = expected_sum(kind, group.points[i].place);
+        errors[i] = approximated ? scheme_errors_at(coordinates, *approximated, cage, points[i], 0)[0]
+                                 : errors_at(coordinates, cage, points[i], expected, 0).partition[0].relative;
+      });
+      summarise(std::move(errors), row);
+      row.nanoseconds = 1e9 * seconds_a_point(coordinates, points, options.seconds, SIZE_MAX, sink);
+      result.rows.push_back(std::move(row));
+    }
+  }
+  if (result.rows.empty()) throw InputError(fmt::format("{}: no point to measure at", cage.name()));
+  if (std::isnan(sink)) result.notes.emplace_back("some points have no coordinates");
+  return result;
+}
+
+}  // namespace cageproof::benchmarks

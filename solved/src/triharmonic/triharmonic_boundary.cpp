@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Polyharmonic coordinates of order 3 of polygons ([W12] Appendix B, after the errata).
+#include "../boundary/boundary_coordinates.h"
+#include "../boundary/boundary_parameters.h"
+
+#include "../boundary/least_squares.h"
+
+#include <algorithm>
+
+namespace cageproof::solved {
+namespace {
+
+/// The data are values f and Laplacians m at vertices and normal derivatives d on edges; what they do not determine
+/// directly is the Laplacian's normal derivative, and the second Laplacian l with its own. Green's identities of
+/// s = 3, 2, 1, on the boundary, with the layers of Appendix B by their order:
+///
+///     l = phi_1 l + psi_1 A l
+///     m = phi_1 m + psi_1 (A m - E l) + K_2 l                with K_s = phi_s + psi_s A
+///     f = phi_1 f + psi_1 d + K_2 m + (K_3 - psi_2 E) l
+///
+/// The last system takes the fourth integral of l, and leaves what pieces do not resolve of it to chance: solved
+/// plainly, l grows at corners like a piece's length to the power of -4, and nothing converges. Data that are linear on
+/// pieces are good to the square of their length anyway; so what l needs to be that large for is held down
+/// (Tikhonov).
+struct TriharmonicScheme {
+  static constexpr std::string_view label = "alpha";
+  static constexpr int order = 3;
+  static constexpr std::array unknown{Layer::BiharmonicDouble, Layer::BiharmonicSingle, Layer::TriharmonicDouble,
+                                      Layer::TriharmonicSingle};
+
+  // The square of the longest piece, in diameters, over ten: from 4 to 32 pieces the best of powers of three for known
+  // functions in a square, a triangle, a pentagon and an L, within a factor of three.
+  static double share_held_down(const RefinedPolygon& polygon) {
+    double longest = 0;
+    for (int e = 0; e < polygon.edges(); ++e) longest = std::max(longest, polygon.line<double>(e).piece);
+    return longest * longest / 10;
+  }
+
+  template <Scalar R>
+  static Densities<R> solve(const RefinedPolygon& polygon, const BoundaryLayers<R>& layers,
+                            const std::vector<double>& parameters, double inset, bool described) {
+    const Collocation& where = collocations()[static_cast<std::size_t>(parameters[1])];
+    const LayerRows<R> laplacian = layers.rows(points_on(polygon, where.of_laplacians), inset);
+    const LayerRows<R> value = layers.rows(points_on(polygon, where.of_value), inset);
+    const Matrix<R> nodes = nodes_from_vertices<R>(polygon), pieces = pieces_from_edges<R>(polygon);
+
+    const LeastSquares<R> first(laplacian[Layer::Single]);
+    const Matrix<R> right = laplacian.hats - laplacian[Layer::Double];
+    const Matrix<R> a = first.solve(right);
+    const Matrix<R> below = laplacian[Layer::BiharmonicDouble] + laplacian[Layer::BiharmonicSingle] * a;
+    const Matrix<R> e = first.solve(below);
+
+    const Matrix<R> k2 = value[Layer::BiharmonicDouble] + value[Layer::BiharmonicSingle] * a;
+    const Matrix<R> k3 =
+        value[Layer::TriharmonicDouble] + value[Layer::TriharmonicSingle] * a - value[Layer::BiharmonicSingle] * e;
+    const Eigen::Index n = nodes.rows();
+    Matrix<R> held = Matrix<R>::Zero(k3.rows() + n, n);
+    held.topRows(k3.rows()) = k3;
+    held.bottomRows(n).diagonal().setConstant(share_held_down(polygon) * k3.norm());
+    const LeastSquares<R> second(held);
+    Matrix<R> data = Matrix<R>::Zero(held.rows(), 2 * polygon.vertices() + polygon.edges());
+    data.topRows(k3.rows()) << (value.hats - value[Layer::Double]) * nodes, -value[Layer::Single] * pieces, -k2 * nodes;
+
+    // Laplacians at nodes above, second Laplacians below.
+    Densities<R> found;
+    found.own = Matrix<R>::Zero(2 * n, data.cols());
+    found.own.topRightCorner(n, polygon.vertices()) = nodes;
+    found.own.bottomRows(n) = second.inverse() * data;
+    found.shares = {{0, 0, {}}, {1, 0, a}, {1, n, Matrix<R>(-e)}, {2, n, {}}, {3, n, a}};
+    if constexpr (std::same_as<R, double>)
+      if (described)
+        found.systems = {describe("s = 3, the second Laplacian's normal derivative from itself",
+                                  laplacian[Layer::Single], first.rank(), right, a),
+                         describe("s = 2, what the second Laplacian adds to the Laplacian's normal derivative",
+                                  laplacian[Layer::Single], first.rank(), below, e),
+                         describe("s = 1, the second Laplacian from values, normal derivatives and Laplacians", held,
+                                  second.rank(), data, found.own.bottomRows(n))};
+    return found;
+  }
+};
+
+std::shared_ptr<const PreparedCoordinates> prepare_triharmonic(const Cage& cage, const CoordinateOptions& options) {
+  return std::make_shared<BoundaryCoordinates<TriharmonicScheme>>(cage, options);
+}
+
+const RegisterCoordinateKind register_triharmonic_boundary{
+    {.name = "triharmonic_boundary",
+     .source = "[W12] Appendix B of order 3, after the errata",
+     .own_dimension = 2,
+     .prepare = prepare_triharmonic,
+     .parameters = boundary_parameters(collocations(), "where the boundary's equations are asked to hold"),
+     .other_evaluations = {offset_evaluation},
+     .refuses = why_not_refined}};
+
+}  // namespace
+}  // namespace cageproof::solved
