@@ -82,6 +82,7 @@ WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind,
       continue;
     }
     std::vector<Vec3<double>> points;
+    points.reserve(group.points.size());
     for (const CagePoint& p : group.points) points.push_back(p.point);
     for (const auto& [name, coordinates] : prepared) {
       WorkPrecisionRow row;
