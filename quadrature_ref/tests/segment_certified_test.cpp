@@ -35,23 +35,24 @@ const Segment<double> kUnit{Vec(0, 0, 0), Vec(1, 0, 0)};
 const Vec kOrigin(0, 0, 0);
 
 TEST(CertifiedSegment, values_by_hand) {
-  const Mp100 pi_ = pi<Mp100>(), ln_2 = log(Mp100(2));
+  const Mp100 half_turn = pi<Mp100>(), ln_2 = log(Mp100(2));
   const auto angle = enclosed("segment.winding_angle", kBelow, kOrigin, 0);
   EXPECT_TRUE(angle.converged);
-  EXPECT_TRUE(holds(angle.value[0], angle.value_radius[0], pi_ / 2));
-  EXPECT_FALSE(holds(angle.value[0], angle.value_radius[0], -pi_ / 2));
+  EXPECT_TRUE(holds(angle.value[0], angle.value_radius[0], half_turn / 2));
+  EXPECT_FALSE(holds(angle.value[0], angle.value_radius[0], -half_turn / 2));
 
   const auto layers = enclosed("segment.double_layer", kBelow, kOrigin, 0);
   for (int k = 0; k < 2; ++k) EXPECT_TRUE(holds(layers.value[k], layers.value_radius[k], Mp100(1) / 8));
 
   // int ln(s^2 + 1)/2 from -1 to 1.
-  const Mp100 logarithm = ln_2 - 2 + pi_ / 2;
+  const Mp100 logarithm = ln_2 - 2 + half_turn / 2;
   const auto single = enclosed("segment.single_layer", kBelow, kOrigin, 0);
-  EXPECT_TRUE(holds(single.value[0], single.value_radius[0], -logarithm / (2 * pi_)));
+  EXPECT_TRUE(holds(single.value[0], single.value_radius[0], -logarithm / (2 * half_turn)));
   const auto affine = enclosed("segment.affine_single_layer", kBelow, kOrigin, 0);
-  for (int k = 0; k < 2; ++k) EXPECT_TRUE(holds(affine.value[k], affine.value_radius[k], -logarithm / (4 * pi_)));
+  for (int k = 0; k < 2; ++k) EXPECT_TRUE(holds(affine.value[k], affine.value_radius[k], -logarithm / (4 * half_turn)));
   const auto plate = enclosed("segment.biharmonic_double_layer", kBelow, kOrigin, 0);
-  for (int k = 0; k < 2; ++k) EXPECT_TRUE(holds(plate.value[k], plate.value_radius[k], (logarithm - 1) / (8 * pi_)));
+  for (int k = 0; k < 2; ++k)
+    EXPECT_TRUE(holds(plate.value[k], plate.value_radius[k], (logarithm - 1) / (8 * half_turn)));
 
   const auto weights = enclosed("segment.mean_value", kBelow, kOrigin, 0);  // int (s^2 + 1)^(-3/2) = sqrt(2)
   for (int k = 0; k < 2; ++k) EXPECT_TRUE(holds(weights.value[k], weights.value_radius[k], 1 / sqrt(Mp100(2))));
@@ -59,17 +60,17 @@ TEST(CertifiedSegment, values_by_hand) {
 
 // int ln s = -1, int s ln s = -1/4, int s^2 (ln s - 1) = -4/9.
 TEST(CertifiedSegment, weakly_singular_integrals_at_an_end) {
-  const Mp100 pi_ = pi<Mp100>();
+  const Mp100 half_turn = pi<Mp100>();
   const auto single = enclosed("segment.single_layer", kUnit, kOrigin, 0);
   EXPECT_TRUE(single.converged);
-  EXPECT_TRUE(holds(single.value[0], single.value_radius[0], 1 / (2 * pi_)));
+  EXPECT_TRUE(holds(single.value[0], single.value_radius[0], 1 / (2 * half_turn)));
   const auto affine = enclosed("segment.affine_single_layer", kUnit, kOrigin, 0);
-  EXPECT_TRUE(holds(affine.value[1], affine.value_radius[1], 1 / (8 * pi_)));
+  EXPECT_TRUE(holds(affine.value[1], affine.value_radius[1], 1 / (8 * half_turn)));
   const auto bi = enclosed("segment.biharmonic_single_layer", kUnit, kOrigin, 2);
   EXPECT_TRUE(bi.converged);
-  EXPECT_TRUE(holds(bi.value[0], bi.value_radius[0], 1 / (18 * pi_)));
+  EXPECT_TRUE(holds(bi.value[0], bi.value_radius[0], 1 / (18 * half_turn)));
   // Laplacian of the biharmonic potential: -G2 to -G1.
-  EXPECT_TRUE(holds(bi.hessian[0] + bi.hessian[3], bi.hessian_radius[0] + bi.hessian_radius[3], 1 / (2 * pi_)));
+  EXPECT_TRUE(holds(bi.hessian[0] + bi.hessian[3], bi.hessian_radius[0] + bi.hessian_radius[3], 1 / (2 * half_turn)));
 }
 
 // Over its middle int ln |s| = -1 - ln 2.
@@ -148,6 +149,7 @@ TEST(CertifiedSegment, independent_integrator_lies_inside_and_nothing_near_it) {
       const auto ball = enclosed(formula.name, sample.corners, sample.point, 2);
       EXPECT_TRUE(ball.converged) << what;
       std::vector<Mp50> parameters;
+      parameters.reserve(formula.parameters.size());
       for (const Parameter& p : formula.parameters) parameters.emplace_back(p.preset);
       const auto corners = corners_in<Mp50>(sample);
       Result<Mp50> integral;
