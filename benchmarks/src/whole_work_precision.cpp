@@ -10,8 +10,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace cageproof::benchmarks {
 
@@ -56,7 +59,6 @@ std::vector<Way> ways_of(const CoordinateKind& kind, const Cage& cage, const Wor
 
 WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind, const std::vector<PointGroup>& groups,
                                    const WorkPrecisionOptions& options) {
-  if (!accepts(kind, cage)) throw InputError(fmt::format("{}: {}", cage.name(), why_refused(kind, cage)));
   WorkPrecision result;
   result.subject = kind.name;
   result.where = cage.name();
@@ -66,6 +68,8 @@ WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind,
   result.seed = options.seed;
   const auto approximated = approximated_by(cage, kind, options.triangulation);
   result.error = approximated ? fmt::format("difference from {}", kind.approximates) : "partition of unity residual";
+  if (!approximated && kind.meets_boundary_data)
+    result.notes.emplace_back("nothing to compare with here: the partition of unity says nothing of the scheme's error");
   double sink = 0;
   std::vector<std::pair<std::string, CageCoordinates>> prepared;
   for (const Way& way : ways_of(kind, cage, options, result.notes)) {
@@ -76,7 +80,12 @@ WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind,
     result.notes.push_back(fmt::format("{}: prepared in {:.2g} s", name, spent.count()));
     prepared.emplace_back(name, std::move(coordinates));
   }
-  for (const PointGroup& group : groups) {
+  for (PointGroup group : groups) {
+    // What is solved for inside means nothing elsewhere.
+    if (approximated || kind.inside_alone) {
+      const auto left_out = std::erase_if(group.points, [](const CagePoint& p) { return p.place != Place::Inside; });
+      if (left_out > 0) result.notes.push_back(fmt::format("{}: {} points not inside left out", group.place, left_out));
+    }
     if (group.points.empty()) {
       result.notes.push_back(fmt::format("{}: no point found", group.place));
       continue;

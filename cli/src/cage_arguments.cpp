@@ -47,6 +47,7 @@ std::vector<double> values_of(const std::vector<std::string>& given, const std::
   std::vector<double> values;
   values.reserve(known.size());
   for (const KindParameter& p : known) values.push_back(p.preset);
+  std::vector<bool> is_given(known.size());
   for (const std::string& text : given) {
     const auto equals = text.find('=');
     const auto found = std::ranges::find(known, std::string_view(text).substr(0, equals), &KindParameter::name);
@@ -68,6 +69,9 @@ std::vector<double> values_of(const std::vector<std::string>& given, const std::
                                    found->name, found->includes_highest ? "<=" : "<", found->highest,
                                    found->includes_infinity ? ", or infinite" : "",
                                    found->whole ? ", a whole number" : ""));
+    if (is_given[found - known.begin()])
+      throw InputError(fmt::format("--parameter {}: {} is given twice", text, found->name));
+    is_given[found - known.begin()] = true;
     values[found - known.begin()] = *value;
   }
   return values;

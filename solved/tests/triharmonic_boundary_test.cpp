@@ -71,8 +71,8 @@ const std::vector<Triharmonic>& known() {
 
 const std::vector<Vec> inside{{0.5, 0.5, 0}, {0.25, 0.375, 0}, {0.75, 0.8125, 0}};
 
-std::vector<double> errors_of_all(const Corners& corners, int n) {
-  const CageCoordinates c = prepared(polygon(subdivided(corners, n)), 1);
+std::vector<double> errors_of_all(const Corners& corners, int n, double pieces = 1) {
+  const CageCoordinates c = prepared(polygon(subdivided(corners, n)), pieces);
   std::vector<double> errors;
   for (const Triharmonic& f : known()) {
     const std::vector<double> data = f.data(c.elements());
@@ -171,16 +171,26 @@ OnBoundary on_boundary(const Corners& corners, double pieces) {
   return worst;
 }
 
-TEST(triharmonic_boundary, meets_its_data_on_the_boundary_the_better_the_more_pieces) {
+// Values with corners are met roughly, by as much whatever the pieces; Laplacians the better the more.
+TEST(triharmonic_boundary, meets_laplacians_and_comes_near_hat_functions) {
   for (const Corners* corners : {&unit_square, &convex_pentagon}) {
     const OnBoundary coarse = on_boundary(*corners, 4), fine = on_boundary(*corners, 16);
-    EXPECT_LT(fine.values, coarse.values / 3);
-    EXPECT_LT(fine.laplacians, coarse.laplacians / 4);
-    EXPECT_LT(fine.laplacians, 0.05);
+    EXPECT_LT(fine.values, 0.12);
+    EXPECT_GT(fine.values, 0.03);
+    EXPECT_LT(fine.laplacians, coarse.laplacians / 2);
+    EXPECT_LT(fine.laplacians, 0.01);
   }
 }
 
-// Laplacians of edges' data have the unit of one over an area.
+// Vertices make it converge; pieces must not undo it.
+TEST(triharmonic_boundary, is_as_near_to_known_functions_with_any_number_of_pieces) {
+  for (const Corners* corners : {&unit_square, &convex_pentagon, &l_shape}) {
+    const auto one = errors_of_all(*corners, 8), many = errors_of_all(*corners, 8, 12);
+    for (std::size_t k = 0; k < one.size(); ++k) EXPECT_LT(many[k], 2 * one[k]) << known()[k].name;
+  }
+}
+
+// Coordinates of Laplacians have the unit of an area.
 TEST(triharmonic_boundary, scales_with_the_unit) {
   const CageCoordinates small = prepared(polygon(convex_pentagon), 3),
                         large = prepared(polygon(convex_pentagon, 64), 3);
@@ -194,11 +204,11 @@ TEST(triharmonic_boundary, scales_with_the_unit) {
 TEST(triharmonic_boundary, says_what_it_solved) {
   for (const SolvedSystem& s : prepared(polygon(l_shape), 4).solved()) {
     EXPECT_FALSE(s.is_singular()) << s.name;
-    EXPECT_GE(s.rows, 2 * s.columns) << s.name;
+    EXPECT_EQ(s.rows, 2 * s.columns) << s.name;
     EXPECT_LT(s.condition, 1e5) << s.name;
   }
   const auto systems = prepared(polygon(unit_square), 2, 0).solved();
-  ASSERT_EQ(systems.size(), 3u);
+  ASSERT_EQ(systems.size(), 2u);
   EXPECT_TRUE(systems[0].is_singular());
 }
 

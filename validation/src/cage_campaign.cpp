@@ -115,7 +115,7 @@ void add_on_cage(CageRows& rows, const Cage& cage, const CageCoordinates& coordi
              on ? errors_at(coordinates, cage, p.point, 1, 0, known).reproduction[0] : CageError(), !p.exact, p.point,
              p.index);
   }
-  if (!coordinates.kind().approximates.empty())
+  if (coordinates.kind().meets_boundary_data)
     if (const auto missed = boundary_data_errors_at(coordinates, cage, p.point))
       for (int o = 0; o < 2; ++o)
         if ((*missed)[o]) rows.add_relative("boundary_data", place, o, *(*missed)[o], false, p.point, p.index);

@@ -106,7 +106,7 @@ std::array<std::optional<double>, 2> boundary_residuals(const CageCoordinates& c
   if (!coordinates.measures_boundary()) return worst;
   const auto keep = [](std::optional<double>& of, double found) {
     // What is not a number stays.
-    if (!of || !(found <= *of)) of = found;
+    if (!of || (!std::isnan(*of) && !(found <= *of))) of = found;
   };
   for (const SolvedSystem& system : coordinates.solved()) {
     keep(worst[0], system.boundary_values);

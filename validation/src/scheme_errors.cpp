@@ -2,6 +2,8 @@
 // How far the scheme of a kind is from what it approximates: the coordinates themselves, and their data on the cage.
 #include "cageproof/validation/scheme_errors.h"
 
+#include "cageproof/validation/cage_campaign.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +21,10 @@ std::optional<CageCoordinates> approximated_by(const Cage& cage, const Coordinat
   if (kind.approximates.empty()) return std::nullopt;
   const CoordinateKind& other = coordinate_kind_named(kind.approximates);
   if (!accepts(other, cage)) return std::nullopt;
-  return CageCoordinates(cage, other, CoordinateOptions{.triangulation = rule});
+  CageCoordinates found(cage, other, CoordinateOptions{.triangulation = rule});
+  const std::optional<double> residual = boundary_residuals(found)[0];
+  if (residual && !(*residual <= worst_truth)) return std::nullopt;
+  return found;
 }
 
 std::array<double, 3> scheme_errors_at(const CageCoordinates& coordinates, const CageCoordinates& approximated,

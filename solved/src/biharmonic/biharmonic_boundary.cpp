@@ -51,6 +51,7 @@ const RegisterCoordinateKind register_biharmonic_boundary{
      .parameters = boundary_parameters(collocations(), "where the boundary's equations are asked to hold"),
      .other_evaluations = {offset_evaluation},
      .approximates = "biharmonic_goursat",
+     .meets_boundary_data = true,
      .refuses = why_not_refined}};
 
 }  // namespace

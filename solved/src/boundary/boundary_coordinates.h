@@ -34,8 +34,8 @@ struct Densities {
 
 inline constexpr std::string_view offset_evaluation = "offset-1e-6";
 
-/// A row of coordinates is phi^H of the cage itself, or psi^H, and beside it the layers of the refined polygon times
-/// their densities. The first comes from the cage's own Green coordinates, which know on which side of the cage a point
+/// A row of coordinates is phi^H of the cage itself, or psi^H (for those of Laplacians nothing), and beside it the
+/// layers of the refined polygon times their densities. The first comes from the cage's own Green coordinates, which know on which side of the cage a point
 /// lies and have the exact limits on it; the second changes by rounding alone where nodes are rounded.
 ///
 /// With the evaluation `offset-1e-6` of kinds with normals, equations are asked to hold on the cage offset inwards by
@@ -43,7 +43,7 @@ inline constexpr std::string_view offset_evaluation = "offset-1e-6";
 ///
 /// Scheme: `order`, 1 for harmonic functions of values at vertices, 2 for biharmonic ones of normal derivatives at
 /// edges, too, 3 for triharmonic ones of Laplacians at vertices, too; `unknown`, the layers that densities are of;
-/// `label`; solve<R>(polygon, layers, parameters, inset, whether to describe the systems).
+/// `label` of the first block; solve<R>(polygon, layers, parameters, inset, whether to describe the systems).
 template <class Scheme>
 class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Scheme>> {
  public:
@@ -178,6 +178,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
         int above = 0;
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
           const R unit = power_of_unit<R>(blocks_[b].degree - o);
+          // Only the first two have a layer of the cage's own.
           const R* const from = b < 2 ? &parts.own[b].tensors[o][p * parts.own[b].stride[o]] : nullptr;
           R* const to = &tables[b].tensors[o][(first + p) * tables[b].stride[o]];
           for (int k = 0; k < blocks_[b].size; ++k)

@@ -99,7 +99,7 @@ void BoundaryLayers<R>::add_piece(const Piece& piece, std::span<const Layer> lay
   // Those of the same parameters together.
   for (std::size_t first = 0, end = 0; first < layers.size(); first = end) {
     const std::span<const R> parameters = parameters_of<R>(layers[first]);
-    while (end < layers.size() && parameters_of<R>(layers[end]).size() == parameters.size()) ++end;
+    while (end < layers.size() && std::ranges::equal(parameters_of<R>(layers[end]), parameters)) ++end;
     Evaluation::together<R>(std::span(members).subspan(first, end - first),
                             Batch<R>{piece.ends, points, order, parameters},
                             std::span(outputs).subspan(first, end - first));

@@ -55,6 +55,7 @@ const RegisterCoordinateKind register_harmonic{
      .prepare = prepare_harmonic,
      .parameters = boundary_parameters(harmonic_collocations(), "where the boundary's equation is asked to hold"),
      .approximates = "harmonic_goursat",
+     .meets_boundary_data = true,
      .refuses = why_not_refined}};
 
 }  // namespace

@@ -20,19 +20,20 @@ namespace {
 ///
 /// The last system takes the fourth integral of l, and leaves what pieces do not resolve of it to chance: solved
 /// plainly, l grows at corners like a piece's length to the power of -4, and nothing converges. Data that are linear on
-/// pieces are good to the square of their length anyway; so what l needs to be that large for is held down
-/// (Tikhonov).
+/// edges, and slopes that are constant there, fit no smooth function better than to the square of an edge's length; so
+/// what l needs to be that large for is held down (Tikhonov), whatever the pieces.
 struct TriharmonicScheme {
   static constexpr std::string_view label = "alpha";
   static constexpr int order = 3;
   static constexpr std::array unknown{Layer::BiharmonicDouble, Layer::BiharmonicSingle, Layer::TriharmonicDouble,
                                       Layer::TriharmonicSingle};
 
-  // The square of the longest piece, in diameters, over ten: from 4 to 32 pieces the best of powers of three for known
-  // functions in a square, a triangle, a pentagon and an L, within a factor of three.
+  // The square of the longest edge, in diameters, over ten: of powers of three the best for known functions in a
+  // square, a triangle, a pentagon and an L with 4 to 32 vertices an edge, within a factor of three.
   static double share_held_down(const RefinedPolygon& polygon) {
     double longest = 0;
-    for (int e = 0; e < polygon.edges(); ++e) longest = std::max(longest, polygon.line<double>(e).piece);
+    for (int e = 0; e < polygon.edges(); ++e)
+      longest = std::max(longest, polygon.line<double>(e).piece * polygon.pieces_an_edge());
     return longest * longest / 10;
   }
 
@@ -69,12 +70,11 @@ struct TriharmonicScheme {
     found.shares = {{0, 0, {}}, {1, 0, a}, {1, n, Matrix<R>(-e)}, {2, n, {}}, {3, n, a}};
     if constexpr (std::same_as<R, double>)
       if (described)
-        found.systems = {describe("s = 3, the second Laplacian's normal derivative from itself",
+        found.systems = {describe("s = 3 and 2, normal derivatives of Laplacians from Laplacians",
                                   laplacian[Layer::Single], first.rank(), right, a),
-                         describe("s = 2, what the second Laplacian adds to the Laplacian's normal derivative",
-                                  laplacian[Layer::Single], first.rank(), below, e),
-                         describe("s = 1, the second Laplacian from values, normal derivatives and Laplacians", held,
-                                  second.rank(), data, found.own.bottomRows(n))};
+                         describe("s = 1, the second Laplacian from values, normal derivatives and Laplacians, before "
+                                  "what data do not determine is held down",
+                                  k3, LeastSquares<R>(k3).rank(), data.topRows(k3.rows()), found.own.bottomRows(n))};
     return found;
   }
 };
@@ -90,6 +90,7 @@ const RegisterCoordinateKind register_triharmonic_boundary{
      .prepare = prepare_triharmonic,
      .parameters = boundary_parameters(collocations(), "where the boundary's equations are asked to hold"),
      .other_evaluations = {offset_evaluation},
+     .meets_boundary_data = true,
      .refuses = why_not_refined}};
 
 }  // namespace

@@ -161,6 +161,9 @@ struct CoordinateKind {
   /// The kind, of the same blocks, that is what this one approximates by its scheme; empty for kinds that are no
   /// approximation of another.
   std::string_view approximates = {};
+  /// Whether blocks multiply data on the boundary of a polygon that the kind comes near to: values at vertices, then
+  /// normal derivatives of edges, then Laplacians at vertices ([W12] Eq 7).
+  bool meets_boundary_data = false;
   /// Why there may be points without coordinates; empty for kinds that have them everywhere.
   std::string_view missing_because = {};
   /// Whether points outside are those without coordinates, and no others.
