@@ -120,7 +120,12 @@ Trial solved_with(const Problem& problem, int degree, int terms) {
   Matrix expected = data_at(problem, between);
   // Each problem over its largest number, so that residuals are relative.
   Eigen::RowVectorXd scale = data.cwiseAbs().colwise().maxCoeff();
-  for (double& s : scale) s = s > 0 ? s : 1;
+  // Values are measured by the largest value: slopes along a short edge are large, and would hide what values miss.
+  Eigen::RowVectorXd of_values = data.topRows(static_cast<Eigen::Index>(points.size())).cwiseAbs().colwise().maxCoeff();
+  for (Eigen::Index k = 0; k < scale.size(); ++k) {
+    if (!(scale[k] > 0)) scale[k] = 1;
+    of_values[k] = of_values[k] > 0 ? scale[k] / of_values[k] : 1;
+  }
   data *= scale.cwiseInverse().asDiagonal();
   expected *= scale.cwiseInverse().asDiagonal();
   Matrix functions = functions_at(problem, *trial.basis, points);
@@ -135,7 +140,7 @@ Trial solved_with(const Problem& problem, int degree, int terms) {
                   .rank = found.rank,
                   .condition = found.condition,
                   .residual = found.residual,
-                  .value_residual = left.topRows(n).maxCoeff(),
+                  .value_residual = (left.topRows(n) * of_values.asDiagonal()).maxCoeff(),
                   .gradient_residual = left.rows() > n ? left.bottomRows(left.rows() - n).maxCoeff() : 0};
   trial.coefficients = found.solution * scale.asDiagonal();
   return trial;
