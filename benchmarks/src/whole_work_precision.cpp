@@ -68,8 +68,15 @@ WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind,
   result.seed = options.seed;
   const auto approximated = approximated_by(cage, kind, options.triangulation);
   result.error = approximated ? fmt::format("difference from {}", kind.approximates) : "partition of unity residual";
+  if (approximated)
+    if (const auto residual = boundary_residuals(*approximated)[0])
+      result.notes.push_back(
+          fmt::format("{} meets its data on the boundary to {:.1e} here: differences of that size are "
+                      "its own",
+                      kind.approximates, *residual));
   if (!approximated && kind.meets_boundary_data)
-    result.notes.emplace_back("nothing to compare with here: the partition of unity says nothing of the scheme's error");
+    result.notes.emplace_back(
+        "nothing to compare with here: the partition of unity says nothing of the scheme's error");
   double sink = 0;
   std::vector<std::pair<std::string, CageCoordinates>> prepared;
   for (const Way& way : ways_of(kind, cage, options, result.notes)) {

@@ -203,6 +203,17 @@ TEST(biharmonic_boundary, is_refused_by_polygons_of_too_many_edges_as_harmonic_i
   }
 }
 
+// Printed forms have no values on the cage, where the systems hold.
+TEST(biharmonic_boundary, refuses_evaluations_without_limits_and_units_out_of_range) {
+  for (const char* kind : {"biharmonic_boundary", "harmonic"})
+    EXPECT_THROW(CageCoordinates(polygon(unit_square), coordinate_kind_named(kind),
+                                 CoordinateOptions{.evaluation = "published"}),
+                 InputError)
+        << kind;
+  EXPECT_THROW(coordinates(polygon(unit_square, 1e160), "triharmonic_boundary"), InputError);
+  EXPECT_NO_THROW(coordinates(polygon(unit_square, 1e150), "triharmonic_boundary"));
+}
+
 TEST(biharmonic_boundary, takes_names_for_collocation) {
   const auto parameters = parameters_of(coordinate_kind_named("biharmonic_boundary"));
   ASSERT_EQ(parameters.size(), 2u);

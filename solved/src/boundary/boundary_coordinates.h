@@ -6,6 +6,9 @@
 #include "collocation.h"
 
 #include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +38,9 @@ struct Densities {
 inline constexpr std::string_view offset_evaluation = "offset-1e-6";
 
 /// A row of coordinates is phi^H of the cage itself, or psi^H (for those of Laplacians nothing), and beside it the
-/// layers of the refined polygon times their densities. The first comes from the cage's own Green coordinates, which know on which side of the cage a point
-/// lies and have the exact limits on it; the second changes by rounding alone where nodes are rounded.
+/// layers of the refined polygon times their densities. The first comes from the cage's own Green coordinates, which
+/// know on which side of the cage a point lies and have the exact limits on it; the second changes by rounding alone
+/// where nodes are rounded.
 ///
 /// With the evaluation `offset-1e-6` of kinds with normals, equations are asked to hold on the cage offset inwards by
 /// 1e-6 of its diameter, as the paper does, instead of in the limit.
@@ -68,6 +72,14 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
                          .degree = 1});
     if (Scheme::order == 3)
       blocks_.push_back({.label = "gamma", .per_vertex = true, .size = polygon_.vertices(), .shape = {}, .degree = 2});
+    for (const CoordinateBlock& block : blocks_) {
+      const auto largest = power_of_unit<double>(block.degree);
+      if (!std::isnormal(largest))
+        throw InputError(
+            fmt::format("{}: {}, which has the unit of a length to the power of {}, leaves the range of "
+                        "double in cages of {:.3g}",
+                        cage.name(), block.label, block.degree, polygon_.unit()));
+    }
     for (const Evaluation& e : evaluations_) max_order_ = std::min(max_order_, e.max_order());
     prepared<double>();
   }

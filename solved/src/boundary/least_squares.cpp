@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "least_squares.h"
 
+#include "cageproof/core/input_error.h"
+
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
@@ -16,6 +18,10 @@ struct LeastSquares<R>::Factors {
 
 template <Scalar R>
 LeastSquares<R>::LeastSquares(const Matrix<R>& matrix) : factors_(std::make_unique<Factors>()) {
+  for (const R& x : matrix.reshaped())
+    if (!(x - x == 0))
+      throw InputError(
+          "layers are not finite on the cage: the evaluation has no limits there, or lengths leave the range");
   // Between the condition of systems that are singular but for rounding, 1e15 and more, and of those that are not.
   factors_->of_matrix.setThreshold(R(1e-13));
   factors_->of_matrix.compute(matrix);
