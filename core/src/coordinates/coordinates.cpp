@@ -81,6 +81,14 @@ std::vector<CoordinateTable<R>> CageCoordinates::at(std::span<const Vec3<R>> poi
 }
 
 template <Scalar R>
+std::vector<CoordinateTable<R>> CageCoordinates::limits_at(std::span<const Touching> places, int order) const {
+  auto tables = tables_for<R>(places.size(), order);
+  if (!prepared_->fill_limits(places, order, tables))
+    throw InputError(fmt::format("{} coordinates have no limits at points within elements", kind_->name));
+  return tables;
+}
+
+template <Scalar R>
 std::vector<Result<R>> CageCoordinates::at(const Vec3<R>& point, int order) const {
   return results_of(at<R>(std::span(&point, 1), order), order);
 }
@@ -99,5 +107,7 @@ CAGEPROOF_INSTANTIATE(double)
 CAGEPROOF_INSTANTIATE(Mp50)
 CAGEPROOF_INSTANTIATE(Mp100)
 #undef CAGEPROOF_INSTANTIATE
+template std::vector<CoordinateTable<double>> CageCoordinates::limits_at<double>(std::span<const Touching>, int) const;
+template std::vector<CoordinateTable<Mp50>> CageCoordinates::limits_at<Mp50>(std::span<const Touching>, int) const;
 
 }  // namespace cageproof

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "summed.h"
 
+#include "element_axes.h"
 #include "normalise.h"
 
 #include "cageproof/core/input_error.h"
@@ -92,6 +93,15 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
       else
         for (std::size_t b = 0; b < blocks_.size(); ++b) sum_on(b, points[p], p, order, on[p], tables[b]);
     }
+  }
+
+  bool fill_limits(std::span<const Touching> places, int order,
+                   std::span<CoordinateTable<double>> tables) const override {
+    return put_limits<double>(places, order, tables);
+  }
+  bool fill_limits(std::span<const Touching> places, int order,
+                   std::span<CoordinateTable<Mp50>> tables) const override {
+    return put_limits<Mp50>(places, order, tables);
   }
 
  private:
@@ -274,6 +284,48 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
       }
     }
     if (jumps) add_basis(whole);
+  }
+
+  template <Scalar R>
+  bool put_limits(std::span<const Touching> places, int order, std::span<CoordinateTable<R>> tables) const {
+    const auto is_number = [](const CoordinateBlock& block) { return block.entries() == 1; };
+    if (normalised_ || !std::ranges::all_of(blocks_, is_number)) return false;
+    for (std::size_t p = 0; p < places.size(); ++p) put_limit<R>(places[p], p, order, tables);
+    return true;
+  }
+
+  // Other elements see the point as rounding leaves it. Its own is seen in its own plane, where the point's height is
+  // zero, exactly.
+  template <Scalar R>
+  void put_limit(const Touching& place, std::size_t p, int order, std::span<CoordinateTable<R>> tables) const {
+    const ElementAxes<R> axes(corners_in<R>(place.element));
+    const std::vector<Vec3<R>> flat = axes.corners();
+    Vec3<R> in_plane = Vec3<R>::Zero();
+    for (std::size_t k = 1; k < flat.size(); ++k) in_plane += R(place.basis[k]) * flat[k];
+    const Vec3<R> point = axes.in_space(in_plane);
+    const std::vector<R> parameters(parameters_.begin(), parameters_.end());
+    Result<R> part;
+    for (std::size_t e = 0; e < elements_->count(); ++e) {
+      const bool own = static_cast<int>(e) == place.element;
+      const std::vector<Vec3<R>> corners = own ? flat : corners_in<R>(e);
+      const int own_slot = static_cast<int>(e);
+      for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        evaluations_[static_cast<std::size_t>(elements_->type(e).kind)][b](
+            Query<R>{corners, own ? in_plane : point, order, parameters}, part);
+        if (own) axes.turn_to_space(order, part);
+        BatchOutput<R> here = output_for(b, p, tables[b]);
+        here.slots = blocks_[b].per_vertex ? elements_->vertices_of(e) : std::span(&own_slot, 1);
+        for (int o = 0; o <= order; ++o) here.put(0, o, part.of(o));
+      }
+    }
+  }
+
+  template <Scalar R>
+  std::vector<Vec3<R>> corners_in(std::size_t e) const {
+    std::vector<Vec3<R>> corners;
+    corners.reserve(4);
+    for (const int v : elements_->vertices_of(e)) corners.push_back(convert<R>(elements_->vertices()[v]));
+    return corners;
   }
 
   // Cages whose largest coordinate has an exponent of at most that size are summed in their own unit.

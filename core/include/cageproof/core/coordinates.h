@@ -96,6 +96,17 @@ class PreparedCoordinates {
                     std::span<CoordinateTable<double>> tables) const = 0;
   virtual void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const = 0;
   virtual void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const = 0;
+  /// Limits from inside at points within elements, which are given by their basis functions there, whatever rounding
+  /// makes of the points themselves: for these are seldom doubles. False, and nothing done, for kinds that do not have
+  /// such limits: those whose coordinates are no numbers, normalised ones and those that are no sums over elements.
+  virtual bool fill_limits(std::span<const Touching> /*places*/, int /*order*/,
+                           std::span<CoordinateTable<double>> /*tables*/) const {
+    return false;
+  }
+  virtual bool fill_limits(std::span<const Touching> /*places*/, int /*order*/,
+                           std::span<CoordinateTable<Mp50>> /*tables*/) const {
+    return false;
+  }
   /// The same tables with the sums of the absolute values of the terms that coordinates are summed from, at least
   /// about: what a rounding of each of them costs. False, and nothing done, for kinds that know of no terms but the
   /// coordinates themselves.
@@ -236,6 +247,11 @@ class CageCoordinates {
   /// A block of points: one table a block of coordinates, as PreparedCoordinates::fill.
   template <Scalar R>
   std::vector<CoordinateTable<R>> at(std::span<const Vec3<R>> points, int order) const;
+
+  /// Limits from inside at points within elements (PreparedCoordinates::fill_limits). R: double or Mp50
+  /// \throws InputError for kinds that have none
+  template <Scalar R>
+  std::vector<CoordinateTable<R>> limits_at(std::span<const Touching> places, int order) const;
 
   /// One point: one result a block.
   template <Scalar R>

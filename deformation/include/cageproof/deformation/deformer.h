@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Deformers: what a posed cage does to the points of space. A method, prepared for one rest cage, then posed as often
+// as one likes; points are asked through their coordinates, which outlive poses.
+#pragma once
+
+#include "cageproof/core/coordinates.h"
+
+#include <Eigen/Core>
+
+#include <list>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cageproof::deformation {
+
+template <Scalar R>
+using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// What a method has to say of what it did.
+struct DeformationReport {
+  std::vector<SolvedSystem> systems;
+  std::vector<std::pair<std::string, double>> figures;  ///< energies, counts, by name
+  std::vector<std::string> warnings;
+};
+
+/// Another pose of a cage: its vertices, in their order, elsewhere.
+template <Scalar R>
+struct Pose {
+  std::vector<Vec3<R>> vertices;
+  /// Normal derivatives of each element that the user prescribes instead of the method's own; empty for those.
+  std::vector<Vec3<R>> normal_derivatives = {};
+};
+
+/// Images of points and their derivatives: tensors[o] is [point][component][derivatives by the rest axes], with as many
+/// components and axes as the space has dimensions.
+template <Scalar R>
+struct Images {
+  std::array<std::vector<R>, 3> tensors;
+};
+
+/// A deformer with a pose.
+template <Scalar R>
+class Posed {
+ public:
+  virtual ~Posed() = default;
+  /// \param coordinates of the points, by Deformer::coordinates() \pre order <= Deformer::max_order()
+  virtual Images<R> images(std::span<const CoordinateTable<R>> coordinates, std::size_t points, int order) const = 0;
+  virtual const DeformationReport& report() const = 0;
+};
+
+/// A method prepared for one cage. Safe from any thread.
+template <Scalar R>
+class Deformer {
+ public:
+  virtual ~Deformer() = default;
+  /// What images of points are made from.
+  virtual const CageCoordinates& coordinates() const = 0;
+  virtual int max_order() const { return coordinates().max_order(); }
+  /// What was solved for the rest cage.
+  virtual DeformationReport prepared() const { return {}; }
+  /// \throws InputError for a pose that the method cannot take, naming the vertex or element
+  virtual std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const = 0;
+
+  /// Images of points under one pose.
+  Images<R> images(const Posed<R>& posed, std::span<const Vec3<R>> points, int order) const {
+    return posed.images(coordinates().template at<R>(points, order), points.size(), order);
+  }
+};
+
+/// What a method is prepared with.
+struct DeformOptions {
+  std::string evaluation = {};  ///< of the coordinates' formulas; empty for the recommended ones
+  Triangulation triangulation = Triangulation::Shortest;
+  std::vector<double> parameters = {};  ///< in the order of parameters_of(method); empty for their defaults
+};
+
+/// A method, as users name it.
+struct DeformMethod {
+  std::string_view name;
+  std::string_view source;
+  std::string_view keeps;  ///< the maps of space that it reproduces, in words
+  /// The kind of coordinates that images are made from.
+  std::string_view kind;
+  /// Its own; those of the kind come after them (parameters_of), unless the method says what they are.
+  std::vector<KindParameter> parameters = {};
+  bool with_parameters_of_kind = true;
+  /// Why there is no such deformer of a cage that has the coordinates; empty where there is. Null for methods that
+  /// refuse none.
+  std::string (*refuses)(const Cage& cage) = nullptr;
+  std::shared_ptr<const Deformer<double>> (*prepare)(const Cage& cage, const DeformOptions& options);
+  std::shared_ptr<const Deformer<Mp50>> (*prepare_in_50_digits)(const Cage& cage, const DeformOptions& options);
+};
+
+/// All methods, by name. They stay where they are.
+const std::list<DeformMethod>& deform_methods();
+
+/// Adds a method at program start: `const RegisterDeformMethod r{...};` at namespace scope of a .cpp.
+struct RegisterDeformMethod {
+  explicit RegisterDeformMethod(DeformMethod method);
+};
+
+/// The method of that name. \throws InputError where there is none
+const DeformMethod& deform_method_named(std::string_view name);
+
+/// A method's parameters: its own, then those of its kind of coordinates where users may choose them.
+std::vector<KindParameter> parameters_of(const DeformMethod& method);
+
+/// Prepares a method. R: double or Mp50
+/// \throws InputError for a cage that the method refuses, a parameter out of range or an unknown evaluation
+template <Scalar R>
+std::shared_ptr<const Deformer<R>> prepare_deformer(const DeformMethod& method, const Cage& cage,
+                                                    DeformOptions options);
+
+}  // namespace cageproof::deformation

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// [T24] Section 4.1.3: normal derivatives that make an energy of second derivatives on the cage least.
+#include "layer_deformer.h"
+#include "solver.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace cageproof::deformation {
+namespace {
+
+// Of Laplacians (AHAP), of all second derivatives (AAAP), of those along the rest normal (TP).
+enum class Energy { Laplacian, Hessian, Normal };
+enum class Alignment { Hard, Soft, Free };
+
+// An operator of second derivatives of phi, psi, phibar and psibar at samples: as many rows a sample as it has numbers.
+template <Scalar R>
+std::array<Matrix<R>, 4> second_derivatives(Energy energy, const CageCoordinates& coordinates,
+                                            const std::vector<Touching>& samples) {
+  const auto tables = coordinates.limits_at<R>(samples, 2);
+  const int d = coordinates.dimension(), width = d * d;
+  const int rows = energy == Energy::Hessian ? width : 1;
+  const auto count = static_cast<Eigen::Index>(samples.size());
+  std::array<Matrix<R>, 4> found;
+  for (std::size_t b = 0; b < 4; ++b) {
+    found[b] = Matrix<R>::Zero(rows * count, coordinates.blocks()[b].size);
+    for (int i = 0; i < d; ++i)
+      for (int j = 0; j < d; ++j) {
+        if (energy == Energy::Laplacian && i != j) continue;
+        const Matrix<R> along = component(tables[b], samples.size(), 2, width, i * d + j);
+        for (Eigen::Index s = 0; s < count; ++s) {
+          const Vec3<double>& n = coordinates.elements().normals()[samples[s].element];
+          if (energy == Energy::Hessian) found[b].row(rows * s + i * d + j) = along.row(s);
+          else if (energy == Energy::Laplacian) found[b].row(s) += along.row(s);
+          else found[b].row(s) += R(R(n[i]) * R(n[j])) * along.row(s);
+        }
+      }
+  }
+  return found;
+}
+
+template <Scalar R, Energy E>
+class Aligned final : public LayerDeformer<R> {
+ public:
+  Aligned(const Cage& cage, const DeformOptions& options)
+      : LayerDeformer<R>(cage, options),
+        alignment_(static_cast<Alignment>(static_cast<int>(options.parameters[2]))),
+        gamma_a_(options.parameters[3]) {
+    const CageCoordinates& coordinates = this->coordinates();
+    this->regularise(
+        one_three<R>(layers_at<R>(coordinates, static_cast<int>(options.parameters[0])), R(options.parameters[4])));
+    const std::vector<Touching> samples = samples_of(coordinates.elements(), static_cast<int>(options.parameters[1]));
+    samples_ = static_cast<double>(samples.size());
+    const auto of = second_derivatives<R>(E, coordinates, samples);
+    Matrix<R> densities(of[2].rows(), of[2].cols() + of[3].cols());
+    densities << of[2], of[3];
+    of_vertices_ = of[0] + densities * this->regularisation().to_vertices;
+    of_normals_ = of[1] + densities * this->regularisation().to_normals;
+  }
+
+  std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
+    const CageElements& elements = this->coordinates().elements();
+    check_pose(elements, pose.vertices);
+    DeformationReport report;
+    warn_of_orientation(elements, pose.vertices, report.warnings);
+    const Matrix<R> vertices = rows_of(pose.vertices, elements.dimension());
+    const Matrix<R> fixed = of_vertices_ * vertices;
+    Matrix<R> normals;
+    if (alignment_ == Alignment::Free) {
+      normals = least_squares<R>(of_normals_, Matrix<R>(-fixed), "normal derivatives of least energy", &report.systems);
+    } else {
+      const Matrix<R> units = rows_of(stretched_normals(Stretch::Unit, elements, pose.vertices), elements.dimension());
+      report.figures.emplace_back("energy a sample, unit normals", energy(fixed, units));
+      normals = alignment_ == Alignment::Hard ? along(units, fixed, report) : softly_along(units, fixed, report);
+    }
+    report.figures.emplace_back("energy a sample", energy(fixed, normals));
+    return this->with(vertices, normals, std::move(report));
+  }
+
+ private:
+  double energy(const Matrix<R>& fixed, const Matrix<R>& normals) const {
+    return static_cast<double>(R((fixed + of_normals_ * normals).squaredNorm())) / samples_;
+  }
+
+  // N' = sigma n', Eq 32 and 33, a coordinate of the image below the other.
+  Matrix<R> along(const Matrix<R>& units, const Matrix<R>& fixed, DeformationReport& report) const {
+    const Eigen::Index rows = of_normals_.rows(), count = units.rows(), d = units.cols();
+    Matrix<R> matrix(d * rows, count), right(d * rows, 1);
+    for (Eigen::Index c = 0; c < d; ++c) {
+      matrix.middleRows(c * rows, rows) = of_normals_ * units.col(c).asDiagonal();
+      right.middleRows(c * rows, rows) = -fixed.col(c);
+    }
+    const Matrix<R> sigma = least_squares<R>(matrix, right, "stretches of least energy", &report.systems);
+    Eigen::Index negative = 0;
+    for (Eigen::Index t = 0; t < count; ++t) negative += sigma(t, 0) < 0 ? 1 : 0;
+    report.figures.emplace_back("least sigma", static_cast<double>(R(sigma.minCoeff())));
+    report.figures.emplace_back("largest sigma", static_cast<double>(R(sigma.maxCoeff())));
+    report.figures.emplace_back("negative sigma", static_cast<double>(negative));
+    if (negative > 0)
+      report.warnings.push_back(
+          fmt::format("{} of {} sigma are negative: the image is turned inside out there", negative, count));
+    Matrix<R> normals = units;
+    for (Eigen::Index t = 0; t < count; ++t) normals.row(t) *= sigma(t, 0);
+    return normals;
+  }
+
+  // Eq 34 as least squares: each coordinate's energy, and gamma_a times what is across n'.
+  Matrix<R> softly_along(const Matrix<R>& units, const Matrix<R>& fixed, DeformationReport& report) const {
+    using std::sqrt;
+    const Eigen::Index rows = of_normals_.rows(), count = units.rows(), d = units.cols();
+    const R weight = sqrt(R(gamma_a_));
+    Matrix<R> matrix = Matrix<R>::Zero(d * (rows + count), d * count), right = Matrix<R>::Zero(d * (rows + count), 1);
+    for (Eigen::Index c = 0; c < d; ++c) {
+      matrix.block(c * rows, c * count, rows, count) = of_normals_;
+      right.middleRows(c * rows, rows) = -fixed.col(c);
+      for (Eigen::Index t = 0; t < count; ++t)
+        for (Eigen::Index k = 0; k < d; ++k)
+          matrix(d * rows + c * count + t, k * count + t) =
+              weight * ((c == k ? R(1) : R(0)) - R(units(t, c) * units(t, k)));
+    }
+    const Matrix<R> solution =
+        least_squares<R>(matrix, right, "normal derivatives of least energy, softly aligned", &report.systems);
+    return solution.reshaped(count, d);
+  }
+
+  Alignment alignment_;
+  double gamma_a_, samples_ = 0;
+  Matrix<R> of_vertices_, of_normals_;
+};
+
+template <Energy E, Scalar R>
+std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
+  return std::make_shared<Aligned<R, E>>(cage, options);
+}
+
+template <Energy E>
+DeformMethod method(std::string_view name) {
+  return {.name = name,
+          .source = "[T24] Section 4.1.3, Eq 31-36",
+          .keeps = "similarities and mirror images (alignment=free: affine maps)",
+          .kind = "biharmonic",
+          .parameters = {{{.name = "level", .preset = 1, .lowest = -1, .highest = 6, .whole = true},
+                          "times that elements are split for samples of the regularisation"},
+                         {{.name = "energy_level", .preset = 1, .lowest = -1, .highest = 6, .whole = true},
+                          "the same of the energy, which are part of the method"},
+                         {{.name = "alignment", .preset = 0, .lowest = -1, .highest = 3, .whole = true},
+                          "of normal derivatives with posed normals",
+                          {"hard", "soft", "free"}},
+                         {{.name = "gamma_a", .preset = 1, .lowest = -1e-300, .highest = 1e300},
+                          "weight of soft alignment, per area"},
+                         {{.name = "gamma_d", .preset = 1, .lowest = -1e-300, .highest = 1e300},
+                          "of the regularisation, as of biharmonic_1_3"}},
+          .prepare = prepare<E, double>,
+          .prepare_in_50_digits = prepare<E, Mp50>};
+}
+
+const RegisterDeformMethod ahap{method<Energy::Laplacian>("ahap")};
+const RegisterDeformMethod aaap{method<Energy::Hessian>("aaap")};
+const RegisterDeformMethod tp{method<Energy::Normal>("tp")};
+
+}  // namespace
+}  // namespace cageproof::deformation

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Samples on a cage, and the layers there.
+#pragma once
+
+#include "cageproof/deformation/deformer.h"
+
+namespace cageproof::deformation {
+
+/// Points of the cage: each element split in parts so often, by its midpoints, and the parts' centroids. 4^level points
+/// a triangle, strictly within it, in its basis functions, which sum to one.
+std::vector<Touching> samples_of(const CageElements& elements, int level);
+
+/// Values of basis functions and layers at samples, a row a sample; limits from inside.
+template <Scalar R>
+struct SampledLayers {
+  std::vector<Touching> samples;
+  Matrix<R> hats;                      ///< of vertices: M
+  Matrix<R> phi, psi, phibar, psibar;  ///< a column a vertex, or an element
+};
+
+/// \pre the coordinates are of kind `biharmonic`
+template <Scalar R>
+SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level);
+
+/// A block's derivatives of one order at samples, one component: a row a sample.
+template <Scalar R>
+Matrix<R> component(const CoordinateTable<R>& table, std::size_t samples, int order, std::size_t width,
+                    std::size_t which) {
+  const std::size_t count = table.stride[order] / width;
+  Matrix<R> found(static_cast<Eigen::Index>(samples), static_cast<Eigen::Index>(count));
+  for (std::size_t s = 0; s < samples; ++s)
+    for (std::size_t i = 0; i < count; ++i)
+      found(static_cast<Eigen::Index>(s), static_cast<Eigen::Index>(i)) =
+          table.tensors[order][s * table.stride[order] + i * width + which];
+  return found;
+}
+
+}  // namespace cageproof::deformation

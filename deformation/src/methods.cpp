@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/deformation/deformer.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cageproof::deformation {
+namespace {
+
+std::list<DeformMethod>& known() {
+  static std::list<DeformMethod> methods;
+  return methods;
+}
+
+std::vector<double> checked(const DeformMethod& method, std::vector<double> given) {
+  const std::vector<KindParameter> parameters = parameters_of(method);
+  if (given.empty())
+    for (const KindParameter& p : parameters) given.push_back(p.preset);
+  if (given.size() != parameters.size())
+    throw InputError(fmt::format("{} takes {} parameters, not {}", method.name, parameters.size(), given.size()));
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (!parameters[i].allows(given[i]))
+      throw InputError(fmt::format("{}: {} = {} is out of range", method.name, parameters[i].name, given[i]));
+  return given;
+}
+
+// Why the cage has no such deformer.
+std::string reason_against(const DeformMethod& method, const Cage& cage) {
+  const CoordinateKind& kind = coordinate_kind_named(method.kind);
+  if (!exists_on(kind, cage)) return fmt::format("{} does not exist on cages of this dimension", method.name);
+  if (!accepts(kind, cage)) return why_refused(kind, cage);
+  return method.refuses ? method.refuses(cage) : "";
+}
+
+}  // namespace
+
+const std::list<DeformMethod>& deform_methods() { return known(); }
+
+RegisterDeformMethod::RegisterDeformMethod(DeformMethod method) {
+  const auto after = std::ranges::upper_bound(known(), method.name, {}, &DeformMethod::name);
+  known().insert(after, std::move(method));
+}
+
+const DeformMethod& deform_method_named(std::string_view name) {
+  const auto found = std::ranges::find(known(), name, &DeformMethod::name);
+  if (found == known().end()) throw unknown_name("deformer", name);
+  return *found;
+}
+
+std::vector<KindParameter> parameters_of(const DeformMethod& method) {
+  std::vector<KindParameter> all = method.parameters;
+  if (method.with_parameters_of_kind)
+    for (KindParameter& p : cageproof::parameters_of(coordinate_kind_named(method.kind))) all.push_back(std::move(p));
+  return all;
+}
+
+template <Scalar R>
+std::shared_ptr<const Deformer<R>> prepare_deformer(const DeformMethod& method, const Cage& cage,
+                                                    DeformOptions options) {
+  options.parameters = checked(method, std::move(options.parameters));
+  if (const std::string reason = reason_against(method, cage); !reason.empty())
+    throw InputError(fmt::format("{}: {}", cage.name(), reason));
+  if constexpr (std::same_as<R, double>) return method.prepare(cage, options);
+  else return method.prepare_in_50_digits(cage, options);
+}
+
+template std::shared_ptr<const Deformer<double>> prepare_deformer<double>(const DeformMethod&, const Cage&,
+                                                                          DeformOptions);
+template std::shared_ptr<const Deformer<Mp50>> prepare_deformer<Mp50>(const DeformMethod&, const Cage&, DeformOptions);
+
+}  // namespace cageproof::deformation

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "corotation.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/deformation/stretch.h"
+
+#include <Eigen/Dense>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace cageproof::deformation {
+namespace {
+
+template <Scalar R>
+using Column = Eigen::Matrix<R, Eigen::Dynamic, 1>;
+
+template <Scalar R>
+Column<R> in(int d, const Vec3<R>& v) {
+  return v.head(d);
+}
+
+template <Scalar R>
+struct NearestRotation {
+  Matrix<R> rotation;
+  Column<R> signed_values;  ///< singular values, the last with the determinant's sign
+  bool is_unique;
+};
+
+// The rotation nearest to a matrix, U diag(1, ..., det(U W^t)) W^t.
+template <Scalar R>
+NearestRotation<R> nearest_rotation(const Matrix<R>& matrix) {
+  const Eigen::JacobiSVD<Matrix<R>> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Index last = matrix.rows() - 1;
+  Column<R> signs = Column<R>::Ones(matrix.rows());
+  const R determinant = Matrix<R>(svd.matrixU() * svd.matrixV().transpose()).determinant();
+  if (determinant < 0) signs[last] = -1;
+  const Column<R>& values = svd.singularValues();
+  const R small = 64 * unit_roundoff<R>() * values[0];
+  const bool unique = values[last - 1] > small && !(determinant < 0 && values[last - 1] - values[last] <= small);
+  return {svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose(), values.cwiseProduct(signs), unique};
+}
+
+template <Scalar R>
+R measure(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element) {
+  using std::sqrt;
+  const auto corners = rest.vertices_of(element);
+  const Vec3<R> u = vertices[corners[1]] - vertices[corners[0]];
+  if (corners.size() == 2) return sqrt(R(u.dot(u)));
+  const Vec3<R> area = u.cross(Vec3<R>(vertices[corners[2]] - vertices[corners[0]]));
+  return sqrt(R(area.dot(area))) / 2;
+}
+
+// How much the vertex normals of each element spread: the angle between the two, or the solid angle of the three;
+// positive where the cage is convex.
+template <Scalar R>
+std::vector<R> spreads(const CageElements& rest, const std::vector<Vec3<R>>& vertices) {
+  using std::atan2, std::sqrt;
+  std::vector<Vec3<R>> of_vertices(vertices.size(), Vec3<R>::Zero());
+  for (std::size_t e = 0; e < rest.count(); ++e) {
+    const Vec3<R> weighted = measure(rest, vertices, e) * posed_normal(rest, vertices, e);
+    for (const int v : rest.vertices_of(e)) of_vertices[v] += weighted;
+  }
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const R length = sqrt(R(of_vertices[v].dot(of_vertices[v])));
+    if (!(length > 0))
+      throw InputError(fmt::format("the normals around vertex {} add up to nothing: it has no spread", v));
+    of_vertices[v] /= length;
+  }
+  std::vector<R> found;
+  found.reserve(rest.count());
+  for (std::size_t e = 0; e < rest.count(); ++e) {
+    const auto corners = rest.vertices_of(e);
+    const Vec3<R>&a = of_vertices[corners[0]], &b = of_vertices[corners[1]];
+    if (corners.size() == 2) {
+      found.push_back(atan2(R(a[0] * b[1] - a[1] * b[0]), R(a.dot(b))));
+      continue;
+    }
+    const Vec3<R>& c = of_vertices[corners[2]];
+    found.push_back(2 * atan2(R(a.dot(b.cross(c))), R(1 + a.dot(b) + b.dot(c) + c.dot(a))));
+  }
+  return found;
+}
+
+template <Scalar R>
+R wrapped(R angle) {
+  const R turn = 2 * pi<R>();
+  while (angle > turn / 2) angle -= turn;
+  while (angle <= -turn / 2) angle += turn;
+  return angle;
+}
+
+// The rotation and stretch of all vertices (Umeyama 1991).
+template <Scalar R>
+std::pair<Matrix<R>, R> similarity(const CageElements& rest, const std::vector<Vec3<R>>& posed,
+                                   std::vector<std::string>& warnings) {
+  const int d = rest.dimension();
+  const std::vector<Vec3<R>> from = vertices_in<R>(rest);
+  Vec3<R> middle = Vec3<R>::Zero(), posed_middle = Vec3<R>::Zero();
+  for (std::size_t v = 0; v < from.size(); ++v) middle += from[v], posed_middle += posed[v];
+  middle /= R(static_cast<double>(from.size()));
+  posed_middle /= R(static_cast<double>(from.size()));
+  Matrix<R> h = Matrix<R>::Zero(d, d);
+  R size = 0;
+  for (std::size_t v = 0; v < from.size(); ++v) {
+    const Vec3<R> step = from[v] - middle;
+    h += in<R>(d, posed[v] - posed_middle) * in<R>(d, step).transpose();
+    size += step.dot(step);
+  }
+  const NearestRotation<R> nearest = nearest_rotation(h);
+  if (!nearest.is_unique) warnings.emplace_back("the rotation of all vertices is not unique");
+  return {nearest.rotation, R(nearest.signed_values.sum() / size)};
+}
+
+// Of one element: the rotation factor of the map that takes its rest edges to the posed ones and its normal to the
+// posed one.
+template <Scalar R>
+Matrix<R> rotation_of(const CageElements& rest, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
+                      std::size_t e) {
+  const int d = rest.dimension();
+  const auto corners = rest.vertices_of(e);
+  const auto axes = [&](const std::vector<Vec3<R>>& vertices) {
+    Matrix<R> found(d, d);
+    for (int k = 0; k + 1 < d; ++k) found.col(k) = in<R>(d, vertices[corners[k + 1]] - vertices[corners[0]]);
+    // In the plane the normal as long as the edge makes the map a similarity.
+    found.col(d - 1) = in<R>(d, posed_normal(rest, vertices, e)) * (d == 2 ? found.col(0).norm() : R(1));
+    return found;
+  };
+  return nearest_rotation(Matrix<R>(axes(posed) * axes(from).inverse())).rotation;
+}
+
+}  // namespace
+
+template <Scalar R>
+Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>& posed,
+                            const CorotationOptions& options) {
+  using std::exp;
+  const int d = rest.dimension();
+  const std::vector<Vec3<R>> from = vertices_in<R>(rest);
+  Corotation<R> found;
+  std::vector<R> stretches(rest.count());
+  if (options.local) {
+    found.of_vertices.assign(posed.size(), Matrix<R>::Zero(d, d));
+    for (std::size_t e = 0; e < rest.count(); ++e) {
+      found.of_elements.push_back(rotation_of(rest, from, posed, e));
+      stretches[e] = stretch_of(Stretch::Mean, rest, posed, e);
+      for (const int v : rest.vertices_of(e)) found.of_vertices[v] += measure(rest, from, e) * found.of_elements[e];
+    }
+    for (std::size_t v = 0; v < posed.size(); ++v) {
+      const NearestRotation<R> nearest = nearest_rotation(found.of_vertices[v]);
+      if (!nearest.is_unique) found.warnings.push_back(fmt::format("the rotation of vertex {} is not unique", v));
+      found.of_vertices[v] = nearest.rotation;
+    }
+  } else {
+    const auto [rotation, stretch] = similarity(rest, posed, found.warnings);
+    found.of_vertices.assign(posed.size(), rotation);
+    found.of_elements.assign(rest.count(), rotation);
+    stretches.assign(rest.count(), stretch);
+  }
+  std::vector<R> bulges(rest.count(), R(0));
+  if (options.gamma != 0) {
+    const std::vector<R> before = spreads(rest, from), after = spreads(rest, posed);
+    for (std::size_t e = 0; e < rest.count(); ++e)
+      bulges[e] = d == 2 ? wrapped(R(after[e] - before[e])) : R(after[e] - before[e]);
+  }
+  // nu/(1 - 2 nu), -1/2 in the limit.
+  const R volume = std::isinf(options.nu) ? R(-0.5) : R(R(options.nu) / (1 - 2 * R(options.nu)));
+  Matrix<R> sides = Matrix<R>::Zero(d, d);
+  Column<R> uneven = Column<R>::Zero(d);
+  std::vector<Column<R>> normals;
+  for (std::size_t e = 0; e < rest.count(); ++e) {
+    const Column<R> m = found.of_elements[e] * in<R>(d, posed_normal(rest, from, e));
+    const R eta = stretches[e] * R(exp(R(R(options.gamma) * bulges[e] / ((d == 2 ? 2 : 4) * pi<R>()))));
+    const R s = 2 * (eta + volume * (eta + (d - 1) * stretches[e]));
+    const R area = measure(rest, from, e);
+    sides += area * m * m.transpose();
+    uneven += area * s * m;
+    normals.push_back(m);
+    Vec3<R> traction = Vec3<R>::Zero();
+    traction.head(d) = s * m;
+    found.tractions.push_back(traction);
+  }
+  if (!options.balance) return found;
+  // Eq 15: what the tractions leave over is taken back from each along its normal.
+  Eigen::CompleteOrthogonalDecomposition<Matrix<R>> solver;
+  solver.setThreshold(R(1e-13));
+  solver.compute(sides);
+  const Column<R> xi = solver.solve(uneven);
+  for (std::size_t e = 0; e < rest.count(); ++e) found.tractions[e].head(d) -= normals[e] * normals[e].dot(xi);
+  return found;
+}
+
+template Corotation<double> corotation_of<double>(const CageElements&, const std::vector<Vec3<double>>&,
+                                                  const CorotationOptions&);
+template Corotation<Mp50> corotation_of<Mp50>(const CageElements&, const std::vector<Vec3<Mp50>>&,
+                                              const CorotationOptions&);
+
+}  // namespace cageproof::deformation

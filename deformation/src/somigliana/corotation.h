@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Rotations, stretches and tractions of a pose ([C23] Section 4).
+#pragma once
+
+#include "cageproof/deformation/deformer.h"
+
+namespace cageproof::deformation {
+
+/// What the corotational deformer takes from a pose: a rotation a vertex, and a rotation and a traction an element.
+template <Scalar R>
+struct Corotation {
+  std::vector<Matrix<R>> of_vertices, of_elements;
+  std::vector<Vec3<R>> tractions;  ///< s'_j of Eq 11, already turned: s_j m_j, balanced where asked
+  std::vector<std::string> warnings;
+};
+
+struct CorotationOptions {
+  bool local = false;
+  double nu = 0.3;      ///< infinite: incompressible beyond, Green's
+  double gamma = 0;     ///< of bulging, Eq 14
+  bool balance = true;  ///< Eq 15
+};
+
+/// For a pose of the elements' vertices. mu is one. \throws InputError where an element has no normal that is needed
+template <Scalar R>
+Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>& posed,
+                            const CorotationOptions& options);
+
+}  // namespace cageproof::deformation

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// The corotational Somigliana deformer ([C23] Section 4, Eq 11).
+#include "corotation.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/deformation/stretch.h"
+
+#include <Eigen/LU>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace cageproof::deformation {
+namespace {
+
+template <Scalar R>
+class SomiglianaPosed final : public Posed<R> {
+ public:
+  SomiglianaPosed(int dimension, const std::vector<Vec3<R>>& vertices, Corotation<R> pose)
+      : d_(dimension), pose_(std::move(pose)) {
+    report_.warnings = std::move(pose_.warnings);
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      turned_vertices_.push_back(pose_.of_vertices[v].transpose() * vertices[v].head(d_));
+    for (std::size_t e = 0; e < pose_.tractions.size(); ++e)
+      turned_tractions_.push_back(pose_.of_elements[e].transpose() * pose_.tractions[e].head(d_));
+  }
+
+  const DeformationReport& report() const override { return report_; }
+
+  // x' = T^-1 y, T = sum R_i T_i R_i^t, y = sum R_i T_i R_i^t v'_i + sum R_j K_j R_j^t s'_j; derivatives by the
+  // quotient rule.
+  Images<R> images(std::span<const CoordinateTable<R>> coordinates, std::size_t points, int order) const override {
+    Images<R> images;
+    for (int o = 0; o <= order; ++o) images.tensors[o].assign(points * d_ * derivative_count(d_, o), R(0));
+    for (std::size_t p = 0; p < points; ++p) {
+      const auto zeroth = sums(coordinates, p, 0, 0);
+      const Eigen::PartialPivLU<Matrix<R>> solver(zeroth.whole);
+      const Column image = solver.solve(zeroth.image);
+      std::vector<Sums> first;
+      std::vector<Column> slopes;
+      put(image, p, 0, 0, images);
+      for (int a = 0; order >= 1 && a < d_; ++a) {
+        first.push_back(sums(coordinates, p, 1, a));
+        slopes.push_back(solver.solve(first[a].image - first[a].whole * image));
+        put(slopes[a], p, 1, a, images);
+      }
+      for (int a = 0; order >= 2 && a < d_; ++a)
+        for (int b = 0; b < d_; ++b) {
+          const Sums second = sums(coordinates, p, 2, a * d_ + b);
+          put(solver.solve(second.image - first[a].whole * slopes[b] - first[b].whole * slopes[a] -
+                           second.whole * image),
+              p, 2, a * d_ + b, images);
+        }
+    }
+    return images;
+  }
+
+ private:
+  using Column = Eigen::Matrix<R, Eigen::Dynamic, 1>;
+  struct Sums {
+    Matrix<R> whole;
+    Column image;
+  };
+
+  // A coordinate's matrix, one of its derivatives.
+  Matrix<R> matrix_of(const CoordinateTable<R>& table, std::size_t p, std::size_t coordinate, int order,
+                      int which) const {
+    const std::size_t width = derivative_count(d_, order);
+    const R* const from = &table.tensors[order][p * table.stride[order] + coordinate * d_ * d_ * width + which];
+    Matrix<R> found(d_, d_);
+    for (int i = 0; i < d_; ++i)
+      for (int j = 0; j < d_; ++j) found(i, j) = from[(i * d_ + j) * width];
+    return found;
+  }
+
+  Sums sums(std::span<const CoordinateTable<R>> coordinates, std::size_t p, int order, int which) const {
+    Sums found{Matrix<R>::Zero(d_, d_), Column::Zero(d_)};
+    for (std::size_t v = 0; v < turned_vertices_.size(); ++v) {
+      const Matrix<R> turned = pose_.of_vertices[v] * matrix_of(coordinates[0], p, v, order, which);
+      found.whole += turned * pose_.of_vertices[v].transpose();
+      found.image += turned * turned_vertices_[v];
+    }
+    for (std::size_t e = 0; e < turned_tractions_.size(); ++e)
+      found.image += pose_.of_elements[e] * (matrix_of(coordinates[1], p, e, order, which) * turned_tractions_[e]);
+    return found;
+  }
+
+  void put(const Column& image, std::size_t p, int order, int which, Images<R>& images) const {
+    const std::size_t width = derivative_count(d_, order);
+    for (int c = 0; c < d_; ++c) images.tensors[order][(p * d_ + c) * width + which] = image[c];
+  }
+
+  int d_;
+  Corotation<R> pose_;
+  std::vector<Column> turned_vertices_, turned_tractions_;
+  DeformationReport report_;
+};
+
+// The parameters' order.
+enum : std::size_t { kVariant, kNu, kGamma, kBalance };
+
+template <Scalar R>
+class Somigliana final : public Deformer<R> {
+ public:
+  Somigliana(const Cage& cage, const DeformOptions& options)
+      : coordinates_(cage, coordinate_kind_named("somigliana"),
+                     CoordinateOptions{options.evaluation, options.triangulation, {1, options.parameters[kNu]}}),
+        options_{.local = options.parameters[kVariant] == 1,
+                 .nu = options.parameters[kNu],
+                 .gamma = options.parameters[kGamma],
+                 .balance = options.parameters[kBalance] == 0} {}
+
+  const CageCoordinates& coordinates() const override { return coordinates_; }
+  std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
+    check_pose(coordinates_.elements(), pose.vertices);
+    return std::make_unique<SomiglianaPosed<R>>(coordinates_.dimension(), pose.vertices,
+                                                corotation_of<R>(coordinates_.elements(), pose.vertices, options_));
+  }
+
+ private:
+  CageCoordinates coordinates_;
+  CorotationOptions options_;
+};
+
+template <Scalar R>
+std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
+  return std::make_shared<Somigliana<R>>(cage, options);
+}
+
+const RegisterDeformMethod somigliana{
+    {.name = "somigliana",
+     .source = "[C23] Section 4, Eq 10-15",
+     .keeps = "similarities",
+     .kind = "somigliana",
+     .parameters = {{{.name = "variant", .preset = 0, .lowest = -1, .highest = 2, .whole = true},
+                     "one rotation for all, or one for each vertex and element",
+                     {"global", "local"}},
+                    {{.name = "nu", .preset = 0.3, .lowest = -1, .highest = 0.5, .includes_infinity = true},
+                     "Poisson's ratio"},
+                    {{.name = "gamma", .preset = 0, .lowest = -1e6, .highest = 1e6}, "bulging"},
+                    {{.name = "balance", .preset = 0, .lowest = -1, .highest = 2, .whole = true},
+                     "whether tractions are balanced, Eq 15",
+                     {"on", "off"}}},
+     .with_parameters_of_kind = false,
+     .prepare = prepare<double>,
+     .prepare_in_50_digits = prepare<Mp50>}};
+
+}  // namespace
+}  // namespace cageproof::deformation
