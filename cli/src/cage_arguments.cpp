@@ -87,6 +87,11 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
   return values_of(given, numbers, owner);
 }
 
+std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<KindParameter>& known,
+                                    std::string_view owner) {
+  return values_of(given, known, owner);
+}
+
 std::vector<double> parameters_from(const std::vector<std::string>& given, const CoordinateKind& kind) {
   return values_of(given, parameters_of(kind), kind.name);
 }

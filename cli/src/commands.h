@@ -22,6 +22,7 @@ void add_list(CommandLine& line);
 void add_eval(CommandLine& line);
 void add_explain(CommandLine& line);
 void add_coordinates(CommandLine& line);
+void add_deform(CommandLine& line);
 void add_verify(CommandLine& line, const std::string& command_line);
 void add_merge(CommandLine& line);
 void add_report(CommandLine& line);
@@ -56,6 +57,9 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
                                     std::string_view owner);
 /// The same for a kind of coordinates, whose parameters may have names for values: "collocation=vertices".
 std::vector<double> parameters_from(const std::vector<std::string>& given, const CoordinateKind& kind);
+/// The same for those of any owner.
+std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<KindParameter>& known,
+                                    std::string_view owner);
 
 /// Points with the faces that they carry, if any: a mesh file, or text.
 /// \param dimension of the cage that they are for: in the plane third numbers must be zero

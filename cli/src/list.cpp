@@ -3,6 +3,7 @@
 
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/embedded_cages.h"
+#include "cageproof/deformation/deformer.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/promise.h"
@@ -60,6 +61,14 @@ std::vector<CoordinateBlock> own_blocks(const CoordinateKind& kind) {
   return CageCoordinates(embedded_cage(kind.own_dimension == 2 ? "square" : "cube"), kind, {}).blocks();
 }
 
+Json parameter_json(const KindParameter& p) {
+  Json parameter = {{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}};
+  if (!p.names.empty())
+    parameter = {{"name", p.name}, {"default", p.names[static_cast<std::size_t>(p.preset)]}, {"names", p.names}};
+  if (!p.meaning.empty()) parameter["meaning"] = p.meaning;
+  return parameter;
+}
+
 Json catalogue_json() {
   Json all = {{"schema", "cageproof-catalogue"}, {"schema_version", 1}, {"formulas", Json::array()}};
   for (const Formula& f : catalogue()) all["formulas"].push_back(formula_json(f));
@@ -70,15 +79,18 @@ Json catalogue_json() {
       for (const CoordinateBlock& b : own_blocks(kind))
         blocks.push_back({{"label", b.label}, {"one_a", b.per_vertex ? "vertex" : "element"}});
     Json parameters = Json::array();
-    for (const KindParameter& p : parameters_of(kind)) {
-      Json parameter = {{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}};
-      if (!p.names.empty())
-        parameter = {{"name", p.name}, {"default", p.names[static_cast<std::size_t>(p.preset)]}, {"names", p.names}};
-      if (!p.meaning.empty()) parameter["meaning"] = p.meaning;
-      parameters.push_back(std::move(parameter));
-    }
+    for (const KindParameter& p : parameters_of(kind)) parameters.push_back(parameter_json(p));
     all["coordinates"].push_back(
         {{"name", kind.name}, {"source", kind.source}, {"blocks", blocks}, {"parameters", parameters}});
+  }
+  for (const deformation::DeformMethod& method : deformation::deform_methods()) {
+    Json parameters = Json::array();
+    for (const KindParameter& p : deformation::parameters_of(method)) parameters.push_back(parameter_json(p));
+    all["deformers"].push_back({{"name", method.name},
+                                {"source", method.source},
+                                {"keeps", method.keeps},
+                                {"coordinates", method.kind},
+                                {"parameters", parameters}});
   }
   for (const auto& regime : validation::regimes())
     all["regimes"].push_back(
@@ -115,7 +127,16 @@ void print_text() {
       for (const CoordinateBlock& b : own_blocks(kind)) labels.push_back(b.label);
     fmt::print(" {} ({})", kind.name, fmt::join(labels, ", "));
   }
-  fmt::print("\nregimes:");
+  fmt::print("\ndeformers:\n");
+  for (const deformation::DeformMethod& method : deformation::deform_methods()) {
+    fmt::print("    {}", method.name);
+    for (const KindParameter& p : deformation::parameters_of(method)) {
+      if (p.names.empty()) fmt::print(" {}={:g}", p.name, p.preset);
+      else fmt::print(" {}={}", p.name, fmt::join(p.names, "|"));
+    }
+    fmt::print("   ({}; keeps {})\n", method.source, method.keeps);
+  }
+  fmt::print("regimes:");
   for (const auto& regime : validation::regimes()) fmt::print(" {}", regime.name);
   fmt::print(" {} {}\nchecks:", validation::hull_regime, validation::hunted_regime);
   for (const auto& check : validation::checks()) fmt::print(" {}", check->name());

@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   add_eval(line);
   add_explain(line);
   add_coordinates(line);
+  add_deform(line);
   add_verify(line, as_given);
   add_merge(line);
   add_report(line);

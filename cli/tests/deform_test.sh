@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Meshes deformed from the command line, and how that is refused. Usage: deform_test.sh PATH_OF_CAGEPROOF
+set -u
+cageproof=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 2
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# refuses WORDS... -- ARGUMENTS of deform...: exit 2, one line on standard error that holds every word, no file written.
+refuses() {
+  local words=() word before
+  while [ "$1" != -- ]; do words+=("$1"); shift; done
+  shift
+  rm -f stdout stderr
+  before=$(ls)
+  "$cageproof" deform "$@" >stdout 2>stderr </dev/null
+  local code=$?
+  [ $code -eq 2 ] || fail "exit $code, not 2: $*"
+  [ "$(wc -l <stderr)" -eq 1 ] || fail "not one line: $* : $(cat stderr)"
+  for word in "${words[@]}"; do grep -qF -- "$word" stderr || fail "no '$word' in: $(cat stderr)"; done
+  rm -f stdout stderr
+  [ "$(ls)" = "$before" ] || fail "left something behind: $*"
+}
+
+# The embedded cube, a pose that is twice as large, and a mesh in it: a quad and a triangle.
+cat >large.obj <<'OBJ'
+v -1 -1 -1
+v 1 -1 -1
+v -1 1 -1
+v 1 1 -1
+v -1 -1 1
+v 1 -1 1
+v -1 1 1
+v 1 1 1
+OBJ
+cat >mesh.obj <<'OBJ'
+v 0.25 0.125 0
+v 0.375 0.125 0
+v 0.375 0.25 0
+v 0.25 0.25 0.125
+v 0 0 0.25
+f 1 2 3 4
+f 1 3 5
+OBJ
+common=(--cage cube --posed large.obj --points mesh.obj)
+
+"$cageproof" deform "${common[@]}" --method mean_value --out moved.obj || fail "a mesh"
+grep -q '^f 1 2 3 4$' moved.obj || fail "the quad is lost: $(cat moved.obj)"
+[ "$(grep -c '^f ' moved.obj)" -eq 2 ] || fail "faces are lost"
+# Images of the first vertex are at twice its place.
+awk '$1 == "v" {d = ($2 - 0.5) ^ 2 + ($3 - 0.25) ^ 2 + $4 ^ 2; exit !(d < 1e-28)}' moved.obj || fail "not twice as large: $(cat moved.obj)"
+grep -q '"method": "mean_value"' moved.json || fail "no report beside it"
+grep -q '"cage_volume_ratio": 8.0' moved.json || fail "volumes: $(cat moved.json)"
+
+# Several poses in one run, each as by itself; every format; derivatives beside a mesh.
+"$cageproof" deform "${common[@]}" --posed cube --method green --out 'both_{n}.csv' || fail "two poses"
+"$cageproof" deform "${common[@]}" --method green --out one.csv
+cmp -s both_1.csv one.csv || fail "the first of two poses is another"
+[ "$(head -n 1 both_2.csv)" = x,y,z ] || fail "columns: $(head -n 1 both_2.csv)"
+for format in ply vtp npy; do
+  "$cageproof" deform "${common[@]}" --method tp --out "out.$format" || fail "$format"
+done
+"$cageproof" deform "${common[@]}" --method green --order 1 --out jacobians.obj --derivatives jacobians.csv || fail "derivatives"
+[ "$(head -n 1 jacobians.csv)" = x,y,z,x_dx,x_dy,x_dz,y_dx,y_dy,y_dz,z_dx,z_dy,z_dz ] || fail "columns: $(head -n 1 jacobians.csv)"
+grep -q '"largest_singular_value": 2.0' jacobians.json || fail "singular values: $(cat jacobians.json)"
+
+# The plane, by the same command.
+printf '0,0\n2,0\n2,2\n0,2\n' >square.csv
+printf '0.5,0.25\n' >points.csv
+"$cageproof" deform --cage square --posed square --points points.csv --method somigliana --out still.csv || fail "the plane"
+
+# Points outside.
+printf '0,0,0\n3,0,0\n' >outside.csv
+refuses '1 of 2 points' 'number 1' '--outside rest' -- --cage cube --posed large.obj --points outside.csv --method green --out out.csv
+"$cageproof" deform --cage cube --posed large.obj --points outside.csv --method green --outside rest --out rest.csv 2>stderr || fail "--outside rest"
+[ "$(tail -n 1 rest.csv)" = 3,0,0 ] || fail "not at rest: $(tail -n 1 rest.csv)"
+grep -q '1 of 2 points' stderr || fail "no word of the point outside"
+"$cageproof" deform --cage cube --posed large.obj --points outside.csv --method green --outside nan --out nan.csv 2>stderr
+[ "$(tail -n 1 nan.csv)" = nan,nan,nan ] || fail "not nan: $(tail -n 1 nan.csv)"
+"$cageproof" deform --cage cube --posed large.obj --points outside.csv --method mean_value --out all.csv || fail "mean value coordinates exist outside"
+
+# What is refused.
+refuses "unknown deformer 'grean'" -- "${common[@]}" --method grean --out out.obj
+refuses stretch rms -- "${common[@]}" --method green --parameter stretch=most --out out.obj
+refuses 'green has stretch alone' -- "${common[@]}" --method green --parameter level=1 --out out.obj
+refuses 'out of range' -- "${common[@]}" --method somigliana --parameter nu=0.5 --out out.obj
+refuses missing.obj -- --cage cube --posed missing.obj --points mesh.obj --method green --out out.obj
+refuses mesh.obj '5 vertices, the rest cage 8' -- --cage cube --posed mesh.obj --points mesh.obj --method green --out out.obj
+refuses .stl -- "${common[@]}" --method green --out out.stl
+refuses --derivatives -- "${common[@]}" --method green --order 1 --out out.obj
+refuses '{n}' -- "${common[@]}" --posed cube --method green --out out.obj
+refuses '--outside nan' -- "${common[@]}" --method green --outside nan --out out.obj
+sed 's/^v 1 1 1$/v 1 1 -1/' large.obj >flat.obj
+refuses flat.obj 'has no area' -- --cage cube --posed flat.obj --points mesh.obj --method green --out out.obj
+refuses dimension -- --cage square --posed square --points points.csv --method maximum_entropy --out out.csv
+
+[ $failures -eq 0 ] && echo "all as it should be"
+exit $failures

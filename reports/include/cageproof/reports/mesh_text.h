@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Meshes as text of the usual formats.
+#pragma once
+
+#include "cageproof/core/mesh_io.h"
+
+#include <string>
+
+namespace cageproof::reports {
+
+/// Wavefront OBJ: vertices with all digits of a double, faces of any size, polylines. \pre all vertices are finite
+std::string obj_text(const Mesh& mesh);
+
+/// PLY in ASCII. Its vertices are floats, whatever they were.
+std::string ply_text(const Mesh& mesh);
+
+}  // namespace cageproof::reports

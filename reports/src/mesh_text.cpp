@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/reports/mesh_text.h"
+
+#include "cageproof/core/whole_file.h"
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkOBJWriter.h>
+#include <vtkPLYWriter.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+namespace cageproof::reports {
+namespace {
+
+void fill(const Mesh& mesh, vtkPolyData& data) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vec3<double>& vertex : mesh.vertices) points->InsertNextPoint(vertex.data());
+  data.SetPoints(points);
+  vtkNew<vtkCellArray> faces, lines;
+  for (const auto& face : mesh.faces) {
+    faces->InsertNextCell(static_cast<int>(face.size()));
+    for (const int v : face) faces->InsertCellPoint(v);
+  }
+  for (const auto& segment : mesh.segments) {
+    lines->InsertNextCell(2);
+    for (const int v : segment) lines->InsertCellPoint(v);
+  }
+  if (!mesh.faces.empty()) data.SetPolys(faces);
+  if (!mesh.segments.empty()) data.SetLines(lines);
+}
+
+// A folder of its own, which goes with what is in it.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "cageproof-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("no folder for temporary files could be made");
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
+
+std::string obj_text(const Mesh& mesh) {
+  vtkNew<vtkPolyData> data;
+  fill(mesh, *data);
+  // This writer knows files alone.
+  const ScratchFolder scratch;
+  const std::string file = (scratch.path() / "mesh.obj").string();
+  vtkNew<vtkOBJWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(file.c_str());
+  if (!writer->Write()) throw std::runtime_error("VTK could not write a mesh");
+  return read_file(file);
+}
+
+std::string ply_text(const Mesh& mesh) {
+  vtkNew<vtkPolyData> data;
+  fill(mesh, *data);
+  vtkNew<vtkPLYWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileTypeToASCII();
+  writer->WriteToOutputStringOn();
+  if (!writer->Write()) throw std::runtime_error("VTK could not write a mesh into memory");
+  return writer->GetOutputString();
+}
+
+}  // namespace cageproof::reports
