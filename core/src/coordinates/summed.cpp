@@ -299,7 +299,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
   template <Scalar R>
   void put_limit(const Touching& place, std::size_t p, int order, std::span<CoordinateTable<R>> tables) const {
     const ElementAxes<R> axes(corners_in<R>(place.element));
-    const std::vector<Vec3<R>> flat = axes.corners();
+    const std::vector<Vec3<R>>& flat = axes.corners();
     Vec3<R> in_plane = Vec3<R>::Zero();
     for (std::size_t k = 1; k < flat.size(); ++k) in_plane += R(place.basis[k]) * flat[k];
     const Vec3<R> point = axes.in_space(in_plane);
