@@ -20,8 +20,8 @@ double condition_of(const Matrix<double>& matrix) {
   return least > 0 ? values[0] / least : std::numeric_limits<double>::infinity();
 }
 
-SolvedSystem described(std::string name, const Matrix<double>& matrix, Eigen::Index rank, const Matrix<double>& right,
-                       const Matrix<double>& solution) {
+SolvedSystem description_of(std::string name, const Matrix<double>& matrix, Eigen::Index rank,
+                            const Matrix<double>& right, const Matrix<double>& solution) {
   const Eigen::VectorXd sizes = right.colwise().norm(), left = (matrix * solution - right).colwise().norm();
   double residual = 0;
   for (Eigen::Index k = 0; k < sizes.size(); ++k)
@@ -37,22 +37,30 @@ SolvedSystem described(std::string name, const Matrix<double>& matrix, Eigen::In
 }  // namespace
 
 template <Scalar R>
+Factored<R>::Factored(Matrix<R> matrix) : matrix_(std::move(matrix)) {
+  factors_.setThreshold(R(1e-13));
+  factors_.compute(matrix_);
+}
+
+template <Scalar R>
+SolvedSystem Factored<R>::described(std::string name, const Matrix<R>& right, const Matrix<R>& solution) const {
+  if constexpr (std::same_as<R, double>) return description_of(std::move(name), matrix_, rank(), right, solution);
+  else
+    return description_of(std::move(name), matrix_.template cast<double>(), rank(), right.template cast<double>(),
+                          solution.template cast<double>());
+}
+
+template <Scalar R>
 Matrix<R> least_squares(const Matrix<R>& matrix, const Matrix<R>& right, std::string name,
                         std::vector<SolvedSystem>* solved) {
-  Eigen::CompleteOrthogonalDecomposition<Matrix<R>> factors;
-  factors.setThreshold(R(1e-13));
-  factors.compute(matrix);
-  Matrix<R> solution = factors.solve(right);
-  if (solved) {
-    if constexpr (std::same_as<R, double>)
-      solved->push_back(described(std::move(name), matrix, factors.rank(), right, solution));
-    else
-      solved->push_back(described(std::move(name), matrix.template cast<double>(), factors.rank(),
-                                  right.template cast<double>(), solution.template cast<double>()));
-  }
+  const Factored<R> factored(matrix);
+  Matrix<R> solution = factored.solve(right);
+  if (solved) solved->push_back(factored.described(std::move(name), right, solution));
   return solution;
 }
 
+template class Factored<double>;
+template class Factored<Mp50>;
 template Matrix<double> least_squares<double>(const Matrix<double>&, const Matrix<double>&, std::string,
                                               std::vector<SolvedSystem>*);
 template Matrix<Mp50> least_squares<Mp50>(const Matrix<Mp50>&, const Matrix<Mp50>&, std::string,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "corotation.h"
 
+#include "../nearest_rotation.h"
+
 #include "cageproof/core/input_error.h"
 #include "cageproof/deformation/stretch.h"
 
@@ -21,25 +23,10 @@ Column<R> in(int d, const Vec3<R>& v) {
   return v.head(d);
 }
 
+// Up to the rounding of what it is found from.
 template <Scalar R>
-struct NearestRotation {
-  Matrix<R> rotation;
-  Column<R> signed_values;  ///< singular values, the last with the determinant's sign
-  bool is_unique;
-};
-
-// The rotation nearest to a matrix, U diag(1, ..., det(U W^t)) W^t.
-template <Scalar R>
-NearestRotation<R> nearest_rotation(const Matrix<R>& matrix) {
-  const Eigen::JacobiSVD<Matrix<R>> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Index last = matrix.rows() - 1;
-  Column<R> signs = Column<R>::Ones(matrix.rows());
-  const R determinant = Matrix<R>(svd.matrixU() * svd.matrixV().transpose()).determinant();
-  if (determinant < 0) signs[last] = -1;
-  const Column<R>& values = svd.singularValues();
-  const R small = 64 * unit_roundoff<R>() * values[0];
-  const bool unique = values[last - 1] > small && !(determinant < 0 && values[last - 1] - values[last] <= small);
-  return {svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose(), values.cwiseProduct(signs), unique};
+NearestRotation<R> rotation_nearest_to(const Matrix<R>& matrix) {
+  return nearest_rotation<R>(matrix, 64 * unit_roundoff<R>());
 }
 
 template <Scalar R>
@@ -108,7 +95,7 @@ std::pair<Matrix<R>, R> similarity(const CageElements& rest, const std::vector<V
     h += in<R>(d, posed[v] - posed_middle) * in<R>(d, step).transpose();
     size += step.dot(step);
   }
-  const NearestRotation<R> nearest = nearest_rotation(h);
+  const NearestRotation<R> nearest = rotation_nearest_to<R>(h);
   if (!nearest.is_unique) warnings.emplace_back("the rotation of all vertices is not unique");
   return {nearest.rotation, R(nearest.signed_values.sum() / size)};
 }
@@ -127,7 +114,7 @@ Matrix<R> rotation_of(const CageElements& rest, const std::vector<Vec3<R>>& from
     found.col(d - 1) = in<R>(d, posed_normal(rest, vertices, e)) * (d == 2 ? found.col(0).norm() : R(1));
     return found;
   };
-  return nearest_rotation(Matrix<R>(axes(posed) * axes(from).inverse())).rotation;
+  return rotation_nearest_to<R>(Matrix<R>(axes(posed) * axes(from).inverse())).rotation;
 }
 
 }  // namespace
@@ -148,7 +135,7 @@ Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>
       for (const int v : rest.vertices_of(e)) found.of_vertices[v] += measure(rest, from, e) * found.of_elements[e];
     }
     for (std::size_t v = 0; v < posed.size(); ++v) {
-      const NearestRotation<R> nearest = nearest_rotation(found.of_vertices[v]);
+      const NearestRotation<R> nearest = rotation_nearest_to<R>(found.of_vertices[v]);
       if (!nearest.is_unique) found.warnings.push_back(fmt::format("the rotation of vertex {} is not unique", v));
       found.of_vertices[v] = nearest.rotation;
     }

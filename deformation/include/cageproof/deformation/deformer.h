@@ -23,6 +23,8 @@ struct DeformationReport {
   std::vector<SolvedSystem> systems;
   std::vector<std::pair<std::string, double>> figures;  ///< energies, counts, by name
   std::vector<std::string> warnings;
+  /// Of methods that iterate: what they make less, after every half step.
+  std::vector<double> energies = {};
 };
 
 /// Another pose of a cage: its vertices, in their order, elsewhere.

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Deformation by constraints on points of space, without a posed cage: variational harmonic and biharmonic maps ([T24]
+// Section 4.2, Eq 37-40).
+#pragma once
+
+#include "cageproof/deformation/deformer.h"
+
+namespace cageproof::deformation {
+
+/// What is asked of a map f at points inside a cage, or on it where what is asked exists there. In the plane third
+/// coordinates have no part.
+struct Constraints {
+  struct Position {
+    Vec3<double> at, to;
+  };
+  struct Orientation {
+    Vec3<double> at;
+    Mat3<double> jacobian;  ///< row c, column j: the derivative of f's component c along axis j
+  };
+  std::vector<Position> positions = {};        ///< f(at) = to
+  std::vector<Orientation> orientations = {};  ///< Jf(at) = jacobian
+  std::vector<Vec3<double>> rotations = {};    ///< Jf is a rotation, or a similarity, whichever is nearest
+  std::vector<Vec3<double>> hessians = {};     ///< Hf = 0
+};
+
+/// Maps f = phi a + psi b, or f = phi a + psi b + phibar c + psibar d.
+enum class Subspace { Harmonic, Biharmonic };
+
+/// What Jacobians at Constraints::rotations are drawn to.
+enum class Nearest { Rotation, Similarity };
+
+/// The paper gives no values for weights. They carry units: in a unit of length s times smaller, the same map takes
+/// s^2 alpha, s^2 beta and s^4 gamma.
+struct VariationalOptions {
+  Subspace subspace = Subspace::Biharmonic;
+  Nearest nearest = Nearest::Rotation;
+  double alpha = 0.01;   ///< weight of orientations, at least 0
+  double beta = 0.01;    ///< of rotations, at least 0; the larger, the slower the convergence
+  double gamma = 0.001;  ///< of Hessians, at least 0
+  int steps = 100;       ///< of alternation, at most; at least 1
+  /// Steps end when one lowers the energy by no more than this part of it; 0: all steps are taken. Near the minimum the
+  /// energy misses it by the square of what the map does.
+  double tolerance = 1e-12;
+  std::string evaluation = {};  ///< of the coordinates' formulas; empty for the recommended ones
+  Triangulation triangulation = Triangulation::Shortest;
+};
+
+/// The energy
+///   E = sum |f(p) - to|^2 + alpha sum |Jf - jacobian|^2 + beta sum |Jf - R|^2 + gamma sum |Hf|^2
+/// of f's coefficients and of the rotations R, in Frobenius norms, made less by turns: each R becomes the rotation (or
+/// similarity) nearest to Jf, then the coefficients solve a linear least-squares problem. Its matrix depends on places
+/// and weights alone and is factored once. The first map is the identity. The energy does not rise, beyond rounding, at
+/// any half step; its minimum need not be the global one. Where constraints do not determine the coefficients, those of
+/// least norm are taken, in the cage's own unit of length, and the report has a warning. R: double or Mp50. Safe from
+/// any thread.
+template <Scalar R>
+class Variational {
+ public:
+  /// \throws InputError for a cage without coordinates of the kind, an option out of range, no constraints, and, naming
+  /// the constraint, for numbers that are not finite, points outside the cage, and points on it where the derivatives
+  /// do not exist
+  Variational(const Cage& cage, Constraints constraints, const VariationalOptions& options = {});
+
+  /// What images are made from: of kind `green` or `biharmonic`.
+  const CageCoordinates& coordinates() const;
+  /// Rank and condition of the matrix, and what there is to warn of before any step.
+  DeformationReport prepared() const;
+
+  /// The map for the constraints as given. Its report has the energies after all half steps, local ones first, and as
+  /// figures "energy", "steps" and "last relative decrease".
+  /// \throws InputError for targets so large that the energy leaves the scalar's range
+  std::unique_ptr<const Posed<R>> pose() const;
+  /// The map for the positional constraints' points drawn elsewhere, in their order.
+  /// \throws InputError as pose(), unless there are as many targets as positional constraints, and for targets that are
+  /// not finite, named
+  std::unique_ptr<const Posed<R>> pose_to(const std::vector<Vec3<double>>& targets) const;
+
+  /// Images of points under a map.
+  Images<R> images(const Posed<R>& posed, std::span<const Vec3<R>> points, int order) const {
+    return posed.images(coordinates().template at<R>(points, order), points.size(), order);
+  }
+
+ private:
+  struct Prepared;
+  std::shared_ptr<const Prepared> prepared_;
+};
+
+}  // namespace cageproof::deformation

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "constraint_rows.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+namespace cageproof::deformation {
+namespace {
+
+void check_weight(const char* name, double weight) {
+  if (!std::isfinite(weight) || weight < 0)
+    throw InputError(fmt::format("{} = {} is no weight: weights are finite and at least 0", name, weight));
+}
+
+std::string place(const Vec3<double>& point, int dimension) {
+  return fmt::format("({})", fmt::join(point.data(), point.data() + dimension, ", "));
+}
+
+// Inside, and on the cage seen from inside, phi sums to one; outside to zero.
+template <Scalar R>
+void check_inside(const std::string& name, const std::vector<Vec3<double>>& points, const CoordinateTable<R>& phi,
+                  int dimension) {
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    R sum = 0;
+    for (std::size_t i = 0; i < phi.stride[0]; ++i) sum += phi.tensors[0][p * phi.stride[0] + i];
+    if (!(sum > R(0.5)))
+      throw InputError(fmt::format("{}[{}] at {} is outside the cage", name, p, place(points[p], dimension)));
+  }
+}
+
+// A row a point and derivative, from `first` on.
+template <Scalar R>
+void put_rows(const CageCoordinates& coordinates, const std::string& name, const std::vector<Vec3<double>>& points,
+              int order, const R& root, Eigen::Index first, ConstraintRows<R>& rows) {
+  if (points.empty()) return;
+  const int d = coordinates.dimension();
+  const auto width = static_cast<Eigen::Index>(derivative_count(d, order));
+  std::vector<Vec3<R>> at;
+  at.reserve(points.size());
+  for (const Vec3<double>& p : points) at.push_back(convert<R>(p));
+  const auto tables = coordinates.at<R>(at, order);
+  check_inside(name, points, tables[0], d);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const Eigen::Index row = first + static_cast<Eigen::Index>(p) * width;
+    Eigen::Index column = 0;
+    for (const CoordinateTable<R>& table : tables) {
+      const auto count = static_cast<Eigen::Index>(table.stride[order]) / width;
+      const Eigen::Map<const Matrix<R>> found(&table.tensors[order][p * table.stride[order]], width, count);
+      rows.matrix.block(row, column, width, count) = root * found;
+      column += count;
+    }
+    if (!rows.matrix.middleRows(row, width).allFinite())
+      throw InputError(fmt::format("{}[{}] at {} is on the cage, where the coordinates have no derivatives of order {}",
+                                   name, p, place(points[p], d), order));
+  }
+}
+
+template <Scalar R>
+Eigen::Matrix<R, Eigen::Dynamic, 1> units_of(const CageCoordinates& coordinates, double size) {
+  const R h(size);
+  const std::array<R, 4> of_blocks{h, R(1), R(1 / h), R(1 / h / h)};
+  Eigen::Index count = 0;
+  for (const CoordinateBlock& block : coordinates.blocks()) count += block.size;
+  Eigen::Matrix<R, Eigen::Dynamic, 1> units(count);
+  Eigen::Index first = 0;
+  for (std::size_t b = 0; b < coordinates.blocks().size(); ++b) {
+    units.segment(first, coordinates.blocks()[b].size).setConstant(of_blocks[b]);
+    first += coordinates.blocks()[b].size;
+  }
+  return units;
+}
+
+std::vector<Vec3<double>> places_of(const auto& constraints) {
+  std::vector<Vec3<double>> points;
+  points.reserve(constraints.size());
+  for (const auto& constraint : constraints) points.push_back(constraint.at);
+  return points;
+}
+
+}  // namespace
+
+void check_finite(const std::string& name, const Vec3<double>& point, int dimension) {
+  for (int c = 0; c < dimension; ++c)
+    if (!std::isfinite(point[c])) throw InputError(fmt::format("{} is not finite", name));
+}
+
+void check_constraints(const Constraints& constraints, const VariationalOptions& options, int dimension) {
+  check_weight("alpha", options.alpha);
+  check_weight("beta", options.beta);
+  check_weight("gamma", options.gamma);
+  if (options.steps < 1) throw InputError(fmt::format("steps = {}: at least 1 is wanted", options.steps));
+  if (!std::isfinite(options.tolerance) || options.tolerance < 0)
+    throw InputError(fmt::format("tolerance = {}: it is finite and at least 0", options.tolerance));
+  if (constraints.positions.empty() && constraints.orientations.empty() && constraints.rotations.empty() &&
+      constraints.hessians.empty())
+    throw InputError("there are no constraints");
+  for (std::size_t i = 0; i < constraints.positions.size(); ++i) {
+    check_finite(fmt::format("positions[{}].at", i), constraints.positions[i].at, dimension);
+    check_finite(fmt::format("positions[{}].to", i), constraints.positions[i].to, dimension);
+  }
+  for (std::size_t i = 0; i < constraints.orientations.size(); ++i) {
+    check_finite(fmt::format("orientations[{}].at", i), constraints.orientations[i].at, dimension);
+    for (int c = 0; c < dimension; ++c)
+      check_finite(fmt::format("orientations[{}].jacobian[{}]", i, c),
+                   constraints.orientations[i].jacobian.row(c).transpose(), dimension);
+  }
+  for (std::size_t i = 0; i < constraints.rotations.size(); ++i)
+    check_finite(fmt::format("rotations[{}]", i), constraints.rotations[i], dimension);
+  for (std::size_t i = 0; i < constraints.hessians.size(); ++i)
+    check_finite(fmt::format("hessians[{}]", i), constraints.hessians[i], dimension);
+}
+
+template <Scalar R>
+ConstraintRows<R> constraint_rows(const CageCoordinates& coordinates, const Constraints& constraints,
+                                  const VariationalOptions& options, double size) {
+  using std::sqrt;
+  const int d = coordinates.dimension();
+  const auto count = [](const auto& list) { return static_cast<Eigen::Index>(list.size()); };
+  ConstraintRows<R> rows;
+  rows.units = units_of<R>(coordinates, size);
+  rows.orientations = count(constraints.positions);
+  rows.rotations = rows.orientations + d * count(constraints.orientations);
+  rows.hessians = rows.rotations + d * count(constraints.rotations);
+  rows.root_alpha = sqrt(R(options.alpha));
+  rows.root_beta = sqrt(R(options.beta));
+  rows.matrix.resize(rows.hessians + d * d * count(constraints.hessians), rows.units.size());
+  put_rows<R>(coordinates, "positions", places_of(constraints.positions), 0, R(1), 0, rows);
+  put_rows<R>(coordinates, "orientations", places_of(constraints.orientations), 1, rows.root_alpha, rows.orientations,
+              rows);
+  put_rows<R>(coordinates, "rotations", constraints.rotations, 1, rows.root_beta, rows.rotations, rows);
+  put_rows<R>(coordinates, "hessians", constraints.hessians, 2, R(sqrt(R(options.gamma))), rows.hessians, rows);
+  for (Eigen::Index k = 0; k < rows.units.size(); ++k) rows.matrix.col(k) *= rows.units[k];
+  return rows;
+}
+
+template ConstraintRows<double> constraint_rows<double>(const CageCoordinates&, const Constraints&,
+                                                        const VariationalOptions&, double);
+template ConstraintRows<Mp50> constraint_rows<Mp50>(const CageCoordinates&, const Constraints&,
+                                                    const VariationalOptions&, double);
+
+}  // namespace cageproof::deformation

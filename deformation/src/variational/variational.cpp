@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/deformation/variational.h"
+
+#include "../layers/solver.h"
+#include "../linear_posed.h"
+#include "../nearest_rotation.h"
+#include "constraint_rows.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/deformation/stretch.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+namespace cageproof::deformation {
+namespace {
+
+constexpr const char* kSystem = "Eq 37-40: coefficients of least energy";
+
+const CoordinateKind& kind_of_subspace(Subspace subspace) {
+  return coordinate_kind_named(subspace == Subspace::Harmonic ? "green" : "biharmonic");
+}
+
+// Coordinates for constraints that are sound in themselves: evaluations do not judge points.
+CageCoordinates checked_coordinates(const Cage& cage, const Constraints& constraints,
+                                    const VariationalOptions& options) {
+  check_constraints(constraints, options, cage.dimension());
+  const CoordinateKind& kind = kind_of_subspace(options.subspace);
+  if (const std::string reason = why_refused(kind, cage); !reason.empty())
+    throw InputError(fmt::format("{}: {}", cage.name(), reason));
+  return {cage, kind, CoordinateOptions{options.evaluation, options.triangulation, {}}};
+}
+
+}  // namespace
+
+template <Scalar R>
+struct Variational<R>::Prepared {
+  Prepared(const Cage& cage, Constraints given, const VariationalOptions& chosen)
+      : constraints(std::move(given)),
+        options(chosen),
+        coordinates(checked_coordinates(cage, constraints, options)),
+        rows(constraint_rows<R>(coordinates, constraints, options, cage.size())),
+        factors(std::move(rows.matrix)) {
+    const CageElements& elements = coordinates.elements();
+    const std::vector<Vec3<R>> vertices = vertices_in<R>(elements);
+    rest = Matrix<R>::Zero(rows.units.size(), dimension());
+    rest.topRows(static_cast<Eigen::Index>(vertices.size())) = rows_of(vertices, dimension());
+    rest.middleRows(static_cast<Eigen::Index>(vertices.size()), static_cast<Eigen::Index>(elements.count())) =
+        rows_of(stretched_normals(Stretch::Unit, elements, vertices), dimension());
+    for (Eigen::Index k = 0; k < rest.rows(); ++k) rest.row(k) /= rows.units[k];
+  }
+
+  int dimension() const { return coordinates.dimension(); }
+  Eigen::Index free_unknowns() const { return factors.matrix().cols() - factors.rank(); }
+
+  std::vector<std::string> warnings() const {
+    std::vector<std::string> all;
+    if (constraints.positions.empty()) all.emplace_back("there is no positional constraint: translations are free");
+    if (free_unknowns() > 0)
+      all.push_back(fmt::format("the constraints leave {} of {} unknowns free: the solution of least norm is taken",
+                                free_unknowns(), factors.matrix().cols()));
+    return all;
+  }
+
+  // Targets of all rows; those of rotations are zero still.
+  Matrix<R> targets(const std::vector<Vec3<double>>& positions) const {
+    const int d = dimension();
+    Matrix<R> right = Matrix<R>::Zero(factors.matrix().rows(), d);
+    for (std::size_t p = 0; p < positions.size(); ++p)
+      right.row(static_cast<Eigen::Index>(p)) = convert<R>(positions[p]).head(d).transpose();
+    for (std::size_t p = 0; p < constraints.orientations.size(); ++p)
+      right.middleRows(rows.orientations + d * static_cast<Eigen::Index>(p), d) =
+          rows.root_alpha * constraints.orientations[p].jacobian.topLeftCorner(d, d).transpose().template cast<R>();
+    return right;
+  }
+
+  // Puts the rotation or similarity nearest to each Jacobian among the targets. Returns the first point where it is not
+  // unique. Rows hold sqrt(beta) times derivatives; with beta = 0 they say nothing, and any rotation does.
+  std::optional<std::size_t> turn(const Matrix<R>& solution, Matrix<R>& right) const {
+    const int d = dimension();
+    std::optional<std::size_t> ambiguous;
+    if (rows.root_beta == 0) return ambiguous;
+    for (std::size_t p = 0; p < constraints.rotations.size(); ++p) {
+      const Eigen::Index first = rows.rotations + d * static_cast<Eigen::Index>(p);
+      const Matrix<R> jacobian = (factors.matrix().middleRows(first, d) * solution).transpose() / rows.root_beta;
+      const NearestRotation<R> nearest = nearest_rotation<R>(jacobian, R(1e-10));
+      if (!nearest.is_unique && !ambiguous) ambiguous = p;
+      const R factor = options.nearest == Nearest::Similarity ? R(nearest.signed_values.sum() / d) : R(1);
+      right.middleRows(first, d) = rows.root_beta * factor * nearest.rotation.transpose();
+    }
+    return ambiguous;
+  }
+
+  double energy(const Matrix<R>& solution, const Matrix<R>& right) const {
+    const auto found = static_cast<double>(R((factors.matrix() * solution - right).squaredNorm()));
+    if (!std::isfinite(found)) throw InputError("the constraints' targets are too large: the energy is not finite");
+    return found;
+  }
+
+  std::unique_ptr<const Posed<R>> posed(const Matrix<R>& solution, DeformationReport report) const {
+    const Matrix<R> coefficients = rows.units.asDiagonal() * solution;
+    std::vector<Matrix<R>> data;
+    Eigen::Index first = 0;
+    for (const CoordinateBlock& block : coordinates.blocks()) {
+      data.emplace_back(coefficients.middleRows(first, block.size));
+      first += block.size;
+    }
+    return std::make_unique<LinearPosed<R>>(std::move(data), std::move(report));
+  }
+
+  std::unique_ptr<const Posed<R>> run(const std::vector<Vec3<double>>& positions) const {
+    Matrix<R> right = targets(positions), solution = rest;
+    DeformationReport report;
+    report.warnings = warnings();
+    double decrease = 0;
+    // Without rotations the problem is linear, and the first step solves it.
+    const bool linear = constraints.rotations.empty() || options.beta == 0;
+    bool converged = false, told = false;
+    for (int step = 1; step <= (linear ? 1 : options.steps); ++step) {
+      if (const auto ambiguous = turn(solution, right); ambiguous && !told) {
+        report.warnings.push_back(
+            fmt::format("rotations[{}]: the nearest rotation is not unique in step {}", *ambiguous, step));
+        told = true;
+      }
+      report.energies.push_back(energy(solution, right));
+      solution = factors.solve(right);
+      report.energies.push_back(energy(solution, right));
+      // From global step to global step; the first one has its own local step before it.
+      const double before = report.energies[report.energies.size() - (step == 1 ? 2 : 3)];
+      decrease = before > 0 ? 1 - report.energies.back() / before : 0;
+      converged = linear || !(decrease > options.tolerance);
+      if (converged && options.tolerance > 0) break;
+    }
+    if (!converged)
+      report.warnings.push_back(fmt::format("not converged: step {} still lowered the energy by {:.2g} of it",
+                                            report.energies.size() / 2, decrease));
+    report.systems.push_back(factors.described(kSystem, right, solution));
+    report.figures = {{"energy", report.energies.back()},
+                      {"steps", static_cast<double>(report.energies.size() / 2)},
+                      {"last relative decrease", decrease}};
+    return posed(solution, std::move(report));
+  }
+
+  Constraints constraints;
+  VariationalOptions options;
+  CageCoordinates coordinates;
+  ConstraintRows<R> rows;  ///< their matrix is the factors'
+  Factored<R> factors;
+  Matrix<R> rest;  ///< the identity's coefficients, in units
+};
+
+template <Scalar R>
+Variational<R>::Variational(const Cage& cage, Constraints constraints, const VariationalOptions& options)
+    : prepared_(std::make_shared<const Prepared>(cage, std::move(constraints), options)) {}
+
+template <Scalar R>
+const CageCoordinates& Variational<R>::coordinates() const {
+  return prepared_->coordinates;
+}
+
+template <Scalar R>
+DeformationReport Variational<R>::prepared() const {
+  const Matrix<R> none = Matrix<R>::Zero(prepared_->factors.matrix().rows(), 1);
+  DeformationReport report;
+  report.systems.push_back(prepared_->factors.described(kSystem, none, prepared_->factors.solve(none)));
+  report.warnings = prepared_->warnings();
+  return report;
+}
+
+template <Scalar R>
+std::unique_ptr<const Posed<R>> Variational<R>::pose() const {
+  std::vector<Vec3<double>> targets;
+  targets.reserve(prepared_->constraints.positions.size());
+  for (const Constraints::Position& position : prepared_->constraints.positions) targets.push_back(position.to);
+  return prepared_->run(targets);
+}
+
+template <Scalar R>
+std::unique_ptr<const Posed<R>> Variational<R>::pose_to(const std::vector<Vec3<double>>& targets) const {
+  if (targets.size() != prepared_->constraints.positions.size())
+    throw InputError(fmt::format("{} targets for {} positional constraints", targets.size(),
+                                 prepared_->constraints.positions.size()));
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    check_finite(fmt::format("target {}", i), targets[i], prepared_->dimension());
+  return prepared_->run(targets);
+}
+
+template class Variational<double>;
+template class Variational<Mp50>;
+
+}  // namespace cageproof::deformation
