@@ -104,8 +104,9 @@ Json catalogue_json() {
   for (const auto& check : validation::checks())
     all["checks"].push_back({{"name", check->name()}, {"unit", check->unit()}, {"description", check->description()}});
   for (const std::string_view name : other_checks())
-    all["checks"].push_back(
-        {{"name", name}, {"unit", ""}, {"description", "of whole cages and their elements; docs/errors.md"}});
+    all["checks"].push_back({{"name", name},
+                             {"unit", ""},
+                             {"description", "of whole cages, their elements and deformers; docs/errors.md"}});
   for (const auto name : embedded_cage_names()) all["cages"].push_back(name);
   for (const auto name : extreme_cage_names()) all["extreme_cages"].push_back(name);
   return all;

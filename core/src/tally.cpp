@@ -6,7 +6,10 @@
 
 namespace cageproof {
 
-std::string_view name_of(RowKey::Section section) { return section == RowKey::Section::Element ? "element" : "cage"; }
+std::string_view name_of(RowKey::Section section) {
+  constexpr std::array<std::string_view, sections.size()> names{"element", "cage", "deformer"};
+  return names[static_cast<std::size_t>(section)];
+}
 
 void Tally::add_to_curve(std::size_t index, std::size_t count, double error) {
   by_parameter.resize(std::max(by_parameter.size(), count), -1);

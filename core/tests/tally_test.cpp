@@ -118,6 +118,12 @@ TEST(row_key, is_ordered_and_hashed_by_every_member) {
   for (int i = 1; i < 9; ++i) EXPECT_LT(keys[0], keys[i]) << i;
 }
 
+TEST(row_key, sections_have_names_of_their_own) {
+  std::vector<std::string_view> names;
+  for (const RowKey::Section section : sections) names.push_back(name_of(section));
+  EXPECT_EQ(names, (std::vector<std::string_view>{"element", "cage", "deformer"}));
+}
+
 FieldPart part(std::size_t first, std::vector<double> values) {
   FieldPart p;
   p.samples = 6;

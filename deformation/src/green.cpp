@@ -44,6 +44,7 @@ const RegisterDeformMethod green{
      .parameters = {{{.name = "stretch", .preset = 0, .lowest = -1, .highest = 4, .whole = true},
                      "of the posed normals",
                      stretch_names()}},
+     .takes_normal_derivatives = true,
      .prepare = prepare<double>,
      .prepare_in_50_digits = prepare<Mp50>}};
 

@@ -28,14 +28,6 @@ std::vector<double> checked(const DeformMethod& method, std::vector<double> give
   return given;
 }
 
-// Why the cage has no such deformer.
-std::string reason_against(const DeformMethod& method, const Cage& cage) {
-  const CoordinateKind& kind = coordinate_kind_named(method.kind);
-  if (!exists_on(kind, cage)) return fmt::format("{} does not exist on cages of this dimension", method.name);
-  if (!accepts(kind, cage)) return why_refused(kind, cage);
-  return method.refuses ? method.refuses(cage) : "";
-}
-
 }  // namespace
 
 const std::list<DeformMethod>& deform_methods() { return known(); }
@@ -58,11 +50,18 @@ std::vector<KindParameter> parameters_of(const DeformMethod& method) {
   return all;
 }
 
+std::string why_refused(const DeformMethod& method, const Cage& cage) {
+  const CoordinateKind& kind = coordinate_kind_named(method.kind);
+  if (!exists_on(kind, cage)) return fmt::format("{} does not exist on cages of this dimension", method.name);
+  if (!accepts(kind, cage)) return cageproof::why_refused(kind, cage);
+  return method.refuses ? method.refuses(cage) : "";
+}
+
 template <Scalar R>
 std::shared_ptr<const Deformer<R>> prepare_deformer(const DeformMethod& method, const Cage& cage,
                                                     DeformOptions options) {
   options.parameters = checked(method, std::move(options.parameters));
-  if (const std::string reason = reason_against(method, cage); !reason.empty())
+  if (const std::string reason = why_refused(method, cage); !reason.empty())
     throw InputError(fmt::format("{}: {}", cage.name(), reason));
   if constexpr (std::same_as<R, double>) return method.prepare(cage, options);
   else return method.prepare_in_50_digits(cage, options);

@@ -13,7 +13,7 @@
 namespace cageproof::reports {
 namespace {
 
-// What one fault may break: rows of one element's formulas, or of one cage.
+// What one fault may break: rows of one element's formulas, of one deformer, or of one cage.
 std::string about(const ResultRow& row) {
   return row.section == RowKey::Section::Cage ? row.regime : row.subject.substr(0, row.subject.find('.'));
 }
@@ -66,7 +66,7 @@ std::vector<BrokenGroup> broken_groups(const RunResult& result) {
 
 std::string title_of(const BrokenGroup& group) {
   const ResultRow& first = *group.rows.front();
-  const bool cage = first.section == RowKey::Section::Cage;
+  const bool cage = first.section != RowKey::Section::Element;  // so that rows have a cage for a regime, and a place
   return fmt::format("{} of {} in {}: {} of {}; {}{}; {} {}", first.check, first.evaluation, first.scalar,
                      group.rows.size() == 1 ? "1 row" : fmt::format("{} rows", group.rows.size()),
                      named(group, [](const ResultRow& row) { return row.subject; }), cage ? "cage " : "",

@@ -111,26 +111,40 @@ Rows tightest_properties(const RunResult& result, const std::string& subject) {
   return rows;
 }
 
-CageTable cage_table(const RunResult& result) {
+namespace {
+
+using Label = std::string (*)(const ResultRow& row);
+
+CageTable table_of(const RunResult& result, Section section, Label line, Label column) {
   CageTable table;
-  const auto label = [](const ResultRow& row) { return row.subject + ", " + row.evaluation + ", " + row.scalar; };
   std::map<std::tuple<std::string, std::string, std::string>, std::size_t> line_of;
   for (const ResultRow& row : result.rows)
-    if (row.section == Section::Cage && std::ranges::find(table.columns, label(row)) == table.columns.end())
-      table.columns.push_back(label(row));
+    if (row.section == section && std::ranges::find(table.columns, column(row)) == table.columns.end())
+      table.columns.push_back(column(row));
   for (const ResultRow& row : result.rows) {
-    if (row.section != Section::Cage) continue;
-    const auto [at, fresh] = line_of.try_emplace({row.regime, row.check, row.unit}, table.lines.size());
-    if (fresh) table.lines.push_back({row.regime, row.check, row.unit, Rows(table.columns.size())});
-    const std::size_t column = std::ranges::find(table.columns, label(row)) - table.columns.begin();
-    const ResultRow*& cell = table.lines[at->second].cells[column];
+    if (row.section != section) continue;
+    const auto [at, fresh] = line_of.try_emplace({row.regime, line(row), row.unit}, table.lines.size());
+    if (fresh) table.lines.push_back({row.regime, line(row), row.unit, Rows(table.columns.size())});
+    const std::size_t place = std::ranges::find(table.columns, column(row)) - table.columns.begin();
+    const ResultRow*& cell = table.lines[at->second].cells[place];
     if (!cell || more_telling(row, *cell)) cell = &row;
   }
   // A cage's lines together, whatever order its checks ran in.
-  const auto names = distinct(table.lines, [](const CageTable::Line& line) -> const std::string& { return line.cage; });
-  std::ranges::stable_sort(table.lines, {},
-                           [&](const CageTable::Line& line) { return std::ranges::find(names, line.cage); });
+  const auto names = distinct(table.lines, [](const CageTable::Line& l) -> const std::string& { return l.cage; });
+  std::ranges::stable_sort(table.lines, {}, [&](const CageTable::Line& l) { return std::ranges::find(names, l.cage); });
   return table;
 }
+
+std::string check_of(const ResultRow& row) { return row.check; }
+std::string coordinates_of(const ResultRow& row) { return row.subject + ", " + row.evaluation + ", " + row.scalar; }
+std::string deformer_of(const ResultRow& row) {
+  return row.evaluation.empty() ? row.subject : row.subject + ", " + row.evaluation;
+}
+
+}  // namespace
+
+CageTable cage_table(const RunResult& result) { return table_of(result, Section::Cage, check_of, coordinates_of); }
+
+CageTable deformer_table(const RunResult& result) { return table_of(result, Section::Deformer, deformer_of, check_of); }
 
 }  // namespace cageproof::reports

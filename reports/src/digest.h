@@ -50,17 +50,21 @@ std::string lead_digits_lost(const ErrorTable& table, const std::string& regime)
 /// bound or goes furthest beyond, of all regimes.
 Rows tightest_properties(const RunResult& result, const std::string& subject);
 
-/// The cages' properties: a line a (cage, check, unit), a column a (kind, evaluation, scalar), in a cell the worst row
-/// of all places and orders, or null.
+/// What holds on cages: in a cell the worst row of all places and orders, or null.
 struct CageTable {
   struct Line {
-    std::string cage, check, unit;
+    std::string cage, name, unit;
     Rows cells;
   };
   std::vector<std::string> columns;
   std::vector<Line> lines;
 };
+
+/// The cages' properties: a line a (cage, check, unit), a column a (kind, evaluation, scalar).
 CageTable cage_table(const RunResult& result);
+
+/// What deformers keep: a line a (cage, deformer with its variant, unit), a column a check.
+CageTable deformer_table(const RunResult& result);
 
 /// max / bound; without a bound, max. What is worst in one table is largest.
 double strain(const ResultRow& row);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "findings_json.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace cageproof::reports {
@@ -87,16 +88,10 @@ WorstCase case_of(const Json& json) {
 
 RowKey key_of(const Json& json) {
   const auto text = [&](std::size_t i) { return json.at(i).get<std::string>(); };
-  const std::string section = text(0);
-  if (section != "element" && section != "cage") throw std::invalid_argument("no section: " + section);
-  return {section == "element" ? RowKey::Section::Element : RowKey::Section::Cage,
-          text(1),
-          text(2),
-          text(3),
-          text(4),
-          text(5),
-          text(6),
-          small(json.at(7))};
+  const std::string name = text(0);
+  const auto section = std::ranges::find(sections, name, [](RowKey::Section s) { return name_of(s); });
+  if (section == sections.end()) throw std::invalid_argument("no section: " + name);
+  return {*section, text(1), text(2), text(3), text(4), text(5), text(6), small(json.at(7))};
 }
 
 Tally tally_of(const Json& row) {

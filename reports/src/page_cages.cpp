@@ -4,29 +4,32 @@
 
 namespace cageproof::reports {
 
-void set_cages(Data& page, const RunResult& result) {
-  const CageTable table = cage_table(result);
+namespace {
+
+// Cage by cage a table's lines, and below them all rows. \param list of cages in the page's data
+void set_table(Data& page, const RunResult& result, const CageTable& table, ResultRow::Section section,
+               const std::string& list) {
   Data heads{Data::type::list}, cages{Data::type::list};
   for (const std::string& column : table.columns) heads << Data(column);
   for (std::size_t i = 0; i < table.lines.size();) {
     const std::string& name = table.lines[i].cage;
     Data cage, lines{Data::type::list}, details{Data::type::list};
     cage.set("name", name);
-    cage.set("anchor", anchor("cage", name));
+    cage.set("anchor", anchor(name_of(section), name));
     std::size_t broken = 0;
     for (; i < table.lines.size() && table.lines[i].cage == name; ++i) {
       Data line, cells{Data::type::list};
-      line.set("check", table.lines[i].check);
+      line.set("name", table.lines[i].name);
       line.set("unit", table.lines[i].unit);
       for (const ResultRow* row : table.lines[i].cells) cells << error_cell(row);
       line.set("cells", cells);
       lines << line;
     }
     for (const ResultRow& row : result.rows) {
-      if (row.section != ResultRow::Section::Cage || row.regime != name) continue;
+      if (row.section != section || row.regime != name) continue;
       Data line;
       line.set("subject", row.subject);
-      line.set("evaluation", row.evaluation + ", " + row.scalar);
+      line.set("evaluation", row.evaluation.empty() ? row.scalar : row.evaluation + ", " + row.scalar);
       line.set("check", row.check);
       line.set("place", row.place);
       line.set("order", std::string(order_name(row.order)));
@@ -47,8 +50,15 @@ void set_cages(Data& page, const RunResult& result) {
     cage.set("broken_count", grouped(broken));
     cages << cage;
   }
-  page.set("cage_heads", heads);
-  set_list(page, "cages", cages);
+  page.set(list + "_heads", heads);
+  set_list(page, list, cages);
+}
+
+}  // namespace
+
+void set_cages(Data& page, const RunResult& result) {
+  set_table(page, result, cage_table(result), ResultRow::Section::Cage, "cages");
+  set_table(page, result, deformer_table(result), ResultRow::Section::Deformer, "deformers");
 }
 
 }  // namespace cageproof::reports

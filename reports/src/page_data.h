@@ -35,7 +35,7 @@ void set_overview(Data& page, const RunResult& result);
 void set_formulas(Data& page, const RunResult& result, const std::vector<CurvePicture>& curves,
                   const std::filesystem::path& folder);
 
-/// Cage by cage: properties.
+/// Cage by cage: properties of coordinates, and what deformers keep.
 void set_cages(Data& page, const RunResult& result);
 
 /// Errata of the papers, measured or not.

@@ -112,18 +112,25 @@ std::string properties(const RunResult& result) {
          head({"formula", "check", "evaluation", "order", "largest found", "bound", "unit", "regime"}) + text;
 }
 
-std::string cages(const RunResult& result) {
-  const CageTable table = cage_table(result);
+std::string table_text(const CageTable& table, const std::string& title, const std::string& lines) {
   if (table.lines.empty()) return "";
-  std::vector<std::string> cells{"cage", "check", "unit"};
+  std::vector<std::string> cells{"cage", lines, "unit"};
   for (const std::string& column : table.columns) cells.push_back(escaped(column));
-  std::string text = "\n## Cages\n\nLargest error found of all places.\n\n" + head(cells);
+  std::string text = title + head(cells);
   for (const CageTable::Line& l : table.lines) {
-    cells = {escaped(l.cage), escaped(l.check), escaped(l.unit)};
+    cells = {escaped(l.cage), escaped(l.name), escaped(l.unit)};
     for (const ResultRow* row : l.cells) cells.push_back(figure(row));
     text += line(cells);
   }
   return text;
+}
+
+std::string cages(const RunResult& result) {
+  return table_text(cage_table(result), "\n## Cages\n\nLargest error found of all places.\n\n", "check") +
+         table_text(deformer_table(result),
+                    "\n## Deformers\n\nLargest error found of all poses; no promise where a deformer does not keep "
+                    "such maps.\n\n",
+                    "deformer");
 }
 
 std::string errata(const RunResult& result) {

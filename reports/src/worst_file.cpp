@@ -16,6 +16,16 @@ namespace {
 
 Json hex(const Vec3<double>& p) { return Json::array({format_hex(p[0]), format_hex(p[1]), format_hex(p[2])}); }
 
+// The key of a line's subject, which tells what the line is about.
+const char* subject_key(RowKey::Section section) {
+  switch (section) {
+    case RowKey::Section::Element: return "formula";
+    case RowKey::Section::Cage: return "kind";
+    case RowKey::Section::Deformer: break;
+  }
+  return "deformer";
+}
+
 std::string parameter_name(const Formula* formula, std::size_t k) {
   return formula && k < formula->parameters.size() ? std::string(formula->parameters[k].name)
                                                    : fmt::format("parameter{}", k);
@@ -24,7 +34,7 @@ std::string parameter_name(const Formula* formula, std::size_t k) {
 Json json_of(const WorstLine& line) {
   const WorstCase& worst = line.worst;
   const bool element = line.section == RowKey::Section::Element;
-  Json json{{element ? "formula" : "kind", line.subject},
+  Json json{{subject_key(line.section), line.subject},
             {"evaluation", line.evaluation},
             {"scalar", line.scalar},
             {"regime", line.regime},
@@ -112,8 +122,10 @@ class LineReader {
 };
 
 void read_subject(const LineReader& in, WorstLine& line) {
-  line.section = in.has("kind") ? RowKey::Section::Cage : RowKey::Section::Element;
-  line.subject = in.text(in.has("kind") ? "kind" : "formula");
+  line.section = in.has("kind")       ? RowKey::Section::Cage
+                 : in.has("deformer") ? RowKey::Section::Deformer
+                                      : RowKey::Section::Element;
+  line.subject = in.text(subject_key(line.section));
 }
 
 void read_parameters(const LineReader& in, WorstLine& line) {

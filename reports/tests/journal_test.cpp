@@ -45,8 +45,8 @@ Findings found(int i) {
     });
   tally.add_to_curve(1, 3, 1.0 / 7);
   tally.without_truth = 2;
-  findings.rows[{RowKey::Section::Cage, "green", "e", "double", fmt::format("cage {}", i), "c", "inside", 2}].declined =
-      1;
+  const auto section = i == 1 ? RowKey::Section::Deformer : RowKey::Section::Cage;
+  findings.rows[{section, "green", "e", "double", fmt::format("cage {}", i), "c", "inside", 2}].declined = 1;
   FieldPart part;
   part.title = "title";
   part.shown = "error";

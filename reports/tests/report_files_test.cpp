@@ -118,6 +118,25 @@ TEST(ReportFiles, CsvQuotesWhatMustBe) {
   EXPECT_EQ(plain.find('"'), std::string::npos);
 }
 
+TEST(ReportFiles, DeformersHaveATableOfTheirOwn) {
+  RunResult run = sample_run(1, 1);
+  const std::string csv = results_csv(run);
+  EXPECT_NE(csv.find("\ndeformer,green,stretch=rms,double,square,keeps_rigid,rotation,0,cage sizes,"),
+            std::string::npos);
+  const auto files = report(run);
+  const std::string &page = files.at("index.html"), &text = files.at("summary.md");
+  for (const char* part : {"href=\"#deformers\"", "id=\"deformers\"", "id=\"deformer-cube\"", "id=\"deformer-square\"",
+                           "green, stretch=unit"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  const auto table = text.find("## Deformers");
+  ASSERT_NE(table, std::string::npos);
+  EXPECT_NE(text.find("| square | green, stretch=unit | cage sizes | ", table), std::string::npos);
+  // Cages show nothing of them.
+  EXPECT_GT(text.find("keeps_rigid"), table);
+  std::erase_if(run.rows, [](const ResultRow& row) { return row.section == RowKey::Section::Deformer; });
+  for (const auto& [name, without] : report(run)) EXPECT_EQ(without.find("eformers"), std::string::npos) << name;
+}
+
 TEST(ReportFiles, BrokenPromisesComeFirst) {
   RunResult run = sample_run(2, 2);
   for (ResultRow& row : run.rows) row.verdict = row.bound ? Verdict::Kept : Verdict::NotPromised;

@@ -138,6 +138,27 @@ void add_cage(RunResult& run, const char* cage) {
       }
 }
 
+void add_deformers(RunResult& run, const char* cage) {
+  for (const char* variant : {"stretch=rms", "stretch=unit"})
+    for (const char* check : {"keeps_rigid", "keeps_scale"}) {
+      ResultRow row;
+      row.section = ResultRow::Section::Deformer;
+      row.subject = "green";
+      row.evaluation = variant;
+      row.scalar = "double";
+      row.regime = cage;
+      row.check = check;
+      row.place = "rotation";
+      row.unit = "cage sizes";
+      row.samples = row.asked = 12;
+      row.max = row.max_relative = 3e-16;
+      row.bound = 1e-12;
+      row.verdict = Verdict::Kept;
+      row.worst.push_back({row.max, 0, 5, {}, Vec3<double>(0.25, 1.0 / 3, -2), {}});
+      run.rows.push_back(row);
+    }
+}
+
 }  // namespace
 
 RunResult sample_run(int formulas, int regimes) {
@@ -161,6 +182,7 @@ RunResult sample_run(int formulas, int regimes) {
         add_check(run, formula, "near_singular", 3, "double", kRegimes[r], order);
       }
   for (const char* cage : {"cube", "icosphere", "torus", "FireHydrant_Cage.obj"}) add_cage(run, cage);
+  for (const char* cage : {"cube", "square"}) add_deformers(run, cage);
   run.notes = {"regime far: the integral reached 24 digits on 3 of 8 samples", "a note with <b>markup</b> & more"};
   run.errata.push_back({.source = "[X24] Eq 3",
                         .printed = "a < b",

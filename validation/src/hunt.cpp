@@ -22,7 +22,7 @@ constexpr std::uint64_t climb_length = 120;
 constexpr int most_draws = 64;
 
 // An input, how wrong each objective's evaluation is there (negative: not measured), and where it came from.
-struct Place {
+struct Start {
   Sample sample;
   const Regime* regime = nullptr;
   std::vector<double> errors;
@@ -35,8 +35,8 @@ struct Counts {
 // A search that makes one objective's error large, and the worst that it saw of each.
 struct Climb {
   std::size_t objective;
-  Place start;
-  std::vector<Place> worst;
+  Start start;
+  std::vector<Start> worst;
 };
 
 class Hunter {
@@ -59,7 +59,7 @@ class Hunter {
 
   std::vector<HuntResult> go() {
     const std::size_t objectives = options_.objectives.size();
-    std::vector<Place> places(std::max<std::uint64_t>(1, options_.budget * 2 / 5));
+    std::vector<Start> places(std::max<std::uint64_t>(1, options_.budget * 2 / 5));
     std::vector<std::vector<Counts>> counts(places.size(), std::vector<Counts>(objectives));
     for_each_parallel(places.size(), options_.jobs, [&](std::size_t i) {
       places[i] = sampled(i);
@@ -68,8 +68,8 @@ class Hunter {
     const std::uint64_t rest = options_.budget - std::min<std::uint64_t>(options_.budget, places.size());
     std::vector<Climb> climbs;
     for (std::size_t k = 0; k < objectives; ++k)
-      for (const Place* start : starts_for(k, places, std::max<std::uint64_t>(1, rest / climb_length / objectives)))
-        climbs.push_back({k, *start, std::vector<Place>(objectives, *start)});
+      for (const Start* start : starts_for(k, places, std::max<std::uint64_t>(1, rest / climb_length / objectives)))
+        climbs.push_back({k, *start, std::vector<Start>(objectives, *start)});
     const std::size_t explored = counts.size();
     counts.resize(explored + climbs.size(), std::vector<Counts>(objectives));
     for_each_parallel(climbs.size(), options_.jobs, [&](std::size_t i) {
@@ -88,14 +88,14 @@ class Hunter {
   }
 
  private:
-  Place sampled(std::uint64_t i) const {
+  Start sampled(std::uint64_t i) const {
     const Regime* regime = regimes_[i % regimes_.size()];
-    Place place{make_sample(*options_.formula, *regime, options_.seed, i / regimes_.size()), regime, {}};
+    Start place{make_sample(*options_.formula, *regime, options_.seed, i / regimes_.size()), regime, {}};
     place.sample = rounded_to(options_.scalar, std::move(place.sample));
     return place;
   }
 
-  void measure(Place& place, std::vector<Counts>& counts) {
+  void measure(Start& place, std::vector<Counts>& counts) {
     place.errors.assign(options_.objectives.size(), -1);
     if (!in_search_domain(*options_.formula, place.sample)) return;
     const Truth truth = truth_from(source_, place.sample, options_.order);
@@ -112,7 +112,7 @@ class Hunter {
     }
   }
 
-  void tell(std::size_t k, const Place& place) {
+  void tell(std::size_t k, const Start& place) {
     if (!options_.improved) return;
     const std::scoped_lock lock(mutex_);
     if (place.errors[k] <= largest_told_[k]) return;
@@ -120,24 +120,24 @@ class Hunter {
     options_.improved(options_.objectives[k], case_of(k, place), place.regime->name);
   }
 
-  WorstCase case_of(std::size_t k, const Place& place) const {
+  WorstCase case_of(std::size_t k, const Start& place) const {
     const Sample& s = place.sample;
     return {place.errors[k], s.parameter, s.index, s.corners, s.point, s.parameters, options_.order};
   }
 
   // The worst of each regime for an objective, then the second worst of each, ...
-  static std::vector<const Place*> starts_for(std::size_t k, const std::vector<Place>& places, std::size_t count) {
-    std::vector<const Place*> measured;
-    for (const Place& place : places)
+  static std::vector<const Start*> starts_for(std::size_t k, const std::vector<Start>& places, std::size_t count) {
+    std::vector<const Start*> measured;
+    for (const Start& place : places)
       if (place.errors[k] >= 0) measured.push_back(&place);
-    std::ranges::stable_sort(measured, std::greater(), [k](const Place* p) { return p->errors[k]; });
+    std::ranges::stable_sort(measured, std::greater(), [k](const Start* p) { return p->errors[k]; });
     std::map<const Regime*, std::size_t> seen;
-    std::vector<std::pair<std::size_t, const Place*>> ranked;
+    std::vector<std::pair<std::size_t, const Start*>> ranked;
     ranked.reserve(measured.size());
-    for (const Place* place : measured) ranked.emplace_back(seen[place->regime]++, place);
-    std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, const Place*>::first);
+    for (const Start* place : measured) ranked.emplace_back(seen[place->regime]++, place);
+    std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, const Start*>::first);
     if (ranked.size() > count) ranked.resize(count);
-    std::vector<const Place*> starts;
+    std::vector<const Start*> starts;
     starts.reserve(ranked.size());
     for (const auto& [rank, place] : ranked) starts.push_back(place);
     return starts;
@@ -148,10 +148,10 @@ class Hunter {
     const auto stream =
         fmt::format("hunt/{}/{}/{}/{}", options_.formula->name, evaluation.name(), check->name(), options_.order);
     RandomStream random(options_.seed, stream, number);
-    Place best = climb.start;
+    Start best = climb.start;
     int last = -1;  // what worked goes on working more often than not
     for (std::uint64_t step = 0; step < steps && !std::isinf(best.errors[climb.objective]); ++step) {
-      Place next = best;
+      Start next = best;
       const int kind = proposed(best, next, last, random);
       if (kind < 0) continue;
       measure(next, counts);
@@ -165,7 +165,7 @@ class Hunter {
   }
 
   // Changes `next` until it may be measured; returns the mutation, or -1 when none was found.
-  int proposed(const Place& from, Place& next, int last, RandomStream& random) const {
+  int proposed(const Start& from, Start& next, int last, RandomStream& random) const {
     const int count = static_cast<int>(mutations().size());
     for (int draw = 0; draw < most_draws; ++draw) {
       next.sample = from.sample;
@@ -182,7 +182,7 @@ class Hunter {
   }
 
   // What lets the truth's source stand in for the integral, asked at the sample itself.
-  std::optional<double> against_integral(const Place& place) const {
+  std::optional<double> against_integral(const Start& place) const {
     if (source_.is_integral) return std::nullopt;
     const Check* gate = find_check("integral");
     const Truth none;
@@ -192,7 +192,7 @@ class Hunter {
     return finding.error;
   }
 
-  HuntResult result_of(std::size_t k, const std::vector<Place>& places, const std::vector<Climb>& climbs,
+  HuntResult result_of(std::size_t k, const std::vector<Start>& places, const std::vector<Climb>& climbs,
                        const std::vector<std::vector<Counts>>& counts) const {
     HuntResult result;
     for (const std::vector<Counts>& c : counts) {
@@ -200,18 +200,18 @@ class Hunter {
       result.without_truth += c[k].without_truth;
       result.declined += c[k].declined;
     }
-    std::vector<const Place*> found;
+    std::vector<const Start*> found;
     found.reserve(climbs.size() + 1);
     for (const Climb& climb : climbs) found.push_back(&climb.worst[k]);
     // Samples that no climb began at count too; the worst of them is enough.
-    found.push_back(&*std::ranges::max_element(places, {}, [k](const Place& place) { return place.errors[k]; }));
-    std::erase_if(found, [k](const Place* place) { return place->errors[k] < 0; });
-    std::ranges::stable_sort(found, std::greater(), [k](const Place* place) { return place->errors[k]; });
-    const auto same = [](const Place* a, const Place* b) {
+    found.push_back(&*std::ranges::max_element(places, {}, [k](const Start& place) { return place.errors[k]; }));
+    std::erase_if(found, [k](const Start* place) { return place->errors[k] < 0; });
+    std::ranges::stable_sort(found, std::greater(), [k](const Start* place) { return place->errors[k]; });
+    const auto same = [](const Start* a, const Start* b) {
       return a->sample.corners == b->sample.corners && a->sample.point == b->sample.point &&
              a->sample.parameters == b->sample.parameters;
     };
-    for (const Place* place : found) {
+    for (const Start* place : found) {
       if (result.worst.size() == options_.keep) break;
       if (kept_already(found, place, same)) continue;
       result.worst.push_back(
@@ -222,8 +222,8 @@ class Hunter {
 
   // Whether one before it in the list is the same input.
   template <class Same>
-  static bool kept_already(const std::vector<const Place*>& found, const Place* place, const Same& same) {
-    for (const Place* before : found) {
+  static bool kept_already(const std::vector<const Start*>& found, const Start* place, const Same& same) {
+    for (const Start* before : found) {
       if (before == place) return false;
       if (same(before, place)) return true;
     }

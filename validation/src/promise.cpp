@@ -21,6 +21,13 @@ constexpr std::optional<double> none = std::nullopt;
 // The names that recommended evaluations have, and kinds of coordinates that are no sums.
 constexpr std::string_view recommended = "@(closed_form|line_form|recommended)";
 
+// Of deformers: what holds exactly, 1e-13 of the size, or 1e-16 times the condition of the systems that are solved
+// where that is above 1e3, which the figures are divided by.
+constexpr double exact_map = 1e-13;
+constexpr std::string_view deformer_reason =
+    "exact but for roundings: 1e-16 of the size, a thousand times or by the condition of what is solved";
+constexpr std::string_view unit_normals = "unit normals do not grow with the cage";
+
 // First match wins. Bounds of conditioned rows are in units of the rounding error times conditioning.
 constexpr std::array table{
     // The gate: the closed form in multiprecision against the integral.
@@ -224,6 +231,30 @@ constexpr std::array table{
     Row{"cage_laplacian", "*", recommended, "double", "*", 2, 2, 64,
         "as the partition of unity, norm-wise over a block"},
     Row{"cage_truth", "*", recommended, "double", "*", 0, 2, 64, "as the partition of unity, norm-wise over a block"},
+    // Deformers, in cage sizes: what each keeps, as formulas/deformation.md, Section 1, states it.
+    Row{"keeps_rigid", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_scale", "green", "stretch=unit", "double", "*", 0, 0, none, unit_normals},
+    Row{"keeps_scale", "biharmonic_*", "normals=unit", "double", "*", 0, 0, none, unit_normals},
+    Row{"keeps_scale", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_mirror", "@(green|biharmonic_*|somigliana)", "*", "double", "*", 0, 0, none,
+        "the posed normals of a mirror image point inward"},
+    Row{"keeps_mirror", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_linear", "@(green|biharmonic_*|somigliana)", "*", "double", "*", 0, 0, none,
+        "posed normals are not the images of normals, unless the map is a similarity"},
+    Row{"keeps_linear", "@(ahap|aaap|tp)", "alignment=@(hard|soft)", "double", "*", 0, 0, none,
+        "normal derivatives that are held to the posed normals are not those of the map"},
+    Row{"keeps_linear", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_linear_with_normals", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"deformer_truth", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"deformer_truth", "*", "*", "double", "*", 1, 1, 10 * exact_map,
+        "as images; 2e-2 sizes inside, each derivative loses a digit to the cage's nearness"},
+    Row{"deformer_truth", "*", "*", "double", "*", 2, 2, 100 * exact_map,
+        "as images; 2e-2 sizes inside, each derivative loses a digit to the cage's nearness"},
+    Row{"deformer_jacobian", "*", "*", "double", "*", 1, 2, none, "differences in double have few digits"},
+    Row{"deformer_jacobian", "*", "*", "*", "*", 1, 2, 1e-25,
+        "central differences of step 1e-16 sizes in 50 digits, 2e-2 sizes inside"},
+    Row{"deformer_by_quadrature", "*", "*", "double", "*", 0, 0, 1e-12,
+        "the adaptive rule's tolerance on each coordinate"},
 };
 
 // A glob, which may hold alternatives: @(a|b).

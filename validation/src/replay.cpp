@@ -8,6 +8,7 @@
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/cage_symmetries.h"
 #include "cageproof/validation/check.h"
+#include "cageproof/validation/deformer_campaign.h"
 #include "cageproof/validation/one_ring.h"
 #include "cageproof/validation/scheme_errors.h"
 
@@ -70,10 +71,13 @@ Finding replay_element(const RowKey& row, const WorstCase& worst) {
 // Of checks that promise relative errors.
 CageError relative(double error) { return {error, error}; }
 
-CageError replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rule) {
-  const Cage cage =
-      is_embedded_cage(row.regime) ? embedded_cage(row.regime) : read_cage(row.regime, {.flip_inward = true});
+Cage cage_of(const RowKey& row, const WorstCase& worst) {
   if (!worst.point.allFinite()) throw InputError("the point is not finite");
+  return is_embedded_cage(row.regime) ? embedded_cage(row.regime) : read_cage(row.regime, {.flip_inward = true});
+}
+
+CageError replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rule) {
+  const Cage cage = cage_of(row, worst);
   if (row.check == "own_derivative" || row.check == "one_ring_sum")
     return relative(one_ring_error_at(cage, {.evaluation = row.evaluation, .triangulation = rule}, row.check, row.order,
                                       worst.point));
@@ -122,9 +126,15 @@ Finding replay(const RowKey& row, const WorstCase& worst, Triangulation rule) {
   if (row.order < 0 || row.order > 2) throw InputError(fmt::format("unknown order {}", row.order));
   if (row.section == RowKey::Section::Element) return replay_element(row, worst);
   // On cages an error that is not asked, or has no truth, is none.
+  const auto finding = [](double error, double relative) {
+    return Finding{std::isnan(error) ? Finding::Status::NoTruth : Finding::Status::Measured, error, relative};
+  };
+  if (row.section == RowKey::Section::Deformer) {
+    const DeformerError error = deformer_error_at(cage_of(row, worst), row, worst.point, rule);
+    return finding(error.error, error.plain);
+  }
   const CageError error = replay_cage(row, worst, rule);
-  return {std::isnan(error.roundings) ? Finding::Status::NoTruth : Finding::Status::Measured, error.roundings,
-          error.relative};
+  return finding(error.roundings, error.relative);
 }
 
 void require_replayable(const RowKey& row, const WorstCase& worst) { element_case(row, worst); }

@@ -4,6 +4,7 @@
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/validation/check.h"
+#include "cageproof/validation/deformer_checks.h"
 #include "cageproof/validation/regime.h"
 
 #include <algorithm>
@@ -40,6 +41,8 @@ class Order {
   static Rank subject(const RowKey& row) {
     auto formula = rank_in(catalogue(), row.subject, [](const Formula& f) { return f.name; });
     if (row.section == RowKey::Section::Element) return formula;
+    if (row.section == RowKey::Section::Deformer)
+      return rank_in(deformation::deform_methods(), row.subject, [](const auto& method) { return method.name; });
     const auto& kinds = coordinate_kinds();
     auto kind = rank_in(kinds, row.subject, [](const CoordinateKind& k) { return k.name; });
     return kind.first < kinds.size() ? kind : Rank{kinds.size() + formula.first, row.subject};
@@ -63,6 +66,7 @@ class Order {
     return leading;
   }
   Rank evaluation(const RowKey& row) {
+    if (row.section == RowKey::Section::Deformer) return variant(row);
     const auto [at, fresh] = evaluations_.try_emplace(row.subject);
     if (fresh) {
       const CoordinateKind* kind = find_coordinate_kind(row.subject);
@@ -70,6 +74,13 @@ class Order {
           EvaluationRegister::instance().standard(kind ? leading_formula(*kind) : std::string_view(row.subject));
     }
     return rank_in(at->second, row.evaluation, std::identity());
+  }
+
+  static Rank variant(const RowKey& row) {
+    const auto& methods = deformation::deform_methods();
+    const auto method = std::ranges::find(methods, row.subject, &deformation::DeformMethod::name);
+    if (method == methods.end()) return {0, row.evaluation};
+    return rank_in(variants_of(*method), row.evaluation, [](const auto& v) -> const std::string& { return v.name; });
   }
 
   static std::vector<std::string_view> cages() {

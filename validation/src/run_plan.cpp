@@ -7,6 +7,7 @@
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/campaign.h"
+#include "cageproof/validation/deformer_campaign.h"
 #include "cageproof/validation/errata.h"
 #include "cageproof/validation/error_fields.h"
 #include "cageproof/validation/hunt.h"
@@ -118,6 +119,11 @@ class Planner {
       add_figure_three();
       for (const auto name : extreme_cage_names())
         add_recommended(std::make_shared<const Cage>(embedded_cage(name)), extreme_cage_options());
+      // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
+      if (options_.formulas == "*")
+        for (const auto name : deformer_cage_names())
+          add(deformer_measurements(std::make_shared<const Cage>(embedded_cage(name)),
+                                    {.triangulation = options_.triangulation, .seed = options_.seed}));
     }
     add(errata_measurement({.formulas = options_.formulas, .seed = options_.seed}));
     for (std::string& note : notes_on_truth(options_.formulas)) plan_.header.notes.push_back(std::move(note));

@@ -153,6 +153,7 @@ DeformMethod method(std::string_view name) {
                           "weight of soft alignment, per area"},
                          {{.name = "gamma_d", .preset = 1, .lowest = -1e-300, .highest = 1e300},
                           "of the regularisation, as of biharmonic_1_3"}},
+          .takes_derivatives_on_cage = true,
           .prepare = prepare<E, double>,
           .prepare_in_50_digits = prepare<E, Mp50>};
 }

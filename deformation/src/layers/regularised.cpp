@@ -98,6 +98,8 @@ DeformMethod method(std::string_view name, std::string_view source) {
           .keeps = "rigid maps (normals=rms, mean, area: similarities)",
           .kind = "biharmonic",
           .parameters = parameters(C == Construction::OneThree),
+          .takes_normal_derivatives = true,
+          .takes_derivatives_on_cage = C == Construction::OneTwo,
           .prepare = prepare<C, double>,
           .prepare_in_50_digits = prepare<C, Mp50>};
 }

@@ -5,6 +5,7 @@
 
 #include "cageproof/core/error_measure.h"
 
+#include <array>
 #include <compare>
 #include <functional>
 #include <string>
@@ -16,19 +17,23 @@ namespace cageproof {
 /// What identifies a row of results: one check of one evaluation in one regime (or on one cage) at one derivative
 /// order.
 struct RowKey {
-  enum class Section { Element, Cage } section = Section::Element;
-  std::string subject;     ///< formula, or kind of cage coordinates
-  std::string evaluation;  ///< closed_form, gauss-8 ...
+  enum class Section { Element, Cage, Deformer } section = Section::Element;
+  std::string subject;     ///< formula, kind of cage coordinates, or deformer
+  std::string evaluation;  ///< closed_form, gauss-8 ...; for a deformer its variant: stretch=rms ...
   std::string scalar;      ///< float, double, mp50 ...
-  std::string regime;      ///< near-edge ...; for a cage its name
+  std::string regime;      ///< near-edge ...; for a cage or deformer the cage's name
   std::string check;       ///< truth, scaling ...; partition_of_unity ...
-  std::string place;       ///< for a cage: inside, outside, on-face, on-edge, on-vertex, mesh, off; else empty
-  int order = 0;           ///< 0 value, 1 gradient, 2 Hessian
+  /// For a cage: inside, outside, on-face, on-edge, on-vertex, mesh, off; for a deformer the pose; else empty.
+  std::string place;
+  int order = 0;  ///< 0 value, 1 gradient, 2 Hessian
 
   auto operator<=>(const RowKey&) const = default;
 };
 
-/// "element", "cage".
+/// All sections, in report order.
+inline constexpr std::array sections{RowKey::Section::Element, RowKey::Section::Cage, RowKey::Section::Deformer};
+
+/// "element", "cage", "deformer".
 std::string_view name_of(RowKey::Section section);
 
 /// What has been found of one row. Memory is bounded, whatever the number of samples.

@@ -88,6 +88,10 @@ struct DeformMethod {
   /// Its own; those of the kind come after them (parameters_of), unless the method says what they are.
   std::vector<KindParameter> parameters = {};
   bool with_parameters_of_kind = true;
+  /// Whether poses may prescribe normal derivatives; other methods have their own and look at no others.
+  bool takes_normal_derivatives = false;
+  /// Whether preparing takes derivatives of coordinates on the cage, whose limits quadrature does not know.
+  bool takes_derivatives_on_cage = false;
   /// Why there is no such deformer of a cage that has the coordinates; empty where there is. Null for methods that
   /// refuse none.
   std::string (*refuses)(const Cage& cage) = nullptr;
@@ -108,6 +112,9 @@ const DeformMethod& deform_method_named(std::string_view name);
 
 /// A method's parameters: its own, then those of its kind of coordinates where users may choose them.
 std::vector<KindParameter> parameters_of(const DeformMethod& method);
+
+/// Why the cage has no such deformer with the parameters' defaults; empty where it has.
+std::string why_refused(const DeformMethod& method, const Cage& cage);
 
 /// Prepares a method. R: double or Mp50
 /// \throws InputError for a cage that the method refuses, a parameter out of range or an unknown evaluation

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// What is asked of a deformer on a cage: which maps of space it keeps, and whether its images and their derivatives are
+// what they say.
+#pragma once
+
+#include "cageproof/deformation/deformer.h"
+#include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/deformer_poses.h"
+#include "cageproof/validation/parallel.h"
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cageproof::validation {
+
+/// A method with one of the values of its own first parameter that has names, the others at their defaults.
+struct DeformerVariant {
+  const deformation::DeformMethod* method;
+  std::string name;                ///< "stretch=rms"; empty for methods without such a parameter
+  std::vector<double> parameters;  ///< DeformOptions::parameters
+  bool is_default = true;          ///< whether all of them are at their defaults
+};
+
+/// Cages with so many elements at most are asked for what takes seconds on larger ones.
+inline constexpr std::size_t few_elements = 12;
+
+/// All variants of a method, in the order of the parameter's names.
+std::vector<DeformerVariant> variants_of(const deformation::DeformMethod& method);
+
+/// The variant of that name. \throws InputError where there is none
+DeformerVariant variant_named(const deformation::DeformMethod& method, std::string_view name);
+
+/// An error of an image, by what it may be.
+struct DeformerError {
+  /// In cage sizes (Jacobians: as they are; second derivatives: times the size), over a thousandth of the condition of
+  /// the worst system that was solved, where that is above one.
+  double error = std::numeric_limits<double>::quiet_NaN();
+  double plain = std::numeric_limits<double>::quiet_NaN();  ///< without regard to the condition
+};
+
+/// A deformer and its questions. Safe from any thread.
+class DeformerChecks {
+ public:
+  /// One of them; rows of results have its names.
+  struct Question {
+    std::string check, pose;
+    ScalarKind scalar;
+    int lowest_order, highest_order;
+  };
+  /// Errors by order; NaN where there is no image.
+  using Errors = std::array<DeformerError, 3>;
+
+  /// \throws InputError for a cage that the method refuses
+  DeformerChecks(std::shared_ptr<const Cage> cage, DeformerVariant variant, Triangulation rule);
+
+  /// keeps_rigid, keeps_scale, keeps_mirror, keeps_linear: images with those of the map that poses the cage, in double.
+  /// keeps_linear_with_normals, of methods that take normal derivatives: the same with those of the map.
+  /// deformer_truth: images and their derivatives in double with those in 50 digits, where these are prompt: of methods
+  /// that solve systems for the cage on small cages alone, and by default parameters.
+  /// deformer_jacobian: derivatives with central differences of the images and of the Jacobian, in 50 digits where
+  /// these are prompt, else in double.
+  /// deformer_by_quadrature: images with those that an adaptive rule gives, on small cages, by default parameters.
+  std::vector<Question> questions() const;
+
+  /// At each point, what a question finds there.
+  std::vector<Errors> ask(const Question& question, std::span<const Vec3<double>> points) const;
+
+  /// Whether a point may have no image, as it may have no coordinates.
+  bool may_be_missing(const Vec3<double>& point) const;
+
+ private:
+  template <class R>
+  using Prepared = std::shared_ptr<const deformation::Deformer<R>>;
+  template <class R>
+  Prepared<R> prepared(const std::string& evaluation) const;
+  bool is_prompt_in_50_digits() const;
+  std::optional<std::string> quadrature() const;
+  std::vector<Errors> kept(const SpaceMap& map, bool with_normals, std::span<const Vec3<double>> points) const;
+  std::vector<Errors> compared(const deformation::Images<double>& images, const deformation::Images<Mp50>& with,
+                               std::size_t points, int order, double condition) const;
+  template <class R>
+  std::vector<Errors> differences(const deformation::Deformer<R>& deformer, std::span<const Vec3<double>> points) const;
+
+  std::shared_ptr<const Cage> cage_;
+  DeformerVariant variant_;
+  Triangulation rule_;
+  Prepared<double> deformer_;
+  Lazy<Prepared<Mp50>> in_50_digits_;
+  std::optional<CageCoordinates> prior_;
+};
+
+}  // namespace cageproof::validation

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/deformer_poses.h"
+
+#include "cageproof/core/random_stream.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+namespace cageproof::validation {
+
+std::vector<SpaceMap> space_maps(int dimension) {
+  const Vec3<double> axis = dimension == 3 ? Vec3<double>(1, 2, 3) : Vec3<double>(0, 0, 1);
+  SpaceMap identity{"keeps_rigid", "identity"}, shift{"keeps_rigid", "shift"}, rotation{"keeps_rigid", "rotation"},
+      scale{"keeps_scale", "scale"}, mirror{"keeps_mirror", "mirror"}, linear{"keeps_linear", "linear"};
+  shift.shift << 0.3, -0.2, (dimension == 3 ? 0.5 : 0);
+  rotation.linear = Eigen::AngleAxisd(0.8, axis.normalized()).toRotationMatrix();
+  scale.linear *= 1.5;
+  mirror.linear(dimension - 1, dimension - 1) = -1;
+  linear.linear << 1.3, 0.2, -0.1, 0.05, 0.8, 0.3, -0.2, 0.1, 1.1;
+  if (dimension == 2) {
+    linear.linear.row(2).setZero();
+    linear.linear.col(2).setZero();
+  }
+  return {identity, shift, rotation, scale, mirror, linear};
+}
+
+std::vector<Vec3<double>> posed_by(const SpaceMap& map, const Cage& cage) {
+  std::vector<Vec3<double>> posed;
+  posed.reserve(cage.vertices().size());
+  for (const Vec3<double>& v : cage.vertices()) posed.push_back(map(v, cage.size()));
+  return posed;
+}
+
+std::vector<Vec3<double>> bent(const Cage& cage) {
+  std::vector<Vec3<double>> posed = cage.vertices();
+  for (std::size_t v = 0; v < posed.size(); ++v) {
+    RandomStream random(0, fmt::format("bent/{}", cage.name()), v);
+    for (int c = 0; c < cage.dimension(); ++c) posed[v][c] += cage.size() * random.uniform(-0.05, 0.05);
+  }
+  return posed;
+}
+
+}  // namespace cageproof::validation
