@@ -229,6 +229,18 @@ TEST(rejected, poses_and_parameters_by_name) {
   EXPECT_NE(refusal(square(), "maximum_entropy", square().posed).find("dimension"), std::string::npos);
 }
 
+// Rules know limits of values on the cage, and none of derivatives.
+TEST(rejected, evaluations_without_limits) {
+  const Case c = cube();
+  const auto with = [&](const char* method, const char* evaluation) {
+    return prepare_deformer<double>(deform_method_named(method), c.cage, {.evaluation = evaluation});
+  };
+  for (const char* method : {"biharmonic_1_2", "ahap", "aaap", "tp"})
+    EXPECT_THROW(with(method, "adaptive"), InputError) << method;
+  EXPECT_THROW(with("biharmonic_1_3", "gauss-4"), InputError);
+  EXPECT_NO_THROW(with("tp", "closed_form"));
+}
+
 // The cube's level 0 leaves two densities open.
 TEST(reported, rank_condition_and_orientation) {
   const Case c = cube();

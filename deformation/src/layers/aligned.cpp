@@ -20,7 +20,7 @@ enum class Alignment { Hard, Soft, Free };
 template <Scalar R>
 std::array<Matrix<R>, 4> second_derivatives(Energy energy, const CageCoordinates& coordinates,
                                             const std::vector<Touching>& samples) {
-  const auto tables = coordinates.limits_at<R>(samples, 2);
+  const auto tables = checked_limits<R>(coordinates, samples, 2);
   const int d = coordinates.dimension(), width = d * d;
   const int rows = energy == Energy::Hessian ? width : 1;
   const auto count = static_cast<Eigen::Index>(samples.size());

@@ -16,7 +16,7 @@ enum class Construction { OneThree, OneTwo, Weber };
 // Along the rest normals of the samples' elements, of all four layers.
 template <Scalar R>
 std::array<Matrix<R>, 4> normal_slopes(const CageCoordinates& coordinates, const std::vector<Touching>& samples) {
-  const auto tables = coordinates.limits_at<R>(samples, 1);
+  const auto tables = checked_limits<R>(coordinates, samples, 1);
   const int d = coordinates.dimension();
   std::array<Matrix<R>, 4> found;
   for (std::size_t b = 0; b < 4; ++b) {

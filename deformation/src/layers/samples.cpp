@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "samples.h"
 
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace cageproof::deformation {
 namespace {
 
@@ -46,6 +52,31 @@ std::vector<Touching> samples_of(const CageElements& elements, int level) {
 }
 
 template <Scalar R>
+std::vector<CoordinateTable<R>> checked_limits(const CageCoordinates& coordinates, std::span<const Touching> samples,
+                                               int order) {
+  using std::abs;
+  // Quadrature that misses a limit is off by parts of one; rounding by parts of 1e15.
+  const R tolerance(1e-8);
+  auto tables = coordinates.limits_at<R>(samples, order);
+  const CoordinateTable<R>& phi = tables[0];
+  for (int o = 0; o <= order; ++o) {
+    const std::size_t width = derivative_count(coordinates.dimension(), o);
+    for (std::size_t s = 0; s < samples.size(); ++s)
+      for (std::size_t k = 0; k < width; ++k) {
+        R sum = o == 0 ? R(-1) : R(0), size = 0;
+        for (std::size_t i = k; i < phi.stride[o]; i += width) {
+          sum += phi.tensors[o][s * phi.stride[o] + i];
+          size += abs(phi.tensors[o][s * phi.stride[o] + i]);
+        }
+        if (!(abs(sum) <= tolerance * size) && !(size == 0))
+          throw InputError(fmt::format("'{}' has no limits of {} on the cage, which this deformer is made from",
+                                       coordinates.evaluation(), o == 0 ? "values" : "derivatives"));
+      }
+  }
+  return tables;
+}
+
+template <Scalar R>
 SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
   const CageElements& elements = coordinates.elements();
   SampledLayers<R> found;
@@ -57,7 +88,7 @@ SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
     for (std::size_t k = 0; k < corners.size(); ++k)
       found.hats(static_cast<Eigen::Index>(s), corners[k]) = R(found.samples[s].basis[k]);
   }
-  const auto tables = coordinates.limits_at<R>(found.samples, 0);
+  const auto tables = checked_limits<R>(coordinates, found.samples, 0);
   found.phi = component(tables[0], count, 0, 1, 0);
   found.psi = component(tables[1], count, 0, 1, 0);
   found.phibar = component(tables[2], count, 0, 1, 0);
@@ -65,6 +96,10 @@ SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
   return found;
 }
 
+template std::vector<CoordinateTable<double>> checked_limits<double>(const CageCoordinates&, std::span<const Touching>,
+                                                                     int);
+template std::vector<CoordinateTable<Mp50>> checked_limits<Mp50>(const CageCoordinates&, std::span<const Touching>,
+                                                                 int);
 template SampledLayers<double> layers_at<double>(const CageCoordinates&, int);
 template SampledLayers<Mp50> layers_at<Mp50>(const CageCoordinates&, int);
 
