@@ -133,12 +133,13 @@ struct Variational<R>::Prepared {
       converged = linear || !(decrease > options.tolerance);
       if (converged && options.tolerance > 0) break;
     }
+    const std::size_t steps = report.energies.size() / 2;
     if (!converged)
-      report.warnings.push_back(fmt::format("not converged: step {} still lowered the energy by {:.2g} of it",
-                                            report.energies.size() / 2, decrease));
+      report.warnings.push_back(
+          fmt::format("not converged: step {} still lowered the energy by {:.2g} of it", steps, decrease));
     report.systems.push_back(factors.described(kSystem, right, solution));
     report.figures = {{"energy", report.energies.back()},
-                      {"steps", static_cast<double>(report.energies.size() / 2)},
+                      {"steps", static_cast<double>(steps)},
                       {"last relative decrease", decrease}};
     return posed(solution, std::move(report));
   }
