@@ -18,6 +18,7 @@ TEST(variational_input, targets_may_move) {
   const VariationalOptions options = bar_options(Subspace::Biharmonic, 4);
   const Variational<double> model(c.cage, constraints, options);
   std::vector<Vec> targets;
+  targets.reserve(constraints.positions.size());
   for (auto& [at, to] : constraints.positions) targets.emplace_back(to = to + .2 * Vec(at[1], -at[2], .3));
   const auto moved = model.pose_to(targets);
   const Variational<double> other(c.cage, constraints, options);
