@@ -120,6 +120,7 @@ TEST(row_key, is_ordered_and_hashed_by_every_member) {
 
 TEST(row_key, sections_have_names_of_their_own) {
   std::vector<std::string_view> names;
+  names.reserve(sections.size());
   for (const RowKey::Section section : sections) names.push_back(name_of(section));
   EXPECT_EQ(names, (std::vector<std::string_view>{"element", "cage", "deformer"}));
 }

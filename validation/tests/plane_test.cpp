@@ -138,7 +138,7 @@ TEST(plane_cage, points_on_it_are_its_vertices_and_points_within_segments) {
     (p.place == Place::OnVertex ? vertices : within) += 1;
   }
   EXPECT_EQ(vertices, 4);
-  EXPECT_EQ(within, 8);
+  EXPECT_EQ(within, 12);  // at 1/4, 5/16 and 1/2 of each edge
 }
 
 }  // namespace
