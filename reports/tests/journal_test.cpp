@@ -64,7 +64,7 @@ Findings found(int i) {
 }
 
 // A journal with the given units; its text.
-std::string written(const fs::path& path, std::vector<int> units) {
+std::string written(const fs::path& path, const std::vector<int>& units) {
   write_file(path, journal_head(header(), session("then")));
   JournalWriter writer(path);
   for (const int i : units) writer.add(i, found(i), 1.5 * i);

@@ -13,15 +13,8 @@ const std::vector<Vec> inside{{0.5, 0.5, 0}, {0.25, 0.375, 0}, {0.75, 0.8125, 0}
 
 // Errors of every manufactured function, whose data are given at the vertices and middles of every edge's n parts.
 std::vector<double> errors_of_all(const Corners& corners, int n) {
-  const CageCoordinates c = coordinates(polygon(subdivided(corners, n)), "biharmonic_boundary", {1, kDefault});
-  std::vector<double> errors;
-  for (const Goursat& f : manufactured()) {
-    const std::vector<double> data = f.data(c.elements());
-    double worst = 0;
-    for (const Vec& p : inside) worst = std::max(worst, std::abs(interpolated(c, data, p) - f.value(p)));
-    errors.push_back(worst);
-  }
-  return errors;
+  return largest_errors(coordinates(polygon(subdivided(corners, n)), "biharmonic_boundary", {1, kDefault}),
+                        manufactured(), inside);
 }
 
 // Exact boundary data of functions that are smooth up to the corners; normal derivatives are constant on parts, and so

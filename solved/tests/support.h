@@ -116,6 +116,18 @@ inline std::array<double, 3> affine_errors(const CageCoordinates& c, const Vec& 
   return errors;
 }
 
+/// A function's data at vertices, then at the middles of edges.
+template <class Function>
+std::vector<double> values_and_slopes(const Function& f, const CageElements& elements) {
+  std::vector<double> all;
+  for (const Vec& v : elements.vertices()) all.push_back(f.value(v));
+  for (std::size_t e = 0; e < elements.count(); ++e) {
+    const auto ends = elements.corners(e);
+    all.push_back(f.derivative((ends[0] + ends[1]) / 2, elements.normals()[e]));
+  }
+  return all;
+}
+
 /// A function of the plane with its gradient: Re(conj(z) g(z) + h(z)), which every biharmonic function is.
 struct Goursat {
   using C = std::complex<double>;
@@ -134,16 +146,7 @@ struct Goursat {
     const C z(p[0], p[1]), n(direction[0], direction[1]);
     return (std::conj(n) * g(z) + (std::conj(z) * dg(z) + dh(z)) * n).real();
   }
-  /// Data at vertices, then at the middles of edges.
-  std::vector<double> data(const CageElements& elements) const {
-    std::vector<double> all;
-    for (const Vec& v : elements.vertices()) all.push_back(value(v));
-    for (std::size_t e = 0; e < elements.count(); ++e) {
-      const auto ends = elements.corners(e);
-      all.push_back(derivative((ends[0] + ends[1]) / 2, elements.normals()[e]));
-    }
-    return all;
-  }
+  std::vector<double> data(const CageElements& elements) const { return values_and_slopes(*this, elements); }
 };
 
 /// Poles and cuts lie outside the polygons above.
@@ -170,6 +173,20 @@ inline double interpolated(const CageCoordinates& coordinates, const std::vector
   double sum = 0;
   for (std::size_t i = 0; i < all.size(); ++i) sum += all[i] * data[i];
   return sum;
+}
+
+/// Of each function, whose data are exact, the largest error at the points.
+template <class Functions>
+std::vector<double> largest_errors(const CageCoordinates& coordinates, const Functions& functions,
+                                   const std::vector<Vec>& points) {
+  std::vector<double> errors;
+  for (const auto& f : functions) {
+    const std::vector<double> data = f.data(coordinates.elements());
+    double worst = 0;
+    for (const Vec& p : points) worst = std::max(worst, std::abs(interpolated(coordinates, data, p) - f.value(p)));
+    errors.push_back(worst);
+  }
+  return errors;
 }
 
 }  // namespace cageproof::solved::test

@@ -38,12 +38,7 @@ struct Triharmonic {
     return (8. * std::conj(z) * df(z) + 4. * dg(z)).real();
   }
   std::vector<double> data(const CageElements& elements) const {
-    std::vector<double> all;
-    for (const Vec& v : elements.vertices()) all.push_back(value(v));
-    for (std::size_t e = 0; e < elements.count(); ++e) {
-      const auto ends = elements.corners(e);
-      all.push_back(derivative((ends[0] + ends[1]) / 2, elements.normals()[e]));
-    }
+    std::vector<double> all = values_and_slopes(*this, elements);
     for (const Vec& v : elements.vertices()) all.push_back(laplacian(v));
     return all;
   }
@@ -72,15 +67,7 @@ const std::vector<Triharmonic>& known() {
 const std::vector<Vec> inside{{0.5, 0.5, 0}, {0.25, 0.375, 0}, {0.75, 0.8125, 0}};
 
 std::vector<double> errors_of_all(const Corners& corners, int n, double pieces = 1) {
-  const CageCoordinates c = prepared(polygon(subdivided(corners, n)), pieces);
-  std::vector<double> errors;
-  for (const Triharmonic& f : known()) {
-    const std::vector<double> data = f.data(c.elements());
-    double worst = 0;
-    for (const Vec& p : inside) worst = std::max(worst, std::abs(interpolated(c, data, p) - f.value(p)));
-    errors.push_back(worst);
-  }
-  return errors;
+  return largest_errors(prepared(polygon(subdivided(corners, n)), pieces), known(), inside);
 }
 
 TEST(triharmonic_boundary, converges_to_known_triharmonic_functions) {

@@ -70,7 +70,7 @@ class Aligned final : public LayerDeformer<R> {
     const Matrix<R> fixed = of_vertices_ * vertices;
     Matrix<R> normals;
     if (alignment_ == Alignment::Free) {
-      normals = least_squares<R>(of_normals_, Matrix<R>(-fixed), "normal derivatives of least energy", &report.systems);
+      normals = least_squares<R>(of_normals_, Matrix<R>(-fixed), "normal derivatives of least energy", report.systems);
     } else {
       const Matrix<R> units = rows_of(stretched_normals(Stretch::Unit, elements, pose.vertices), elements.dimension());
       report.figures.emplace_back("energy a sample, unit normals", energy(fixed, units));
@@ -93,7 +93,7 @@ class Aligned final : public LayerDeformer<R> {
       matrix.middleRows(c * rows, rows) = of_normals_ * units.col(c).asDiagonal();
       right.middleRows(c * rows, rows) = -fixed.col(c);
     }
-    const Matrix<R> sigma = least_squares<R>(matrix, right, "stretches of least energy", &report.systems);
+    const Matrix<R> sigma = least_squares<R>(matrix, right, "stretches of least energy", report.systems);
     Eigen::Index negative = 0;
     for (Eigen::Index t = 0; t < count; ++t) negative += sigma(t, 0) < 0 ? 1 : 0;
     report.figures.emplace_back("least sigma", static_cast<double>(R(sigma.minCoeff())));
@@ -122,7 +122,7 @@ class Aligned final : public LayerDeformer<R> {
               weight * ((c == k ? R(1) : R(0)) - R(units(t, c) * units(t, k)));
     }
     const Matrix<R> solution =
-        least_squares<R>(matrix, right, "normal derivatives of least energy, softly aligned", &report.systems);
+        least_squares<R>(matrix, right, "normal derivatives of least energy, softly aligned", report.systems);
     return solution.reshaped(count, d);
   }
 

@@ -30,7 +30,7 @@ void put(Regularisation<R>& found, const Matrix<R>& solution, Eigen::Index verti
 
 template <Scalar R>
 Matrix<R> solved_for(Regularisation<R>& found, const Matrix<R>& matrix, const Matrix<R>& right, const char* name) {
-  Matrix<R> solution = least_squares<R>(matrix, right, name, &found.solved);
+  Matrix<R> solution = least_squares<R>(matrix, right, name, found.solved);
   if (found.solved.back().is_singular())
     found.warnings.push_back(std::string(name) + ": of deficient rank, the solution of least norm is taken");
   return solution;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/deformation/variational.h"
 
-#include "../layers/solver.h"
 #include "../linear_posed.h"
 #include "../nearest_rotation.h"
 #include "constraint_rows.h"
@@ -16,8 +15,6 @@
 
 namespace cageproof::deformation {
 namespace {
-
-constexpr const char* kSystem = "Eq 37-40: coefficients of least energy";
 
 const CoordinateKind& kind_of_subspace(Subspace subspace) {
   return coordinate_kind_named(subspace == Subspace::Harmonic ? "green" : "biharmonic");
@@ -42,7 +39,7 @@ struct Variational<R>::Prepared {
         options(chosen),
         coordinates(checked_coordinates(cage, constraints, options)),
         rows(constraint_rows<R>(coordinates, constraints, options, cage.size())),
-        factors(std::move(rows.matrix)) {
+        factors(rows.matrix) {
     const CageElements& elements = coordinates.elements();
     const std::vector<Vec3<R>> vertices = vertices_in<R>(elements);
     rest = Matrix<R>::Zero(rows.units.size(), dimension());
@@ -53,21 +50,24 @@ struct Variational<R>::Prepared {
   }
 
   int dimension() const { return coordinates.dimension(); }
-  Eigen::Index free_unknowns() const { return factors.matrix().cols() - factors.rank(); }
+  SolvedSystem described(const Matrix<R>& right, const Matrix<R>& solution) const {
+    return describe<R>("Eq 37-40: coefficients of least energy", rows.matrix, factors.rank(), right, solution);
+  }
+  Eigen::Index free_unknowns() const { return rows.matrix.cols() - factors.rank(); }
 
   std::vector<std::string> warnings() const {
     std::vector<std::string> all;
     if (constraints.positions.empty()) all.emplace_back("there is no positional constraint: translations are free");
     if (free_unknowns() > 0)
       all.push_back(fmt::format("the constraints leave {} of {} unknowns free: the solution of least norm is taken",
-                                free_unknowns(), factors.matrix().cols()));
+                                free_unknowns(), rows.matrix.cols()));
     return all;
   }
 
   // Targets of all rows; those of rotations are zero still.
   Matrix<R> targets(const std::vector<Vec3<double>>& positions) const {
     const int d = dimension();
-    Matrix<R> right = Matrix<R>::Zero(factors.matrix().rows(), d);
+    Matrix<R> right = Matrix<R>::Zero(rows.matrix.rows(), d);
     for (std::size_t p = 0; p < positions.size(); ++p)
       right.row(static_cast<Eigen::Index>(p)) = convert<R>(positions[p]).head(d).transpose();
     for (std::size_t p = 0; p < constraints.orientations.size(); ++p)
@@ -84,7 +84,7 @@ struct Variational<R>::Prepared {
     if (rows.root_beta == 0) return ambiguous;
     for (std::size_t p = 0; p < constraints.rotations.size(); ++p) {
       const Eigen::Index first = rows.rotations + d * static_cast<Eigen::Index>(p);
-      const Matrix<R> jacobian = (factors.matrix().middleRows(first, d) * solution).transpose() / rows.root_beta;
+      const Matrix<R> jacobian = (rows.matrix.middleRows(first, d) * solution).transpose() / rows.root_beta;
       const NearestRotation<R> nearest = nearest_rotation<R>(jacobian, R(1e-10));
       if (!nearest.is_unique && !ambiguous) ambiguous = p;
       const R factor = options.nearest == Nearest::Similarity ? R(nearest.signed_values.sum() / d) : R(1);
@@ -94,7 +94,7 @@ struct Variational<R>::Prepared {
   }
 
   double energy(const Matrix<R>& solution, const Matrix<R>& right) const {
-    const auto found = static_cast<double>(R((factors.matrix() * solution - right).squaredNorm()));
+    const auto found = static_cast<double>(R((rows.matrix * solution - right).squaredNorm()));
     if (!std::isfinite(found)) throw InputError("the constraints' targets are too large: the energy is not finite");
     return found;
   }
@@ -137,7 +137,7 @@ struct Variational<R>::Prepared {
     if (!converged)
       report.warnings.push_back(
           fmt::format("not converged: step {} still lowered the energy by {:.2g} of it", steps, decrease));
-    report.systems.push_back(factors.described(kSystem, right, solution));
+    report.systems.push_back(described(right, solution));
     report.figures = {{"energy", report.energies.back()},
                       {"steps", static_cast<double>(steps)},
                       {"last relative decrease", decrease}};
@@ -147,9 +147,9 @@ struct Variational<R>::Prepared {
   Constraints constraints;
   VariationalOptions options;
   CageCoordinates coordinates;
-  ConstraintRows<R> rows;  ///< their matrix is the factors'
-  Factored<R> factors;
-  Matrix<R> rest;  ///< the identity's coefficients, in units
+  ConstraintRows<R> rows;
+  LeastSquares<R> factors;  ///< of the rows' matrix
+  Matrix<R> rest;           ///< the identity's coefficients, in units
 };
 
 template <Scalar R>
@@ -163,9 +163,9 @@ const CageCoordinates& Variational<R>::coordinates() const {
 
 template <Scalar R>
 DeformationReport Variational<R>::prepared() const {
-  const Matrix<R> none = Matrix<R>::Zero(prepared_->factors.matrix().rows(), 1);
+  const Matrix<R> none = Matrix<R>::Zero(prepared_->rows.matrix.rows(), 1);
   DeformationReport report;
-  report.systems.push_back(prepared_->factors.described(kSystem, none, prepared_->factors.solve(none)));
+  report.systems.push_back(prepared_->described(none, Matrix<R>::Zero(prepared_->rows.matrix.cols(), 1)));
   report.warnings = prepared_->warnings();
   return report;
 }

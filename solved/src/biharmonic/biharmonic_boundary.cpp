@@ -2,8 +2,7 @@
 // Biharmonic coordinates of polygons ([W12] Section 4, after the errata).
 #include "../boundary/boundary_coordinates.h"
 #include "../boundary/boundary_parameters.h"
-
-#include "../boundary/least_squares.h"
+#include "../boundary/polyharmonic_equations.h"
 
 namespace cageproof::solved {
 namespace {
@@ -17,37 +16,23 @@ struct BiharmonicScheme {
   template <Scalar R>
   static Densities<R> solve(const RefinedPolygon& polygon, const BoundaryLayers<R>& layers,
                             const std::vector<double>& parameters, double inset, bool described) {
-    const Collocation& where = collocations()[static_cast<std::size_t>(parameters[1])];
-    const LayerRows<R> laplacian = layers.rows(points_on(polygon, where.of_laplacians), inset);
-    const LayerRows<R> value = layers.rows(points_on(polygon, where.of_value), inset);
-    const LeastSquares<R> first(laplacian[Layer::Single]);
-    const Matrix<R> right = laplacian.hats - laplacian[Layer::Double];
-    const Matrix<R> a = first.solve(right);
-    const Matrix<R> k = value[Layer::BiharmonicDouble] + value[Layer::BiharmonicSingle] * a;
-    Matrix<R> data(k.rows(), polygon.vertices() + polygon.edges());
-    data << (value.hats - value[Layer::Double]) * nodes_from_vertices<R>(polygon),
-        -value[Layer::Single] * pieces_from_edges<R>(polygon);
-    const LeastSquares<R> second(k);
-    Densities<R> found{second.inverse() * data, {{0, 0, {}}, {1, 0, a}}, {}};
+    const PolyharmonicEquations<R> equations(polygon, layers, parameters[1], inset);
+    const LeastSquares<R> second(equations.biharmonic);
+    Densities<R> found{second.inverse() * equations.data, {{0, 0, {}}, {1, 0, equations.slopes}}, {}};
     if constexpr (std::same_as<R, double>)
       if (described)
-        found.systems = {
-            describe("Eq 14, the Laplacian's normal derivative from the Laplacian", laplacian[Layer::Single],
-                     first.rank(), right, a),
-            describe("Eq 13, the Laplacian from values and normal derivatives", k, second.rank(), data, found.own)};
+        found.systems = {equations.described("Eq 14, the Laplacian's normal derivative from the Laplacian"),
+                         describe<R>("Eq 13, the Laplacian from values and normal derivatives", equations.biharmonic,
+                                     second.rank(), equations.data, found.own)};
     return found;
   }
 };
-
-std::shared_ptr<const PreparedCoordinates> prepare_biharmonic(const Cage& cage, const CoordinateOptions& options) {
-  return std::make_shared<BoundaryCoordinates<BiharmonicScheme>>(cage, options);
-}
 
 const RegisterCoordinateKind register_biharmonic_boundary{
     {.name = "biharmonic_boundary",
      .source = "[W12] Section 4, Eq 17-19 after the errata",
      .own_dimension = 2,
-     .prepare = prepare_biharmonic,
+     .prepare = prepare_boundary<BiharmonicScheme>,
      .parameters = boundary_parameters(collocations(), "where the boundary's equations are asked to hold"),
      .other_evaluations = {offset_evaluation},
      .approximates = "biharmonic_goursat",

@@ -305,4 +305,10 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
   mutable std::tuple<Prepared<double>, Prepared<Mp50>, Prepared<Mp100>> prepared_;
 };
 
+/// What a kind with that scheme is prepared by (CoordinateKind::prepare).
+template <class Scheme>
+std::shared_ptr<const PreparedCoordinates> prepare_boundary(const Cage& cage, const CoordinateOptions& options) {
+  return std::make_shared<BoundaryCoordinates<Scheme>>(cage, options);
+}
+
 }  // namespace cageproof::solved

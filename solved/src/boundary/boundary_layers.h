@@ -4,17 +4,12 @@
 
 #include "refined_polygon.h"
 
-#include "cageproof/core/coordinates.h"
-
-#include <Eigen/Core>
+#include "cageproof/core/least_squares.h"
 
 #include <span>
 #include <vector>
 
 namespace cageproof::solved {
-
-template <Scalar R>
-using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// phi^H, psi^H, phi^BH, psi^BH, then those of Appendix B for order 3: double layers have a number a node, single
 /// layers one a piece.

@@ -3,8 +3,6 @@
 #include "../boundary/boundary_coordinates.h"
 #include "../boundary/boundary_parameters.h"
 
-#include "../boundary/least_squares.h"
-
 namespace cageproof::solved {
 namespace {
 
@@ -44,15 +42,11 @@ struct HarmonicScheme {
   }
 };
 
-std::shared_ptr<const PreparedCoordinates> prepare_harmonic(const Cage& cage, const CoordinateOptions& options) {
-  return std::make_shared<BoundaryCoordinates<HarmonicScheme>>(cage, options);
-}
-
 const RegisterCoordinateKind register_harmonic{
     {.name = "harmonic",
      .source = "Joshi et al. 2007, by the boundary elements of [W12] Section 4.2",
      .own_dimension = 2,
-     .prepare = prepare_harmonic,
+     .prepare = prepare_boundary<HarmonicScheme>,
      .parameters = boundary_parameters(harmonic_collocations(), "where the boundary's equation is asked to hold"),
      .approximates = "harmonic_goursat",
      .meets_boundary_data = true,

@@ -2,8 +2,7 @@
 // Polyharmonic coordinates of order 3 of polygons ([W12] Appendix B, after the errata).
 #include "../boundary/boundary_coordinates.h"
 #include "../boundary/boundary_parameters.h"
-
-#include "../boundary/least_squares.h"
+#include "../boundary/polyharmonic_equations.h"
 
 #include <algorithm>
 
@@ -40,54 +39,42 @@ struct TriharmonicScheme {
   template <Scalar R>
   static Densities<R> solve(const RefinedPolygon& polygon, const BoundaryLayers<R>& layers,
                             const std::vector<double>& parameters, double inset, bool described) {
-    const Collocation& where = collocations()[static_cast<std::size_t>(parameters[1])];
-    const LayerRows<R> laplacian = layers.rows(points_on(polygon, where.of_laplacians), inset);
-    const LayerRows<R> value = layers.rows(points_on(polygon, where.of_value), inset);
-    const Matrix<R> nodes = nodes_from_vertices<R>(polygon), pieces = pieces_from_edges<R>(polygon);
-
-    const LeastSquares<R> first(laplacian[Layer::Single]);
-    const Matrix<R> right = laplacian.hats - laplacian[Layer::Double];
-    const Matrix<R> a = first.solve(right);
-    const Matrix<R> below = laplacian[Layer::BiharmonicDouble] + laplacian[Layer::BiharmonicSingle] * a;
-    const Matrix<R> e = first.solve(below);
-
-    const Matrix<R> k2 = value[Layer::BiharmonicDouble] + value[Layer::BiharmonicSingle] * a;
+    const PolyharmonicEquations<R> equations(polygon, layers, parameters[1], inset);
+    const LayerRows<R>&laplacian = equations.laplacian, &value = equations.value;
+    const Matrix<R>& a = equations.slopes;
+    const Matrix<R> e =
+        equations.single.solve(laplacian[Layer::BiharmonicDouble] + laplacian[Layer::BiharmonicSingle] * a);
     const Matrix<R> k3 =
         value[Layer::TriharmonicDouble] + value[Layer::TriharmonicSingle] * a - value[Layer::BiharmonicSingle] * e;
-    const Eigen::Index n = nodes.rows();
+    const Eigen::Index n = k3.cols(), vertices = polygon.vertices();
     Matrix<R> held = Matrix<R>::Zero(k3.rows() + n, n);
     held.topRows(k3.rows()) = k3;
     held.bottomRows(n).diagonal().setConstant(share_held_down(polygon) * k3.norm());
-    const LeastSquares<R> second(held);
-    Matrix<R> data = Matrix<R>::Zero(held.rows(), 2 * polygon.vertices() + polygon.edges());
-    data.topRows(k3.rows()) << (value.hats - value[Layer::Double]) * nodes, -value[Layer::Single] * pieces, -k2 * nodes;
+    Matrix<R> data = Matrix<R>::Zero(held.rows(), equations.data.cols() + vertices);
+    data.topRows(k3.rows()) << equations.data, -equations.biharmonic * equations.nodes;
 
     // Laplacians at nodes above, second Laplacians below.
     Densities<R> found;
     found.own = Matrix<R>::Zero(2 * n, data.cols());
-    found.own.topRightCorner(n, polygon.vertices()) = nodes;
-    found.own.bottomRows(n) = second.inverse() * data;
+    found.own.topRightCorner(n, vertices) = equations.nodes;
+    found.own.bottomRows(n) = LeastSquares<R>(held).inverse() * data;
     found.shares = {{0, 0, {}}, {1, 0, a}, {1, n, Matrix<R>(-e)}, {2, n, {}}, {3, n, a}};
     if constexpr (std::same_as<R, double>)
       if (described)
-        found.systems = {describe("s = 3 and 2, normal derivatives of Laplacians from Laplacians",
-                                  laplacian[Layer::Single], first.rank(), right, a),
-                         describe("s = 1, the second Laplacian from values, normal derivatives and Laplacians, before "
-                                  "what data do not determine is held down",
-                                  k3, LeastSquares<R>(k3).rank(), data.topRows(k3.rows()), found.own.bottomRows(n))};
+        found.systems = {
+            equations.described("s = 3 and 2, normal derivatives of Laplacians from Laplacians"),
+            describe<R>("s = 1, the second Laplacian from values, normal derivatives and Laplacians, before what data "
+                        "do not determine is held down",
+                        k3, LeastSquares<R>(k3).rank(), data.topRows(k3.rows()), found.own.bottomRows(n))};
     return found;
   }
 };
-
-std::shared_ptr<const PreparedCoordinates> prepare_triharmonic(const Cage& cage, const CoordinateOptions& options) {
-  return std::make_shared<BoundaryCoordinates<TriharmonicScheme>>(cage, options);
-}
 
 const RegisterCoordinateKind register_triharmonic_boundary{
     {.name = "triharmonic_boundary",
      .source = "[W12] Appendix B of order 3, after the errata",
      .own_dimension = 2,
-     .prepare = prepare_triharmonic,
+     .prepare = prepare_boundary<TriharmonicScheme>,
      .parameters = boundary_parameters(collocations(), "where the boundary's equations are asked to hold"),
      .other_evaluations = {offset_evaluation},
      .meets_boundary_data = true,

@@ -3,9 +3,7 @@
 // as one likes; points are asked through their coordinates, which outlive poses.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
-
-#include <Eigen/Core>
+#include "cageproof/core/least_squares.h"
 
 #include <list>
 #include <memory>
@@ -14,9 +12,6 @@
 #include <vector>
 
 namespace cageproof::deformation {
-
-template <Scalar R>
-using Matrix = Eigen::Matrix<R, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// What a method has to say of what it did.
 struct DeformationReport {

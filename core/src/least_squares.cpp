@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/least_squares.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <limits>
+
+namespace cageproof {
+
+template <Scalar R>
+struct LeastSquares<R>::Factors {
+  Eigen::CompleteOrthogonalDecomposition<Matrix<R>> of_matrix;
+};
+
+template <Scalar R>
+LeastSquares<R>::LeastSquares(const Matrix<R>& matrix) {
+  for (const R& x : matrix.reshaped())
+    if (!(x - x == 0))
+      throw InputError(
+          "layers are not finite on the cage: the evaluation has no limits there, or lengths leave the range");
+  auto factors = std::make_unique<Factors>();
+  // Between the condition of systems that are singular but for rounding, 1e15 and more, and of those that are not.
+  factors->of_matrix.setThreshold(R(1e-13));
+  factors->of_matrix.compute(matrix);
+  factors_ = std::move(factors);
+}
+
+template <Scalar R>
+LeastSquares<R>::~LeastSquares() = default;
+template <Scalar R>
+LeastSquares<R>::LeastSquares(LeastSquares&&) noexcept = default;
+template <Scalar R>
+LeastSquares<R>& LeastSquares<R>::operator=(LeastSquares&&) noexcept = default;
+
+template <Scalar R>
+int LeastSquares<R>::rank() const {
+  return static_cast<int>(factors_->of_matrix.rank());
+}
+
+template <Scalar R>
+Matrix<R> LeastSquares<R>::inverse() const {
+  return factors_->of_matrix.pseudoInverse();
+}
+
+template <Scalar R>
+Matrix<R> LeastSquares<R>::solve(const Matrix<R>& right) const {
+  return factors_->of_matrix.solve(right);
+}
+
+template <Scalar R>
+SolvedSystem describe(std::string name, const Matrix<R>& matrix, int rank, const Matrix<R>& right,
+                      const Matrix<R>& solution) {
+  if constexpr (!std::same_as<R, double>) {
+    return describe<double>(std::move(name), matrix.template cast<double>(), rank, right.template cast<double>(),
+                            solution.template cast<double>());
+  } else {
+    // The triangle of a QR factorisation has the matrix's singular values, and is as small as they are many.
+    const Matrix<double> triangle =
+        Eigen::HouseholderQR<Matrix<double>>(matrix).matrixQR().topRows(std::min(matrix.rows(), matrix.cols()));
+    const Matrix<double> upper = triangle.template triangularView<Eigen::Upper>();
+    const Eigen::VectorXd values = Eigen::BDCSVD<Matrix<double>>(upper).singularValues();
+    const double least = values[values.size() - 1];
+    const Eigen::VectorXd sizes = right.colwise().norm(), left = (matrix * solution - right).colwise().norm();
+    double residual = 0;
+    for (Eigen::Index k = 0; k < sizes.size(); ++k)
+      if (sizes[k] > 0) residual = std::max(residual, left[k] / sizes[k]);
+    return {.name = std::move(name),
+            .rows = static_cast<int>(matrix.rows()),
+            .columns = static_cast<int>(matrix.cols()),
+            .rank = rank,
+            .condition = least > 0 ? values[0] / least : std::numeric_limits<double>::infinity(),
+            .residual = residual};
+  }
+}
+
+template class LeastSquares<double>;
+template class LeastSquares<Mp50>;
+template class LeastSquares<Mp100>;
+template SolvedSystem describe<double>(std::string, const Matrix<double>&, int, const Matrix<double>&,
+                                       const Matrix<double>&);
+template SolvedSystem describe<Mp50>(std::string, const Matrix<Mp50>&, int, const Matrix<Mp50>&, const Matrix<Mp50>&);
+
+}  // namespace cageproof
