@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/deformation/deformer.h"
+#include "cageproof/deformation/constrained.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
@@ -16,15 +16,20 @@ std::list<DeformMethod>& known() {
   return methods;
 }
 
-std::vector<double> checked(const DeformMethod& method, std::vector<double> given) {
-  const std::vector<KindParameter> parameters = parameters_of(method);
+std::list<ConstraintMethod>& known_of_constraints() {
+  static std::list<ConstraintMethod> methods;
+  return methods;
+}
+
+std::vector<double> checked(std::string_view method, const std::vector<KindParameter>& parameters,
+                            std::vector<double> given) {
   if (given.empty())
     for (const KindParameter& p : parameters) given.push_back(p.preset);
   if (given.size() != parameters.size())
-    throw InputError(fmt::format("{} takes {} parameters, not {}", method.name, parameters.size(), given.size()));
+    throw InputError(fmt::format("{} takes {} parameters, not {}", method, parameters.size(), given.size()));
   for (std::size_t i = 0; i < given.size(); ++i)
     if (!parameters[i].allows(given[i]))
-      throw InputError(fmt::format("{}: {} = {} is out of range", method.name, parameters[i].name, given[i]));
+      throw InputError(fmt::format("{}: {} = {} is out of range", method, parameters[i].name, given[i]));
   return given;
 }
 
@@ -57,10 +62,39 @@ std::string why_refused(const DeformMethod& method, const Cage& cage) {
   return method.refuses ? method.refuses(cage) : "";
 }
 
+const std::list<ConstraintMethod>& constraint_methods() { return known_of_constraints(); }
+
+RegisterConstraintMethod::RegisterConstraintMethod(ConstraintMethod method) {
+  const auto after = std::ranges::upper_bound(known_of_constraints(), method.name, {}, &ConstraintMethod::name);
+  known_of_constraints().insert(after, std::move(method));
+}
+
+const ConstraintMethod* find_constraint_method(std::string_view name) {
+  const auto found = std::ranges::find(known_of_constraints(), name, &ConstraintMethod::name);
+  return found == known_of_constraints().end() ? nullptr : &*found;
+}
+
+std::shared_ptr<const ConstrainedDeformer<double>> prepare_constrained(const ConstraintMethod& method, const Cage& cage,
+                                                                       const Constraints& constraints,
+                                                                       DeformOptions options) {
+  options.parameters = checked(method.name, method.parameters, std::move(options.parameters));
+  if (method.dimension != 0 && method.dimension != cage.dimension())
+    throw InputError(fmt::format("{}: {} does not exist on cages of this dimension", cage.name(), method.name));
+  if (method.positions_alone) {
+    const auto refuse = [&](std::string_view what, bool any) {
+      if (any) throw InputError(fmt::format("{} takes positions alone, not \"{}\"", method.name, what));
+    };
+    refuse("orientations", !constraints.orientations.empty());
+    refuse("rotations", !constraints.rotations.empty());
+    refuse("hessians", !constraints.hessians.empty());
+  }
+  return method.prepare(cage, constraints, options);
+}
+
 template <Scalar R>
 std::shared_ptr<const Deformer<R>> prepare_deformer(const DeformMethod& method, const Cage& cage,
                                                     DeformOptions options) {
-  options.parameters = checked(method, std::move(options.parameters));
+  options.parameters = checked(method.name, parameters_of(method), std::move(options.parameters));
   if (const std::string reason = why_refused(method, cage); !reason.empty())
     throw InputError(fmt::format("{}: {}", cage.name(), reason));
   if constexpr (std::same_as<R, double>) return method.prepare(cage, options);

@@ -110,7 +110,7 @@ struct Variational<R>::Prepared {
     return std::make_unique<LinearPosed<R>>(std::move(data), std::move(report));
   }
 
-  std::unique_ptr<const Posed<R>> run(const std::vector<Vec3<double>>& positions) const {
+  std::unique_ptr<const Posed<R>> run(const std::vector<Vec3<double>>& positions, const StepWatcher& watch) const {
     Matrix<R> right = targets(positions), solution = rest;
     DeformationReport report;
     report.warnings = warnings();
@@ -127,6 +127,7 @@ struct Variational<R>::Prepared {
       report.energies.push_back(energy(solution, right));
       solution = factors.solve(right);
       report.energies.push_back(energy(solution, right));
+      if (watch) watch(step, report.energies.back());
       // From global step to global step; the first one has its own local step before it.
       const double before = report.energies[report.energies.size() - (step == 1 ? 2 : 3)];
       decrease = before > 0 ? 1 - report.energies.back() / before : 0;
@@ -171,21 +172,22 @@ DeformationReport Variational<R>::prepared() const {
 }
 
 template <Scalar R>
-std::unique_ptr<const Posed<R>> Variational<R>::pose() const {
+std::unique_ptr<const Posed<R>> Variational<R>::pose(const StepWatcher& watch) const {
   std::vector<Vec3<double>> targets;
   targets.reserve(prepared_->constraints.positions.size());
   for (const Constraints::Position& position : prepared_->constraints.positions) targets.push_back(position.to);
-  return prepared_->run(targets);
+  return prepared_->run(targets, watch);
 }
 
 template <Scalar R>
-std::unique_ptr<const Posed<R>> Variational<R>::pose_to(const std::vector<Vec3<double>>& targets) const {
+std::unique_ptr<const Posed<R>> Variational<R>::pose_to(const std::vector<Vec3<double>>& targets,
+                                                        const StepWatcher& watch) const {
   if (targets.size() != prepared_->constraints.positions.size())
     throw InputError(fmt::format("{} targets for {} positional constraints", targets.size(),
                                  prepared_->constraints.positions.size()));
   for (std::size_t i = 0; i < targets.size(); ++i)
     check_finite(fmt::format("target {}", i), targets[i], prepared_->dimension());
-  return prepared_->run(targets);
+  return prepared_->run(targets, watch);
 }
 
 template class Variational<double>;

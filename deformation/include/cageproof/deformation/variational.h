@@ -3,25 +3,9 @@
 // Section 4.2, Eq 37-40).
 #pragma once
 
-#include "cageproof/deformation/deformer.h"
+#include "cageproof/deformation/constrained.h"
 
 namespace cageproof::deformation {
-
-/// What is asked of a map f at points inside a cage, or on it where what is asked exists there. In the plane third
-/// coordinates have no part.
-struct Constraints {
-  struct Position {
-    Vec3<double> at, to;
-  };
-  struct Orientation {
-    Vec3<double> at;
-    Mat3<double> jacobian;  ///< row c, column j: the derivative of f's component c along axis j
-  };
-  std::vector<Position> positions = {};        ///< f(at) = to
-  std::vector<Orientation> orientations = {};  ///< Jf(at) = jacobian
-  std::vector<Vec3<double>> rotations = {};    ///< Jf is a rotation, or a similarity, whichever is nearest
-  std::vector<Vec3<double>> hessians = {};     ///< Hf = 0
-};
 
 /// Maps f = phi a + psi b, or f = phi a + psi b + phibar c + psibar d.
 enum class Subspace { Harmonic, Biharmonic };
@@ -54,31 +38,22 @@ struct VariationalOptions {
 /// least norm are taken, in the cage's own unit of length, and the report has a warning. R: double or Mp50. Safe from
 /// any thread.
 template <Scalar R>
-class Variational {
+class Variational final : public ConstrainedDeformer<R> {
  public:
   /// \throws InputError for a cage without coordinates of the kind, an option out of range, no constraints, and, naming
   /// the constraint, for numbers that are not finite, points outside the cage, and points on it where the derivatives
   /// do not exist
   Variational(const Cage& cage, Constraints constraints, const VariationalOptions& options = {});
 
-  /// What images are made from: of kind `green` or `biharmonic`.
-  const CageCoordinates& coordinates() const;
-  /// Rank and condition of the matrix, and what there is to warn of before any step.
-  DeformationReport prepared() const;
+  /// Of kind `green` or `biharmonic`.
+  const CageCoordinates& coordinates() const override;
+  DeformationReport prepared() const override;
 
-  /// The map for the constraints as given. Its report has the energies after all half steps, local ones first, and as
-  /// figures "energy", "steps" and "last relative decrease".
-  /// \throws InputError for targets so large that the energy leaves the scalar's range
-  std::unique_ptr<const Posed<R>> pose() const;
-  /// The map for the positional constraints' points drawn elsewhere, in their order.
-  /// \throws InputError as pose(), unless there are as many targets as positional constraints, and for targets that are
-  /// not finite, named
-  std::unique_ptr<const Posed<R>> pose_to(const std::vector<Vec3<double>>& targets) const;
-
-  /// Images of points under a map.
-  Images<R> images(const Posed<R>& posed, std::span<const Vec3<R>> points, int order) const {
-    return posed.images(coordinates().template at<R>(points, order), points.size(), order);
-  }
+  /// The report has the energies after all half steps, local ones first, and as figures "energy", "steps" and "last
+  /// relative decrease".
+  std::unique_ptr<const Posed<R>> pose(const StepWatcher& watch = {}) const override;
+  std::unique_ptr<const Posed<R>> pose_to(const std::vector<Vec3<double>>& targets,
+                                          const StepWatcher& watch = {}) const override;
 
  private:
   struct Prepared;
