@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Constraints of variational deformation, as users write them.
+// Constraints of deformers, as users write them.
 #pragma once
 
-#include "cageproof/deformation/variational.h"
+#include "cageproof/deformation/constrained.h"
 
 #include <filesystem>
 

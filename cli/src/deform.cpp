@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
-#include "deformation.h"
+#include "deformation_report.h"
+#include "posing.h"
 
-#include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
 #include "cageproof/reports/checked_file.h"
+#include "cageproof/reports/energy_history.h"
 #include "cageproof/reports/mesh_text.h"
 
 #include <fmt/format.h>
@@ -22,26 +23,45 @@ namespace {
 
 struct Arguments {
   CageArguments cage;
-  std::string points, method, evaluation, out, derivatives, outside = "error";
+  std::string points, method, evaluation, out, derivatives, constraints, energies, outside = "error";
   std::vector<std::string> posed, parameters;
   int order = 0, jobs = 0;
 };
 
 constexpr std::array mesh_extensions{".obj", ".ply"};
 constexpr std::array table_extensions{".csv", ".npy", ".vtp"};
+constexpr std::array energy_extensions{".csv", ".png"};
 
 bool is_one_of(std::span<const char* const> extensions, const std::string& file) {
   return std::ranges::find(extensions, std::filesystem::path(file).extension().string()) != extensions.end();
-}
-
-std::vector<Vec3<double>> posed_vertices(const std::string& file, int dimension) {
-  return is_embedded_cage(file) ? embedded_cage(file).vertices() : load_points(file, dimension).vertices;
 }
 
 // The k-th file, from 1 on, where a name has {n} for the number.
 std::string numbered(const std::string& name, std::size_t k) {
   const auto at = name.find("{n}");
   return at == std::string::npos ? name : fmt::format("{}{}{}", name.substr(0, at), k, name.substr(at + 3));
+}
+
+// Files that this run reads or writes twice.
+void check_distinct(const Arguments& a) {
+  std::vector<std::pair<std::filesystem::path, std::string>> known{{a.points, "--points"}, {a.cage.file, "--cage"}};
+  for (const std::string& posed : a.posed) known.emplace_back(posed, "--posed");
+  if (!a.constraints.empty()) known.emplace_back(a.constraints, "--constraints");
+  for (auto& [path, option] : known) path = std::filesystem::weakly_canonical(path);
+  const auto write = [&](const std::filesystem::path& name, const std::string& option) {
+    const std::filesystem::path path = std::filesystem::weakly_canonical(name);
+    for (const auto& [other, its_option] : known)
+      if (path == other)
+        throw InputError(fmt::format("{}: {} is the file of {}, too", name.string(), option, its_option));
+    known.emplace_back(path, option);
+  };
+  for (std::size_t k = 1; k <= std::max<std::size_t>(1, a.posed.size()); ++k) {
+    const std::filesystem::path out = numbered(a.out, k);
+    write(out, "--out");
+    write(std::filesystem::path(out).replace_extension(".json"), "the .json beside --out");
+    if (!a.derivatives.empty()) write(numbered(a.derivatives, k), "--derivatives");
+  }
+  if (!a.energies.empty()) write(a.energies, "--energies");
 }
 
 void check_names(const Arguments& a) {
@@ -60,6 +80,9 @@ void check_names(const Arguments& a) {
   if (is_one_of(mesh_extensions, a.out) && a.outside == "nan")
     throw InputError(fmt::format("--outside nan: '{}' files hold no nan; use {}",
                                  std::filesystem::path(a.out).extension().string(), fmt::join(table_extensions, ", ")));
+  if (!a.energies.empty() && !is_one_of(energy_extensions, a.energies))
+    throw InputError(fmt::format("--energies {}: use {}", a.energies, fmt::join(energy_extensions, ", ")));
+  check_distinct(a);
 }
 
 std::string text_for(const std::string& file, const Deformed& deformed) {
@@ -71,35 +94,57 @@ std::string text_for(const std::string& file, const Deformed& deformed) {
   return csv_text(deformed.table);
 }
 
-nlohmann::ordered_json heading(const Arguments& a, const DeformMethod& method, const Deformer<double>& deformer,
-                               const std::vector<double>& parameters) {
+struct Chosen {
+  std::string_view method;
+  std::vector<KindParameter> known;
+  std::vector<double> parameters;
+};
+
+nlohmann::ordered_json heading(const Arguments& a, const Chosen& chosen, const CageCoordinates& coordinates) {
   nlohmann::ordered_json json = {{"schema", "cageproof-deformation"}, {"schema_version", 1}};
-  json["method"] = method.name;
+  json["method"] = chosen.method;
   json["parameters"] = nlohmann::ordered_json::object();
-  const std::vector<KindParameter> known = parameters_of(method);
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (known[i].names.empty()) json["parameters"][std::string(known[i].name)] = parameters[i];
-    else json["parameters"][std::string(known[i].name)] = known[i].names[static_cast<std::size_t>(parameters[i])];
+  for (std::size_t i = 0; i < chosen.known.size(); ++i) {
+    const KindParameter& p = chosen.known[i];
+    if (p.names.empty()) json["parameters"][std::string(p.name)] = chosen.parameters[i];
+    else json["parameters"][std::string(p.name)] = p.names[static_cast<std::size_t>(chosen.parameters[i])];
   }
-  json["evaluation"] = deformer.coordinates().evaluation();
+  json["evaluation"] = coordinates.evaluation();
   json["cage"] = a.cage.file;
   return json;
 }
 
+Chosen chosen_by(const Arguments& a, std::string_view method, std::vector<KindParameter> known) {
+  std::vector<double> parameters = parameters_from(a.parameters, known, method);
+  return {method, std::move(known), std::move(parameters)};
+}
+
+Posing posing_by(const Arguments& a, const ConstraintMethod* constrained, const Chosen& chosen, const Cage& cage) {
+  const DeformOptions options{a.evaluation, a.cage.rule(), chosen.parameters};
+  if (!constrained) return posed_by_cages(deform_method_named(a.method), cage, options, a.posed);
+  return posed_by_constraints(*constrained, cage, options, a.constraints, [](int step, double energy) {
+    fmt::print(stderr, "step {}: energy {:.6g}\n", step, energy);
+  });
+}
+
 int run(const Arguments& a) {
-  const DeformMethod& method = deform_method_named(a.method);
+  const ConstraintMethod* const constrained = find_constraint_method(a.method);
+  const Chosen chosen = constrained ? chosen_by(a, constrained->name, constrained->parameters)
+                                    : chosen_by(a, a.method, parameters_of(deform_method_named(a.method)));
+  if (constrained ? a.constraints.empty() : a.posed.empty())
+    throw InputError(fmt::format("{} takes {}", a.method, constrained ? "--constraints" : "--posed"));
+  if (!a.energies.empty() && !constrained) throw InputError(fmt::format("--energies: {} has no steps", a.method));
   check_names(a);
-  const std::vector<double> parameters = parameters_from(a.parameters, parameters_of(method), method.name);
   const Cage cage = a.cage.load();
   const Mesh mesh = load_points(a.points, cage.dimension());
-  std::vector<std::pair<std::string, std::vector<Vec3<double>>>> poses;
-  poses.reserve(a.posed.size());
-  for (const std::string& file : a.posed) poses.emplace_back(file, posed_vertices(file, cage.dimension()));
-  const auto deformer = prepare_deformer<double>(method, cage, {a.evaluation, a.cage.rule(), parameters});
+  const Posing posing = posing_by(a, constrained, chosen, cage);
+  const CageCoordinates& coordinates = *posing.coordinates;
+  if (a.order > posing.max_order)
+    throw InputError(fmt::format("{} has derivatives up to order {} alone", a.method, posing.max_order));
   const OutsidePolicy outside = a.outside == "rest"  ? OutsidePolicy::Rest
                                 : a.outside == "nan" ? OutsidePolicy::Nan
                                                      : OutsidePolicy::Error;
-  const std::vector<Deformed> all = deform(*deformer, cage, mesh, poses, a.order, outside, a.jobs);
+  const std::vector<Deformed> all = deform(coordinates, cage, mesh, posing.maps, a.order, outside, a.jobs);
   // Everything is made before anything is written.
   std::vector<std::pair<std::string, std::string>> files;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -109,13 +154,19 @@ int run(const Arguments& a) {
       const std::string derivatives = numbered(a.derivatives, k + 1);
       files.emplace_back(derivatives, text_for(derivatives, all[k]));
     }
-    nlohmann::ordered_json json = heading(a, method, *deformer, parameters);
-    json["posed_cage"] = poses[k].first;
-    json.update(deformation_json(*deformer, cage, mesh, poses[k].second, all[k], a.order));
+    nlohmann::ordered_json json = heading(a, chosen, coordinates);
+    json[constrained ? "constraints" : "posed_cage"] = posing.names[k];
+    const DeformationReport& pose = posing.maps[k]->report();
+    json.update(deformation_json(coordinates, cage, mesh, posing.vertices[k], all[k], a.order, posing.prepared, pose));
     for (const auto& warning : json["warnings"]) fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
     files.emplace_back(std::filesystem::path(out).replace_extension(".json").string(), json.dump(2) + '\n');
     if (all[k].without_image > 0)
       fmt::print(stderr, "warning: {} of {} points have no image\n", all[k].without_image, mesh.vertices.size());
+    if (!a.energies.empty())
+      files.emplace_back(a.energies,
+                         is_one_of(std::array{".png"}, a.energies)
+                             ? reports::energies_png(pose.energies, fmt::format("{}, {}", a.method, cage.name()))
+                             : reports::energies_csv(pose.energies));
   }
   for (const auto& [file, text] : files) reports::replace_file(file, text);
   return success;
@@ -124,17 +175,20 @@ int run(const Arguments& a) {
 std::string names_of_methods() {
   std::vector<std::string_view> names;
   for (const DeformMethod& method : deform_methods()) names.push_back(method.name);
+  for (const ConstraintMethod& method : constraint_methods()) names.push_back(method.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
 
 void add_deform(CommandLine& line) {
-  Command command = line.command("deform", "a mesh deformed by a posed cage");
+  Command command = line.command("deform", "a mesh deformed by a posed cage, or by constraints");
   auto a = std::make_shared<Arguments>();
   a->cage.add_to(command, true);
-  command.option("--posed", a->posed, "the cage's vertices elsewhere: a mesh, text, or an embedded cage; repeats")
-      .required();
+  Command pose = command.exactly_one_of("Pose");
+  pose.option("--posed", a->posed, "the cage's vertices elsewhere: a mesh, text, or an embedded cage; repeats");
+  pose.option("--constraints", a->constraints,
+              "JSON: what is asked of the map at points, of methods without a posed cage");
   command.option("--points", a->points, "a mesh, or text with three numbers a line, for polygons two").required();
   command.option("--method", a->method, names_of_methods()).required();
   command.option("--parameter", a->parameters, "the method's, NAME=VALUE; `list` names them");
@@ -146,6 +200,7 @@ void add_deform(CommandLine& line) {
       .required();
   command.option("--order", a->order, "1: Jacobians, 2: Hessians, too").in_range(0, 2).showing_default();
   command.option("--derivatives", a->derivatives, ".csv, .npy or .vtp, beside a mesh file");
+  command.option("--energies", a->energies, ".csv or .png: of methods that iterate, the energy at every half step");
   command.option("--outside", a->outside, "points without image: an error, left at rest, or nan")
       .one_of({"error", "rest", "nan"})
       .showing_default();

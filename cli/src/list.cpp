@@ -3,7 +3,7 @@
 
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/embedded_cages.h"
-#include "cageproof/deformation/deformer.h"
+#include "cageproof/deformation/constrained.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/promise.h"
@@ -83,15 +83,18 @@ Json catalogue_json() {
     all["coordinates"].push_back(
         {{"name", kind.name}, {"source", kind.source}, {"blocks", blocks}, {"parameters", parameters}});
   }
-  for (const deformation::DeformMethod& method : deformation::deform_methods()) {
+  const auto add_deformer = [&](const auto& method, const std::vector<KindParameter>& known, Json taken) {
     Json parameters = Json::array();
-    for (const KindParameter& p : deformation::parameters_of(method)) parameters.push_back(parameter_json(p));
-    all["deformers"].push_back({{"name", method.name},
-                                {"source", method.source},
-                                {"keeps", method.keeps},
-                                {"coordinates", method.kind},
-                                {"parameters", parameters}});
-  }
+    for (const KindParameter& p : known) parameters.push_back(parameter_json(p));
+    Json& all_of_them = all["deformers"];
+    all_of_them.push_back({{"name", method.name}, {"source", method.source}, {"keeps", method.keeps}});
+    all_of_them.back().update(taken);
+    all_of_them.back()["parameters"] = std::move(parameters);
+  };
+  for (const deformation::DeformMethod& method : deformation::deform_methods())
+    add_deformer(method, deformation::parameters_of(method), {{"coordinates", method.kind}, {"takes", "posed cages"}});
+  for (const deformation::ConstraintMethod& method : deformation::constraint_methods())
+    add_deformer(method, method.parameters, {{"takes", method.positions_alone ? "positions" : "constraints"}});
   for (const auto& regime : validation::regimes())
     all["regimes"].push_back(
         {{"name", regime.name}, {"parameter", regime.parameter_name}, {"description", regime.description}});
@@ -110,6 +113,18 @@ Json catalogue_json() {
   for (const auto name : embedded_cage_names()) all["cages"].push_back(name);
   for (const auto name : extreme_cage_names()) all["extreme_cages"].push_back(name);
   return all;
+}
+
+void print_parameters(const std::vector<KindParameter>& parameters) {
+  for (const KindParameter& p : parameters) {
+    if (p.names.empty()) fmt::print(" {}={:g}", p.name, p.preset);
+    if (p.names.empty()) continue;
+    // The default first.
+    std::vector<std::string_view> names = p.names;
+    const auto preset = names.begin() + static_cast<std::ptrdiff_t>(p.preset);
+    std::rotate(names.begin(), preset, preset + 1);
+    fmt::print(" {}={}", p.name, fmt::join(names, "|"));
+  }
 }
 
 void print_text() {
@@ -131,11 +146,13 @@ void print_text() {
   fmt::print("\ndeformers:\n");
   for (const deformation::DeformMethod& method : deformation::deform_methods()) {
     fmt::print("    {}", method.name);
-    for (const KindParameter& p : deformation::parameters_of(method)) {
-      if (p.names.empty()) fmt::print(" {}={:g}", p.name, p.preset);
-      else fmt::print(" {}={}", p.name, fmt::join(p.names, "|"));
-    }
+    print_parameters(deformation::parameters_of(method));
     fmt::print("   ({}; keeps {})\n", method.source, method.keeps);
+  }
+  for (const deformation::ConstraintMethod& method : deformation::constraint_methods()) {
+    fmt::print("    {}", method.name);
+    print_parameters(method.parameters);
+    fmt::print("   ({}; by constraints; keeps {})\n", method.source, method.keeps);
   }
   fmt::print("regimes:");
   for (const auto& regime : validation::regimes()) fmt::print(" {}", regime.name);

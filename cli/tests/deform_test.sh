@@ -76,6 +76,43 @@ printf '0,0\n2,0\n2,2\n0,2\n' >square.csv
 printf '0.5,0.25\n' >points.csv
 "$cageproof" deform --cage square --posed square --points points.csv --method somigliana --out still.csv || fail "the plane"
 
+# By constraints, without a posed cage: everything turned by a quarter about z.
+cat >turned.json <<'JSON'
+{"schema": "cageproof-constraints", "schema_version": 1,
+ "positions": [{"at": [0.25, 0, 0], "to": [0, 0.25, 0]}, {"at": [-0.25, 0, 0], "to": [0, -0.25, 0]},
+               {"at": [0, 0.25, 0], "to": [-0.25, 0, 0]}, {"at": [0, 0, 0.25], "to": [0, 0, 0.25]}],
+ "orientations": [{"at": [0, 0, 0], "jacobian": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]}],
+ "rotations": [[0, 0, 0], [0.25, 0.25, 0.25]],
+ "hessians": [[0.25, 0.125, 0], [-0.25, 0.125, 0.25], [0, 0, -0.25]]}
+JSON
+by_constraints=(--cage cube --constraints turned.json --points mesh.obj --method variational)
+"$cageproof" deform "${by_constraints[@]}" --parameter subspace=harmonic --out moved.csv --energies energies.csv 2>stderr || fail "by constraints: $(cat stderr)"
+awk -F, 'NR == 2 {d = ($1 + 0.125) ^ 2 + ($2 - 0.25) ^ 2 + $3 ^ 2; exit !(d < 1e-12)}' moved.csv || fail "not turned: $(cat moved.csv)"
+grep -q '^step 1: energy ' stderr || fail "no progress: $(cat stderr)"
+[ "$(head -n 1 energies.csv)" = half_step,energy ] || fail "energies: $(head -n 1 energies.csv)"
+awk -F, 'NR > 2 && $2 > before * (1 + 1e-12) + 1e-28 {exit 1} {before = $2}' energies.csv || fail "the energy rises: $(cat energies.csv)"
+[ "$(grep -c . energies.csv)" -gt 2 ] || fail "no energies"
+"$cageproof" deform "${by_constraints[@]}" --out moved.obj --energies energies.png 2>/dev/null || fail "a picture of the energies"
+head -c 4 energies.png | grep -q PNG || fail "energies.png is no picture"
+refuses variational --constraints -- --cage cube --posed large.obj --points mesh.obj --method variational --out out.obj
+refuses green --posed -- --cage cube --constraints turned.json --points mesh.obj --method green --out out.obj
+refuses --energies -- "${common[@]}" --method green --energies out.csv --out out.obj
+refuses .svg -- "${by_constraints[@]}" --energies out.svg --out out.obj
+sed 's/"at": \[0, 0, 0\]/"at": [0, 0, 3]/' turned.json >far.json
+refuses far.json 'orientations[0]' outside -- --cage cube --constraints far.json --points mesh.obj --method variational --out out.obj
+sed 's/"hessians"/"hessian"/' turned.json >misspelt.json
+refuses misspelt.json '"hessian"' -- --cage cube --constraints misspelt.json --points mesh.obj --method variational --out out.obj
+sed 's/0.25, 0, 0\], "to"/0.25, 0\], "to"/' turned.json >short.json
+refuses short.json 'positions[0].at' '3 numbers' -- --cage cube --constraints short.json --points mesh.obj --method variational --out out.obj
+head -c 200 turned.json >cut.json
+refuses cut.json malformed -- --cage cube --constraints cut.json --points mesh.obj --method variational --out out.obj
+refuses turned.json --out -- --cage cube --constraints turned.json --points mesh.obj --method variational --out turned.csv
+
+# No file is written twice, nor one that is read.
+refuses mesh.obj --points -- "${common[@]}" --method green --out mesh.obj
+refuses large.obj --posed -- "${common[@]}" --method green --out ./large.obj
+refuses same.csv --derivatives -- "${common[@]}" --method green --order 1 --out same.csv --derivatives same.csv
+
 # Points outside.
 printf '0,0,0\n3,0,0\n' >outside.csv
 refuses '1 of 2 points' 'number 1' '--outside rest' -- --cage cube --posed large.obj --points outside.csv --method green --out out.csv

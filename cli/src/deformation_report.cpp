@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "deformation_report.h"
+
+#include <Eigen/SVD>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::cli {
+
+using namespace deformation;
+namespace {
+
+// Six times the volume within faces, or twice the area within segments.
+double content(const std::vector<Vec3<double>>& vertices, const std::vector<std::vector<int>>& faces,
+               const std::vector<std::array<int, 2>>& segments) {
+  double sum = 0;
+  if (vertices.empty()) return sum;
+  const Vec3<double>& about = vertices.front();
+  for (const auto& face : faces)
+    for (std::size_t k = 2; k < face.size(); ++k)
+      sum += (vertices[face[0]] - about).dot((vertices[face[k - 1]] - about).cross(vertices[face[k]] - about));
+  for (const auto& [a, b] : segments) {
+    const Vec3<double> u = vertices[a] - about, v = vertices[b] - about;
+    sum += u[0] * v[1] - u[1] * v[0];
+  }
+  return sum;
+}
+
+double cage_content(const CageElements& elements, const std::vector<Vec3<double>>& vertices) {
+  std::vector<std::vector<int>> faces;
+  std::vector<std::array<int, 2>> segments;
+  for (std::size_t e = 0; e < elements.count(); ++e) {
+    const auto corners = elements.vertices_of(e);
+    if (corners.size() == 2) segments.push_back({corners[0], corners[1]});
+    else faces.emplace_back(corners.begin(), corners.end());
+  }
+  return content(vertices, faces, segments);
+}
+
+nlohmann::ordered_json number(double x) { return std::isfinite(x) ? nlohmann::ordered_json(x) : nullptr; }
+
+nlohmann::ordered_json systems_json(const std::vector<SolvedSystem>& systems) {
+  auto all = nlohmann::ordered_json::array();
+  for (const SolvedSystem& s : systems)
+    all.push_back({{"name", s.name},
+                   {"rows", s.rows},
+                   {"columns", s.columns},
+                   {"rank", s.rank},
+                   {"singular", s.is_singular()},
+                   {"condition", number(s.condition)},
+                   {"residual", number(s.residual)}});
+  return all;
+}
+
+}  // namespace
+
+nlohmann::ordered_json deformation_json(const CageCoordinates& coordinates, const Cage& cage, const Mesh& rest,
+                                        const std::vector<Vec3<double>>& posed, const Deformed& deformed, int order,
+                                        const DeformationReport& prepared, const DeformationReport& pose) {
+  using Json = nlohmann::ordered_json;
+  const CageElements& elements = coordinates.elements();
+  const int d = elements.dimension();
+  double largest = 0, sum = 0;
+  std::size_t moved = 0;
+  for (std::size_t p = 0; p < rest.vertices.size(); ++p) {
+    const double step = (deformed.mesh.vertices[p] - rest.vertices[p]).norm();
+    if (std::isnan(step)) continue;
+    largest = std::max(largest, step);
+    sum += step;
+    ++moved;
+  }
+  Json json = {{"points", rest.vertices.size()}, {"points_without_image", deformed.without_image}};
+  json["displacement"] = {{"largest", largest},
+                          {"mean", moved > 0 ? Json(sum / static_cast<double>(moved)) : Json(nullptr)},
+                          {"largest_over_cage_size", largest / cage.size()}};
+  json["cage_volume_ratio"] = posed.empty()
+                                  ? Json(nullptr)
+                                  : number(cage_content(elements, posed) / cage_content(elements, elements.vertices()));
+  const double before = content(rest.vertices, rest.faces, rest.segments);
+  json["mesh_volume_ratio"] =
+      before != 0 ? number(content(deformed.mesh.vertices, rest.faces, rest.segments) / before) : Json(nullptr);
+  if (order >= 1) {
+    double least = HUGE_VAL, most = 0, turned = 0;
+    const std::size_t columns = deformed.table.names.size();
+    for (std::size_t p = 0; p < rest.vertices.size(); ++p) {
+      const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> jacobian(
+          &deformed.table.values[p * columns + d], d, d);
+      if (!jacobian.allFinite()) continue;
+      const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues();
+      least = std::min(least, values[d - 1]);
+      most = std::max(most, values[0]);
+      turned += jacobian.determinant() < 0 ? 1 : 0;
+    }
+    json["jacobians"] = {{"least_singular_value", number(least)},
+                         {"largest_singular_value", most},
+                         {"points_turned_inside_out", turned}};
+  }
+  json["prepared"] = systems_json(prepared.systems);
+  json["posed"] = systems_json(pose.systems);
+  json["figures"] = Json::object();
+  for (const auto& figures : {prepared.figures, pose.figures})
+    for (const auto& [name, value] : figures) json["figures"][name] = number(value);
+  if (!pose.energies.empty()) {
+    json["energies"] = Json::array();
+    for (const double energy : pose.energies) json["energies"].push_back(number(energy));
+  }
+  json["warnings"] = Json::array();
+  for (const auto& warnings : {prepared.warnings, pose.warnings})
+    for (const std::string& warning : warnings) json["warnings"].push_back(warning);
+  return json;
+}
+
+}  // namespace cageproof::cli

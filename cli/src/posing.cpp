@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "posing.h"
+
+#include "commands.h"
+#include "constraints.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
+
+namespace cageproof::cli {
+
+using namespace deformation;
+
+Posing posed_by_cages(const DeformMethod& method, const Cage& cage, const DeformOptions& options,
+                      const std::vector<std::string>& files) {
+  Posing found;
+  for (const std::string& file : files)
+    found.vertices.push_back(is_embedded_cage(file) ? embedded_cage(file).vertices()
+                                                    : load_points(file, cage.dimension()).vertices);
+  found.names = files;
+  const auto deformer = prepare_deformer<double>(method, cage, options);
+  found.owner = deformer;
+  found.coordinates = &deformer->coordinates();
+  found.max_order = deformer->max_order();
+  found.prepared = deformer->prepared();
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    try {
+      found.maps.push_back(deformer->pose({found.vertices[k], {}}));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", files[k], error.what()));
+    }
+  }
+  return found;
+}
+
+Posing posed_by_constraints(const ConstraintMethod& method, const Cage& cage, const DeformOptions& options,
+                            const std::string& file, const StepWatcher& watch) {
+  Posing found;
+  const Constraints constraints = read_constraints(file, cage.dimension());
+  try {
+    const auto deformer = prepare_constrained(method, cage, constraints, options);
+    found.owner = deformer;
+    found.coordinates = &deformer->coordinates();
+    found.max_order = deformer->coordinates().max_order();
+    found.prepared = deformer->prepared();
+    found.maps.push_back(deformer->pose(watch));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file, error.what()));
+  }
+  found.names = {file};
+  found.vertices.emplace_back();
+  return found;
+}
+
+}  // namespace cageproof::cli
