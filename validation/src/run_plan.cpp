@@ -114,16 +114,13 @@ class Planner {
         plan_.header.notes.push_back(
             fmt::format("{}: not judged, no coordinates on it sum the formulas asked for", cage->name()));
       if (options_.mesh) add_mesh(cage);
+      add_deformers(cage);
     } else {
       for (const auto name : embedded_cage_names()) add_cage(std::make_shared<const Cage>(embedded_cage(name)));
       add_figure_three();
       for (const auto name : extreme_cage_names())
         add_recommended(std::make_shared<const Cage>(embedded_cage(name)), extreme_cage_options());
-      // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
-      if (options_.formulas == "*")
-        for (const auto name : deformer_cage_names())
-          add(deformer_measurements(std::make_shared<const Cage>(embedded_cage(name)),
-                                    {.triangulation = options_.triangulation, .seed = options_.seed}));
+      for (const auto name : deformer_cage_names()) add_deformers(std::make_shared<const Cage>(embedded_cage(name)));
     }
     add(errata_measurement({.formulas = options_.formulas, .seed = options_.seed}));
     for (std::string& note : notes_on_truth(options_.formulas)) plan_.header.notes.push_back(std::move(note));
@@ -136,6 +133,12 @@ class Planner {
   void add(std::unique_ptr<const Measurement> measurement) { plan_.measurements.push_back(std::move(measurement)); }
   void add(Measurements measurements) {
     for (auto& measurement : measurements) add(std::move(measurement));
+  }
+
+  // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
+  void add_deformers(const std::shared_ptr<const Cage>& cage) {
+    if (options_.formulas == "*")
+      add(deformer_measurements(cage, {.triangulation = options_.triangulation, .seed = options_.seed}));
   }
 
   // Whether the kind exists on such a cage and sums a formula that is asked for; kinds that compute otherwise are asked
