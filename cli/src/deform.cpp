@@ -5,6 +5,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
+#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/energy_history.h"
 #include "cageproof/reports/mesh_text.h"
@@ -28,6 +29,7 @@ struct Arguments {
   int order = 0, jobs = 0;
 };
 
+constexpr std::string_view schema = "cageproof-deformation";
 constexpr std::array mesh_extensions{".obj", ".ply"};
 constexpr std::array table_extensions{".csv", ".npy", ".vtp"};
 constexpr std::array energy_extensions{".csv", ".png"};
@@ -36,10 +38,12 @@ bool is_one_of(std::span<const char* const> extensions, const std::string& file)
   return std::ranges::find(extensions, std::filesystem::path(file).extension().string()) != extensions.end();
 }
 
-// The k-th file, from 1 on, where a name has {n} for the number.
+// The k-th file, from 1 on, where a name has {n} for the number, once or more.
 std::string numbered(const std::string& name, std::size_t k) {
-  const auto at = name.find("{n}");
-  return at == std::string::npos ? name : fmt::format("{}{}{}", name.substr(0, at), k, name.substr(at + 3));
+  std::string found = name;
+  for (auto at = found.find("{n}"); at != std::string::npos; at = found.find("{n}"))
+    found.replace(at, 3, std::to_string(k));
+  return found;
 }
 
 // Files that this run reads or writes twice.
@@ -49,6 +53,8 @@ void check_distinct(const Arguments& a) {
   if (!a.constraints.empty()) known.emplace_back(a.constraints, "--constraints");
   for (auto& [path, option] : known) path = std::filesystem::weakly_canonical(path);
   const auto write = [&](const std::filesystem::path& name, const std::string& option) {
+    if (const auto folder = name.parent_path(); !folder.empty() && !std::filesystem::is_directory(folder))
+      throw InputError(fmt::format("{}: there is no folder {}", name.string(), folder.string()));
     const std::filesystem::path path = std::filesystem::weakly_canonical(name);
     for (const auto& [other, its_option] : known)
       if (path == other)
@@ -58,7 +64,11 @@ void check_distinct(const Arguments& a) {
   for (std::size_t k = 1; k <= std::max<std::size_t>(1, a.posed.size()); ++k) {
     const std::filesystem::path out = numbered(a.out, k);
     write(out, "--out");
-    write(std::filesystem::path(out).replace_extension(".json"), "the .json beside --out");
+    const std::filesystem::path report = std::filesystem::path(out).replace_extension(".json");
+    write(report, "the .json beside --out");
+    if (std::filesystem::exists(report) && read_file(report).find(schema) == std::string::npos)
+      throw InputError(
+          fmt::format("{}: is in the way of the report beside {}, and is none itself", report.string(), out.string()));
     if (!a.derivatives.empty()) write(numbered(a.derivatives, k), "--derivatives");
   }
   if (!a.energies.empty()) write(a.energies, "--energies");
@@ -101,13 +111,15 @@ struct Chosen {
 };
 
 nlohmann::ordered_json heading(const Arguments& a, const Chosen& chosen, const CageCoordinates& coordinates) {
-  nlohmann::ordered_json json = {{"schema", "cageproof-deformation"}, {"schema_version", 1}};
+  nlohmann::ordered_json json = {{"schema", schema}, {"schema_version", 1}};
   json["method"] = chosen.method;
   json["parameters"] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < chosen.known.size(); ++i) {
     const KindParameter& p = chosen.known[i];
-    if (p.names.empty()) json["parameters"][std::string(p.name)] = chosen.parameters[i];
-    else json["parameters"][std::string(p.name)] = p.names[static_cast<std::size_t>(chosen.parameters[i])];
+    const double value = chosen.parameters[i];
+    if (p.whole && p.names.empty()) json["parameters"][std::string(p.name)] = static_cast<long long>(value);
+    else if (p.names.empty()) json["parameters"][std::string(p.name)] = value;
+    else json["parameters"][std::string(p.name)] = p.names[static_cast<std::size_t>(value)];
   }
   json["evaluation"] = coordinates.evaluation();
   json["cage"] = a.cage.file;
@@ -146,7 +158,7 @@ int run(const Arguments& a) {
                                                      : OutsidePolicy::Error;
   const std::vector<Deformed> all = deform(coordinates, cage, mesh, posing.maps, a.order, outside, a.jobs);
   // Everything is made before anything is written.
-  std::vector<std::pair<std::string, std::string>> files;
+  std::vector<std::pair<std::filesystem::path, std::string>> files;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const std::string out = numbered(a.out, k + 1);
     files.emplace_back(out, text_for(out, all[k]));
@@ -160,15 +172,13 @@ int run(const Arguments& a) {
     json.update(deformation_json(coordinates, cage, mesh, posing.vertices[k], all[k], a.order, posing.prepared, pose));
     for (const auto& warning : json["warnings"]) fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
     files.emplace_back(std::filesystem::path(out).replace_extension(".json").string(), json.dump(2) + '\n');
-    if (all[k].without_image > 0)
-      fmt::print(stderr, "warning: {} of {} points have no image\n", all[k].without_image, mesh.vertices.size());
     if (!a.energies.empty())
       files.emplace_back(a.energies,
                          is_one_of(std::array{".png"}, a.energies)
                              ? reports::energies_png(pose.energies, fmt::format("{}, {}", a.method, cage.name()))
                              : reports::energies_csv(pose.energies));
   }
-  for (const auto& [file, text] : files) reports::replace_file(file, text);
+  reports::replace_files(files);
   return success;
 }
 

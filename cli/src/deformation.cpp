@@ -78,6 +78,14 @@ void put_rest(const Vec3<double>& point, int dimension, int order, std::span<dou
   }
 }
 
+// Points without coordinates are NaN.
+bool has_coordinates(const std::vector<CoordinateTable<double>>& tables, std::size_t p) {
+  return std::ranges::none_of(tables, [&](const CoordinateTable<double>& table) {
+    const auto row = std::span(table.tensors[0]).subspan(p * table.stride[0], table.stride[0]);
+    return std::ranges::any_of(row, [](double x) { return std::isnan(x); });
+  });
+}
+
 }  // namespace
 
 std::vector<Deformed> deform(const CageCoordinates& coordinates, const Cage& cage, const Mesh& mesh, const Maps& maps,
@@ -99,17 +107,21 @@ std::vector<Deformed> deform(const CageCoordinates& coordinates, const Cage& cag
   validation::for_each_parallel((points + together - 1) / together, jobs, [&](std::size_t block) {
     const std::size_t first = block * together, count = std::min(together, points - first);
     const auto tables = coordinates.at<double>(std::span(mesh.vertices).subspan(first, count), order);
-    for (std::size_t p = 0; p < count; ++p) missing[first + p] = inside && !inside->holds(mesh.vertices[first + p]);
+    for (std::size_t p = 0; p < count; ++p)
+      missing[first + p] = (inside && !inside->holds(mesh.vertices[first + p])) || !has_coordinates(tables, p);
     for (std::size_t k = 0; k < maps.size(); ++k) {
       Deformed& one = all[k];
       const Images<double> images = maps[k]->images(tables, count, order);
       for (std::size_t p = 0; p < count; ++p) {
         const std::span<double> row = std::span(one.table.values).subspan((first + p) * columns, columns);
         put_row(images, p, d, order, row);
+        const bool lost = missing[first + p];
         // On the cage derivatives may be nan; values are not.
-        const bool lost =
-            missing[first + p] || std::ranges::any_of(row.first(d), [](double x) { return std::isnan(x); });
-        missing[first + p] = lost;
+        if (!lost && !std::ranges::all_of(row.first(d), [](double x) { return std::isfinite(x); }))
+          throw InputError(
+              fmt::format("the image of point number {} is not finite: the pose or a parameter is beyond "
+                          "what the method can take",
+                          first + p));
         if (lost && outside == OutsidePolicy::Rest) put_rest(mesh.vertices[first + p], d, order, row);
         if (lost && outside != OutsidePolicy::Rest) std::ranges::fill(row, std::numeric_limits<double>::quiet_NaN());
         for (int c = 0; c < d; ++c) one.mesh.vertices[first + p][c] = row[c];
@@ -124,7 +136,7 @@ std::vector<Deformed> deform(const CageCoordinates& coordinates, const Cage& cag
                     "there; --outside rest leaves them where they are, --outside nan writes nan",
                     lost, points, which, cage.name()));
   }
-  for (Deformed& one : all) one.without_image = lost;
+  for (Deformed& one : all) one.without_image = missing;
   return all;
 }
 

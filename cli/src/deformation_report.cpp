@@ -2,33 +2,34 @@
 #include "deformation_report.h"
 
 #include <Eigen/SVD>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace cageproof::cli {
 
 using namespace deformation;
 namespace {
 
-// Six times the volume within faces, or twice the area within segments.
+// Six times the volume within faces, or twice the area within segments, in that unit of length.
 double content(const std::vector<Vec3<double>>& vertices, const std::vector<std::vector<int>>& faces,
-               const std::vector<std::array<int, 2>>& segments) {
+               const std::vector<std::array<int, 2>>& segments, double unit) {
   double sum = 0;
   if (vertices.empty()) return sum;
-  const Vec3<double>& about = vertices.front();
+  const auto from = [&](int v) -> Vec3<double> { return (vertices[v] - vertices.front()) / unit; };
   for (const auto& face : faces)
-    for (std::size_t k = 2; k < face.size(); ++k)
-      sum += (vertices[face[0]] - about).dot((vertices[face[k - 1]] - about).cross(vertices[face[k]] - about));
+    for (std::size_t k = 2; k < face.size(); ++k) sum += from(face[0]).dot(from(face[k - 1]).cross(from(face[k])));
   for (const auto& [a, b] : segments) {
-    const Vec3<double> u = vertices[a] - about, v = vertices[b] - about;
+    const Vec3<double> u = from(a), v = from(b);
     sum += u[0] * v[1] - u[1] * v[0];
   }
   return sum;
 }
 
-double cage_content(const CageElements& elements, const std::vector<Vec3<double>>& vertices) {
+double cage_content(const CageElements& elements, const std::vector<Vec3<double>>& vertices, double unit) {
   std::vector<std::vector<int>> faces;
   std::vector<std::array<int, 2>> segments;
   for (std::size_t e = 0; e < elements.count(); ++e) {
@@ -36,7 +37,24 @@ double cage_content(const CageElements& elements, const std::vector<Vec3<double>
     if (corners.size() == 2) segments.push_back({corners[0], corners[1]});
     else faces.emplace_back(corners.begin(), corners.end());
   }
-  return content(vertices, faces, segments);
+  return content(vertices, faces, segments, unit);
+}
+
+// Whether each edge of a face is that of another the other way round, and each end of a segment the beginning of one.
+bool is_closed(const Mesh& mesh) {
+  std::map<std::pair<int, int>, int> edges;
+  for (const auto& face : mesh.faces)
+    for (std::size_t k = 0; k < face.size(); ++k) ++edges[{face[k], face[(k + 1) % face.size()]}];
+  for (const auto& [edge, count] : edges) {
+    const auto other = edges.find({edge.second, edge.first});
+    if (other == edges.end() || other->second != count) return false;
+  }
+  std::map<int, int> ends;
+  for (const auto& [a, b] : mesh.segments) {
+    ++ends[a];
+    --ends[b];
+  }
+  return std::ranges::all_of(ends, [](const auto& end) { return end.second == 0; });
 }
 
 nlohmann::ordered_json number(double x) { return std::isfinite(x) ? nlohmann::ordered_json(x) : nullptr; }
@@ -62,40 +80,52 @@ nlohmann::ordered_json deformation_json(const CageCoordinates& coordinates, cons
   using Json = nlohmann::ordered_json;
   const CageElements& elements = coordinates.elements();
   const int d = elements.dimension();
+  const double unit = cage.size();
   double largest = 0, sum = 0;
   std::size_t moved = 0;
+  const auto lost = static_cast<std::size_t>(std::ranges::count(deformed.without_image, 1));
   for (std::size_t p = 0; p < rest.vertices.size(); ++p) {
-    const double step = (deformed.mesh.vertices[p] - rest.vertices[p]).norm();
-    if (std::isnan(step)) continue;
+    if (deformed.without_image[p]) continue;
+    const double step = (deformed.mesh.vertices[p] - rest.vertices[p]).stableNorm();
     largest = std::max(largest, step);
     sum += step;
     ++moved;
   }
-  Json json = {{"points", rest.vertices.size()}, {"points_without_image", deformed.without_image}};
+  Json json = {{"points", rest.vertices.size()}, {"points_without_image", lost}};
+  std::vector<std::string> warnings;
+  if (lost > 0) warnings.push_back(fmt::format("{} of {} points have no image", lost, rest.vertices.size()));
   json["displacement"] = {{"largest", largest},
                           {"mean", moved > 0 ? Json(sum / static_cast<double>(moved)) : Json(nullptr)},
                           {"largest_over_cage_size", largest / cage.size()}};
-  json["cage_volume_ratio"] = posed.empty()
-                                  ? Json(nullptr)
-                                  : number(cage_content(elements, posed) / cage_content(elements, elements.vertices()));
-  const double before = content(rest.vertices, rest.faces, rest.segments);
+  json["cage_volume_ratio"] =
+      posed.empty() ? Json(nullptr)
+                    : number(cage_content(elements, posed, unit) / cage_content(elements, elements.vertices(), unit));
+  // An open mesh holds no volume.
+  const double before = is_closed(rest) ? content(rest.vertices, rest.faces, rest.segments, unit) : 0;
   json["mesh_volume_ratio"] =
-      before != 0 ? number(content(deformed.mesh.vertices, rest.faces, rest.segments) / before) : Json(nullptr);
+      before != 0 ? number(content(deformed.mesh.vertices, rest.faces, rest.segments, unit) / before) : Json(nullptr);
   if (order >= 1) {
-    double least = HUGE_VAL, most = 0, turned = 0;
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    std::size_t turned = 0, without = 0;
     const std::size_t columns = deformed.table.names.size();
     for (std::size_t p = 0; p < rest.vertices.size(); ++p) {
       const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> jacobian(
           &deformed.table.values[p * columns + d], d, d);
-      if (!jacobian.allFinite()) continue;
+      if (deformed.without_image[p]) continue;
+      if (!jacobian.allFinite()) {
+        ++without;
+        continue;
+      }
       const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues();
       least = std::min(least, values[d - 1]);
       most = std::max(most, values[0]);
       turned += jacobian.determinant() < 0 ? 1 : 0;
     }
     json["jacobians"] = {{"least_singular_value", number(least)},
-                         {"largest_singular_value", most},
-                         {"points_turned_inside_out", turned}};
+                         {"largest_singular_value", number(most)},
+                         {"points_turned_inside_out", turned},
+                         {"points_without_jacobian", without}};
+    if (without > 0) warnings.push_back(fmt::format("{} points on the cage have images and no Jacobians", without));
   }
   json["prepared"] = systems_json(prepared.systems);
   json["posed"] = systems_json(pose.systems);
@@ -107,8 +137,8 @@ nlohmann::ordered_json deformation_json(const CageCoordinates& coordinates, cons
     for (const double energy : pose.energies) json["energies"].push_back(number(energy));
   }
   json["warnings"] = Json::array();
-  for (const auto& warnings : {prepared.warnings, pose.warnings})
-    for (const std::string& warning : warnings) json["warnings"].push_back(warning);
+  for (const auto& some : {prepared.warnings, pose.warnings, warnings})
+    for (const std::string& warning : some) json["warnings"].push_back(warning);
   return json;
 }
 

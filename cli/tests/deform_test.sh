@@ -71,6 +71,19 @@ done
 [ "$(head -n 1 jacobians.csv)" = x,y,z,x_dx,x_dy,x_dz,y_dx,y_dy,y_dz,z_dx,z_dy,z_dz ] || fail "columns: $(head -n 1 jacobians.csv)"
 grep -q '"largest_singular_value": 2.0' jacobians.json || fail "singular values: $(cat jacobians.json)"
 
+# What is written is read again, and is what it was.
+"$cageproof" deform "${common[@]}" --method mean_value --out again.ply && "$cageproof" deform --cage cube --posed cube --points again.ply --method mean_value --out again.obj || fail "a PLY is not read again"
+grep '^f ' again.obj | cmp -s - <(grep '^f ' moved.obj) || fail "faces of a PLY: $(cat again.obj)"
+awk '$1 == "v" {d = ($2 - 0.5) ^ 2 + ($3 - 0.25) ^ 2 + $4 ^ 2; exit !(d < 1e-12)}' again.obj || fail "vertices of a PLY: $(cat again.obj)"
+"$cageproof" deform "${common[@]}" --posed cube --method green --out '{n}_{n}.csv' || fail "two numbers in a name"
+[ -f 2_2.csv ] && [ -f 2_2.json ] || fail "not numbered twice: $(ls)"
+# A mesh that is open has no volume; points on the cage no Jacobian.
+grep -q '"mesh_volume_ratio": null' moved.json || fail "an open mesh with a volume: $(cat moved.json)"
+printf '0.5,0.5,0.5\n0,0,0\n' >corner.csv
+"$cageproof" deform --cage cube --posed large.obj --points corner.csv --method green --order 1 --out on_cage.csv 2>stderr || fail "a point at a corner"
+grep -q '"points_without_jacobian": 1' on_cage.json || fail "the corner's Jacobian is not counted: $(cat on_cage.json)"
+grep -q '1 points on the cage' stderr && grep -q '1 points on the cage' on_cage.json || fail "no warning of it: $(cat stderr)"
+
 # The plane, by the same command.
 printf '0,0\n2,0\n2,2\n0,2\n' >square.csv
 printf '0.5,0.25\n' >points.csv
@@ -113,12 +126,21 @@ refuses mesh.obj --points -- "${common[@]}" --method green --out mesh.obj
 refuses large.obj --posed -- "${common[@]}" --method green --out ./large.obj
 refuses same.csv --derivatives -- "${common[@]}" --method green --order 1 --out same.csv --derivatives same.csv
 
+# All files or none, and nobody else's.
+refuses 'no folder' -- "${common[@]}" --method green --order 1 --out fine.csv --derivatives nowhere/fine.csv
+printf '{"a": 1}\n' >theirs.json
+refuses theirs.json 'in the way' -- "${common[@]}" --method green --out theirs.csv
+mkdir folder.csv
+refuses folder.csv -- "${common[@]}" --method green --order 1 --out fine.csv --derivatives folder.csv
+rmdir folder.csv
+
 # Points outside.
 printf '0,0,0\n3,0,0\n' >outside.csv
 refuses '1 of 2 points' 'number 1' '--outside rest' -- --cage cube --posed large.obj --points outside.csv --method green --out out.csv
 "$cageproof" deform --cage cube --posed large.obj --points outside.csv --method green --outside rest --out rest.csv 2>stderr || fail "--outside rest"
 [ "$(tail -n 1 rest.csv)" = 3,0,0 ] || fail "not at rest: $(tail -n 1 rest.csv)"
 grep -q '1 of 2 points' stderr || fail "no word of the point outside"
+grep -q '1 of 2 points have no image' rest.json || fail "no word of it in the report"
 "$cageproof" deform --cage cube --posed large.obj --points outside.csv --method green --outside nan --out nan.csv 2>stderr
 [ "$(tail -n 1 nan.csv)" = nan,nan,nan ] || fail "not nan: $(tail -n 1 nan.csv)"
 "$cageproof" deform --cage cube --posed large.obj --points outside.csv --method mean_value --out all.csv || fail "mean value coordinates exist outside"
@@ -128,6 +150,11 @@ refuses "unknown deformer 'grean'" -- "${common[@]}" --method grean --out out.ob
 refuses stretch rms -- "${common[@]}" --method green --parameter stretch=most --out out.obj
 refuses 'green has stretch alone' -- "${common[@]}" --method green --parameter level=1 --out out.obj
 refuses 'out of range' -- "${common[@]}" --method somigliana --parameter nu=0.5 --out out.obj
+for method in maximum_entropy quad_mean_value green; do
+  refuses nosuch -- --cage l-block --posed l-block --points mesh.obj --method $method --evaluation nosuch --out out.csv
+done
+printf '%s\n' '-0.6,-0.5,-0.7' '0.5,-0.5,-0.5' '-0.5,0.5,-0.5' '0.5,0.2,-0.4' '-0.5,-0.5,0.5' '0.5,-0.5,0.5' '-0.5,0.5,0.5' '0.8,0.7,0.9' >pulled.csv
+refuses 'number 0' 'not finite' -- --cage cube --posed pulled.csv --points mesh.obj --method somigliana --parameter gamma=900000 --outside rest --out out.csv
 refuses missing.obj -- --cage cube --posed missing.obj --points mesh.obj --method green --out out.obj
 refuses mesh.obj '5 vertices, the rest cage 8' -- --cage cube --posed mesh.obj --points mesh.obj --method green --out out.obj
 refuses .stl -- "${common[@]}" --method green --out out.stl

@@ -37,21 +37,38 @@ void write_as(const std::filesystem::path& path, const std::filesystem::path& na
 
 void write_file(const std::filesystem::path& path, std::string_view bytes) { write_as(path, path, bytes); }
 
-void replace_file(const std::filesystem::path& path, std::string_view bytes) {
-  remove_leftovers(path);
-  const std::filesystem::path fresh = aside(path, 0);
-  std::error_code ignored;
+void replace_files(const std::vector<std::pair<std::filesystem::path, std::string>>& files) {
+  for (const auto& [path, bytes] : files) remove_leftovers(path);
+  std::size_t written = 0;
+  const auto remove_fresh = [&](std::size_t first) {
+    std::error_code ignored;
+    for (std::size_t i = first; i < written; ++i)
+      std::filesystem::remove(aside(files[i].first, static_cast<int>(i)), ignored);
+  };
   try {
-    write_as(fresh, path, bytes);
+    for (const auto& [path, bytes] : files) {
+      const std::filesystem::path fresh = aside(path, static_cast<int>(written));
+      ++written;
+      write_as(fresh, path, bytes);
+      // A folder of that name is found before anything is renamed.
+      errno = EISDIR;
+      if (std::filesystem::is_directory(path)) fail(path);
+    }
   } catch (const InputError&) {
-    std::filesystem::remove(fresh, ignored);
+    remove_fresh(0);
     throw;
   }
-  if (std::rename(fresh.c_str(), path.c_str()) == 0) return;
-  const int reason = errno;
-  std::filesystem::remove(fresh, ignored);
-  errno = reason;
-  fail(path);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (std::rename(aside(files[i].first, static_cast<int>(i)).c_str(), files[i].first.c_str()) == 0) continue;
+    const int reason = errno;
+    remove_fresh(i);
+    errno = reason;
+    fail(files[i].first);
+  }
+}
+
+void replace_file(const std::filesystem::path& path, std::string_view bytes) {
+  replace_files({{path, std::string(bytes)}});
 }
 
 }  // namespace cageproof::reports

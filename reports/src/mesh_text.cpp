@@ -55,30 +55,34 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
+// By a writer that knows files alone.
+template <class Writer>
+std::string written(const Mesh& mesh, const char* name, const auto& set) {
+  vtkNew<vtkPolyData> data;
+  fill(mesh, *data);
+  const ScratchFolder scratch;
+  const std::string file = (scratch.path() / name).string();
+  vtkNew<Writer> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(file.c_str());
+  set(*writer);
+  if (!writer->Write()) throw std::runtime_error("VTK could not write a mesh");
+  std::string text = read_file(file);
+  if (text.empty()) throw std::runtime_error("VTK wrote no mesh");
+  return text;
+}
+
 }  // namespace
 
 std::string obj_text(const Mesh& mesh) {
-  vtkNew<vtkPolyData> data;
-  fill(mesh, *data);
-  // This writer knows files alone.
-  const ScratchFolder scratch;
-  const std::string file = (scratch.path() / "mesh.obj").string();
-  vtkNew<vtkOBJWriter> writer;
-  writer->SetInputData(data);
-  writer->SetFileName(file.c_str());
-  if (!writer->Write()) throw std::runtime_error("VTK could not write a mesh");
-  return read_file(file);
+  return written<vtkOBJWriter>(mesh, "mesh.obj", [](vtkOBJWriter&) {});
 }
 
 std::string ply_text(const Mesh& mesh) {
-  vtkNew<vtkPolyData> data;
-  fill(mesh, *data);
-  vtkNew<vtkPLYWriter> writer;
-  writer->SetInputData(data);
-  writer->SetFileTypeToASCII();
-  writer->WriteToOutputStringOn();
-  if (!writer->Write()) throw std::runtime_error("VTK could not write a mesh into memory");
-  return writer->GetOutputString();
+  return written<vtkPLYWriter>(mesh, "mesh.ply", [](vtkPLYWriter& writer) {
+    writer.SetFileTypeToBinary();
+    writer.SetDataByteOrderToLittleEndian();
+  });
 }
 
 }  // namespace cageproof::reports

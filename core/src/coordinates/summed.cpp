@@ -113,9 +113,13 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
       const std::string_view formula = find_formula(element, spec.kernel)->name;
       auto evaluation = name.empty() ? known.with_role(formula, Role::Recommended) : known.find(formula, name);
       if (!evaluation && name.empty()) evaluation = known.with_role(formula, Role::Integral);
-      // Triangles among quads are computed as the quads are where they can be.
+      // Triangles among quads are computed as the quads are where they can be. A name that quads do not know is no
+      // evaluation of the kind, whether the cage has any or not.
       const bool companion = kind.keeps_quads && type_of(element).splits.empty();
-      if (!evaluation && companion) evaluation = known.with_role(formula, Role::Recommended);
+      if (!evaluation && companion) {
+        evaluation_named(find_formula(ElementKind::Quad, spec.kernel)->name, name);
+        evaluation = known.with_role(formula, Role::Recommended);
+      }
       found.push_back(evaluation ? std::move(*evaluation) : evaluation_named(formula, name));
       max_order_ = std::min(max_order_, found.back().max_order());
     }

@@ -4,7 +4,10 @@
 
 #include <filesystem>
 #include <string>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace cageproof::reports {
 
@@ -15,5 +18,8 @@ void write_file(const std::filesystem::path& path, std::string_view bytes);
 /// Writes a whole file aside and renames it into place: whoever reads it finds the old one or the new one, whole.
 /// \throws InputError as write_file
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// The same of several: none is renamed into place before all are written. \pre no two are the same file
+void replace_files(const std::vector<std::pair<std::filesystem::path, std::string>>& files);
 
 }  // namespace cageproof::reports

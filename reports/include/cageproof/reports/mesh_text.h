@@ -11,7 +11,7 @@ namespace cageproof::reports {
 /// Wavefront OBJ: vertices with all digits of a double, faces of any size, polylines. \pre all vertices are finite
 std::string obj_text(const Mesh& mesh);
 
-/// PLY in ASCII. Its vertices are floats, whatever they were.
+/// Binary PLY, little endian. Its vertices are floats, whatever they were: seven digits.
 std::string ply_text(const Mesh& mesh);
 
 }  // namespace cageproof::reports
