@@ -113,7 +113,7 @@ class Somigliana final : public Deformer<R> {
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
-    check_pose(coordinates_.elements(), pose.vertices);
+    check_pose(coordinates_.elements(), pose);
     return std::make_unique<SomiglianaPosed<R>>(coordinates_.dimension(), pose.vertices,
                                                 corotation_of<R>(coordinates_.elements(), pose.vertices, options_));
   }
