@@ -26,6 +26,7 @@ struct Arguments {
   CageArguments cage;
   std::string points, method, evaluation, out, derivatives, constraints, energies, outside = "error";
   std::vector<std::string> posed, parameters;
+  DataFiles data;
   int order = 0, jobs = 0;
 };
 
@@ -46,11 +47,21 @@ std::string numbered(const std::string& name, std::size_t k) {
   return found;
 }
 
+// What poses have beside vertices, by option.
+std::vector<std::pair<std::string, std::string>> given_data(const Arguments& a) {
+  std::vector<std::pair<std::string, std::string>> given{{"normal-derivatives", a.data.normal_derivatives},
+                                                         {"laplacians", a.data.laplacians},
+                                                         {"laplacian-derivatives", a.data.laplacian_derivatives}};
+  std::erase_if(given, [](const auto& option) { return option.second.empty(); });
+  return given;
+}
+
 // Files that this run reads or writes twice.
 void check_distinct(const Arguments& a) {
   std::vector<std::pair<std::filesystem::path, std::string>> known{{a.points, "--points"}, {a.cage.file, "--cage"}};
   for (const std::string& posed : a.posed) known.emplace_back(posed, "--posed");
   if (!a.constraints.empty()) known.emplace_back(a.constraints, "--constraints");
+  for (const auto& [option, file] : given_data(a)) known.emplace_back(file, "--" + option);
   for (auto& [path, option] : known) path = std::filesystem::weakly_canonical(path);
   const auto write = [&](const std::filesystem::path& name, const std::string& option) {
     if (const auto folder = name.parent_path(); !folder.empty() && !std::filesystem::is_directory(folder))
@@ -133,7 +144,7 @@ Chosen chosen_by(const Arguments& a, std::string_view method, std::vector<KindPa
 
 Posing posing_by(const Arguments& a, const ConstraintMethod* constrained, const Chosen& chosen, const Cage& cage) {
   const DeformOptions options{a.evaluation, a.cage.rule(), chosen.parameters};
-  if (!constrained) return posed_by_cages(deform_method_named(a.method), cage, options, a.posed);
+  if (!constrained) return posed_by_cages(deform_method_named(a.method), cage, options, a.posed, a.data);
   return posed_by_constraints(*constrained, cage, options, a.constraints, [](int step, double energy) {
     fmt::print(stderr, "step {}: energy {:.6g}\n", step, energy);
   });
@@ -145,6 +156,8 @@ int run(const Arguments& a) {
                                     : chosen_by(a, a.method, parameters_of(deform_method_named(a.method)));
   if (constrained ? a.constraints.empty() : a.posed.empty())
     throw InputError(fmt::format("{} takes {}", a.method, constrained ? "--constraints" : "--posed"));
+  if (const auto given = given_data(a); constrained && !given.empty())
+    throw InputError(fmt::format("--{}: {} takes none", given[0].first, a.method));
   if (!a.energies.empty() && !constrained) throw InputError(fmt::format("--energies: {} has no steps", a.method));
   check_names(a);
   const Cage cage = a.cage.load();
@@ -168,6 +181,10 @@ int run(const Arguments& a) {
     }
     nlohmann::ordered_json json = heading(a, chosen, coordinates);
     json[constrained ? "constraints" : "posed_cage"] = posing.names[k];
+    for (auto [option, file] : given_data(a)) {
+      std::ranges::replace(option, '-', '_');
+      json[option] = file;
+    }
     const DeformationReport& pose = posing.maps[k]->report();
     json.update(deformation_json(coordinates, cage, mesh, posing.vertices[k], all[k], a.order, posing.prepared, pose));
     for (const auto& warning : json["warnings"]) fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
@@ -199,6 +216,12 @@ void add_deform(CommandLine& line) {
   pose.option("--posed", a->posed, "the cage's vertices elsewhere: a mesh, text, or an embedded cage; repeats");
   pose.option("--constraints", a->constraints,
               "JSON: what is asked of the map at points, of methods without a posed cage");
+  command.option("--normal-derivatives", a->data.normal_derivatives,
+                 "text, three numbers a line, for polygons two, a line a triangle or segment: normal derivatives in "
+                 "place of posed normals");
+  command.option("--laplacians", a->data.laplacians, "the same, a line a vertex: densities of biharmonic_direct");
+  command.option("--laplacian-derivatives", a->data.laplacian_derivatives,
+                 "the same, a line a triangle or segment: densities of biharmonic_direct");
   command.option("--points", a->points, "a mesh, or text with three numbers a line, for polygons two").required();
   command.option("--method", a->method, names_of_methods()).required();
   command.option("--parameter", a->parameters, "the method's, NAME=VALUE; `list` names them");

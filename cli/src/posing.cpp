@@ -12,10 +12,28 @@
 namespace cageproof::cli {
 
 using namespace deformation;
+namespace {
+
+// All but the vertices.
+Pose<double> pose_with(const DataFiles& files, const DeformMethod& method, int dimension) {
+  Pose<double> pose;
+  const auto take = [&](std::vector<Vec3<double>>& rows, const std::string& file, const char* option, bool is_taken) {
+    if (file.empty()) return;
+    if (!is_taken) throw InputError(fmt::format("{}: {} takes none", option, method.name));
+    rows = load_points(file, dimension).vertices;
+  };
+  take(pose.normal_derivatives, files.normal_derivatives, "--normal-derivatives", method.takes_normal_derivatives);
+  take(pose.laplacians, files.laplacians, "--laplacians", method.takes_laplacians);
+  take(pose.laplacian_derivatives, files.laplacian_derivatives, "--laplacian-derivatives", method.takes_laplacians);
+  return pose;
+}
+
+}  // namespace
 
 Posing posed_by_cages(const DeformMethod& method, const Cage& cage, const DeformOptions& options,
-                      const std::vector<std::string>& files) {
+                      const std::vector<std::string>& files, const DataFiles& data) {
   Posing found;
+  Pose<double> pose = pose_with(data, method, cage.dimension());
   for (const std::string& file : files)
     found.vertices.push_back(is_embedded_cage(file) ? embedded_cage(file).vertices()
                                                     : load_points(file, cage.dimension()).vertices);
@@ -27,7 +45,8 @@ Posing posed_by_cages(const DeformMethod& method, const Cage& cage, const Deform
   found.prepared = deformer->prepared();
   for (std::size_t k = 0; k < files.size(); ++k) {
     try {
-      found.maps.push_back(deformer->pose({found.vertices[k], {}}));
+      pose.vertices = found.vertices[k];
+      found.maps.push_back(deformer->pose(pose));
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", files[k], error.what()));
     }

@@ -89,6 +89,23 @@ printf '0,0\n2,0\n2,2\n0,2\n' >square.csv
 printf '0.5,0.25\n' >points.csv
 "$cageproof" deform --cage square --posed square --points points.csv --method somigliana --out still.csv || fail "the plane"
 
+# Normal derivatives and Laplacians: with those of the map itself a stretch along z is exact, and Laplacians of one bend it.
+printf '%s\n' '0 0 -3' '0 0 -3' '0 0 3' '0 0 3' '0 -1 0' '0 -1 0' '0 1 0' '0 1 0' '-1 0 0' '-1 0 0' '1 0 0' '1 0 0' >normals.txt
+yes '1 1 1' | head -n 8 >ones.txt
+awk '$1 == "v" {print $1, $2 / 2, $3 / 2, $4 * 1.5}' large.obj >tall.obj
+stretched=(--cage cube --posed tall.obj --points mesh.obj --normal-derivatives normals.txt)
+for method in green biharmonic_1_3 biharmonic_weber biharmonic_direct; do
+  "$cageproof" deform "${stretched[@]}" --method $method --out stretched.csv || fail "$method with normal derivatives"
+  awk -F, 'NR == 5 {d = ($1 - 0.25) ^ 2 + ($2 - 0.25) ^ 2 + ($3 - 0.375) ^ 2; exit !(d < 1e-24)}' stretched.csv || fail "$method, not stretched: $(cat stretched.csv)"
+done
+"$cageproof" deform "${stretched[@]}" --method biharmonic_direct --laplacians ones.txt --order 2 --out bent.csv || fail "densities"
+awk -F, 'NR == 2 {d = $13 + $17 + $21 - 1; exit !(d ^ 2 < 1e-20)}' bent.csv || fail "the Laplacian is not one: $(cat bent.csv)"
+grep -q '"normal_derivatives": "normals.txt"' bent.json || fail "no word of the normal derivatives: $(cat bent.json)"
+refuses tp --normal-derivatives -- "${stretched[@]}" --method tp --out out.obj
+refuses biharmonic_1_3 --laplacians -- "${common[@]}" --method biharmonic_1_3 --laplacians ones.txt --out out.obj
+refuses green --laplacian-derivatives -- "${common[@]}" --method green --laplacian-derivatives normals.txt --out out.obj
+refuses '8 normal derivatives' '12 elements' -- "${common[@]}" --method green --normal-derivatives ones.txt --out out.obj
+
 # By constraints, without a posed cage: everything turned by a quarter about z.
 cat >turned.json <<'JSON'
 {"schema": "cageproof-constraints", "schema_version": 1,
@@ -119,6 +136,7 @@ sed 's/0.25, 0, 0\], "to"/0.25, 0\], "to"/' turned.json >short.json
 refuses short.json 'positions[0].at' '3 numbers' -- --cage cube --constraints short.json --points mesh.obj --method variational --out out.obj
 head -c 200 turned.json >cut.json
 refuses cut.json malformed -- --cage cube --constraints cut.json --points mesh.obj --method variational --out out.obj
+refuses variational --laplacians -- "${by_constraints[@]}" --laplacians ones.txt --out out.obj
 refuses turned.json --out -- --cage cube --constraints turned.json --points mesh.obj --method variational --out turned.csv
 
 # No file is written twice, nor one that is read.

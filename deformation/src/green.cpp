@@ -17,7 +17,7 @@ class Green final : public Deformer<R> {
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
-    check_pose(coordinates_.elements(), pose.vertices);
+    check_pose(coordinates_.elements(), pose);
     const int d = coordinates_.dimension();
     const auto normals = pose.normal_derivatives.empty()
                              ? stretched_normals(stretch_, coordinates_.elements(), pose.vertices)

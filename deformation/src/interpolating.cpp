@@ -17,7 +17,7 @@ class Interpolating final : public Deformer<R> {
   const CageCoordinates& coordinates() const override { return coordinates_; }
   DeformationReport prepared() const override { return {coordinates_.solved(), {}, {}}; }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
-    check_pose(coordinates_.elements(), pose.vertices);
+    check_pose(coordinates_.elements(), pose);
     return std::make_unique<LinearPosed<R>>(std::vector<Matrix<R>>{rows_of(pose.vertices, coordinates_.dimension())},
                                             DeformationReport());
   }

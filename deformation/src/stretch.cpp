@@ -70,14 +70,24 @@ std::vector<Vec3<R>> vertices_in(const CageElements& rest) {
 }
 
 template <Scalar R>
-void check_pose(const CageElements& rest, const std::vector<Vec3<R>>& vertices) {
+void check_pose(const CageElements& rest, const Pose<R>& pose) {
+  const auto& [vertices, normals, laplacians, derivatives] = pose;
+  const auto is_finite = [](const Vec3<R>& row) { return row - row == Vec3<R>::Zero(); };
   if (vertices.size() != rest.vertices().size())
     throw InputError(
         fmt::format("the posed cage has {} vertices, the rest cage {}", vertices.size(), rest.vertices().size()));
   for (std::size_t v = 0; v < vertices.size(); ++v)
-    for (int c = 0; c < 3; ++c)
-      if (!(vertices[v][c] - vertices[v][c] == 0))
-        throw InputError(fmt::format("the posed cage's vertex {} is not finite", v));
+    if (!is_finite(vertices[v])) throw InputError(fmt::format("the posed cage's vertex {} is not finite", v));
+  const auto check = [&](const std::vector<Vec3<R>>& rows, std::size_t count, std::string_view what,
+                         std::string_view of) {
+    if (!rows.empty() && rows.size() != count)
+      throw InputError(fmt::format("there are {} {}, the rest cage has {} {}", rows.size(), what, count, of));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (!is_finite(rows[i])) throw InputError(fmt::format("row {} of the {} is not finite", i, what));
+  };
+  check(normals, rest.count(), "normal derivatives", "elements");
+  check(laplacians, vertices.size(), "Laplacians", "vertices");
+  check(derivatives, rest.count(), "normal derivatives of Laplacians", "elements");
 }
 
 template <Scalar R>
@@ -122,7 +132,7 @@ std::vector<Vec3<R>> stretched_normals(Stretch stretch, const CageElements& rest
 
 #define CAGEPROOF_INSTANTIATE(R)                                                                    \
   template std::vector<Vec3<R>> vertices_in<R>(const CageElements&);                                \
-  template void check_pose<R>(const CageElements&, const std::vector<Vec3<R>>&);                    \
+  template void check_pose<R>(const CageElements&, const Pose<R>&);                                 \
   template Vec3<R> posed_normal<R>(const CageElements&, const std::vector<Vec3<R>>&, std::size_t);  \
   template R stretch_of<R>(Stretch, const CageElements&, const std::vector<Vec3<R>>&, std::size_t); \
   template std::vector<Vec3<R>> stretched_normals<R>(Stretch, const CageElements&, const std::vector<Vec3<R>>&);

@@ -87,16 +87,16 @@ TEST(laws, of_space_are_as_specified) {
                     {"tp", {1, 1, kHard, 1, 1}, true, true, false},
                     {"aaap", {1, 1, kFree, 1, 1}, true, true, true},
                     {"tp", {1, 1, kFree, 1, 1}, true, true, true},
-                    {"somigliana", {0, 0.3, 0, 0}, true, false, false},
-                    {"somigliana", {1, 0.3, 1, 0}, true, false, false}});
+                    {"somigliana", {0, 0.3, 0, 0, 0.5}, true, false, false},
+                    {"somigliana", {1, 0.3, 1, 0, 0.5}, true, false, false}});
 }
 
 TEST(laws, of_the_plane_are_as_specified) {
   for (const Case& c : {square(), l_shape(), pentagon()})
     expect_laws(c, {{"mean_value", {}, true, true, true},
                     {"green", {0}, true, false, false},
-                    {"somigliana", {0, 0.3, 0, 0}, true, false, false},
-                    {"somigliana", {1, 0.3, 2, 0}, true, false, false},
+                    {"somigliana", {0, 0.3, 0, 0, 0.5}, true, false, false},
+                    {"somigliana", {1, 0.3, 2, 0, 0.5}, true, false, false},
                     {"biharmonic_1_3", {}, false, false, false},
                     {"biharmonic_1_3", {1, 0, 1, -1}, true, false, false},
                     {"biharmonic_weber", {1, 0}, true, false, false},
@@ -154,7 +154,7 @@ TEST(laws, somigliana_of_infinite_nu_is_green_in_the_plane_alone) {
   for (const Case& c : {square(), l_shape(), pentagon(), cube()}) {
     const Images<double> green = deformed(*prepared(c.cage, "green", {1}), c.posed, c.points);
     for (const double variant : {0., 1.}) {
-      const auto other = deformed(*prepared(c.cage, "somigliana", {variant, INFINITY, 0, 0}), c.posed, c.points);
+      const auto other = deformed(*prepared(c.cage, "somigliana", {variant, INFINITY, 0, 0, 0.5}), c.posed, c.points);
       double worst = 0;
       for (std::size_t i = 0; i < green.tensors[0].size(); ++i)
         worst = std::max(worst, std::abs(other.tensors[0][i] - green.tensors[0][i]));
@@ -222,9 +222,9 @@ TEST(rejected, poses_and_parameters_by_name) {
     EXPECT_NE(refusal(c, method, flat).find("has no area"), std::string::npos) << method;
   EXPECT_EQ(refusal(c, "green", flat, {2}), "");
   EXPECT_EQ(refusal(c, "somigliana", flat), "");
-  EXPECT_NE(refusal(c, "somigliana", flat, {1, 0.3, 0, 0}).find("has no area"), std::string::npos);
+  EXPECT_NE(refusal(c, "somigliana", flat, {1, 0.3, 0, 0, 0.5}).find("has no area"), std::string::npos);
   for (const double nu : {0.5, 1., -1., static_cast<double>(NAN)})
-    EXPECT_NE(refusal(c, "somigliana", c.posed, {0, nu, 0, 0}).find("nu"), std::string::npos) << nu;
+    EXPECT_NE(refusal(c, "somigliana", c.posed, {0, nu, 0, 0, 0.5}).find("nu"), std::string::npos) << nu;
   EXPECT_NE(refusal(c, "biharmonic_1_3", c.posed, {1, 3, -1, -1}).find("gamma_d"), std::string::npos);
   EXPECT_NE(refusal(square(), "maximum_entropy", square().posed).find("dimension"), std::string::npos);
 }

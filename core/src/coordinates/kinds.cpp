@@ -77,7 +77,7 @@ RegisterCoordinateKind::RegisterCoordinateKind(CoordinateKind kind) {
 }
 
 bool exists_on(const CoordinateKind& kind, const Cage& cage) {
-  if (!kind.is_sum()) return kind.own_dimension == cage.dimension();
+  if (!kind.is_sum()) return kind.own_dimension == 0 || kind.own_dimension == cage.dimension();
   for (const ElementKind element : elements_in(kind, cage))
     for (const SummedBlock& block : kind.blocks)
       if (!find_formula(element, block.kernel)) return false;

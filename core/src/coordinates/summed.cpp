@@ -104,6 +104,29 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     return put_limits<Mp50>(places, order, tables);
   }
 
+  // One a corner of each element. What is not finite, as derivatives at points on the cage, is no term.
+  bool fill_terms(std::span<const Vec3<double>> points, int order,
+                  std::span<CoordinateTable<double>> tables) const override {
+    if (normalised_) return false;
+    std::array<Vec3<double>, 4> storage;
+    Result<double> part;
+    for (std::size_t e = 0; e < elements_->count(); ++e) {
+      const int own_slot = static_cast<int>(e);
+      for (std::size_t b = 0; b < blocks_.size(); ++b)
+        for (std::size_t p = 0; p < points.size(); ++p) {
+          evaluations_[static_cast<std::size_t>(elements_->type(e).kind)][b](
+              Query<double>{corners_of(e, storage), points[p], order, parameters_}, part);
+          BatchOutput<double> here = output_for(b, p, tables[b]);
+          here.slots = blocks_[b].per_vertex ? elements_->vertices_of(e) : std::span(&own_slot, 1);
+          for (int o = 0; o <= order; ++o) {
+            for (double& x : part.of(o)) x = std::isfinite(x) ? std::abs(x) : 0;
+            here.put(0, o, part.of(o));
+          }
+        }
+    }
+    return true;
+  }
+
  private:
   void add_evaluations(const CoordinateKind& kind, ElementKind element, const std::string& name) {
     ElementEvaluations& found = evaluations_[static_cast<std::size_t>(element)];

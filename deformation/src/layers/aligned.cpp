@@ -24,6 +24,8 @@ std::array<Matrix<R>, 4> second_derivatives(Energy energy, const CageCoordinates
   const int d = coordinates.dimension(), width = d * d;
   const int rows = energy == Energy::Hessian ? width : 1;
   const auto count = static_cast<Eigen::Index>(samples.size());
+  const std::vector<Vec3<R>> normals =
+      stretched_normals(Stretch::Unit, coordinates.elements(), vertices_in<R>(coordinates.elements()));
   std::array<Matrix<R>, 4> found;
   for (std::size_t b = 0; b < 4; ++b) {
     found[b] = Matrix<R>::Zero(rows * count, coordinates.blocks()[b].size);
@@ -32,10 +34,10 @@ std::array<Matrix<R>, 4> second_derivatives(Energy energy, const CageCoordinates
         if (energy == Energy::Laplacian && i != j) continue;
         const Matrix<R> along = component(tables[b], samples.size(), 2, width, i * d + j);
         for (Eigen::Index s = 0; s < count; ++s) {
-          const Vec3<double>& n = coordinates.elements().normals()[samples[s].element];
+          const Vec3<R>& n = normals[samples[s].element];
           if (energy == Energy::Hessian) found[b].row(rows * s + i * d + j) = along.row(s);
           else if (energy == Energy::Laplacian) found[b].row(s) += along.row(s);
-          else found[b].row(s) += R(R(n[i]) * R(n[j])) * along.row(s);
+          else found[b].row(s) += R(n[i] * n[j]) * along.row(s);
         }
       }
   }
@@ -63,7 +65,7 @@ class Aligned final : public LayerDeformer<R> {
 
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     const CageElements& elements = this->coordinates().elements();
-    check_pose(elements, pose.vertices);
+    check_pose(elements, pose);
     DeformationReport report;
     warn_of_orientation(elements, pose.vertices, report.warnings);
     const Matrix<R> vertices = rows_of(pose.vertices, elements.dimension());

@@ -6,26 +6,32 @@
 
 namespace cageproof::deformation {
 
+/// What is said of the systems that were solved, which takes as long as solving: nothing, their descriptions, or the
+/// sizes of what solutions are rounded by.
+enum class Account { None, Systems, Terms };
+
 /// (L'; D') = to_vertices V' + to_normals N'. Rows: a vertex each, then an element each.
 template <Scalar R>
 struct Regularisation {
   Matrix<R> to_vertices, to_normals;
-  std::vector<SolvedSystem> solved;
+  std::vector<SolvedSystem> solved;  ///< with Account::Systems
   std::vector<std::string> warnings;
+  Matrix<double> terms;  ///< with Account::Terms: of to_vertices beside to_normals (rounding_terms)
 };
 
 /// (1,3), Eq 21-30: least |A X - b|^2 gamma_D + |B X|^2 with the Dirichlet and Laplacian misfits at the samples.
 /// \param gamma_d at least 0; 0 is Green, by definition: no layers
 template <Scalar R>
-Regularisation<R> one_three(const SampledLayers<R>& layers, const R& gamma_d);
+Regularisation<R> one_three(const SampledLayers<R>& layers, const R& gamma_d, Account account = Account::Systems);
 
 /// (1,2), D.1: values and normal derivatives at the samples.
 /// \param normal_slopes of phi, psi, phibar, psibar at the samples along the rest normals of their elements
 template <Scalar R>
-Regularisation<R> one_two(const SampledLayers<R>& layers, const std::array<Matrix<R>, 4>& normal_slopes);
+Regularisation<R> one_two(const SampledLayers<R>& layers, const std::array<Matrix<R>, 4>& normal_slopes,
+                          Account account = Account::Systems);
 
 /// Weber's construction in space, D.2: D' of the Laplacian's own Green identity, then values.
 template <Scalar R>
-Regularisation<R> weber(const SampledLayers<R>& layers);
+Regularisation<R> weber(const SampledLayers<R>& layers, Account account = Account::Systems);
 
 }  // namespace cageproof::deformation

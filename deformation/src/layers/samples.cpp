@@ -85,8 +85,11 @@ SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
   found.hats = Matrix<R>::Zero(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(elements.vertices().size()));
   for (std::size_t s = 0; s < count; ++s) {
     const auto corners = elements.vertices_of(found.samples[s].element);
-    for (std::size_t k = 0; k < corners.size(); ++k)
-      found.hats(static_cast<Eigen::Index>(s), corners[k]) = R(found.samples[s].basis[k]);
+    // The first is what the others leave of one, in any scalar: limits are taken there.
+    R rest(1);
+    for (std::size_t k = 1; k < corners.size(); ++k)
+      rest -= found.hats(static_cast<Eigen::Index>(s), corners[k]) = R(found.samples[s].basis[k]);
+    found.hats(static_cast<Eigen::Index>(s), corners[0]) = rest;
   }
   const auto tables = checked_limits<R>(coordinates, found.samples, 0);
   found.phi = component(tables[0], count, 0, 1, 0);

@@ -117,6 +117,66 @@ Matrix<R> rotation_of(const CageElements& rest, const std::vector<Vec3<R>>& from
   return rotation_nearest_to<R>(Matrix<R>(axes(posed) * axes(from).inverse())).rotation;
 }
 
+// Of vertices and elements, and the stretches of elements.
+template <Scalar R>
+struct Turns {
+  std::vector<Matrix<R>> of_vertices, of_elements;
+  std::vector<R> stretches;
+};
+
+template <Scalar R>
+Turns<R> global_turns(const CageElements& rest, const std::vector<Vec3<R>>& posed, std::vector<std::string>& warnings) {
+  const auto [rotation, stretch] = similarity(rest, posed, warnings);
+  return {std::vector<Matrix<R>>(posed.size(), rotation), std::vector<Matrix<R>>(rest.count(), rotation),
+          std::vector<R>(rest.count(), stretch)};
+}
+
+// \param least singular values up to that are rounding
+template <Scalar R>
+Matrix<R> rotation_or_warning(const Matrix<R>& matrix, std::string_view what, std::size_t index,
+                              std::vector<std::string>& warnings, const R& least = R(0)) {
+  const NearestRotation<R> nearest = rotation_nearest_to<R>(matrix);
+  if (!nearest.is_unique || nearest.signed_values[matrix.rows() - 2] <= least)
+    warnings.push_back(fmt::format("the rotation of {} {} is not unique", what, index));
+  return nearest.rotation;
+}
+
+template <Scalar R>
+Turns<R> local_turns(const CageElements& rest, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
+                     std::vector<std::string>& warnings) {
+  const int d = rest.dimension();
+  Turns<R> found;
+  found.of_vertices.assign(posed.size(), Matrix<R>::Zero(d, d));
+  for (std::size_t e = 0; e < rest.count(); ++e) {
+    found.of_elements.push_back(rotation_of(rest, from, posed, e));
+    found.stretches.push_back(stretch_of(Stretch::Mean, rest, posed, e));
+    for (const int v : rest.vertices_of(e)) found.of_vertices[v] += measure(rest, from, e) * found.of_elements[e];
+  }
+  for (std::size_t v = 0; v < posed.size(); ++v)
+    found.of_vertices[v] = rotation_or_warning(found.of_vertices[v], "vertex", v, warnings);
+  return found;
+}
+
+// Stretches are averaged as numbers; rotations as matrices, whose nearest rotation is taken, as around vertices.
+template <Scalar R>
+Turns<R> turns_of(const CageElements& rest, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
+                  double blend, std::vector<std::string>& warnings) {
+  if (blend == 0) return global_turns(rest, posed, warnings);
+  Turns<R> local = local_turns(rest, from, posed, warnings);
+  if (blend == 1) return local;
+  const Turns<R> global = global_turns(rest, posed, warnings);
+  const R share(blend), other = 1 - share, least = 64 * unit_roundoff<R>();
+  for (std::size_t v = 0; v < posed.size(); ++v)
+    local.of_vertices[v] = rotation_or_warning<R>(other * global.of_vertices[v] + share * local.of_vertices[v],
+                                                  "vertex", v, warnings, least);
+  for (std::size_t e = 0; e < rest.count(); ++e) {
+    local.of_elements[e] = rotation_or_warning<R>(other * global.of_elements[e] + share * local.of_elements[e],
+                                                  "element", e, warnings, least);
+    local.stretches[e] = other * global.stretches[e] + share * local.stretches[e];
+  }
+  return local;
+}
+
 }  // namespace
 
 template <Scalar R>
@@ -126,25 +186,10 @@ Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>
   const int d = rest.dimension();
   const std::vector<Vec3<R>> from = vertices_in<R>(rest);
   Corotation<R> found;
-  std::vector<R> stretches(rest.count());
-  if (options.local) {
-    found.of_vertices.assign(posed.size(), Matrix<R>::Zero(d, d));
-    for (std::size_t e = 0; e < rest.count(); ++e) {
-      found.of_elements.push_back(rotation_of(rest, from, posed, e));
-      stretches[e] = stretch_of(Stretch::Mean, rest, posed, e);
-      for (const int v : rest.vertices_of(e)) found.of_vertices[v] += measure(rest, from, e) * found.of_elements[e];
-    }
-    for (std::size_t v = 0; v < posed.size(); ++v) {
-      const NearestRotation<R> nearest = rotation_nearest_to<R>(found.of_vertices[v]);
-      if (!nearest.is_unique) found.warnings.push_back(fmt::format("the rotation of vertex {} is not unique", v));
-      found.of_vertices[v] = nearest.rotation;
-    }
-  } else {
-    const auto [rotation, stretch] = similarity(rest, posed, found.warnings);
-    found.of_vertices.assign(posed.size(), rotation);
-    found.of_elements.assign(rest.count(), rotation);
-    stretches.assign(rest.count(), stretch);
-  }
+  Turns<R> turns = turns_of(rest, from, posed, options.blend, found.warnings);
+  found.of_vertices = std::move(turns.of_vertices);
+  found.of_elements = std::move(turns.of_elements);
+  const std::vector<R>& stretches = turns.stretches;
   std::vector<R> bulges(rest.count(), R(0));
   if (options.gamma != 0) {
     const std::vector<R> before = spreads(rest, from), after = spreads(rest, posed);

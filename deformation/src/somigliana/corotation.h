@@ -15,7 +15,7 @@ struct Corotation {
 };
 
 struct CorotationOptions {
-  bool local = false;
+  double blend = 0;     ///< from one rotation and stretch for all (0) to those of each vertex and element (1)
   double nu = 0.3;      ///< infinite: incompressible beyond, Green's
   double gamma = 0;     ///< of bulging, Eq 14
   bool balance = true;  ///< Eq 15

@@ -98,7 +98,7 @@ class SomiglianaPosed final : public Posed<R> {
 };
 
 // The parameters' order.
-enum : std::size_t { kVariant, kNu, kGamma, kBalance };
+enum : std::size_t { kVariant, kNu, kGamma, kBalance, kBlend };
 
 template <Scalar R>
 class Somigliana final : public Deformer<R> {
@@ -106,14 +106,14 @@ class Somigliana final : public Deformer<R> {
   Somigliana(const Cage& cage, const DeformOptions& options)
       : coordinates_(cage, coordinate_kind_named("somigliana"),
                      CoordinateOptions{options.evaluation, options.triangulation, {1, options.parameters[kNu]}}),
-        options_{.local = options.parameters[kVariant] == 1,
+        options_{.blend = options.parameters[kVariant] == 2 ? options.parameters[kBlend] : options.parameters[kVariant],
                  .nu = options.parameters[kNu],
                  .gamma = options.parameters[kGamma],
                  .balance = options.parameters[kBalance] == 0} {}
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
-    check_pose(coordinates_.elements(), pose.vertices);
+    check_pose(coordinates_.elements(), pose);
     return std::make_unique<SomiglianaPosed<R>>(coordinates_.dimension(), pose.vertices,
                                                 corotation_of<R>(coordinates_.elements(), pose.vertices, options_));
   }
@@ -133,15 +133,17 @@ const RegisterDeformMethod somigliana{
      .source = "[C23] Section 4, Eq 10-15",
      .keeps = "similarities",
      .kind = "somigliana",
-     .parameters = {{{.name = "variant", .preset = 0, .lowest = -1, .highest = 2, .whole = true},
-                     "one rotation for all, or one for each vertex and element",
-                     {"global", "local"}},
+     .parameters = {{{.name = "variant", .preset = 0, .lowest = -1, .highest = 3, .whole = true},
+                     "one rotation and stretch for all, or one for each vertex and element, or between these",
+                     {"global", "local", "blend"}},
                     {{.name = "nu", .preset = 0.3, .lowest = -1, .highest = 0.5, .includes_infinity = true},
                      "Poisson's ratio"},
                     {{.name = "gamma", .preset = 0, .lowest = -1e6, .highest = 1e6}, "bulging"},
                     {{.name = "balance", .preset = 0, .lowest = -1, .highest = 2, .whole = true},
                      "whether tractions are balanced, Eq 15",
-                     {"on", "off"}}},
+                     {"on", "off"}},
+                    {{.name = "blend", .preset = 0.5, .lowest = -1e-300, .highest = 1, .includes_highest = true},
+                     "of variant=blend alone, others ignore it: from global, 0, to local, 1"}},
      .with_parameters_of_kind = false,
      .prepare = prepare<double>,
      .prepare_in_50_digits = prepare<Mp50>}};

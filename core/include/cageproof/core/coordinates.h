@@ -162,7 +162,8 @@ struct CoordinateKind {
   std::vector<SummedBlock> blocks = {};
   bool normalised = false;   ///< divided by their sum (mean value coordinates), and interpolating on the cage
   bool keeps_quads = false;  ///< the cage's quads stay bilinear surfaces
-  /// Of kinds that are no sums over elements: the dimension of their cages, and what prepares them. Null for sums.
+  /// Of kinds that are no sums over elements: the dimension of their cages, 0 for both, and what prepares them. Null
+  /// for sums.
   int own_dimension = 3;
   std::shared_ptr<const PreparedCoordinates> (*prepare)(const Cage& cage, const CoordinateOptions& options) = nullptr;
   /// Of kinds that are no sums over elements; those of sums are their formulas'.

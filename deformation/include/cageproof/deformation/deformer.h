@@ -28,6 +28,9 @@ struct Pose {
   std::vector<Vec3<R>> vertices;
   /// Normal derivatives of each element that the user prescribes instead of the method's own; empty for those.
   std::vector<Vec3<R>> normal_derivatives = {};
+  /// Of methods that take them: the Laplacian's density at each vertex, and its normal derivative's of each element (L'
+  /// and D' of [T24] Eq 19); empty for zeros.
+  std::vector<Vec3<R>> laplacians = {}, laplacian_derivatives = {};
 };
 
 /// Images of points and their derivatives: tensors[o] is [point][component][derivatives by the rest axes], with as many
@@ -85,6 +88,8 @@ struct DeformMethod {
   bool with_parameters_of_kind = true;
   /// Whether poses may prescribe normal derivatives; other methods have their own and look at no others.
   bool takes_normal_derivatives = false;
+  /// Whether poses may have Laplacians and their normal derivatives; other methods look at none.
+  bool takes_laplacians = false;
   /// Whether preparing takes derivatives of coordinates on the cage, whose limits quadrature does not know.
   bool takes_derivatives_on_cage = false;
   /// Why there is no such deformer of a cage that has the coordinates; empty where there is. Null for methods that

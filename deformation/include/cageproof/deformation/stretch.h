@@ -4,6 +4,7 @@
 
 #include "cageproof/core/cage_elements.h"
 #include "cageproof/core/linear.h"
+#include "cageproof/deformation/deformer.h"
 
 #include <string_view>
 #include <vector>
@@ -35,8 +36,9 @@ R stretch_of(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R
 template <Scalar R>
 std::vector<Vec3<R>> stretched_normals(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices);
 
-/// \throws InputError unless there are as many vertices as the rest cage has, all finite
+/// \throws InputError unless there are as many vertices as the rest cage has, and of other data none, or a row a vertex
+/// or element, all finite; names the row
 template <Scalar R>
-void check_pose(const CageElements& rest, const std::vector<Vec3<R>>& vertices);
+void check_pose(const CageElements& rest, const Pose<R>& pose);
 
 }  // namespace cageproof::deformation

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "construction.h"
+
+#include "cageproof/deformation/stretch.h"
+
+#include <cmath>
+
+namespace cageproof::deformation {
+namespace {
+
+// Along the rest normals of the samples' elements, of all four layers.
+template <Scalar R>
+std::array<Matrix<R>, 4> normal_slopes(const CageCoordinates& coordinates, const std::vector<Touching>& samples) {
+  const auto tables = checked_limits<R>(coordinates, samples, 1);
+  const int d = coordinates.dimension();
+  const std::vector<Vec3<R>> normals =
+      stretched_normals(Stretch::Unit, coordinates.elements(), vertices_in<R>(coordinates.elements()));
+  std::array<Matrix<R>, 4> found;
+  for (std::size_t b = 0; b < 4; ++b) {
+    found[b] = Matrix<R>::Zero(static_cast<Eigen::Index>(samples.size()), coordinates.blocks()[b].size);
+    for (int c = 0; c < d; ++c) {
+      const Matrix<R> along = component(tables[b], samples.size(), 1, d, c);
+      for (std::size_t s = 0; s < samples.size(); ++s) {
+        const auto row = static_cast<Eigen::Index>(s);
+        found[b].row(row) += normals[samples[s].element][c] * along.row(row);
+      }
+    }
+  }
+  return found;
+}
+
+double size_of(const CageElements& elements) {
+  Vec3<double> low = elements.vertices()[0], high = low;
+  for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  return (high - low).norm();
+}
+
+}  // namespace
+
+KindParameter level_parameter() {
+  return {{.name = "level", .preset = 1, .lowest = -1, .highest = 6, .whole = true},
+          "times that elements are split for samples: 4^level a triangle"};
+}
+
+std::vector<KindParameter> weight_parameters(Construction construction) {
+  if (construction != Construction::OneThree) return {};
+  return {{{.name = "gamma_d", .preset = 1, .lowest = -1e-300, .highest = 1e300},
+           "weight of values against Laplacians; has the unit of one over the fourth power of a length"},
+          {{.name = "gamma_rel", .preset = -1, .lowest = -1.5, .highest = 1e300},
+           "the same over the fourth power of the rest cage's size; in place of gamma_d where it is not negative"}};
+}
+
+template <Scalar R>
+Regularisation<R> regularisation_by(Construction construction, const CageCoordinates& coordinates, int level,
+                                    std::span<const double> weights, Account account) {
+  const SampledLayers<R> layers = layers_at<R>(coordinates, level);
+  switch (construction) {
+    case Construction::OneTwo: return one_two<R>(layers, normal_slopes<R>(coordinates, layers.samples), account);
+    case Construction::Weber: return weber<R>(layers, account);
+    case Construction::OneThree: break;
+  }
+  const R gamma_d =
+      weights[1] >= 0 ? R(R(weights[1]) / R(std::pow(size_of(coordinates.elements()), 4))) : R(weights[0]);
+  return one_three<R>(layers, gamma_d, account);
+}
+
+template Regularisation<double> regularisation_by<double>(Construction, const CageCoordinates&, int,
+                                                          std::span<const double>, Account);
+template Regularisation<Mp50> regularisation_by<Mp50>(Construction, const CageCoordinates&, int,
+                                                      std::span<const double>, Account);
+
+}  // namespace cageproof::deformation

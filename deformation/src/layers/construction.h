@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// [T24]'s constructions of the layers' densities with their parameters: of deformers and of kinds of coordinates.
+#pragma once
+
+#include "regularisation.h"
+
+namespace cageproof::deformation {
+
+/// (1,3): Section 4.1; (1,2): Appendix D.1; Weber's: D.2.
+enum class Construction { OneThree, OneTwo, Weber };
+
+/// How often elements are split for samples.
+KindParameter level_parameter();
+
+/// gamma_d and gamma_rel of (1,3); none of the others.
+std::vector<KindParameter> weight_parameters(Construction construction);
+
+/// \param coordinates of kind `biharmonic`
+/// \param weights gamma_d and gamma_rel of (1,3), the second in place of the first where it is not negative
+/// \throws InputError as checked_limits
+template <Scalar R>
+Regularisation<R> regularisation_by(Construction construction, const CageCoordinates& coordinates, int level,
+                                    std::span<const double> weights, Account account);
+
+}  // namespace cageproof::deformation
