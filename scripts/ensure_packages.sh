@@ -24,6 +24,7 @@ libtinyobjloader-dev     reads OBJ, keeping quads and the order of vertices
 libcli11-dev             command line
 nlohmann-json3-dev       JSON in and out
 libfmt-dev               text formatting
+libnlopt-dev             least squares whose solution may not be negative, as a quadratic program (NLopt's SLSQP)
 libtbb-dev               uses all cores (oneTBB)
 librandom123-dev         counter-based random numbers: the same samples for any number of threads
 libxtensor-dev           writes NumPy's .npy

@@ -62,7 +62,18 @@ std::string why_refused(const DeformMethod& method, const Cage& cage) {
   return method.refuses ? method.refuses(cage) : "";
 }
 
-const std::list<ConstraintMethod>& constraint_methods() { return known_of_constraints(); }
+const std::list<ConstraintMethod>& constraint_methods() {
+  // Kinds may register after methods do.
+  static const bool completed = [] {
+    for (ConstraintMethod& method : known_of_constraints())
+      if (!method.kind.empty())
+        for (KindParameter& p : cageproof::parameters_of(coordinate_kind_named(method.kind)))
+          method.parameters.push_back(std::move(p));
+    return true;
+  }();
+  static_cast<void>(completed);
+  return known_of_constraints();
+}
 
 RegisterConstraintMethod::RegisterConstraintMethod(ConstraintMethod method) {
   const auto after = std::ranges::upper_bound(known_of_constraints(), method.name, {}, &ConstraintMethod::name);
@@ -70,8 +81,8 @@ RegisterConstraintMethod::RegisterConstraintMethod(ConstraintMethod method) {
 }
 
 const ConstraintMethod* find_constraint_method(std::string_view name) {
-  const auto found = std::ranges::find(known_of_constraints(), name, &ConstraintMethod::name);
-  return found == known_of_constraints().end() ? nullptr : &*found;
+  const auto found = std::ranges::find(constraint_methods(), name, &ConstraintMethod::name);
+  return found == constraint_methods().end() ? nullptr : &*found;
 }
 
 std::shared_ptr<const ConstrainedDeformer<double>> prepare_constrained(const ConstraintMethod& method, const Cage& cage,

@@ -14,7 +14,7 @@ namespace {
 
 using Map = Eigen::Matrix3d;
 
-constexpr double kUnit = 3, kHard = 0, kFree = 2;
+constexpr double kUnit = 3, kHard = 0, kFree = 2, kNonNegative = 3;
 
 // Columns (1.3, .05, -.2), (.2, .8, .1), (-.1, .3, 1.1).
 Map generic() {
@@ -85,6 +85,9 @@ TEST(laws, of_space_are_as_specified) {
                     {"biharmonic_weber", {1, 0}, true, false, false},
                     {"aaap", {1, 1, kHard, 1, 1}, true, true, false},
                     {"tp", {1, 1, kHard, 1, 1}, true, true, false},
+                    {"ahap", {1, 1, kNonNegative, 1, 1}, true, false, false},
+                    {"aaap", {1, 1, kNonNegative, 1, 1}, true, false, false},
+                    {"tp", {1, 1, kNonNegative, 1, 1}, true, false, false},
                     {"aaap", {1, 1, kFree, 1, 1}, true, true, true},
                     {"tp", {1, 1, kFree, 1, 1}, true, true, true},
                     {"somigliana", {0, 0.3, 0, 0, 0.5}, true, false, false},
@@ -97,6 +100,13 @@ TEST(laws, of_the_plane_are_as_specified) {
                     {"green", {0}, true, false, false},
                     {"somigliana", {0, 0.3, 0, 0, 0.5}, true, false, false},
                     {"somigliana", {1, 0.3, 2, 0, 0.5}, true, false, false},
+                    {"cauchy", {}, true, false, false},
+                    {"biharmonic_boundary", {0, 1, 1, 1}, false, false, false},
+                    {"biharmonic_boundary", {1, 1, 1, 1}, true, false, false},
+                    {"biharmonic_boundary", {2, 1, 1, 1}, true, false, false},
+                    {"biharmonic_boundary", {0, 4, 1, 0}, false, false, false},
+                    {"biharmonic_boundary", {1, 4, 1, 0}, true, false, false},
+                    {"biharmonic_boundary", {2, 4, 1, 0}, true, false, false},
                     {"biharmonic_1_3", {}, false, false, false},
                     {"biharmonic_1_3", {1, 0, 1, -1}, true, false, false},
                     {"biharmonic_weber", {1, 0}, true, false, false},

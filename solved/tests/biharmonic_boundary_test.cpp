@@ -216,7 +216,7 @@ TEST(biharmonic_boundary, refuses_evaluations_without_limits_and_units_out_of_ra
 
 TEST(biharmonic_boundary, takes_names_for_collocation) {
   const auto parameters = parameters_of(coordinate_kind_named("biharmonic_boundary"));
-  ASSERT_EQ(parameters.size(), 2u);
+  ASSERT_EQ(parameters.size(), 3u);
   EXPECT_EQ(parameters[1].value_of("vertices"), 0);
   EXPECT_EQ(parameters[1].value_of("mixed-and-midpoints"), 4);
   EXPECT_FALSE(parameters[1].value_of("0"));

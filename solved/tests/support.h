@@ -58,7 +58,10 @@ inline Corners subdivided(const Corners& corners, int n) {
   return finer;
 }
 
+/// \param parameters the first ones; the others are at their defaults
 inline CageCoordinates coordinates(const Cage& cage, const char* kind, std::vector<double> parameters = {}) {
+  const auto known = parameters_of(coordinate_kind_named(kind));
+  for (std::size_t k = parameters.size(); k < known.size(); ++k) parameters.push_back(known[k].preset);
   return {cage, coordinate_kind_named(kind), CoordinateOptions{.parameters = std::move(parameters)}};
 }
 

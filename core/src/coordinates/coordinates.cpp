@@ -89,6 +89,14 @@ std::vector<CoordinateTable<R>> CageCoordinates::limits_at(std::span<const Touch
 }
 
 template <Scalar R>
+std::vector<CoordinateTable<R>> CageCoordinates::boundary_laplacians() const {
+  std::vector<CoordinateTable<R>> tables;
+  if (!prepared_->fill_boundary_laplacians(tables))
+    throw InputError(fmt::format("{} coordinates are not solved for by Laplacians on the boundary", kind_->name));
+  return tables;
+}
+
+template <Scalar R>
 std::vector<Result<R>> CageCoordinates::at(const Vec3<R>& point, int order) const {
   return results_of(at<R>(std::span(&point, 1), order), order);
 }
@@ -109,5 +117,7 @@ CAGEPROOF_INSTANTIATE(Mp100)
 #undef CAGEPROOF_INSTANTIATE
 template std::vector<CoordinateTable<double>> CageCoordinates::limits_at<double>(std::span<const Touching>, int) const;
 template std::vector<CoordinateTable<Mp50>> CageCoordinates::limits_at<Mp50>(std::span<const Touching>, int) const;
+template std::vector<CoordinateTable<double>> CageCoordinates::boundary_laplacians<double>() const;
+template std::vector<CoordinateTable<Mp50>> CageCoordinates::boundary_laplacians<Mp50>() const;
 
 }  // namespace cageproof

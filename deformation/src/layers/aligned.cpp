@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // [T24] Section 4.1.3: normal derivatives that make an energy of second derivatives on the cage least.
+#include "../stretches.h"
 #include "layer_deformer.h"
 #include "solver.h"
-
-#include "cageproof/core/input_error.h"
-
-#include <fmt/format.h>
 
 #include <cmath>
 
@@ -14,7 +11,7 @@ namespace {
 
 // Of Laplacians (AHAP), of all second derivatives (AAAP), of those along the rest normal (TP).
 enum class Energy { Laplacian, Hessian, Normal };
-enum class Alignment { Hard, Soft, Free };
+enum class Alignment { Hard, Soft, Free, NonNegative };
 
 // An operator of second derivatives of phi, psi, phibar and psibar at samples: as many rows a sample as it has numbers.
 template <Scalar R>
@@ -76,7 +73,9 @@ class Aligned final : public LayerDeformer<R> {
     } else {
       const Matrix<R> units = rows_of(stretched_normals(Stretch::Unit, elements, pose.vertices), elements.dimension());
       report.figures.emplace_back("energy a sample, unit normals", energy(fixed, units));
-      normals = alignment_ == Alignment::Hard ? along(units, fixed, report) : softly_along(units, fixed, report);
+      normals = alignment_ == Alignment::Soft
+                    ? softly_along(units, fixed, report)
+                    : least_stretched<R>(of_normals_, fixed, units, alignment_ == Alignment::NonNegative, report);
     }
     report.figures.emplace_back("energy a sample", energy(fixed, normals));
     return this->with(vertices, normals, std::move(report));
@@ -85,28 +84,6 @@ class Aligned final : public LayerDeformer<R> {
  private:
   double energy(const Matrix<R>& fixed, const Matrix<R>& normals) const {
     return static_cast<double>(R((fixed + of_normals_ * normals).squaredNorm())) / samples_;
-  }
-
-  // N' = sigma n', Eq 32 and 33, a coordinate of the image below the other.
-  Matrix<R> along(const Matrix<R>& units, const Matrix<R>& fixed, DeformationReport& report) const {
-    const Eigen::Index rows = of_normals_.rows(), count = units.rows(), d = units.cols();
-    Matrix<R> matrix(d * rows, count), right(d * rows, 1);
-    for (Eigen::Index c = 0; c < d; ++c) {
-      matrix.middleRows(c * rows, rows) = of_normals_ * units.col(c).asDiagonal();
-      right.middleRows(c * rows, rows) = -fixed.col(c);
-    }
-    const Matrix<R> sigma = least_squares<R>(matrix, right, "stretches of least energy", report.systems);
-    Eigen::Index negative = 0;
-    for (Eigen::Index t = 0; t < count; ++t) negative += sigma(t, 0) < 0 ? 1 : 0;
-    report.figures.emplace_back("least sigma", static_cast<double>(R(sigma.minCoeff())));
-    report.figures.emplace_back("largest sigma", static_cast<double>(R(sigma.maxCoeff())));
-    report.figures.emplace_back("negative sigma", static_cast<double>(negative));
-    if (negative > 0)
-      report.warnings.push_back(
-          fmt::format("{} of {} sigma are negative: the image is turned inside out there", negative, count));
-    Matrix<R> normals = units;
-    for (Eigen::Index t = 0; t < count; ++t) normals.row(t) *= sigma(t, 0);
-    return normals;
   }
 
   // Eq 34 as least squares: each coordinate's energy, and gamma_a times what is across n'.
@@ -142,15 +119,15 @@ template <Energy E>
 DeformMethod method(std::string_view name) {
   return {.name = name,
           .source = "[T24] Section 4.1.3, Eq 31-36",
-          .keeps = "similarities and mirror images (alignment=free: affine maps)",
+          .keeps = "similarities and mirror images (alignment=free: affine maps; nonnegative: similarities alone)",
           .kind = "biharmonic",
           .parameters = {{{.name = "level", .preset = 1, .lowest = -1, .highest = 6, .whole = true},
                           "times that elements are split for samples of the regularisation"},
                          {{.name = "energy_level", .preset = 1, .lowest = -1, .highest = 6, .whole = true},
                           "the same of the energy, which are part of the method"},
-                         {{.name = "alignment", .preset = 0, .lowest = -1, .highest = 3, .whole = true},
-                          "of normal derivatives with posed normals",
-                          {"hard", "soft", "free"}},
+                         {{.name = "alignment", .preset = 0, .lowest = -1, .highest = 4, .whole = true},
+                          "of normal derivatives with posed normals; nonnegative: hard, and none points inward",
+                          {"hard", "soft", "free", "nonnegative"}},
                          {{.name = "gamma_a", .preset = 1, .lowest = -1e-300, .highest = 1e300},
                           "weight of soft alignment, per area"},
                          {{.name = "gamma_d", .preset = 1, .lowest = -1e-300, .highest = 1e300},

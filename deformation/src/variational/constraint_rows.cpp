@@ -20,18 +20,6 @@ std::string place(const Vec3<double>& point, int dimension) {
   return fmt::format("({})", fmt::join(point.data(), point.data() + dimension, ", "));
 }
 
-// Inside, and on the cage seen from inside, phi sums to one; outside to zero.
-template <Scalar R>
-void check_inside(const std::string& name, const std::vector<Vec3<double>>& points, const CoordinateTable<R>& phi,
-                  int dimension) {
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    R sum = 0;
-    for (std::size_t i = 0; i < phi.stride[0]; ++i) sum += phi.tensors[0][p * phi.stride[0] + i];
-    if (!(sum > R(0.5)))
-      throw InputError(fmt::format("{}[{}] at {} is outside the cage", name, p, place(points[p], dimension)));
-  }
-}
-
 // A row a point and derivative, from `first` on.
 template <Scalar R>
 void put_rows(const CageCoordinates& coordinates, const std::string& name, const std::vector<Vec3<double>>& points,
@@ -82,6 +70,17 @@ std::vector<Vec3<double>> places_of(const auto& constraints) {
 }
 
 }  // namespace
+
+template <Scalar R>
+void check_inside(const std::string& name, const std::vector<Vec3<double>>& points, const CoordinateTable<R>& phi,
+                  int dimension) {
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    R sum = 0;
+    for (std::size_t i = 0; i < phi.stride[0]; ++i) sum += phi.tensors[0][p * phi.stride[0] + i];
+    if (!(sum > R(0.5)))
+      throw InputError(fmt::format("{}[{}] at {} is outside the cage", name, p, place(points[p], dimension)));
+  }
+}
 
 void check_finite(const std::string& name, const Vec3<double>& point, int dimension) {
   for (int c = 0; c < dimension; ++c)
@@ -137,6 +136,10 @@ ConstraintRows<R> constraint_rows(const CageCoordinates& coordinates, const Cons
   return rows;
 }
 
+template void check_inside<double>(const std::string&, const std::vector<Vec3<double>>&, const CoordinateTable<double>&,
+                                   int);
+template void check_inside<Mp50>(const std::string&, const std::vector<Vec3<double>>&, const CoordinateTable<Mp50>&,
+                                 int);
 template ConstraintRows<double> constraint_rows<double>(const CageCoordinates&, const Constraints&,
                                                         const VariationalOptions&, double);
 template ConstraintRows<Mp50> constraint_rows<Mp50>(const CageCoordinates&, const Constraints&,

@@ -28,16 +28,22 @@ struct BiharmonicScheme {
   }
 };
 
-const RegisterCoordinateKind register_biharmonic_boundary{
-    {.name = "biharmonic_boundary",
-     .source = "[W12] Section 4, Eq 17-19 after the errata",
-     .own_dimension = 2,
-     .prepare = prepare_boundary<BiharmonicScheme>,
-     .parameters = boundary_parameters(collocations(), "where the boundary's equations are asked to hold"),
-     .other_evaluations = {offset_evaluation},
-     .approximates = "biharmonic_goursat",
-     .meets_boundary_data = true,
-     .refuses = why_not_refined}};
+std::vector<KindParameter> parameters() {
+  std::vector<KindParameter> all =
+      boundary_parameters(collocations(), "where the boundary's equations are asked to hold");
+  all.push_back(unit_parameter());
+  return all;
+}
+
+const RegisterCoordinateKind register_biharmonic_boundary{{.name = "biharmonic_boundary",
+                                                           .source = "[W12] Section 4, Eq 17-19 after the errata",
+                                                           .own_dimension = 2,
+                                                           .prepare = prepare_boundary<BiharmonicScheme>,
+                                                           .parameters = parameters(),
+                                                           .other_evaluations = {offset_evaluation},
+                                                           .approximates = "biharmonic_goursat",
+                                                           .meets_boundary_data = true,
+                                                           .refuses = why_not_refined}};
 
 }  // namespace
 }  // namespace cageproof::solved

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "boundary_layers.h"
+#include "boundary_parameters.h"
 #include "collocation.h"
 
 #include "cageproof/core/coordinates_in_double.h"
@@ -21,7 +22,7 @@ namespace cageproof::solved {
 template <Scalar R>
 struct Densities {
   /// What was solved for: a column a coordinate, those of values at vertices, of edges' normal derivatives, of
-  /// Laplacians at vertices.
+  /// Laplacians at vertices. From order 2 on the first rows are Laplacians, one a node.
   Matrix<R> own;
   /// The densities of layer number `layer` of Scheme::unknown are, summed over its shares, `matrix` times the rows of
   /// `own` from `row` on; those themselves where the matrix is empty. Layers are put together before they are
@@ -55,7 +56,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
       : inset_(has_normals && options.evaluation == offset_evaluation ? 1e-6 : 0),
         green_(cage, coordinate_kind_named("green"), CoordinateOptions{.evaluation = of_layers(options)}),
         evaluations_(layer_evaluations(of_layers(options), Scheme::order)),
-        polygon_(cage, static_cast<int>(options.parameters[0])),
+        polygon_(cage, static_cast<int>(options.parameters[0]), unit_of(options.parameters)),
         parameters_(options.parameters) {
     blocks_.push_back({.label = std::string(Scheme::label),
                        .per_vertex = true,
@@ -112,9 +113,24 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     put(sizes, parts, points.size(), 0, order, tables);
     return true;
   }
+  bool fill_limits(std::span<const Touching> places, int order,
+                   std::span<CoordinateTable<double>> tables) const override {
+    return put_limits<double>(places, order, tables);
+  }
+  bool fill_limits(std::span<const Touching> places, int order,
+                   std::span<CoordinateTable<Mp50>> tables) const override {
+    return put_limits<Mp50>(places, order, tables);
+  }
+  bool fill_boundary_laplacians(std::vector<CoordinateTable<double>>& tables) const override {
+    return put_laplacians<double>(tables);
+  }
+  bool fill_boundary_laplacians(std::vector<CoordinateTable<Mp50>>& tables) const override {
+    return put_laplacians<Mp50>(tables);
+  }
   std::vector<SolvedSystem> solved() const override {
     // Singular values take longer than solving does, and few ask for them.
-    return Scheme::template solve<double>(polygon_, *prepared<double>().layers, parameters_, inset_, true).systems;
+    return Scheme::template solve<double>(polygon_, *prepared<double>().layers, parameters_, inset_in_frame(), true)
+        .systems;
   }
 
   template <Scalar R>
@@ -132,6 +148,8 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
  private:
   static constexpr bool has_normals = Scheme::order >= 2;
 
+  double inset_in_frame() const { return inset_ * polygon_.diameter(); }
+
   std::string of_layers(const CoordinateOptions& options) const {
     return inset_ == 0 ? options.evaluation : std::string();
   }
@@ -148,7 +166,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     Prepared<R>& made = std::get<Prepared<R>>(prepared_);
     std::call_once(made.once, [&] {
       made.layers = std::make_unique<BoundaryLayers<R>>(polygon_, evaluations_);
-      made.densities = Scheme::template solve<R>(polygon_, *made.layers, parameters_, inset_, false);
+      made.densities = Scheme::template solve<R>(polygon_, *made.layers, parameters_, inset_in_frame(), false);
       made.densities.own = made.densities.own.transpose().eval();
       for (auto& share : made.densities.shares) share.matrix = share.matrix.transpose().eval();
     });
@@ -176,8 +194,50 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     for (const Layer layer : Scheme::unknown) parts.layers.push_back(layers.table(layer, points.size(), order));
     add_layers(layers, points, order, std::span<CoordinateTable<R>>(parts.layers));
     parts.own = green_.at<R>(points, order);
-    if (has_normals) parts.single = single_layer_in_frame(points);
+    if (has_normals) {
+      std::vector<Vec3<R>> in_frame;
+      in_frame.reserve(points.size());
+      for (const Vec3<R>& point : points) in_frame.push_back(polygon_.in_frame<R>(point));
+      parts.single = single_layer_in_frame<R>(in_frame);
+    }
     return parts;
+  }
+
+  // Of places on edges; those of the cage's own layers are where the basis functions say, too.
+  template <Scalar R>
+  bool put_limits(std::span<const Touching> places, int order, std::span<CoordinateTable<R>> tables) const {
+    const BoundaryLayers<R>& layers = *prepared<R>().layers;
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      const OnEdge<R> on{places[p].element, R(places[p].basis[1]) * polygon_.pieces_an_edge()};
+      const Vec3<R> in_frame = polygon_.line<R>(on.edge).at(on.steps);
+      Parts<R> parts;
+      parts.layers.reserve(std::size(Scheme::unknown));
+      for (const Layer layer : Scheme::unknown) parts.layers.push_back(layers.table(layer, 1, order));
+      layers.add_on(Scheme::unknown, in_frame, std::span(&on, 1), order, parts.layers);
+      parts.own = green_.limits_at<R>(places.subspan(p, 1), order);
+      if (has_normals) parts.single = single_layer_in_frame<R>(std::span(&in_frame, 1));
+      put(prepared<R>().densities, parts, 1, p, order, tables);
+    }
+    return true;
+  }
+
+  // What was solved for has a row a coordinate here, in the frame's unit.
+  template <Scalar R>
+  bool put_laplacians(std::vector<CoordinateTable<R>>& tables) const {
+    if (!has_normals) return false;
+    const Matrix<R>& own = prepared<R>().densities.own;
+    tables.clear();
+    Eigen::Index above = 0;
+    for (const CoordinateBlock& block : blocks_) {
+      const R unit = power_of_unit<R>(block.degree - 2);
+      CoordinateTable<R>& table = tables.emplace_back();
+      table.stride[0] = static_cast<std::size_t>(block.size);
+      table.tensors[0].reserve(static_cast<std::size_t>(polygon_.nodes()) * table.stride[0]);
+      for (Eigen::Index node = 0; node < polygon_.nodes(); ++node)
+        for (Eigen::Index k = 0; k < block.size; ++k) table.tensors[0].push_back(unit * own(above + k, node));
+      above += block.size;
+    }
+    return true;
   }
 
   template <Scalar R>
@@ -278,12 +338,10 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     return found;
   }
 
-  // psi^H of the cage's edges in the polygon's frame.
+  // psi^H of the cage's edges at points in the polygon's frame.
   template <Scalar R>
-  std::vector<R> single_layer_in_frame(std::span<const Vec3<R>> points) const {
-    std::vector<Vec3<R>> in_frame;
-    for (const Vec3<R>& point : points) in_frame.push_back(polygon_.in_frame<R>(point));
-    std::vector<R> found(points.size() * polygon_.edges());
+  std::vector<R> single_layer_in_frame(std::span<const Vec3<R>> in_frame) const {
+    std::vector<R> found(in_frame.size() * polygon_.edges());
     for (int e = 0; e < polygon_.edges(); ++e) {
       const std::array<Vec3<R>, 2> ends{polygon_.vertex<R>(polygon_.edge(e)[0]),
                                         polygon_.vertex<R>(polygon_.edge(e)[1])};
@@ -295,7 +353,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     return found;
   }
 
-  double inset_;
+  double inset_;  // in diameters
   CageCoordinates green_;
   LayerEvaluations evaluations_;
   RefinedPolygon polygon_;

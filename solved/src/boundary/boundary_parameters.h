@@ -28,4 +28,16 @@ std::vector<KindParameter> boundary_parameters(const Collocations& where, std::s
        names}};
 }
 
+/// `unit`, that systems are solved in, after `pieces` and `collocation`: the names stand for RefinedPolygon::Unit.
+inline KindParameter unit_parameter() {
+  return {{.name = "unit", .preset = 0, .lowest = -1, .highest = 2, .whole = true},
+          "of length that systems are solved in: the cage's diameter, or its own as the paper's",
+          {"diameter", "own"}};
+}
+
+/// Of kinds without that parameter, the diameter.
+inline RefinedPolygon::Unit unit_of(const std::vector<double>& parameters) {
+  return parameters.size() > 2 && parameters[2] == 1 ? RefinedPolygon::Unit::Own : RefinedPolygon::Unit::Diameter;
+}
+
 }  // namespace cageproof::solved

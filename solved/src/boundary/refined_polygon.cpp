@@ -9,7 +9,7 @@
 
 namespace cageproof::solved {
 
-RefinedPolygon::RefinedPolygon(const Cage& cage, int pieces) : pieces_(pieces), vertices_(cage.vertices()) {
+RefinedPolygon::RefinedPolygon(const Cage& cage, int pieces, Unit unit) : pieces_(pieces), vertices_(cage.vertices()) {
   std::vector<int> ending_at(vertices_.size());
   for (const Face& face : cage.faces()) {
     ending_at[face.vertices[1]] = edges();
@@ -24,7 +24,8 @@ RefinedPolygon::RefinedPolygon(const Cage& cage, int pieces) : pieces_(pieces), 
     throw InputError(fmt::format("{}: {} edges in {} pieces each have {} nodes, more than {}", cage.name(), edges(),
                                  pieces, nodes(), most_nodes));
   for (std::size_t i = 0; i < vertices_.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) unit_ = std::max(unit_, (vertices_[i] - vertices_[j]).stableNorm());
+    for (std::size_t j = 0; j < i; ++j) diameter_ = std::max(diameter_, (vertices_[i] - vertices_[j]).stableNorm());
+  if (unit == Unit::Diameter) unit_ = diameter_;
 }
 
 std::string why_not_refined(const Cage& cage) {

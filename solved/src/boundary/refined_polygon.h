@@ -13,14 +13,17 @@ namespace cageproof::solved {
 /// The polygon's edges, each cut into pieces of one length, in a frame of its own: the origin is the cage's first
 /// vertex, the unit of length the largest distance between two vertices. Systems that are solved in it, whose kernels
 /// have the logarithm of the distance, and what comes of them, do not depend on the user's unit, place or direction;
-/// and no set of that diameter has logarithmic capacity one, at which the single layer loses constants.
+/// and no set of that diameter has logarithmic capacity one, at which the single layer loses constants. In the user's
+/// own unit, which the paper keeps, neither holds.
 ///
 /// Nodes are the cage's vertices, by their own numbers, then the new ones, by edge; pieces go by edge, too.
 class RefinedPolygon {
  public:
+  enum class Unit { Diameter, Own };
+
   /// \param pieces an edge, at least 1 \pre the cage is in the plane
   /// \throws InputError when there would be more than most_nodes
-  RefinedPolygon(const Cage& cage, int pieces);
+  RefinedPolygon(const Cage& cage, int pieces, Unit unit = Unit::Diameter);
 
   static constexpr int most_nodes = 4096;
 
@@ -29,8 +32,10 @@ class RefinedPolygon {
   int edges() const { return static_cast<int>(edges_.size()); }
   int nodes() const { return vertices() + edges() * (pieces_ - 1); }
   int pieces() const { return edges() * pieces_; }
-  /// In the user's unit.
+  /// The frame's unit in the user's.
   double unit() const { return unit_; }
+  /// The largest distance between two vertices, in the frame.
+  double diameter() const { return diameter_ / unit_; }
 
   /// The vertices that an edge joins; the cage lies on its left.
   const std::array<int, 2>& edge(int e) const { return edges_[e]; }
@@ -81,7 +86,7 @@ class RefinedPolygon {
 
  private:
   int pieces_;
-  double unit_ = 0;
+  double unit_ = 1, diameter_ = 0;
   std::vector<Vec3<double>> vertices_;
   std::vector<std::array<int, 2>> edges_;
   std::vector<int> before_, after_;

@@ -98,7 +98,8 @@ class PreparedCoordinates {
   virtual void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const = 0;
   /// Limits from inside at points within elements, which are given by their basis functions there, whatever rounding
   /// makes of the points themselves: for these are seldom doubles. False, and nothing done, for kinds that do not have
-  /// such limits: those whose coordinates are no numbers, normalised ones and those that are no sums over elements.
+  /// such limits: those whose coordinates are no numbers, normalised ones, and those that are neither sums over
+  /// elements nor solved for on the boundary.
   virtual bool fill_limits(std::span<const Touching> /*places*/, int /*order*/,
                            std::span<CoordinateTable<double>> /*tables*/) const {
     return false;
@@ -107,6 +108,12 @@ class PreparedCoordinates {
                            std::span<CoordinateTable<Mp50>> /*tables*/) const {
     return false;
   }
+  /// Of kinds whose blocks multiply data on the boundary, and that solve for the Laplacian there: the Laplacians at the
+  /// nodes that it is solved at, in the user's unit of length, as linear maps from the data. One table a block, of
+  /// values alone, [node][coordinate]: l = sum over blocks of table times data ([W12] Eq 17-19: B U_f and C U_d). Nodes
+  /// are the cage's vertices, then what divides its edges. False, and nothing done, for other kinds.
+  virtual bool fill_boundary_laplacians(std::vector<CoordinateTable<double>>& /*tables*/) const { return false; }
+  virtual bool fill_boundary_laplacians(std::vector<CoordinateTable<Mp50>>& /*tables*/) const { return false; }
   /// The same tables with the sums of the absolute values of the terms that coordinates are summed from, at least
   /// about: what a rounding of each of them costs. False, and nothing done, for kinds that know of no terms but the
   /// coordinates themselves.
@@ -253,6 +260,11 @@ class CageCoordinates {
   /// \throws InputError for kinds that have none
   template <Scalar R>
   std::vector<CoordinateTable<R>> limits_at(std::span<const Touching> places, int order) const;
+
+  /// The Laplacians at boundary nodes as linear maps from the data (PreparedCoordinates::fill_boundary_laplacians).
+  /// R: double or Mp50 \throws InputError for kinds that do not solve for them
+  template <Scalar R>
+  std::vector<CoordinateTable<R>> boundary_laplacians() const;
 
   /// One point: one result a block.
   template <Scalar R>

@@ -58,7 +58,9 @@ struct ConstraintMethod {
   std::string_view name;
   std::string_view source;
   std::string_view keeps;  ///< the maps of space that it reproduces, in words
+  /// Its own; once programs ask for methods, those of the kind of coordinates after them, where it names one.
   std::vector<KindParameter> parameters = {};
+  std::string_view kind = {};
   /// Of the cages that it takes; 0: all.
   int dimension = 0;
   /// Whether it takes positions alone.

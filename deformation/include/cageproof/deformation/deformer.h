@@ -48,6 +48,8 @@ class Posed {
   /// \param coordinates of the points, by Deformer::coordinates() \pre order <= Deformer::max_order()
   virtual Images<R> images(std::span<const CoordinateTable<R>> coordinates, std::size_t points, int order) const = 0;
   virtual const DeformationReport& report() const = 0;
+  /// Of methods that find the posed cage themselves (Thickness): its vertices, in their order; none of others.
+  virtual std::vector<Vec3<R>> vertices() const { return {}; }
 };
 
 /// A method prepared for one cage. Safe from any thread.

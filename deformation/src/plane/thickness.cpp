@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/deformation/thickness.h"
+
+#include "../linear_posed.h"
+#include "../variational/constraint_rows.h"
+#include "solved_systems.h"
+#include "thickness_rows.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/deformation/stretch.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::deformation {
+namespace {
+
+void check_thickness(const Cage& cage, const Constraints& constraints, const ThicknessOptions& options) {
+  if (cage.dimension() != 2) throw InputError(fmt::format("{}: thickness is kept in the plane alone", cage.name()));
+  if (options.samples < 1) throw InputError(fmt::format("samples = {}: at least 1 is wanted", options.samples));
+  if (options.steps < 1) throw InputError(fmt::format("steps = {}: at least 1 is wanted", options.steps));
+  if (!constraints.orientations.empty() || !constraints.rotations.empty() || !constraints.hessians.empty())
+    throw InputError("thickness takes positions alone");
+  const auto& positions = constraints.positions;
+  if (positions.empty()) throw InputError("there are no positions");
+  if (positions.size() > cage.vertices().size())
+    throw InputError(fmt::format("{} positions are more than the {} vertices that are to meet them", positions.size(),
+                                 cage.vertices().size()));
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    check_finite(fmt::format("positions[{}].at", i), positions[i].at, 2);
+    check_finite(fmt::format("positions[{}].to", i), positions[i].to, 2);
+  }
+}
+
+// The other way round, Eigen's columns are components: numbers in the order of jacobian's rows and columns.
+template <Scalar R>
+Matrix<R> in_line(const Matrix<R>& points) {
+  return points.transpose().reshaped();
+}
+
+template <Scalar R>
+class PosedCage final : public Posed<R> {
+ public:
+  PosedCage(const Matrix<R>& vertices, const Matrix<R>& normals, DeformationReport report)
+      : linear_({vertices, normals}, std::move(report)) {}
+
+  Images<R> images(std::span<const CoordinateTable<R>> coordinates, std::size_t points, int order) const override {
+    return linear_.images(coordinates, points, order);
+  }
+  const DeformationReport& report() const override { return linear_.report(); }
+  std::vector<Vec3<R>> vertices() const override {
+    const Matrix<R>& rows = linear_.data()[0];
+    std::vector<Vec3<R>> found;
+    found.reserve(static_cast<std::size_t>(rows.rows()));
+    for (Eigen::Index v = 0; v < rows.rows(); ++v) found.emplace_back(rows(v, 0), rows(v, 1), R(0));
+    return found;
+  }
+
+ private:
+  LinearPosed<R> linear_;
+};
+
+// A step, and what there is to say of where it begins.
+template <Scalar R>
+struct GaussNewtonStep {
+  Matrix<R> step;
+  R multiplier;          ///< the norm of the constraints' multipliers: what the merit's weight must exceed
+  R projected_gradient;  ///< of E along the constraints, its largest number
+  R gradient_rounding;   ///< what rounding makes of it
+  Eigen::Index free, rank;
+};
+
+// Where the constraints c + K d = 0 are met, |g + J d|^2 is least on the null space of K, which the last columns of
+// K^T's orthogonal factor span.
+template <Scalar R>
+GaussNewtonStep<R> gauss_newton(const Matrix<R>& g, const Matrix<R>& j, const Matrix<R>& c, const Matrix<R>& k) {
+  Eigen::ColPivHouseholderQR<Matrix<R>> factors;
+  factors.setThreshold(R(1e-12));
+  factors.compute(k.transpose());
+  const Eigen::Index rank = factors.rank(), free = k.cols() - rank;
+  const Matrix<R> orthogonal = factors.householderQ();
+  const Matrix<R> along = orthogonal.rightCols(free);
+  GaussNewtonStep<R> found{LeastSquares<R>(k).solve(Matrix<R>(-c)), R(0), R(0), R(0), free, rank};
+  const Matrix<R> gradient = 2 * j.transpose() * g;
+  if (free > 0) {
+    const Matrix<R> reduced = j * along;
+    found.step += along * LeastSquares<R>(reduced).solve(Matrix<R>(-(g + j * found.step)));
+    found.projected_gradient = Matrix<R>(along.transpose() * gradient).cwiseAbs().maxCoeff();
+  }
+  const Matrix<R> force = 2 * j.transpose() * (g + j * found.step);
+  found.multiplier = LeastSquares<R>(Matrix<R>(k.transpose())).solve(force).norm();
+  return found;
+}
+
+}  // namespace
+
+template <Scalar R>
+struct Thickness<R>::Prepared {
+  Prepared(const Cage& cage, Constraints given, const ThicknessOptions& chosen)
+      : constraints((check_thickness(cage, given, chosen), std::move(given))),
+        options(chosen),
+        size(cage.size()),
+        coordinates(cage, coordinate_kind_named("biharmonic_boundary"),
+                    CoordinateOptions{.evaluation = options.evaluation, .parameters = options.coordinates}),
+        thickness(thickness_rows<R>(coordinates, options.samples)),
+        at_positions(position_rows<R>(coordinates, constraints.positions)),
+        rest(rows_of(vertices_in<R>(coordinates.elements()), 2)) {
+    report.systems = coordinates.solved();
+    warn_of_singular_systems(report.systems, report.warnings);
+    const NormalsAt<R> normals = normals_at<R>(coordinates.elements(), rest);
+    const Matrix<R> k = jacobian(at_positions, normals), j = jacobian(thickness, normals);
+    const GaussNewtonStep<R> there = gauss_newton<R>(Matrix<R>::Zero(j.rows(), 1), j, Matrix<R>::Zero(k.rows(), 1), k);
+    if (there.rank < k.rows())
+      report.warnings.push_back(
+          fmt::format("the positions are not independent: rank {} of {}, so that some targets "
+                      "cannot be met",
+                      there.rank, k.rows()));
+    Matrix<R> together(j.rows() + k.rows(), j.cols());
+    together << j, k;
+    const int rank = LeastSquares<R>(together).rank();
+    if (rank < together.cols())
+      report.warnings.push_back(fmt::format("the positions leave {} of {} unknowns free: steps of least norm are taken",
+                                            together.cols() - rank, together.cols()));
+  }
+
+  // f(at) - to, in line.
+  Matrix<R> misfit(const Matrix<R>& vertices, const Matrix<R>& normals, const Matrix<R>& targets) const {
+    return in_line<R>(at_positions.at(vertices, normals) - targets);
+  }
+  Matrix<R> bending(const Matrix<R>& vertices, const Matrix<R>& normals) const {
+    return in_line<R>(thickness.at(vertices, normals));
+  }
+
+  struct State {
+    Matrix<R> vertices;
+    NormalsAt<R> normals;
+    Matrix<R> bending, misfit;
+
+    R energy() const { return bending.squaredNorm(); }
+    R merit(const R& weight) const { return energy() + weight * misfit.norm(); }
+  };
+  State state(const Matrix<R>& vertices, const Matrix<R>& targets) const {
+    State found{vertices, normals_at<R>(coordinates.elements(), vertices), {}, {}};
+    found.bending = bending(vertices, found.normals.normals);
+    found.misfit = misfit(vertices, found.normals.normals, targets);
+    if (!found.bending.allFinite() || !found.misfit.allFinite())
+      throw InputError("the targets are too large: the energy is not finite");
+    return found;
+  }
+
+  // How steps went with one weight.
+  struct Run {
+    State last;
+    std::vector<double> merits = {};
+    int steps = 0;
+    bool converged = false;
+    R change = R(0), gradient = R(0);  ///< the last step, and the projected gradient
+    R wanted = R(0);                   ///< a weight that the constraints' multipliers ask for, where this one is less
+  };
+
+  Run run(const Matrix<R>& targets, const R& weight, const StepWatcher& watch) const {
+    const R rounding = R(8192) * unit_roundoff<R>();
+    Run run{state(rest, targets)};
+    run.merits.push_back(static_cast<double>(run.last.merit(weight)));
+    while (run.steps < options.steps && !run.converged) {
+      const Matrix<R> j = jacobian(thickness, run.last.normals), k = jacobian(at_positions, run.last.normals);
+      const GaussNewtonStep<R> next = gauss_newton<R>(run.last.bending, j, run.last.misfit, k);
+      // A lesser weight would let the energy fall at the constraints' cost.
+      if (next.multiplier > weight) {
+        run.wanted = 4 * next.multiplier;
+        return run;
+      }
+      run.change = next.step.cwiseAbs().maxCoeff();
+      run.gradient = next.projected_gradient;
+      // The gradient is 2 J^T g, and g, which F makes, is rounded.
+      const R of_gradient = rounding * j.norm() * (run.last.bending.norm() + j.norm() * R(size));
+      run.converged = run.change <= rounding * R(size) && next.projected_gradient <= of_gradient &&
+                      run.last.misfit.cwiseAbs().maxCoeff() <= rounding * R(size);
+      const R merit = run.last.merit(weight);
+      R part = 1;
+      State there = state(run.last.vertices + next.step.reshaped(2, rest.rows()).transpose(), targets);
+      while (!run.converged && part > R(1e-9) && there.merit(weight) > merit * (1 + 64 * unit_roundoff<R>())) {
+        part /= 2;
+        there = state(run.last.vertices + part * next.step.reshaped(2, rest.rows()).transpose(), targets);
+      }
+      run.last = std::move(there);
+      ++run.steps;
+      run.merits.push_back(static_cast<double>(run.last.merit(weight)));
+      if (watch) watch(run.steps, static_cast<double>(run.last.energy()));
+    }
+    return run;
+  }
+
+  std::unique_ptr<const Posed<R>> posed_to(const std::vector<Vec3<double>>& targets, const StepWatcher& watch) const {
+    std::vector<Vec3<R>> wide;
+    wide.reserve(targets.size());
+    for (const Vec3<double>& target : targets) wide.push_back(convert<R>(target));
+    const Matrix<R> rows = rows_of(wide, 2);
+    // Begins anew whenever the weight has to grow, so that merits of one weight are compared.
+    Run found = run(rows, R(1) / R(size) / R(size) / R(size), watch);
+    for (int again = 0; again < 60 && found.wanted > 0; ++again) found = run(rows, R(found.wanted), watch);
+    DeformationReport said;
+    said.warnings = report.warnings;
+    const R misfit = found.last.misfit.cwiseAbs().maxCoeff();
+    if (!found.converged)
+      said.warnings.push_back(fmt::format(
+          "not converged after {} steps: the last changed vertices by {:.2g}, positions are missed by {:.2g}, the "
+          "projected gradient is {:.2g}",
+          found.steps, static_cast<double>(found.change), static_cast<double>(misfit),
+          static_cast<double>(found.gradient)));
+    const auto energy = static_cast<double>(found.last.energy());
+    said.figures = {{"energy", energy},
+                    {"energy a sample", energy / static_cast<double>(thickness.of_vertices.rows())},
+                    {"steps", found.steps},
+                    {"constraint misfit", static_cast<double>(misfit)},
+                    {"projected gradient", static_cast<double>(found.gradient)}};
+    said.energies = std::move(found.merits);
+    return std::make_unique<PosedCage<R>>(found.last.vertices, found.last.normals.normals, std::move(said));
+  }
+
+  Constraints constraints;
+  ThicknessOptions options;
+  double size;
+  CageCoordinates coordinates;
+  BoundaryRows<R> thickness, at_positions;
+  Matrix<R> rest;
+  DeformationReport report;
+};
+
+template <Scalar R>
+Thickness<R>::Thickness(const Cage& cage, Constraints constraints, const ThicknessOptions& options)
+    : prepared_(std::make_shared<const Prepared>(cage, std::move(constraints), options)) {}
+
+template <Scalar R>
+const CageCoordinates& Thickness<R>::coordinates() const {
+  return prepared_->coordinates;
+}
+
+template <Scalar R>
+DeformationReport Thickness<R>::prepared() const {
+  return prepared_->report;
+}
+
+template <Scalar R>
+std::unique_ptr<const Posed<R>> Thickness<R>::pose(const StepWatcher& watch) const {
+  std::vector<Vec3<double>> targets;
+  targets.reserve(prepared_->constraints.positions.size());
+  for (const Constraints::Position& position : prepared_->constraints.positions) targets.push_back(position.to);
+  return prepared_->posed_to(targets, watch);
+}
+
+template <Scalar R>
+std::unique_ptr<const Posed<R>> Thickness<R>::pose_to(const std::vector<Vec3<double>>& targets,
+                                                      const StepWatcher& watch) const {
+  if (targets.size() != prepared_->constraints.positions.size())
+    throw InputError(fmt::format("{} targets for {} positional constraints", targets.size(),
+                                 prepared_->constraints.positions.size()));
+  for (std::size_t i = 0; i < targets.size(); ++i) check_finite(fmt::format("target {}", i), targets[i], 2);
+  return prepared_->posed_to(targets, watch);
+}
+
+template class Thickness<double>;
+template class Thickness<Mp50>;
+
+}  // namespace cageproof::deformation

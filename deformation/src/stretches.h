@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Stretches of posed normals that make an energy least: [T24] Eq 32 and 33, [W12] Eq 20.
+#pragma once
+
+#include "cageproof/deformation/deformer.h"
+
+namespace cageproof::deformation {
+
+/// The normal derivatives sigma_t n'_t, a row an element, that make |fixed + of_normals N'| least.
+/// \param of_normals rows x elements \param fixed rows x dimension \param units the posed unit normals, a row an
+/// element \param nonnegative whether sigma >= 0 is asked for \param report takes the system, figures "least sigma",
+/// "largest sigma" and the number of negative or zero sigma, and warnings
+template <Scalar R>
+Matrix<R> least_stretched(const Matrix<R>& of_normals, const Matrix<R>& fixed, const Matrix<R>& units, bool nonnegative,
+                          DeformationReport& report);
+
+}  // namespace cageproof::deformation

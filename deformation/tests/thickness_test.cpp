@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+// Deformation that keeps thickness ([W12] Section 5.4): the specification's bar, what must hold of a minimum, and what
+// is refused.
+#include "cageproof/deformation/thickness.h"
+
+#include "support.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/deformation/stretch.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <numbers>
+
+namespace cageproof::deformation::test {
+namespace {
+
+constexpr int kSamples = 4;
+// pieces, collocation=vertices-and-midpoints, unit=own.
+const std::vector<double> as_printed{1, 1, 1};
+
+// [0, 6] x [0, 1], with a vertex at every whole number.
+Cage long_bar() {
+  std::vector<Vec> vertices;
+  std::vector<Face> segments;
+  vertices.reserve(14);
+  segments.reserve(14);
+  for (int i = 0; i <= 6; ++i) vertices.emplace_back(i, 0, 0);
+  for (int i = 6; i >= 0; --i) vertices.emplace_back(i, 1, 0);
+  for (int k = 0; k < 14; ++k) segments.push_back({{k, (k + 1) % 14, -1, -1}});
+  return Cage::make_polygon("bar", vertices, segments, {});
+}
+
+Constraints lifted(double by = 1) {
+  return {.positions = {{{.5, .5, 0}, {.5, .5, 0}}, {{3, .5, 0}, {3, .5 + by, 0}}, {{5.5, .5, 0}, {5.5, .5, 0}}}};
+}
+
+double figure(const DeformationReport& report, std::string_view name) {
+  const auto found = std::ranges::find(report.figures, name, [](const auto& f) { return std::string_view(f.first); });
+  return found == report.figures.end() ? NAN : found->second;
+}
+
+bool warns_of(const DeformationReport& report, const std::string& words) {
+  return std::ranges::any_of(report.warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+TEST(thickness, bar_is_that_of_the_specification) {
+  const Thickness<double> model(long_bar(), lifted(), {.coordinates = as_printed});
+  const auto posed = model.pose();
+  const DeformationReport& report = posed->report();
+  EXPECT_TRUE(report.warnings.empty()) << report.warnings.front();
+  EXPECT_NEAR(figure(report, "energy a sample"), 0.0560932547, 1e-8 * 0.0560932547);
+  EXPECT_NEAR(figure(report, "energy"), 56 * figure(report, "energy a sample"), 1e-14);
+  EXPECT_LT(figure(report, "constraint misfit"), 1e-12);
+  EXPECT_LT(figure(report, "projected gradient"), 1e-9);
+  const std::vector<Vec> vertices = posed->vertices();
+  ASSERT_EQ(vertices.size(), 14U);
+  EXPECT_LT((vertices[0] - Vec(0.334251300004, -0.194328728691, 0)).norm(), 1e-8);
+  EXPECT_LT((vertices[3] - Vec(3, 1.03421989826, 0)).norm(), 1e-8);
+  const std::vector<Vec> points{{1.5, .25, 0}};
+  EXPECT_LT((image(model.images(*posed, std::span(points), 0), 0, 2) - Vec(1.5518651391, 0.831145214807, 0)).norm(),
+            1e-8);
+}
+
+TEST(thickness, merit_does_not_rise) {
+  for (const double by : {1., 2.5, -1.}) {
+    const Thickness<double> model(long_bar(), lifted(by), {.coordinates = as_printed});
+    const auto posed = model.pose();
+    const DeformationReport& report = posed->report();
+    EXPECT_FALSE(warns_of(report, "not converged")) << report.warnings.front();
+    ASSERT_EQ(report.energies.size(), 1 + static_cast<std::size_t>(figure(report, "steps")));
+    for (std::size_t k = 1; k < report.energies.size(); ++k)
+      EXPECT_LE(report.energies[k], report.energies[k - 1] * (1 + 1e-12)) << by << ", step " << k;
+    // The constraints are met in the end: nothing but the energy is left.
+    EXPECT_NEAR(report.energies.back(), figure(report, "energy"), 1e-9 * report.energies.back());
+  }
+}
+
+TEST(thickness, bar_stays_symmetric) {
+  const auto vertices = Thickness<double>(long_bar(), lifted(), {.coordinates = as_printed}).pose()->vertices();
+  for (int i = 0; i <= 6; ++i)
+    for (const auto& [one, other] : {std::pair{i, 6 - i}, std::pair{13 - i, 7 + i}})
+      EXPECT_LT((vertices[one] - Vec(6 - vertices[other][0], vertices[other][1], 0)).norm(), 1e-10) << i;
+}
+
+TEST(thickness, rigid_targets_are_met_without_energy) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(2.2, Vec::UnitZ()).toRotationMatrix();
+  const Vec shift(3, -1, 0);
+  // By default edges have four pieces, next to whose ends second derivatives, and their roundings, are larger.
+  for (const auto& [parameters, rounding] : {std::pair{as_printed, 1e-25}, std::pair{std::vector<double>{}, 1e-24}}) {
+    Constraints constraints = lifted();
+    for (auto& [at, to] : constraints.positions) to = turn * at + shift;
+    const Thickness<double> model(long_bar(), constraints, {.coordinates = parameters});
+    const auto posed = model.pose();
+    EXPECT_LE(figure(posed->report(), "energy"), rounding);
+    EXPECT_FALSE(warns_of(posed->report(), "not converged")) << posed->report().warnings.front();
+    const std::vector<Vec> points{{1.5, .25, 0}, {4, .75, 0}}, rest = long_bar().vertices();
+    const Images<double> images = model.images(*posed, std::span(points), 0);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      EXPECT_LT((image(images, p, 2) - (turn * points[p] + shift)).norm(), 1e-11);
+    for (std::size_t v = 0; v < rest.size(); ++v)
+      EXPECT_LT((posed->vertices()[v] - (turn * rest[v] + shift)).norm(), 1e-11);
+  }
+}
+
+// The same problem by another route: second derivatives of coordinates 1e-25 inside of the samples, in 50 digits, and
+// gradients of explicit sums.
+struct Loops {
+  explicit Loops(const CageCoordinates& coordinates, const Constraints& constraints)
+      : elements(coordinates.elements()), positions(constraints.positions) {
+    for (std::size_t e = 0; e < elements.count(); ++e) {
+      const auto ends = elements.corners(e);
+      const Vec n = elements.normals()[e];
+      for (int q = 0; q < kSamples; ++q) {
+        const Mp50 along = Mp50(2 * q + 1) / (2 * kSamples);
+        const Vec3<Mp50> at =
+            convert<Mp50>(ends[0]) + along * convert<Mp50>(Vec(ends[1] - ends[0])) - Mp50("1e-25") * convert<Mp50>(n);
+        const auto found = coordinates.at<Mp50>(at, 2);
+        for (std::size_t b = 0; b < 2; ++b) {
+          auto& row = bending[b].emplace_back();
+          for (std::size_t k = 0; k < found[b].of(2).size() / 4; ++k) {
+            Mp50 sum = 0;
+            for (int i = 0; i < 4; ++i) sum += Mp50(n[i / 2]) * Mp50(n[i % 2]) * found[b].of(2)[4 * k + i];
+            row.push_back(static_cast<double>(sum));
+          }
+        }
+      }
+    }
+    for (const auto& position : positions) {
+      const auto found = coordinates.at<double>(position.at, 0);
+      for (std::size_t b = 0; b < 2; ++b) values[b].push_back(found[b].value);
+    }
+  }
+
+  std::array<Vec, 2> normal_and_direction(const Eigen::VectorXd& f, std::size_t e, double* length) const {
+    const auto ends = elements.vertices_of(e);
+    const Vec edge(f[2 * ends[1]] - f[2 * ends[0]], f[2 * ends[1] + 1] - f[2 * ends[0] + 1], 0);
+    *length = edge.norm();
+    const Vec along = edge / *length;
+    return {Vec(along[1], -along[0], 0), along};
+  }
+
+  // Value of a row of coordinates and the gradient of its dot product with a force.
+  Vec value(const std::vector<double>& alpha, const std::vector<double>& beta, const Eigen::VectorXd& f) const {
+    Vec sum = Vec::Zero();
+    double length = 0;
+    for (std::size_t v = 0; v < alpha.size(); ++v) sum += alpha[v] * Vec(f[2 * v], f[2 * v + 1], 0);
+    for (std::size_t e = 0; e < beta.size(); ++e) sum += beta[e] * normal_and_direction(f, e, &length)[0];
+    return sum;
+  }
+  void add_gradient(const std::vector<double>& alpha, const std::vector<double>& beta, const Vec& force,
+                    const Eigen::VectorXd& f, Eigen::VectorXd& into) const {
+    for (std::size_t v = 0; v < alpha.size(); ++v)
+      for (int c = 0; c < 2; ++c) into[2 * v + c] += alpha[v] * force[c];
+    for (std::size_t e = 0; e < beta.size(); ++e) {
+      double length = 0;
+      const auto [normal, along] = normal_and_direction(f, e, &length);
+      const Vec on_edge = -beta[e] * along.dot(force) / length * normal;
+      const auto ends = elements.vertices_of(e);
+      for (int c = 0; c < 2; ++c) {
+        into[2 * ends[1] + c] += on_edge[c];
+        into[2 * ends[0] + c] -= on_edge[c];
+      }
+    }
+  }
+
+  double energy(const Eigen::VectorXd& f) const {
+    double sum = 0;
+    for (std::size_t s = 0; s < bending[0].size(); ++s) sum += value(bending[0][s], bending[1][s], f).squaredNorm();
+    return sum;
+  }
+  Eigen::VectorXd energy_gradient(const Eigen::VectorXd& f) const {
+    Eigen::VectorXd found = Eigen::VectorXd::Zero(f.size());
+    for (std::size_t s = 0; s < bending[0].size(); ++s)
+      add_gradient(bending[0][s], bending[1][s], 2 * value(bending[0][s], bending[1][s], f), f, found);
+    return found;
+  }
+  Eigen::VectorXd misfit(const Eigen::VectorXd& f) const {
+    Eigen::VectorXd found(2 * positions.size());
+    for (std::size_t p = 0; p < positions.size(); ++p)
+      found.segment(2 * p, 2) = (value(values[0][p], values[1][p], f) - positions[p].to).head(2);
+    return found;
+  }
+  // A column a constraint.
+  Eigen::MatrixXd constraint_gradients(const Eigen::VectorXd& f) const {
+    Eigen::MatrixXd found(f.size(), 2 * positions.size());
+    for (std::size_t p = 0; p < positions.size(); ++p)
+      for (int c = 0; c < 2; ++c) {
+        Eigen::VectorXd one = Eigen::VectorXd::Zero(f.size());
+        add_gradient(values[0][p], values[1][p], Vec::Unit(c), f, one);
+        found.col(2 * p + c) = one;
+      }
+    return found;
+  }
+
+  CageElements elements;
+  std::vector<Constraints::Position> positions;
+  std::array<std::vector<std::vector<double>>, 2> bending, values;
+};
+
+TEST(thickness, newton_step_of_the_dense_equations_leaves_the_minimum) {
+  const Constraints constraints = lifted();
+  const Thickness<double> model(long_bar(), constraints, {.coordinates = as_printed});
+  const auto posed = model.pose();
+  const Loops loops(model.coordinates(), constraints);
+  Eigen::VectorXd f(28);
+  for (int v = 0; v < 14; ++v) f.segment(2 * v, 2) = posed->vertices()[v].head(2);
+  EXPECT_NEAR(loops.energy(f), figure(posed->report(), "energy"), 1e-11);
+  EXPECT_LT(loops.misfit(f).norm(), 1e-12);
+  const Eigen::MatrixXd gradients = loops.constraint_gradients(f);
+  const Eigen::VectorXd multipliers = gradients.colPivHouseholderQr().solve(-loops.energy_gradient(f));
+  const auto lagrangian = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
+    return loops.energy_gradient(at) + loops.constraint_gradients(at) * multipliers;
+  };
+  const double h = 1e-5;
+  Eigen::MatrixXd equations = Eigen::MatrixXd::Zero(34, 34);
+  for (int k = 0; k < 28; ++k) {
+    const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(28, k);
+    equations.col(k).head(28) = (lagrangian(f + step) - lagrangian(f - step)) / (2 * h);
+  }
+  equations.topRightCorner(28, 6) = gradients;
+  equations.bottomLeftCorner(6, 28) = gradients.transpose();
+  Eigen::VectorXd right(34);
+  right << -lagrangian(f), -loops.misfit(f);
+  EXPECT_LT(equations.fullPivLu().solve(right).head(28).cwiseAbs().maxCoeff(), 1e-10);
+  // A minimum along the constraints, not a saddle.
+  const Eigen::MatrixXd orthogonal = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(gradients).householderQ();
+  const Eigen::MatrixXd along = orthogonal.rightCols(22);
+  const Eigen::MatrixXd hessian = along.transpose() * equations.topLeftCorner(28, 28) * along;
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>((hessian + hessian.transpose()) / 2).eigenvalues()[0], 1e-3);
+  // Elsewhere the step is none of nothing.
+  EXPECT_GT(loops.energy_gradient(f + Eigen::VectorXd::Constant(28, 1e-3)).norm(), 1e-3);
+}
+
+TEST(thickness, fifty_digits_agree) {
+  const ThicknessOptions options{.steps = 12, .coordinates = as_printed};
+  const auto exact = Thickness<Mp50>(long_bar(), lifted(), options).pose();
+  const auto found = Thickness<double>(long_bar(), lifted(), options).pose();
+  for (int v = 0; v < 14; ++v)
+    EXPECT_LT((convert<double>(exact->vertices()[v]) - found->vertices()[v]).norm(), 1e-9) << v;
+}
+
+TEST(thickness, is_registered_with_the_parameters_of_its_coordinates) {
+  const ConstraintMethod* method = find_constraint_method("thickness");
+  ASSERT_NE(method, nullptr);
+  std::vector<std::string> names;
+  names.reserve(method->parameters.size());
+  for (const KindParameter& p : method->parameters) names.emplace_back(p.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"samples", "steps", "pieces", "collocation", "unit"}));
+  const auto model = prepare_constrained(*method, long_bar(), lifted(), {.parameters = {kSamples, 100, 1, 1, 1}});
+  const auto expected = Thickness<double>(long_bar(), lifted(), {.coordinates = as_printed}).pose();
+  EXPECT_EQ(model->pose()->vertices(), expected->vertices());
+  // Parameters at their defaults, and targets that move.
+  const auto other = prepare_constrained(*method, long_bar(), lifted(), {});
+  const auto moved = other->pose_to({{.5, .5, 0}, {3, .25, 0}, {5.5, .5, 0}});
+  EXPECT_EQ(moved->vertices(), prepare_constrained(*method, long_bar(), lifted(-.25), {})->pose()->vertices());
+  EXPECT_FALSE(warns_of(moved->report(), "not converged"));
+}
+
+TEST(thickness, reports) {
+  const auto stopped = Thickness<double>(long_bar(), lifted(), {.steps = 1, .coordinates = as_printed}).pose();
+  EXPECT_TRUE(warns_of(stopped->report(), "not converged after 1 steps: the last changed vertices by"));
+  EXPECT_EQ(figure(stopped->report(), "steps"), 1);
+  Constraints one = lifted();
+  one.positions.resize(1);
+  EXPECT_TRUE(warns_of(Thickness<double>(long_bar(), one, {.coordinates = as_printed}).prepared(),
+                       "the positions leave 1 of 28 unknowns free"));
+  Constraints twice = lifted();
+  twice.positions.push_back(twice.positions[1]);
+  const auto consistent = Thickness<double>(long_bar(), twice, {.coordinates = as_printed}).pose();
+  EXPECT_TRUE(warns_of(consistent->report(), "the positions are not independent: rank 6 of 8"));
+  EXPECT_NEAR(figure(consistent->report(), "energy a sample"), 0.0560932547, 1e-8 * 0.0560932547);
+  twice.positions[3].to[1] += .5;
+  const auto contradicting = Thickness<double>(long_bar(), twice, {.coordinates = as_printed}).pose();
+  EXPECT_TRUE(warns_of(contradicting->report(), "not converged"));
+  EXPECT_GT(figure(contradicting->report(), "constraint misfit"), .1);
+}
+
+void expect_refused(const Cage& cage, const Constraints& constraints, const ThicknessOptions& options,
+                    const std::string& words) {
+  try {
+    const Thickness<double> model(cage, constraints, options);
+    ADD_FAILURE() << "not refused: " << words;
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
+  }
+}
+
+TEST(thickness, rejects) {
+  const Cage bar = long_bar();
+  expect_refused(bar, {}, {}, "there are no positions");
+  expect_refused(embedded_cage("cube"), lifted(), {}, "in the plane alone");
+  expect_refused(bar, lifted(), {.samples = 0}, "samples = 0");
+  expect_refused(bar, lifted(), {.steps = 0}, "steps = 0");
+  expect_refused(bar, lifted(), {.coordinates = {8, 1, 0}},
+                 "sample 1 of 4 on edge 0: it lies where two of the edge's pieces meet");
+  Constraints bad = lifted();
+  bad.positions[1].at = {3, 1.01, 0};
+  expect_refused(bar, bad, {}, "positions[1] at (3, 1.01) is outside");
+  bad = lifted();
+  bad.positions[2].to[0] = NAN;
+  expect_refused(bar, bad, {}, "positions[2].to");
+  bad = lifted();
+  bad.rotations.emplace_back(3, .5, 0);
+  expect_refused(bar, bad, {}, "positions alone");
+  bad = lifted();
+  for (int k = 0; k < 12; ++k) bad.positions.push_back({{.5 + .4 * k, .25, 0}, {.5 + .4 * k, .25, 0}});
+  expect_refused(bar, bad, {}, "15 positions are more than the 14 vertices");
+}
+
+}  // namespace
+}  // namespace cageproof::deformation::test
