@@ -196,6 +196,9 @@ constexpr std::array table{
     Row{"cage_truth", "@(*_boundary|harmonic)", recommended, "double", "*", 0, 2, 16384,
         "the systems that are solved enlarge the roundings of their matrices by their condition: 1e2 ... 1e4 with four "
         "pieces an edge, the most in thin bars"},
+    Row{"cage_truth", "regularised_*", recommended, "double", "*", 0, 2, 16384,
+        "as of solved kinds: their terms are what columns are rounded by, and truth sees what is common to all, the "
+        "roundings of matrices times the condition, 1e2 ... 1e4 on cages of a dozen elements, the most in thin bars"},
     Row{"partition_of_unity", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, 16384,
         "as their truth: what the systems' solutions are rounded by is summed next to the boundary with derivatives "
         "that grow there"},
