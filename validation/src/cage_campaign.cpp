@@ -61,12 +61,13 @@ class CageRows {
 };
 
 // Kinds that the cage's quads rule out are left out; verify says so.
-std::vector<const CoordinateKind*> kinds_matching(const std::string& pattern, const Cage& cage) {
+std::vector<const CoordinateKind*> kinds_matching(const CageCampaignOptions& options, const Cage& cage) {
   std::vector<const CoordinateKind*> found;
   for (const CoordinateKind& kind : coordinate_kinds())
-    if (matches(pattern, kind.name) && accepts(kind, cage)) found.push_back(&kind);
+    if (matches(options.kinds, kind.name) && is_affordable(kind, cage, options) && accepts(kind, cage))
+      found.push_back(&kind);
   if (found.empty())
-    throw InputError(fmt::format("no kind of coordinates matches '{}' and accepts {}", pattern, cage.name()));
+    throw InputError(fmt::format("no kind of coordinates matches '{}' and accepts {}", options.kinds, cage.name()));
   return found;
 }
 
@@ -327,9 +328,14 @@ class MeshMeasurement final : public Measurement {
 
 }  // namespace
 
+bool is_affordable(const CoordinateKind& kind, const Cage& cage, const CageCampaignOptions& options) {
+  if (!matches("regularised_*", kind.name)) return true;
+  return static_cast<int>(cage.parts(false, options.triangulation).elements.size()) <= options.solved_elements;
+}
+
 Measurements cage_measurements(const std::shared_ptr<const Cage>& cage, const CageCampaignOptions& options) {
   Measurements measurements;
-  for (const CoordinateKind* kind : kinds_matching(options.kinds, *cage))
+  for (const CoordinateKind* kind : kinds_matching(options, *cage))
     measurements.push_back(std::make_unique<CageMeasurement>(cage, *kind, options));
   return measurements;
 }

@@ -196,6 +196,9 @@ constexpr std::array table{
     Row{"cage_truth", "@(*_boundary|harmonic)", recommended, "double", "*", 0, 2, 16384,
         "the systems that are solved enlarge the roundings of their matrices by their condition: 1e2 ... 1e4 with four "
         "pieces an edge, the most in thin bars"},
+    Row{"cage_truth", "regularised_*", recommended, "double", "*", 0, 2, 16384,
+        "as of solved kinds: their terms are what columns are rounded by, and truth sees what is common to all, the "
+        "roundings of matrices times the condition, 1e2 ... 1e4 on cages of a dozen elements, the most in thin bars"},
     Row{"partition_of_unity", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, 16384,
         "as their truth: what the systems' solutions are rounded by is summed next to the boundary with derivatives "
         "that grow there"},
@@ -216,9 +219,19 @@ constexpr std::array table{
         "enlarge"},
     Row{"limit_from_inside", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, none,
         "derivatives have a logarithm at the ends of each piece of an edge, which may lie next to the point"},
+    Row{"limit_from_inside", "regularised_*", recommended, "double", "*", 1, 2, 1e-8,
+        "as of the layers, times densities, which the systems make up to 1e2 times the data"},
     Row{"limit_from_inside", "*", recommended, "double", "*", 1, 2, 1e-10,
         "1e-11 sizes inside, derivatives differ by that over a power of the distance to the next edge, which the "
         "figure is multiplied with, times a number of order ten"},
+    Row{"cage_scaling", "regularised_weber", recommended, "double",
+        "@(cube|icosphere|torus|l-block|twisted-bar|thin-box|spiky-box)", 0, 0, 64,
+        "as the partition of unity, norm-wise over a block: in space each of its equations has one unit"},
+    Row{"cage_scaling", "regularised_weber", recommended, "double", "*", 0, 0, none,
+        "in the plane the layers' logarithm has the unit's"},
+    Row{"cage_scaling", "regularised_*", recommended, "double", "*", 0, 0, none,
+        "values are weighed against Laplacians or normal derivatives, which change with the unit by other powers: "
+        "gamma_d goes with its fourth"},
     Row{"cage_scaling", "*", recommended, "double", "*", 0, 0, 64, "as the partition of unity, norm-wise over a block"},
     Row{"cage_rigid_motion", "*", recommended, "double", "*", 0, 0, 64,
         "as the partition of unity, norm-wise over a block"},

@@ -144,7 +144,7 @@ class Planner {
   // Whether the kind exists on such a cage and sums a formula that is asked for; kinds that compute otherwise are asked
   // with all formulas alone.
   bool is_asked(const CoordinateKind& kind, const Cage& cage) const {
-    if (!exists_on(kind, cage)) return false;
+    if (!exists_on(kind, cage) || !is_affordable(kind, cage, cage_options())) return false;
     if (!kind.is_sum()) return options_.formulas == "*";
     return std::ranges::any_of(formulas_of(kind, cage),
                                [&](const Formula* formula) { return matches(options_.formulas, formula->name); });
@@ -169,6 +169,8 @@ class Planner {
     campaign.points = options_.suite.cage_points;
     campaign.truth_points = options_.suite.truth_points;
     campaign.mesh_points = options_.suite.mesh_points;
+    // Suites that show large cages have the time.
+    if (options_.suite.shown_elements == 0) campaign.solved_elements = 50;
     return campaign;
   }
 
@@ -179,6 +181,8 @@ class Planner {
     campaign.truth_points = std::min(campaign.truth_points, 1);
     campaign.on_points = 8;
     campaign.differences = false;
+    // Between walls that are as good as one, densities are as good as undetermined.
+    campaign.solved_elements = 0;
     // Elements as thin as these need hundreds of digits for their derivatives: suites with time ask for them.
     campaign.properties_alone = options_.suite.truth_points < 4;
     return campaign;
@@ -187,7 +191,7 @@ class Planner {
   // Every kind's recommended coordinates.
   void add_recommended(const std::shared_ptr<const Cage>& cage, CageCampaignOptions campaign) {
     for (const CoordinateKind& kind : coordinate_kinds()) {
-      if (!is_asked(kind, *cage) || !accepts(kind, *cage)) continue;
+      if (!is_asked(kind, *cage) || !accepts(kind, *cage) || !is_affordable(kind, *cage, campaign)) continue;
       campaign.kinds = kind.name;
       add(cage_measurements(cage, campaign));
     }
@@ -225,6 +229,10 @@ class Planner {
             cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed}));
     bool left_out = false;
     for (const CoordinateKind& kind : coordinate_kinds()) {
+      if (options_.cage && exists_on(kind, *cage) && !is_affordable(kind, *cage, cage_options()))
+        plan_.header.notes.push_back(
+            fmt::format("{}: {} is not judged, the cage has more than {} elements, on which solving takes its time",
+                        cage->name(), kind.name, cage_options().solved_elements));
       if (!is_asked(kind, *cage)) continue;
       if (accepts(kind, *cage)) {
         if (is_shown(*cage)) add_fields(cage, kind);

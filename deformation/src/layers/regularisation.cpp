@@ -102,10 +102,11 @@ Regularisation<R> weber(const SampledLayers<R>& layers, Account account) {
       solved_for(found, k, beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.psi)),
                  "D.2: the Laplacian from values", account);
   put(found, above(laplacian.found, Matrix<R>(slopes_of.found * laplacian.found)), layers.phi.cols());
-  // The slopes' own roundings are common to all columns.
-  if (account == Account::Terms)
-    found.terms =
-        above(laplacian.terms, Matrix<double>(slopes_of.found.template cast<double>().cwiseAbs() * laplacian.terms));
+  if (account == Account::Terms) {
+    const Matrix<double> of_slopes = slopes_of.found.template cast<double>().cwiseAbs(),
+                         of_laplacian = laplacian.found.template cast<double>().cwiseAbs();
+    found.terms = above(laplacian.terms, Matrix<double>(of_slopes * laplacian.terms + slopes_of.terms * of_laplacian));
+  }
   return found;
 }
 

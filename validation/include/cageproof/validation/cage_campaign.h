@@ -23,8 +23,14 @@ struct CageCampaignOptions {
   int on_points = 0;              ///< on the cage, at most, spread evenly; 0: all
   bool differences = true;        ///< whether derivatives are compared with differences in 100 digits
   bool properties_alone = false;  ///< only partition of unity and linear reproduction of values, off the cage
+  /// Kinds whose densities are solved for on samples of the cage are asked with at most so many elements.
+  int solved_elements = 12;
   int jobs = 0;
 };
+
+/// Whether a campaign asks the kind, if it accepts the cage: preparing kinds that solve on samples takes the square of
+/// the number of elements times that of samples.
+bool is_affordable(const CoordinateKind& kind, const Cage& cage, const CageCampaignOptions& options);
 
 /// Errors of one kind of coordinates at one point. NaN: not asked there.
 struct CageErrors {
