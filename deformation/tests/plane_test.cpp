@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
+
 #include <algorithm>
 
 namespace cageproof::deformation::test {
@@ -125,6 +127,54 @@ TEST(plane, linear_maps_are_exact_with_their_own_normal_derivatives) {
       EXPECT_LT(error_of(c, *prepared(c.cage, "biharmonic_boundary", {normals, 4, kMidpoints, kDiameter}), map, true),
                 1e-13)
           << c.name;
+}
+
+// The least sum of squared Laplacians over all sets of stretches that may be zero, from explicit sums.
+double least_over_all_sets(const CageCoordinates& coordinates, const std::vector<Vec>& posed) {
+  const auto laplacians = coordinates.boundary_laplacians<double>();
+  const auto edges = static_cast<unsigned>(coordinates.elements().count());
+  const auto nodes = static_cast<Eigen::Index>(laplacians[0].tensors[0].size() / laplacians[0].stride[0]);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(2 * nodes, edges);
+  Eigen::VectorXd fixed = Eigen::VectorXd::Zero(2 * nodes);
+  for (Eigen::Index n = 0; n < nodes; ++n)
+    for (unsigned e = 0; e < edges; ++e) {
+      const Vec edge = posed[(e + 1) % edges] - posed[e], normal = Vec(edge[1], -edge[0], 0).normalized();
+      for (int c = 0; c < 2; ++c) {
+        fixed[2 * n + c] += laplacians[0].tensors[0][n * edges + e] * posed[e][c];
+        matrix(2 * n + c, e) = laplacians[1].tensors[0][n * edges + e] * normal[c];
+      }
+    }
+  double least = fixed.squaredNorm();
+  for (unsigned set = 1; set < 1U << edges; ++set) {
+    std::vector<int> columns;
+    columns.reserve(edges);
+    for (unsigned e = 0; e < edges; ++e)
+      if ((set >> e & 1U) != 0) columns.push_back(static_cast<int>(e));
+    const Eigen::MatrixXd part = matrix(Eigen::all, columns);
+    const Eigen::VectorXd stretches = part.colPivHouseholderQr().solve(-fixed);
+    if (stretches.minCoeff() >= 0) least = std::min(least, (fixed + part * stretches).squaredNorm());
+  }
+  return least;
+}
+
+// Poses that are bent so much, or mirrored, that stretches without constraints are negative.
+TEST(plane, least_laplacians_have_no_negative_stretch) {
+  int with_zeros = 0;
+  for (const Case& c : {square(), l_shape(), pentagon()})
+    for (const double much : {-2., 2., 4.}) {
+      std::vector<Vec> posed;
+      for (std::size_t v = 0; v < c.posed.size(); ++v)
+        posed.emplace_back(c.cage.vertices()[v] + much * (c.posed[v] - c.cage.vertices()[v]));
+      if (much < 0)
+        for (Vec& v : posed) v[0] = -v[0];
+      const auto deformer = prepared(c.cage, "biharmonic_boundary", {kAhap, 2, kMidpoints, kDiameter});
+      const auto found = deformer->pose({posed, {}});
+      const double truth = least_over_all_sets(deformer->coordinates(), posed);
+      EXPECT_NEAR(figure(found->report(), "sum of squared Laplacians"), truth, 1e-11 * truth) << c.name << much;
+      EXPECT_GE(figure(found->report(), "least sigma"), 0) << c.name << much;
+      with_zeros += figure(found->report(), "zero sigma") > 0 ? 1 : 0;
+    }
+  EXPECT_GE(with_zeros, 3);
 }
 
 // In units that are ten times smaller, over these.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/deformation/thickness.h"
 
-#include "../linear_posed.h"
 #include "../variational/constraint_rows.h"
+#include "gauss_newton.h"
+#include "posed_cage.h"
 #include "solved_systems.h"
 #include "thickness_rows.h"
 
@@ -10,8 +11,6 @@
 #include "cageproof/deformation/stretch.h"
 
 #include <fmt/format.h>
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -40,60 +39,6 @@ void check_thickness(const Cage& cage, const Constraints& constraints, const Thi
 template <Scalar R>
 Matrix<R> in_line(const Matrix<R>& points) {
   return points.transpose().reshaped();
-}
-
-template <Scalar R>
-class PosedCage final : public Posed<R> {
- public:
-  PosedCage(const Matrix<R>& vertices, const Matrix<R>& normals, DeformationReport report)
-      : linear_({vertices, normals}, std::move(report)) {}
-
-  Images<R> images(std::span<const CoordinateTable<R>> coordinates, std::size_t points, int order) const override {
-    return linear_.images(coordinates, points, order);
-  }
-  const DeformationReport& report() const override { return linear_.report(); }
-  std::vector<Vec3<R>> vertices() const override {
-    const Matrix<R>& rows = linear_.data()[0];
-    std::vector<Vec3<R>> found;
-    found.reserve(static_cast<std::size_t>(rows.rows()));
-    for (Eigen::Index v = 0; v < rows.rows(); ++v) found.emplace_back(rows(v, 0), rows(v, 1), R(0));
-    return found;
-  }
-
- private:
-  LinearPosed<R> linear_;
-};
-
-// A step, and what there is to say of where it begins.
-template <Scalar R>
-struct GaussNewtonStep {
-  Matrix<R> step;
-  R multiplier;          ///< the norm of the constraints' multipliers: what the merit's weight must exceed
-  R projected_gradient;  ///< of E along the constraints, its largest number
-  R gradient_rounding;   ///< what rounding makes of it
-  Eigen::Index free, rank;
-};
-
-// Where the constraints c + K d = 0 are met, |g + J d|^2 is least on the null space of K, which the last columns of
-// K^T's orthogonal factor span.
-template <Scalar R>
-GaussNewtonStep<R> gauss_newton(const Matrix<R>& g, const Matrix<R>& j, const Matrix<R>& c, const Matrix<R>& k) {
-  Eigen::ColPivHouseholderQR<Matrix<R>> factors;
-  factors.setThreshold(R(1e-12));
-  factors.compute(k.transpose());
-  const Eigen::Index rank = factors.rank(), free = k.cols() - rank;
-  const Matrix<R> orthogonal = factors.householderQ();
-  const Matrix<R> along = orthogonal.rightCols(free);
-  GaussNewtonStep<R> found{LeastSquares<R>(k).solve(Matrix<R>(-c)), R(0), R(0), R(0), free, rank};
-  const Matrix<R> gradient = 2 * j.transpose() * g;
-  if (free > 0) {
-    const Matrix<R> reduced = j * along;
-    found.step += along * LeastSquares<R>(reduced).solve(Matrix<R>(-(g + j * found.step)));
-    found.projected_gradient = Matrix<R>(along.transpose() * gradient).cwiseAbs().maxCoeff();
-  }
-  const Matrix<R> force = 2 * j.transpose() * (g + j * found.step);
-  found.multiplier = LeastSquares<R>(Matrix<R>(k.transpose())).solve(force).norm();
-  return found;
 }
 
 }  // namespace
