@@ -186,7 +186,8 @@ int run(const Arguments& a) {
       json[option] = file;
     }
     const DeformationReport& pose = posing.maps[k]->report();
-    json.update(deformation_json(coordinates, cage, mesh, posing.vertices[k], all[k], a.order, posing.prepared, pose));
+    json.update(deformation_json(coordinates, cage, mesh, posing.vertices[k], all[k], a.order, posing.prepared, pose,
+                                 constrained && !posing.vertices[k].empty()));
     for (const auto& warning : json["warnings"]) fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
     files.emplace_back(std::filesystem::path(out).replace_extension(".json").string(), json.dump(2) + '\n');
     if (!a.energies.empty())

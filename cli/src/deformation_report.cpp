@@ -76,7 +76,8 @@ nlohmann::ordered_json systems_json(const std::vector<SolvedSystem>& systems) {
 
 nlohmann::ordered_json deformation_json(const CageCoordinates& coordinates, const Cage& cage, const Mesh& rest,
                                         const std::vector<Vec3<double>>& posed, const Deformed& deformed, int order,
-                                        const DeformationReport& prepared, const DeformationReport& pose) {
+                                        const DeformationReport& prepared, const DeformationReport& pose,
+                                        bool found_itself) {
   using Json = nlohmann::ordered_json;
   const CageElements& elements = coordinates.elements();
   const int d = elements.dimension();
@@ -132,6 +133,11 @@ nlohmann::ordered_json deformation_json(const CageCoordinates& coordinates, cons
   json["figures"] = Json::object();
   for (const auto& figures : {prepared.figures, pose.figures})
     for (const auto& [name, value] : figures) json["figures"][name] = number(value);
+  if (found_itself) {
+    json["posed_vertices"] = Json::array();
+    for (const Vec3<double>& v : posed)
+      json["posed_vertices"].push_back(d == 2 ? Json{v[0], v[1]} : Json{v[0], v[1], v[2]});
+  }
   if (!pose.energies.empty()) {
     json["energies"] = Json::array();
     for (const double energy : pose.energies) json["energies"].push_back(number(energy));

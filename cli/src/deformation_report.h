@@ -16,6 +16,6 @@ namespace cageproof::cli {
 nlohmann::ordered_json deformation_json(const CageCoordinates& coordinates, const Cage& cage, const Mesh& rest,
                                         const std::vector<Vec3<double>>& posed, const Deformed& deformed, int order,
                                         const deformation::DeformationReport& prepared,
-                                        const deformation::DeformationReport& pose);
+                                        const deformation::DeformationReport& pose, bool found_itself);
 
 }  // namespace cageproof::cli

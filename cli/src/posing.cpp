@@ -69,7 +69,7 @@ Posing posed_by_constraints(const ConstraintMethod& method, const Cage& cage, co
     throw InputError(fmt::format("{}: {}", file, error.what()));
   }
   found.names = {file};
-  found.vertices.emplace_back();
+  found.vertices.push_back(found.maps[0]->vertices());
   return found;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The deformer of Green coordinates (Lipman et al. 2008): f = phi V' + psi N', N' the posed normals, stretched.
 #include "linear_posed.h"
+#include "posed_orientation.h"
 
 #include "cageproof/deformation/stretch.h"
 
@@ -22,8 +23,10 @@ class Green final : public Deformer<R> {
     const auto normals = pose.normal_derivatives.empty()
                              ? stretched_normals(stretch_, coordinates_.elements(), pose.vertices)
                              : pose.normal_derivatives;
+    DeformationReport report;
+    if (pose.normal_derivatives.empty()) warn_of_orientation(coordinates_.elements(), pose.vertices, report.warnings);
     return std::make_unique<LinearPosed<R>>(std::vector<Matrix<R>>{rows_of(pose.vertices, d), rows_of(normals, d)},
-                                            DeformationReport());
+                                            std::move(report));
   }
 
  private:

@@ -127,7 +127,7 @@ TEST(regularised, misfits_are_monotone_in_gamma_d) {
   const std::vector<SampleRows> samples = sample_rows(layers);
   Mp50 last_misfit("1e9"), last_laplacian(0);
   for (const double gamma : {1e-3, 1e-1, 1., 10., 1e3}) {
-    const CageCoordinates coordinates = coordinates_of(c.cage, "regularised_1_3", {1, gamma, -1});
+    const CageCoordinates coordinates = coordinates_of(c.cage, "regularised_1_3", {1, gamma, 0});
     Mp laplacians(samples.size(), 3), rows(samples.size(), layers.blocks()[0].size + layers.blocks()[1].size);
     Mp50 misfit = 0, laplacian = 0;
     std::vector<Touching> places;
@@ -181,8 +181,8 @@ TEST(regularised, unit_of_length_is_a_fourth_power_of_gamma_d) {
       return difference(coordinates_of(larger, kind, of_larger), coordinates_of(c.cage, kind, own), s * c.points[0],
                         c.points[0], s);
     };
-    EXPECT_LT(between("regularised_1_3", {1, 0.5, -1}, {1, 0.5 * s * s * s * s, -1}), 1e-12);
-    EXPECT_GT(between("regularised_1_3", {1, 0.5, -1}, {1, 0.5, -1}), 1e-4);
+    EXPECT_LT(between("regularised_1_3", {1, 0.5, 0}, {1, 0.5 * s * s * s * s, 0}), 1e-12);
+    EXPECT_GT(between("regularised_1_3", {1, 0.5, 0}, {1, 0.5, 0}), 1e-4);
     EXPECT_LT(between("regularised_1_3", {1, 1, 2}, {1, 1, 2}), 1e-12);
     EXPECT_LT(between("regularised_weber", {}, {}), 1e-12);
     EXPECT_GT(between("regularised_1_2", {}, {}), 1e-4);
@@ -205,11 +205,11 @@ TEST(regularised, gamma_zero_is_green) {
   const Case c = cube();
   const CageCoordinates green(c.cage, coordinate_kind_named("green"), CoordinateOptions{});
   for (const Vec& point : c.points)
-    EXPECT_EQ(difference(coordinates_of(c.cage, "regularised_1_3", {1, 0, -1}), green, point, point, 1), 0);
+    EXPECT_EQ(difference(coordinates_of(c.cage, "regularised_1_3", {1, 0, 0}), green, point, point, 1), 0);
 }
 
 TEST(regularised, level_zero_of_the_cube_leaves_two_densities_open) {
-  const auto solved = coordinates_of(cube().cage, "regularised_1_3", {0, 1, -1}).solved();
+  const auto solved = coordinates_of(cube().cage, "regularised_1_3", {0, 1, 0}).solved();
   ASSERT_EQ(solved.size(), 1u);
   EXPECT_EQ(solved[0].rank, 18);
   EXPECT_EQ(solved[0].columns, 20);
@@ -217,7 +217,7 @@ TEST(regularised, level_zero_of_the_cube_leaves_two_densities_open) {
 
 TEST(regularised, refuses_parameters_out_of_range_and_evaluations_without_limits) {
   const Case c = cube();
-  EXPECT_THROW(coordinates_of(c.cage, "regularised_1_3", {1, -1, -1}), InputError);
+  EXPECT_THROW(coordinates_of(c.cage, "regularised_1_3", {1, -1, 0}), InputError);
   EXPECT_THROW(coordinates_of(c.cage, "regularised_weber", {7}), InputError);
   for (const char* kind : kinds)
     EXPECT_THROW(CageCoordinates(c.cage, coordinate_kind_named(kind), CoordinateOptions{.evaluation = "gauss-4"}),

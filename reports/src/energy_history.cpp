@@ -38,7 +38,7 @@ class OwnFolder {
 }  // namespace
 
 std::string energies_csv(std::span<const double> energies) {
-  std::string text = "half_step,energy\n";
+  std::string text = "number,energy\n";
   for (std::size_t i = 0; i < energies.size(); ++i) text += fmt::format("{},{}\n", i + 1, energies[i]);
   return text;
 }
@@ -54,7 +54,7 @@ std::string energies_png(std::span<const double> energies, std::string_view titl
          .commands =
              fmt::format("$d << EOD\n{}EOD\nset logscale y\nset format y '10^{{%L}}'\nset border 3 linecolor rgb "
                          "'#666666'\nset tics nomirror scale 0.5\nset grid linetype 1 linecolor rgb '#e0e0e0'\n"
-                         "set xrange [0:{}]\nset title {} noenhanced\nset xlabel 'half steps'\n"
+                         "set xrange [0:{}]\nset title {} noenhanced\nset xlabel 'number'\n"
                          "set ylabel 'energy'\nunset key\nplot $d with linespoints linecolor rgb '#3366aa' "
                          "pointtype 7 pointsize 0.5\n",
                          data, energies.size() + 1, gnuplot_text(title))}},

@@ -102,9 +102,11 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
   for (const deformation::DeformMethod& method : deformation::deform_methods()) {
     if (!matches(options.methods, method.name) || !deformation::why_refused(method, *cage).empty()) continue;
     std::vector<DeformerVariant> variants = variants_of(method);
-    // What lies between them is asked on small cages.
-    if (variants.size() > 2 && !is_small(*cage, options.triangulation))
-      variants.erase(variants.begin() + 1, variants.end() - 1);
+    // All are asked on small cages, elsewhere every second and the default.
+    if (variants.size() > 2 && !is_small(*cage, options.triangulation)) {
+      std::size_t index = 0;
+      std::erase_if(variants, [&](const DeformerVariant& v) { return index++ % 2 == 1 && !v.is_default; });
+    }
     for (DeformerVariant& variant : variants)
       measurements.push_back(std::make_unique<DeformerMeasurement>(cage, std::move(variant), options));
   }

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 // [T24] Section 4.1.3: normal derivatives that make an energy of second derivatives on the cage least.
 #include "../stretches.h"
+#include "construction.h"
 #include "layer_deformer.h"
 #include "solver.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
 namespace cageproof::deformation {
 namespace {
 
-// Of Laplacians (AHAP), of all second derivatives (AAAP), of those along the rest normal (TP).
+// Of Laplacians (AHAP, laplacians), of all second derivatives (AAAP), of those along the rest normal (TP).
 enum class Energy { Laplacian, Hessian, Normal };
 enum class Alignment { Hard, Soft, Free, NonNegative };
 
@@ -28,15 +33,26 @@ std::array<Matrix<R>, 4> second_derivatives(Energy energy, const CageCoordinates
     found[b] = Matrix<R>::Zero(rows * count, coordinates.blocks()[b].size);
     for (int i = 0; i < d; ++i)
       for (int j = 0; j < d; ++j) {
-        if (energy == Energy::Laplacian && i != j) continue;
         const Matrix<R> along = component(tables[b], samples.size(), 2, width, i * d + j);
         for (Eigen::Index s = 0; s < count; ++s) {
           const Vec3<R>& n = normals[samples[s].element];
           if (energy == Energy::Hessian) found[b].row(rows * s + i * d + j) = along.row(s);
-          else if (energy == Energy::Laplacian) found[b].row(s) += along.row(s);
           else found[b].row(s) += R(n[i] * n[j]) * along.row(s);
         }
       }
+  }
+  return found;
+}
+
+// Of phi and psi there is none, and those of phibar and psibar are phi and psi. Traces of Hessians would have rounding
+// in place of the first two, which is all there is where densities are small.
+template <Scalar R>
+std::array<Matrix<R>, 4> laplacians(const CageCoordinates& coordinates, const std::vector<Touching>& samples) {
+  const auto tables = checked_limits<R>(coordinates, samples, 0);
+  std::array<Matrix<R>, 4> found;
+  for (std::size_t b = 0; b < 2; ++b) {
+    found[b + 2] = component(tables[b], samples.size(), 0, 1, 0);
+    found[b] = Matrix<R>::Zero(found[b + 2].rows(), found[b + 2].cols());
   }
   return found;
 }
@@ -49,11 +65,15 @@ class Aligned final : public LayerDeformer<R> {
         alignment_(static_cast<Alignment>(static_cast<int>(options.parameters[2]))),
         gamma_a_(options.parameters[3]) {
     const CageCoordinates& coordinates = this->coordinates();
-    this->regularise(
-        one_three<R>(layers_at<R>(coordinates, static_cast<int>(options.parameters[0])), R(options.parameters[4])));
+    if (E == Energy::Laplacian && options.parameters[4] == 0)
+      throw InputError("ahap with gamma_d = 0: Green coordinates have no Laplacians, and none are the least");
+    const std::array weights{options.parameters[4], 0.0};
+    this->regularise(regularisation_by<R>(Construction::OneThree, coordinates, static_cast<int>(options.parameters[0]),
+                                          weights, Account::Systems));
     const std::vector<Touching> samples = samples_of(coordinates.elements(), static_cast<int>(options.parameters[1]));
     samples_ = static_cast<double>(samples.size());
-    const auto of = second_derivatives<R>(E, coordinates, samples);
+    const auto of =
+        E == Energy::Laplacian ? laplacians<R>(coordinates, samples) : second_derivatives<R>(E, coordinates, samples);
     Matrix<R> densities(of[2].rows(), of[2].cols() + of[3].cols());
     densities << of[2], of[3];
     of_vertices_ = of[0] + densities * this->regularisation().to_vertices;
@@ -77,6 +97,10 @@ class Aligned final : public LayerDeformer<R> {
                     ? softly_along(units, fixed, report)
                     : least_stretched<R>(of_normals_, fixed, units, alignment_ == Alignment::NonNegative, report);
     }
+    if (report.systems.back().is_singular())
+      report.warnings.push_back(fmt::format("{}: of deficient rank, {} of {}, the solution of least norm is taken",
+                                            report.systems.back().name, report.systems.back().rank,
+                                            report.systems.back().columns));
     report.figures.emplace_back("energy a sample", energy(fixed, normals));
     return this->with(vertices, normals, std::move(report));
   }
@@ -128,9 +152,9 @@ DeformMethod method(std::string_view name) {
                          {{.name = "alignment", .preset = 0, .lowest = -1, .highest = 4, .whole = true},
                           "of normal derivatives with posed normals; nonnegative: hard, and none points inward",
                           {"hard", "soft", "free", "nonnegative"}},
-                         {{.name = "gamma_a", .preset = 1, .lowest = -1e-300, .highest = 1e300},
+                         {{.name = "gamma_a", .preset = 1, .lowest = kBelowZero, .highest = 1e300},
                           "weight of soft alignment, per area"},
-                         {{.name = "gamma_d", .preset = 1, .lowest = -1e-300, .highest = 1e300},
+                         {{.name = "gamma_d", .preset = 1, .lowest = kBelowZero, .highest = 1e300},
                           "of the regularisation, as of biharmonic_1_3"}},
           .takes_derivatives_on_cage = true,
           .prepare = prepare<E, double>,

@@ -3,7 +3,9 @@
 
 #include "cageproof/deformation/stretch.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cageproof::deformation {
 namespace {
@@ -32,7 +34,7 @@ std::array<Matrix<R>, 4> normal_slopes(const CageCoordinates& coordinates, const
 double size_of(const CageElements& elements) {
   Vec3<double> low = elements.vertices()[0], high = low;
   for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
-  return (high - low).norm();
+  return (high - low).stableNorm();
 }
 
 }  // namespace
@@ -44,10 +46,10 @@ KindParameter level_parameter() {
 
 std::vector<KindParameter> weight_parameters(Construction construction) {
   if (construction != Construction::OneThree) return {};
-  return {{{.name = "gamma_d", .preset = 1, .lowest = -1e-300, .highest = 1e300},
+  return {{{.name = "gamma_d", .preset = 1, .lowest = kBelowZero, .highest = 1e300},
            "weight of values against Laplacians; has the unit of one over the fourth power of a length"},
-          {{.name = "gamma_rel", .preset = -1, .lowest = -1.5, .highest = 1e300},
-           "the same over the fourth power of the rest cage's size; in place of gamma_d where it is not negative"}};
+          {{.name = "gamma_rel", .preset = 0, .lowest = kBelowZero, .highest = 1e300},
+           "the same over the fourth power of the rest cage's size; in place of gamma_d where it is not zero"}};
 }
 
 template <Scalar R>
@@ -59,10 +61,21 @@ Regularisation<R> regularisation_by(Construction construction, const CageCoordin
     case Construction::Weber: return weber<R>(layers, account);
     case Construction::OneThree: break;
   }
-  const R gamma_d =
-      weights[1] >= 0 ? R(R(weights[1]) / R(std::pow(size_of(coordinates.elements()), 4))) : R(weights[0]);
-  return one_three<R>(layers, gamma_d, account);
+  const R weight = weights[1] != 0 ? weight_in<R>(weights[1], layers.unit / size_of(coordinates.elements()))
+                                   : weight_in<R>(weights[0], layers.unit);
+  return one_three<R>(layers, weight, account);
 }
+
+template <Scalar R>
+R weight_in(double gamma_d, double unit) {
+  if (gamma_d == 0) return R(0);
+  const R square = R(unit) * R(unit), weight = R(gamma_d) * square * square;
+  // Rows without any weight at all would be another method.
+  return std::clamp<R>(weight, R(std::numeric_limits<double>::min()), R(std::numeric_limits<double>::max()));
+}
+
+template double weight_in<double>(double, double);
+template Mp50 weight_in<Mp50>(double, double);
 
 template Regularisation<double> regularisation_by<double>(Construction, const CageCoordinates&, int,
                                                           std::span<const double>, Account);

@@ -15,8 +15,12 @@ KindParameter level_parameter();
 /// gamma_d and gamma_rel of (1,3); none of the others.
 std::vector<KindParameter> weight_parameters(Construction construction);
 
+/// gamma_D over the fourth power of a length: where it is not zero, neither is what it is in another unit.
+template <Scalar R>
+R weight_in(double gamma_d, double unit);
+
 /// \param coordinates of kind `biharmonic`
-/// \param weights gamma_d and gamma_rel of (1,3), the second in place of the first where it is not negative
+/// \param weights gamma_d and gamma_rel of (1,3), the second in place of the first where it is not zero
 /// \throws InputError as checked_limits
 template <Scalar R>
 Regularisation<R> regularisation_by(Construction construction, const CageCoordinates& coordinates, int level,

@@ -4,6 +4,8 @@
 #include "rounding_terms.h"
 #include "solver.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace cageproof::deformation {
@@ -23,11 +25,26 @@ Matrix<R> above(const Matrix<R>& upper, const Matrix<R>& lower) {
   return both;
 }
 
+// Takes a solution, and its terms where they are asked for, from the layers' unit to the user's: L' has the unit of one
+// over a length, D' of one over its square.
 template <Scalar R>
-void put(Regularisation<R>& found, const Matrix<R>& solution, Eigen::Index vertices) {
+void put(Regularisation<R>& found, const SampledLayers<R>& layers, Matrix<R> solution, Matrix<double> terms) {
+  const Eigen::Index vertices = layers.phi.cols(), elements = layers.psi.cols();
+  const auto scale = [&](auto& matrix, const auto& unit) {
+    if (matrix.size() == 0) return;
+    matrix.topRows(vertices) /= unit;
+    matrix.bottomRows(elements) /= unit * unit;
+    matrix.leftCols(vertices) /= unit;
+  };
+  scale(solution, R(layers.unit));
+  scale(terms, layers.unit);
   found.to_vertices = solution.leftCols(vertices);
-  found.to_normals = solution.rightCols(solution.cols() - vertices);
+  found.to_normals = solution.rightCols(elements);
+  found.terms = std::move(terms);
 }
+
+// Of the weight times the fourth power of the cage's size: beyond, the system's condition is that of its weight.
+constexpr double least_harmless = 1e-8, most_harmless = 1e10;
 
 // A system's solution, and the sizes of what it is rounded by where they are asked for.
 template <Scalar R>
@@ -54,25 +71,29 @@ Solution<R> solved_for(Regularisation<R>& of, const Matrix<R>& matrix, const Mat
 }  // namespace
 
 template <Scalar R>
-Regularisation<R> one_three(const SampledLayers<R>& layers, const R& gamma_d, Account account) {
+Regularisation<R> one_three(const SampledLayers<R>& layers, const R& gamma, Account account) {
   using std::sqrt;
   Regularisation<R> found;
   const Eigen::Index vertices = layers.phi.cols(), elements = layers.psi.cols(), samples = layers.phi.rows();
-  if (gamma_d == 0) {
-    put(found, Matrix<R>(Matrix<R>::Zero(vertices + elements, vertices + elements)), vertices);
-    found.terms = Matrix<double>::Zero(vertices + elements, vertices + elements);
+  if (gamma == 0) {
+    put(found, layers, Matrix<R>(Matrix<R>::Zero(vertices + elements, vertices + elements)),
+        Matrix<double>::Zero(vertices + elements, vertices + elements));
     found.warnings.emplace_back("gamma_d = 0: Green coordinates, by definition; it is not the limit of small gamma_d");
     return found;
   }
-  const R weight = sqrt(gamma_d);
+  if (gamma < least_harmless || gamma > most_harmless)
+    found.warnings.push_back(
+        fmt::format("gamma_d is {:.1e} over the fourth power of the cage's size: the condition "
+                    "grows with it, and digits are lost",
+                    static_cast<double>(gamma)));
+  const R weight = sqrt(gamma);
   const Matrix<R> a = weight * beside(layers.phibar, layers.psibar);
   const Matrix<R> b = beside(Matrix<R>(layers.phi - layers.hats), layers.psi);
   Matrix<R> right = Matrix<R>::Zero(2 * samples, vertices + elements);
   right.topRows(samples) = weight * beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.psi));
   Solution<R> densities =
       solved_for(found, above(a, b), right, "(1,3), Eq 24: densities from values and Laplacians", account);
-  put(found, densities.found, vertices);
-  found.terms = std::move(densities.terms);
+  put(found, layers, std::move(densities.found), std::move(densities.terms));
   return found;
 }
 
@@ -82,13 +103,15 @@ Regularisation<R> one_two(const SampledLayers<R>& layers, const std::array<Matri
   Matrix<R> own = Matrix<R>::Zero(layers.psi.rows(), layers.psi.cols());
   for (std::size_t s = 0; s < layers.samples.size(); ++s)
     own(static_cast<Eigen::Index>(s), layers.samples[s].element) = 1;
-  const Matrix<R> matrix = above(beside(slopes[2], slopes[3]), beside(layers.phibar, layers.psibar));
-  const Matrix<R> right = above(beside(Matrix<R>(-slopes[0]), Matrix<R>(own - slopes[1])),
-                                beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.psi)));
+  // Slopes are numbers and values lengths, and weigh against each other as they do in the user's unit.
+  const R unit(layers.unit);
+  const Matrix<R> matrix = above(beside(Matrix<R>(slopes[2] / unit), Matrix<R>(slopes[3] / unit / unit)),
+                                 Matrix<R>(unit * beside(layers.phibar, layers.psibar)));
+  const Matrix<R> right = above(beside(Matrix<R>(-unit * slopes[0]), Matrix<R>(own - slopes[1])),
+                                Matrix<R>(unit * beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.psi))));
   Solution<R> densities =
       solved_for(found, matrix, right, "(1,2), D.1: densities from normal derivatives and values", account);
-  put(found, densities.found, layers.phi.cols());
-  found.terms = std::move(densities.terms);
+  put(found, layers, std::move(densities.found), std::move(densities.terms));
   return found;
 }
 
@@ -101,12 +124,12 @@ Regularisation<R> weber(const SampledLayers<R>& layers, Account account) {
   const Solution<R> laplacian =
       solved_for(found, k, beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.psi)),
                  "D.2: the Laplacian from values", account);
-  put(found, above(laplacian.found, Matrix<R>(slopes_of.found * laplacian.found)), layers.phi.cols());
-  if (account == Account::Terms) {
-    const Matrix<double> of_slopes = slopes_of.found.template cast<double>().cwiseAbs(),
-                         of_laplacian = laplacian.found.template cast<double>().cwiseAbs();
-    found.terms = above(laplacian.terms, Matrix<double>(of_slopes * laplacian.terms + slopes_of.terms * of_laplacian));
-  }
+  Matrix<double> terms;
+  // The slopes' own roundings are common to all columns.
+  if (account == Account::Terms)
+    terms =
+        above(laplacian.terms, Matrix<double>(slopes_of.found.template cast<double>().cwiseAbs() * laplacian.terms));
+  put(found, layers, above(laplacian.found, Matrix<R>(slopes_of.found * laplacian.found)), std::move(terms));
   return found;
 }
 

@@ -10,7 +10,7 @@ namespace cageproof::deformation {
 /// sizes of what solutions are rounded by.
 enum class Account { None, Systems, Terms };
 
-/// (L'; D') = to_vertices V' + to_normals N'. Rows: a vertex each, then an element each.
+/// (L'; D') = to_vertices V' + to_normals N', in the user's unit of length. Rows: a vertex each, then an element each.
 template <Scalar R>
 struct Regularisation {
   Matrix<R> to_vertices, to_normals;
@@ -20,12 +20,13 @@ struct Regularisation {
 };
 
 /// (1,3), Eq 21-30: least |A X - b|^2 gamma_D + |B X|^2 with the Dirichlet and Laplacian misfits at the samples.
-/// \param gamma_d at least 0; 0 is Green, by definition: no layers
+/// \param weight gamma_D times the fourth power of the layers' unit, at least 0; 0 is Green, by definition: no layers
 template <Scalar R>
-Regularisation<R> one_three(const SampledLayers<R>& layers, const R& gamma_d, Account account = Account::Systems);
+Regularisation<R> one_three(const SampledLayers<R>& layers, const R& weight, Account account = Account::Systems);
 
 /// (1,2), D.1: values and normal derivatives at the samples.
-/// \param normal_slopes of phi, psi, phibar, psibar at the samples along the rest normals of their elements
+/// \param normal_slopes of phi, psi, phibar, psibar at the samples along the rest normals of their elements, in the
+/// user's unit
 template <Scalar R>
 Regularisation<R> one_two(const SampledLayers<R>& layers, const std::array<Matrix<R>, 4>& normal_slopes,
                           Account account = Account::Systems);

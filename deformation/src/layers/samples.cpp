@@ -38,6 +38,17 @@ void add_centroids(const ElementType& type, const Corners& part, int level, int 
   samples.push_back(sample);
 }
 
+// \throws InputError where its cube or that of its inverse is no normal number
+double unit_of(const CageElements& elements) {
+  Vec3<double> low = elements.vertices()[0], high = low;
+  for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  const double unit = std::exp2(std::ilogb((high - low).stableNorm()));
+  if (!std::isnormal(unit * unit * unit) || !std::isnormal(1 / unit / unit / unit))
+    throw InputError(
+        fmt::format("layers of a cage of size {:.3g} leave the range of double", (high - low).stableNorm()));
+  return unit;
+}
+
 }  // namespace
 
 std::vector<Touching> samples_of(const CageElements& elements, int level) {
@@ -92,10 +103,12 @@ SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
     found.hats(static_cast<Eigen::Index>(s), corners[0]) = rest;
   }
   const auto tables = checked_limits<R>(coordinates, found.samples, 0);
+  found.unit = unit_of(elements);
+  const R unit(found.unit);
   found.phi = component(tables[0], count, 0, 1, 0);
-  found.psi = component(tables[1], count, 0, 1, 0);
-  found.phibar = component(tables[2], count, 0, 1, 0);
-  found.psibar = component(tables[3], count, 0, 1, 0);
+  found.psi = component(tables[1], count, 0, 1, 0) / unit;
+  found.phibar = component(tables[2], count, 0, 1, 0) / unit / unit;
+  found.psibar = component(tables[3], count, 0, 1, 0) / unit / unit / unit;
   return found;
 }
 

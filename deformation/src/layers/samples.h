@@ -10,9 +10,11 @@ namespace cageproof::deformation {
 /// a triangle, strictly within it, in its basis functions, which sum to one.
 std::vector<Touching> samples_of(const CageElements& elements, int level);
 
-/// Values of basis functions and layers at samples, a row a sample; limits from inside.
+/// Values of basis functions and layers at samples, a row a sample; limits from inside. Lengths are in a unit of the
+/// cage's own, so that powers of them, and of what is solved, stay in range.
 template <Scalar R>
 struct SampledLayers {
+  double unit = 1;  ///< the power of two next to the cage's size, in the user's unit
   std::vector<Touching> samples;
   Matrix<R> hats;                      ///< of vertices: M
   Matrix<R> phi, psi, phibar, psibar;  ///< a column a vertex, or an element

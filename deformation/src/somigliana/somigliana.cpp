@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The corotational Somigliana deformer ([C23] Section 4, Eq 11).
+#include "../posed_orientation.h"
 #include "corotation.h"
 
 #include "cageproof/core/input_error.h"
@@ -112,10 +113,18 @@ class Somigliana final : public Deformer<R> {
                  .balance = options.parameters[kBalance] == 0} {}
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
+  DeformationReport prepared() const override {
+    // Tractions grow like one over this, and cancel.
+    const double off = std::abs(1 - 2 * options_.nu);
+    if (off > 1e-6) return {};
+    return {
+        {}, {}, {fmt::format("nu is next to its pole 1/2: 1 - 2 nu = {:.1e}, and images lose digits like it", off)}};
+  }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     check_pose(coordinates_.elements(), pose);
-    return std::make_unique<SomiglianaPosed<R>>(coordinates_.dimension(), pose.vertices,
-                                                corotation_of<R>(coordinates_.elements(), pose.vertices, options_));
+    Corotation<R> corotation = corotation_of<R>(coordinates_.elements(), pose.vertices, options_);
+    warn_of_orientation(coordinates_.elements(), pose.vertices, corotation.warnings);
+    return std::make_unique<SomiglianaPosed<R>>(coordinates_.dimension(), pose.vertices, std::move(corotation));
   }
 
  private:
@@ -142,7 +151,7 @@ const RegisterDeformMethod somigliana{
                     {{.name = "balance", .preset = 0, .lowest = -1, .highest = 2, .whole = true},
                      "whether tractions are balanced, Eq 15",
                      {"on", "off"}},
-                    {{.name = "blend", .preset = 0.5, .lowest = -1e-300, .highest = 1, .includes_highest = true},
+                    {{.name = "blend", .preset = 0.5, .lowest = kBelowZero, .highest = 1, .includes_highest = true},
                      "of variant=blend alone, others ignore it: from global, 0, to local, 1"}},
      .with_parameters_of_kind = false,
      .prepare = prepare<double>,

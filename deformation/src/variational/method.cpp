@@ -23,7 +23,7 @@ std::shared_ptr<const ConstrainedDeformer<double>> prepare(const Cage& cage, con
 }
 
 KindParameter weight(std::string_view name, double preset, std::string_view meaning) {
-  return {{.name = name, .preset = preset, .lowest = -1e-300, .highest = 1e300}, meaning};
+  return {{.name = name, .preset = preset, .lowest = kBelowZero, .highest = 1e300}, meaning};
 }
 
 const VariationalOptions presets;
@@ -47,7 +47,7 @@ const RegisterConstraintMethod variational{
                       .includes_highest = true,
                       .whole = true},
                      "at most"},
-                    {{.name = "tolerance", .preset = presets.tolerance, .lowest = -1e-300, .highest = 1},
+                    {{.name = "tolerance", .preset = presets.tolerance, .lowest = kBelowZero, .highest = 1},
                      "steps end when one lowers the energy by no more than this part of it"}},
      .prepare = prepare}};
 

@@ -5,6 +5,7 @@
 
 #include "cageproof/core/least_squares.h"
 
+#include <limits>
 #include <list>
 #include <memory>
 #include <string>
@@ -70,6 +71,9 @@ class Deformer {
     return posed.images(coordinates().template at<R>(points, order), points.size(), order);
   }
 };
+
+/// The open lower bound of parameters that may be zero: no double lies between.
+inline constexpr double kBelowZero = -std::numeric_limits<double>::denorm_min();
 
 /// What a method is prepared with.
 struct DeformOptions {
