@@ -109,7 +109,7 @@ TEST(blend, halfway_is_the_mean_of_angles_and_of_stretches) {
       Eigen::Matrix2d rotation, matrix;
       rotation << turn.real(), -turn.imag(), turn.imag(), turn.real();
       matrix << block[4 * i], block[4 * i + 1], block[4 * i + 2], block[4 * i + 3];
-      const Eigen::Matrix2d turned = rotation * matrix * rotation.transpose();
+      Eigen::Matrix2d turned = rotation * matrix * rotation.transpose();
       sum += turned * Eigen::Vector2d(times.real(), times.imag());
       return turned;
     };

@@ -31,6 +31,7 @@ inline std::vector<SampleRows> sample_rows(const CageCoordinates& layers) {
   for (std::size_t e = 0; e < elements.count(); ++e) {
     const auto vertices = elements.vertices_of(e);
     std::vector<Vec3<Mp50>> corners;
+    corners.reserve(vertices.size());
     for (const int v : vertices) corners.push_back(convert<Mp50>(elements.vertices()[v]));
     const Vec3<Mp50> u = corners[1] - corners[0];
     Vec3<Mp50> normal(u[1], -u[0], Mp50(0));
