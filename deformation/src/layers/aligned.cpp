@@ -101,6 +101,9 @@ class Aligned final : public LayerDeformer<R> {
       report.warnings.push_back(fmt::format("{}: of deficient rank, {} of {}, the solution of least norm is taken",
                                             report.systems.back().name, report.systems.back().rank,
                                             report.systems.back().columns));
+    else if (report.systems.back().condition > 1e10)
+      report.warnings.push_back(fmt::format("{}: the condition is {:.1e}, and images lose digits like it",
+                                            report.systems.back().name, report.systems.back().condition));
     report.figures.emplace_back("energy a sample", energy(fixed, normals));
     return this->with(vertices, normals, std::move(report));
   }
@@ -156,7 +159,7 @@ DeformMethod method(std::string_view name) {
                           "weight of soft alignment, per area"},
                          {{.name = "gamma_d", .preset = 1, .lowest = kBelowZero, .highest = 1e300},
                           "of the regularisation, as of biharmonic_1_3"}},
-          .takes_derivatives_on_cage = true,
+          .takes_derivatives_on_cage = E != Energy::Laplacian,
           .prepare = prepare<E, double>,
           .prepare_in_50_digits = prepare<E, Mp50>};
 }

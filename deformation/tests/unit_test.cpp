@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Units of length, and what is said where digits are lost.
+#include "support.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::deformation::test {
+namespace {
+
+std::vector<Vec> times(double s, std::vector<Vec> points) {
+  for (Vec& p : points) p *= s;
+  return points;
+}
+
+// How far images in a unit s times smaller are from those in the cage's own, in sizes.
+double change(const Case& c, const char* method, const std::vector<double>& parameters, double s) {
+  const Images<double> here = deformed(*prepared(c.cage, method, parameters), c.posed, c.points);
+  const Cage cage = c.cage.with(times(s, c.cage.vertices()), c.cage.faces());
+  const Images<double> there = deformed(*prepared(cage, method, parameters), times(s, c.posed), times(s, c.points));
+  double worst = 0;
+  for (std::size_t i = 0; i < here.tensors[0].size(); ++i)
+    worst = std::max(worst, std::abs(there.tensors[0][i] / s - here.tensors[0][i]));
+  return worst / c.size;
+}
+
+// Squares of what is solved leave the range of double long before lengths do.
+TEST(unit, of_length_does_not_change_unit_free_methods) {
+  const Case c = cube();
+  for (const double s : {1e-90, 1e-76, 1e-12, 1e12, 1e80}) {
+    EXPECT_LT(change(c, "biharmonic_weber", {1, 3}, s), 1e-12) << s;
+    EXPECT_LT(change(c, "biharmonic_1_3", {1, 3, 1, 2}, s), 1e-12) << s;
+  }
+  EXPECT_GT(change(c, "biharmonic_1_3", {1, 3, 1, 0}, 10), 5e-3);
+  EXPECT_THROW(change(c, "biharmonic_weber", {1, 3}, 1e-120), InputError);
+}
+
+bool warns_of(const std::vector<std::string>& warnings, const std::string& words) {
+  return std::ranges::any_of(warnings, [&](const auto& w) { return w.find(words) != std::string::npos; });
+}
+
+// Where densities are small beside the harmonic layers, as gamma_d makes them in other units, Laplacians are nearly
+// nothing for all normal derivatives: the condition says so, and images are as good as it lets them be.
+TEST(unit, aligned_methods_keep_rotations_where_densities_are_small) {
+  const Case c = cube();
+  const double turn = 1.1, cosine = std::cos(turn), sine = std::sin(turn);
+  const auto turned = [&](const Vec& v) { return Vec(cosine * v[0] - sine * v[1], sine * v[0] + cosine * v[1], v[2]); };
+  for (const double s : {1.0, 1e-2, 1e-3}) {
+    const Cage cage = c.cage.with(times(s, c.cage.vertices()), c.cage.faces());
+    std::vector<Vec> posed, points = times(s, c.points);
+    for (const Vec& v : cage.vertices()) posed.push_back(turned(v));
+    for (const double alignment : {0., 2.}) {
+      const auto deformer = prepared(cage, "ahap", {1, 1, alignment, 1, 1});
+      const auto pose = deformer->pose({posed});
+      const Images<double> found = deformer->images(*pose, points, 0);
+      const double condition = pose->report().systems.at(0).condition;
+      for (std::size_t p = 0; p < points.size(); ++p)
+        EXPECT_LT((image(found, p) - turned(points[p])).norm() / cage.size(), 1e-13 + 1e-16 * condition)
+            << s << ' ' << alignment;
+      EXPECT_EQ(!pose->report().warnings.empty(), condition > 1e10) << s << ' ' << alignment << ' ' << condition;
+      EXPECT_LT(condition, s == 1 ? 1e5 : 1e16) << s << ' ' << alignment;
+    }
+  }
+  try {
+    prepared(c.cage, "ahap", {1, 1, 0, 1, 0});
+    ADD_FAILURE() << "Green coordinates have no Laplacians";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("gamma_d"), std::string::npos) << error.what();
+  }
+}
+
+TEST(reported, cages_inside_out_wherever_normals_are_used) {
+  for (const Case& c : {cube(), square()}) {
+    std::vector<Vec> mirrored = c.cage.vertices();
+    for (Vec& v : mirrored) v[0] = -v[0];
+    for (const char* method : {"green", "somigliana", "biharmonic_1_3", "tp"}) {
+      const auto deformer = prepared(c.cage, method);
+      EXPECT_TRUE(warns_of(deformer->pose({mirrored})->report().warnings, "inside out")) << c.name << ' ' << method;
+      EXPECT_FALSE(warns_of(deformer->pose({c.posed})->report().warnings, "inside out")) << c.name << ' ' << method;
+    }
+  }
+}
+
+TEST(reported, weights_and_ratios_that_cost_digits) {
+  const Case c = cube();
+  EXPECT_TRUE(warns_of(prepared(c.cage, "biharmonic_1_3", {1, 3, 1e-20, 0})->prepared().warnings, "digits are lost"));
+  EXPECT_TRUE(warns_of(prepared(c.cage, "biharmonic_1_3", {1, 3, 1e20, 0})->prepared().warnings, "digits are lost"));
+  EXPECT_TRUE(prepared(c.cage, "biharmonic_1_3")->prepared().warnings.empty());
+  EXPECT_TRUE(warns_of(prepared(c.cage, "somigliana", {0, 0.5 - 1e-9, 0, 0, 0.5})->prepared().warnings, "pole"));
+  EXPECT_TRUE(prepared(c.cage, "somigliana")->prepared().warnings.empty());
+}
+
+// One part a triangle, and alignment that leaves most of N' free.
+TEST(reported, systems_of_poses_that_are_deficient) {
+  const Case c = cube();
+  const Cage tiny = c.cage.with(times(1e-6, c.cage.vertices()), c.cage.faces());
+  const auto posed = prepared(tiny, "ahap", {1, 1, 2, 1, 1})->pose({times(1e-6, c.posed)});
+  ASSERT_EQ(posed->report().systems.size(), 1u);
+  EXPECT_EQ(posed->report().systems[0].is_singular(), warns_of(posed->report().warnings, "deficient rank"));
+}
+
+}  // namespace
+}  // namespace cageproof::deformation::test
