@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace cageproof::cli {
 
@@ -129,6 +130,8 @@ nlohmann::ordered_json heading(const Arguments& a, const Chosen& chosen, const C
     const KindParameter& p = chosen.known[i];
     const double value = chosen.parameters[i];
     if (p.whole && p.names.empty()) json["parameters"][std::string(p.name)] = static_cast<long long>(value);
+    else if (p.names.empty() && !std::isfinite(value))
+      json["parameters"][std::string(p.name)] = fmt::format("{}", value);
     else if (p.names.empty()) json["parameters"][std::string(p.name)] = value;
     else json["parameters"][std::string(p.name)] = p.names[static_cast<std::size_t>(value)];
   }
@@ -188,7 +191,13 @@ int run(const Arguments& a) {
     const DeformationReport& pose = posing.maps[k]->report();
     json.update(deformation_json(coordinates, cage, mesh, posing.vertices[k], all[k], a.order, posing.prepared, pose,
                                  constrained && !posing.vertices[k].empty()));
-    for (const auto& warning : json["warnings"]) fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
+    for (const auto& warning : json["warnings"]) {
+      const auto text = warning.get<std::string>();
+      const bool of_method = std::ranges::find(posing.prepared.warnings, text) != posing.prepared.warnings.end();
+      if (of_method && k > 0) continue;
+      const std::string of_pose = of_method || all.size() == 1 ? "" : posing.names[k] + ": ";
+      fmt::print(stderr, "warning: {}{}\n", of_pose, text);
+    }
     files.emplace_back(std::filesystem::path(out).replace_extension(".json").string(), json.dump(2) + '\n');
     if (!a.energies.empty())
       files.emplace_back(a.energies,

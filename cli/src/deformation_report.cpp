@@ -142,9 +142,15 @@ nlohmann::ordered_json deformation_json(const CageCoordinates& coordinates, cons
     json["energies"] = Json::array();
     for (const double energy : pose.energies) json["energies"].push_back(number(energy));
   }
+  if (!pose.merits.empty()) {
+    json["merits"] = Json::array();
+    for (const double merit : pose.merits) json["merits"].push_back(number(merit));
+  }
   json["warnings"] = Json::array();
   for (const auto& some : {prepared.warnings, pose.warnings, warnings})
-    for (const std::string& warning : some) json["warnings"].push_back(warning);
+    for (const std::string& warning : some)
+      if (std::ranges::find(json["warnings"], Json(warning)) == json["warnings"].end())
+        json["warnings"].push_back(warning);
   return json;
 }
 

@@ -9,12 +9,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace cageproof::cli {
 
 using namespace deformation;
 namespace {
 
-// All but the vertices.
+// What a pose has beside vertices.
 Pose<double> pose_with(const DataFiles& files, const DeformMethod& method, int dimension) {
   Pose<double> pose;
   const auto take = [&](std::vector<Vec3<double>>& rows, const std::string& file, const char* option, bool is_taken) {
@@ -26,6 +30,24 @@ Pose<double> pose_with(const DataFiles& files, const DeformMethod& method, int d
   take(pose.laplacians, files.laplacians, "--laplacians", method.takes_laplacians);
   take(pose.laplacian_derivatives, files.laplacian_derivatives, "--laplacian-derivatives", method.takes_laplacians);
   return pose;
+}
+
+// As many rows as the cage has elements or vertices, in a message that names their file.
+void check_rows(const DataFiles& files, const Pose<double>& pose, const CageElements& elements) {
+  const auto check = [](const std::string& file, std::size_t rows, std::size_t wanted, const char* of) {
+    if (!file.empty() && rows != wanted)
+      throw InputError(fmt::format("{}: {} rows, the cage has {} {}", file, rows, wanted, of));
+  };
+  check(files.normal_derivatives, pose.normal_derivatives.size(), elements.count(), "elements");
+  check(files.laplacians, pose.laplacians.size(), elements.vertices().size(), "vertices");
+  check(files.laplacian_derivatives, pose.laplacian_derivatives.size(), elements.count(), "elements");
+}
+
+// Whether a message names a constraint by its key.
+bool is_of_constraints(std::string_view message) {
+  constexpr std::array keys{"positions", "orientations", "rotations",      "hessians",
+                            "target",    "there are no", "the constraints"};
+  return std::ranges::any_of(keys, [&](const char* key) { return message.starts_with(key); });
 }
 
 }  // namespace
@@ -43,6 +65,7 @@ Posing posed_by_cages(const DeformMethod& method, const Cage& cage, const Deform
   found.coordinates = &deformer->coordinates();
   found.max_order = deformer->max_order();
   found.prepared = deformer->prepared();
+  check_rows(data, pose, found.coordinates->elements());
   for (std::size_t k = 0; k < files.size(); ++k) {
     try {
       pose.vertices = found.vertices[k];
@@ -66,6 +89,7 @@ Posing posed_by_constraints(const ConstraintMethod& method, const Cage& cage, co
     found.prepared = deformer->prepared();
     found.maps.push_back(deformer->pose(watch));
   } catch (const InputError& error) {
+    if (!is_of_constraints(error.what())) throw;
     throw InputError(fmt::format("{}: {}", file, error.what()));
   }
   found.names = {file};

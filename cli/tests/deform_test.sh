@@ -104,7 +104,7 @@ grep -q '"normal_derivatives": "normals.txt"' bent.json || fail "no word of the 
 refuses tp --normal-derivatives -- "${stretched[@]}" --method tp --out out.obj
 refuses biharmonic_1_3 --laplacians -- "${common[@]}" --method biharmonic_1_3 --laplacians ones.txt --out out.obj
 refuses green --laplacian-derivatives -- "${common[@]}" --method green --laplacian-derivatives normals.txt --out out.obj
-refuses '8 normal derivatives' '12 elements' -- "${common[@]}" --method green --normal-derivatives ones.txt --out out.obj
+refuses ones.txt '8 rows' '12 elements' -- "${common[@]}" --method green --normal-derivatives ones.txt --out out.obj
 
 # By constraints, without a posed cage: everything turned by a quarter about z.
 cat >turned.json <<'JSON'
@@ -138,6 +138,23 @@ head -c 200 turned.json >cut.json
 refuses cut.json malformed -- --cage cube --constraints cut.json --points mesh.obj --method variational --out out.obj
 refuses variational --laplacians -- "${by_constraints[@]}" --laplacians ones.txt --out out.obj
 refuses turned.json --out -- --cage cube --constraints turned.json --points mesh.obj --method variational --out turned.csv
+
+# The plane's methods, and the posed cage that one of them finds.
+printf '{"schema": "cageproof-constraints", "schema_version": 1, "positions": [{"at": [0.5, 0.5], "to": [0.5, 0.5]}, {"at": [0.25, 0.75], "to": [0.2, 0.8]}]}\n' >drawn.json
+printf '0.3,0.6\n' >in_square.csv
+"$cageproof" deform --cage square --constraints drawn.json --points in_square.csv --method thickness --out thick.csv 2>/dev/null || fail "thickness"
+[ "$(grep -c '"posed_vertices"' thick.json)" -eq 1 ] && grep -q '"merits"' thick.json || fail "no posed cage, or no merits: $(cat thick.json)"
+sed 's/0.75\]/7.5]/' drawn.json >outside.json
+refuses outside.json 'positions[1]' outside -- --cage square --constraints outside.json --points in_square.csv --method thickness --out out.csv
+refuses nosuch -- --cage square --constraints drawn.json --points in_square.csv --method thickness --evaluation nosuch --out out.csv
+grep -q drawn.json stderr 2>/dev/null && fail "an evaluation that is none is blamed on the constraints"
+for method in cauchy biharmonic_boundary; do
+  "$cageproof" deform --cage square --posed square --points in_square.csv --method $method --out still.csv || fail "$method"
+  awk -F, 'NR == 2 {exit !(($1 - 0.3) ^ 2 + ($2 - 0.6) ^ 2 < 1e-24)}' still.csv || fail "$method moves what stays: $(cat still.csv)"
+done
+"$cageproof" deform "${common[@]}" --method somigliana --parameter variant=blend --parameter blend=0.25 --out blend.csv || fail "blend"
+"$cageproof" deform "${common[@]}" --method somigliana --parameter nu=inf --out inf.csv || fail "an infinite nu"
+grep -q '"nu": "inf"' inf.json || fail "nu in the report: $(grep nu inf.json)"
 
 # No file is written twice, nor one that is read.
 refuses mesh.obj --points -- "${common[@]}" --method green --out mesh.obj

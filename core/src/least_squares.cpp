@@ -7,14 +7,28 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cageproof {
 
 template <Scalar R>
 struct LeastSquares<R>::Factors {
-  Eigen::CompleteOrthogonalDecomposition<Matrix<R>> of_matrix;
+  Eigen::CompleteOrthogonalDecomposition<Matrix<R>> of_matrix;  ///< divided by unit
+  R unit;
 };
+
+namespace {
+
+// The power of two next to a matrix's largest number; one for zero. Squares of what is over it stay in range, and
+// nothing is rounded.
+template <Scalar R>
+R unit_of(const Matrix<R>& matrix) {
+  const auto largest = matrix.size() > 0 ? static_cast<double>(R(matrix.cwiseAbs().maxCoeff())) : 0.0;
+  return largest > 0 && std::isfinite(largest) ? R(std::exp2(std::clamp(std::ilogb(largest), -1000, 1000))) : R(1);
+}
+
+}  // namespace
 
 template <Scalar R>
 LeastSquares<R>::LeastSquares(const Matrix<R>& matrix) {
@@ -25,7 +39,8 @@ LeastSquares<R>::LeastSquares(const Matrix<R>& matrix) {
   auto factors = std::make_unique<Factors>();
   // Between the condition of systems that are singular but for rounding, 1e15 and more, and of those that are not.
   factors->of_matrix.setThreshold(R(1e-13));
-  factors->of_matrix.compute(matrix);
+  factors->unit = unit_of(matrix);
+  factors->of_matrix.compute(matrix / factors->unit);
   factors_ = std::move(factors);
 }
 
@@ -43,12 +58,13 @@ int LeastSquares<R>::rank() const {
 
 template <Scalar R>
 Matrix<R> LeastSquares<R>::inverse() const {
-  return factors_->of_matrix.pseudoInverse();
+  return factors_->of_matrix.pseudoInverse() / factors_->unit;
 }
 
 template <Scalar R>
 Matrix<R> LeastSquares<R>::solve(const Matrix<R>& right) const {
-  return factors_->of_matrix.solve(right);
+  const R unit = unit_of(right);
+  return factors_->of_matrix.solve(right / unit) * R(unit / factors_->unit);
 }
 
 template <Scalar R>
@@ -59,12 +75,15 @@ SolvedSystem describe(std::string name, const Matrix<R>& matrix, int rank, const
                             solution.template cast<double>());
   } else {
     // The triangle of a QR factorisation has the matrix's singular values, and is as small as they are many.
-    const Matrix<double> triangle =
-        Eigen::HouseholderQR<Matrix<double>>(matrix).matrixQR().topRows(std::min(matrix.rows(), matrix.cols()));
+    const Matrix<double> triangle = Eigen::HouseholderQR<Matrix<double>>(matrix / unit_of(matrix))
+                                        .matrixQR()
+                                        .topRows(std::min(matrix.rows(), matrix.cols()));
     const Matrix<double> upper = triangle.template triangularView<Eigen::Upper>();
     const Eigen::VectorXd values = Eigen::BDCSVD<Matrix<double>>(upper).singularValues();
     const double least = values[values.size() - 1];
-    const Eigen::VectorXd sizes = right.colwise().norm(), left = (matrix * solution - right).colwise().norm();
+    const double unit = unit_of(right);
+    const Eigen::VectorXd sizes = (right / unit).colwise().norm(),
+                          left = ((matrix * solution - right) / unit).colwise().norm();
     double residual = 0;
     for (Eigen::Index k = 0; k < sizes.size(); ++k)
       if (sizes[k] > 0) residual = std::max(residual, left[k] / sizes[k]);

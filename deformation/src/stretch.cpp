@@ -22,18 +22,19 @@ R length_of(const Vec3<R>& v) {
 }
 
 // The edges from the first corner: one of a segment, two of a triangle.
-template <Scalar R>
-std::array<Vec3<R>, 2> edges_of(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element) {
+template <Scalar R, class Vertices>
+std::array<Vec3<R>, 2> edges_of(const CageElements& rest, const Vertices& vertices, std::size_t element) {
   const auto corners = rest.vertices_of(element);
-  return {vertices[corners[1]] - vertices[corners[0]],
-          corners.size() > 2 ? Vec3<R>(vertices[corners[2]] - vertices[corners[0]]) : Vec3<R>(R(0), R(0), R(1))};
+  const Vec3<R> first = convert<R>(vertices[corners[0]]);
+  return {convert<R>(vertices[corners[1]]) - first,
+          corners.size() > 2 ? Vec3<R>(convert<R>(vertices[corners[2]]) - first) : Vec3<R>(R(0), R(0), R(1))};
 }
 
 // Outward, as long as the segment, or as twice the triangle's area; of edges over their largest number, so that nothing
 // leaves the range.
 template <Scalar R>
 Vec3<R> extent(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element) {
-  auto [u, v] = edges_of(rest, vertices, element);
+  auto [u, v] = edges_of<R>(rest, vertices, element);
   const R of_u = u.cwiseAbs().maxCoeff(), of_v = v.cwiseAbs().maxCoeff();
   if (!(of_u > 0) || !(of_v > 0)) return Vec3<R>::Zero();
   u /= of_u;
@@ -105,7 +106,7 @@ template <Scalar R>
 R stretch_of(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element) {
   using std::sqrt;
   if (stretch == Stretch::Unit) return R(1);
-  auto from = edges_of(rest, vertices_in<R>(rest), element), to = edges_of(rest, vertices, element);
+  auto from = edges_of<R>(rest, rest.vertices(), element), to = edges_of<R>(rest, vertices, element);
   if (rest.dimension() == 2) return length_of(to[0]) / length_of(from[0]);
   // In a unit of the rest element's own, so that squares of areas stay in range.
   const R unit = length_of(from[0]);

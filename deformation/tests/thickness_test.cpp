@@ -74,11 +74,11 @@ TEST(thickness, merit_does_not_rise) {
     const auto posed = model.pose();
     const DeformationReport& report = posed->report();
     EXPECT_FALSE(warns_of(report, "not converged")) << report.warnings.front();
-    ASSERT_EQ(report.energies.size(), 1 + static_cast<std::size_t>(figure(report, "steps")));
-    for (std::size_t k = 1; k < report.energies.size(); ++k)
-      EXPECT_LE(report.energies[k], report.energies[k - 1] * (1 + 1e-12)) << by << ", step " << k;
+    ASSERT_EQ(report.merits.size(), 1 + static_cast<std::size_t>(figure(report, "steps")));
+    for (std::size_t k = 1; k < report.merits.size(); ++k)
+      EXPECT_LE(report.merits[k], report.merits[k - 1] * (1 + 1e-12)) << by << ", step " << k;
     // The constraints are met in the end: nothing but the energy is left.
-    EXPECT_NEAR(report.energies.back(), figure(report, "energy"), 1e-9 * report.energies.back());
+    EXPECT_NEAR(report.merits.back(), figure(report, "energy"), 1e-9 * report.merits.back());
   }
 }
 
@@ -168,6 +168,37 @@ TEST(thickness, is_registered_with_the_parameters_of_its_coordinates) {
   EXPECT_FALSE(warns_of(moved->report(), "not converged"));
 }
 
+// Targets so far off that steps lower nothing: the merit stays where it was, and steps end.
+TEST(thickness, merit_does_not_rise_for_targets_that_tear) {
+  Constraints far;
+  far.positions = {{{.5, .5, 0}, {.5, .7, 0}}, {{.25, .25, 0}, {3, -5, 0}}, {{.75, .25, 0}, {-4, -5, 0}}};
+  const auto posed = Thickness<double>(square().cage, far, {}).pose();
+  const std::vector<double>& merits = posed->report().merits;
+  ASSERT_GT(merits.size(), 2U);
+  for (std::size_t k = 1; k < merits.size(); ++k) EXPECT_LE(merits[k], merits[k - 1] * (1 + 1e-12)) << k;
+}
+
+// Ranks of what has other units of length do not depend on the user's.
+TEST(thickness, does_not_depend_on_the_unit) {
+  const Case c = square();
+  const auto image_in = [&](double s) {
+    std::vector<Vec> vertices = c.cage.vertices();
+    for (Vec& v : vertices) v *= s;
+    Constraints drawn;
+    drawn.positions = {{{.5 * s, .5 * s, 0}, {.5 * s, .5 * s, 0}}, {{.25 * s, .75 * s, 0}, {.2 * s, .8 * s, 0}}};
+    const Thickness<double> model(c.cage.with(vertices, c.cage.faces()), drawn, {});
+    EXPECT_EQ(model.prepared().warnings.empty(),
+              Thickness<double>(c.cage, {.positions = {{{.5, .5, 0}, {.5, .5, 0}}, {{.25, .75, 0}, {.2, .8, 0}}}}, {})
+                  .prepared()
+                  .warnings.empty())
+        << s;
+    const std::vector<Vec> point{{.3 * s, .6 * s, 0}};
+    return Vec(image(model.images(*model.pose(), std::span(point), 0), 0, 2) / s);
+  };
+  const Vec here = image_in(1);
+  for (const double s : {1e-80, 1e-6, 1e8}) EXPECT_LT((image_in(s) - here).norm(), 1e-9) << s;
+}
+
 TEST(thickness, reports) {
   const auto stopped = Thickness<double>(long_bar(), lifted(), {.steps = 1, .coordinates = as_printed}).pose();
   EXPECT_TRUE(warns_of(stopped->report(), "not converged after 1 steps: the last changed vertices by"));
@@ -178,8 +209,9 @@ TEST(thickness, reports) {
                        "the positions leave 1 of 28 unknowns free"));
   Constraints twice = lifted();
   twice.positions.push_back(twice.positions[1]);
-  const auto consistent = Thickness<double>(long_bar(), twice, {.coordinates = as_printed}).pose();
-  EXPECT_TRUE(warns_of(consistent->report(), "the positions are not independent: rank 6 of 8"));
+  const Thickness<double> model(long_bar(), twice, {.coordinates = as_printed});
+  const auto consistent = model.pose();
+  EXPECT_TRUE(warns_of(model.prepared(), "the positions are not independent: rank 6 of 8"));
   EXPECT_NEAR(figure(consistent->report(), "energy a sample"), 0.0560932547, 1e-8 * 0.0560932547);
   twice.positions[3].to[1] += .5;
   const auto contradicting = Thickness<double>(long_bar(), twice, {.coordinates = as_printed}).pose();

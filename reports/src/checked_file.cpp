@@ -51,8 +51,10 @@ void replace_files(const std::vector<std::pair<std::filesystem::path, std::strin
       ++written;
       write_as(fresh, path, bytes);
       // A folder of that name is found before anything is renamed.
+      std::error_code ignored;
+      const bool in_the_way = std::filesystem::is_directory(path, ignored);
       errno = EISDIR;
-      if (std::filesystem::is_directory(path)) fail(path);
+      if (in_the_way) fail(path);
     }
   } catch (const InputError&) {
     remove_fresh(0);

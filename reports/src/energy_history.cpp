@@ -1,42 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/energy_history.h"
 
-#include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
 #include "gnuplot.h"
+#include "scratch_folder.h"
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <filesystem>
-
 namespace cageproof::reports {
-namespace {
-
-namespace fs = std::filesystem;
-
-// A folder of its own for as long as it lives.
-class OwnFolder {
- public:
-  OwnFolder() {
-    std::string name = (fs::temp_directory_path() / "cageproof-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw InputError(fmt::format("cannot make a folder like {}", name));
-    path_ = name;
-  }
-  ~OwnFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  OwnFolder(const OwnFolder&) = delete;
-  OwnFolder& operator=(const OwnFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-}  // namespace
-
 std::string energies_csv(std::span<const double> energies) {
   std::string text = "number,energy\n";
   for (std::size_t i = 0; i < energies.size(); ++i) text += fmt::format("{},{}\n", i + 1, energies[i]);
@@ -47,7 +18,7 @@ std::string energies_png(std::span<const double> energies, std::string_view titl
   std::string data;
   for (std::size_t i = 0; i < energies.size(); ++i)
     data += fmt::format("{} {}\n", i + 1, energies[i] > 0 ? gnuplot_number(energies[i]) : "NaN");
-  const OwnFolder folder;
+  const ScratchFolder folder;
   draw({{.file = "energies.png",
          .width = 640,
          .height = 400,

@@ -2,6 +2,7 @@
 #include "cageproof/reports/mesh_text.h"
 
 #include "cageproof/core/whole_file.h"
+#include "scratch_folder.h"
 
 #include <vtkCellArray.h>
 #include <vtkNew.h>
@@ -10,8 +11,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include <cstdlib>
-#include <filesystem>
 #include <stdexcept>
 
 namespace cageproof::reports {
@@ -34,26 +33,6 @@ void fill(const Mesh& mesh, vtkPolyData& data) {
   if (!mesh.faces.empty()) data.SetPolys(faces);
   if (!mesh.segments.empty()) data.SetLines(lines);
 }
-
-// A folder of its own, which goes with what is in it.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "cageproof-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no folder for temporary files could be made");
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 // By a writer that knows files alone.
 template <class Writer>

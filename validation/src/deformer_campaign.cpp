@@ -88,17 +88,23 @@ std::vector<Vec3<double>> interior_points(const Cage& cage, Triangulation rule, 
   std::vector<Vec3<double>> points;
   for (int i = 0; i < count; ++i) {
     RandomStream random(seed, fmt::format("deformer/{}", cage.name()), i);
-    Vec3<double> p = Vec3<double>::Zero();
-    do
+    // Thin cages have no points so deep.
+    constexpr int tries = 20000;
+    bool found = false;
+    for (int t = 0; t < tries && !found; ++t) {
+      Vec3<double> p = Vec3<double>::Zero();
       for (int c = 0; c < cage.dimension(); ++c) p[c] = random.uniform(low[c], high[c]);
-    while (locator.distance(p) < depth * cage.size() || !locator.inside(p));
-    points.push_back(p);
+      found = locator.distance(p) >= depth * cage.size() && locator.inside(p);
+      if (found) points.push_back(p);
+    }
+    if (!found) break;
   }
   return points;
 }
 
 Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options) {
   Measurements measurements;
+  if (interior_points(*cage, options.triangulation, options.seed, 1).empty()) return measurements;
   for (const deformation::DeformMethod& method : deformation::deform_methods()) {
     if (!matches(options.methods, method.name) || !deformation::why_refused(method, *cage).empty()) continue;
     std::vector<DeformerVariant> variants = variants_of(method);

@@ -18,6 +18,9 @@ using deformation::Posed;
 // A system with a condition up to this leaves images all their digits but three.
 constexpr double harmless_condition = 1e3;
 
+// No condition excuses more: a deformer states its own.
+constexpr double most_excused = 1e8;
+
 template <class R>
 std::vector<Vec3<R>> in(const std::vector<Vec3<double>>& points) {
   std::vector<Vec3<R>> found;
@@ -33,8 +36,8 @@ double condition_of(const Deformer<R>& deformer, const Posed<R>& posed) {
   double worst = 1;
   for (const auto& systems : {deformer.prepared().systems, posed.report().systems})
     for (const SolvedSystem& system : systems)
-      if (std::isfinite(system.condition)) worst = std::max(worst, system.condition);
-  return worst;
+      if (!system.is_singular() && std::isfinite(system.condition)) worst = std::max(worst, system.condition);
+  return std::min(worst, most_excused);
 }
 
 // Each point by itself, so that a case of one point is what it was among others: products of larger matrices sum in

@@ -5,6 +5,7 @@
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/regime.h"
 #include "cageproof/validation/truth.h"
+#include "deformer_claims.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,9 @@ std::vector<ErratumRow> unmeasured(const ErrataOptions& options) {
       found.regime = erratum.regime;
     }
   }
+  // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
+  if (options.formulas == "*")
+    for (const DeformerClaim& claim : deformer_claims()) rows.push_back(claim.row);
   return rows;
 }
 
@@ -71,7 +75,10 @@ class ErrataMeasurement final : public Measurement {
 
   Findings measure(int block) const override {
     ErratumRow row = rows_[block];
-    if (!row.formula.empty()) fill_in(options_, row);
+    const std::size_t claims = options_.formulas == "*" ? deformer_claims().size() : 0;
+    const std::size_t before = rows_.size() - claims, number = static_cast<std::size_t>(block);
+    if (number < before && !row.formula.empty()) fill_in(options_, row);
+    if (number >= before && deformer_claims()[number - before].measure) deformer_claims()[number - before].measure(row);
     Findings findings;
     findings.errata.emplace(block, std::move(row));
     return findings;

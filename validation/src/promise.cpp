@@ -228,7 +228,7 @@ constexpr std::array table{
         "@(cube|icosphere|torus|l-block|twisted-bar|thin-box|spiky-box)", 0, 0, 64,
         "as the partition of unity, norm-wise over a block: in space each of its equations has one unit"},
     Row{"cage_scaling", "regularised_weber", recommended, "double", "*", 0, 0, none,
-        "in the plane the layers' logarithm has the unit's"},
+        "promised on the embedded cages of space; in the plane the layers' logarithm has the unit's"},
     Row{"cage_scaling", "regularised_*", recommended, "double", "*", 0, 0, none,
         "values are weighed against Laplacians or normal derivatives, which change with the unit by other powers: "
         "gamma_d goes with its fourth"},

@@ -137,8 +137,12 @@ class Planner {
 
   // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
   void add_deformers(const std::shared_ptr<const Cage>& cage) {
-    if (options_.formulas == "*")
-      add(deformer_measurements(cage, {.triangulation = options_.triangulation, .seed = options_.seed}));
+    if (options_.formulas != "*") return;
+    Measurements found = deformer_measurements(cage, {.triangulation = options_.triangulation, .seed = options_.seed});
+    if (found.empty())
+      plan_.header.notes.push_back(fmt::format(
+          "{}: deformers are not judged, no point is found 2e-2 of its size and more inside", cage->name()));
+    add(std::move(found));
   }
 
   // Whether the kind exists on such a cage and sums a formula that is asked for; kinds that compute otherwise are asked

@@ -98,6 +98,12 @@ TEST(errata, misprints_are_wrong_and_corrections_right) {
     EXPECT_FALSE(row.printed.empty() || row.correct.empty()) << row.source;
     if (row.formula.empty()) continue;
     ++measured;
+    if (find_formula(row.formula) == nullptr) {
+      // Of deformers: in double, over the cage's size.
+      EXPECT_GT(row.printed_error, 1e-3) << row.source;
+      EXPECT_LT(row.corrected_error, 1e-5) << row.source;
+      continue;
+    }
     EXPECT_EQ(row.samples, 3u) << row.source;
     EXPECT_TRUE(row.printed_error > 1e-3 || row.nonfinite > 0) << row.source << ' ' << row.formula << ' ' << row.order;
     EXPECT_LT(row.corrected_error, 1e-28) << row.source << ' ' << row.formula << ' ' << row.order;

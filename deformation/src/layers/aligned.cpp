@@ -97,6 +97,14 @@ class Aligned final : public LayerDeformer<R> {
                     ? softly_along(units, fixed, report)
                     : least_stretched<R>(of_normals_, fixed, units, alignment_ == Alignment::NonNegative, report);
     }
+    if (alignment_ != Alignment::NonNegative) warn_of_digits(report);
+    report.figures.emplace_back("energy a sample", energy(fixed, normals));
+    return this->with(vertices, normals, std::move(report));
+  }
+
+ private:
+  // Methods that know of no negative stretches speak for themselves.
+  static void warn_of_digits(DeformationReport& report) {
     if (report.systems.back().is_singular())
       report.warnings.push_back(fmt::format("{}: of deficient rank, {} of {}, the solution of least norm is taken",
                                             report.systems.back().name, report.systems.back().rank,
@@ -104,11 +112,8 @@ class Aligned final : public LayerDeformer<R> {
     else if (report.systems.back().condition > 1e10)
       report.warnings.push_back(fmt::format("{}: the condition is {:.1e}, and images lose digits like it",
                                             report.systems.back().name, report.systems.back().condition));
-    report.figures.emplace_back("energy a sample", energy(fixed, normals));
-    return this->with(vertices, normals, std::move(report));
   }
 
- private:
   double energy(const Matrix<R>& fixed, const Matrix<R>& normals) const {
     return static_cast<double>(R((fixed + of_normals_ * normals).squaredNorm())) / samples_;
   }

@@ -31,12 +31,6 @@ std::array<Matrix<R>, 4> normal_slopes(const CageCoordinates& coordinates, const
   return found;
 }
 
-double size_of(const CageElements& elements) {
-  Vec3<double> low = elements.vertices()[0], high = low;
-  for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
-  return (high - low).stableNorm();
-}
-
 }  // namespace
 
 KindParameter level_parameter() {
@@ -61,8 +55,7 @@ Regularisation<R> regularisation_by(Construction construction, const CageCoordin
     case Construction::Weber: return weber<R>(layers, account);
     case Construction::OneThree: break;
   }
-  const R weight = weights[1] != 0 ? weight_in<R>(weights[1], layers.unit / size_of(coordinates.elements()))
-                                   : weight_in<R>(weights[0], layers.unit);
+  const R weight = weights[1] != 0 ? weight_in<R>(weights[1], 1 / layers.size) : weight_in<R>(weights[0], layers.unit);
   return one_three<R>(layers, weight, account);
 }
 

@@ -43,8 +43,8 @@ void put(Regularisation<R>& found, const SampledLayers<R>& layers, Matrix<R> sol
   found.terms = std::move(terms);
 }
 
-// Of the weight times the fourth power of the cage's size: beyond, the system's condition is that of its weight.
-constexpr double least_harmless = 1e-8, most_harmless = 1e10;
+// Of gamma_d times the fourth power of the cage's size: below, the condition grows like one over its root.
+constexpr double least_harmless = 1e-8;
 
 // A system's solution, and the sizes of what it is rounded by where they are asked for.
 template <Scalar R>
@@ -81,11 +81,12 @@ Regularisation<R> one_three(const SampledLayers<R>& layers, const R& gamma, Acco
     found.warnings.emplace_back("gamma_d = 0: Green coordinates, by definition; it is not the limit of small gamma_d");
     return found;
   }
-  if (gamma < least_harmless || gamma > most_harmless)
+  const double over_size = static_cast<double>(gamma) * std::pow(layers.size, 4);
+  if (over_size < least_harmless)
     found.warnings.push_back(
         fmt::format("gamma_d is {:.1e} over the fourth power of the cage's size: the condition "
-                    "grows with it, and digits are lost",
-                    static_cast<double>(gamma)));
+                    "grows like one over its root, and digits are lost",
+                    over_size));
   const R weight = sqrt(gamma);
   const Matrix<R> a = weight * beside(layers.phibar, layers.psibar);
   const Matrix<R> b = beside(Matrix<R>(layers.phi - layers.hats), layers.psi);

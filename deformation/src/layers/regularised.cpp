@@ -23,7 +23,7 @@ class Regularised final : public LayerDeformer<R> {
     const CageElements& elements = this->coordinates().elements();
     check_pose(elements, pose);
     DeformationReport report;
-    warn_of_orientation(elements, pose.vertices, report.warnings);
+    if (pose.normal_derivatives.empty()) warn_of_orientation(elements, pose.vertices, report.warnings);
     const int d = elements.dimension();
     const auto normals = pose.normal_derivatives.empty() ? stretched_normals(stretch_, elements, pose.vertices)
                                                          : pose.normal_derivatives;

@@ -12,6 +12,9 @@ namespace {
 
 using Basis = std::array<double, 4>;
 
+// Of one of the layers' matrices: a gigabyte, of which there are several.
+constexpr double most_numbers = 1.3e8;
+
 // A part's corners, in the whole element's basis functions.
 using Corners = std::array<Basis, 4>;
 
@@ -38,14 +41,17 @@ void add_centroids(const ElementType& type, const Corners& part, int level, int 
   samples.push_back(sample);
 }
 
-// \throws InputError where its cube or that of its inverse is no normal number
-double unit_of(const CageElements& elements) {
+double size_of(const CageElements& elements) {
   Vec3<double> low = elements.vertices()[0], high = low;
   for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
-  const double unit = std::exp2(std::ilogb((high - low).stableNorm()));
+  return (high - low).stableNorm();
+}
+
+// \throws InputError where its cube or that of its inverse is no normal number
+double unit_next_to(double size) {
+  const double unit = std::exp2(std::ilogb(size));
   if (!std::isnormal(unit * unit * unit) || !std::isnormal(1 / unit / unit / unit))
-    throw InputError(
-        fmt::format("layers of a cage of size {:.3g} leave the range of double", (high - low).stableNorm()));
+    throw InputError(fmt::format("layers of a cage of size {:.3g} leave the range of double", size));
   return unit;
 }
 
@@ -91,6 +97,11 @@ template <Scalar R>
 SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
   const CageElements& elements = coordinates.elements();
   SampledLayers<R> found;
+  const double samples = static_cast<double>(elements.count()) * std::pow(4.0, level),
+               unknowns = static_cast<double>(elements.vertices().size() + elements.count());
+  if (samples * unknowns > most_numbers)
+    throw InputError(fmt::format("{:.0f} samples times {:.0f} densities are more than {:.0e}: a lower level will do",
+                                 samples, unknowns, most_numbers));
   found.samples = samples_of(elements, level);
   const std::size_t count = found.samples.size();
   found.hats = Matrix<R>::Zero(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(elements.vertices().size()));
@@ -103,7 +114,9 @@ SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
     found.hats(static_cast<Eigen::Index>(s), corners[0]) = rest;
   }
   const auto tables = checked_limits<R>(coordinates, found.samples, 0);
-  found.unit = unit_of(elements);
+  const double size = size_of(elements);
+  found.unit = unit_next_to(size);
+  found.size = size / found.unit;
   const R unit(found.unit);
   found.phi = component(tables[0], count, 0, 1, 0);
   found.psi = component(tables[1], count, 0, 1, 0) / unit;

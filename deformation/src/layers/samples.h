@@ -15,6 +15,7 @@ std::vector<Touching> samples_of(const CageElements& elements, int level);
 template <Scalar R>
 struct SampledLayers {
   double unit = 1;  ///< the power of two next to the cage's size, in the user's unit
+  double size = 1;  ///< of the cage, in that unit
   std::vector<Touching> samples;
   Matrix<R> hats;                      ///< of vertices: M
   Matrix<R> phi, psi, phibar, psibar;  ///< a column a vertex, or an element

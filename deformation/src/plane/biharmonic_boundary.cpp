@@ -43,7 +43,7 @@ class BiharmonicBoundary final : public Deformer<R> {
     const CageElements& elements = coordinates_.elements();
     check_pose(elements, pose);
     DeformationReport report;
-    warn_of_orientation(elements, pose.vertices, report.warnings);
+    if (pose.normal_derivatives.empty()) warn_of_orientation(elements, pose.vertices, report.warnings);
     const Matrix<R> vertices = rows_of(pose.vertices, 2), fixed = of_vertices_ * vertices;
     Matrix<R> normals;
     if (!pose.normal_derivatives.empty()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Deformation by Cauchy coordinates of the plane, f = sum C_j f_j in complex numbers.
 #include "../linear_posed.h"
+#include "../posed_orientation.h"
 
 #include "cageproof/deformation/stretch.h"
 
@@ -21,7 +22,9 @@ class Cauchy final : public Deformer<R> {
     // Imaginary parts multiply the vertices times i.
     Matrix<R> turned(vertices.rows(), 2);
     turned << -vertices.col(1), vertices.col(0);
-    return std::make_unique<LinearPosed<R>>(std::vector<Matrix<R>>{vertices, turned}, DeformationReport());
+    DeformationReport report;
+    warn_of_orientation(coordinates_.elements(), pose.vertices, report.warnings);
+    return std::make_unique<LinearPosed<R>>(std::vector<Matrix<R>>{vertices, turned}, std::move(report));
   }
 
  private:

@@ -65,7 +65,7 @@ struct Thickness<R>::Prepared {
                       "cannot be met",
                       there.rank, k.rows()));
     Matrix<R> together(j.rows() + k.rows(), j.cols());
-    together << j, k;
+    together << R(size) * R(size) * j, k;
     const int rank = LeastSquares<R>(together).rank();
     if (rank < together.cols())
       report.warnings.push_back(fmt::format("the positions leave {} of {} unknowns free: steps of least norm are taken",
@@ -92,7 +92,7 @@ struct Thickness<R>::Prepared {
     State found{vertices, normals_at<R>(coordinates.elements(), vertices), {}, {}};
     found.bending = bending(vertices, found.normals.normals);
     found.misfit = misfit(vertices, found.normals.normals, targets);
-    if (!found.bending.allFinite() || !found.misfit.allFinite())
+    if (!std::isfinite(static_cast<double>(found.merit(R(0)))) || !found.misfit.allFinite())
       throw InputError("the targets are too large: the energy is not finite");
     return found;
   }
@@ -100,7 +100,7 @@ struct Thickness<R>::Prepared {
   // How steps went with one weight.
   struct Run {
     State last;
-    std::vector<double> merits = {};
+    std::vector<double> merits = {}, energies = {};
     int steps = 0;
     bool converged = false;
     R change = R(0), gradient = R(0);  ///< the last step, and the projected gradient
@@ -111,6 +111,7 @@ struct Thickness<R>::Prepared {
     const R rounding = R(8192) * unit_roundoff<R>();
     Run run{state(rest, targets)};
     run.merits.push_back(static_cast<double>(run.last.merit(weight)));
+    run.energies.push_back(static_cast<double>(run.last.energy()));
     while (run.steps < options.steps && !run.converged) {
       const Matrix<R> j = jacobian(thickness, run.last.normals), k = jacobian(at_positions, run.last.normals);
       const GaussNewtonStep<R> next = gauss_newton<R>(run.last.bending, j, run.last.misfit, k);
@@ -132,10 +133,15 @@ struct Thickness<R>::Prepared {
         part /= 2;
         there = state(run.last.vertices + part * next.step.reshaped(2, rest.rows()).transpose(), targets);
       }
+      // No part of the step lowers the merit: rounding is all that is left, or the step is of no use.
+      if (!run.converged && there.merit(weight) > merit * (1 + 64 * unit_roundoff<R>())) break;
       run.last = std::move(there);
       ++run.steps;
       run.merits.push_back(static_cast<double>(run.last.merit(weight)));
-      if (watch) watch(run.steps, static_cast<double>(run.last.energy()));
+      run.energies.push_back(static_cast<double>(run.last.energy()));
+      if (watch) watch(run.steps, run.energies.back());
+      // What misses its targets may have come to rest.
+      if (run.change <= unit_roundoff<R>() * R(size)) break;
     }
     return run;
   }
@@ -149,7 +155,6 @@ struct Thickness<R>::Prepared {
     Run found = run(rows, R(1) / R(size) / R(size) / R(size), watch);
     for (int again = 0; again < 60 && found.wanted > 0; ++again) found = run(rows, R(found.wanted), watch);
     DeformationReport said;
-    said.warnings = report.warnings;
     const R misfit = found.last.misfit.cwiseAbs().maxCoeff();
     if (!found.converged)
       said.warnings.push_back(fmt::format(
@@ -163,7 +168,8 @@ struct Thickness<R>::Prepared {
                     {"steps", found.steps},
                     {"constraint misfit", static_cast<double>(misfit)},
                     {"projected gradient", static_cast<double>(found.gradient)}};
-    said.energies = std::move(found.merits);
+    said.energies = std::move(found.energies);
+    said.merits = std::move(found.merits);
     return std::make_unique<PosedCage<R>>(found.last.vertices, found.last.normals.normals, std::move(said));
   }
 

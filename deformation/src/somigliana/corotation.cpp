@@ -29,6 +29,19 @@ NearestRotation<R> rotation_nearest_to(const Matrix<R>& matrix) {
   return nearest_rotation<R>(matrix, 64 * unit_roundoff<R>());
 }
 
+// The power of two next to the largest extent of the rest cage.
+double own_unit(const CageElements& rest) {
+  Vec3<double> low = rest.vertices()[0], high = low;
+  for (const Vec3<double>& v : rest.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  return std::exp2(std::ilogb((high - low).maxCoeff()));
+}
+
+template <Scalar R>
+std::vector<Vec3<R>> over(std::vector<Vec3<R>> points, const R& unit) {
+  for (Vec3<R>& p : points) p /= unit;
+  return points;
+}
+
 template <Scalar R>
 R measure(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element) {
   using std::sqrt;
@@ -80,10 +93,8 @@ R wrapped(R angle) {
 
 // The rotation and stretch of all vertices (Umeyama 1991).
 template <Scalar R>
-std::pair<Matrix<R>, R> similarity(const CageElements& rest, const std::vector<Vec3<R>>& posed,
+std::pair<Matrix<R>, R> similarity(int d, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
                                    std::vector<std::string>& warnings) {
-  const int d = rest.dimension();
-  const std::vector<Vec3<R>> from = vertices_in<R>(rest);
   Vec3<R> middle = Vec3<R>::Zero(), posed_middle = Vec3<R>::Zero();
   for (std::size_t v = 0; v < from.size(); ++v) middle += from[v], posed_middle += posed[v];
   middle /= R(static_cast<double>(from.size()));
@@ -125,8 +136,9 @@ struct Turns {
 };
 
 template <Scalar R>
-Turns<R> global_turns(const CageElements& rest, const std::vector<Vec3<R>>& posed, std::vector<std::string>& warnings) {
-  const auto [rotation, stretch] = similarity(rest, posed, warnings);
+Turns<R> global_turns(const CageElements& rest, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
+                      std::vector<std::string>& warnings) {
+  const auto [rotation, stretch] = similarity(rest.dimension(), from, posed, warnings);
   return {std::vector<Matrix<R>>(posed.size(), rotation), std::vector<Matrix<R>>(rest.count(), rotation),
           std::vector<R>(rest.count(), stretch)};
 }
@@ -143,13 +155,13 @@ Matrix<R> rotation_or_warning(const Matrix<R>& matrix, std::string_view what, st
 
 template <Scalar R>
 Turns<R> local_turns(const CageElements& rest, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
-                     std::vector<std::string>& warnings) {
+                     std::vector<R> stretches, std::vector<std::string>& warnings) {
   const int d = rest.dimension();
   Turns<R> found;
+  found.stretches = std::move(stretches);
   found.of_vertices.assign(posed.size(), Matrix<R>::Zero(d, d));
   for (std::size_t e = 0; e < rest.count(); ++e) {
     found.of_elements.push_back(rotation_of(rest, from, posed, e));
-    found.stretches.push_back(stretch_of(Stretch::Mean, rest, posed, e));
     for (const int v : rest.vertices_of(e)) found.of_vertices[v] += measure(rest, from, e) * found.of_elements[e];
   }
   for (std::size_t v = 0; v < posed.size(); ++v)
@@ -160,11 +172,11 @@ Turns<R> local_turns(const CageElements& rest, const std::vector<Vec3<R>>& from,
 // Stretches are averaged as numbers; rotations as matrices, whose nearest rotation is taken, as around vertices.
 template <Scalar R>
 Turns<R> turns_of(const CageElements& rest, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
-                  double blend, std::vector<std::string>& warnings) {
-  if (blend == 0) return global_turns(rest, posed, warnings);
-  Turns<R> local = local_turns(rest, from, posed, warnings);
+                  const auto& stretches, double blend, std::vector<std::string>& warnings) {
+  if (blend == 0) return global_turns(rest, from, posed, warnings);
+  Turns<R> local = local_turns<R>(rest, from, posed, stretches(), warnings);
   if (blend == 1) return local;
-  const Turns<R> global = global_turns(rest, posed, warnings);
+  const Turns<R> global = global_turns(rest, from, posed, warnings);
   const R share(blend), other = 1 - share, least = 64 * unit_roundoff<R>();
   for (std::size_t v = 0; v < posed.size(); ++v)
     local.of_vertices[v] = rotation_or_warning<R>(other * global.of_vertices[v] + share * local.of_vertices[v],
@@ -180,13 +192,22 @@ Turns<R> turns_of(const CageElements& rest, const std::vector<Vec3<R>>& from, co
 }  // namespace
 
 template <Scalar R>
-Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>& posed,
+Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>& given,
                             const CorotationOptions& options) {
   using std::exp;
   const int d = rest.dimension();
-  const std::vector<Vec3<R>> from = vertices_in<R>(rest);
+  // Rotations, tractions and their balance do not depend on the unit of length; squares of areas leave the range in
+  // the user's.
+  const R unit(own_unit(rest));
+  const std::vector<Vec3<R>> from = over(vertices_in<R>(rest), unit), posed = over(given, unit);
+  const auto local_stretches = [&] {
+    std::vector<R> found;
+    found.reserve(rest.count());
+    for (std::size_t e = 0; e < rest.count(); ++e) found.push_back(stretch_of(Stretch::Mean, rest, given, e));
+    return found;
+  };
   Corotation<R> found;
-  Turns<R> turns = turns_of(rest, from, posed, options.blend, found.warnings);
+  Turns<R> turns = turns_of(rest, from, posed, local_stretches, options.blend, found.warnings);
   found.of_vertices = std::move(turns.of_vertices);
   found.of_elements = std::move(turns.of_elements);
   const std::vector<R>& stretches = turns.stretches;

@@ -99,6 +99,12 @@ struct Variational<R>::Prepared {
     return found;
   }
 
+  // What an energy of nothing is rounded to.
+  static double rounding_of(const Matrix<R>& right) {
+    const R rounding = R(1e4) * unit_roundoff<R>();
+    return static_cast<double>(R(rounding * rounding * right.squaredNorm()));
+  }
+
   std::unique_ptr<const Posed<R>> posed(const Matrix<R>& solution, DeformationReport report) const {
     const Matrix<R> coefficients = rows.units.asDiagonal() * solution;
     std::vector<Matrix<R>> data;
@@ -125,8 +131,20 @@ struct Variational<R>::Prepared {
         told = true;
       }
       report.energies.push_back(energy(solution, right));
-      solution = factors.solve(right);
-      report.energies.push_back(energy(solution, right));
+      Matrix<R> next = factors.solve(right);
+      const double after = energy(next, right);
+      // The least cannot be more than what there was, but by the rounding of what is asked for.
+      if (after > report.energies.back() * (1 + 1e-9) + rounding_of(right)) {
+        report.warnings.push_back(
+            fmt::format("step {} would raise the energy from {:.2g} to {:.2g}: the weights are too uneven for the "
+                        "precision, and the map is the one before it",
+                        step, report.energies.back(), after));
+        report.energies.push_back(report.energies.back());
+        converged = true;
+        break;
+      }
+      solution = std::move(next);
+      report.energies.push_back(after);
       if (watch) watch(step, report.energies.back());
       // From global step to global step; the first one has its own local step before it.
       const double before = report.energies[report.energies.size() - (step == 1 ? 2 : 3)];

@@ -19,8 +19,10 @@ struct DeformationReport {
   std::vector<SolvedSystem> systems;
   std::vector<std::pair<std::string, double>> figures;  ///< energies, counts, by name
   std::vector<std::string> warnings;
-  /// Of methods that iterate: what they make less, after every half step.
+  /// Of methods that iterate: the energy after every half step, or step.
   std::vector<double> energies = {};
+  /// Of methods whose energy may rise on the way to the constraints: what does not, after every step.
+  std::vector<double> merits = {};
 };
 
 /// Another pose of a cage: its vertices, in their order, elsewhere.

@@ -33,13 +33,13 @@ class Thickness final : public ConstrainedDeformer<R> {
   const CageCoordinates& coordinates() const override;
   DeformationReport prepared() const override;
 
-  /// Posed::vertices has the posed cage F. The report has in `energies` the merit of the rest pose and after each step,
-  /// all with one weight, which does not rise; as figures "energy", "energy a sample", "steps", "constraint misfit"
-  /// (the largest |f(at) - to|) and "projected gradient" (of E along the constraints, its largest number, per length).
-  /// It warns where misfit, step and projected gradient are not down to rounding in the end; in 50 digits that takes
-  /// several times as many steps. Where the weight turns out to be less than the constraints' multipliers, steps begin
-  /// anew with a larger one, from the rest pose and number 1 on. What is watched is E.
-  /// \throws InputError for targets for which an edge of the posed cage shrinks to nothing
+  /// Posed::vertices has the posed cage F. The report has E of the rest pose and after each step in `energies`, and the
+  /// merit in `merits`, all with one weight, which does not rise; as figures "energy", "energy a sample", "steps",
+  /// "constraint misfit" (the largest |f(at) - to|) and "projected gradient" (of E along the constraints, its largest
+  /// number, per length). It warns where misfit, step and projected gradient are not down to rounding in the end; in 50
+  /// digits that takes several times as many steps. Where the weight turns out to be less than the constraints'
+  /// multipliers, steps begin anew with a larger one, from the rest pose and number 1 on. What is watched is E. \throws
+  /// InputError for targets for which an edge of the posed cage shrinks to nothing
   std::unique_ptr<const Posed<R>> pose(const StepWatcher& watch = {}) const override;
   std::unique_ptr<const Posed<R>> pose_to(const std::vector<Vec3<double>>& targets,
                                           const StepWatcher& watch = {}) const override;

@@ -22,6 +22,7 @@ struct DeformerCampaignOptions {
 const std::vector<std::string_view>& deformer_cage_names();
 
 /// Points inside a cage, at least 2e-2 of its size from it; point i is a function of (seed, cage name, i).
+/// Fewer, or none, of cages so thin that none is found.
 std::vector<Vec3<double>> interior_points(const Cage& cage, Triangulation rule, std::uint64_t seed, int count);
 
 /// One a variant of each method that matches and does not refuse the cage; on cages with more than few_elements of the
