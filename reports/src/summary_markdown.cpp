@@ -150,7 +150,8 @@ std::string errata(const RunResult& result) {
   std::string text = "\n## Errata of the papers\n";
   if (!measured.empty())
     text +=
-        "\nLargest relative error found, in 50 digits; of deformers, in double, the largest distance over the cage's "
+        "\nLargest relative error found, in 50 digits; of images in whole cages, in double, the largest distance over "
+        "their "
         "size.\n\n" +
         head({"where", "printed", "right", "formula", "order", "evaluation", "regime", "as printed", "corrected"}) +
         measured;
