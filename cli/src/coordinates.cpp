@@ -128,7 +128,7 @@ void add_coordinates(CommandLine& line) {
                "compute with quads that are not valid, of kinds that keep quads");
   command.option("--parameter", a->parameters,
                  "mu=..., nu=... of somigliana (nu in (-1, 0.5] or inf or -inf); pieces=1 ... 64, collocation=NAME of "
-                 "kinds that solve boundary equations");
+                 "kinds that solve boundary equations; level=..., gamma_d=... of regularised ones; `list` names all");
   command.option("--evaluation", a->evaluation, "how its formulas are evaluated, instead of as recommended");
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
   command.option("--out", a->out, ".csv, .npy (points x columns) or .vtp; CSV on standard output if not given");

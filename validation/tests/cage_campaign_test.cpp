@@ -45,9 +45,11 @@ TEST(coordinates, of_every_kind_exist_on_every_embedded_surface) {
     const bool extreme = i >= ordinary;
     const Cage cage = embedded_cage(name);
     if (cage.dimension() != 3) continue;
+    CageCampaignOptions options;
+    options.solved_elements = extreme ? 0 : 50;
     for (const CoordinateKind& kind : coordinate_kinds()) {
       // Kinds of the plane, and those that solve on samples, which want walls of some thickness.
-      if (!exists_on(kind, cage) || !is_affordable(kind, cage, {.solved_elements = extreme ? 0 : 50})) continue;
+      if (!exists_on(kind, cage) || !is_affordable(kind, cage, options)) continue;
       EXPECT_TRUE(accepts(kind, cage)) << name << ' ' << kind.name;
       EXPECT_NO_THROW(CageCoordinates(cage, kind, {})) << name << ' ' << kind.name;
     }

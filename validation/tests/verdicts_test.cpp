@@ -96,13 +96,23 @@ RowKey gate_at(const char* regime) {
 TEST(rows, without_an_integral_behind_them_break_its_own_row) {
   Tally declined = tally(-1);
   declined.declined = declined.asked = 2;
-  for (const Tally& none : {declined, tally(-1, 2)}) {
+  for (const Tally& none : {declined, tally(-1, 4)}) {
     std::map<RowKey, Tally> tallies{{gate_at("on-face"), none}, {key("truth", "closed_form", "on-face"), tally(3)}};
     for (const ResultRow& row : judged(tallies).rows)
       EXPECT_EQ(row.verdict, row.check == "integral" ? Verdict::Broken : Verdict::NotPromised);
     // Where nothing has a limit, nothing rests on it.
     tallies[key("truth", "closed_form", "on-face")] = tally(-1, 3);
     for (const ResultRow& row : judged(tallies).rows) EXPECT_EQ(row.verdict, Verdict::NotPromised);
+  }
+}
+
+// Runs of few samples may meet none with a limit.
+TEST(rows, rest_on_nothing_where_few_samples_have_no_limit) {
+  std::map<RowKey, Tally> tallies{{gate_at("on-face"), tally(-1, 3)},
+                                  {key("truth", "closed_form", "on-face"), tally(3)}};
+  for (const ResultRow& row : judged(tallies).rows) {
+    EXPECT_EQ(row.verdict, Verdict::NotPromised);
+    EXPECT_FALSE(row.reason.empty());
   }
 }
 
