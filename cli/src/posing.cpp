@@ -9,10 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-
 namespace cageproof::cli {
 
 using namespace deformation;
@@ -41,13 +37,6 @@ void check_rows(const DataFiles& files, const Pose<double>& pose, const CageElem
   check(files.normal_derivatives, pose.normal_derivatives.size(), elements.count(), "elements");
   check(files.laplacians, pose.laplacians.size(), elements.vertices().size(), "vertices");
   check(files.laplacian_derivatives, pose.laplacian_derivatives.size(), elements.count(), "elements");
-}
-
-// Whether a message names a constraint by its key.
-bool is_of_constraints(std::string_view message) {
-  constexpr std::array keys{"positions", "orientations", "rotations",      "hessians",
-                            "target",    "there are no", "the constraints"};
-  return std::ranges::any_of(keys, [&](const char* key) { return message.starts_with(key); });
 }
 
 }  // namespace
@@ -88,8 +77,7 @@ Posing posed_by_constraints(const ConstraintMethod& method, const Cage& cage, co
     found.max_order = deformer->coordinates().max_order();
     found.prepared = deformer->prepared();
     found.maps.push_back(deformer->pose(watch));
-  } catch (const InputError& error) {
-    if (!is_of_constraints(error.what())) throw;
+  } catch (const ConstraintError& error) {
     throw InputError(fmt::format("{}: {}", file, error.what()));
   }
   found.names = {file};

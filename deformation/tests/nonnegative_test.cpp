@@ -139,5 +139,14 @@ TEST(nonnegative, alignment_keeps_the_stretches_of_ahap_from_being_negative) {
   EXPECT_LT(figure(found, "energy a sample"), figure(found, "energy a sample, unit normals"));
 }
 
+TEST(nonnegative, refuses_what_is_not_finite) {
+  const Matrix<double> matrix = Matrix<double>::Identity(3, 2);
+  Matrix<double> right = Matrix<double>::Ones(3, 1);
+  for (const double bad : {static_cast<double>(NAN), static_cast<double>(INFINITY)}) {
+    right(1, 0) = bad;
+    EXPECT_THROW(nonnegative_least_squares<double>(matrix, right), InputError) << bad;
+  }
+}
+
 }  // namespace
 }  // namespace cageproof::deformation::test

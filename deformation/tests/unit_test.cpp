@@ -12,6 +12,10 @@
 namespace cageproof::deformation::test {
 namespace {
 
+bool warns_of(const std::vector<std::string>& warnings, const std::string& words) {
+  return std::ranges::any_of(warnings, [&](const auto& w) { return w.find(words) != std::string::npos; });
+}
+
 std::vector<Vec> times(double s, std::vector<Vec> points) {
   for (Vec& p : points) p *= s;
   return points;
@@ -41,10 +45,6 @@ TEST(unit, of_length_does_not_change_unit_free_methods) {
   EXPECT_THROW(change(c, "biharmonic_weber", {1, 3}, 1e-120), InputError);
 }
 
-bool warns_of(const std::vector<std::string>& warnings, const std::string& words) {
-  return std::ranges::any_of(warnings, [&](const auto& w) { return w.find(words) != std::string::npos; });
-}
-
 // Where densities are small beside the harmonic layers, as gamma_d makes them in other units, Laplacians are nearly
 // nothing for all normal derivatives: the condition says so, and images are as good as it lets them be.
 TEST(unit, aligned_methods_keep_rotations_where_densities_are_small) {
@@ -63,8 +63,9 @@ TEST(unit, aligned_methods_keep_rotations_where_densities_are_small) {
       for (std::size_t p = 0; p < points.size(); ++p)
         EXPECT_LT((image(found, p) - turned(points[p])).norm() / cage.size(), 1e-13 + 1e-16 * condition)
             << s << ' ' << alignment;
-      EXPECT_EQ(!pose->report().warnings.empty(), condition > 1e10) << s << ' ' << alignment << ' ' << condition;
-      EXPECT_LT(condition, s == 1 ? 1e5 : 1e16) << s << ' ' << alignment;
+      EXPECT_EQ(warns_of(pose->report().warnings, "digits") || warns_of(pose->report().warnings, "deficient"), s < 1)
+          << s << ' ' << alignment << ' ' << condition;
+      if (s == 1) EXPECT_LT(condition, 1e5) << alignment;
     }
   }
   try {
@@ -79,11 +80,26 @@ TEST(reported, cages_inside_out_wherever_normals_are_used) {
   for (const Case& c : {cube(), square()}) {
     std::vector<Vec> mirrored = c.cage.vertices();
     for (Vec& v : mirrored) v[0] = -v[0];
-    for (const char* method : {"green", "somigliana", "biharmonic_1_3", "tp"}) {
+    for (const char* method : {"green", "somigliana", "biharmonic_1_3", "tp", "cauchy", "biharmonic_boundary"}) {
+      if (!why_refused(deform_method_named(method), c.cage).empty()) continue;
       const auto deformer = prepared(c.cage, method);
       EXPECT_TRUE(warns_of(deformer->pose({mirrored})->report().warnings, "inside out")) << c.name << ' ' << method;
       EXPECT_FALSE(warns_of(deformer->pose({c.posed})->report().warnings, "inside out")) << c.name << ' ' << method;
     }
+  }
+}
+
+// Normals that the user gives are not those of the posed cage.
+TEST(reported, cages_inside_out_not_where_normals_are_given) {
+  const Case c = cube();
+  std::vector<Vec> mirrored = c.cage.vertices();
+  for (Vec& v : mirrored) v[0] = -v[0];
+  for (const char* method : {"green", "biharmonic_1_3", "biharmonic_direct"}) {
+    const auto deformer = prepared(c.cage, method);
+    const auto& normals = deformer->coordinates().elements().normals();
+    EXPECT_FALSE(
+        warns_of(deformer->pose({mirrored, {normals.begin(), normals.end()}})->report().warnings, "inside out"))
+        << method;
   }
 }
 
@@ -106,6 +122,24 @@ TEST(reported, systems_of_poses_that_are_deficient) {
   ASSERT_EQ(posed->report().systems.size(), 1u);
   EXPECT_TRUE(posed->report().systems[0].is_singular());
   EXPECT_TRUE(warns_of(posed->report().warnings, "deficient rank"));
+}
+
+// A polygon of so many edges that one layer at its samples would take tens of gigabytes.
+TEST(rejected, samples_that_no_memory_holds) {
+  constexpr int count = 4000;
+  std::vector<Vec> vertices;
+  std::vector<Face> segments;
+  for (int k = 0; k < count; ++k) {
+    vertices.emplace_back(std::cos(2 * M_PI * k / count), std::sin(2 * M_PI * k / count), 0);
+    segments.push_back({{k, (k + 1) % count, -1, -1}});
+  }
+  const Cage circle = Cage::make_polygon("circle", vertices, segments, {});
+  try {
+    prepared(circle, "biharmonic_weber", {5, 3});
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("128000 samples times 8000 densities"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

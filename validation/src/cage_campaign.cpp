@@ -329,7 +329,7 @@ class MeshMeasurement final : public Measurement {
 }  // namespace
 
 bool is_affordable(const CoordinateKind& kind, const Cage& cage, const CageCampaignOptions& options) {
-  if (!matches("regularised_*", kind.name)) return true;
+  if (!kind.solves_on_samples) return true;
   return static_cast<int>(cage.parts(false, options.triangulation).elements.size()) <= options.solved_elements;
 }
 

@@ -214,5 +214,14 @@ TEST(deformers, points_lie_inside_and_depend_on_their_number_alone) {
   EXPECT_NE(interior_points(cage, Triangulation::Shortest, 8, 1).front(), points.front());
 }
 
+// Nothing is as deep inside a thin bar as points are asked for; a run ends all the same.
+TEST(deformers, are_not_judged_in_cages_without_points_deep_enough) {
+  const auto bar = std::make_shared<const Cage>(embedded_cage("thin-bar"));
+  EXPECT_TRUE(interior_points(*bar, Triangulation::Shortest, 1, 3).empty());
+  EXPECT_TRUE(deformer_measurements(bar, {}).empty());
+  const auto cube = std::make_shared<const Cage>(embedded_cage("cube"));
+  EXPECT_EQ(interior_points(*cube, Triangulation::Shortest, 1, 3).size(), 3U);
+}
+
 }  // namespace
 }  // namespace cageproof::validation

@@ -44,8 +44,8 @@ std::array<Matrix<R>, 4> second_derivatives(Energy energy, const CageCoordinates
   return found;
 }
 
-// Of phi and psi there is none, and those of phibar and psibar are phi and psi. Traces of Hessians would have rounding
-// in place of the first two, which is all there is where densities are small.
+// phi and psi are harmonic, so their Laplacians are exactly zero; those of phibar and psibar are phi and psi. The
+// traces of Hessians would leave rounding in the first two, which outweighs the others where densities are small.
 template <Scalar R>
 std::array<Matrix<R>, 4> laplacians(const CageCoordinates& coordinates, const std::vector<Touching>& samples) {
   const auto tables = checked_limits<R>(coordinates, samples, 0);

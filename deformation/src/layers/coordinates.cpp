@@ -172,7 +172,8 @@ CoordinateKind kind(std::string_view name, std::string_view source) {
       .prepare = [](const Cage& cage, const CoordinateOptions& options) -> std::shared_ptr<const PreparedCoordinates> {
         return std::make_shared<RegularisedCoordinates>(C, cage, options);
       },
-      .parameters = std::move(parameters)};
+      .parameters = std::move(parameters),
+      .solves_on_samples = true};
 }
 
 const RegisterCoordinateKind one_three_kind{

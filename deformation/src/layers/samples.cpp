@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "samples.h"
 
+#include "../own_unit.h"
+
 #include "cageproof/core/input_error.h"
 
 #include <fmt/format.h>
@@ -41,15 +43,9 @@ void add_centroids(const ElementType& type, const Corners& part, int level, int 
   samples.push_back(sample);
 }
 
-double size_of(const CageElements& elements) {
-  Vec3<double> low = elements.vertices()[0], high = low;
-  for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
-  return (high - low).stableNorm();
-}
-
 // \throws InputError where its cube or that of its inverse is no normal number
-double unit_next_to(double size) {
-  const double unit = std::exp2(std::ilogb(size));
+double unit_of_layers(double size) {
+  const double unit = unit_next_to(size);
   if (!std::isnormal(unit * unit * unit) || !std::isnormal(1 / unit / unit / unit))
     throw InputError(fmt::format("layers of a cage of size {:.3g} leave the range of double", size));
   return unit;
@@ -97,12 +93,11 @@ template <Scalar R>
 SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
   const CageElements& elements = coordinates.elements();
   SampledLayers<R> found;
-  const double samples = static_cast<double>(elements.count()) * std::pow(4.0, level),
-               unknowns = static_cast<double>(elements.vertices().size() + elements.count());
-  if (samples * unknowns > most_numbers)
-    throw InputError(fmt::format("{:.0f} samples times {:.0f} densities are more than {:.0e}: a lower level will do",
-                                 samples, unknowns, most_numbers));
   found.samples = samples_of(elements, level);
+  const std::size_t unknowns = elements.vertices().size() + elements.count();
+  if (static_cast<double>(found.samples.size()) * static_cast<double>(unknowns) > most_numbers)
+    throw InputError(fmt::format("{} samples times {} densities are more numbers than {:.0e}: a lower level will do",
+                                 found.samples.size(), unknowns, most_numbers));
   const std::size_t count = found.samples.size();
   found.hats = Matrix<R>::Zero(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(elements.vertices().size()));
   for (std::size_t s = 0; s < count; ++s) {
@@ -115,7 +110,7 @@ SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
   }
   const auto tables = checked_limits<R>(coordinates, found.samples, 0);
   const double size = size_of(elements);
-  found.unit = unit_next_to(size);
+  found.unit = unit_of_layers(size);
   found.size = size / found.unit;
   const R unit(found.unit);
   found.phi = component(tables[0], count, 0, 1, 0);

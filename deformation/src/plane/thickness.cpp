@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/deformation/thickness.h"
 
-#include "../variational/constraint_rows.h"
+#include "../constraint_checks.h"
 #include "gauss_newton.h"
 #include "posed_cage.h"
 #include "solved_systems.h"
@@ -23,12 +23,12 @@ void check_thickness(const Cage& cage, const Constraints& constraints, const Thi
   if (options.samples < 1) throw InputError(fmt::format("samples = {}: at least 1 is wanted", options.samples));
   if (options.steps < 1) throw InputError(fmt::format("steps = {}: at least 1 is wanted", options.steps));
   if (!constraints.orientations.empty() || !constraints.rotations.empty() || !constraints.hessians.empty())
-    throw InputError("thickness takes positions alone");
+    throw ConstraintError("thickness takes positions alone");
   const auto& positions = constraints.positions;
-  if (positions.empty()) throw InputError("there are no positions");
+  if (positions.empty()) throw ConstraintError("there are no positions");
   if (positions.size() > cage.vertices().size())
-    throw InputError(fmt::format("{} positions are more than the {} vertices that are to meet them", positions.size(),
-                                 cage.vertices().size()));
+    throw ConstraintError(fmt::format("{} positions are more than the {} vertices that are to meet them",
+                                      positions.size(), cage.vertices().size()));
   for (std::size_t i = 0; i < positions.size(); ++i) {
     check_finite(fmt::format("positions[{}].at", i), positions[i].at, 2);
     check_finite(fmt::format("positions[{}].to", i), positions[i].to, 2);
@@ -93,7 +93,7 @@ struct Thickness<R>::Prepared {
     found.bending = bending(vertices, found.normals.normals);
     found.misfit = misfit(vertices, found.normals.normals, targets);
     if (!std::isfinite(static_cast<double>(found.merit(R(0)))) || !found.misfit.allFinite())
-      throw InputError("the targets are too large: the energy is not finite");
+      throw ConstraintError("the targets are too large: the energy is not finite");
     return found;
   }
 
@@ -198,19 +198,13 @@ DeformationReport Thickness<R>::prepared() const {
 
 template <Scalar R>
 std::unique_ptr<const Posed<R>> Thickness<R>::pose(const StepWatcher& watch) const {
-  std::vector<Vec3<double>> targets;
-  targets.reserve(prepared_->constraints.positions.size());
-  for (const Constraints::Position& position : prepared_->constraints.positions) targets.push_back(position.to);
-  return prepared_->posed_to(targets, watch);
+  return prepared_->posed_to(targets_of(prepared_->constraints), watch);
 }
 
 template <Scalar R>
 std::unique_ptr<const Posed<R>> Thickness<R>::pose_to(const std::vector<Vec3<double>>& targets,
                                                       const StepWatcher& watch) const {
-  if (targets.size() != prepared_->constraints.positions.size())
-    throw InputError(fmt::format("{} targets for {} positional constraints", targets.size(),
-                                 prepared_->constraints.positions.size()));
-  for (std::size_t i = 0; i < targets.size(); ++i) check_finite(fmt::format("target {}", i), targets[i], 2);
+  check_targets(targets, prepared_->constraints, 2);
   return prepared_->posed_to(targets, watch);
 }
 

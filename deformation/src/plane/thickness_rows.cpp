@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "thickness_rows.h"
 
+#include "../constraint_checks.h"
 #include "../layers/samples.h"
-#include "../variational/constraint_rows.h"
 
 #include "cageproof/core/input_error.h"
 

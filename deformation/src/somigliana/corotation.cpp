@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "corotation.h"
 
+#include "../own_unit.h"
+
 #include "../nearest_rotation.h"
 
 #include "cageproof/core/input_error.h"
@@ -27,13 +29,6 @@ Column<R> in(int d, const Vec3<R>& v) {
 template <Scalar R>
 NearestRotation<R> rotation_nearest_to(const Matrix<R>& matrix) {
   return nearest_rotation<R>(matrix, 64 * unit_roundoff<R>());
-}
-
-// The power of two next to the largest extent of the rest cage.
-double own_unit(const CageElements& rest) {
-  Vec3<double> low = rest.vertices()[0], high = low;
-  for (const Vec3<double>& v : rest.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
-  return std::exp2(std::ilogb((high - low).maxCoeff()));
 }
 
 template <Scalar R>
@@ -198,7 +193,7 @@ Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>
   const int d = rest.dimension();
   // Rotations, tractions and their balance do not depend on the unit of length; squares of areas leave the range in
   // the user's.
-  const R unit(own_unit(rest));
+  const R unit(unit_next_to(size_of(rest)));
   const std::vector<Vec3<R>> from = over(vertices_in<R>(rest), unit), posed = over(given, unit);
   const auto local_stretches = [&] {
     std::vector<R> found;

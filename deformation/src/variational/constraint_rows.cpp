@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "constraint_rows.h"
 
+#include "../constraint_checks.h"
+
 #include "cageproof/core/input_error.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -14,10 +15,6 @@ namespace {
 void check_weight(const char* name, double weight) {
   if (!std::isfinite(weight) || weight < 0)
     throw InputError(fmt::format("{} = {} is no weight: weights are finite and at least 0", name, weight));
-}
-
-std::string place(const Vec3<double>& point, int dimension) {
-  return fmt::format("({})", fmt::join(point.data(), point.data() + dimension, ", "));
 }
 
 // A row a point and derivative, from `first` on.
@@ -42,8 +39,9 @@ void put_rows(const CageCoordinates& coordinates, const std::string& name, const
       column += count;
     }
     if (!rows.matrix.middleRows(row, width).allFinite())
-      throw InputError(fmt::format("{}[{}] at {} is on the cage, where the coordinates have no derivatives of order {}",
-                                   name, p, place(points[p], d), order));
+      throw ConstraintError(
+          fmt::format("{}[{}] at {} is on the cage, where the coordinates have no derivatives of order {}", name, p,
+                      place_text(points[p], d), order));
   }
 }
 
@@ -71,22 +69,6 @@ std::vector<Vec3<double>> places_of(const auto& constraints) {
 
 }  // namespace
 
-template <Scalar R>
-void check_inside(const std::string& name, const std::vector<Vec3<double>>& points, const CoordinateTable<R>& phi,
-                  int dimension) {
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    R sum = 0;
-    for (std::size_t i = 0; i < phi.stride[0]; ++i) sum += phi.tensors[0][p * phi.stride[0] + i];
-    if (!(sum > R(0.5)))
-      throw InputError(fmt::format("{}[{}] at {} is outside the cage", name, p, place(points[p], dimension)));
-  }
-}
-
-void check_finite(const std::string& name, const Vec3<double>& point, int dimension) {
-  for (int c = 0; c < dimension; ++c)
-    if (!std::isfinite(point[c])) throw InputError(fmt::format("{} is not finite", name));
-}
-
 void check_constraints(const Constraints& constraints, const VariationalOptions& options, int dimension) {
   check_weight("alpha", options.alpha);
   check_weight("beta", options.beta);
@@ -96,7 +78,7 @@ void check_constraints(const Constraints& constraints, const VariationalOptions&
     throw InputError(fmt::format("tolerance = {}: it is finite and at least 0", options.tolerance));
   if (constraints.positions.empty() && constraints.orientations.empty() && constraints.rotations.empty() &&
       constraints.hessians.empty())
-    throw InputError("there are no constraints");
+    throw ConstraintError("there are no constraints");
   for (std::size_t i = 0; i < constraints.positions.size(); ++i) {
     check_finite(fmt::format("positions[{}].at", i), constraints.positions[i].at, dimension);
     check_finite(fmt::format("positions[{}].to", i), constraints.positions[i].to, dimension);
@@ -136,10 +118,6 @@ ConstraintRows<R> constraint_rows(const CageCoordinates& coordinates, const Cons
   return rows;
 }
 
-template void check_inside<double>(const std::string&, const std::vector<Vec3<double>>&, const CoordinateTable<double>&,
-                                   int);
-template void check_inside<Mp50>(const std::string&, const std::vector<Vec3<double>>&, const CoordinateTable<Mp50>&,
-                                 int);
 template ConstraintRows<double> constraint_rows<double>(const CageCoordinates&, const Constraints&,
                                                         const VariationalOptions&, double);
 template ConstraintRows<Mp50> constraint_rows<Mp50>(const CageCoordinates&, const Constraints&,

@@ -10,16 +10,6 @@ namespace cageproof::deformation {
 /// are not finite; in so many dimensions
 void check_constraints(const Constraints& constraints, const VariationalOptions& options, int dimension);
 
-/// \param name of the target in messages \throws InputError unless all coordinates are finite
-void check_finite(const std::string& name, const Vec3<double>& point, int dimension);
-
-/// Inside, and on the cage seen from inside, coordinates of vertices sum to one; outside to zero.
-/// \param name of the constraints in messages \param of_vertices their table at the points, values
-/// \throws InputError for a point outside
-template <Scalar R>
-void check_inside(const std::string& name, const std::vector<Vec3<double>>& points,
-                  const CoordinateTable<R>& of_vertices, int dimension);
-
 /// Rows in the order of positions (one a point), orientations and rotations (one an axis), Hessians (one a pair of
 /// axes), times the square roots of their weights. Columns: coefficients of each block in turn.
 template <Scalar R>

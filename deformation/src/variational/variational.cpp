@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/deformation/variational.h"
 
+#include "../constraint_checks.h"
 #include "../linear_posed.h"
 #include "../nearest_rotation.h"
 #include "constraint_rows.h"
@@ -95,7 +96,8 @@ struct Variational<R>::Prepared {
 
   double energy(const Matrix<R>& solution, const Matrix<R>& right) const {
     const auto found = static_cast<double>(R((rows.matrix * solution - right).squaredNorm()));
-    if (!std::isfinite(found)) throw InputError("the constraints' targets are too large: the energy is not finite");
+    if (!std::isfinite(found))
+      throw ConstraintError("the constraints' targets are too large: the energy is not finite");
     return found;
   }
 
@@ -191,20 +193,13 @@ DeformationReport Variational<R>::prepared() const {
 
 template <Scalar R>
 std::unique_ptr<const Posed<R>> Variational<R>::pose(const StepWatcher& watch) const {
-  std::vector<Vec3<double>> targets;
-  targets.reserve(prepared_->constraints.positions.size());
-  for (const Constraints::Position& position : prepared_->constraints.positions) targets.push_back(position.to);
-  return prepared_->run(targets, watch);
+  return prepared_->run(targets_of(prepared_->constraints), watch);
 }
 
 template <Scalar R>
 std::unique_ptr<const Posed<R>> Variational<R>::pose_to(const std::vector<Vec3<double>>& targets,
                                                         const StepWatcher& watch) const {
-  if (targets.size() != prepared_->constraints.positions.size())
-    throw InputError(fmt::format("{} targets for {} positional constraints", targets.size(),
-                                 prepared_->constraints.positions.size()));
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    check_finite(fmt::format("target {}", i), targets[i], prepared_->dimension());
+  check_targets(targets, prepared_->constraints, prepared_->dimension());
   return prepared_->run(targets, watch);
 }
 

@@ -185,6 +185,9 @@ struct CoordinateKind {
   bool meets_boundary_data = false;
   /// Why there may be points without coordinates; empty for kinds that have them everywhere.
   std::string_view missing_because = {};
+  /// Whether preparing solves for densities on samples of all elements, which takes the square of the number of
+  /// elements times that of samples: runs ask such kinds of small cages.
+  bool solves_on_samples = false;
   /// Whether points outside are those without coordinates, and no others.
   bool inside_alone = false;
   /// Why the kind has no coordinates in a cage of its dimension, with its parameters' defaults; empty where it has.

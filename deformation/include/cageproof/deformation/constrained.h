@@ -2,6 +2,7 @@
 // Deformers without a posed cage: what is asked of a map at points of space decides it.
 #pragma once
 
+#include "cageproof/core/input_error.h"
 #include "cageproof/deformation/deformer.h"
 
 #include <functional>
@@ -22,6 +23,12 @@ struct Constraints {
   std::vector<Orientation> orientations = {};  ///< Jf(at) = jacobian
   std::vector<Vec3<double>> rotations = {};    ///< Jf is a rotation, or a similarity, whichever is nearest
   std::vector<Vec3<double>> hessians = {};     ///< Hf = 0
+};
+
+/// What is wrong is a constraint, and neither the cage nor an option: the message names it.
+class ConstraintError : public InputError {
+ public:
+  using InputError::InputError;
 };
 
 /// Called after each step of an iteration with its number, from 1 on, and the energy then.

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Units of length that are a cage's own.
+#pragma once
+
+#include "cageproof/core/cage_elements.h"
+
+#include <cmath>
+
+namespace cageproof::deformation {
+
+/// The diagonal of the rest vertices' box.
+inline double size_of(const CageElements& elements) {
+  Vec3<double> low = elements.vertices()[0], high = low;
+  for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  return (high - low).stableNorm();
+}
+
+/// The power of two at or below a length: dividing by it rounds nothing.
+inline double unit_next_to(double length) { return std::exp2(std::ilogb(length)); }
+
+}  // namespace cageproof::deformation
