@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // cageproof_bench: takes Google Benchmark's own options (--benchmark_filter, --benchmark_format=json, --benchmark_out
-// ...), and three files that deformers are timed on, too: --cage=FILE --posed=FILE --points=FILE.
+// ...), and three files that deformers are timed on, too: --cage FILE --posed FILE --points FILE.
 #include "deformer_benchmarks.h"
 #include "pair_benchmarks.h"
 #include "pairs.h"
 
-#include "cageproof/core/input_error.h"
 #include "cageproof/core/mesh_io.h"
 
+#include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>
 
 #include <filesystem>
@@ -18,30 +18,36 @@
 
 namespace {
 
-// Takes --<name>=value out of the arguments.
-std::string taken(std::vector<char*>& arguments, const std::string& name) {
-  const std::string start = "--" + name + "=";
-  for (std::size_t i = 1; i < arguments.size(); ++i) {
-    const std::string argument = arguments[i];
-    if (!argument.starts_with(start)) continue;
-    arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i));
-    return argument.substr(start.size());
-  }
-  return "";
+using cageproof::benchmarks::DeformedCage;
+
+struct Files {
+  std::string cage, posed, points;
+};
+
+// What Google Benchmark has left of the arguments.
+void add_options(CLI::App& app, Files& files) {
+  auto* const cage = app.add_option("--cage", files.cage, "a cage that deformers are timed on, too");
+  auto* const posed = app.add_option("--posed", files.posed, "its vertices elsewhere");
+  auto* const points = app.add_option("--points", files.points, "points within it");
+  for (auto* const option : {cage, posed, points}) option->needs(cage)->needs(posed)->needs(points);
 }
 
-// The user's cage, where one is given.
-std::shared_ptr<const cageproof::benchmarks::DeformedCage> given_cage(std::vector<char*>& arguments) {
-  const std::string cage = taken(arguments, "cage"), posed = taken(arguments, "posed"),
-                    points = taken(arguments, "points");
-  if (cage.empty() && posed.empty() && points.empty()) return nullptr;
-  if (cage.empty() || posed.empty() || points.empty())
-    throw cageproof::InputError("--cage, --posed and --points are given together");
-  cageproof::Cage rest = cageproof::read_cage(cage);
+void print_help() {
+  benchmark::PrintDefaultHelp();
+  CLI::App app;
+  Files files;
+  add_options(app, files);
+  app.set_help_flag("");
+  std::cout << '\n' << app.help("cageproof_bench");
+}
+
+std::shared_ptr<const DeformedCage> cage_of(const Files& files) {
+  if (files.cage.empty()) return nullptr;
+  cageproof::Cage rest = cageproof::read_cage(files.cage);
   const int dimension = rest.dimension();
-  return std::make_shared<const cageproof::benchmarks::DeformedCage>(cageproof::benchmarks::DeformedCage{
-      std::filesystem::path(cage).stem().string(), std::move(rest), cageproof::read_points(posed, dimension),
-      cageproof::read_points(points, dimension)});
+  return std::make_shared<const DeformedCage>(
+      DeformedCage{std::filesystem::path(files.cage).stem().string(), std::move(rest),
+                   cageproof::read_points(files.posed, dimension), cageproof::read_points(files.points, dimension)});
 }
 
 }  // namespace
@@ -52,17 +58,19 @@ int main(int argc, char** argv) {
   char min_time[] = "--benchmark_min_time=0.1";
   std::vector<char*> arguments(argv, argv + argc);
   arguments.insert(arguments.begin() + (argc > 0 ? 1 : 0), min_time);
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data(), print_help);
+  CLI::App app;
+  Files files;
+  add_options(app, files);
   std::shared_ptr<const DeformedCage> given;
   try {
-    given = given_cage(arguments);
-  } catch (const cageproof::InputError& error) {
+    app.parse(count, arguments.data());
+    given = cage_of(files);
+  } catch (const std::exception& error) {
     std::cerr << "cageproof_bench: " << error.what() << '\n';
     return 2;
   }
-  int count = static_cast<int>(arguments.size());
-
-  benchmark::Initialize(&count, arguments.data());
-  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
   benchmark::AddCustomContext("cageproof_version", CAGEPROOF_VERSION);
   benchmark::AddCustomContext("compiler", CAGEPROOF_COMPILER);
   benchmark::AddCustomContext("flags", CAGEPROOF_FLAGS);

@@ -42,38 +42,61 @@ Cage CageArguments::load() const {
 
 namespace {
 
+// One value, of a parameter that `text` names.
+double value_in(std::string_view text, std::string_view after, const KindParameter& parameter, std::string_view owner) {
+  const std::optional<double> value = parameter.value_of(after);
+  if (!value && !parameter.names.empty())
+    throw InputError(fmt::format("--parameter {}: '{}' is none of {}", text, after, fmt::join(parameter.names, ", ")));
+  if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, after));
+  if (!parameter.allows(*value))
+    throw InputError(fmt::format("--parameter {}: out of range for {}, {} < {} {} {}{}{}", text, owner,
+                                 parameter.lowest, parameter.name, parameter.includes_highest ? "<=" : "<",
+                                 parameter.highest, parameter.includes_infinity ? ", or infinite" : "",
+                                 parameter.whole ? ", a whole number" : ""));
+  return *value;
+}
+
+// The parameter that a text "name=value" names, and the value's text.
+std::pair<std::size_t, std::string_view> named_in(const std::string& text, const std::vector<KindParameter>& known,
+                                                  std::string_view owner) {
+  const auto equals = text.find('=');
+  const auto found = std::ranges::find(known, std::string_view(text).substr(0, equals), &KindParameter::name);
+  if (known.empty()) throw InputError(fmt::format("--parameter {}: {} has no parameters", text, owner));
+  if (found == known.end()) {
+    std::vector<std::string_view> names;
+    names.reserve(known.size());
+    for (const KindParameter& p : known) names.push_back(p.name);
+    throw InputError(fmt::format("--parameter {}: {} has {} alone", text, owner, fmt::join(names, ", ")));
+  }
+  if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: write {}=value", text, text));
+  return {found - known.begin(), std::string_view(text).substr(equals + 1)};
+}
+
+// The values of each parameter, one or, where lists are taken, several between commas.
+std::vector<std::vector<double>> lists_of(const std::vector<std::string>& given,
+                                          const std::vector<KindParameter>& known, std::string_view owner,
+                                          bool takes_lists) {
+  std::vector<std::vector<double>> lists(known.size());
+  for (const std::string& text : given) {
+    auto [which, values] = named_in(text, known, owner);
+    if (!lists[which].empty())
+      throw InputError(fmt::format("--parameter {}: {} is given twice", text, known[which].name));
+    for (auto comma = values.find(','); takes_lists && comma != std::string_view::npos; comma = values.find(',')) {
+      lists[which].push_back(value_in(text, values.substr(0, comma), known[which], owner));
+      values.remove_prefix(comma + 1);
+    }
+    lists[which].push_back(value_in(text, values, known[which], owner));
+  }
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (lists[i].empty()) lists[i] = {known[i].preset};
+  return lists;
+}
+
 std::vector<double> values_of(const std::vector<std::string>& given, const std::vector<KindParameter>& known,
                               std::string_view owner) {
   std::vector<double> values;
   values.reserve(known.size());
-  for (const KindParameter& p : known) values.push_back(p.preset);
-  std::vector<bool> is_given(known.size());
-  for (const std::string& text : given) {
-    const auto equals = text.find('=');
-    const auto found = std::ranges::find(known, std::string_view(text).substr(0, equals), &KindParameter::name);
-    if (known.empty()) throw InputError(fmt::format("--parameter {}: {} has no parameters", text, owner));
-    if (found == known.end()) {
-      std::vector<std::string_view> names;
-      names.reserve(known.size());
-      for (const KindParameter& p : known) names.push_back(p.name);
-      throw InputError(fmt::format("--parameter {}: {} has {} alone", text, owner, fmt::join(names, ", ")));
-    }
-    if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: write {}=value", text, text));
-    const std::string_view after = std::string_view(text).substr(equals + 1);
-    const std::optional<double> value = found->value_of(after);
-    if (!value && !found->names.empty())
-      throw InputError(fmt::format("--parameter {}: '{}' is none of {}", text, after, fmt::join(found->names, ", ")));
-    if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, after));
-    if (!found->allows(*value))
-      throw InputError(fmt::format("--parameter {}: out of range for {}, {} < {} {} {}{}{}", text, owner, found->lowest,
-                                   found->name, found->includes_highest ? "<=" : "<", found->highest,
-                                   found->includes_infinity ? ", or infinite" : "",
-                                   found->whole ? ", a whole number" : ""));
-    if (is_given[found - known.begin()])
-      throw InputError(fmt::format("--parameter {}: {} is given twice", text, found->name));
-    is_given[found - known.begin()] = true;
-    values[found - known.begin()] = *value;
-  }
+  for (const auto& list : lists_of(given, known, owner, false)) values.push_back(list.front());
   return values;
 }
 
@@ -90,6 +113,22 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
 std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<KindParameter>& known,
                                     std::string_view owner) {
   return values_of(given, known, owner);
+}
+
+std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::string>& given,
+                                                     const std::vector<KindParameter>& known, std::string_view owner) {
+  std::vector<std::vector<double>> sets{{}};
+  for (const std::vector<double>& list : lists_of(given, known, owner, true)) {
+    std::vector<std::vector<double>> longer;
+    longer.reserve(sets.size() * list.size());
+    for (const std::vector<double>& set : sets)
+      for (const double value : list) {
+        longer.push_back(set);
+        longer.back().push_back(value);
+      }
+    sets = std::move(longer);
+  }
+  return sets;
 }
 
 std::vector<double> parameters_from(const std::vector<std::string>& given, const CoordinateKind& kind) {

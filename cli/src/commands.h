@@ -61,6 +61,10 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
 std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<KindParameter>& known,
                                     std::string_view owner);
 
+/// All combinations of values, where a text may have several, "nu=0,0.3,inf"; those of the last parameter change first.
+std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::string>& given,
+                                                     const std::vector<KindParameter>& known, std::string_view owner);
+
 /// Points with the faces that they carry, if any: a mesh file, or text.
 /// \param dimension of the cage that they are for: in the plane third numbers must be zero
 /// \throws InputError as read_mesh and read_points, and naming a point off the plane

@@ -30,14 +30,22 @@ std::string entry_name(int entry, const Shape& shape) {
   return shape.entries() == 1 ? "" : fmt::format("_{}{}", axes[entry / shape.columns], axes[entry % shape.columns]);
 }
 
-void add_columns(const CoordinateBlock& block, int dim, int order, CoordinateColumns& table) {
+// "phi_7" of a vertex or element, "psi_7_2" of an element's corner.
+std::string coordinate_name(const CoordinateBlock& block, const CageElements& elements, int i) {
+  if (block.owner != Owner::Corner) return fmt::format("{}_{}", block.label, i);
+  const std::size_t element = elements.element_of(i, block.owner);
+  return fmt::format("{}_{}_{}", block.label, element, i - elements.shares_of(element, block.owner).front());
+}
+
+void add_columns(const CoordinateBlock& block, const CageElements& elements, int order, CoordinateColumns& table) {
   constexpr std::array titles{"", " gradient", " Hessian"};
+  const int dim = elements.dimension();
   const std::size_t first = table.names.size();
   for (int i = 0; i < block.size; ++i)
     for (int e = 0; e < block.entries(); ++e)
       for (std::size_t d = 0; d < derivative_count(dim, order); ++d)
-        table.names.push_back(
-            fmt::format("{}_{}{}{}", block.label, i, entry_name(e, block.shape), derivative_name(d, dim, order)));
+        table.names.push_back(coordinate_name(block, elements, i) + entry_name(e, block.shape) +
+                              derivative_name(d, dim, order));
   table.groups.push_back({block.label + titles[order], table.names.size() - first});
 }
 
@@ -50,7 +58,7 @@ CoordinateColumns coordinate_columns(const CageCoordinates& coordinates, const s
                                  coordinates.evaluation(), coordinates.max_order(), order));
   CoordinateColumns table;
   for (const CoordinateBlock& block : coordinates.blocks())
-    for (int o = 0; o <= order; ++o) add_columns(block, coordinates.dimension(), o, table);
+    for (int o = 0; o <= order; ++o) add_columns(block, coordinates.elements(), o, table);
   const std::size_t columns = table.names.size();
   table.values.resize(points.size() * columns);
   // Blocks of points share what evaluations prepare for an element.

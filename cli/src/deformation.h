@@ -21,7 +21,7 @@ struct Deformed {
   std::vector<char> without_image;  ///< a point each
 };
 
-using Maps = std::vector<std::unique_ptr<const deformation::Posed<double>>>;
+using Maps = std::vector<const deformation::Posed<double>*>;
 
 /// The mesh under each map. Coordinates are computed once a point, whatever the number of maps.
 /// \pre the maps are made from the coordinates, order is none that they have not

@@ -74,10 +74,13 @@ Json catalogue_json() {
   for (const Formula& f : catalogue()) all["formulas"].push_back(formula_json(f));
   for (const CoordinateKind& kind : coordinate_kinds()) {
     Json blocks = Json::array();
-    for (const SummedBlock& b : kind.blocks) blocks.push_back({{"label", b.label}, {"kernel", b.kernel}});
+    for (const SummedBlock& b : kind.blocks) {
+      blocks.push_back({{"label", b.label}, {"kernel", b.kernel}});
+      if (b.one_a_corner) blocks.back()["one_a"] = name_of(Owner::Corner);
+    }
     if (!kind.is_sum())
       for (const CoordinateBlock& b : own_blocks(kind))
-        blocks.push_back({{"label", b.label}, {"one_a", b.per_vertex ? "vertex" : "element"}});
+        blocks.push_back({{"label", b.label}, {"one_a", name_of(b.owner)}});
     Json parameters = Json::array();
     for (const KindParameter& p : parameters_of(kind)) parameters.push_back(parameter_json(p));
     all["coordinates"].push_back(

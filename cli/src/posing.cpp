@@ -6,6 +6,7 @@
 
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/input_error.h"
+#include "cageproof/deformation/stretch.h"
 
 #include <fmt/format.h>
 
@@ -28,41 +29,47 @@ Pose<double> pose_with(const DataFiles& files, const DeformMethod& method, int d
   return pose;
 }
 
-// As many rows as the cage has elements or vertices, in a message that names their file.
-void check_rows(const DataFiles& files, const Pose<double>& pose, const CageElements& elements) {
-  const auto check = [](const std::string& file, std::size_t rows, std::size_t wanted, const char* of) {
+// As many rows as the cage has of what they belong to, in a message that names their file.
+void check_rows(const DataFiles& files, const Pose<double>& pose, const CageCoordinates& coordinates) {
+  const auto check = [&](const std::string& file, std::size_t rows, Owner owner, const char* of) {
+    const std::size_t wanted = coordinates.elements().count(owner);
     if (!file.empty() && rows != wanted)
       throw InputError(fmt::format("{}: {} rows, the cage has {} {}", file, rows, wanted, of));
   };
-  check(files.normal_derivatives, pose.normal_derivatives.size(), elements.count(), "elements");
-  check(files.laplacians, pose.laplacians.size(), elements.vertices().size(), "vertices");
-  check(files.laplacian_derivatives, pose.laplacian_derivatives.size(), elements.count(), "elements");
+  const Owner normals = normals_owner(coordinates);
+  const bool affine = normals == Owner::Corner;
+  check(files.normal_derivatives, pose.normal_derivatives.size(), normals, affine ? "corners of elements" : "elements");
+  check(files.laplacians, pose.laplacians.size(), Owner::Vertex, "vertices");
+  check(files.laplacian_derivatives, pose.laplacian_derivatives.size(), Owner::Element, "elements");
 }
 
 }  // namespace
 
-Posing posed_by_cages(const DeformMethod& method, const Cage& cage, const DeformOptions& options,
-                      const std::vector<std::string>& files, const DataFiles& data) {
-  Posing found;
+Posing posed_by_cages(const DeformMethod& method, const Cage& cage, DeformOptions options,
+                      const std::vector<std::vector<double>>& parameters, const std::vector<std::string>& files,
+                      const DataFiles& data) {
   Pose<double> pose = pose_with(data, method, cage.dimension());
+  std::vector<std::vector<Vec3<double>>> cages;
+  cages.reserve(files.size());
   for (const std::string& file : files)
-    found.vertices.push_back(is_embedded_cage(file) ? embedded_cage(file).vertices()
-                                                    : load_points(file, cage.dimension()).vertices);
-  found.names = files;
-  const auto deformer = prepare_deformer<double>(method, cage, options);
-  found.owner = deformer;
-  found.coordinates = &deformer->coordinates();
-  found.max_order = deformer->max_order();
-  found.prepared = deformer->prepared();
-  check_rows(data, pose, found.coordinates->elements());
-  for (std::size_t k = 0; k < files.size(); ++k) {
-    try {
-      pose.vertices = found.vertices[k];
-      found.maps.push_back(deformer->pose(pose));
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}", files[k], error.what()));
+    cages.push_back(is_embedded_cage(file) ? embedded_cage(file).vertices()
+                                           : load_points(file, cage.dimension()).vertices);
+  options.parameters = parameters.front();
+  options.for_all_parameters = parameters.size() > 1;
+  std::vector<std::shared_ptr<const Deformer<double>>> deformers{prepare_deformer<double>(method, cage, options)};
+  for (std::size_t s = 1; s < parameters.size(); ++s)
+    deformers.push_back(with_other_parameters<double>(method, *deformers[0], parameters[s]));
+  Posing found{deformers[0], &deformers[0]->coordinates(), deformers[0]->max_order(), {}};
+  check_rows(data, pose, *found.coordinates);
+  for (std::size_t k = 0; k < files.size(); ++k)
+    for (std::size_t s = 0; s < parameters.size(); ++s) {
+      try {
+        pose.vertices = cages[k];
+        found.maps.push_back({deformers[s]->pose(pose), files[k], cages[k], parameters[s], deformers[s]->prepared()});
+      } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", files[k], error.what()));
+      }
     }
-  }
   return found;
 }
 
@@ -75,13 +82,12 @@ Posing posed_by_constraints(const ConstraintMethod& method, const Cage& cage, co
     found.owner = deformer;
     found.coordinates = &deformer->coordinates();
     found.max_order = deformer->coordinates().max_order();
-    found.prepared = deformer->prepared();
-    found.maps.push_back(deformer->pose(watch));
+    auto map = deformer->pose(watch);
+    std::vector<Vec3<double>> vertices = map->vertices();
+    found.maps.push_back({std::move(map), file, std::move(vertices), options.parameters, deformer->prepared()});
   } catch (const ConstraintError& error) {
     throw InputError(fmt::format("{}: {}", file, error.what()));
   }
-  found.names = {file};
-  found.vertices.push_back(found.maps[0]->vertices());
   return found;
 }
 

@@ -8,15 +8,21 @@
 
 namespace cageproof::cli {
 
-/// Maps and what they are made from.
+/// A map, and what it is made from.
+struct DescribedMap {
+  std::unique_ptr<const deformation::Posed<double>> map;
+  std::string file;                         ///< that describes it
+  std::vector<Vec3<double>> vertices;       ///< of the posed cage; empty where there is none
+  std::vector<double> parameters;           ///< of the method
+  deformation::DeformationReport prepared;  ///< for its parameters
+};
+
+/// Maps that share coordinates.
 struct Posing {
   std::shared_ptr<const void> owner;  ///< of the coordinates
   const CageCoordinates* coordinates = nullptr;
   int max_order = 0;
-  deformation::DeformationReport prepared;
-  Maps maps;
-  std::vector<std::string> names;                   ///< of the files that describe the maps
-  std::vector<std::vector<Vec3<double>>> vertices;  ///< posed cages; empty where a map has none
+  std::vector<DescribedMap> maps;
 };
 
 /// What poses may have beside vertices (deformation::Pose), each for all of them: text with as many numbers a line as
@@ -25,10 +31,13 @@ struct DataFiles {
   std::string normal_derivatives, laplacians, laplacian_derivatives;
 };
 
-/// A map a posed cage: a mesh, text, or the name of an embedded cage.
-/// \throws InputError naming the file of a pose that the method does not take, or the option that it does not
-Posing posed_by_cages(const deformation::DeformMethod& method, const Cage& cage,
-                      const deformation::DeformOptions& options, const std::vector<std::string>& files,
+/// A map a posed cage (a mesh, text, or the name of an embedded cage) and set of parameters, of which those of a cage
+/// follow each other.
+/// \param options of all maps but for parameters \param parameters sets of them, at least one
+/// \throws InputError naming the file of a pose that the method does not take, or the option that it does not, and for
+/// sets that have no coordinates in common
+Posing posed_by_cages(const deformation::DeformMethod& method, const Cage& cage, deformation::DeformOptions options,
+                      const std::vector<std::vector<double>>& parameters, const std::vector<std::string>& files,
                       const DataFiles& data);
 
 /// One map, by constraints. \throws InputError naming the file

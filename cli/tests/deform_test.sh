@@ -59,6 +59,32 @@ awk '$1 == "v" {d = ($2 - 0.5) ^ 2 + ($3 - 0.25) ^ 2 + $4 ^ 2; exit !(d < 1e-28)
 grep -q '"method": "mean_value"' moved.json || fail "no report beside it"
 grep -q '"cage_volume_ratio": 8.0' moved.json || fail "volumes: $(cat moved.json)"
 
+# Several values of parameters: as many maps, numbered in their order, as if each had been asked for alone.
+"$cageproof" deform "${common[@]}" --method somigliana --parameter nu=0,0.25 --parameter gamma=0,1 --out 'swept_{n}.csv' || fail "a sweep"
+[ "$(ls swept_*.csv | wc -l)" -eq 4 ] || fail "$(ls swept_*.csv | wc -l) maps, not 4"
+for map in 1:0:0 2:0:1 3:0.25:0 4:0.25:1; do
+  IFS=: read -r n nu gamma <<<"$map"
+  "$cageproof" deform "${common[@]}" --method somigliana --parameter "nu=$nu" --parameter "gamma=$gamma" --out alone.csv
+  paste -d, "swept_$n.csv" alone.csv | awk -F, 'NR > 1 {for (i = 1; i <= 3; ++i) {d = $i - $(i + 3); if (d * d > 1e-26) exit 1}}' || fail "map $n is not that of nu $nu, gamma $gamma"
+  grep -q "\"nu\": $nu" "swept_$n.json" || fail "nu of map $n: $(cat "swept_$n.json")"
+done
+"$cageproof" deform "${common[@]}" --method ahap --parameter alignment=hard,free --out 'swept_{n}.csv' || fail "a sweep of names"
+grep -q '"alignment": "free"' swept_2.json || fail "no alignment: $(cat swept_2.json)"
+rm -f swept_* alone.*
+refuses '2 maps' '{n}' -- "${common[@]}" --method somigliana --parameter nu=0,0.25 --out one.csv
+refuses 'nu' 'not a number' -- "${common[@]}" --method somigliana --parameter nu=0,,0.25 --out '{n}.csv'
+refuses 'nu' 'out of range' -- "${common[@]}" --method somigliana --parameter nu=0,0.5 --out '{n}.csv'
+refuses 'biharmonic_1_3' 'coordinates' -- "${common[@]}" --method biharmonic_1_3 --parameter neumann=constant,affine --out '{n}.csv'
+refuses 'alpha' 'not a number' -- --cage cube --constraints large.obj --points mesh.obj --method variational --parameter alpha=1,2 --out one.csv
+
+# A line a corner of each triangle.
+for i in $(seq 36); do echo "0 0 1"; done >corners.txt
+"$cageproof" deform "${common[@]}" --method biharmonic_1_3 --parameter neumann=affine --normal-derivatives corners.txt --out bent.csv || fail "affine normal derivatives"
+refuses 'corners.txt' '36 rows' '12 elements' -- "${common[@]}" --method biharmonic_1_3 --normal-derivatives corners.txt --out one.csv
+head -12 corners.txt >few.txt
+refuses 'few.txt' '12 rows' '36 corners' -- "${common[@]}" --method biharmonic_1_3 --parameter neumann=affine --normal-derivatives few.txt --out one.csv
+rm -f bent.* few.txt corners.txt
+
 # Several poses in one run, each as by itself; every format; derivatives beside a mesh.
 "$cageproof" deform "${common[@]}" --posed cube --method green --out 'both_{n}.csv' || fail "two poses"
 "$cageproof" deform "${common[@]}" --method green --out one.csv

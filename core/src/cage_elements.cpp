@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace cageproof {
 namespace {
@@ -19,16 +20,48 @@ std::vector<Vec3<double>> of_unit_size(std::vector<Vec3<double>> corners) {
 
 }  // namespace
 
+std::string_view name_of(Owner owner) {
+  constexpr std::array<std::string_view, 3> names{"vertex", "element", "corner"};
+  return names[static_cast<std::size_t>(owner)];
+}
+
 CageElements::CageElements(const Cage& cage, bool keep_quads, Triangulation rule)
     : dimension_(cage.dimension()), vertices_(cage.vertices()) {
   Cage::Parts parts = cage.parts(keep_quads, rule);
   elements_ = std::move(parts.elements);
   for (std::size_t e = 0; e < elements_.size(); ++e)
     normals_.push_back(type(e).extent(of_unit_size(corners(e))).normalized());
+  first_corner_.push_back(0);
+  for (std::size_t e = 0; e < elements_.size(); ++e) first_corner_.push_back(first_corner_[e] + type(e).corners);
+  numbers_.resize(first_corner_.back());
+  std::iota(numbers_.begin(), numbers_.end(), 0);
 }
 
 std::span<const int> CageElements::vertices_of(std::size_t element) const {
   return std::span(elements_[element].vertices).first(type(element).corners);
+}
+
+std::size_t CageElements::count(Owner owner) const {
+  switch (owner) {
+    case Owner::Vertex: return vertices_.size();
+    case Owner::Element: return elements_.size();
+    case Owner::Corner: break;
+  }
+  return first_corner_.back();
+}
+
+std::span<const int> CageElements::shares_of(std::size_t element, Owner owner) const {
+  switch (owner) {
+    case Owner::Vertex: return vertices_of(element);
+    case Owner::Element: return std::span(numbers_).subspan(element, 1);
+    case Owner::Corner: break;
+  }
+  return std::span(numbers_).subspan(first_corner_[element], type(element).corners);
+}
+
+std::size_t CageElements::element_of(std::size_t coordinate, Owner owner) const {
+  if (owner == Owner::Element) return coordinate;
+  return std::ranges::upper_bound(first_corner_, static_cast<int>(coordinate)) - first_corner_.begin() - 1;
 }
 
 std::vector<Vec3<double>> CageElements::corners(std::size_t element) const {

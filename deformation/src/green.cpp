@@ -11,10 +11,12 @@ namespace {
 template <Scalar R>
 class Green final : public Deformer<R> {
  public:
-  Green(const Cage& cage, const DeformOptions& options)
-      : coordinates_(cage, coordinate_kind_named("green"),
-                     CoordinateOptions{options.evaluation, options.triangulation, {}}),
-        stretch_(static_cast<Stretch>(static_cast<int>(options.parameters[0]))) {}
+  Green(CageCoordinates coordinates, const std::vector<double>& parameters)
+      : coordinates_(std::move(coordinates)), stretch_(static_cast<Stretch>(static_cast<int>(parameters[0]))) {}
+
+  std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& parameters) const override {
+    return std::make_shared<Green>(coordinates_, parameters);
+  }
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
@@ -36,7 +38,9 @@ class Green final : public Deformer<R> {
 
 template <Scalar R>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
-  return std::make_shared<Green<R>>(cage, options);
+  return std::make_shared<Green<R>>(CageCoordinates(cage, coordinate_kind_named("green"),
+                                                    CoordinateOptions{options.evaluation, options.triangulation, {}}),
+                                    options.parameters);
 }
 
 const RegisterDeformMethod green{

@@ -23,10 +23,9 @@ std::list<ConstraintMethod>& known_of_constraints() {
 
 std::vector<double> checked(std::string_view method, const std::vector<KindParameter>& parameters,
                             std::vector<double> given) {
-  if (given.empty())
-    for (const KindParameter& p : parameters) given.push_back(p.preset);
-  if (given.size() != parameters.size())
+  if (given.size() > parameters.size())
     throw InputError(fmt::format("{} takes {} parameters, not {}", method, parameters.size(), given.size()));
+  while (given.size() < parameters.size()) given.push_back(parameters[given.size()].preset);
   for (std::size_t i = 0; i < given.size(); ++i)
     if (!parameters[i].allows(given[i]))
       throw InputError(fmt::format("{}: {} = {} is out of range", method, parameters[i].name, given[i]));
@@ -112,6 +111,20 @@ std::shared_ptr<const Deformer<R>> prepare_deformer(const DeformMethod& method, 
   else return method.prepare_in_50_digits(cage, options);
 }
 
+template <Scalar R>
+std::shared_ptr<const Deformer<R>> with_other_parameters(const DeformMethod& method, const Deformer<R>& deformer,
+                                                         const std::vector<double>& parameters) {
+  auto found = deformer.with_parameters(checked(method.name, parameters_of(method), parameters));
+  if (!found)
+    throw InputError(fmt::format("{}: its coordinates are made for the parameters, and not for others", method.name));
+  return found;
+}
+
+template std::shared_ptr<const Deformer<double>> with_other_parameters<double>(const DeformMethod&,
+                                                                               const Deformer<double>&,
+                                                                               const std::vector<double>&);
+template std::shared_ptr<const Deformer<Mp50>> with_other_parameters<Mp50>(const DeformMethod&, const Deformer<Mp50>&,
+                                                                           const std::vector<double>&);
 template std::shared_ptr<const Deformer<double>> prepare_deformer<double>(const DeformMethod&, const Cage&,
                                                                           DeformOptions);
 template std::shared_ptr<const Deformer<Mp50>> prepare_deformer<Mp50>(const DeformMethod&, const Cage&, DeformOptions);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cageproof::deformation {
@@ -70,8 +71,13 @@ std::vector<Vec3<R>> vertices_in(const CageElements& rest) {
   return found;
 }
 
+Owner normals_owner(const CageCoordinates& coordinates) {
+  const auto found = std::ranges::find(coordinates.blocks(), Reproduces::Normals, &CoordinateBlock::reproduces);
+  return found == coordinates.blocks().end() ? Owner::Element : found->owner;
+}
+
 template <Scalar R>
-void check_pose(const CageElements& rest, const Pose<R>& pose) {
+void check_pose(const CageElements& rest, const Pose<R>& pose, Owner normals_of) {
   const auto& [vertices, normals, laplacians, derivatives] = pose;
   const auto is_finite = [](const Vec3<R>& row) { return row - row == Vec3<R>::Zero(); };
   if (vertices.size() != rest.vertices().size())
@@ -86,7 +92,8 @@ void check_pose(const CageElements& rest, const Pose<R>& pose) {
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (!is_finite(rows[i])) throw InputError(fmt::format("row {} of the {} is not finite", i, what));
   };
-  check(normals, rest.count(), "normal derivatives", "elements");
+  check(normals, rest.count(normals_of), "normal derivatives",
+        normals_of == Owner::Corner ? "corners of elements" : "elements");
   check(laplacians, vertices.size(), "Laplacians", "vertices");
   check(derivatives, rest.count(), "normal derivatives of Laplacians", "elements");
 }
@@ -133,7 +140,7 @@ std::vector<Vec3<R>> stretched_normals(Stretch stretch, const CageElements& rest
 
 #define CAGEPROOF_INSTANTIATE(R)                                                                    \
   template std::vector<Vec3<R>> vertices_in<R>(const CageElements&);                                \
-  template void check_pose<R>(const CageElements&, const Pose<R>&);                                 \
+  template void check_pose<R>(const CageElements&, const Pose<R>&, Owner);                          \
   template Vec3<R> posed_normal<R>(const CageElements&, const std::vector<Vec3<R>>&, std::size_t);  \
   template R stretch_of<R>(Stretch, const CageElements&, const std::vector<Vec3<R>>&, std::size_t); \
   template std::vector<Vec3<R>> stretched_normals<R>(Stretch, const CageElements&, const std::vector<Vec3<R>>&);

@@ -16,7 +16,16 @@ struct SampleRows {
   int element;
   Mp hats;                      ///< 1 x vertices
   std::array<Mp, 4> of, slope;  ///< of phi, psi, phibar, psibar
+  Mp own;                       ///< of the normal derivatives' data: what they are here
+  Mp psi, psi_slope;            ///< an element each, also where there is data a corner
 };
+
+/// Columns added up, so many at a time.
+inline Mp folded(const Mp& row, int together) {
+  Mp sums = Mp::Zero(1, row.cols() / together);
+  for (int i = 0; i < row.cols(); ++i) sums(0, i / together) += row(0, i);
+  return sums;
+}
 
 /// At the centroids of each element's parts by its midpoints.
 inline std::vector<SampleRows> sample_rows(const CageCoordinates& layers) {
@@ -41,7 +50,8 @@ inline std::vector<SampleRows> sample_rows(const CageCoordinates& layers) {
       // Samples are points whose basis functions but the first are doubles.
       basis[0] = 1;
       for (int k = 1; k < d; ++k) basis[0] -= basis[k] = Mp50(static_cast<double>(basis[k]));
-      SampleRows rows{static_cast<int>(e), Mp::Zero(1, static_cast<int>(elements.vertices().size())), {}, {}};
+      SampleRows rows{
+          static_cast<int>(e), Mp::Zero(1, static_cast<int>(elements.vertices().size())), {}, {}, {}, {}, {}};
       Vec3<Mp50> point = Mp50("-1e-30") * normal;
       for (int k = 0; k < d; ++k) {
         point += basis[k] * corners[k];
@@ -56,6 +66,11 @@ inline std::vector<SampleRows> sample_rows(const CageCoordinates& layers) {
           for (int c = 0; c < d; ++c) rows.slope[b](0, i) += found[b].gradient[i * d + c] * normal[c];
         }
       }
+      const bool affine = layers.blocks()[1].owner == Owner::Corner;
+      rows.own = Mp::Zero(1, rows.of[1].cols());
+      for (int k = 0; k < d; ++k) rows.own(0, affine ? static_cast<int>(e) * d + k : static_cast<int>(e)) += basis[k];
+      rows.psi = folded(rows.of[1], affine ? d : 1);
+      rows.psi_slope = folded(rows.slope[1], affine ? d : 1);
       all.push_back(std::move(rows));
     }
   }
@@ -82,7 +97,8 @@ inline Mp side_by_side(const Mp& left, const Mp& right) {
   return both;
 }
 
-/// (L'; D') for a pose's vertices and normals. \param kind regularised_1_3, regularised_1_2 or regularised_weber
+/// (L'; D') for a pose's vertices and normals, a row an element, or a corner with layers of kind `biharmonic_affine`.
+/// \param kind regularised_1_3, regularised_1_2 or regularised_weber
 inline Mp densities_by_constraints(std::string_view kind, const CageCoordinates& layers, const Mp& vertices,
                                    const Mp& normals, const Mp50& gamma_d = Mp50(1)) {
   const std::vector<SampleRows> samples = sample_rows(layers);
@@ -92,7 +108,7 @@ inline Mp densities_by_constraints(std::string_view kind, const CageCoordinates&
   NormalEquations equations;
   if (kind == "regularised_weber") {
     NormalEquations slopes;
-    for (const SampleRows& s : samples) slopes.add(s.of[1], s.hats - s.of[0]);
+    for (const SampleRows& s : samples) slopes.add(s.psi, s.hats - s.of[0]);
     const Mp of_laplacians = slopes.solution();
     for (const SampleRows& s : samples) equations.add(s.of[2] + s.of[3] * of_laplacians, missing(s));
     const Mp laplacians = equations.solution();
@@ -100,10 +116,10 @@ inline Mp densities_by_constraints(std::string_view kind, const CageCoordinates&
   }
   for (const SampleRows& s : samples) {
     equations.add(side_by_side(s.of[2], s.of[3]), missing(s), kind == "regularised_1_3" ? gamma_d : Mp50(1));
-    if (kind == "regularised_1_3") equations.add(side_by_side(s.of[0] - s.hats, s.of[1]), Mp::Zero(1, vertices.cols()));
+    if (kind == "regularised_1_3") equations.add(side_by_side(s.of[0] - s.hats, s.psi), Mp::Zero(1, vertices.cols()));
     else
       equations.add(side_by_side(s.slope[2], s.slope[3]),
-                    normals.row(s.element) - s.slope[0] * vertices - s.slope[1] * normals);
+                    s.own * normals - s.slope[0] * vertices - s.slope[1] * normals);
   }
   return equations.solution();
 }

@@ -46,7 +46,9 @@ Sums sums_of(const CageCoordinates& coordinates, const Cage& cage, const std::ve
       Mat3<double> c = *from * one;
       for (std::size_t e = 0; width > 1 && e < width; ++e) c(e / dim, e % dim) = from[e * derivatives];
       const Vec3<double> v =
-          vertices ? cage.vertices()[i] : Vec3<double>(block.normal_factor * coordinates.elements().normals()[i]);
+          vertices ? cage.vertices()[i]
+                   : Vec3<double>(block.normal_factor *
+                                  coordinates.elements().normals()[coordinates.elements().element_of(i, block.owner)]);
       s.positions += c * v;
       s.positions_size += norm_of(c, dim) * v.stableNorm();
       if (!vertices) continue;

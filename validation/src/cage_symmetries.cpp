@@ -35,20 +35,24 @@ std::pair<int, int> rank_of_corner(const std::array<double, 4>& basis, int corne
   return {corners - static_cast<int>(std::ranges::count(std::span(basis).first(corners), 0.0)), along};
 }
 
+// An owner's, of what there is one of for each.
+auto& of(Owner owner, auto& of_owners) { return of_owners[static_cast<std::size_t>(owner)]; }
+
 }  // namespace
 
 CageSymmetries::Variant CageSymmetries::variant(std::string check, const Cage& cage, const CoordinateKind& kind,
                                                 const std::string& evaluation) const {
-  Variant v{std::move(check), {cage, kind, evaluation, Triangulation::Fan}, {}, {}};
-  for (int i = 0; i < static_cast<int>(cage.vertices().size()); ++i) v.shares.push_back({{i, 1.0}});
-  for (int t = 0; t < static_cast<int>(cage.faces().size()); ++t) v.element_of.push_back(t);
+  Variant v{std::move(check), {cage, kind, evaluation, Triangulation::Fan}, {}};
+  for (const Owner owner : {Owner::Vertex, Owner::Element, Owner::Corner})
+    for (int i = 0; i < static_cast<int>(base_.elements().count(owner)); ++i) of(owner, v.shares).push_back({{i, 1.0}});
   return v;
 }
 
 CageSymmetries::Subdivision CageSymmetries::subdivision() const {
   const CageElements& elements = base_.elements();
-  Subdivision finer{elements.vertices(), {}, {}, {}};
-  for (int i = 0; i < static_cast<int>(finer.vertices.size()); ++i) finer.shares.push_back({{i, 1.0}});
+  Subdivision finer{elements.vertices(), {}, {}};
+  auto& of_vertices = of(Owner::Vertex, finer.shares);
+  for (int i = 0; i < static_cast<int>(finer.vertices.size()); ++i) of_vertices.push_back({{i, 1.0}});
   // By the vertices that have a share in it, in rising order: neighbours give theirs the other way round.
   std::map<std::vector<int>, int> known;
   for (int i = 0; i < static_cast<int>(finer.vertices.size()); ++i) known[{i}] = i;
@@ -69,7 +73,7 @@ CageSymmetries::Subdivision CageSymmetries::subdivision() const {
       const auto [place, is_new] = known.try_emplace(key_of(basis), static_cast<int>(finer.vertices.size()));
       if (!is_new) continue;
       Vec3<double> at = Vec3<double>::Zero();
-      auto& shares = finer.shares.emplace_back();
+      auto& shares = of_vertices.emplace_back();
       for (int k = 0; k < type.corners; ++k) {
         if (basis[k] == 0) continue;
         at += basis[k] * elements.vertices()[vertices[k]];
@@ -79,8 +83,13 @@ CageSymmetries::Subdivision CageSymmetries::subdivision() const {
     }
     for (const ElementPart& part : type.parts) {
       Face& face = finer.elements.emplace_back();
-      for (int k = 0; k < type.corners; ++k) face.vertices[k] = known.at(key_of(part[k]));
-      finer.element_of.push_back(static_cast<int>(e));
+      for (int k = 0; k < type.corners; ++k) {
+        face.vertices[k] = known.at(key_of(part[k]));
+        auto& shares = of(Owner::Corner, finer.shares).emplace_back();
+        for (int i = 0; i < type.corners; ++i)
+          if (part[k][i] != 0) shares.push_back({elements.shares_of(e, Owner::Corner)[i], part[k][i]});
+      }
+      of(Owner::Element, finer.shares).push_back({{static_cast<int>(e), 1.0}});
     }
   }
   return finer;
@@ -97,9 +106,14 @@ CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, con
     turned.push_back(turn(v));
   }
   std::vector<Face> permuted = elements.all();
+  std::vector<std::vector<Share>> permuted_corners;
   bool any_cyclic = false;
   for (std::size_t e = 0; e < elements.count(); ++e) {
-    if (!sampling_of(elements.type(e).kind).cyclic) continue;
+    const bool cyclic = sampling_of(elements.type(e).kind).cyclic;
+    const auto numbers = elements.shares_of(e, Owner::Corner);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      permuted_corners.push_back({{numbers[cyclic ? (k + 1) % numbers.size() : k], 1.0}});
+    if (!cyclic) continue;
     any_cyclic = true;
     const auto corners = std::span(permuted[e].vertices).first(elements.type(e).corners);
     std::ranges::rotate(corners, corners.begin() + 1);
@@ -108,14 +122,15 @@ CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, con
   variants_.back().unit = scale;
   variants_.push_back(variant("cage_rigid_motion", cage.with(turned, elements.all()), kind, evaluation));
   variants_.back().turned = true;
-  if (any_cyclic)
+  if (any_cyclic) {
     variants_.push_back(variant("cage_corner_permutation", cage.with(cage.vertices(), permuted), kind, evaluation));
+    of(Owner::Corner, variants_.back().shares) = std::move(permuted_corners);
+  }
   // Kinds that are not sums over elements may change when elements are subdivided, so the check skips them.
   if (!kind.is_sum()) return;
   Subdivision finer = subdivision();
   variants_.push_back(variant("cage_subdivision", cage.with(finer.vertices, finer.elements), kind, evaluation));
   variants_.back().shares = std::move(finer.shares);
-  variants_.back().element_of = std::move(finer.element_of);
 }
 
 // A variant's coordinates as the base's should be: without the turn and the unit, shares added where they belong.
@@ -128,10 +143,8 @@ std::vector<double> CageSymmetries::folded(const Variant& v, std::size_t b, cons
       v.turned ? Turn(base_.dimension()).undo(found.value, block.shape.space_indices()) : found.value;
   for (std::size_t i = 0; i < plain.size(); ++i) {
     const double x = plain[i] / std::pow(v.unit, block.degree);
-    const std::size_t coordinate = i / width, entry = i % width;
-    if (!block.per_vertex) result[v.element_of[coordinate] * width + entry] += x;
-    else
-      for (const Share& share : v.shares[coordinate]) result[share.vertex * width + entry] += x * share.weight;
+    for (const Share& share : of(block.owner, v.shares)[i / width])
+      result[share.coordinate * width + i % width] += x * share.weight;
   }
   const Added logarithms = added(v, b, point);
   for (std::size_t i = 0; i < logarithms.value.size(); ++i) result[i] -= logarithms.value[i];
@@ -145,11 +158,10 @@ CageSymmetries::Added CageSymmetries::added(const Variant& v, std::size_t b, con
   Added sum{std::vector<double>(block.size * width, 0.0), std::vector<double>(block.size * width, 0.0)};
   const CageElements& elements = base_.elements();
   Shape shape = block.shape;
-  shape.per_corner = block.per_vertex;
+  shape.per_corner = block.owner != Owner::Element;
   for (std::size_t e = 0; e < elements.count(); ++e) {
     const std::vector<double> part = logarithmic_part(block.logarithmic, shape, elements.corners(e), point, 0);
-    const int own = static_cast<int>(e);
-    const std::span<const int> slots = block.per_vertex ? elements.vertices_of(e) : std::span(&own, 1);
+    const std::span<const int> slots = elements.shares_of(e, block.owner);
     for (std::size_t i = 0; i < part.size(); ++i) {
       const std::size_t to = slots[i / width] * width + i % width;
       const double term = std::log(v.unit) * part[i];

@@ -78,10 +78,12 @@ CageTerms::CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation
 
 double CageTerms::weight_of(std::size_t b, int coordinate) const {
   const CoordinateBlock& block = coordinates_.blocks()[b];
+  const CageElements& elements = coordinates_.elements();
   if (block.reproduces == Reproduces::Normals)
-    return std::abs(block.normal_factor) * coordinates_.elements().normals()[coordinate].stableNorm();
+    return std::abs(block.normal_factor) *
+           elements.normals()[elements.element_of(coordinate, block.owner)].stableNorm();
   // Blocks of elements that reproduce nothing have no position.
-  return block.per_vertex ? coordinates_.elements().vertices()[coordinate].stableNorm() : 0;
+  return block.owner == Owner::Vertex ? elements.vertices()[coordinate].stableNorm() : 0;
 }
 
 CageTerms::Sums CageTerms::sums_of_terms(const Vec3<double>& point, int order) const {
@@ -90,18 +92,15 @@ CageTerms::Sums CageTerms::sums_of_terms(const Vec3<double>& point, int order) c
   Result<double> term;
   for (std::size_t e = 0; e < elements.count(); ++e) {
     const auto corners = elements.corners(e);
-    const auto vertices = elements.vertices_of(e);
     const auto& evaluations = evaluations_[static_cast<std::size_t>(elements.type(e).kind)];
     for (std::size_t b = 0; b < evaluations.size(); ++b) {
       const CoordinateBlock& block = coordinates_.blocks()[b];
       evaluations[b](Query<double>{corners, point, order, parameters_}, term);
-      const std::size_t count = block.per_vertex ? vertices.size() : 1;
+      const std::span<const int> shares = elements.shares_of(e, block.owner);
       for (int o = 0; o <= order; ++o)
-        for (std::size_t k = 0; k < count; ++k) {
-          const int coordinate = block.per_vertex ? vertices[k] : static_cast<int>(e);
-          sums.add(block, b, o, coordinate, &term.of(o)[k * term.of(o).size() / count], weight_of(b, coordinate),
+        for (std::size_t k = 0; k < shares.size(); ++k)
+          sums.add(block, b, o, shares[k], &term.of(o)[k * term.of(o).size() / shares.size()], weight_of(b, shares[k]),
                    elements.dimension());
-        }
     }
   }
   return sums;

@@ -2,6 +2,7 @@
 #include "cageproof/validation/deformer_checks.h"
 
 #include "cageproof/core/unknown_name.h"
+#include "cageproof/deformation/stretch.h"
 
 #include <fmt/format.h>
 
@@ -67,16 +68,17 @@ std::vector<DeformerVariant> variants_of(const deformation::DeformMethod& method
   for (const KindParameter& p : parameters) presets.push_back(p.preset);
   // The method's own come first.
   const auto& own = method.parameters;
-  const auto named = std::ranges::find_if(own, [](const KindParameter& p) { return !p.names.empty(); });
-  if (named == own.end()) return {{&method, "", presets}};
   std::vector<DeformerVariant> variants;
-  variants.reserve(named->names.size());
-  for (std::size_t value = 0; value < named->names.size(); ++value) {
-    const auto chosen = static_cast<double>(value);
-    variants.push_back(
-        {&method, fmt::format("{}={}", named->name, named->names[value]), presets, chosen == named->preset});
-    variants.back().parameters[named - own.begin()] = chosen;
-  }
+  for (std::size_t i = 0; i < own.size(); ++i)
+    for (std::size_t value = 0; value < own[i].names.size(); ++value) {
+      const auto chosen = static_cast<double>(value);
+      const bool is_default = chosen == own[i].preset;
+      // The defaults go by the name of the first.
+      if (is_default && std::ranges::any_of(variants, &DeformerVariant::is_default)) continue;
+      variants.push_back({&method, fmt::format("{}={}", own[i].name, own[i].names[value]), presets, is_default});
+      variants.back().parameters[i] = chosen;
+    }
+  if (variants.empty()) return {{&method, "", presets}};
   return variants;
 }
 
@@ -178,9 +180,12 @@ bool DeformerChecks::may_be_missing(const Vec3<double>& point) const {
 std::vector<DeformerChecks::Errors> DeformerChecks::kept(const SpaceMap& map, bool with_normals,
                                                          std::span<const Vec3<double>> points) const {
   deformation::Pose<double> pose{posed_by(map, *cage_)};
+  const CageElements& elements = deformer_->coordinates().elements();
+  const Owner owner = deformation::normals_owner(deformer_->coordinates());
   if (with_normals)
-    for (const Vec3<double>& normal : deformer_->coordinates().elements().normals())
-      pose.normal_derivatives.push_back(map.linear * normal);
+    for (std::size_t e = 0; e < elements.count(); ++e)
+      for (std::size_t k = 0; k < elements.shares_of(e, owner).size(); ++k)
+        pose.normal_derivatives.push_back(map.linear * elements.normals()[e]);
   const auto posed = deformer_->pose(pose);
   const double condition = condition_of(*deformer_, *posed), size = cage_->size();
   const Images<double> images = images_one_by_one(*deformer_, *posed, points, 0);

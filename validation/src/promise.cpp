@@ -247,7 +247,7 @@ constexpr std::array table{
     // Deformers, in cage sizes: what each keeps, as formulas/deformation.md, Section 1, states it.
     Row{"keeps_rigid", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
     Row{"keeps_scale", "green", "stretch=unit", "double", "*", 0, 0, none, unit_normals},
-    Row{"keeps_scale", "biharmonic_*", "normals=unit", "double", "*", 0, 0, none, unit_normals},
+    Row{"keeps_scale", "biharmonic_*", "@(normals=unit|neumann=affine)", "double", "*", 0, 0, none, unit_normals},
     Row{"keeps_scale", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
     Row{"keeps_mirror", "@(green|cauchy|biharmonic_*|somigliana)", "*", "double", "*", 0, 0, none,
         "the posed normals of a mirror image point inward"},

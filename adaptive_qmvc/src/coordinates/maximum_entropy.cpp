@@ -17,7 +17,7 @@ class MaximumEntropy final : public CoordinatesIn<MaximumEntropy> {
         vertices_(cage.vertices()),
         size_(cage.size()) {
     blocks_.push_back({.label = "lambda",
-                       .per_vertex = true,
+                       .owner = Owner::Vertex,
                        .size = static_cast<int>(vertices_.size()),
                        .shape = {},
                        .reproduces = Reproduces::Vertices});

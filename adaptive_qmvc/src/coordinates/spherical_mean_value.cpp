@@ -31,7 +31,7 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
     if (largest > 0 && std::abs(std::ilogb(largest)) > kComfortable) exponent_ = std::ilogb(largest);
     for (Vec3<double>& v : vertices_) v = in_unit(v);
     blocks_.push_back({.label = "lambda",
-                       .per_vertex = true,
+                       .owner = Owner::Vertex,
                        .size = static_cast<int>(elements_.vertices().size()),
                        .shape = {},
                        .reproduces = Reproduces::Vertices});

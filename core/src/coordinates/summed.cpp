@@ -18,12 +18,12 @@ using ElementEvaluations = std::vector<Evaluation>;
 
 CoordinateBlock block_of(const CoordinateKind& kind, const SummedBlock& spec, const Formula& formula,
                          const CageElements& elements, std::span<const double> parameters) {
-  CoordinateBlock block{
-      .label = std::string(spec.label),
-      .per_vertex = formula.shape.per_corner,
-      .size = static_cast<int>(formula.shape.per_corner ? elements.vertices().size() : elements.count()),
-      .shape = {false, formula.shape.rows, formula.shape.columns},
-      .reproduces = spec.reproduces};
+  const Owner owner = !formula.shape.per_corner ? Owner::Element : spec.one_a_corner ? Owner::Corner : Owner::Vertex;
+  CoordinateBlock block{.label = std::string(spec.label),
+                        .owner = owner,
+                        .size = static_cast<int>(elements.count(owner)),
+                        .shape = {false, formula.shape.rows, formula.shape.columns},
+                        .reproduces = spec.reproduces};
   if (spec.normal_factor) block.normal_factor = spec.normal_factor(parameters, elements.dimension());
   // Normalised weights have no unit, and no Laplacian of their own.
   if (kind.normalised) return block;
@@ -111,13 +111,12 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     std::array<Vec3<double>, 4> storage;
     Result<double> part;
     for (std::size_t e = 0; e < elements_->count(); ++e) {
-      const int own_slot = static_cast<int>(e);
       for (std::size_t b = 0; b < blocks_.size(); ++b)
         for (std::size_t p = 0; p < points.size(); ++p) {
           evaluations_[static_cast<std::size_t>(elements_->type(e).kind)][b](
               Query<double>{corners_of(e, storage), points[p], order, parameters_}, part);
           BatchOutput<double> here = output_for(b, p, tables[b]);
-          here.slots = blocks_[b].per_vertex ? elements_->vertices_of(e) : std::span(&own_slot, 1);
+          here.slots = elements_->shares_of(e, blocks_[b].owner);
           for (int o = 0; o <= order; ++o) {
             for (double& x : part.of(o)) x = std::isfinite(x) ? std::abs(x) : 0;
             here.put(0, o, part.of(o));
@@ -243,11 +242,10 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     std::vector<const Evaluation*> members(blocks_.size());
     std::array<Vec3<R>, 4> storage;
     for (std::size_t e = 0; e < elements_->count(); ++e) {
-      const int own_slot = static_cast<int>(e);
       const ElementEvaluations& evaluations = evaluations_[static_cast<std::size_t>(elements_->type(e).kind)];
       for (std::size_t b = 0; b < blocks_.size(); ++b) {
         members[b] = &evaluations[b];
-        outputs[b].slots = blocks_[b].per_vertex ? elements_->vertices_of(e) : std::span(&own_slot, 1);
+        outputs[b].slots = elements_->shares_of(e, blocks_[b].owner);
       }
       Evaluation::together<R>(members, Batch<R>{corners_of(e, storage, exponent), points, order, parameters}, outputs);
     }
@@ -290,13 +288,12 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     Result<R> part;
     for (std::size_t e = 0; e < elements_->count(); ++e) {
       const auto vertices = elements_->vertices_of(e);
-      const int own_slot = static_cast<int>(e);
-      const auto touch = std::ranges::find(on, own_slot, &Touching::element);
+      const auto touch = std::ranges::find(on, static_cast<int>(e), &Touching::element);
       const bool touches = jumps && touch != on.end();
       const Evaluation& evaluation = evaluations_[static_cast<std::size_t>(elements_->type(e).kind)][b];
       evaluation(Query<R>{corners_of(e, storage), eta, order, parameters, touches}, part);
       BatchOutput<R> here = output;
-      here.slots = blocks_[b].per_vertex ? vertices : std::span(&own_slot, 1);
+      here.slots = elements_->shares_of(e, blocks_[b].owner);
       for (int o = 0; o <= order; ++o) here.put(0, o, part.of(o));
       if (!jumps) continue;
       // On the cage: the sum over all elements of int (basis - basis at the point) kernel, whose integrals exist, and
@@ -335,13 +332,12 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     for (std::size_t e = 0; e < elements_->count(); ++e) {
       const bool own = static_cast<int>(e) == place.element;
       const std::vector<Vec3<R>> corners = own ? flat : corners_in<R>(e);
-      const int own_slot = static_cast<int>(e);
       for (std::size_t b = 0; b < blocks_.size(); ++b) {
         evaluations_[static_cast<std::size_t>(elements_->type(e).kind)][b](
             Query<R>{corners, own ? in_plane : point, order, parameters}, part);
         if (own) axes.turn_to_space(order, part);
         BatchOutput<R> here = output_for(b, p, tables[b]);
-        here.slots = blocks_[b].per_vertex ? elements_->vertices_of(e) : std::span(&own_slot, 1);
+        here.slots = elements_->shares_of(e, blocks_[b].owner);
         for (int o = 0; o <= order; ++o) here.put(0, o, part.of(o));
       }
     }

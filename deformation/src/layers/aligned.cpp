@@ -60,17 +60,17 @@ std::array<Matrix<R>, 4> laplacians(const CageCoordinates& coordinates, const st
 template <Scalar R, Energy E>
 class Aligned final : public LayerDeformer<R> {
  public:
-  Aligned(const Cage& cage, const DeformOptions& options)
-      : LayerDeformer<R>(cage, options),
-        alignment_(static_cast<Alignment>(static_cast<int>(options.parameters[2]))),
-        gamma_a_(options.parameters[3]) {
+  Aligned(CageCoordinates layers, const std::vector<double>& parameters)
+      : LayerDeformer<R>(std::move(layers)),
+        alignment_(static_cast<Alignment>(static_cast<int>(parameters[2]))),
+        gamma_a_(parameters[3]) {
     const CageCoordinates& coordinates = this->coordinates();
-    if (E == Energy::Laplacian && options.parameters[4] == 0)
+    if (E == Energy::Laplacian && parameters[4] == 0)
       throw InputError("ahap with gamma_d = 0: Green coordinates have no Laplacians, and none are the least");
-    const std::array weights{options.parameters[4], 0.0};
-    this->regularise(regularisation_by<R>(Construction::OneThree, coordinates, static_cast<int>(options.parameters[0]),
-                                          weights, Account::Systems));
-    const std::vector<Touching> samples = samples_of(coordinates.elements(), static_cast<int>(options.parameters[1]));
+    const std::array weights{parameters[4], 0.0};
+    this->regularise(regularisation_by<R>(Construction::OneThree, coordinates, static_cast<int>(parameters[0]), weights,
+                                          Account::Systems));
+    const std::vector<Touching> samples = samples_of(coordinates.elements(), static_cast<int>(parameters[1]));
     samples_ = static_cast<double>(samples.size());
     const auto of =
         E == Energy::Laplacian ? laplacians<R>(coordinates, samples) : second_derivatives<R>(E, coordinates, samples);
@@ -78,6 +78,10 @@ class Aligned final : public LayerDeformer<R> {
     densities << of[2], of[3];
     of_vertices_ = of[0] + densities * this->regularisation().to_vertices;
     of_normals_ = of[1] + densities * this->regularisation().to_normals;
+  }
+
+  std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& parameters) const override {
+    return std::make_shared<Aligned>(this->coordinates(), parameters);
   }
 
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
@@ -144,7 +148,7 @@ class Aligned final : public LayerDeformer<R> {
 
 template <Energy E, Scalar R>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
-  return std::make_shared<Aligned<R, E>>(cage, options);
+  return std::make_shared<Aligned<R, E>>(layers_of(cage, options), options.parameters);
 }
 
 template <Energy E>

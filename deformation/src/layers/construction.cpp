@@ -31,11 +31,34 @@ std::array<Matrix<R>, 4> normal_slopes(const CageCoordinates& coordinates, const
   return found;
 }
 
+// What normal derivatives are at samples: a column an element, or a corner, whose hat functions they are multiplied
+// with.
+template <Scalar R>
+Matrix<R> normals_at(const CageCoordinates& coordinates, const SampledLayers<R>& layers) {
+  const CageElements& elements = coordinates.elements();
+  const Owner owner = normals_owner(coordinates);
+  Matrix<R> found = Matrix<R>::Zero(layers.neumann.rows(), layers.neumann.cols());
+  for (std::size_t s = 0; s < layers.samples.size(); ++s) {
+    const int element = layers.samples[s].element;
+    const auto shares = elements.shares_of(element, owner), vertices = elements.vertices_of(element);
+    const auto row = static_cast<Eigen::Index>(s);
+    for (std::size_t k = 0; k < shares.size(); ++k)
+      found(row, shares[k]) = owner == Owner::Element ? R(1) : layers.hats(row, vertices[k]);
+  }
+  return found;
+}
+
 }  // namespace
 
 KindParameter level_parameter() {
   return {{.name = "level", .preset = 1, .lowest = -1, .highest = 6, .whole = true},
           "times that elements are split for samples: 4^level a triangle"};
+}
+
+KindParameter neumann_parameter() {
+  return {{.name = "neumann", .preset = 0, .lowest = -1, .highest = 2, .whole = true},
+          "normal derivatives of an element: one, or one a corner, affine between them",
+          {"constant", "affine"}};
 }
 
 std::vector<KindParameter> weight_parameters(Construction construction) {
@@ -51,7 +74,9 @@ Regularisation<R> regularisation_by(Construction construction, const CageCoordin
                                     std::span<const double> weights, Account account) {
   const SampledLayers<R> layers = layers_at<R>(coordinates, level);
   switch (construction) {
-    case Construction::OneTwo: return one_two<R>(layers, normal_slopes<R>(coordinates, layers.samples), account);
+    case Construction::OneTwo:
+      return one_two<R>(layers, normal_slopes<R>(coordinates, layers.samples), normals_at<R>(coordinates, layers),
+                        account);
     case Construction::Weber: return weber<R>(layers, account);
     case Construction::OneThree: break;
   }

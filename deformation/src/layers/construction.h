@@ -12,6 +12,9 @@ enum class Construction { OneThree, OneTwo, Weber };
 /// How often elements are split for samples.
 KindParameter level_parameter();
 
+/// Whether normal derivatives are constant on elements (0), or affine (1).
+KindParameter neumann_parameter();
+
 /// gamma_d and gamma_rel of (1,3); none of the others.
 std::vector<KindParameter> weight_parameters(Construction construction);
 
@@ -19,7 +22,7 @@ std::vector<KindParameter> weight_parameters(Construction construction);
 template <Scalar R>
 R weight_in(double gamma_d, double unit);
 
-/// \param coordinates of kind `biharmonic`
+/// \param coordinates of kind `biharmonic`, or `biharmonic_affine`
 /// \param weights gamma_d and gamma_rel of (1,3), the second in place of the first where it is not zero
 /// \throws InputError as checked_limits
 template <Scalar R>

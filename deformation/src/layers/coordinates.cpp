@@ -20,12 +20,12 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
         parameters_(options.parameters) {
     const CageElements& elements = layers_.elements();
     blocks_ = {{.label = "alpha",
-                .per_vertex = true,
+                .owner = Owner::Vertex,
                 .size = static_cast<int>(elements.vertices().size()),
                 .shape = {},
                 .reproduces = Reproduces::Vertices},
                {.label = "beta",
-                .per_vertex = false,
+                .owner = Owner::Element,
                 .size = static_cast<int>(elements.count()),
                 .shape = {},
                 .reproduces = Reproduces::Normals,

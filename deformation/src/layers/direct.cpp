@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The four layers with densities that the user gives ([T24] Eq 19).
+#include "construction.h"
+#include "corner_normals.h"
 #include "layer_deformer.h"
 
 namespace cageproof::deformation {
@@ -8,22 +10,30 @@ namespace {
 template <Scalar R>
 class Direct final : public LayerDeformer<R> {
  public:
-  Direct(const Cage& cage, const DeformOptions& options)
-      : LayerDeformer<R>(cage, options), stretch_(static_cast<Stretch>(static_cast<int>(options.parameters[0]))) {}
+  Direct(CageCoordinates layers, const std::vector<double>& parameters)
+      : LayerDeformer<R>(std::move(layers)), stretch_(static_cast<Stretch>(static_cast<int>(parameters[0]))) {}
+
+  std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& parameters) const override {
+    if (normals_by(parameters[1]) != this->normals_of()) return nullptr;
+    return std::make_shared<Direct>(this->coordinates(), parameters);
+  }
 
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     const CageElements& elements = this->coordinates().elements();
-    check_pose(elements, pose);
+    check_pose(elements, pose, this->normals_of());
     DeformationReport report;
     const int d = elements.dimension();
     std::vector<Matrix<R>> data{rows_of(pose.vertices, d), rows_of(pose.normal_derivatives, d),
                                 rows_of(pose.laplacians, d), rows_of(pose.laplacian_derivatives, d)};
     if (pose.normal_derivatives.empty()) {
       warn_of_orientation(elements, pose.vertices, report.warnings);
-      data[1] = rows_of(stretched_normals(stretch_, elements, pose.vertices), d);
+      data[1] = rows_of(this->normals_of() == Owner::Corner
+                            ? corner_normals(stretch_, elements, pose.vertices, report.warnings)
+                            : stretched_normals(stretch_, elements, pose.vertices),
+                        d);
     }
     if (pose.laplacians.empty()) data[2] = Matrix<R>::Zero(data[0].rows(), d);
-    if (pose.laplacian_derivatives.empty()) data[3] = Matrix<R>::Zero(data[1].rows(), d);
+    if (pose.laplacian_derivatives.empty()) data[3] = Matrix<R>::Zero(static_cast<Eigen::Index>(elements.count()), d);
     return std::make_unique<LinearPosed<R>>(std::move(data), std::move(report));
   }
 
@@ -33,7 +43,7 @@ class Direct final : public LayerDeformer<R> {
 
 template <Scalar R>
 std::shared_ptr<const Deformer<R>> prepare_direct(const Cage& cage, const DeformOptions& options) {
-  return std::make_shared<Direct<R>>(cage, options);
+  return std::make_shared<Direct<R>>(layers_of(cage, options, normals_by(options.parameters[1])), options.parameters);
 }
 
 const RegisterDeformMethod direct{
@@ -43,7 +53,8 @@ const RegisterDeformMethod direct{
      .kind = "biharmonic",
      .parameters = {{{.name = "normals", .preset = 3, .lowest = -1, .highest = 4, .whole = true},
                      "how long posed normals are",
-                     stretch_names()}},
+                     stretch_names()},
+                    neumann_parameter()},
      .takes_normal_derivatives = true,
      .takes_laplacians = true,
      .prepare = prepare_direct<double>,

@@ -11,27 +11,36 @@
 
 namespace cageproof::deformation {
 
+/// What there is a normal derivative for, by the parameter `neumann`: constant (0), affine (1).
+inline Owner normals_by(double neumann) { return neumann == 0 ? Owner::Element : Owner::Corner; }
+
+/// The four layers of a cage. \param normals what there is a normal derivative for: an element, or a corner, between
+/// which they are affine ([T24] Eq 41-43)
+inline CageCoordinates layers_of(const Cage& cage, const DeformOptions& options, Owner normals = Owner::Element) {
+  return {cage, coordinate_kind_named(normals == Owner::Corner ? "biharmonic_affine" : "biharmonic"),
+          CoordinateOptions{options.evaluation, options.triangulation, {}}};
+}
+
 template <Scalar R>
 class LayerDeformer : public Deformer<R> {
  public:
-  LayerDeformer(const Cage& cage, const DeformOptions& options)
-      : coordinates_(cage, coordinate_kind_named("biharmonic"),
-                     CoordinateOptions{options.evaluation, options.triangulation, {}}) {}
+  explicit LayerDeformer(CageCoordinates layers) : coordinates_(std::move(layers)) {}
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
   DeformationReport prepared() const override { return {regularisation_.solved, {}, regularisation_.warnings}; }
 
  protected:
+  Owner normals_of() const { return normals_owner(coordinates_); }
   void regularise(Regularisation<R> found) { regularisation_ = std::move(found); }
   const Regularisation<R>& regularisation() const { return regularisation_; }
 
-  /// The pose with these normal derivatives, a row an element.
+  /// The pose with these normal derivatives, a row an element or corner.
   std::unique_ptr<const Posed<R>> with(const Matrix<R>& vertices, const Matrix<R>& normals,
                                        DeformationReport report) const {
     const Matrix<R> densities = regularisation_.to_vertices * vertices + regularisation_.to_normals * normals;
     const Eigen::Index n = vertices.rows();
     return std::make_unique<LinearPosed<R>>(
-        std::vector<Matrix<R>>{vertices, normals, densities.topRows(n), densities.bottomRows(normals.rows())},
+        std::vector<Matrix<R>>{vertices, normals, densities.topRows(n), densities.bottomRows(densities.rows() - n)},
         std::move(report));
   }
 

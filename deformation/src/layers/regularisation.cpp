@@ -29,7 +29,7 @@ Matrix<R> above(const Matrix<R>& upper, const Matrix<R>& lower) {
 // over a length, D' of one over its square.
 template <Scalar R>
 void put(Regularisation<R>& found, const SampledLayers<R>& layers, Matrix<R> solution, Matrix<double> terms) {
-  const Eigen::Index vertices = layers.phi.cols(), elements = layers.psi.cols();
+  const Eigen::Index vertices = layers.phi.cols(), elements = layers.psi.cols(), normals = layers.neumann.cols();
   const auto scale = [&](auto& matrix, const auto& unit) {
     if (matrix.size() == 0) return;
     matrix.topRows(vertices) /= unit;
@@ -39,7 +39,7 @@ void put(Regularisation<R>& found, const SampledLayers<R>& layers, Matrix<R> sol
   scale(solution, R(layers.unit));
   scale(terms, layers.unit);
   found.to_vertices = solution.leftCols(vertices);
-  found.to_normals = solution.rightCols(elements);
+  found.to_normals = solution.rightCols(normals);
   found.terms = std::move(terms);
 }
 
@@ -74,10 +74,10 @@ template <Scalar R>
 Regularisation<R> one_three(const SampledLayers<R>& layers, const R& gamma, Account account) {
   using std::sqrt;
   Regularisation<R> found;
-  const Eigen::Index vertices = layers.phi.cols(), elements = layers.psi.cols(), samples = layers.phi.rows();
+  const Eigen::Index vertices = layers.phi.cols(), densities = vertices + layers.psi.cols(),
+                     data = vertices + layers.neumann.cols(), samples = layers.phi.rows();
   if (gamma == 0) {
-    put(found, layers, Matrix<R>(Matrix<R>::Zero(vertices + elements, vertices + elements)),
-        Matrix<double>::Zero(vertices + elements, vertices + elements));
+    put(found, layers, Matrix<R>(Matrix<R>::Zero(densities, data)), Matrix<double>::Zero(densities, data));
     found.warnings.emplace_back("gamma_d = 0: Green coordinates, by definition; it is not the limit of small gamma_d");
     return found;
   }
@@ -90,26 +90,25 @@ Regularisation<R> one_three(const SampledLayers<R>& layers, const R& gamma, Acco
   const R weight = sqrt(gamma);
   const Matrix<R> a = weight * beside(layers.phibar, layers.psibar);
   const Matrix<R> b = beside(Matrix<R>(layers.phi - layers.hats), layers.psi);
-  Matrix<R> right = Matrix<R>::Zero(2 * samples, vertices + elements);
-  right.topRows(samples) = weight * beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.psi));
-  Solution<R> densities =
+  Matrix<R> right = Matrix<R>::Zero(2 * samples, data);
+  right.topRows(samples) = weight * beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.neumann));
+  Solution<R> solved =
       solved_for(found, above(a, b), right, "(1,3), Eq 24: densities from values and Laplacians", account);
-  put(found, layers, std::move(densities.found), std::move(densities.terms));
+  put(found, layers, std::move(solved.found), std::move(solved.terms));
   return found;
 }
 
 template <Scalar R>
-Regularisation<R> one_two(const SampledLayers<R>& layers, const std::array<Matrix<R>, 4>& slopes, Account account) {
+Regularisation<R> one_two(const SampledLayers<R>& layers, const std::array<Matrix<R>, 4>& slopes,
+                          const Matrix<R>& normals, Account account) {
   Regularisation<R> found;
-  Matrix<R> own = Matrix<R>::Zero(layers.psi.rows(), layers.psi.cols());
-  for (std::size_t s = 0; s < layers.samples.size(); ++s)
-    own(static_cast<Eigen::Index>(s), layers.samples[s].element) = 1;
   // Slopes are numbers and values lengths, and weigh against each other as they do in the user's unit.
   const R unit(layers.unit);
   const Matrix<R> matrix = above(beside(Matrix<R>(slopes[2] / unit), Matrix<R>(slopes[3] / unit / unit)),
                                  Matrix<R>(unit * beside(layers.phibar, layers.psibar)));
-  const Matrix<R> right = above(beside(Matrix<R>(-unit * slopes[0]), Matrix<R>(own - slopes[1])),
-                                Matrix<R>(unit * beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.psi))));
+  const Matrix<R> right =
+      above(beside(Matrix<R>(-unit * slopes[0]), Matrix<R>(normals - slopes[1])),
+            Matrix<R>(unit * beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.neumann))));
   Solution<R> densities =
       solved_for(found, matrix, right, "(1,2), D.1: densities from normal derivatives and values", account);
   put(found, layers, std::move(densities.found), std::move(densities.terms));
@@ -123,7 +122,7 @@ Regularisation<R> weber(const SampledLayers<R>& layers, Account account) {
                                            "D.2: the Laplacian's normal derivative from itself", account);
   const Matrix<R> k = layers.phibar + layers.psibar * slopes_of.found;
   const Solution<R> laplacian =
-      solved_for(found, k, beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.psi)),
+      solved_for(found, k, beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.neumann)),
                  "D.2: the Laplacian from values", account);
   Matrix<double> terms;
   // The slopes' own roundings are common to all columns.
@@ -134,9 +133,10 @@ Regularisation<R> weber(const SampledLayers<R>& layers, Account account) {
   return found;
 }
 
-#define CAGEPROOF_INSTANTIATE(R)                                                                            \
-  template Regularisation<R> one_three<R>(const SampledLayers<R>&, const R&, Account);                      \
-  template Regularisation<R> one_two<R>(const SampledLayers<R>&, const std::array<Matrix<R>, 4>&, Account); \
+#define CAGEPROOF_INSTANTIATE(R)                                                                                    \
+  template Regularisation<R> one_three<R>(const SampledLayers<R>&, const R&, Account);                              \
+  template Regularisation<R> one_two<R>(const SampledLayers<R>&, const std::array<Matrix<R>, 4>&, const Matrix<R>&, \
+                                        Account);                                                                   \
   template Regularisation<R> weber<R>(const SampledLayers<R>&, Account);
 CAGEPROOF_INSTANTIATE(double)
 CAGEPROOF_INSTANTIATE(Mp50)

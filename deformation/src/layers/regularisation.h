@@ -11,6 +11,7 @@ namespace cageproof::deformation {
 enum class Account { None, Systems, Terms };
 
 /// (L'; D') = to_vertices V' + to_normals N', in the user's unit of length. Rows: a vertex each, then an element each.
+/// Columns of to_normals: an element each, or a corner each where normal derivatives are affine.
 template <Scalar R>
 struct Regularisation {
   Matrix<R> to_vertices, to_normals;
@@ -25,11 +26,11 @@ template <Scalar R>
 Regularisation<R> one_three(const SampledLayers<R>& layers, const R& weight, Account account = Account::Systems);
 
 /// (1,2), D.1: values and normal derivatives at the samples.
-/// \param normal_slopes of phi, psi, phibar, psibar at the samples along the rest normals of their elements, in the
-/// user's unit
+/// \param normal_slopes of phi, what multiplies normal derivatives, phibar and psibar at the samples along the rest
+/// normals of their elements, in the user's unit \param normals what normal derivatives are at the samples, a row each
 template <Scalar R>
 Regularisation<R> one_two(const SampledLayers<R>& layers, const std::array<Matrix<R>, 4>& normal_slopes,
-                          Account account = Account::Systems);
+                          const Matrix<R>& normals, Account account = Account::Systems);
 
 /// Weber's construction in space, D.2: D' of the Laplacian's own Green identity, then values.
 template <Scalar R>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // [T24]'s regularised biharmonic deformers with posed normals: (1,3), (1,2) and Weber's construction.
 #include "construction.h"
+#include "corner_normals.h"
 #include "layer_deformer.h"
 
 #include "cageproof/core/input_error.h"
@@ -10,23 +11,35 @@
 namespace cageproof::deformation {
 namespace {
 
+// The parameters' order: the construction's weights, of which some have none, before the last.
+enum : std::size_t { kLevel, kNormals, kWeights };
+
 template <Scalar R, Construction C>
 class Regularised final : public LayerDeformer<R> {
  public:
-  Regularised(const Cage& cage, const DeformOptions& options)
-      : LayerDeformer<R>(cage, options), stretch_(static_cast<Stretch>(static_cast<int>(options.parameters[1]))) {
-    this->regularise(regularisation_by<R>(C, this->coordinates(), static_cast<int>(options.parameters[0]),
-                                          std::span(options.parameters).subspan(2), Account::Systems));
+  Regularised(CageCoordinates layers, const std::vector<double>& parameters)
+      : LayerDeformer<R>(std::move(layers)), stretch_(static_cast<Stretch>(static_cast<int>(parameters[kNormals]))) {
+    this->regularise(regularisation_by<R>(C, this->coordinates(), static_cast<int>(parameters[kLevel]),
+                                          std::span(parameters).subspan(kWeights), Account::Systems));
+  }
+
+  std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& parameters) const override {
+    if (normals_by(parameters.back()) != this->normals_of()) return nullptr;
+    return std::make_shared<Regularised>(this->coordinates(), parameters);
   }
 
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     const CageElements& elements = this->coordinates().elements();
-    check_pose(elements, pose);
+    const Owner owner = this->normals_of();
+    check_pose(elements, pose, owner);
     DeformationReport report;
-    if (pose.normal_derivatives.empty()) warn_of_orientation(elements, pose.vertices, report.warnings);
+    std::vector<Vec3<R>> normals = pose.normal_derivatives;
+    if (normals.empty()) {
+      warn_of_orientation(elements, pose.vertices, report.warnings);
+      normals = owner == Owner::Corner ? corner_normals(stretch_, elements, pose.vertices, report.warnings)
+                                       : stretched_normals(stretch_, elements, pose.vertices);
+    }
     const int d = elements.dimension();
-    const auto normals = pose.normal_derivatives.empty() ? stretched_normals(stretch_, elements, pose.vertices)
-                                                         : pose.normal_derivatives;
     return this->with(rows_of(pose.vertices, d), rows_of(normals, d), std::move(report));
   }
 
@@ -36,7 +49,8 @@ class Regularised final : public LayerDeformer<R> {
 
 template <Construction C, Scalar R>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
-  return std::make_shared<Regularised<R, C>>(cage, options);
+  return std::make_shared<Regularised<R, C>>(layers_of(cage, options, normals_by(options.parameters.back())),
+                                             options.parameters);
 }
 
 std::vector<KindParameter> parameters(Construction construction) {
@@ -45,6 +59,7 @@ std::vector<KindParameter> parameters(Construction construction) {
                                   "how long posed normals are",
                                   stretch_names()}};
   for (KindParameter& p : weight_parameters(construction)) all.push_back(std::move(p));
+  all.push_back(neumann_parameter());
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include "../own_unit.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/deformation/stretch.h"
 
 #include <fmt/format.h>
 
@@ -41,6 +42,17 @@ void add_centroids(const ElementType& type, const Corners& part, int level, int 
   }
   sample.basis[0] = rest;
   samples.push_back(sample);
+}
+
+// A column an element, of a column an element or corner.
+template <Scalar R>
+Matrix<R> summed_over_corners(const Matrix<R>& columns, const CageElements& elements, Owner owner) {
+  if (owner == Owner::Element) return columns;
+  Matrix<R> found = Matrix<R>::Zero(columns.rows(), static_cast<Eigen::Index>(elements.count()));
+  for (std::size_t e = 0; e < elements.count(); ++e)
+    for (const int corner : elements.shares_of(e, owner))
+      found.col(static_cast<Eigen::Index>(e)) += columns.col(corner);
+  return found;
 }
 
 // \throws InputError where its cube or that of its inverse is no normal number
@@ -94,7 +106,8 @@ SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
   const CageElements& elements = coordinates.elements();
   SampledLayers<R> found;
   found.samples = samples_of(elements, level);
-  const std::size_t unknowns = elements.vertices().size() + elements.count();
+  const Owner neumann = normals_owner(coordinates);
+  const std::size_t unknowns = elements.vertices().size() + elements.count(neumann);
   if (static_cast<double>(found.samples.size()) * static_cast<double>(unknowns) > most_numbers)
     throw InputError(fmt::format("{} samples times {} densities are more numbers than {:.0e}: a lower level will do",
                                  found.samples.size(), unknowns, most_numbers));
@@ -114,7 +127,8 @@ SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
   found.size = size / found.unit;
   const R unit(found.unit);
   found.phi = component(tables[0], count, 0, 1, 0);
-  found.psi = component(tables[1], count, 0, 1, 0) / unit;
+  found.neumann = component(tables[1], count, 0, 1, 0) / unit;
+  found.psi = summed_over_corners(found.neumann, elements, neumann);
   found.phibar = component(tables[2], count, 0, 1, 0) / unit / unit;
   found.psibar = component(tables[3], count, 0, 1, 0) / unit / unit / unit;
   return found;

@@ -19,16 +19,18 @@ struct SampledLayers {
   std::vector<Touching> samples;
   Matrix<R> hats;                      ///< of vertices: M
   Matrix<R> phi, psi, phibar, psibar;  ///< a column a vertex, or an element
+  Matrix<R> neumann;                   ///< what multiplies normal derivatives: psi, or a column a corner
 };
 
 /// Limits of the layers and their derivatives up to an order. Those of phi sum to one, and their derivatives to
-/// nothing, whatever the cage: what does not is no limit. \pre the coordinates are of kind `biharmonic` \throws
+/// nothing, whatever the cage: what does not is no limit. \pre the coordinates are of kind `biharmonic`, or
+/// `biharmonic_affine` \throws
 /// InputError for an evaluation that has no limits on the cage
 template <Scalar R>
 std::vector<CoordinateTable<R>> checked_limits(const CageCoordinates& coordinates, std::span<const Touching> samples,
                                                int order);
 
-/// \pre the coordinates are of kind `biharmonic` \throws InputError as checked_limits
+/// \pre \throws InputError as checked_limits
 template <Scalar R>
 SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level);
 

@@ -239,6 +239,17 @@ Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>
   return found;
 }
 
+template <Scalar R>
+std::vector<Matrix<R>> vertex_rotations(const CageElements& rest, const std::vector<Vec3<R>>& posed,
+                                        std::vector<std::string>& warnings) {
+  const R unit(unit_next_to(size_of(rest)));
+  return local_turns<R>(rest, over(vertices_in<R>(rest), unit), over(posed, unit), {}, warnings).of_vertices;
+}
+
+template std::vector<Matrix<double>> vertex_rotations<double>(const CageElements&, const std::vector<Vec3<double>>&,
+                                                              std::vector<std::string>&);
+template std::vector<Matrix<Mp50>> vertex_rotations<Mp50>(const CageElements&, const std::vector<Vec3<Mp50>>&,
+                                                          std::vector<std::string>&);
 template Corotation<double> corotation_of<double>(const CageElements&, const std::vector<Vec3<double>>&,
                                                   const CorotationOptions&);
 template Corotation<Mp50> corotation_of<Mp50>(const CageElements&, const std::vector<Vec3<Mp50>>&,

@@ -2,6 +2,7 @@
 // The corotational Somigliana deformer ([C23] Section 4, Eq 11).
 #include "../posed_orientation.h"
 #include "corotation.h"
+#include "parts.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/deformation/stretch.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 namespace cageproof::deformation {
 namespace {
@@ -18,8 +20,9 @@ namespace {
 template <Scalar R>
 class SomiglianaPosed final : public Posed<R> {
  public:
-  SomiglianaPosed(int dimension, const std::vector<Vec3<R>>& vertices, Corotation<R> pose)
-      : d_(dimension), pose_(std::move(pose)) {
+  /// \param nu of coordinates that are made of its parts; none for those that have it already
+  SomiglianaPosed(int dimension, const std::vector<Vec3<R>>& vertices, Corotation<R> pose, std::optional<double> nu)
+      : d_(dimension), pose_(std::move(pose)), nu_(nu) {
     report_.warnings = std::move(pose_.warnings);
     for (std::size_t v = 0; v < vertices.size(); ++v)
       turned_vertices_.push_back(pose_.of_vertices[v].transpose() * vertices[v].head(d_));
@@ -31,7 +34,10 @@ class SomiglianaPosed final : public Posed<R> {
 
   // x' = T^-1 y, T = sum R_i T_i R_i^t, y = sum R_i T_i R_i^t v'_i + sum R_j K_j R_j^t s'_j; derivatives by the
   // quotient rule.
-  Images<R> images(std::span<const CoordinateTable<R>> coordinates, std::size_t points, int order) const override {
+  Images<R> images(std::span<const CoordinateTable<R>> given, std::size_t points, int order) const override {
+    std::vector<CoordinateTable<R>> made;
+    if (nu_) made = assembled(given, *nu_);
+    const std::span<const CoordinateTable<R>> coordinates = nu_ ? made : given;
     Images<R> images;
     for (int o = 0; o <= order; ++o) images.tensors[o].assign(points * d_ * derivative_count(d_, o), R(0));
     for (std::size_t p = 0; p < points; ++p) {
@@ -94,6 +100,7 @@ class SomiglianaPosed final : public Posed<R> {
 
   int d_;
   Corotation<R> pose_;
+  std::optional<double> nu_;
   std::vector<Column> turned_vertices_, turned_tractions_;
   DeformationReport report_;
 };
@@ -104,13 +111,19 @@ enum : std::size_t { kVariant, kNu, kGamma, kBalance, kBlend };
 template <Scalar R>
 class Somigliana final : public Deformer<R> {
  public:
-  Somigliana(const Cage& cage, const DeformOptions& options)
-      : coordinates_(cage, coordinate_kind_named("somigliana"),
-                     CoordinateOptions{options.evaluation, options.triangulation, {1, options.parameters[kNu]}}),
-        options_{.blend = options.parameters[kVariant] == 2 ? options.parameters[kBlend] : options.parameters[kVariant],
-                 .nu = options.parameters[kNu],
-                 .gamma = options.parameters[kGamma],
-                 .balance = options.parameters[kBalance] == 0} {}
+  /// \param in_parts whether the coordinates serve every nu
+  Somigliana(CageCoordinates coordinates, bool in_parts, const std::vector<double>& parameters)
+      : coordinates_(std::move(coordinates)),
+        in_parts_(in_parts),
+        options_{.blend = parameters[kVariant] == 2 ? parameters[kBlend] : parameters[kVariant],
+                 .nu = parameters[kNu],
+                 .gamma = parameters[kGamma],
+                 .balance = parameters[kBalance] == 0} {}
+
+  std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& parameters) const override {
+    if (!in_parts_ && parameters[kNu] != options_.nu) return nullptr;
+    return std::make_shared<Somigliana>(coordinates_, in_parts_, parameters);
+  }
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
   DeformationReport prepared() const override {
@@ -124,17 +137,23 @@ class Somigliana final : public Deformer<R> {
     check_pose(coordinates_.elements(), pose);
     Corotation<R> corotation = corotation_of<R>(coordinates_.elements(), pose.vertices, options_);
     warn_of_orientation(coordinates_.elements(), pose.vertices, corotation.warnings);
-    return std::make_unique<SomiglianaPosed<R>>(coordinates_.dimension(), pose.vertices, std::move(corotation));
+    return std::make_unique<SomiglianaPosed<R>>(coordinates_.dimension(), pose.vertices, std::move(corotation),
+                                                in_parts_ ? std::optional<double>(options_.nu) : std::nullopt);
   }
 
  private:
   CageCoordinates coordinates_;
+  bool in_parts_;
   CorotationOptions options_;
 };
 
 template <Scalar R>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
-  return std::make_shared<Somigliana<R>>(cage, options);
+  const bool in_parts = options.for_all_parameters;
+  const CoordinateOptions plain{options.evaluation, options.triangulation, {1, options.parameters[kNu]}};
+  return std::make_shared<Somigliana<R>>(
+      in_parts ? somigliana_parts(cage, plain) : CageCoordinates(cage, coordinate_kind_named("somigliana"), plain),
+      in_parts, options.parameters);
 }
 
 const RegisterDeformMethod somigliana{

@@ -59,20 +59,21 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
         polygon_(cage, static_cast<int>(options.parameters[0]), unit_of(options.parameters)),
         parameters_(options.parameters) {
     blocks_.push_back({.label = std::string(Scheme::label),
-                       .per_vertex = true,
+                       .owner = Owner::Vertex,
                        .size = polygon_.vertices(),
                        .shape = {},
                        .reproduces = Reproduces::Vertices});
     if (!has_normals) blocks_[0].trace.kind = CoordinateBlock::Trace::Kind::Zero;
     if (has_normals)
       blocks_.push_back({.label = "beta",
-                         .per_vertex = false,
+                         .owner = Owner::Element,
                          .size = polygon_.edges(),
                          .shape = {},
                          .reproduces = Reproduces::Normals,
                          .degree = 1});
     if (Scheme::order == 3)
-      blocks_.push_back({.label = "gamma", .per_vertex = true, .size = polygon_.vertices(), .shape = {}, .degree = 2});
+      blocks_.push_back(
+          {.label = "gamma", .owner = Owner::Vertex, .size = polygon_.vertices(), .shape = {}, .degree = 2});
     for (const CoordinateBlock& block : blocks_) {
       const auto largest = power_of_unit<double>(block.degree);
       if (!std::isnormal(largest))

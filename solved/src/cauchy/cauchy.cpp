@@ -23,7 +23,7 @@ class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates> {
     for (const auto& [label, reproduces] :
          {std::pair{"re", Reproduces::Vertices}, std::pair{"im", Reproduces::TurnedVertices}})
       blocks_.push_back({.label = label,
-                         .per_vertex = true,
+                         .owner = Owner::Vertex,
                          .size = vertices,
                          .shape = {},
                          .reproduces = reproduces,

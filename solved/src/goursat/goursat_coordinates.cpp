@@ -84,14 +84,14 @@ class GoursatCoordinates final : public CoordinatesIn<GoursatCoordinates> {
     const bool biharmonic = equation == Equation::Biharmonic;
     using Trace = CoordinateBlock::Trace;
     blocks_.push_back({.label = biharmonic ? "alpha" : "lambda",
-                       .per_vertex = true,
+                       .owner = Owner::Vertex,
                        .size = static_cast<int>(cage.vertices().size()),
                        .shape = {},
                        .reproduces = Reproduces::Vertices,
                        .trace = {biharmonic ? Trace::Kind::Unknown : Trace::Kind::Zero, 0}});
     if (biharmonic)
       blocks_.push_back({.label = "beta",
-                         .per_vertex = false,
+                         .owner = Owner::Element,
                          .size = static_cast<int>(cage.faces().size()),
                          .shape = {},
                          .reproduces = Reproduces::Normals,

@@ -5,6 +5,7 @@
 #include "cageproof/core/cage.h"
 #include "cageproof/core/element.h"
 
+#include <string_view>
 #include <vector>
 
 namespace cageproof {
@@ -14,6 +15,12 @@ struct Touching {
   int element;
   std::array<double, 4> basis;
 };
+
+/// What there is one coordinate for: a vertex, an element, or a corner of an element, numbered element by element.
+enum class Owner { Vertex, Element, Corner };
+
+/// "vertex", "element", "corner".
+std::string_view name_of(Owner owner);
 
 /// A cage's faces, quads kept as bilinear surfaces or split in triangles; in the plane its segments. Keeps copies; safe
 /// from any thread.
@@ -29,6 +36,12 @@ class CageElements {
   /// The vertices of an element, as many as it has corners.
   std::span<const int> vertices_of(std::size_t element) const;
   std::vector<Vec3<double>> corners(std::size_t element) const;
+  /// How many vertices, elements, or corners of elements.
+  std::size_t count(Owner owner) const;
+  /// The coordinates that an element has a share in, one or one a corner, where each belongs to such an owner.
+  std::span<const int> shares_of(std::size_t element, Owner owner) const;
+  /// The element that a coordinate belongs to. \pre it is of an element or a corner
+  std::size_t element_of(std::size_t coordinate, Owner owner) const;
   /// Outward unit normals of flat elements; of quads, of their area vectors.
   const std::vector<Vec3<double>>& normals() const { return normals_; }
   /// The outward unit normal where a point touches; of a bilinear quad, there.
@@ -41,6 +54,8 @@ class CageElements {
   std::vector<Vec3<double>> vertices_;
   std::vector<Face> elements_;
   std::vector<Vec3<double>> normals_;
+  std::vector<int> first_corner_;  // of each element, and how many there are
+  std::vector<int> numbers_;       // 0, 1, 2 ..., as many as corners
 };
 
 }  // namespace cageproof

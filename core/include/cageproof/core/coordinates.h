@@ -24,13 +24,15 @@ struct SummedBlock {
   Reproduces reproduces;
   /// What the normals are multiplied with, from the formula's parameters and the space's dimension; null for one.
   double (*normal_factor)(std::span<const double> parameters, int dimension) = nullptr;
+  /// Of kernels with a tensor a corner: whether elements keep theirs, which are added to the vertices' otherwise.
+  bool one_a_corner = false;
 };
 
-/// One block of prepared coordinates: a coordinate (a number, or a matrix) a vertex, or one an element.
+/// One block of prepared coordinates: a coordinate (a number, or a matrix) a vertex, an element, or a corner of one.
 struct CoordinateBlock {
   std::string label;
-  bool per_vertex;
-  int size;     ///< coordinates: the number of vertices, or of elements
+  Owner owner;
+  int size;     ///< coordinates: the number of owners
   Shape shape;  ///< of one coordinate
   Reproduces reproduces = Reproduces::Nothing;
   double normal_factor = 1;  ///< of blocks that reproduce normals

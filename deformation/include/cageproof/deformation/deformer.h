@@ -29,7 +29,8 @@ struct DeformationReport {
 template <Scalar R>
 struct Pose {
   std::vector<Vec3<R>> vertices;
-  /// Normal derivatives of each element that the user prescribes instead of the method's own; empty for those.
+  /// Normal derivatives of each element, or of each corner of each element where they are affine, that the user
+  /// prescribes instead of the method's own; empty for those.
   std::vector<Vec3<R>> normal_derivatives = {};
   /// Of methods that take them: the Laplacian's density at each vertex, and its normal derivative's of each element (L'
   /// and D' of [T24] Eq 19); empty for zeros.
@@ -67,6 +68,11 @@ class Deformer {
   virtual DeformationReport prepared() const { return {}; }
   /// \throws InputError for a pose that the method cannot take, naming the vertex or element
   virtual std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const = 0;
+  /// The method with other parameters, for the same cage, whose images are made from the same coordinates. Null where
+  /// the parameters decide the coordinates, and of methods that know of no others.
+  virtual std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& /*parameters*/) const {
+    return nullptr;
+  }
 
   /// Images of points under one pose.
   Images<R> images(const Posed<R>& posed, std::span<const Vec3<R>> points, int order) const {
@@ -81,7 +87,11 @@ inline constexpr double kBelowZero = -std::numeric_limits<double>::denorm_min();
 struct DeformOptions {
   std::string evaluation = {};  ///< of the coordinates' formulas; empty for the recommended ones
   Triangulation triangulation = Triangulation::Shortest;
-  std::vector<double> parameters = {};  ///< in the order of parameters_of(method); empty for their defaults
+  std::vector<double> parameters =
+      {};  ///< in the order of parameters_of(method); those left out at the end take defaults
+  /// Whether other parameters will be asked for: coordinates are prepared so that they serve all of them, where the
+  /// method can, and may take twice as long.
+  bool for_all_parameters = false;
 };
 
 /// A method, as users name it.
@@ -129,5 +139,11 @@ std::string why_refused(const DeformMethod& method, const Cage& cage);
 template <Scalar R>
 std::shared_ptr<const Deformer<R>> prepare_deformer(const DeformMethod& method, const Cage& cage,
                                                     DeformOptions options);
+
+/// A prepared deformer with other parameters, made from the same coordinates (Deformer::with_parameters).
+/// \throws InputError for a parameter out of range, or where these would take other coordinates
+template <Scalar R>
+std::shared_ptr<const Deformer<R>> with_other_parameters(const DeformMethod& method, const Deformer<R>& deformer,
+                                                         const std::vector<double>& parameters);
 
 }  // namespace cageproof::deformation

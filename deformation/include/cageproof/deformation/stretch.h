@@ -36,9 +36,13 @@ R stretch_of(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R
 template <Scalar R>
 std::vector<Vec3<R>> stretched_normals(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices);
 
-/// \throws InputError unless there are as many vertices as the rest cage has, and of other data none, or a row a vertex
-/// or element, all finite; names the row
+/// What poses have a normal derivative for: an element, or a corner of one where they are affine.
+Owner normals_owner(const CageCoordinates& coordinates);
+
+/// \param normals what there is a normal derivative for: an element, or a corner of one
+/// \throws InputError unless there are as many vertices as the rest cage has, and of other data none, or a row a
+/// vertex, element or corner, all finite; names the row
 template <Scalar R>
-void check_pose(const CageElements& rest, const Pose<R>& pose);
+void check_pose(const CageElements& rest, const Pose<R>& pose, Owner normals = Owner::Element);
 
 }  // namespace cageproof::deformation

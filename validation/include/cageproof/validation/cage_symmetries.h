@@ -25,17 +25,17 @@ class CageSymmetries {
   std::array<double, 3> differences_at(const Vec3<double>& point) const;
 
  private:
-  /// A vertex of the base, and how much of another's coordinate is part of its own.
+  /// A coordinate of the base, and how much of a variant's is part of it.
   struct Share {
-    int vertex;
+    int coordinate;
     double weight;
   };
+  /// Of each coordinate of a variant, by owner: one a vertex, an element, or a corner.
+  using Shares = std::array<std::vector<std::vector<Share>>, 3>;
   struct Variant {
     std::string check;
     CageCoordinates coordinates;
-    /// Of each of its vertices, whose coordinates have a share in this one's; of each element, whose part it is.
-    std::vector<std::vector<Share>> shares;
-    std::vector<int> element_of;
+    Shares shares;
     double unit = 1;
     bool turned = false;
   };
@@ -43,8 +43,7 @@ class CageSymmetries {
   struct Subdivision {
     std::vector<Vec3<double>> vertices;
     std::vector<Face> elements;
-    std::vector<std::vector<Share>> shares;
-    std::vector<int> element_of;
+    Shares shares;
   };
   Variant variant(std::string check, const Cage& cage, const CoordinateKind& kind, const std::string& evaluation) const;
   Subdivision subdivision() const;

@@ -17,10 +17,10 @@
 
 namespace cageproof::validation {
 
-/// A method with one of the values of its own first parameter that has names, the others at their defaults.
+/// A method with one of the values of its own parameters that have names, the others at their defaults.
 struct DeformerVariant {
   const deformation::DeformMethod* method;
-  std::string name;                ///< "stretch=rms"; empty for methods without such a parameter
+  std::string name;                ///< "stretch=rms"; empty for methods without such parameters
   std::vector<double> parameters;  ///< DeformOptions::parameters
   bool is_default = true;          ///< whether all of them are at their defaults
 };
@@ -28,7 +28,7 @@ struct DeformerVariant {
 /// Cages with so many elements at most are asked for what takes seconds on larger ones.
 inline constexpr std::size_t few_elements = 12;
 
-/// All variants of a method, in the order of the parameter's names.
+/// All variants of a method, in the order of the parameters and their names.
 std::vector<DeformerVariant> variants_of(const deformation::DeformMethod& method);
 
 /// The variant of that name. \throws InputError where there is none

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "deform_files.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/whole_file.h"
+#include "cageproof/reports/energy_history.h"
+#include "cageproof/reports/mesh_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace cageproof::cli {
+namespace {
+
+constexpr std::array mesh_extensions{".obj", ".ply"};
+constexpr std::array table_extensions{".csv", ".npy", ".vtp"};
+constexpr std::array energy_extensions{".csv", ".png"};
+
+bool is_one_of(std::span<const char* const> extensions, const std::string& file) {
+  return std::ranges::find(extensions, std::filesystem::path(file).extension().string()) != extensions.end();
+}
+
+// Files that this run reads or writes twice.
+void check_distinct(const DeformArguments& a, std::size_t maps) {
+  std::vector<std::pair<std::filesystem::path, std::string>> known{{a.points, "--points"}, {a.cage.file, "--cage"}};
+  for (const std::string& posed : a.posed) known.emplace_back(posed, "--posed");
+  if (!a.constraints.empty()) known.emplace_back(a.constraints, "--constraints");
+  for (const auto& [option, file] : given_data(a)) known.emplace_back(file, "--" + option);
+  for (auto& [path, option] : known) path = std::filesystem::weakly_canonical(path);
+  const auto write = [&](const std::filesystem::path& name, const std::string& option) {
+    if (const auto folder = name.parent_path(); !folder.empty() && !std::filesystem::is_directory(folder))
+      throw InputError(fmt::format("{}: there is no folder {}", name.string(), folder.string()));
+    const std::filesystem::path path = std::filesystem::weakly_canonical(name);
+    for (const auto& [other, its_option] : known)
+      if (path == other)
+        throw InputError(fmt::format("{}: {} is the file of {}, too", name.string(), option, its_option));
+    known.emplace_back(path, option);
+  };
+  for (std::size_t k = 1; k <= maps; ++k) {
+    const std::filesystem::path out = numbered(a.out, k);
+    write(out, "--out");
+    const std::filesystem::path report = std::filesystem::path(out).replace_extension(".json");
+    write(report, "the .json beside --out");
+    if (std::filesystem::exists(report) && read_file(report).find(deformation_schema) == std::string::npos)
+      throw InputError(
+          fmt::format("{}: is in the way of the report beside {}, and is none itself", report.string(), out.string()));
+    if (!a.derivatives.empty()) write(numbered(a.derivatives, k), "--derivatives");
+  }
+  if (!a.energies.empty()) write(a.energies, "--energies");
+}
+
+}  // namespace
+
+std::string numbered(const std::string& name, std::size_t k) {
+  std::string found = name;
+  for (auto at = found.find("{n}"); at != std::string::npos; at = found.find("{n}"))
+    found.replace(at, 3, std::to_string(k));
+  return found;
+}
+
+std::vector<std::pair<std::string, std::string>> given_data(const DeformArguments& a) {
+  std::vector<std::pair<std::string, std::string>> given{{"normal-derivatives", a.data.normal_derivatives},
+                                                         {"laplacians", a.data.laplacians},
+                                                         {"laplacian-derivatives", a.data.laplacian_derivatives}};
+  std::erase_if(given, [](const auto& option) { return option.second.empty(); });
+  return given;
+}
+
+void check_names(const DeformArguments& a, std::size_t maps) {
+  if (!is_one_of(mesh_extensions, a.out) && !is_one_of(table_extensions, a.out))
+    throw InputError(fmt::format("--out {}: use {} or {}", a.out, fmt::join(mesh_extensions, ", "),
+                                 fmt::join(table_extensions, ", ")));
+  if (!a.derivatives.empty() && !is_one_of(table_extensions, a.derivatives))
+    throw InputError(fmt::format("--derivatives {}: use {}", a.derivatives, fmt::join(table_extensions, ", ")));
+  if (a.order > 0 && is_one_of(mesh_extensions, a.out) && a.derivatives.empty())
+    throw InputError(fmt::format("--order {}: '{}' files hold no derivatives; --derivatives FILE takes them", a.order,
+                                 std::filesystem::path(a.out).extension().string()));
+  if (a.order == 0 && !a.derivatives.empty()) throw InputError("--derivatives: --order says which, 1 or 2");
+  for (const std::string* name : {&a.out, &a.derivatives})
+    if (maps > 1 && !name->empty() && name->find("{n}") == std::string::npos)
+      throw InputError(fmt::format("{}: {} maps need a name with {{n}} for their number", *name, maps));
+  if (is_one_of(mesh_extensions, a.out) && a.outside == "nan")
+    throw InputError(fmt::format("--outside nan: '{}' files hold no nan; use {}",
+                                 std::filesystem::path(a.out).extension().string(), fmt::join(table_extensions, ", ")));
+  if (!a.energies.empty() && !is_one_of(energy_extensions, a.energies))
+    throw InputError(fmt::format("--energies {}: use {}", a.energies, fmt::join(energy_extensions, ", ")));
+  check_distinct(a, maps);
+}
+
+std::string text_for(const std::filesystem::path& file, const Deformed& deformed) {
+  const std::string extension = file.extension();
+  if (extension == ".obj") return reports::obj_text(deformed.mesh);
+  if (extension == ".ply") return reports::ply_text(deformed.mesh);
+  if (extension == ".npy") return npy_text(deformed.table);
+  if (extension == ".vtp") return vtp_text(deformed.table, deformed.mesh);
+  return csv_text(deformed.table);
+}
+
+std::string energies_text(const DeformArguments& a, const std::string& title, const std::vector<double>& energies) {
+  return is_one_of(std::array{".png"}, a.energies) ? reports::energies_png(energies, title)
+                                                   : reports::energies_csv(energies);
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The files that `deform` writes: their names, checked before anything is computed, and their texts.
+#pragma once
+
+#include "commands.h"
+#include "posing.h"
+
+#include <filesystem>
+
+namespace cageproof::cli {
+
+/// Of `deform`.
+struct DeformArguments {
+  CageArguments cage;
+  std::string points, method, evaluation, out, derivatives, constraints, energies, outside = "error";
+  std::vector<std::string> posed, parameters;
+  DataFiles data;
+  int order = 0, jobs = 0;
+};
+
+inline constexpr std::string_view deformation_schema = "cageproof-deformation";
+
+/// The k-th file, from 1 on, where a name has {n} for the number, once or more.
+std::string numbered(const std::string& name, std::size_t k);
+
+/// What poses have beside vertices: options without dashes, and their files, of those that are given.
+std::vector<std::pair<std::string, std::string>> given_data(const DeformArguments& a);
+
+/// \param maps that are written \throws InputError for a name that cannot hold what is to be written, is no one's, or
+/// stands twice among what is read and written
+void check_names(const DeformArguments& a, std::size_t maps);
+
+/// A file's whole text, in the format of its extension.
+std::string text_for(const std::filesystem::path& file, const Deformed& deformed);
+
+/// The same of --energies.
+std::string energies_text(const DeformArguments& a, const std::string& title, const std::vector<double>& energies);
+
+}  // namespace cageproof::cli
