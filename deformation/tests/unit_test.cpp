@@ -65,7 +65,9 @@ TEST(unit, aligned_methods_keep_rotations_where_densities_are_small) {
             << s << ' ' << alignment;
       EXPECT_EQ(warns_of(pose->report().warnings, "digits") || warns_of(pose->report().warnings, "deficient"), s < 1)
           << s << ' ' << alignment << ' ' << condition;
-      if (s == 1) EXPECT_LT(condition, 1e5) << alignment;
+      if (s == 1) {
+        EXPECT_LT(condition, 1e5) << alignment;
+      }
     }
   }
   try {

@@ -88,7 +88,7 @@ class Aligned final : public LayerDeformer<R> {
     const CageElements& elements = this->coordinates().elements();
     check_pose(elements, pose);
     DeformationReport report;
-    warn_of_orientation(elements, pose.vertices, report.warnings);
+    warn_of_orientation(elements, pose.vertices, report.warnings, alignment_ != Alignment::NonNegative);
     const Matrix<R> vertices = rows_of(pose.vertices, elements.dimension());
     const Matrix<R> fixed = of_vertices_ * vertices;
     Matrix<R> normals;

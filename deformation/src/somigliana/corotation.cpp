@@ -53,13 +53,15 @@ template <Scalar R>
 std::vector<R> spreads(const CageElements& rest, const std::vector<Vec3<R>>& vertices) {
   using std::atan2, std::sqrt;
   std::vector<Vec3<R>> of_vertices(vertices.size(), Vec3<R>::Zero());
+  std::vector<R> around(vertices.size(), R(0));
   for (std::size_t e = 0; e < rest.count(); ++e) {
-    const Vec3<R> weighted = measure(rest, vertices, e) * posed_normal(rest, vertices, e);
-    for (const int v : rest.vertices_of(e)) of_vertices[v] += weighted;
+    const R size = measure(rest, vertices, e);
+    const Vec3<R> weighted = size * posed_normal(rest, vertices, e);
+    for (const int v : rest.vertices_of(e)) of_vertices[v] += weighted, around[v] += size;
   }
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const R length = sqrt(R(of_vertices[v].dot(of_vertices[v])));
-    if (!(length > 0))
+    if (!(length > 64 * unit_roundoff<R>() * around[v]))
       throw InputError(fmt::format("the normals around vertex {} add up to nothing: it has no spread", v));
     of_vertices[v] /= length;
   }
@@ -155,12 +157,15 @@ Turns<R> local_turns(const CageElements& rest, const std::vector<Vec3<R>>& from,
   Turns<R> found;
   found.stretches = std::move(stretches);
   found.of_vertices.assign(posed.size(), Matrix<R>::Zero(d, d));
+  std::vector<R> around(posed.size(), R(0));
   for (std::size_t e = 0; e < rest.count(); ++e) {
     found.of_elements.push_back(rotation_of(rest, from, posed, e));
-    for (const int v : rest.vertices_of(e)) found.of_vertices[v] += measure(rest, from, e) * found.of_elements[e];
+    const R size = measure(rest, from, e);
+    for (const int v : rest.vertices_of(e)) found.of_vertices[v] += size * found.of_elements[e], around[v] += size;
   }
   for (std::size_t v = 0; v < posed.size(); ++v)
-    found.of_vertices[v] = rotation_or_warning(found.of_vertices[v], "vertex", v, warnings);
+    found.of_vertices[v] =
+        rotation_or_warning<R>(found.of_vertices[v], "vertex", v, warnings, 64 * unit_roundoff<R>() * around[v]);
   return found;
 }
 

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Every method in every one of its settings that decides what it takes of a pose.
+#pragma once
+
+#include "support.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace cageproof::deformation::test {
+
+struct Setting {
+  std::string_view method;
+  /// By name, others at their defaults.
+  std::vector<std::pair<std::string_view, double>> parameters = {};
+  bool uses_normals = false;  ///< the posed unit normals, so that elements without any are refused
+
+  std::string text() const {
+    std::string found(method);
+    for (const auto& [name, value] : parameters) found += ' ' + std::string(name) + '=' + std::to_string(value);
+    return found;
+  }
+};
+
+inline const std::vector<Setting>& settings() {
+  static const std::vector<Setting> all = [] {
+    std::vector<Setting> found;
+    for (const char* method : {"mean_value", "quad_mean_value", "spherical_mean_value", "maximum_entropy", "harmonic"})
+      found.push_back({method});
+    const double area = 2;
+    for (const double stretch : {0., 1., 2., 3.}) found.push_back({"green", {{"stretch", stretch}}, stretch != area});
+    for (const char* method : {"biharmonic_1_3", "biharmonic_1_2", "biharmonic_weber", "biharmonic_direct"})
+      for (const double stretch : {0., 1., 2., 3.}) found.push_back({method, {{"normals", stretch}}, stretch != area});
+    const double free = 2;
+    for (const char* method : {"ahap", "aaap", "tp"})
+      for (const double alignment : {0., 1., 2., 3.})
+        found.push_back({method, {{"alignment", alignment}}, alignment != free});
+    for (const double variant : {0., 1., 2.})
+      for (const double gamma : {0., 1.})
+        found.push_back({"somigliana", {{"variant", variant}, {"gamma", gamma}}, variant != 0 || gamma != 0});
+    found.push_back({"cauchy"});
+    for (const double normals : {0., 1., 2.})
+      found.push_back({"biharmonic_boundary", {{"normals", normals}}, normals != 1});
+    return found;
+  }();
+  return all;
+}
+
+/// The settings of methods that the cage has.
+inline std::vector<Setting> settings_on(const Cage& cage) {
+  std::vector<Setting> found;
+  for (const Setting& s : settings())
+    if (why_refused(deform_method_named(s.method), cage).empty()) found.push_back(s);
+  return found;
+}
+
+/// \throws InputError as prepare_deformer
+template <Scalar R = double>
+std::shared_ptr<const Deformer<R>> prepared_with(const Cage& cage, const Setting& setting) {
+  const DeformMethod& method = deform_method_named(setting.method);
+  std::vector<double> values;
+  for (const KindParameter& p : parameters_of(method)) {
+    const auto given = std::ranges::find(setting.parameters, p.name, [](const auto& one) { return one.first; });
+    values.push_back(given == setting.parameters.end() ? p.preset : given->second);
+  }
+  return prepare_deformer<R>(method, cage, {.parameters = std::move(values)});
+}
+
+/// What a refusal says; empty where there is none.
+template <class Action>
+std::string refusal_of(const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+inline bool contains(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+inline bool warns_of(const DeformationReport& report, const std::string& words) {
+  return std::ranges::any_of(report.warnings, [&](const std::string& w) { return contains(w, words); });
+}
+
+inline DeformationReport report_of(const Cage& cage, const Setting& setting, const std::vector<Vec>& posed) {
+  return prepared_with(cage, setting)->pose({posed, {}})->report();
+}
+
+inline bool is_finite(const Images<double>& images) {
+  return std::ranges::all_of(images.tensors[0], [](double x) { return std::isfinite(x); });
+}
+
+/// A turn that no coordinate axis keeps, so that rounding has its part.
+inline std::vector<Vec> turned(std::vector<Vec> points, int d) {
+  const Eigen::Matrix3d turn = d == 2 ? Eigen::AngleAxisd(0.7, Vec::UnitZ()).toRotationMatrix()
+                                      : Eigen::AngleAxisd(1.1, Vec(1, 2, -.5).normalized()).toRotationMatrix();
+  for (Vec& p : points) p = turn * p;
+  return points;
+}
+
+inline std::vector<Vec> scaled(std::vector<Vec> points, const Vec& by) {
+  for (Vec& p : points) p = p.cwiseProduct(by);
+  return points;
+}
+
+}  // namespace cageproof::deformation::test
