@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Normal derivatives that are affine on elements ([T24] Eq 41-43): against quadrature of their definition, against the
 // constraints one by one, and what they share with constant ones.
-#include "regularised_routes.h"
+#include "somigliana_routes.h"
 
 #include "cageproof/core/gauss_legendre.h"
 #include "cageproof/core/input_error.h"
@@ -146,6 +146,31 @@ TEST(affine, keeps_rigid_maps_and_with_stretched_normals_similarities_and_is_ano
                              deformed(*prepared(c.cage, "biharmonic_1_3", methods[0].constant), c.posed, c.points);
     EXPECT_GT((image(affine, 0, d) - image(constant, 0, d)).norm(), 1e-4 * c.size) << c.name;
     EXPECT_LT((image(affine, 0, d) - image(constant, 0, d)).norm(), 1e-1 * c.size) << c.name;
+  }
+}
+
+// The rest normal turned by the rotation of each vertex, which is found by another route, and as long as `normals`
+// says.
+TEST(affine, own_normal_derivatives_turn_with_the_vertices) {
+  for (const Case& c : {cube(), bar(), l_shape(), pentagon()}) {
+    const int d = c.cage.dimension();
+    const CageElements elements(c.cage, false, Triangulation::Shortest);
+    const CorotationRoute route(elements, c.posed, true, 0.3, 0);
+    for (const bool stretched : {false, true}) {
+      std::vector<Vec> normals;
+      for (std::size_t e = 0; e < elements.count(); ++e)
+        for (const int v : elements.vertices_of(e)) {
+          const Mp turned = route.of_vertices[v] * column(convert<Mp50>(elements.normals()[e]), d);
+          Vec normal = Vec::Zero();
+          for (int k = 0; k < d; ++k) normal[k] = static_cast<double>(turned(k, 0));
+          normals.emplace_back(normal * (stretched ? static_cast<double>(route.stretches[e]) : 1));
+        }
+      // Stretches of the route are means.
+      const auto deformer = prepared(c.cage, "biharmonic_1_3", {1, stretched ? 1.0 : 3.0, 1, 0, 1});
+      const Images<double> own = deformed(*deformer, c.posed, c.points), given = with_normals(c, *deformer, normals);
+      for (std::size_t p = 0; p < c.points.size(); ++p)
+        EXPECT_LT((image(own, p, d) - image(given, p, d)).norm(), 1e-13 * c.size) << c.name << stretched;
+    }
   }
 }
 
