@@ -134,6 +134,14 @@ std::vector<DeformerChecks::Question> DeformerChecks::questions() const {
     all.push_back({std::string(map.check), std::string(map.pose), ScalarKind::Double, 0, 0});
   if (variant_.method->takes_normal_derivatives)
     all.push_back({"keeps_linear_with_normals", "linear", ScalarKind::Double, 0, 0});
+  const CageElements faces(*cage_, true, rule_);
+  for (int axis = 0; axis < cage_->dimension(); ++axis) {
+    const auto mirror = mirror_symmetry(cage_->vertices(), axis);
+    if (!mirror || !keeps(*mirror, faces)) continue;
+    const bool whole = keeps(*mirror, deformer_->coordinates().elements());
+    all.push_back({whole ? "keeps_symmetry" : "keeps_symmetry_of_quads", std::string(symmetric_poses[axis]),
+                   ScalarKind::Double, 0, 0});
+  }
   const int highest = deformer_->max_order();
   const bool prompt = is_prompt_in_50_digits();
   if (prompt) all.push_back({"deformer_truth", bent_name, ScalarKind::Double, 0, highest});
@@ -150,6 +158,9 @@ std::vector<DeformerChecks::Errors> DeformerChecks::ask(const Question& question
     if (map.check == question.check) return kept(map, false, points);
     if (question.check == "keeps_linear_with_normals") return kept(map, true, points);
   }
+  if (const auto pose = std::ranges::find(symmetric_poses, question.pose); pose != symmetric_poses.end())
+    return mirrored(mirror_symmetry(cage_->vertices(), static_cast<int>(pose - symmetric_poses.begin())).value(),
+                    points);
   if (question.check == "deformer_jacobian")
     return question.scalar == ScalarKind::Double ? differences<double>(*deformer_, points)
                                                  : differences<Mp50>(*in_50_digits_.get(), points);
@@ -196,6 +207,23 @@ std::vector<DeformerChecks::Errors> DeformerChecks::kept(const SpaceMap& map, bo
     Vec3<double> difference = Vec3<double>::Zero();
     for (int c = 0; c < d; ++c) difference[c] = images.tensors[0][p * d + c] - expected[c];
     errors[p][0] = over_condition(difference.norm() / size, condition);
+  }
+  return errors;
+}
+
+std::vector<DeformerChecks::Errors> DeformerChecks::mirrored(const MirrorSymmetry& mirror,
+                                                             std::span<const Vec3<double>> points) const {
+  const auto posed = deformer_->pose({made_symmetric(mirror, bent(*cage_))});
+  const double condition = condition_of(*deformer_, *posed);
+  const int d = cage_->dimension();
+  std::vector<Errors> errors(points.size());
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const std::array<Vec3<double>, 2> both{points[p], mirror(points[p])};
+    const Images<double> images = images_one_by_one<double>(*deformer_, *posed, both, 0);
+    std::array<Vec3<double>, 2> at{Vec3<double>::Zero(), Vec3<double>::Zero()};
+    for (std::size_t k = 0; k < 2; ++k)
+      for (int c = 0; c < d; ++c) at[k][c] = images.tensors[0][k * d + c];
+    errors[p][0] = over_condition((at[1] - mirror(at[0])).norm() / cage_->size(), condition);
   }
   return errors;
 }

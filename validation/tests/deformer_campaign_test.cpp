@@ -131,6 +131,32 @@ TEST(deformers, with_posed_normals_lose_linear_maps) {
     expect_missed("keeps_linear", "somigliana", variant, 2e-2, 2e-1);
 }
 
+// [T18] Section 5: what keeps quads keeps their symmetry, and what splits them loses it by parts of the size.
+TEST(deformers, that_keep_quads_keep_symmetric_poses_symmetric) {
+  for (const char* method : {"quad_mean_value", "spherical_mean_value", "maximum_entropy"}) {
+    const auto rows = rows_of_check("cube", "keeps_symmetry", method);
+    EXPECT_EQ(rows.size(), 3U) << method;
+    for (const ResultRow& row : rows) EXPECT_EQ(row.verdict, Verdict::Kept) << method << ' ' << row.max;
+    EXPECT_TRUE(rows_of_check("cube", "keeps_symmetry_of_quads", method).empty()) << method;
+  }
+  for (const char* method : {"mean_value", "green", "somigliana"}) {
+    const auto rows = rows_of_check("cube", "keeps_symmetry_of_quads", method);
+    EXPECT_FALSE(rows.empty()) << method;
+    for (const ResultRow& row : rows) {
+      EXPECT_EQ(row.verdict, Verdict::NotPromised) << method;
+      EXPECT_GT(row.max, 1e-3) << method;
+      EXPECT_LT(row.max, 1e-1) << method;
+    }
+  }
+  for (const char* method : {"mean_value", "green", "cauchy", "biharmonic_boundary", "tp"}) {
+    const auto rows = rows_of_check("square", "keeps_symmetry", method);
+    EXPECT_FALSE(rows.empty()) << method;
+    for (const ResultRow& row : rows) EXPECT_EQ(row.verdict, Verdict::Kept) << method << ' ' << row.max;
+  }
+  // An L is no mirror image of itself across an axis.
+  EXPECT_TRUE(rows_of_check("l-shape", "keeps_symmetry", "green").empty());
+}
+
 TEST(deformers, keep_linear_maps_of_cages_whose_normals_are_given) {
   for (const char* method : {"green", "biharmonic_1_3", "biharmonic_1_2", "biharmonic_weber"}) {
     const auto rows = rows_of_check("cube", "keeps_linear_with_normals", method);

@@ -6,6 +6,7 @@
 #include "cageproof/deformation/deformer.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/deformer_poses.h"
+#include "cageproof/validation/mirror_symmetry.h"
 #include "cageproof/validation/parallel.h"
 
 #include <array>
@@ -59,6 +60,9 @@ class DeformerChecks {
 
   /// keeps_rigid, keeps_scale, keeps_mirror, keeps_linear: images with those of the map that poses the cage, in double.
   /// keeps_linear_with_normals, of methods that take normal derivatives: the same with those of the map.
+  /// keeps_symmetry, on cages that are their own mirror images across an axis, and posed symmetrically: images of
+  /// mirrored points with the mirrored images, where the deformer's elements are symmetric, too.
+  /// keeps_symmetry_of_quads: the same where the quads are, and not the triangles that they are split in.
   /// deformer_truth: images and their derivatives in double with those in 50 digits, where these are prompt: of methods
   /// that solve systems for the cage on small cages alone, and by default parameters.
   /// deformer_jacobian: derivatives with central differences of the images and of the Jacobian, in 50 digits where
@@ -80,6 +84,7 @@ class DeformerChecks {
   bool is_prompt_in_50_digits() const;
   std::optional<std::string> quadrature() const;
   std::vector<Errors> kept(const SpaceMap& map, bool with_normals, std::span<const Vec3<double>> points) const;
+  std::vector<Errors> mirrored(const MirrorSymmetry& mirror, std::span<const Vec3<double>> points) const;
   std::vector<Errors> compared(const deformation::Images<double>& images, const deformation::Images<Mp50>& with,
                                std::size_t points, int order, double condition) const;
   template <class R>

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -29,6 +30,9 @@ std::vector<Vec3<double>> posed_by(const SpaceMap& map, const Cage& cage);
 
 /// The name of the pose that is no map of space.
 inline constexpr std::string_view bent_pose = "bent";
+
+/// The names of the same pose made symmetric across each axis.
+inline constexpr std::array<std::string_view, 3> symmetric_poses{"symmetric in x", "symmetric in y", "symmetric in z"};
 
 /// Each vertex moved by itself, by up to a twentieth of the cage's size along each axis: a function of the cage's name
 /// and the vertex's number.
