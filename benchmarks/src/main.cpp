@@ -24,8 +24,9 @@ struct Files {
   std::string cage, posed, points;
 };
 
-// What Google Benchmark has left of the arguments.
+// The program's own options, beside Google Benchmark's, which has --help.
 void add_options(CLI::App& app, Files& files) {
+  app.set_help_flag("");
   auto* const cage = app.add_option("--cage", files.cage, "a cage that deformers are timed on, too");
   auto* const posed = app.add_option("--posed", files.posed, "its vertices elsewhere");
   auto* const points = app.add_option("--points", files.points, "points within it");
@@ -37,7 +38,6 @@ void print_help() {
   CLI::App app;
   Files files;
   add_options(app, files);
-  app.set_help_flag("");
   std::cout << '\n' << app.help("cageproof_bench");
 }
 

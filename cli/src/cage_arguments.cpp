@@ -49,7 +49,7 @@ double value_in(std::string_view text, std::string_view after, const KindParamet
     throw InputError(fmt::format("--parameter {}: '{}' is none of {}", text, after, fmt::join(parameter.names, ", ")));
   if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, after));
   if (!parameter.allows(*value))
-    throw InputError(fmt::format("--parameter {}: out of range for {}, {} < {} {} {}{}{}", text, owner,
+    throw InputError(fmt::format("--parameter {}: {} is out of range for {}, {} < {} {} {}{}{}", text, after, owner,
                                  parameter.lowest, parameter.name, parameter.includes_highest ? "<=" : "<",
                                  parameter.highest, parameter.includes_infinity ? ", or infinite" : "",
                                  parameter.whole ? ", a whole number" : ""));

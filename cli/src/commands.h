@@ -61,7 +61,8 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
 std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<KindParameter>& known,
                                     std::string_view owner);
 
-/// All combinations of values, where a text may have several, "nu=0,0.3,inf"; those of the last parameter change first.
+/// All combinations of values, where a text may have several, "nu=0,0.3,inf"; those of the last parameter change
+/// first. \throws InputError as parameters_from
 std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::string>& given,
                                                      const std::vector<KindParameter>& known, std::string_view owner);
 

@@ -28,13 +28,21 @@ struct Chosen {
   const ConstraintMethod* constrained;  ///< null for methods that take posed cages
   std::vector<KindParameter> known;
   std::vector<std::vector<double>> parameters;  ///< a set a map of each pose
+  std::vector<std::string_view> varied;         ///< that these differ in
 };
 
 Chosen chosen_by(const DeformArguments& a) {
-  Chosen chosen{a.method, find_constraint_method(a.method), {}, {}};
+  Chosen chosen{a.method, find_constraint_method(a.method), {}, {}, {}};
   chosen.known = chosen.constrained ? chosen.constrained->parameters : parameters_of(deform_method_named(a.method));
   if (chosen.constrained) chosen.parameters = {parameters_from(a.parameters, chosen.known, a.method)};
   else chosen.parameters = parameter_sets_from(a.parameters, chosen.known, a.method);
+  for (std::size_t i = 0; i < chosen.known.size(); ++i)
+    if (std::ranges::any_of(chosen.parameters, [&](const auto& set) { return set[i] != chosen.parameters[0][i]; }))
+      chosen.varied.push_back(chosen.known[i].name);
+  for (const std::string_view name : chosen.varied)
+    if (decides_coordinates(deform_method_named(a.method), name))
+      throw InputError(
+          fmt::format("--parameter {}: decides the coordinates of {}, and takes one value", name, a.method));
   if (chosen.constrained ? a.constraints.empty() : a.posed.empty())
     throw InputError(fmt::format("{} takes {}", a.method, chosen.constrained ? "--constraints" : "--posed"));
   if (const auto given = given_data(a); chosen.constrained && !given.empty())
@@ -45,7 +53,7 @@ Chosen chosen_by(const DeformArguments& a) {
 }
 
 Posing posing_by(const DeformArguments& a, const Chosen& chosen, const Cage& cage) {
-  DeformOptions options{a.evaluation, a.cage.rule(), chosen.parameters.front()};
+  DeformOptions options{a.evaluation, a.cage.rule(), chosen.parameters.front(), chosen.varied};
   if (!chosen.constrained)
     return posed_by_cages(deform_method_named(a.method), cage, std::move(options), chosen.parameters, a.posed, a.data);
   return posed_by_constraints(*chosen.constrained, cage, options, a.constraints, [](int step, double energy) {
@@ -77,15 +85,17 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
   return json;
 }
 
-// Those of the method are the same for all poses, and said once.
-void print_warnings(const Json& warnings, const Posing& posing, std::size_t k, std::set<std::string>& said) {
-  const DescribedMap& map = posing.maps[k];
+// Each once, and of which it is said: of a map where there are several sets of parameters, else of a pose, or of the
+// method, which is the same for all poses.
+void print_warnings(const Json& warnings, const Chosen& chosen, const DescribedMap& map, std::string_view out,
+                    bool is_only, std::set<std::string>& said) {
   for (const Json& warning : warnings) {
     const auto text = warning.get<std::string>();
     const bool of_method = std::ranges::find(map.prepared.warnings, text) != map.prepared.warnings.end();
-    if (of_method && !said.insert(text).second) continue;
-    const std::string of_pose = of_method || posing.maps.size() == 1 ? "" : map.file + ": ";
-    fmt::print(stderr, "warning: {}{}\n", of_pose, text);
+    const bool of_one_pose = !is_only && !of_method;
+    const std::string_view owner = chosen.parameters.size() > 1 ? out : of_one_pose ? std::string_view(map.file) : "";
+    const std::string line = fmt::format("warning: {}{}{}\n", owner, owner.empty() ? "" : ": ", text);
+    if (said.insert(line).second) fmt::print(stderr, "{}", line);
   }
 }
 
@@ -120,7 +130,7 @@ int run(const DeformArguments& a) {
     const DeformationReport& pose = map.map->report();
     json.update(deformation_json(coordinates, cage, mesh, map.vertices, all[k], a.order, map.prepared, pose,
                                  chosen.constrained && !map.vertices.empty()));
-    print_warnings(json["warnings"], posing, k, said);
+    print_warnings(json["warnings"], chosen, map, out.string(), all.size() == 1, said);
     files.emplace_back(std::filesystem::path(out).replace_extension(".json"), json.dump(2) + '\n');
     if (!a.energies.empty())
       files.emplace_back(a.energies, energies_text(a, fmt::format("{}, {}", a.method, cage.name()), pose.energies));

@@ -9,7 +9,7 @@
 
 namespace cageproof::cli {
 
-/// Of `deform`.
+/// What the user asks of `deform`.
 struct DeformArguments {
   CageArguments cage;
   std::string points, method, evaluation, out, derivatives, constraints, energies, outside = "error";
@@ -26,14 +26,14 @@ std::string numbered(const std::string& name, std::size_t k);
 /// What poses have beside vertices: options without dashes, and their files, of those that are given.
 std::vector<std::pair<std::string, std::string>> given_data(const DeformArguments& a);
 
-/// \param maps that are written \throws InputError for a name that cannot hold what is to be written, is no one's, or
-/// stands twice among what is read and written
+/// \param maps that are written, their number \throws InputError for a file whose format cannot hold what is to be
+/// written, whose folder does not exist, or that is read or written, too
 void check_names(const DeformArguments& a, std::size_t maps);
 
 /// A file's whole text, in the format of its extension.
 std::string text_for(const std::filesystem::path& file, const Deformed& deformed);
 
-/// The same of --energies.
+/// The file of --energies: CSV, or a picture with that title.
 std::string energies_text(const DeformArguments& a, const std::string& title, const std::vector<double>& energies);
 
 }  // namespace cageproof::cli

@@ -55,12 +55,12 @@ Posing posed_by_cages(const DeformMethod& method, const Cage& cage, DeformOption
     cages.push_back(is_embedded_cage(file) ? embedded_cage(file).vertices()
                                            : load_points(file, cage.dimension()).vertices);
   options.parameters = parameters.front();
-  options.for_all_parameters = parameters.size() > 1;
   std::vector<std::shared_ptr<const Deformer<double>>> deformers{prepare_deformer<double>(method, cage, options)};
-  for (std::size_t s = 1; s < parameters.size(); ++s)
-    deformers.push_back(with_other_parameters<double>(method, *deformers[0], parameters[s]));
   Posing found{deformers[0], &deformers[0]->coordinates(), deformers[0]->max_order(), {}};
   check_rows(data, pose, *found.coordinates);
+  deformers.reserve(parameters.size());
+  for (std::size_t s = 1; s < parameters.size(); ++s)
+    deformers.push_back(with_other_parameters<double>(method, *deformers[0], parameters[s]));
   for (std::size_t k = 0; k < files.size(); ++k)
     for (std::size_t s = 0; s < parameters.size(); ++s) {
       try {

@@ -31,9 +31,10 @@ struct DataFiles {
   std::string normal_derivatives, laplacians, laplacian_derivatives;
 };
 
-/// A map a posed cage (a mesh, text, or the name of an embedded cage) and set of parameters, of which those of a cage
-/// follow each other.
-/// \param options of all maps but for parameters \param parameters sets of them, at least one
+/// A map for each posed cage (a mesh, text, or the name of an embedded cage) with each set of parameters; all of one
+/// posed cage come before those of the next.
+/// \param options of all maps but for parameters; varied names those that the sets differ in
+/// \param parameters sets of them, at least one
 /// \throws InputError naming the file of a pose that the method does not take, or the option that it does not, and for
 /// sets that have no coordinates in common
 Posing posed_by_cages(const deformation::DeformMethod& method, const Cage& cage, deformation::DeformOptions options,

@@ -59,23 +59,43 @@ awk '$1 == "v" {d = ($2 - 0.5) ^ 2 + ($3 - 0.25) ^ 2 + $4 ^ 2; exit !(d < 1e-28)
 grep -q '"method": "mean_value"' moved.json || fail "no report beside it"
 grep -q '"cage_volume_ratio": 8.0' moved.json || fail "volumes: $(cat moved.json)"
 
-# Several values of parameters: as many maps, numbered in their order, as if each had been asked for alone.
-"$cageproof" deform "${common[@]}" --method somigliana --parameter nu=0,0.25 --parameter gamma=0,1 --out 'swept_{n}.csv' || fail "a sweep"
-[ "$(ls swept_*.csv | wc -l)" -eq 4 ] || fail "$(ls swept_*.csv | wc -l) maps, not 4"
-for map in 1:0:0 2:0:1 3:0.25:0 4:0.25:1; do
+# Several values of parameters: as many maps of each pose, numbered in their order, as if each had been asked for alone.
+sed 's/^v 1 1 1$/v 1.5 1 1.25/' large.obj >bent.obj
+swept=(--cage cube --posed bent.obj --points mesh.obj --method somigliana)
+"$cageproof" deform "${swept[@]}" --posed large.obj --parameter nu=0,0.25 --parameter gamma=0,1 --out 'swept_{n}.csv' || fail "a sweep"
+[ "$(ls swept_*.csv | wc -l)" -eq 8 ] || fail "$(ls swept_*.csv | wc -l) maps, not 8"
+for map in 1:0.0:0.0 2:0.0:1.0 3:0.25:0.0 4:0.25:1.0; do
   IFS=: read -r n nu gamma <<<"$map"
-  "$cageproof" deform "${common[@]}" --method somigliana --parameter "nu=$nu" --parameter "gamma=$gamma" --out alone.csv
-  paste -d, "swept_$n.csv" alone.csv | awk -F, 'NR > 1 {for (i = 1; i <= 3; ++i) {d = $i - $(i + 3); if (d * d > 1e-26) exit 1}}' || fail "map $n is not that of nu $nu, gamma $gamma"
-  grep -q "\"nu\": $nu" "swept_$n.json" || fail "nu of map $n: $(cat "swept_$n.json")"
+  "$cageproof" deform "${swept[@]}" --parameter "nu=$nu" --parameter "gamma=$gamma" --out alone.csv || fail "alone"
+  for other in 1 2 3 4; do
+    same=$(paste -d, "swept_$other.csv" alone.csv | awk -F, 'NR > 1 {++rows; for (i = 1; i <= 3; ++i) {d = $i - $(i + 3); if (!(d * d < 1e-26)) differs = 1}} END {print rows == 5 && !differs}')
+    [ "$same" -eq $((other == n)) ] || fail "map $other is $same that of nu $nu, gamma $gamma"
+  done
+  grep -q "\"nu\": $nu," "swept_$n.json" || fail "nu of map $n: $(cat "swept_$n.json")"
+  grep -q "\"gamma\": $gamma," "swept_$n.json" || fail "gamma of map $n: $(cat "swept_$n.json")"
+  grep -q 'bent.obj' "swept_$n.json" || fail "the pose of map $n"
+  grep -q 'large.obj' "swept_$((n + 4)).json" || fail "the pose of map $((n + 4))"
 done
+rm -f bent.obj
 "$cageproof" deform "${common[@]}" --method ahap --parameter alignment=hard,free --out 'swept_{n}.csv' || fail "a sweep of names"
 grep -q '"alignment": "free"' swept_2.json || fail "no alignment: $(cat swept_2.json)"
 rm -f swept_* alone.*
 refuses '2 maps' '{n}' -- "${common[@]}" --method somigliana --parameter nu=0,0.25 --out one.csv
 refuses 'nu' 'not a number' -- "${common[@]}" --method somigliana --parameter nu=0,,0.25 --out '{n}.csv'
 refuses 'nu' 'out of range' -- "${common[@]}" --method somigliana --parameter nu=0,0.5 --out '{n}.csv'
-refuses 'biharmonic_1_3' 'coordinates' -- "${common[@]}" --method biharmonic_1_3 --parameter neumann=constant,affine --out '{n}.csv'
+refuses 'neumann' 'biharmonic_1_3' 'one value' -- "${common[@]}" --method biharmonic_1_3 --parameter neumann=constant,affine --out '{n}.csv'
+refuses '0.5 is out of range' -- "${common[@]}" --method somigliana --parameter nu=0,0.5 --out '{n}.csv'
 refuses 'alpha' 'not a number' -- --cage cube --constraints large.obj --points mesh.obj --method variational --parameter alpha=1,2 --out one.csv
+
+# A warning of one map names it, and is said once.
+"$cageproof" deform "${common[@]}" --method biharmonic_1_3 --parameter level=0,1 --out 'level_{n}.csv' 2>stderr || fail "levels"
+[ "$(grep -c 'level_1.csv: .*deficient rank' stderr)" -eq 1 ] || fail "no word of level 0: $(cat stderr)"
+grep -q 'level_2.csv' stderr && fail "a word of level 1: $(cat stderr)"
+rm -f level_* stderr
+
+# Coordinates of an element's corner are named by both.
+"$cageproof" coordinates --cage cube --points mesh.obj --kind biharmonic_affine --out corners.csv || fail "coordinates of corners"
+head -1 corners.csv | grep -q 'phi_7,psi_0_0,psi_0_1,psi_0_2,psi_1_0,.*psi_11_2,phibar_0' || fail "names of corners: $(head -1 corners.csv)"
 
 # A line a corner of each triangle.
 for i in $(seq 36); do echo "0 0 1"; done >corners.txt

@@ -54,6 +54,12 @@ std::vector<KindParameter> parameters_of(const DeformMethod& method) {
   return all;
 }
 
+bool decides_coordinates(const DeformMethod& method, std::string_view parameter) {
+  const auto is_that = [&](const KindParameter& p) { return p.name == parameter; };
+  if (std::ranges::none_of(method.parameters, is_that)) return true;
+  return std::ranges::find(method.coordinate_parameters, parameter) != method.coordinate_parameters.end();
+}
+
 std::string why_refused(const DeformMethod& method, const Cage& cage) {
   const CoordinateKind& kind = coordinate_kind_named(method.kind);
   if (!exists_on(kind, cage)) return fmt::format("{} does not exist on cages of this dimension", method.name);
@@ -116,7 +122,7 @@ std::shared_ptr<const Deformer<R>> with_other_parameters(const DeformMethod& met
                                                          const std::vector<double>& parameters) {
   auto found = deformer.with_parameters(checked(method.name, parameters_of(method), parameters));
   if (!found)
-    throw InputError(fmt::format("{}: its coordinates are made for the parameters, and not for others", method.name));
+    throw InputError(fmt::format("{}: other parameters than it was prepared for take other coordinates", method.name));
   return found;
 }
 

@@ -6,20 +6,26 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <tuple>
+
 namespace cageproof::deformation::test {
 namespace {
 
 template <Scalar R>
 double distance(const Images<R>& a, const Images<R>& b, int order) {
   double worst = 0;
-  for (std::size_t i = 0; i < a.tensors[order].size(); ++i)
-    worst = std::max(worst, std::abs(static_cast<double>(R(a.tensors[order][i] - b.tensors[order][i]))));
+  for (std::size_t i = 0; i < a.tensors[order].size(); ++i) {
+    const double difference = std::abs(static_cast<double>(R(a.tensors[order][i] - b.tensors[order][i])));
+    if (!(difference <= worst)) worst = difference;
+  }
   return worst;
 }
 
 template <Scalar R>
 std::vector<Vec3<R>> in(const std::vector<Vec>& points) {
   std::vector<Vec3<R>> found;
+  found.reserve(points.size());
   for (const Vec& p : points) found.push_back(convert<R>(p));
   return found;
 }
@@ -28,8 +34,7 @@ template <Scalar R>
 void expect_any_nu(const Case& c, double tolerance, int order) {
   const DeformMethod& method = deform_method_named("somigliana");
   const auto posed = in<R>(c.posed), points = in<R>(c.points);
-  const auto common =
-      prepare_deformer<R>(method, c.cage, {.parameters = {0, 0.3, 0, 0, 0.5}, .for_all_parameters = true});
+  const auto common = prepare_deformer<R>(method, c.cage, {.parameters = {0, 0.3, 0, 0, 0.5}, .varied = {"nu"}});
   for (const double variant : {0.0, 1.0})
     for (const double nu : {-0.9, 0.0, 0.3, 0.49, static_cast<double>(INFINITY), static_cast<double>(-INFINITY)}) {
       const std::vector<double> parameters{variant, nu, 1, 0, 0.5};
@@ -59,6 +64,7 @@ TEST(parameters, of_layers_change_without_other_coordinates) {
       {"biharmonic_direct", {3, 0}, {1, 0}},
       {"ahap", {1, 1, 0, 1, 1}, {0, 2, 2, 1, 3}},
       {"aaap", {1, 1, 0, 1, 1}, {1, 1, 1, 7, 1}},
+      {"biharmonic_direct", {3, 1}, {0, 1}},
       {"tp", {1, 1, 0, 1, 1}, {1, 1, 3, 1, 5}}};
   for (const Case& c : {cube(), pentagon()})
     for (const auto& [name, before, after] : changes) {
@@ -72,6 +78,44 @@ TEST(parameters, of_layers_change_without_other_coordinates) {
                 1e-6)
           << c.name << ' ' << name;
     }
+}
+
+TEST(parameters, of_boundary_normals_change_without_other_coordinates) {
+  for (const Case& c : {square(), pentagon()}) {
+    const DeformMethod& method = deform_method_named("biharmonic_boundary");
+    const auto before = prepared(c.cage, method.name);
+    for (const double normals : {1.0, 2.0}) {
+      const auto shared = with_other_parameters<double>(method, *before, {normals});
+      const auto alone = prepared(c.cage, method.name, {normals});
+      EXPECT_EQ(deformed(*shared, c.posed, c.points).tensors[0], deformed(*alone, c.posed, c.points).tensors[0])
+          << c.name;
+      EXPECT_GT(distance(deformed(*shared, c.posed, c.points), deformed(*before, c.posed, c.points), 0), 1e-6);
+    }
+    // Two pieces an edge.
+    EXPECT_THROW(with_other_parameters<double>(method, *before, {0, 2}), InputError);
+  }
+}
+
+// What the program refuses before anything is computed is what has no other coordinates.
+TEST(parameters, that_decide_coordinates_are_those_that_are_refused) {
+  const Case in_space = cube(), in_plane = square();
+  int deciding = 0, free = 0;
+  for (const DeformMethod& method : deform_methods()) {
+    const Case& c = why_refused(method, in_space.cage).empty() ? in_space : in_plane;
+    const auto known = parameters_of(method);
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      std::vector<double> changed;
+      for (const KindParameter& p : known) changed.push_back(p.preset);
+      changed[i] = known[i].allows(changed[i] + 1) ? changed[i] + 1 : changed[i] - 0.125;
+      ASSERT_TRUE(known[i].allows(changed[i])) << method.name << ' ' << known[i].name;
+      const auto common = prepare_deformer<double>(method, c.cage, {.varied = {known[i].name}});
+      const bool decides = common->with_parameters(changed) == nullptr;
+      EXPECT_EQ(decides, decides_coordinates(method, known[i].name)) << method.name << ' ' << known[i].name;
+      ++(decides ? deciding : free);
+    }
+  }
+  EXPECT_GT(deciding, 5);
+  EXPECT_GT(free, 20);
 }
 
 TEST(parameters, that_take_other_coordinates_are_refused) {

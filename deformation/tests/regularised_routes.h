@@ -16,7 +16,7 @@ struct SampleRows {
   int element;
   Mp hats;                      ///< 1 x vertices
   std::array<Mp, 4> of, slope;  ///< of phi, psi, phibar, psibar
-  Mp own;                       ///< of the normal derivatives' data: what they are here
+  Mp own;                       ///< times the normal derivatives' data: the normal derivative here
   Mp psi, psi_slope;            ///< an element each, also where there is data a corner
 };
 

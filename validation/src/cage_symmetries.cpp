@@ -35,7 +35,7 @@ std::pair<int, int> rank_of_corner(const std::array<double, 4>& basis, int corne
   return {corners - static_cast<int>(std::ranges::count(std::span(basis).first(corners), 0.0)), along};
 }
 
-// An owner's, of what there is one of for each.
+// The entry for that owner.
 auto& of(Owner owner, auto& of_owners) { return of_owners[static_cast<std::size_t>(owner)]; }
 
 }  // namespace

@@ -269,10 +269,10 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     const std::size_t width = output.entries;
     // Adds the matrix (or number) times each basis function at the point to its vertex.
     const auto add_basis = [&](const std::vector<R>& matrix) {
-      const auto vertices = elements_->vertices_of(on.front().element);
-      for (std::size_t c = 0; c < vertices.size(); ++c)
+      const auto owners = elements_->shares_of(on.front().element, blocks_[b].owner);
+      for (std::size_t c = 0; c < owners.size(); ++c)
         for (std::size_t i = 0; i < width; ++i)
-          output.tensors[0][vertices[c] * width + i] += static_cast<R>(on.front().basis[c]) * matrix[i];
+          output.tensors[0][owners[c] * width + i] += static_cast<R>(on.front().basis[c]) * matrix[i];
     };
     if (normalised_) {
       add_basis({R(1)});
@@ -287,24 +287,24 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     std::array<Vec3<R>, 4> storage;
     Result<R> part;
     for (std::size_t e = 0; e < elements_->count(); ++e) {
-      const auto vertices = elements_->vertices_of(e);
+      const auto owners = elements_->shares_of(e, blocks_[b].owner);
       const auto touch = std::ranges::find(on, static_cast<int>(e), &Touching::element);
       const bool touches = jumps && touch != on.end();
       const Evaluation& evaluation = evaluations_[static_cast<std::size_t>(elements_->type(e).kind)][b];
       evaluation(Query<R>{corners_of(e, storage), eta, order, parameters, touches}, part);
       BatchOutput<R> here = output;
-      here.slots = elements_->shares_of(e, blocks_[b].owner);
+      here.slots = owners;
       for (int o = 0; o <= order; ++o) here.put(0, o, part.of(o));
       if (!jumps) continue;
       // On the cage: the sum over all elements of int (basis - basis at the point) kernel, whose integrals exist, and
       // basis at the point.
       for (std::size_t i = 0; i < width; ++i) {
         R all = 0;
-        for (std::size_t k = 0; k < vertices.size(); ++k) all += part.value[k * width + i];
+        for (std::size_t k = 0; k < owners.size(); ++k) all += part.value[k * width + i];
         if (!touches) whole[i] -= all;
         else
-          for (std::size_t c = 0; c < vertices.size(); ++c)
-            output.tensors[0][vertices[c] * width + i] -= static_cast<R>(touch->basis[c]) * all;
+          for (std::size_t c = 0; c < owners.size(); ++c)
+            output.tensors[0][owners[c] * width + i] -= static_cast<R>(touch->basis[c]) * all;
       }
     }
     if (jumps) add_basis(whole);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The four layers with densities that the user gives ([T24] Eq 19).
 #include "construction.h"
-#include "corner_normals.h"
 #include "layer_deformer.h"
 
 namespace cageproof::deformation {
@@ -25,13 +24,7 @@ class Direct final : public LayerDeformer<R> {
     const int d = elements.dimension();
     std::vector<Matrix<R>> data{rows_of(pose.vertices, d), rows_of(pose.normal_derivatives, d),
                                 rows_of(pose.laplacians, d), rows_of(pose.laplacian_derivatives, d)};
-    if (pose.normal_derivatives.empty()) {
-      warn_of_orientation(elements, pose.vertices, report.warnings);
-      data[1] = rows_of(this->normals_of() == Owner::Corner
-                            ? corner_normals(stretch_, elements, pose.vertices, report.warnings)
-                            : stretched_normals(stretch_, elements, pose.vertices),
-                        d);
-    }
+    if (pose.normal_derivatives.empty()) data[1] = rows_of(this->own_normals(stretch_, pose.vertices, report), d);
     if (pose.laplacians.empty()) data[2] = Matrix<R>::Zero(data[0].rows(), d);
     if (pose.laplacian_derivatives.empty()) data[3] = Matrix<R>::Zero(static_cast<Eigen::Index>(elements.count()), d);
     return std::make_unique<LinearPosed<R>>(std::move(data), std::move(report));
@@ -55,6 +48,7 @@ const RegisterDeformMethod direct{
                      "how long posed normals are",
                      stretch_names()},
                     neumann_parameter()},
+     .coordinate_parameters = {"neumann"},
      .takes_normal_derivatives = true,
      .takes_laplacians = true,
      .prepare = prepare_direct<double>,

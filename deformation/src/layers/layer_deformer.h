@@ -5,6 +5,7 @@
 
 #include "../linear_posed.h"
 #include "../posed_orientation.h"
+#include "corner_normals.h"
 #include "regularisation.h"
 
 #include "cageproof/deformation/stretch.h"
@@ -31,6 +32,14 @@ class LayerDeformer : public Deformer<R> {
 
  protected:
   Owner normals_of() const { return normals_owner(coordinates_); }
+  /// Posed normals that the method has where the pose prescribes none, a row an element or corner.
+  std::vector<Vec3<R>> own_normals(Stretch stretch, const std::vector<Vec3<R>>& vertices,
+                                   DeformationReport& report) const {
+    const CageElements& elements = coordinates_.elements();
+    warn_of_orientation(elements, vertices, report.warnings);
+    return normals_of() == Owner::Corner ? corner_normals(stretch, elements, vertices, report.warnings)
+                                         : stretched_normals(stretch, elements, vertices);
+  }
   void regularise(Regularisation<R> found) { regularisation_ = std::move(found); }
   const Regularisation<R>& regularisation() const { return regularisation_; }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // [T24]'s regularised biharmonic deformers with posed normals: (1,3), (1,2) and Weber's construction.
 #include "construction.h"
-#include "corner_normals.h"
 #include "layer_deformer.h"
 
 #include "cageproof/core/input_error.h"
@@ -11,8 +10,13 @@
 namespace cageproof::deformation {
 namespace {
 
-// The parameters' order: the construction's weights, of which some have none, before the last.
+// The parameters' order: the construction's weights, of which some have none, before `neumann`.
 enum : std::size_t { kLevel, kNormals, kWeights };
+
+template <Construction C>
+std::size_t place_of_neumann() {
+  return kWeights + weight_parameters(C).size();
+}
 
 template <Scalar R, Construction C>
 class Regularised final : public LayerDeformer<R> {
@@ -20,25 +24,21 @@ class Regularised final : public LayerDeformer<R> {
   Regularised(CageCoordinates layers, const std::vector<double>& parameters)
       : LayerDeformer<R>(std::move(layers)), stretch_(static_cast<Stretch>(static_cast<int>(parameters[kNormals]))) {
     this->regularise(regularisation_by<R>(C, this->coordinates(), static_cast<int>(parameters[kLevel]),
-                                          std::span(parameters).subspan(kWeights), Account::Systems));
+                                          std::span(parameters).subspan(kWeights, weight_parameters(C).size()),
+                                          Account::Systems));
   }
 
   std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& parameters) const override {
-    if (normals_by(parameters.back()) != this->normals_of()) return nullptr;
+    if (normals_by(parameters[place_of_neumann<C>()]) != this->normals_of()) return nullptr;
     return std::make_shared<Regularised>(this->coordinates(), parameters);
   }
 
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
     const CageElements& elements = this->coordinates().elements();
-    const Owner owner = this->normals_of();
-    check_pose(elements, pose, owner);
+    check_pose(elements, pose, this->normals_of());
     DeformationReport report;
-    std::vector<Vec3<R>> normals = pose.normal_derivatives;
-    if (normals.empty()) {
-      warn_of_orientation(elements, pose.vertices, report.warnings);
-      normals = owner == Owner::Corner ? corner_normals(stretch_, elements, pose.vertices, report.warnings)
-                                       : stretched_normals(stretch_, elements, pose.vertices);
-    }
+    const std::vector<Vec3<R>> normals =
+        pose.normal_derivatives.empty() ? this->own_normals(stretch_, pose.vertices, report) : pose.normal_derivatives;
     const int d = elements.dimension();
     return this->with(rows_of(pose.vertices, d), rows_of(normals, d), std::move(report));
   }
@@ -49,8 +49,8 @@ class Regularised final : public LayerDeformer<R> {
 
 template <Construction C, Scalar R>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
-  return std::make_shared<Regularised<R, C>>(layers_of(cage, options, normals_by(options.parameters.back())),
-                                             options.parameters);
+  return std::make_shared<Regularised<R, C>>(
+      layers_of(cage, options, normals_by(options.parameters[place_of_neumann<C>()])), options.parameters);
 }
 
 std::vector<KindParameter> parameters(Construction construction) {
@@ -70,6 +70,7 @@ DeformMethod method(std::string_view name, std::string_view source) {
           .keeps = "rigid maps (normals=rms, mean, area: similarities)",
           .kind = "biharmonic",
           .parameters = parameters(C),
+          .coordinate_parameters = {"neumann"},
           .takes_normal_derivatives = true,
           .takes_derivatives_on_cage = C == Construction::OneTwo,
           .prepare = prepare<C, double>,

@@ -44,6 +44,13 @@ void add_centroids(const ElementType& type, const Corners& part, int level, int 
   samples.push_back(sample);
 }
 
+double count_of_samples(const CageElements& elements, int level) {
+  double count = 0;
+  for (std::size_t e = 0; e < elements.count(); ++e)
+    count += std::pow(static_cast<double>(elements.type(e).parts.size()), level);
+  return count;
+}
+
 // A column an element, of a column an element or corner.
 template <Scalar R>
 Matrix<R> summed_over_corners(const Matrix<R>& columns, const CageElements& elements, Owner owner) {
@@ -105,12 +112,15 @@ template <Scalar R>
 SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
   const CageElements& elements = coordinates.elements();
   SampledLayers<R> found;
-  found.samples = samples_of(elements, level);
   const Owner neumann = normals_owner(coordinates);
-  const std::size_t unknowns = elements.vertices().size() + elements.count(neumann);
-  if (static_cast<double>(found.samples.size()) * static_cast<double>(unknowns) > most_numbers)
-    throw InputError(fmt::format("{} samples times {} densities are more numbers than {:.0e}: a lower level will do",
-                                 found.samples.size(), unknowns, most_numbers));
+  const double wanted = count_of_samples(elements, level);
+  const std::size_t columns = elements.vertices().size() + elements.count(neumann);
+  if (wanted * static_cast<double>(columns) > most_numbers)
+    throw InputError(fmt::format(
+        "{:.0f} samples times {} vertices and normal derivatives are more numbers than {:.0e}: a lower level "
+        "will do",
+        wanted, columns, most_numbers));
+  found.samples = samples_of(elements, level);
   const std::size_t count = found.samples.size();
   found.hats = Matrix<R>::Zero(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(elements.vertices().size()));
   for (std::size_t s = 0; s < count; ++s) {

@@ -30,7 +30,7 @@ template <Scalar R>
 std::vector<CoordinateTable<R>> checked_limits(const CageCoordinates& coordinates, std::span<const Touching> samples,
                                                int order);
 
-/// \pre \throws InputError as checked_limits
+/// \throws InputError as checked_limits, and for more samples than memory holds
 template <Scalar R>
 SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level);
 

@@ -9,6 +9,9 @@
 
 #include "cageproof/deformation/stretch.h"
 
+#include <algorithm>
+#include <span>
+
 namespace cageproof::deformation {
 namespace {
 
@@ -25,11 +28,19 @@ class BiharmonicBoundary final : public Deformer<R> {
             cage, coordinate_kind_named("biharmonic_boundary"),
             CoordinateOptions{
                 options.evaluation, options.triangulation, {options.parameters.begin() + 1, options.parameters.end()}}),
+        of_coordinates_(options.parameters.begin() + 1, options.parameters.end()),
         normals_(static_cast<BoundaryNormals>(static_cast<int>(options.parameters[0]))) {
     const std::vector<CoordinateTable<R>> laplacians = coordinates_.boundary_laplacians<R>();
     const std::size_t nodes = laplacians[0].tensors[0].size() / laplacians[0].stride[0];
     of_vertices_ = component(laplacians[0], nodes, 0, 1, 0);
     of_normals_ = component(laplacians[1], nodes, 0, 1, 0);
+  }
+
+  std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& parameters) const override {
+    if (!std::ranges::equal(std::span(parameters).subspan(1), of_coordinates_)) return nullptr;
+    auto other = std::make_shared<BiharmonicBoundary>(*this);
+    other->normals_ = static_cast<BoundaryNormals>(static_cast<int>(parameters[0]));
+    return other;
   }
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
@@ -63,6 +74,7 @@ class BiharmonicBoundary final : public Deformer<R> {
 
  private:
   CageCoordinates coordinates_;
+  std::vector<double> of_coordinates_;  // parameters
   BoundaryNormals normals_;
   Matrix<R> of_vertices_, of_normals_;  // of Laplacians at nodes
 };

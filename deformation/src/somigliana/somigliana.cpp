@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -149,7 +150,7 @@ class Somigliana final : public Deformer<R> {
 
 template <Scalar R>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
-  const bool in_parts = options.for_all_parameters;
+  const bool in_parts = std::ranges::find(options.varied, "nu") != options.varied.end();
   const CoordinateOptions plain{options.evaluation, options.triangulation, {1, options.parameters[kNu]}};
   return std::make_shared<Somigliana<R>>(
       in_parts ? somigliana_parts(cage, plain) : CageCoordinates(cage, coordinate_kind_named("somigliana"), plain),

@@ -199,8 +199,8 @@ struct CoordinateKind {
   bool is_sum() const { return prepare == nullptr; }
 };
 
-/// The kinds that are sums over elements (mean_value, quad_mean_value, green, biharmonic, somigliana), then those that
-/// rooms linked into the program add, by name. Kinds stay where they are.
+/// The kinds that are sums over elements (mean_value, quad_mean_value, green, biharmonic, biharmonic_affine,
+/// somigliana), then those that rooms linked into the program add, by name. Kinds stay where they are.
 const std::list<CoordinateKind>& coordinate_kinds();
 
 /// Adds a kind at program start: `const RegisterCoordinateKind r{...};` at namespace scope of a .cpp.

@@ -70,6 +70,7 @@ class Deformer {
   virtual std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const = 0;
   /// The method with other parameters, for the same cage, whose images are made from the same coordinates. Null where
   /// the parameters decide the coordinates, and of methods that know of no others.
+  /// \pre as many as the method has, in range: with_other_parameters sees to it
   virtual std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& /*parameters*/) const {
     return nullptr;
   }
@@ -87,11 +88,11 @@ inline constexpr double kBelowZero = -std::numeric_limits<double>::denorm_min();
 struct DeformOptions {
   std::string evaluation = {};  ///< of the coordinates' formulas; empty for the recommended ones
   Triangulation triangulation = Triangulation::Shortest;
-  std::vector<double> parameters =
-      {};  ///< in the order of parameters_of(method); those left out at the end take defaults
-  /// Whether other parameters will be asked for: coordinates are prepared so that they serve all of them, where the
-  /// method can, and may take twice as long.
-  bool for_all_parameters = false;
+  /// In the order of parameters_of(method); those left out at the end take defaults.
+  std::vector<double> parameters = {};
+  /// Names of parameters that will have other values: coordinates are prepared so that they serve all of these, where
+  /// the method can, and may take twice as long.
+  std::vector<std::string_view> varied = {};
 };
 
 /// A method, as users name it.
@@ -99,11 +100,13 @@ struct DeformMethod {
   std::string_view name;
   std::string_view source;
   std::string_view keeps;  ///< the maps of space that it reproduces, in words
-  /// The kind of coordinates that images are made from.
+  /// The kind of coordinates that images are made from, by the parameters' defaults.
   std::string_view kind;
   /// Its own; those of the kind come after them (parameters_of), unless the method says what they are.
   std::vector<KindParameter> parameters = {};
   bool with_parameters_of_kind = true;
+  /// Those of its own that decide the coordinates, as all of the kind's do.
+  std::vector<std::string_view> coordinate_parameters = {};
   /// Whether poses may prescribe normal derivatives; other methods have their own and look at no others.
   bool takes_normal_derivatives = false;
   /// Whether poses may have Laplacians and their normal derivatives; other methods look at none.
@@ -130,6 +133,9 @@ const DeformMethod& deform_method_named(std::string_view name);
 
 /// A method's parameters: its own, then those of its kind of coordinates where users may choose them.
 std::vector<KindParameter> parameters_of(const DeformMethod& method);
+
+/// Whether a parameter decides the coordinates, so that maps of several values share none.
+bool decides_coordinates(const DeformMethod& method, std::string_view parameter);
 
 /// Why the cage has no such deformer with the parameters' defaults; empty where it has.
 std::string why_refused(const DeformMethod& method, const Cage& cage);
