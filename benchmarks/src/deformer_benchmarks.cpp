@@ -3,12 +3,14 @@
 
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/random_stream.h"
-#include "cageproof/deformation/deformer.h"
+#include "cageproof/core/winding_number.h"
+#include "cageproof/deformation/constrained.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <ctime>
+#include <functional>
 #include <mutex>
 
 namespace cageproof::benchmarks {
@@ -16,28 +18,32 @@ namespace cageproof::benchmarks {
 using namespace deformation;
 namespace {
 
-// A method on a cage, made as far as a benchmark needs it.
+// A method on a cage, made as far as a benchmark needs it. Model: Deformer<double> or ConstrainedDeformer<double>.
+template <class Model>
 class Stages {
  public:
-  Stages(std::shared_ptr<const DeformedCage> what, const DeformMethod& method)
-      : what_(std::move(what)), method_(method) {}
+  using Pose = std::unique_ptr<const Posed<double>> (*)(const Model& model, const DeformedCage& what);
+
+  Stages(std::shared_ptr<const DeformedCage> what, std::function<std::shared_ptr<const Model>()> how, Pose posing)
+      : what_(std::move(what)), prepare_(std::move(how)), pose_(posing) {}
 
   const DeformedCage& what() const { return *what_; }
-  std::shared_ptr<const Deformer<double>> prepare() const { return prepare_deformer<double>(method_, what_->cage, {}); }
-  const Deformer<double>& deformer() const {
-    std::call_once(prepared_, [this] { deformer_ = prepare(); });
-    return *deformer_;
+  std::shared_ptr<const Model> prepare() const { return prepare_(); }
+  const Model& model() const {
+    std::call_once(prepared_, [this] { model_ = prepare(); });
+    return *model_;
   }
-  std::unique_ptr<const Posed<double>> pose() const { return deformer().pose({what_->posed}); }
+  std::unique_ptr<const Posed<double>> pose() const { return pose_(model(), *what_); }
   std::vector<CoordinateTable<double>> coordinates() const {
-    return deformer().coordinates().at<double>(what_->points, 0);
+    return model().coordinates().template at<double>(what_->points, 0);
   }
 
  private:
   std::shared_ptr<const DeformedCage> what_;
-  const DeformMethod& method_;
+  std::function<std::shared_ptr<const Model>()> prepare_;
+  Pose pose_;
   mutable std::once_flag prepared_;
-  mutable std::shared_ptr<const Deformer<double>> deformer_;
+  mutable std::shared_ptr<const Model> model_;
 };
 
 // Calls make() as often as the state asks for; what it returns is used.
@@ -54,6 +60,55 @@ void time(benchmark::State& state, std::size_t points, const auto& make) {
       1e9 * seconds / (static_cast<double>(state.iterations()) * static_cast<double>(points));
 }
 
+// Registers the stages of one method.
+template <class Model>
+void add_stages(std::string_view method, std::shared_ptr<const Stages<Model>> stages, std::vector<std::string>& names) {
+  const auto add = [&](std::string_view stage, auto run) {
+    names.push_back(fmt::format("deform/{}/{}/{}", stages->what().name, method, stage));
+    benchmark::RegisterBenchmark(names.back().c_str(), run)->Unit(benchmark::kMillisecond);
+  };
+  add("prepare", [stages](benchmark::State& state) { time(state, 0, [&] { return stages->prepare(); }); });
+  add("coordinates", [stages](benchmark::State& state) {
+    stages->model();
+    time(state, stages->what().points.size(), [&] { return stages->coordinates(); });
+  });
+  add("pose", [stages](benchmark::State& state) {
+    stages->model();
+    time(state, 0, [&] { return stages->pose(); });
+  });
+  add("images", [stages](benchmark::State& state) {
+    const auto tables = stages->coordinates();
+    const auto posed = stages->pose();
+    const std::size_t points = stages->what().points.size();
+    time(state, points, [&] { return posed->images(tables, points, 0); });
+  });
+}
+
+Vec3<double> sheared(const Vec3<double>& v) { return {v[0] + 0.25 * v[1], v[1] - 0.125 * v[0], v[2]}; }
+
+// Points inside, a few drawn to where the shear takes them; where more is taken, some others are to turn, and the rest
+// not to bend.
+Constraints constraints_in(const DeformedCage& what, bool positions_alone) {
+  constexpr std::size_t positions = 3, rotations = 8, hessians = 60;
+  const CageElements elements(what.cage, false, Triangulation::Shortest);
+  std::vector<Triangle<double>> triangles;
+  std::vector<Segment<double>> segments;
+  for (std::size_t e = 0; e < elements.count(); ++e) {
+    const auto corners = elements.corners(e);
+    if (corners.size() == 2) segments.push_back({corners[0], corners[1]});
+    else triangles.push_back({corners[0], corners[1], corners[2]});
+  }
+  Constraints found;
+  for (const Vec3<double>& p : what.points) {
+    if ((segments.empty() ? winding_number(triangles, p) : winding_number(segments, p)) != 1) continue;
+    if (found.positions.size() < positions) found.positions.push_back({p, sheared(p)});
+    else if (positions_alone) break;
+    else if (found.rotations.size() < rotations) found.rotations.push_back(p);
+    else if (found.hessians.size() < hessians) found.hessians.push_back(p);
+  }
+  return found;
+}
+
 }  // namespace
 
 DeformedCage embedded_deformed_cage(std::string_view name, int points) {
@@ -62,7 +117,7 @@ DeformedCage embedded_deformed_cage(std::string_view name, int points) {
   for (const Vec3<double>& v : found.cage.vertices()) {
     low = low.cwiseMin(v);
     high = high.cwiseMax(v);
-    found.posed.emplace_back(v[0] + 0.25 * v[1], v[1] - 0.125 * v[0], v[2]);
+    found.posed.push_back(sheared(v));
   }
   found.points.reserve(static_cast<std::size_t>(points));
   for (int i = 0; i < points; ++i) {
@@ -78,26 +133,24 @@ std::vector<std::string> register_deformer_benchmarks(const std::shared_ptr<cons
   std::vector<std::string> names;
   for (const DeformMethod& method : deform_methods()) {
     if (!why_refused(method, what->cage).empty()) continue;
-    const auto stages = std::make_shared<const Stages>(what, method);
-    const auto add = [&](std::string_view stage, auto run) {
-      names.push_back(fmt::format("deform/{}/{}/{}", what->name, method.name, stage));
-      benchmark::RegisterBenchmark(names.back().c_str(), run)->Unit(benchmark::kMillisecond);
-    };
-    add("prepare", [stages](benchmark::State& state) { time(state, 0, [&] { return stages->prepare(); }); });
-    add("coordinates", [stages](benchmark::State& state) {
-      stages->deformer();
-      time(state, stages->what().points.size(), [&] { return stages->coordinates(); });
-    });
-    add("pose", [stages](benchmark::State& state) {
-      stages->deformer();
-      time(state, 0, [&] { return stages->pose(); });
-    });
-    add("images", [stages](benchmark::State& state) {
-      const auto tables = stages->coordinates();
-      const auto posed = stages->pose();
-      const std::size_t points = stages->what().points.size();
-      time(state, points, [&] { return posed->images(tables, points, 0); });
-    });
+    using Model = Deformer<double>;
+    add_stages<Model>(method.name,
+                      std::make_shared<const Stages<Model>>(
+                          what, [what, &method] { return prepare_deformer<double>(method, what->cage, {}); },
+                          [](const Model& model, const DeformedCage& of) { return model.pose({of.posed}); }),
+                      names);
+  }
+  for (const ConstraintMethod& method : constraint_methods()) {
+    if (method.dimension != 0 && method.dimension != what->cage.dimension()) continue;
+    const Constraints constraints = constraints_in(*what, method.positions_alone);
+    if (constraints.positions.empty()) continue;
+    using Model = ConstrainedDeformer<double>;
+    add_stages<Model>(
+        method.name,
+        std::make_shared<const Stages<Model>>(
+            what, [what, constraints, &method] { return prepare_constrained(method, what->cage, constraints, {}); },
+            [](const Model& model, const DeformedCage&) { return model.pose(); }),
+        names);
   }
   return names;
 }

@@ -13,7 +13,7 @@ namespace cageproof::benchmarks {
 namespace {
 
 TEST(DeformerBenchmarks, every_method_that_takes_the_cage_has_its_stages) {
-  const auto what = std::make_shared<const DeformedCage>(embedded_deformed_cage("cube", 8));
+  const auto what = std::make_shared<const DeformedCage>(embedded_deformed_cage("cube", 80));
   const std::vector<std::string> names = register_deformer_benchmarks(what);
   int methods = 0;
   for (const deformation::DeformMethod& method : deformation::deform_methods()) {
@@ -23,7 +23,9 @@ TEST(DeformerBenchmarks, every_method_that_takes_the_cage_has_its_stages) {
       EXPECT_EQ(std::ranges::count(names, fmt::format("deform/cube/{}/{}", method.name, stage)), 1) << method.name;
   }
   EXPECT_GT(methods, 10);
-  EXPECT_EQ(names.size(), 4U * methods);
+  for (const std::string_view stage : {"prepare", "coordinates", "pose", "images"})
+    EXPECT_EQ(std::ranges::count(names, fmt::format("deform/cube/variational/{}", stage)), 1);
+  EXPECT_EQ(names.size(), 4U * (methods + 1)) << "thickness is of the plane";
 }
 
 TEST(DeformerBenchmarks, images_of_points_are_timed) {
@@ -36,10 +38,14 @@ TEST(DeformerBenchmarks, images_of_points_are_timed) {
     void ReportRuns(const std::vector<Run>& found) override { runs.insert(runs.end(), found.begin(), found.end()); }
     std::vector<Run> runs;
   } reporter;
-  ASSERT_EQ(benchmark::RunSpecifiedBenchmarks(&reporter, "^deform/square/green/images$"), 1U);
-  ASSERT_EQ(reporter.runs.size(), 1U);
-  ASSERT_FALSE(reporter.runs[0].error_occurred) << reporter.runs[0].error_message;
-  EXPECT_GT(reporter.runs[0].counters.at("ns_per_point"), 0);
+  for (const char* method : {"green", "variational", "thickness"}) {
+    reporter.runs.clear();
+    const std::string name = fmt::format("^deform/square/{}/images$", method);
+    ASSERT_EQ(benchmark::RunSpecifiedBenchmarks(&reporter, name), 1U) << method;
+    ASSERT_EQ(reporter.runs.size(), 1U);
+    ASSERT_FALSE(reporter.runs[0].error_occurred) << reporter.runs[0].error_message;
+    EXPECT_GT(reporter.runs[0].counters.at("ns_per_point"), 0);
+  }
 }
 
 }  // namespace

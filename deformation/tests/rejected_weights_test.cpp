@@ -44,6 +44,7 @@ TEST(rejected, weights_of_constraints_that_are_negative_or_no_numbers) {
       if (name != "alpha" && name != "beta" && name != "gamma") continue;
       for (const double bad : {-1., nan, inf}) {
         std::vector<double> values;
+        values.reserve(method.parameters.size());
         for (const KindParameter& p : method.parameters) values.push_back(p.preset);
         values[k] = bad;
         const std::string said =

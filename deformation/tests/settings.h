@@ -61,8 +61,10 @@ inline std::vector<Setting> settings_on(const Cage& cage) {
 template <Scalar R = double>
 std::shared_ptr<const Deformer<R>> prepared_with(const Cage& cage, const Setting& setting) {
   const DeformMethod& method = deform_method_named(setting.method);
+  const std::vector<KindParameter> parameters = parameters_of(method);
   std::vector<double> values;
-  for (const KindParameter& p : parameters_of(method)) {
+  values.reserve(parameters.size());
+  for (const KindParameter& p : parameters) {
     const auto given = std::ranges::find(setting.parameters, p.name, [](const auto& one) { return one.first; });
     values.push_back(given == setting.parameters.end() ? p.preset : given->second);
   }

@@ -60,6 +60,19 @@ TEST(somigliana_routes, images_are_in_balance) {
   }
 }
 
+// The kernels, too, by another route: integrated.
+TEST(somigliana_routes, images_are_in_balance_by_integrated_kernels) {
+  for (const Case& c : {cube(), l_shape(), pentagon()})
+    for (const Setting& s : {Setting{false, .3, 1}, Setting{true, .3, 1}}) {
+      const auto deformer = prepared(c.cage, "somigliana", {s.local ? 1. : 0., s.nu, s.gamma, 0, 0.5});
+      const CageCoordinates integrated(c.cage, coordinate_kind_named("somigliana"),
+                                       CoordinateOptions{.evaluation = "multiprecision", .parameters = {1, s.nu}});
+      const CorotationRoute route(integrated.elements(), c.posed, s.local, s.nu, s.gamma);
+      const Vec found = image(deformed(*deformer, c.posed, c.points), 0, c.cage.dimension());
+      EXPECT_LT(residual(c, integrated, route, c.points[0], found), 1e-13) << c.name << s.local;
+    }
+}
+
 TEST(somigliana_routes, tractions_are_those_of_the_dense_system_and_balanced) {
   for (const Case& c : cases()) {
     const CageElements elements(c.cage, false, Triangulation::Shortest);

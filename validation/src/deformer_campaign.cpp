@@ -3,6 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/random_stream.h"
+#include "cageproof/validation/constrained_checks.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/verdicts.h"
 
@@ -71,6 +72,54 @@ class DeformerMeasurement final : public Measurement {
   DeformerCampaignOptions options_;
 };
 
+// A method that takes constraints. Questions of energies have one answer each.
+class ConstrainedMeasurement final : public Measurement {
+ public:
+  ConstrainedMeasurement(std::shared_ptr<const Cage> cage, ConstrainedVariant variant,
+                         const DeformerCampaignOptions& options)
+      : cage_(std::move(cage)), variant_(std::move(variant)), options_(options) {}
+
+  std::string name() const override {
+    return fmt::format("{}, deformer {}, {}", cage_->name(), variant_.method->name, variant_.name);
+  }
+  int blocks() const override { return 1; }
+
+  Findings measure(int) const override {
+    const ConstrainedChecks checks(cage_, variant_, options_.triangulation);
+    const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
+    Findings findings;
+    for (const ConstrainedChecks::Question& question : checks.questions()) {
+      Tally& tally =
+          findings.rows[{RowKey::Section::Deformer, std::string(variant_.method->name), variant_.name,
+                         std::string(name_of(ScalarKind::Double)), cage_->name(), question.check, question.pose, 0}];
+      tally.unit = question.check.starts_with("constrained") ? "cage sizes" : "energies";
+      const std::vector<DeformerError> errors = checks.ask(question, points);
+      for (std::size_t p = 0; p < errors.size(); ++p) {
+        ++tally.asked;
+        tally.add(errors[p].error, errors[p].plain, p,
+                  [&](double e) { return WorstCase{e, 0, p, {}, points[p], {}, 2}; });
+      }
+    }
+    return findings;
+  }
+
+ private:
+  std::shared_ptr<const Cage> cage_;
+  ConstrainedVariant variant_;
+  DeformerCampaignOptions options_;
+};
+
+// Of small cages, whose constraints determine their maps.
+void add_constrained(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options,
+                     Measurements& measurements) {
+  if (!is_small(*cage, options.triangulation)) return;
+  for (const deformation::ConstraintMethod& method : deformation::constraint_methods()) {
+    if (!matches(options.methods, method.name) || !can_be_asked(method, *cage, options.triangulation)) continue;
+    for (ConstrainedVariant& variant : variants_of(method))
+      measurements.push_back(std::make_unique<ConstrainedMeasurement>(cage, std::move(variant), options));
+  }
+}
+
 }  // namespace
 
 const std::vector<std::string_view>& deformer_cage_names() {
@@ -116,6 +165,7 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
     for (DeformerVariant& variant : variants)
       measurements.push_back(std::make_unique<DeformerMeasurement>(cage, std::move(variant), options));
   }
+  add_constrained(cage, options, measurements);
   return measurements;
 }
 
@@ -125,14 +175,24 @@ std::vector<ResultRow> run_deformer_campaign(const Cage& cage, const DeformerCam
 }
 
 DeformerError deformer_error_at(const Cage& cage, const RowKey& row, const Vec3<double>& point, Triangulation rule) {
+  const auto not_asked = [&] {
+    return InputError(fmt::format("the check '{}' is not asked of {} posed '{}' in {}, order {}", row.check,
+                                  row.subject, row.place, row.scalar, row.order));
+  };
+  if (const auto* method = deformation::find_constraint_method(row.subject)) {
+    const ConstrainedChecks checks(std::make_shared<const Cage>(cage), variant_named(*method, row.evaluation), rule);
+    for (const ConstrainedChecks::Question& question : checks.questions())
+      if (question.check == row.check && question.pose == row.place && row.order == 0)
+        return checks.ask(question, std::span(&point, 1)).front();
+    throw not_asked();
+  }
   const DeformerChecks checks(std::make_shared<const Cage>(cage),
                               variant_named(deformation::deform_method_named(row.subject), row.evaluation), rule);
   for (const DeformerChecks::Question& question : checks.questions())
     if (question.check == row.check && question.pose == row.place && name_of(question.scalar) == row.scalar &&
         question.lowest_order <= row.order && row.order <= question.highest_order)
       return checks.ask(question, std::span(&point, 1)).front()[row.order];
-  throw InputError(fmt::format("the check '{}' is not asked of {} posed '{}' in {}, order {}", row.check, row.subject,
-                               row.place, row.scalar, row.order));
+  throw not_asked();
 }
 
 }  // namespace cageproof::validation

@@ -38,7 +38,7 @@ double condition_of(const Deformer<R>& deformer, const Posed<R>& posed) {
   for (const auto& systems : {deformer.prepared().systems, posed.report().systems})
     for (const SolvedSystem& system : systems)
       if (!system.is_singular() && std::isfinite(system.condition)) worst = std::max(worst, system.condition);
-  return std::min(worst, most_excused);
+  return worst;
 }
 
 // Each point by itself, so that a case of one point is what it was among others: products of larger matrices sum in
@@ -55,11 +55,11 @@ Images<R> images_one_by_one(const Deformer<R>& deformer, const Posed<R>& posed, 
   return all;
 }
 
-DeformerError over_condition(double plain, double condition) {
-  return {plain / std::max(1.0, condition / harmless_condition), plain};
-}
-
 }  // namespace
+
+DeformerError error_over_condition(double plain, double condition) {
+  return {plain / std::max(1.0, std::min(condition, most_excused) / harmless_condition), plain};
+}
 
 std::vector<DeformerVariant> variants_of(const deformation::DeformMethod& method) {
   const std::vector<KindParameter> parameters = deformation::parameters_of(method);
@@ -206,7 +206,7 @@ std::vector<DeformerChecks::Errors> DeformerChecks::kept(const SpaceMap& map, bo
     const Vec3<double> expected = map(points[p], size);
     Vec3<double> difference = Vec3<double>::Zero();
     for (int c = 0; c < d; ++c) difference[c] = images.tensors[0][p * d + c] - expected[c];
-    errors[p][0] = over_condition(difference.norm() / size, condition);
+    errors[p][0] = error_over_condition(difference.norm() / size, condition);
   }
   return errors;
 }
@@ -239,7 +239,8 @@ std::vector<DeformerChecks::Errors> DeformerChecks::compared(const Images<double
         const Mp50 difference = Mp50(images.tensors[o][i]) - with.tensors[o][i];
         sum += difference * difference;
       }
-      errors[p][o] = over_condition(std::sqrt(static_cast<double>(sum)) * std::pow(cage_->size(), o - 1), condition);
+      errors[p][o] =
+          error_over_condition(std::sqrt(static_cast<double>(sum)) * std::pow(cage_->size(), o - 1), condition);
     }
   }
   return errors;
@@ -272,7 +273,7 @@ std::vector<DeformerChecks::Errors> DeformerChecks::differences(const Deformer<R
           const R difference = images.tensors[o][i * d + a] - (up[i] - down[i]) / (2 * step);
           sum += difference * difference;
         }
-      errors[p][o] = over_condition(static_cast<double>(R(sqrt(sum))) * std::pow(cage_->size(), o - 1), 1);
+      errors[p][o] = error_over_condition(static_cast<double>(R(sqrt(sum))) * std::pow(cage_->size(), o - 1), 1);
     }
   }
   return errors;

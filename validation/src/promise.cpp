@@ -26,6 +26,8 @@ constexpr std::string_view recommended = "@(closed_form|line_form|recommended)";
 constexpr double exact_map = 1e-13;
 constexpr std::string_view deformer_reason =
     "exact but for roundings: 1e-16 of the size, a thousand times or by the condition of what is solved";
+constexpr std::string_view least_energy =
+    "steps end where rounding hides the energy's slope, and a minimum is as far off as the root of that";
 constexpr std::string_view unit_normals = "unit normals do not grow with the cage";
 
 // First match wins. Bounds of conditioned rows are in units of the rounding error times conditioning.
@@ -273,6 +275,18 @@ constexpr std::array table{
         "central differences of step 1e-16 sizes in 50 digits, 2e-2 sizes inside"},
     Row{"deformer_by_quadrature", "*", "*", "double", "*", 0, 0, 1e-12,
         "the adaptive rule's tolerance on each coordinate"},
+    // Deformers by constraints: energies over those before, or in a unit in which the cage's size is one; images in
+    // cage sizes.
+    Row{"energy_falls", "*", "*", "double", "*", 0, 0, 1e-12,
+        "every half step is a minimum, and no step is taken that raises a merit: roundings of sums"},
+    Row{"rigid_energy", "*", "*", "double", "*", 0, 0, 1e-24,
+        "a rigid motion has none: squares of roundings, 1e-13 with the constraints' condition"},
+    Row{"energy_is_flat", "*", "*", "double", "*", 0, 0, 1e-11,
+        "a global step solves for the gradient's zero: roundings times the condition of the rows, 1e4 and less"},
+    Row{"constrained_unit", "thickness", "*", "double", "*", 0, 0, 1e-8, least_energy},
+    Row{"constrained_motion", "thickness", "*", "double", "*", 0, 0, 1e-8, least_energy},
+    Row{"constrained_unit", "*", "*", "double", "*", 0, 0, 1e-12, deformer_reason},
+    Row{"constrained_motion", "*", "*", "double", "*", 0, 0, 1e-12, deformer_reason},
 };
 
 // A glob, which may hold alternatives: @(a|b).

@@ -2,6 +2,7 @@
 // What deformers keep, and what they must not keep: a deformer that does is another one ([T24], [C23], Lipman et al.).
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/input_error.h"
+#include "cageproof/validation/constrained_checks.h"
 #include "cageproof/validation/deformer_campaign.h"
 #include "cageproof/validation/replay.h"
 #include "cageproof/validation/verdicts.h"
@@ -197,6 +198,42 @@ TEST(deformers, of_the_plane_keep_what_the_specification_says) {
     }
 }
 
+// Rows of methods that take constraints: of both subspaces in space and in the plane, of thickness in the plane.
+TEST(deformers, by_constraints_are_asked_what_they_keep) {
+  for (const char* cage : {"cube", "square", "l-shape"})
+    for (const char* method : {"variational", "thickness"}) {
+      const bool variational = std::string_view(method) == "variational";
+      const std::size_t variants = variational ? 2 : std::string_view(cage) == "cube" ? 0 : 1;
+      for (const char* check :
+           {"energy_falls", "rigid_energy", "energy_is_flat", "constrained_unit", "constrained_motion"}) {
+        const auto rows = rows_of_check(cage, check, method);
+        std::size_t expected = variants;
+        if (!variational && std::string_view(check) == "energy_is_flat") expected = 0;
+        // Biharmonic maps of the plane are others in other units.
+        if (variational && std::string_view(check) == "constrained_unit" && std::string_view(cage) != "cube")
+          expected = 1;
+        EXPECT_EQ(rows.size(), expected) << cage << ' ' << method << ' ' << check;
+        for (const ResultRow& row : rows) {
+          EXPECT_EQ(row.verdict, Verdict::Kept) << cage << ' ' << method << row.evaluation << check << ' ' << row.max;
+          EXPECT_EQ(row.asked, std::string_view(check).starts_with("constrained") ? 12U : 1U) << check;
+        }
+      }
+    }
+  EXPECT_TRUE(rows_of_check("twisted-bar", "energy_falls", "variational").empty()) << "too many elements";
+}
+
+TEST(deformers, worst_cases_by_constraints_are_found_again) {
+  for (const char* method : {"variational", "thickness"})
+    for (const char* check : {"energy_falls", "rigid_energy", "constrained_unit", "constrained_motion"})
+      for (const ResultRow& row : rows_of_check("square", check, method)) {
+        ASSERT_FALSE(row.worst.empty());
+        EXPECT_EQ(replay(row, row.worst.front(), Triangulation::Shortest).error, row.max) << method << ' ' << check;
+      }
+  ResultRow row = rows_of_check("square", "energy_falls", "thickness").at(0);
+  row.check = "energy_is_flat";
+  EXPECT_THROW(replay(row, row.worst.front(), Triangulation::Shortest), InputError);
+}
+
 TEST(deformers, worst_cases_are_found_again) {
   for (const char* check : {"keeps_rigid", "keeps_linear", "deformer_truth", "deformer_jacobian",
                             "deformer_by_quadrature", "keeps_linear_with_normals"})
@@ -239,6 +276,18 @@ TEST(deformers, points_lie_inside_and_depend_on_their_number_alone) {
     EXPECT_GE(locator.distance(p), 2e-2 * cage.size());
   }
   EXPECT_NE(interior_points(cage, Triangulation::Shortest, 8, 1).front(), points.front());
+}
+
+// Whether few points are found inside, or coordinates do not exist.
+TEST(deformers, by_constraints_are_not_judged_in_cages_that_they_refuse) {
+  const auto bar = std::make_shared<const Cage>(embedded_cage("thin-bar"));
+  for (const deformation::ConstraintMethod& method : deformation::constraint_methods())
+    EXPECT_FALSE(can_be_asked(method, *bar, Triangulation::Shortest)) << method.name;
+  const Cage cube = embedded_cage("cube"), square = embedded_cage("square");
+  const auto& thickness = *deformation::find_constraint_method("thickness");
+  EXPECT_FALSE(can_be_asked(thickness, cube, Triangulation::Shortest));
+  EXPECT_TRUE(can_be_asked(thickness, square, Triangulation::Shortest));
+  EXPECT_TRUE(can_be_asked(*deformation::find_constraint_method("variational"), cube, Triangulation::Shortest));
 }
 
 // Nothing is as deep inside a thin bar as points are asked for; a run ends all the same.

@@ -14,7 +14,7 @@ enum class Subspace { Harmonic, Biharmonic };
 enum class Nearest { Rotation, Similarity };
 
 /// The paper gives no values for weights. They carry units: in a unit of length s times smaller, the same map takes
-/// s^2 alpha, s^2 beta and s^4 gamma.
+/// s^2 alpha, s^2 beta and s^4 gamma; but for biharmonic maps of the plane, whose logarithms add |x|^2 to the layers.
 struct VariationalOptions {
   Subspace subspace = Subspace::Biharmonic;
   Nearest nearest = Nearest::Rotation;

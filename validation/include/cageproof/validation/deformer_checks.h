@@ -43,6 +43,9 @@ struct DeformerError {
   double plain = std::numeric_limits<double>::quiet_NaN();  ///< without regard to the condition
 };
 
+/// \param plain in cage sizes \param condition of the worst system that was solved; no more than 1e8 of it is excused
+DeformerError error_over_condition(double plain, double condition);
+
 /// A deformer and its questions. Safe from any thread.
 class DeformerChecks {
  public:

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What is asked of a deformer without a posed cage: that its energy falls to a minimum, and that what moves rigidly, or
+// is measured in another unit, comes out alike.
+#pragma once
+
+#include "cageproof/deformation/constrained.h"
+#include "cageproof/validation/deformer_checks.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cageproof::validation {
+
+/// A method that takes constraints, with one of the values of its first parameter that has names, the others at their
+/// defaults, weights per power of the cage's size.
+struct ConstrainedVariant {
+  const deformation::ConstraintMethod* method;
+  std::string name;                ///< "subspace=harmonic"; empty for methods without such a parameter
+  std::vector<double> parameters;  ///< DeformOptions::parameters, of a cage of size one
+};
+
+/// All variants of a method, in the order of the parameter's names.
+std::vector<ConstrainedVariant> variants_of(const deformation::ConstraintMethod& method);
+
+/// The variant of that name. \throws InputError where there is none
+ConstrainedVariant variant_named(const deformation::ConstraintMethod& method, std::string_view name);
+
+/// Whether the method takes the cage, and enough points lie deep enough inside for constraints.
+bool can_be_asked(const deformation::ConstraintMethod& method, const Cage& cage, Triangulation rule);
+
+/// Questions to one method on one cage. Constraints are drawn to a map of space, or, `bent`, each target by itself away
+/// from it by up to a twentieth of the size; their places depend on the cage alone. Safe from any thread.
+class ConstrainedChecks {
+ public:
+  struct Question {
+    std::string check, pose;
+  };
+
+  /// \pre can_be_asked
+  ConstrainedChecks(std::shared_ptr<const Cage> cage, ConstrainedVariant variant, Triangulation rule);
+
+  /// energy_falls: the largest rise of the energy (of methods with a merit, of that) at a step, over it.
+  /// rigid_energy: the energy that targets moved rigidly leave, in a unit in which the cage's size is one.
+  /// energy_is_flat, of methods whose energy is quadratic in their coefficients: its gradient after the first step over
+  /// that before it.
+  /// constrained_unit: images with those of the cage that is ten times as large, weights adapted; not of biharmonic
+  /// maps of the plane, which are others in other units.
+  /// constrained_motion: images with those of the cage and its constraints turned.
+  std::vector<Question> questions() const;
+
+  /// At each point, what is found there; questions about energies have one answer, at the first point.
+  std::vector<DeformerError> ask(const Question& question, std::span<const Vec3<double>> points) const;
+
+ private:
+  struct Problem;
+  Problem problem(std::string_view pose) const;
+  std::vector<DeformerError> moved(const Problem& here, const SpaceMap& map, double length,
+                                   std::span<const Vec3<double>> points) const;
+  DeformerError flatness(const Problem& problem) const;
+
+  std::shared_ptr<const Cage> cage_;
+  ConstrainedVariant variant_;
+  Triangulation rule_;
+  std::vector<Vec3<double>> places_;  ///< of constraints
+};
+
+}  // namespace cageproof::validation
