@@ -59,6 +59,22 @@ TEST(reported, flat_poses_are_not_inside_out) {
   }
 }
 
+// However slender, a pose has an inside where its vertices' rounding does not decide it.
+TEST(reported, slender_poses_are_inside_out_where_they_are) {
+  for (const Case& c : {cube(), l_shape()}) {
+    const int d = c.cage.dimension();
+    for (const double width : {1e-3, 1e-7, 1e-12}) {
+      const auto slender = [&](double sign) {
+        return turned(scaled(c.cage.vertices(), d == 2 ? Vec(1, sign * width, 1) : Vec(1, width, sign * width)), d);
+      };
+      EXPECT_FALSE(warns_of(report_of(c.cage, {"green", {{"stretch", 2}}}, slender(1)), "inside out"))
+          << c.name << width;
+      EXPECT_TRUE(warns_of(report_of(c.cage, {"green", {{"stretch", 2}}}, slender(-1)), "inside out"))
+          << c.name << width;
+    }
+  }
+}
+
 TEST(reported, negative_and_zero_stretches_are_counted) {
   // Mirrored, all twelve are -1, or none of them is better than nothing.
   const Case c = cube();

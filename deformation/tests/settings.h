@@ -34,6 +34,8 @@ inline const std::vector<Setting>& settings() {
     for (const double stretch : {0., 1., 2., 3.}) found.push_back({"green", {{"stretch", stretch}}, stretch != area});
     for (const char* method : {"biharmonic_1_3", "biharmonic_1_2", "biharmonic_weber", "biharmonic_direct"})
       for (const double stretch : {0., 1., 2., 3.}) found.push_back({method, {{"normals", stretch}}, stretch != area});
+    for (const char* method : {"biharmonic_1_3", "biharmonic_1_2", "biharmonic_weber", "biharmonic_direct"})
+      for (const double stretch : {area, 3.}) found.push_back({method, {{"normals", stretch}, {"neumann", 1}}, true});
     const double free = 2;
     for (const char* method : {"ahap", "aaap", "tp"})
       for (const double alignment : {0., 1., 2., 3.})
