@@ -40,7 +40,7 @@ Vec3<double> area_of(const std::vector<Vec3<double>>& vertices, const std::vecto
 // Light from above the viewer's left shoulder, and some from everywhere.
 Rgb shaded(const Rgb& colour, const Vec3<double>& normal, const ViewAxes& axes) {
   const Vec3<double> light = (axes.towards + 0.55 * axes.up - 0.45 * axes.right).normalized();
-  const double part = 0.36 + 0.66 * std::max(0.0, normal.dot(light));
+  const double part = 0.52 + 0.52 * std::max(0.0, normal.dot(light));
   Rgb found{};
   for (std::size_t c = 0; c < 3; ++c) found[c] = std::min(1.0, part * colour[c]);
   return found;
@@ -92,13 +92,18 @@ std::map<std::pair<int, int>, bool> edges_of(const FigurePanel& panel, const Vie
 void draw_cage(const FigurePanel& panel, const FigureFrame& frame, const ViewAxes& axes, bool near, Canvas& canvas) {
   const std::vector<Place> places = places_of(frame, panel.cage);
   std::vector<char> shown(places.size());
+  // Many edges hide what they enclose.
+  const bool many = panel.cage_faces.size() > 40 && !panel.flat;
   for (const auto& [edge, seen] : edges_of(panel, axes)) {
     if (seen != near) continue;
-    canvas.line(std::array{places[edge.first], places[edge.second]}, near ? kCage : kCageBehind, near ? 1.3 : 1.0);
+    canvas.line(std::array{places[edge.first], places[edge.second]}, near ? kCage : kCageBehind,
+                many   ? 0.8
+                : near ? 1.3
+                       : 1.0);
     shown[edge.first] = shown[edge.second] = 1;
   }
   for (std::size_t v = 0; v < places.size(); ++v)
-    if (shown[v] && near && places.size() <= 60) canvas.dot(places[v], 2.3, kCage);
+    if (shown[v] && near && !many) canvas.dot(places[v], 2.3, kCage);
 }
 
 void draw_grid(const FigurePanel& panel, const FigureFrame& frame, Canvas& canvas) {
@@ -129,13 +134,13 @@ Rgb strength_colour(double strength) {
 }
 
 void draw_arrows(const FigurePanel& panel, const FigureFrame& frame, Canvas& canvas) {
-  constexpr double length = 9;
+  constexpr double length = 11;
   for (const FigureArrow& arrow : panel.arrows) {
     const Place at = frame.at(arrow.at), end = frame.at(arrow.at + arrow.along);
     const double whole = std::hypot(end[0] - at[0], end[1] - at[1]);
     if (!(whole > 0)) continue;
     const Place along{(end[0] - at[0]) * length / whole, (end[1] - at[1]) * length / whole};
-    canvas.arrow({at[0] - along[0] / 2, at[1] - along[1] / 2}, along, strength_colour(arrow.strength), 1.1);
+    canvas.arrow({at[0] - along[0] / 2, at[1] - along[1] / 2}, along, strength_colour(arrow.strength), 1.3);
   }
 }
 
@@ -143,6 +148,8 @@ void draw_panel(const FigurePanel& panel, const FigureFrame& frame, const ViewAx
   if (!panel.flat) draw_cage(panel, frame, axes, false, canvas);
   if (panel.with_faces) panel.flat ? draw_grid(panel, frame, canvas) : draw_faces(panel, frame, axes, canvas);
   draw_arrows(panel, frame, canvas);
+  const std::vector<Place> places = places_of(frame, panel.data.vertices);
+  for (const auto& [from, to] : panel.data.segments) canvas.line(std::array{places[from], places[to]}, kMark, 1.4);
   draw_cage(panel, frame, axes, true, canvas);
   for (const Vec3<double>& mark : panel.marks) canvas.dot(frame.at(mark), 4, kMark);
   canvas.text(frame.left, frame.top - 22, frame.width, panel.title, 13, Canvas::Weight::Bold, kTitle);

@@ -2,7 +2,7 @@
 #include "cageproof/reports/mesh_thinning.h"
 
 #include <vtkCellArray.h>
-#include <vtkDecimatePro.h>
+#include <vtkQuadricDecimation.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -26,11 +26,9 @@ Mesh thinned(const Mesh& mesh, std::size_t vertices) {
   data->SetPolys(faces);
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(data);
-  vtkNew<vtkDecimatePro> decimate;
+  vtkNew<vtkQuadricDecimation> decimate;
   decimate->SetInputConnection(triangles->GetOutputPort());
-  decimate->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  decimate->PreserveTopologyOn();
-  decimate->SplittingOff();
+  decimate->VolumePreservationOn();
   decimate->SetTargetReduction(1 - static_cast<double>(vertices) / static_cast<double>(mesh.vertices.size()));
   decimate->Update();
   vtkPolyData& thin = *decimate->GetOutput();

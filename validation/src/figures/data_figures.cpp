@@ -8,7 +8,6 @@
 #include "cageproof/core/winding_number.h"
 #include "cageproof/reports/mesh_thinning.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view cage_ending = "_Cage.obj";
 // Of a mesh, as many as a panel shows; coordinates of each cost milliseconds.
-constexpr std::size_t most_figure_points = 12000;
+constexpr std::size_t most_figure_points = 16000;
 
 std::vector<std::string> names_in(const fs::path& folder) {
   std::error_code error;
@@ -66,14 +65,6 @@ Mesh inside_of(const Cage& cage, const Mesh& mesh) {
   return found;
 }
 
-// The axis that the cage is longest in is up, and it is seen from its broad side, a little from above.
-reports::FigureView view_of(const Cage& cage) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3<double>& v : cage.vertices()) box.extend(v);
-  static_cast<void>(box);
-  return {{0.45, 0.3, 1}, {0, 1, 0}};
-}
-
 DeformedPlan plan_of(const fs::path& folder, const std::string& name) {
   const fs::path files[]{folder / (name + std::string(cage_ending)), folder / (name + "_Cage_Deformed.obj"),
                          folder / (name + ".obj")};
@@ -93,7 +84,8 @@ DeformedPlan plan_of(const fs::path& folder, const std::string& name) {
   DeformedPlan plan{.name = name, .cage = cage, .mesh = {inside_of(*cage, thin), {}}, .sheets = {}};
   if (plan.mesh.mesh.faces.empty())
     throw InputError(fmt::format("{}: nothing of it is inside {}", files[2].string(), files[0].string()));
-  const reports::FigureView view = view_of(*cage);
+  // Files of the field have y upwards.
+  const reports::FigureView view{{0.45, 0.3, 1}, {0, 1, 0}};
   const std::string about =
       fmt::format(" {} of the {} vertices of {} are shown, {} faces.", plan.mesh.mesh.vertices.size(),
                   whole.vertices.size(), files[2].filename().string(), plan.mesh.mesh.faces.size());
@@ -101,7 +93,7 @@ DeformedPlan plan_of(const fs::path& folder, const std::string& name) {
                          .heading = "Deformers compared: " + name,
                          .source = "[T24] Figures 1 and 2, [C23] Figure 11",
                          .text = comparison_text() + about,
-                         .columns = 5,
+                         .columns = 4,
                          .panels = comparison_panels(posed),
                          .view = view});
   if (cage->has_quads() && accepts(coordinate_kind_named("quad_mean_value"), *cage))

@@ -38,7 +38,8 @@ class DeformedFigure final : public PaperFigure {
     const auto& shown = groups_[part].shown;
     std::vector<PanelMap> maps;
     maps.reserve(shown.size());
-    for (const Shown& one : shown) maps.push_back(map_of(*one.panel));
+    Prepared prepared;
+    for (const Shown& one : shown) maps.push_back(map_of(*one.panel, prepared));
     const auto& points = plan_.mesh.mesh.vertices;
     std::vector<std::vector<Vec3<double>>> images(shown.size(),
                                                   std::vector<Vec3<double>>(points.size(), Vec3<double>::Zero()));
@@ -127,17 +128,29 @@ class DeformedFigure final : public PaperFigure {
     return found != groups_.end() ? found->shown : groups_.emplace_back(key, std::vector<Shown>()).shown;
   }
 
-  PanelMap map_of(const PanelPlan& panel) const {
+  // Prepared once for all poses of a method with the same parameters.
+  using Prepared = std::map<std::string, std::shared_ptr<const deformation::Deformer<double>>>;
+  PanelMap map_of(const PanelPlan& panel, Prepared& prepared) const {
     if (const auto* constrained = deformation::find_constraint_method(panel.method)) {
       const auto deformer =
           deformation::prepare_constrained(*constrained, *plan_.cage, panel.constraints,
                                            {.parameters = parameter_values(constrained->parameters, panel.parameters)});
       return {deformer, &deformer->coordinates(), deformer->pose()};
     }
-    const auto& method = deformation::deform_method_named(panel.method);
-    const auto deformer = deformation::prepare_deformer<double>(
-        method, *plan_.cage, {.parameters = parameter_values(parameters_of(method), panel.parameters)});
+    auto& deformer = prepared[panel.method + " " + parameters_text(panel)];
+    if (!deformer) {
+      const auto& method = deformation::deform_method_named(panel.method);
+      deformer = deformation::prepare_deformer<double>(
+          method, *plan_.cage, {.parameters = parameter_values(parameters_of(method), panel.parameters)});
+    }
     return {deformer, &deformer->coordinates(), deformer->pose({panel.posed})};
+  }
+
+  static std::string parameters_text(const PanelPlan& panel) {
+    std::vector<std::string> parameters;
+    parameters.reserve(panel.parameters.size());
+    for (const auto& [name, value] : panel.parameters) parameters.push_back(name + "=" + value);
+    return fmt::format("{}", fmt::join(parameters, " "));
   }
 
   reports::FigurePanel drawn(const SheetPlan& sheet, const PanelPlan& plan, const FigureFindings& found) const {
@@ -151,6 +164,7 @@ class DeformedFigure final : public PaperFigure {
     panel.cage = plan.posed.empty() ? plan_.cage->vertices() : plan.posed;
     panel.data.vertices = rest.vertices;
     panel.data.faces = rest.faces;
+    panel.data.segments = rest.segments;
     panel.data.name = plan.file;
     for (const Face& face : plan_.cage->parts(!plan.shows_diagonals, Triangulation::Shortest).elements)
       panel.cage_faces.emplace_back(face.vertices.begin(), face.vertices.begin() + face.size());
@@ -163,10 +177,7 @@ class DeformedFigure final : public PaperFigure {
     panel.data.vertices = found.at(key).vertices;
     if (plan.posed.empty()) panel.cage = found.at(key + cage_suffix).vertices;
     for (const auto& position : plan.constraints.positions) panel.marks.push_back(position.to);
-    std::vector<std::string> parameters;
-    for (const auto& [name, value] : plan.parameters) parameters.push_back(name + "=" + value);
-    panel.facts.insert(panel.facts.begin(),
-                       {{"method", plan.method}, {"parameters", fmt::format("{}", fmt::join(parameters, " "))}});
+    panel.facts.insert(panel.facts.begin(), {{"method", plan.method}, {"parameters", parameters_text(plan)}});
     measure(panel, rest);
     return panel;
   }

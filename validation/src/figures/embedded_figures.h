@@ -17,8 +17,10 @@ std::vector<PanelPlan> elastic_panels(const std::vector<Vec3<double>>& posed, co
 std::string comparison_text();
 std::string elastic_text(const std::string& variant);
 
-/// [T24] Figures 1, 2 and 5, [C23] Figures 1, 2 and 5: a bar bent and twisted.
+/// [T24] Figures 1, 2, 3 and 5: a bar bent and twisted.
 std::unique_ptr<const PaperFigure> bar_figure();
+/// [C23] Figures 1, 2 and 5: a cube pressed flat.
+std::unique_ptr<const PaperFigure> pressed_figure();
 /// [T18] Figures 1 and 12: quads against their triangulation, in a symmetric pose.
 std::unique_ptr<const PaperFigure> symmetry_figure();
 /// [W12] Figures 1 and 5: a bar of the plane bent.

@@ -73,6 +73,10 @@ TonedMesh grid(double width, double height, double step) {
       found.mesh.faces.push_back({first, first + 1, first + across + 2, first + across + 1});
       found.tones.push_back(static_cast<char>((i / 2 + j / 2) % 2));
     }
+  for (int i = 0; i < across; ++i) {
+    const int first = up / 2 * (across + 1) + i;
+    found.mesh.segments.push_back({first, first + 1});
+  }
   return found;
 }
 
@@ -99,7 +103,9 @@ FigurePoints twisted_bar_pose() { return embedded_cage("twisted-bar").vertices()
 Cage plane_bar() {
   FigurePoints vertices;
   for (int i = 0; i <= 6; ++i) vertices.emplace_back(i, 0, 0);
-  for (int i = 6; i >= 0; --i) vertices.emplace_back(i, 1, 0);
+  vertices.emplace_back(6, 1, 0);
+  for (int i = 6; i >= 0; --i) vertices.emplace_back(i, 2, 0);
+  vertices.emplace_back(0, 1, 0);
   std::vector<Face> segments;
   const int count = static_cast<int>(vertices.size());
   for (int k = 0; k < count; ++k) segments.push_back({{k, (k + 1) % count, -1, -1}});
@@ -107,8 +113,8 @@ Cage plane_bar() {
 }
 
 Vec3<double> bent_in_plane(const Vec3<double>& p, double angle) {
-  const double radius = 6 / angle, turn = (p[0] - 3) / radius, out = radius + p[1] - 0.5;
-  return {3 + out * std::sin(turn), 0.5 - radius + out * std::cos(turn), 0};
+  const double radius = 6 / angle, turn = (p[0] - 3) / radius, out = radius + p[1] - 1;
+  return {3 + out * std::sin(turn), 1 - radius + out * std::cos(turn), 0};
 }
 
 }  // namespace cageproof::validation

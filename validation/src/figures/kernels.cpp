@@ -27,7 +27,13 @@ Cage kernel_polygon() {
 }
 constexpr int kernel_vertex = 1, kernel_edge = 3;
 
-// Points inside on a grid, none on the polygon.
+double distance_in_plane(const Segment<double>& s, const Vec3<double>& point) {
+  const Vec3<double> along = s[1] - s[0];
+  const double place = std::clamp((point - s[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (point - s[0] - place * along).norm();
+}
+
+// Points inside on a grid, none next to the polygon.
 std::vector<Vec3<double>> kernel_points(const Cage& cage) {
   std::vector<Segment<double>> segments;
   for (const Face& face : cage.faces())
@@ -37,7 +43,9 @@ std::vector<Vec3<double>> kernel_points(const Cage& cage) {
   for (double y = -0.25; y < 2.2; y += step)
     for (double x = -0.35; x < 2.6; x += step) {
       const Vec3<double> point(x, y, 0);
-      if (winding_number(segments, point).value_or(0) != 0) found.push_back(point);
+      const bool is_beside = std::ranges::any_of(
+          segments, [&](const Segment<double>& s) { return distance_in_plane(s, point) < 0.35 * step; });
+      if (!is_beside && winding_number(segments, point).value_or(0) != 0) found.push_back(point);
     }
   return found;
 }

@@ -27,7 +27,8 @@ class FigureMeasurement final : public Measurement {
 
 PaperFigures embedded_figures() {
   PaperFigures figures;
-  for (const auto make : {bar_figure, kernel_figure, symmetry_figure, plane_bar_figure}) figures.push_back(make());
+  for (const auto make : {bar_figure, pressed_figure, kernel_figure, symmetry_figure, plane_bar_figure})
+    figures.push_back(make());
   return figures;
 }
 

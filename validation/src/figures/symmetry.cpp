@@ -9,17 +9,12 @@
 namespace cageproof::validation {
 namespace {
 
-// The cube with its upper face drawn in and raised, or with its upper edges drawn together and bent down.
+// The cube with its upper face drawn in and raised, or with it spread to both sides.
 std::vector<Vec3<double>> symmetric_pose(const Cage& cage, bool tapered) {
   std::vector<Vec3<double>> posed = cage.vertices();
   for (Vec3<double>& p : posed) {
-    if (tapered) {
-      if (p[2] > 0) p = Vec3<double>(0.3 * p[0], 0.3 * p[1], p[2] + 0.5);
-    } else {
-      // The front is wide below and narrow above, the back the other way round.
-      const bool wide = (p[1] < 0) == (p[2] < 0);
-      p = Vec3<double>(wide ? 1.5 * p[0] : 0.4 * p[0], p[1], p[2] + (p[1] < 0 ? 0.2 : -0.2));
-    }
+    if (tapered) p = p[2] > 0 ? Vec3<double>(0.3 * p[0], 0.3 * p[1], p[2] + 0.3) : p;
+    else p = p[2] > 0 ? Vec3<double>(1.8 * p[0], 0.6 * p[1], p[2] - 0.1) : Vec3<double>(0.7 * p[0], p[1], p[2]);
   }
   return posed;
 }
@@ -46,9 +41,11 @@ std::unique_ptr<const PaperFigure> symmetry_figure() {
       .panels = {},
       .view = {{0, -1, 0.55}, {0, 0, 1}}};
   for (const bool tapered : {true, false}) {
-    const std::string suffix = tapered ? ".taper" : ".turn";
+    const std::string suffix = tapered ? ".taper" : ".spread";
     const auto posed = symmetric_pose(*cage, tapered);
-    sheet.panels.push_back({.title = "at rest", .file = "rest" + suffix, .shows_diagonals = true});
+    sheet.panels.push_back({.title = tapered ? "at rest, triangulated" : "at rest, quads",
+                            .file = "rest" + suffix,
+                            .shows_diagonals = tapered});
     sheet.panels.push_back({.title = "mean value, triangulated",
                             .file = "mean_value" + suffix,
                             .method = "mean_value",

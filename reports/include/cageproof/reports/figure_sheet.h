@@ -31,7 +31,7 @@ struct FigurePanel {
   std::string note;   ///< below the title, small
   std::string file;   ///< of its data, without extension
   /// What is written for ParaView. Its faces are shaded by their normals, those that show their inner side in another
-  /// hue; in flat panels they are left white. Its segments are not drawn.
+  /// hue; of flat panels the darker ones alone are filled. Its segments are drawn over the faces.
   MeshField data;
   std::vector<char> tones;  ///< a face each, 0 or 1: a lighter or a darker colour; empty: all lighter
   bool flat = false;        ///< in the plane: faces are drawn by their edges

@@ -6,8 +6,9 @@
 
 namespace cageproof::reports {
 
-/// A mesh of triangles with about so many vertices at most, which are vertices of the mesh itself; the topology is
-/// kept, which may leave more. Smaller meshes stay as they are. \pre indices in range
+/// A mesh of triangles with about so many vertices at most, which lie near the mesh, not on it: edges that change its
+/// shape least are drawn together first (quadric error metrics, VTK's). Smaller meshes stay as they are.
+/// \pre indices in range
 Mesh thinned(const Mesh& mesh, std::size_t vertices);
 
 }  // namespace cageproof::reports
