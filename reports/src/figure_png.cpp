@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Figures drawn: faces by depth, edges, arrows and titles.
-#include "canvas.h"
-#include "figure_layout.h"
+#include "figure_faces.h"
 #include "small_png.h"
 
 #include <fmt/format.h>
@@ -9,70 +8,19 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 
 namespace cageproof::reports {
 namespace {
 
-constexpr Rgb kLight{0.99, 0.90, 0.70}, kDark{0.90, 0.66, 0.36}, kInner{0.80, 0.30, 0.32};
 constexpr Rgb kCage{0.10, 0.22, 0.48}, kCageBehind{0.66, 0.72, 0.84}, kGrid{0.80, 0.52, 0.20}, kMark{0.80, 0.10, 0.12};
 constexpr Rgb kTitle{0.10, 0.10, 0.12}, kNote{0.38, 0.38, 0.42};
-
-// Pixels of the shaded faces a pixel of the picture, along each axis.
-constexpr int kFiner = 3;
 
 std::vector<Place> places_of(const FigureFrame& frame, const std::vector<Vec3<double>>& points) {
   std::vector<Place> places;
   places.reserve(points.size());
   for (const Vec3<double>& point : points) places.push_back(frame.at(point));
   return places;
-}
-
-// Twice the area of a face, along its normal.
-Vec3<double> area_of(const std::vector<Vec3<double>>& vertices, const std::vector<int>& face) {
-  Vec3<double> sum = Vec3<double>::Zero();
-  for (std::size_t k = 2; k < face.size(); ++k)
-    sum += (vertices[face[k - 1]] - vertices[face[0]]).cross(vertices[face[k]] - vertices[face[0]]);
-  return sum;
-}
-
-// Light from above the viewer's left shoulder, and some from everywhere.
-Rgb shaded(const Rgb& colour, const Vec3<double>& normal, const ViewAxes& axes) {
-  const Vec3<double> light = (axes.towards + 0.55 * axes.up - 0.45 * axes.right).normalized();
-  const double part = 0.52 + 0.52 * std::max(0.0, normal.dot(light));
-  Rgb found{};
-  for (std::size_t c = 0; c < 3; ++c) found[c] = std::min(1.0, part * colour[c]);
-  return found;
-}
-
-// Faces from the farthest to the nearest, without smoothing, on a finer grid of pixels: no seams between neighbours.
-void draw_faces(const FigurePanel& panel, const FigureFrame& frame, const ViewAxes& axes, Canvas& canvas) {
-  const auto& [vertices, faces] = std::tie(panel.data.vertices, panel.data.faces);
-  std::vector<double> depth(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (const int v : faces[f]) depth[f] += axes.towards.dot(vertices[v]);
-    depth[f] /= static_cast<double>(faces[f].size());
-  }
-  std::vector<std::size_t> order(faces.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](std::size_t f) { return depth[f]; });
-  std::vector<Place> places = places_of(frame, vertices);
-  for (Place& place : places) place = {kFiner * (place[0] - frame.left), kFiner * (place[1] - frame.top)};
-  Canvas fine(static_cast<int>(kFiner * frame.width), static_cast<int>(kFiner * frame.height), true);
-  fine.set_smooth(false);
-  std::vector<Place> corners;
-  for (const std::size_t f : order) {
-    Vec3<double> normal = area_of(vertices, faces[f]);
-    if (!(normal.norm() > 0)) continue;
-    normal.normalize();
-    const bool inner = normal.dot(axes.towards) < 0;
-    const Rgb& colour = inner ? kInner : !panel.tones.empty() && panel.tones[f] ? kDark : kLight;
-    corners.clear();
-    for (const int v : faces[f]) corners.push_back(places[v]);
-    fine.fill(corners, shaded(colour, inner ? Vec3<double>(-normal) : normal, axes));
-  }
-  canvas.put(fine, frame.left, frame.top, kFiner);
 }
 
 // Each edge once, and whether a face beside it is seen from its outer side.
@@ -115,7 +63,7 @@ void draw_grid(const FigurePanel& panel, const FigureFrame& frame, Canvas& canva
     if (panel.tones.empty() || !panel.tones[f]) continue;
     std::vector<Place> corners;
     for (const int v : panel.data.faces[f]) corners.push_back(places[v]);
-    canvas.fill(corners, kLight);
+    canvas.fill(corners, kLightFace);
   }
   for (const auto& [edge, faces] : edges)
     canvas.line(std::array{places[edge.first], places[edge.second]}, kGrid, faces == 1 ? 1.3 : 0.6);

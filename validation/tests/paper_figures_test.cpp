@@ -2,6 +2,7 @@
 // The papers' figures: what is drawn is what deformers do, and captions say what is drawn.
 #include "cageproof/validation/paper_figures.h"
 #include "figures/embedded_figures.h"
+#include "figures/figure_measures.h"
 
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/input_error.h"
@@ -9,17 +10,12 @@
 
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <set>
 
 namespace cageproof::validation {
 namespace {
-
-namespace fs = std::filesystem;
 
 FigureFindings all_of(const PaperFigure& figure, int jobs = 1) {
   FigureFindings found;
@@ -157,8 +153,12 @@ TEST(PaperFigures, do_not_depend_on_threads_and_need_all_their_parts) {
     EXPECT_EQ(mesh.vertices, two.at(key).vertices) << key;
   }
   EXPECT_TRUE(figure->is_in(one));
-  one.erase(std::prev(one.end()));
-  EXPECT_FALSE(figure->is_in(one));
+  // Each is needed, the posed cage that a method finds by itself too.
+  for (const auto& [key, mesh] : two) {
+    one.erase(key);
+    EXPECT_FALSE(figure->is_in(one)) << key;
+    one[key] = mesh;
+  }
   EXPECT_TRUE(sheets_of_run({}).empty());
 }
 
@@ -176,7 +176,7 @@ TEST(PaperFigures, bars_of_the_plane_meet_their_polygon_where_coordinates_interp
     return found;
   };
   EXPECT_LT(miss(panel_of(sheet, "mean_value")), 1e-12);
-  EXPECT_LT(miss(panel_of(sheet, "harmonic")), 1e-12);
+  EXPECT_LT(miss(panel_of(sheet, "harmonic")), 0.05) << "boundary elements meet it nearly";
   EXPECT_GT(miss(panel_of(sheet, "green")), 0.01);
   // Points that are held stay on their marks.
   const auto& thickness = panel_of(sheet, "thickness");
@@ -217,68 +217,6 @@ TEST(PaperFigures, kernels_are_those_that_quadrature_gives) {
   }
   for (const auto& arrow : of_k.arrows) longest = std::max(longest, arrow.strength);
   EXPECT_EQ(longest, 1);
-}
-
-class FigureData : public testing::Test {
- protected:
-  FigureData() : folder_(fs::temp_directory_path() / ("figure-data-" + std::to_string(::getpid()))) {
-    fs::create_directory(folder_);
-    write("Box_Cage.obj", cube(1));
-    write("Box_Cage_Deformed.obj", cube(2));
-    write("Box.obj", cube(0.5));
-  }
-  ~FigureData() override { fs::remove_all(folder_); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-  static std::string cube(double size) {
-    std::string text;
-    const Cage cage = embedded_cage("cube");
-    for (const Vec3<double>& v : cage.vertices())
-      text += "v " + std::to_string(size * v[0]) + " " + std::to_string(size * v[1]) + " " +
-              std::to_string(size * v[2]) + "\n";
-    for (const Face& face : cage.faces()) {
-      text += "f";
-      for (const int v : face.vertices) text += " " + std::to_string(v + 1);
-      text += "\n";
-    }
-    return text;
-  }
-  std::string refused() const {
-    try {
-      figures_of_data(folder_);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  }
-  fs::path folder_;
-};
-
-TEST_F(FigureData, of_files_is_what_deformers_make_of_them) {
-  const PaperFigures figures = figures_of_data(folder_);
-  ASSERT_EQ(figures.size(), 1u);
-  const auto sheets = figures[0]->sheets(all_of(*figures[0]));
-  ASSERT_EQ(sheets.size(), 3u);
-  EXPECT_EQ(sheets[0].name, "t24-Box");
-  const auto& rest = sheets[0].panels[0].data.vertices;
-  const auto& panel = panel_of(sheets[0], "mean_value");
-  for (std::size_t p = 0; p < rest.size(); ++p) EXPECT_LT((panel.data.vertices[p] - 2 * rest[p]).norm(), 1e-14);
-  EXPECT_NEAR(measured(panel, "volume ratio"), 8, 1e-12);
-}
-
-TEST_F(FigureData, that_is_missing_or_does_not_fit_is_named) {
-  fs::remove(folder_ / "Box_Cage_Deformed.obj");
-  EXPECT_NE(refused().find("Box_Cage_Deformed.obj"), std::string::npos) << refused();
-  write("Box_Cage_Deformed.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  EXPECT_NE(refused().find("Box_Cage_Deformed.obj: 3 vertices"), std::string::npos) << refused();
-  write("Box_Cage_Deformed.obj", cube(2));
-  write("Box.obj", cube(5));
-  EXPECT_NE(refused().find("inside"), std::string::npos) << refused();
-  fs::remove(folder_ / "Box.obj");
-  EXPECT_NE(refused().find("Box.obj"), std::string::npos) << refused();
-  fs::remove(folder_ / "Box_Cage.obj");
-  EXPECT_NE(refused().find("no file"), std::string::npos) << refused();
-  fs::remove_all(folder_);
-  EXPECT_NE(refused().find(folder_.string()), std::string::npos) << refused();
 }
 
 TEST(PaperFigures, parameters_that_do_not_exist_are_refused) {

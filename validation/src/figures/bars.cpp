@@ -6,13 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 namespace cageproof::validation {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
-
 std::string comparison_text() {
   return "One posed cage (blue), and what each deformer makes of the mesh in it. Mean value coordinates meet the cage "
          "and "
@@ -77,7 +73,7 @@ std::vector<PanelPlan> elastic_panels(const std::vector<Vec3<double>>& posed, co
 
 std::unique_ptr<const PaperFigure> bar_figure() {
   const reports::FigureView view{{0.45, -1, 0.35}, {0, 0, 1}};
-  const auto bent = bent_bar(100 * kPi / 180, 1);
+  const auto bent = bent_bar(100 * std::numbers::pi / 180, 1);
   DeformedPlan plan{.name = "bar",
                     .cage = std::make_shared<const Cage>(bar_cage()),
                     .mesh = rounded_box({0.4, 0.4, 0.9}, 0.12, 0.1),
@@ -121,7 +117,7 @@ std::unique_ptr<const PaperFigure> pressed_figure() {
 }
 
 std::unique_ptr<const PaperFigure> plane_bar_figure() {
-  const double angle = kPi;
+  const double angle = std::numbers::pi;
   const auto cage = std::make_shared<const Cage>(plane_bar());
   std::vector<Vec3<double>> posed;
   for (const Vec3<double>& v : cage->vertices()) posed.push_back(bent_in_plane(v, angle));

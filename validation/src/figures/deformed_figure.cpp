@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "deformed_figure.h"
 
+#include "figure_measures.h"
+
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
 #include "cageproof/validation/parallel.h"
@@ -71,8 +73,9 @@ class DeformedFigure final : public PaperFigure {
   bool is_in(const FigureFindings& found) const override {
     return std::ranges::all_of(groups_, [&](const Group& group) {
       return std::ranges::all_of(group.shown, [&](const Shown& one) {
-        const auto at = found.find(key_of(*one.sheet, *one.panel));
-        return at != found.end() && at->second.vertices.size() == plan_.mesh.mesh.vertices.size();
+        const std::string key = key_of(*one.sheet, *one.panel);
+        return has(found, key, plan_.mesh.mesh.vertices.size()) &&
+               (!one.panel->posed.empty() || has(found, key + cage_suffix, plan_.cage->vertices().size()));
       });
     });
   }
@@ -104,6 +107,11 @@ class DeformedFigure final : public PaperFigure {
     std::string key;
     std::vector<Shown> shown;
   };
+
+  static bool has(const FigureFindings& found, const std::string& key, std::size_t vertices) {
+    const auto at = found.find(key);
+    return at != found.end() && at->second.vertices.size() == vertices;
+  }
 
   static std::string key_of(const SheetPlan& sheet, const PanelPlan& panel) {
     return fmt::format("figure/{}/{}", sheet.name, panel.file);
@@ -228,32 +236,6 @@ std::vector<double> parameter_values(const std::vector<KindParameter>& known,
     values[at - known.begin()] = *value;
   }
   return values;
-}
-
-double content_of(const Mesh& mesh, const std::vector<Vec3<double>>& vertices, int dimension) {
-  double sum = 0;
-  const Vec3<double> from = vertices.front();
-  for (const auto& face : mesh.faces)
-    for (std::size_t k = 2; k < face.size(); ++k) {
-      const Vec3<double> a = vertices[face[0]] - from, b = vertices[face[k - 1]] - from, c = vertices[face[k]] - from;
-      sum += dimension == 3 ? a.dot(b.cross(c)) / 6 : (b - a).cross(c - a)[2] / 2;
-    }
-  return sum;
-}
-
-double asymmetry(const std::vector<Vec3<double>>& points, const std::vector<Vec3<double>>& images) {
-  std::map<std::array<double, 3>, std::size_t> at;
-  // Zero and its negative are one key.
-  const auto key = [](double x, double y, double z) { return std::array{x + 0.0, y + 0.0, z + 0.0}; };
-  for (std::size_t p = 0; p < points.size(); ++p) at[key(points[p][0], points[p][1], points[p][2])] = p;
-  double found = 0;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const auto mirrored = at.find(key(-points[p][0], points[p][1], points[p][2]));
-    if (mirrored == at.end()) throw std::invalid_argument("the points are not symmetric");
-    const Vec3<double> image = images[p].cwiseProduct(Vec3<double>(-1, 1, 1));
-    found = std::max(found, (images[mirrored->second] - image).norm());
-  }
-  return found;
 }
 
 }  // namespace cageproof::validation

@@ -51,12 +51,4 @@ std::unique_ptr<const PaperFigure> deformed_figure(DeformedPlan plan);
 std::vector<double> parameter_values(const std::vector<KindParameter>& known,
                                      const std::vector<std::pair<std::string, std::string>>& given);
 
-/// The volume within faces, or, of a mesh in the plane, the area; what is inside out counts as negative.
-double content_of(const Mesh& mesh, const std::vector<Vec3<double>>& vertices, int dimension);
-
-/// How far images are from being symmetric in x, where the points are: the largest distance between the image of a
-/// point's mirror image and the mirror image of its image. \throws std::invalid_argument for points that are not
-/// symmetric
-double asymmetry(const std::vector<Vec3<double>>& points, const std::vector<Vec3<double>>& images);
-
 }  // namespace cageproof::validation
