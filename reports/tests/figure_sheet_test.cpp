@@ -91,10 +91,7 @@ bool is_inside(const FigureFrame& frame, const std::array<double, 2>& place) {
          place[1] <= frame.top + frame.height;
 }
 
-TEST(FigureSheet, every_point_is_inside_its_panel) {
-  FigureSheet sheet = boxes();
-  sheet.panels[1].data.vertices = box({9, 0.5, 3}, {4, 1, -2});  // far beyond its cage
-  sheet.panels[2].marks = {{0, 0, 1.2}};
+void expect_inside(const FigureSheet& sheet) {
   const FigureLayout layout = layout_of(sheet);
   ASSERT_EQ(layout.frames.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -108,6 +105,14 @@ TEST(FigureSheet, every_point_is_inside_its_panel) {
   // Panels do not overlap.
   EXPECT_LT(layout.frames[0].left + layout.frames[0].width, layout.frames[1].left);
   EXPECT_LT(layout.frames[0].top + layout.frames[0].height, layout.frames[2].top);
+}
+
+TEST(FigureSheet, every_point_is_inside_its_panel) {
+  FigureSheet sheet = boxes();
+  expect_inside(sheet);
+  sheet.panels[1].data.vertices = box({9, 0.5, 3}, {4, 1, -2});  // far beyond its cage
+  sheet.panels[2].marks = {{0, 0, 1.2}};
+  expect_inside(sheet);
 }
 
 TEST(FigureSheet, panels_have_one_scale_unless_they_are_too_large) {
@@ -153,6 +158,33 @@ TEST(FigureSheet, near_faces_hide_far_ones_in_whatever_order_they_come) {
     EXPECT_EQ(both, near) << near_first;
     EXPECT_NE(both, far);
     EXPECT_EQ(picture.at(frame.at({0.9, -0.9, 0})), (std::array<double, 3>{255, 255, 255})) << "nothing is there";
+  }
+}
+
+TEST(FigureSheet, a_long_face_hides_what_is_behind_it_and_nothing_else) {
+  FigureSheet sheet{
+      .name = "long", .heading = {}, .source = {}, .text = {}, .columns = 1, .view = {}, .panels = {FigurePanel()}};
+  FigurePanel& panel = sheet.panels[0];
+  panel.file = "long";
+  // A face that comes nearer to the right, and small squares along it, in front of it and behind in turn.
+  panel.data.vertices = {{-10, -2, -10}, {10, -2, 10}, {10, 2, 10}, {-10, 2, -10}};
+  panel.data.faces = {{0, 1, 2, 3}};
+  panel.tones = {0};
+  for (int k = 0; k < 6; ++k) {
+    const double x = 3 * k - 7.5, z = x + (k % 2 == 0 ? 2 : -2);
+    const int first = static_cast<int>(panel.data.vertices.size());
+    for (const auto& [dx, dy] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+      panel.data.vertices.emplace_back(x + 0.5 * dx, 0.5 * dy, z);
+    panel.data.faces.push_back({first, first + 1, first + 2, first + 3});
+    panel.tones.push_back(1);
+  }
+  const FigureFrame frame = layout_of(sheet).frames[0];
+  const Picture picture(figure_png(sheet));
+  const auto alone = picture.at(frame.at({-9.5, 1.5, 0}));
+  for (int k = 0; k < 6; ++k) {
+    const auto seen = picture.at(frame.at({3 * k - 7.5, 0, 0}));
+    if (k % 2 == 0) EXPECT_NE(seen, alone) << k;
+    else EXPECT_EQ(seen, alone) << k;
   }
 }
 
