@@ -71,7 +71,7 @@ FigureLayout layout_of(const FigureSheet& sheet) {
   FigureLayout layout{};
   layout.width = static_cast<int>(2 * margin + columns * width + (columns - 1) * gap);
   for (std::size_t i = 0; i < sheet.panels.size(); ++i) {
-    const auto row = static_cast<double>(i / columns), column = static_cast<double>(i % columns);
+    const int number = static_cast<int>(i), row = number / columns, column = number % columns;
     const Box box = whole_box(sheet.panels[i], axes);
     FigureFrame frame{};
     frame.left = margin + column * (width + gap);
@@ -93,7 +93,7 @@ FigureLayout layout_of(const FigureSheet& sheet) {
                     frame.top + height / 2 + frame.scale * box.center()[1]};
     layout.frames.push_back(frame);
   }
-  const auto rows = static_cast<double>((sheet.panels.size() + columns - 1) / columns);
+  const int rows = (static_cast<int>(sheet.panels.size()) + columns - 1) / columns;
   layout.height = static_cast<int>(2 * margin + rows * (height + title_height) + (rows - 1) * gap);
   return layout;
 }

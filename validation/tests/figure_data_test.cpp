@@ -69,6 +69,15 @@ TEST_F(FigureData, of_files_is_what_deformers_make_of_them) {
   EXPECT_NEAR(panel.measured[0].second, 8, 1e-12);
 }
 
+TEST_F(FigureData, of_open_meshes_states_no_volume) {
+  const std::string closed = cube(0.5);
+  write("Box.obj", closed.substr(0, closed.rfind('f')));
+  const PaperFigures figures = figures_of_data(folder_);
+  const auto panel = figures[0]->sheets(all_of(*figures[0]))[0].panels[1];
+  EXPECT_EQ(panel.measured[0].first, "largest displacement over cage size");
+  EXPECT_EQ(panel.note.find("volume"), std::string::npos) << panel.note;
+}
+
 TEST_F(FigureData, that_is_missing_or_does_not_fit_is_named) {
   fs::remove(folder_ / "Box_Cage_Deformed.obj");
   EXPECT_NE(refused().find("Box_Cage_Deformed.obj"), std::string::npos) << refused();

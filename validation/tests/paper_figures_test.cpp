@@ -162,6 +162,21 @@ TEST(PaperFigures, do_not_depend_on_threads_and_need_all_their_parts) {
   EXPECT_TRUE(sheets_of_run({}).empty());
 }
 
+TEST(PaperFigures, measured_as_units_of_a_run_are_all_there) {
+  const Findings found = measure_all(figure_measurements(), 0);
+  EXPECT_TRUE(found.rows.empty()) << "figures promise nothing";
+  std::vector<std::string> names;
+  for (const reports::FigureSheet& sheet : sheets_of_run(found.meshes)) names.push_back(sheet.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"t24-bend", "t24-twist", "c23-global", "c23-local", "c23-kernels",
+                                             "t18-symmetry", "w12-bar"}));
+  for (const reports::FigureSheet& sheet : sheets_of_run(found.meshes)) {
+    std::set<std::string> files;
+    for (const reports::FigurePanel& panel : sheet.panels) EXPECT_TRUE(files.insert(panel.file).second) << panel.file;
+    for (const reports::FigureFrame& frame : reports::layout_of(sheet).frames)
+      EXPECT_GT(frame.share, 0.5) << sheet.name;
+  }
+}
+
 TEST(PaperFigures, bars_of_the_plane_meet_their_polygon_where_coordinates_interpolate) {
   const auto figure = plane_bar_figure();
   const reports::FigureSheet sheet = figure->sheets(all_of(*figure)).at(0);

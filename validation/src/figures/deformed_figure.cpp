@@ -145,7 +145,7 @@ class DeformedFigure final : public PaperFigure {
                                            {.parameters = parameter_values(constrained->parameters, panel.parameters)});
       return {deformer, &deformer->coordinates(), deformer->pose()};
     }
-    auto& deformer = prepared[panel.method + " " + parameters_text(panel)];
+    auto& deformer = prepared[fmt::format("{} {}", panel.method, parameters_text(panel))];
     if (!deformer) {
       const auto& method = deformation::deform_method_named(panel.method);
       deformer = deformation::prepare_deformer<double>(
@@ -157,7 +157,7 @@ class DeformedFigure final : public PaperFigure {
   static std::string parameters_text(const PanelPlan& panel) {
     std::vector<std::string> parameters;
     parameters.reserve(panel.parameters.size());
-    for (const auto& [name, value] : panel.parameters) parameters.push_back(name + "=" + value);
+    for (const auto& [name, value] : panel.parameters) parameters.push_back(fmt::format("{}={}", name, value));
     return fmt::format("{}", fmt::join(parameters, " "));
   }
 
@@ -203,14 +203,18 @@ class DeformedFigure final : public PaperFigure {
     }
     panel.data.arrays.push_back({"displacement", "unit of the cage", 3, std::move(displacement)});
     const double ratio = content_of(rest, panel.data.vertices, plan_.cage->dimension()) / before;
-    panel.measured = {{flat ? "area ratio" : "volume ratio", ratio},
-                      {"largest displacement over cage size", largest / size},
-                      {"mean displacement over cage size", sum / (size * static_cast<double>(rest.vertices.size()))}};
-    panel.note = fmt::format("{} × {:.3f}, moved up to {:.3f}", flat ? "area" : "volume", ratio, largest / size);
+    // An open mesh has no volume.
+    const bool has_content = flat || is_closed(rest);
+    const std::string content = has_content ? fmt::format("{} × {:.3f}, ", flat ? "area" : "volume", ratio) : "";
+    if (has_content) panel.measured.emplace_back(flat ? "area ratio" : "volume ratio", ratio);
+    panel.measured.emplace_back("largest displacement over cage size", largest / size);
+    panel.measured.emplace_back("mean displacement over cage size",
+                                sum / (size * static_cast<double>(rest.vertices.size())));
+    panel.note = fmt::format("{}moved up to {:.3f}", content, largest / size);
     if (!plan_.is_symmetric) return;
     const double off = asymmetry(rest.vertices, panel.data.vertices) / size;
     panel.measured.emplace_back("asymmetry over cage size", off);
-    panel.note = fmt::format("volume × {:.3f}, asymmetry {:.1e}", ratio, off);
+    panel.note = fmt::format("{}asymmetry {:.1e}", content, off);
   }
 
   DeformedPlan plan_;

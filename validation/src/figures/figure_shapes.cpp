@@ -73,6 +73,7 @@ TonedMesh grid(double width, double height, double step) {
       found.mesh.faces.push_back({first, first + 1, first + across + 2, first + across + 1});
       found.tones.push_back(static_cast<char>((i / 2 + j / 2) % 2));
     }
+  found.mesh.segments.reserve(across);
   for (int i = 0; i < across; ++i) {
     const int first = up / 2 * (across + 1) + i;
     found.mesh.segments.push_back({first, first + 1});
@@ -106,8 +107,9 @@ Cage plane_bar() {
   vertices.emplace_back(6, 1, 0);
   for (int i = 6; i >= 0; --i) vertices.emplace_back(i, 2, 0);
   vertices.emplace_back(0, 1, 0);
-  std::vector<Face> segments;
   const int count = static_cast<int>(vertices.size());
+  std::vector<Face> segments;
+  segments.reserve(count);
   for (int k = 0; k < count; ++k) segments.push_back({{k, (k + 1) % count, -1, -1}});
   return Cage::make_polygon("bar", std::move(vertices), std::move(segments));
 }

@@ -22,6 +22,7 @@ constexpr std::array kernel_fields{"Kn", "Kt", "Tn", "Tt"};
 Cage kernel_polygon() {
   std::vector<Vec3<double>> vertices{{0, 0, 0}, {2, -0.3, 0}, {2.6, 1.1, 0}, {1.1, 2.2, 0}, {-0.4, 1.2, 0}};
   std::vector<Face> segments;
+  segments.reserve(5);
   for (int k = 0; k < 5; ++k) segments.push_back({{k, (k + 1) % 5, -1, -1}});
   return Cage::make_polygon("pentagon", std::move(vertices), std::move(segments));
 }
