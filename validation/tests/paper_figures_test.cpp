@@ -7,15 +7,21 @@
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/deformation/deformer.h"
+#include "cageproof/reports/journal.h"
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 
 namespace cageproof::validation {
 namespace {
+
+namespace fs = std::filesystem;
 
 FigureFindings all_of(const PaperFigure& figure, int jobs = 1) {
   FigureFindings found;
@@ -163,13 +169,24 @@ TEST(PaperFigures, do_not_depend_on_threads_and_need_all_their_parts) {
 }
 
 TEST(PaperFigures, measured_as_units_of_a_run_are_all_there) {
-  const Findings found = measure_all(figure_measurements(), 0);
-  EXPECT_TRUE(found.rows.empty()) << "figures promise nothing";
+  reports::Journal journal;
+  journal.header.units = 1;
+  journal.done = {true};
+  journal.findings = measure_all(figure_measurements(), 0);
+  EXPECT_TRUE(journal.findings.rows.empty()) << "figures promise nothing";
+  // A report is made of the journal as it is read again.
+  const fs::path file = fs::temp_directory_path() / ("figures-journal-" + std::to_string(::getpid()));
+  std::ofstream(file) << reports::journal_text(journal);
+  const Findings found = reports::read_journal(file).findings;
+  fs::remove(file);
   std::vector<std::string> names;
   for (const reports::FigureSheet& sheet : sheets_of_run(found.meshes)) names.push_back(sheet.name);
   EXPECT_EQ(names, (std::vector<std::string>{"t24-bend", "t24-twist", "c23-global", "c23-local", "c23-kernels",
                                              "t18-symmetry", "w12-bar"}));
+  const auto before = sheets_of_run(journal.findings.meshes);
+  std::size_t number = 0;
   for (const reports::FigureSheet& sheet : sheets_of_run(found.meshes)) {
+    EXPECT_EQ(reports::figure_png(sheet), reports::figure_png(before[number++])) << sheet.name;
     std::set<std::string> files;
     for (const reports::FigurePanel& panel : sheet.panels) EXPECT_TRUE(files.insert(panel.file).second) << panel.file;
     for (const reports::FigureFrame& frame : reports::layout_of(sheet).frames)

@@ -74,14 +74,13 @@ class KernelFigure final : public PaperFigure {
       const Vec3<double>& n = of_k ? of_edge : of_vertex;
       const Vec3<double> with = f % 2 == 0 ? n : Vec3<double>(-n[1], n[0], 0);
       const auto& table = tables[of_k ? 1 : 0];
+      // Journals keep a mesh's vertices: here the vectors at the points.
       MeshField field;
-      field.vertices = points_;
-      ImageField::Array array{"field", "", 3, {}};
+      field.vertices.reserve(points_.size());
       for (std::size_t p = 0; p < points_.size(); ++p) {
         const double* const m = &table.tensors[0][p * table.stride[0] + 4 * (of_k ? kernel_edge : kernel_vertex)];
-        array.values.insert(array.values.end(), {m[0] * with[0] + m[1] * with[1], m[2] * with[0] + m[3] * with[1], 0});
+        field.vertices.emplace_back(m[0] * with[0] + m[1] * with[1], m[2] * with[0] + m[3] * with[1], 0);
       }
-      field.arrays.push_back(std::move(array));
       field.name = key_of(part, f);
       found[field.name] = std::move(field);
     }
@@ -91,7 +90,9 @@ class KernelFigure final : public PaperFigure {
   bool is_in(const FigureFindings& found) const override {
     for (int part = 0; part < parts(); ++part)
       for (std::size_t f = 0; f < kernel_fields.size(); ++f)
-        if (!found.contains(key_of(part, f))) return false;
+        if (const auto at = found.find(key_of(part, f));
+            at == found.end() || at->second.vertices.size() != points_.size())
+          return false;
     return true;
   }
 
@@ -121,7 +122,11 @@ class KernelFigure final : public PaperFigure {
   reports::FigurePanel drawn(int part, std::size_t f, const FigureFindings& found) const {
     static constexpr std::array titles{"K n", "K n⊥", "T n", "T n⊥"};
     reports::FigurePanel panel;
-    panel.data = found.at(key_of(part, f));
+    const std::vector<Vec3<double>>& vectors = found.at(key_of(part, f)).vertices;
+    panel.data.vertices = points_;
+    panel.data.arrays = {{"field", "", 3, {}}};
+    for (const Vec3<double>& vector : vectors)
+      panel.data.arrays[0].values.insert(panel.data.arrays[0].values.end(), vector.begin(), vector.end());
     panel.title = fmt::format("{},  ν = {}", titles[f], kernel_ratios[part]);
     panel.file = fmt::format("{}.nu{}", kernel_fields[f], kernel_ratios[part]);
     panel.flat = true;
@@ -133,11 +138,9 @@ class KernelFigure final : public PaperFigure {
           (vertices[cage_.faces()[kernel_edge].vertices[0]] + vertices[cage_.faces()[kernel_edge].vertices[1]]) / 2};
     else panel.marks = {vertices[kernel_vertex]};
     double longest = 0;
-    const auto& values = panel.data.arrays.front().values;
-    const auto vector = [&](std::size_t p) { return Vec3<double>(values[3 * p], values[3 * p + 1], 0); };
-    for (std::size_t p = 0; p < points_.size(); ++p) longest = std::max(longest, vector(p).norm());
+    for (const Vec3<double>& vector : vectors) longest = std::max(longest, vector.norm());
     for (std::size_t p = 0; p < points_.size(); ++p)
-      panel.arrows.push_back({points_[p], 0.05 * vector(p).normalized(), vector(p).norm() / longest});
+      panel.arrows.push_back({points_[p], 0.05 * vectors[p].normalized(), vectors[p].norm() / longest});
     panel.note = fmt::format("up to {:.3f}", longest);
     panel.facts = {
         {"kernel", titles[f]}, {"parameters", fmt::format("mu=1 nu={}", kernel_ratios[part])}, {"cage", cage_.name()}};
