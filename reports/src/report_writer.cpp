@@ -48,8 +48,7 @@ FieldEntry ReportWriter::write_image(const ImageField& field, const std::string&
   const ImageField::Array& array = array_named(field.arrays, shown, samples);
   const Colours colours = colours_of(array, scale, limits);
   const std::string name = state_->fresh_name(field.name);
-  const FieldEntry entry{title, array.unit, "fields/" + name + ".vti", "pictures/field." + name + ".png",
-                         colours.largest};
+  FieldEntry entry{title, array.unit, "fields/" + name + ".vti", "pictures/field." + name + ".png", colours.largest};
   write_file(state_->folder.path() / entry.data, vti_text(field));
   state_->pictures.push_back(image_picture(field, colours, title, entry.picture));
   return entry;
@@ -60,8 +59,7 @@ FieldEntry ReportWriter::write_mesh(const MeshField& field, const std::string& t
   const ImageField::Array& array = array_named(field.arrays, shown, field.vertices.size());
   const Colours colours = colours_of(array, scale);
   const std::string name = state_->fresh_name(field.name);
-  const FieldEntry entry{title, array.unit, "fields/" + name + ".vtp", "pictures/field." + name + ".png",
-                         colours.largest};
+  FieldEntry entry{title, array.unit, "fields/" + name + ".vtp", "pictures/field." + name + ".png", colours.largest};
   write_file(state_->folder.path() / entry.data, vtp_text(field));
   state_->pictures.push_back(mesh_picture(field, colours, title, entry.picture));
   return entry;

@@ -31,6 +31,7 @@ const std::vector<std::vector<int>> box_faces{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1,
 
 std::vector<Vec3<double>> box(const Vec3<double>& half, const Vec3<double>& at = Vec3<double>::Zero()) {
   std::vector<Vec3<double>> found;
+  found.reserve(8);
   for (int i = 0; i < 8; ++i)
     found.emplace_back(at + half.cwiseProduct(Vec3<double>((i & 1) * 2 - 1, (i >> 1 & 1) * 2 - 1, (i >> 2) * 2 - 1)));
   return found;

@@ -9,6 +9,7 @@
 #include "cageproof/deformation/deformer.h"
 #include "cageproof/reports/journal.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -93,7 +94,7 @@ TEST(PaperFigures, captions_of_symmetry_are_those_of_images_computed_alone) {
   for (const std::string pose : {"taper", "spread"}) {
     const auto& rest = panel_of(sheet, "rest." + pose).data.vertices;
     for (const std::string method : {"mean_value", "quad_mean_value"}) {
-      const reports::FigurePanel& panel = panel_of(sheet, method + "." + pose);
+      const reports::FigurePanel& panel = panel_of(sheet, fmt::format("{}.{}", method, pose));
       const CageCoordinates coordinates(cage, coordinate_kind_named(method), CoordinateOptions{});
       double largest = 0, moved = 0;
       for (std::size_t p = 0; p < rest.size(); p += 7) {
