@@ -150,14 +150,12 @@ std::unique_ptr<const PaperFigure> plane_bar_figure() {
             .source = "[W12] Figures 1 and 5",
             .text =
                 "The polygon (blue) bent to half a circle; the grid has squares at rest, and its middle line is red. "
-                "Mean value and "
-                "harmonic coordinates meet the polygon, and shear the squares beside it; Green coordinates keep angles "
-                "and miss "
-                "the polygon; biharmonic ones meet it with normal derivatives that are posed unit normals, those that "
-                "a complex "
-                "map has, or those that make Laplacians on the boundary least. Last, no polygon is given: three points "
-                "are held "
-                "(dots), and the polygon found bends least across its edges, so that the bar stays as thick as it was.",
+                "Mean value "
+                "coordinates meet the polygon, harmonic ones nearly (by boundary elements), and both shear the squares "
+                "beside it; Green coordinates keep angles and miss the polygon; biharmonic ones nearly meet it, with "
+                "normal derivatives that are posed unit normals, those that a complex map has, or those that make "
+                "Laplacians on the boundary least. Last, no polygon is given: three points are held (dots), and the "
+                "polygon found bends least across its edges, so that the bar stays as thick as it was.",
             .columns = 4,
             .panels = std::move(panels)}}});
 }
