@@ -30,6 +30,7 @@ librandom123-dev         counter-based random numbers: the same samples for any 
 libxtensor-dev           writes NumPy's .npy
 libkainjow-mustache-dev  template of the report's page
 libgd-dev                small PNGs inside the report's page
+libcairo2-dev            draws the papers' figures, without a display
 gnuplot-nox              draws the curves of a report, without a display
 fonts-dejavu-core        lettering of those curves
 libgtest-dev             unit tests

@@ -28,6 +28,7 @@ void add_merge(CommandLine& line);
 void add_report(CommandLine& line);
 void add_compare(CommandLine& line);
 void add_field(CommandLine& line, const std::string& command_line);
+void add_figures(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_hunt(CommandLine& line);
 void add_bench(CommandLine& line, const std::string& command_line);

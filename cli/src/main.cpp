@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   add_report(line);
   add_compare(line);
   add_field(line, as_given);
+  add_figures(line);
   add_replay(line);
   add_hunt(line);
   add_bench(line, as_given);

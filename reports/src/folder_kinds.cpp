@@ -26,13 +26,14 @@ bool has_journal(const fs::path& folder, bool shard) {
 }  // namespace
 
 const FolderKind& report_kind() {
-  static const FolderKind kind{
-      "a verification report",
-      {journal_file, "summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "fields", "pictures"},
-      {"fields", "pictures"},
-      [](const fs::path& folder) {
-        return has_journal(folder, false) || states_schema(folder / "summary.json", "cageproof-summary");
-      }};
+  static const FolderKind kind{"a verification report",
+                               {journal_file, "summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html",
+                                "fields", "pictures", "figures"},
+                               {"fields", "pictures"},
+                               [](const fs::path& folder) {
+                                 return has_journal(folder, false) ||
+                                        states_schema(folder / "summary.json", "cageproof-summary");
+                               }};
   return kind;
 }
 
@@ -57,6 +58,13 @@ const FolderKind& work_precision_kind() {
       {"work_precision.csv", "work_precision.json", "pictures"},
       {"pictures"},
       [](const fs::path& folder) { return states_schema(folder / "work_precision.json", "cageproof-work-precision"); }};
+  return kind;
+}
+
+const FolderKind& figures_kind() {
+  static const FolderKind kind{"figures of the papers", {"figures"}, {"figures"}, [](const fs::path& folder) {
+                                 return states_schema(folder / "figures/figures.json", "cageproof-figures");
+                               }};
   return kind;
 }
 

@@ -82,7 +82,7 @@ void set_environment(Data& page, const RunResult& result) {
 }  // namespace
 
 std::string page(const RunResult& result, const std::vector<CurvePicture>& curves,
-                 const std::filesystem::path& folder) {
+                 const std::vector<FigureEntry>& figures, const std::filesystem::path& folder) {
   Data data;
   data.set("style", kPageStyle);
   set_verdict(data, result);
@@ -91,6 +91,7 @@ std::string page(const RunResult& result, const std::vector<CurvePicture>& curve
   set_formulas(data, result, curves, folder);
   set_cages(data, result);
   set_fields(data, result, folder);
+  set_figures(data, figures, folder);
   set_errata(data, result);
   Data notes{Data::type::list};
   for (const std::string& note : result.notes) notes << Data(note);

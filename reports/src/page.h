@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cageproof/core/run_result.h"
+#include "cageproof/reports/figure_sheet.h"
 #include "curve_picture.h"
 
 #include <filesystem>
@@ -13,6 +14,7 @@ namespace cageproof::reports {
 
 /// The page; pictures are read from the report's folder and embedded.
 /// \throws InputError when a picture cannot be read
-std::string page(const RunResult& result, const std::vector<CurvePicture>& curves, const std::filesystem::path& folder);
+std::string page(const RunResult& result, const std::vector<CurvePicture>& curves,
+                 const std::vector<FigureEntry>& figures, const std::filesystem::path& folder);
 
 }  // namespace cageproof::reports

@@ -2,6 +2,7 @@
 // The parts of the page's data. Names of keys are those of page/page.mustache.
 #pragma once
 
+#include "cageproof/reports/figure_sheet.h"
 #include "curve_picture.h"
 #include "digest.h"
 
@@ -37,6 +38,9 @@ void set_formulas(Data& page, const RunResult& result, const std::vector<CurvePi
 
 /// Cage by cage: properties of coordinates, and what deformers keep.
 void set_cages(Data& page, const RunResult& result);
+
+/// The papers' figures made again, with captions.
+void set_figures(Data& page, const std::vector<FigureEntry>& figures, const std::filesystem::path& folder);
 
 /// Errata of the papers, measured or not.
 void set_errata(Data& page, const RunResult& result);

@@ -38,7 +38,8 @@ void require_replaceable(const fs::path& out, const FolderKind& kind) {
   if (error) fail_folder(out, error.message());
   if (empty) return;
   const bool ours = kind.holds(out);
-  for (const FolderKind* other : {&report_kind(), &shard_kind(), &field_kind(), &work_precision_kind()})
+  for (const FolderKind* other :
+       {&report_kind(), &shard_kind(), &field_kind(), &work_precision_kind(), &figures_kind()})
     if (!ours && other->holds(out))
       fail_folder(out, fmt::format("the folder holds {}, which {} does not replace", other->what, kind.what));
   for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {

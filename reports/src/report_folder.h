@@ -16,7 +16,8 @@ struct FolderKind {
   bool (*holds)(const std::filesystem::path&);  ///< whether the folder says that it is of this kind
 };
 
-/// journal, summary.json, summary.md, results.csv, worst.jsonl, index.html, fields/, pictures/; or the journal alone.
+/// journal, summary.json, summary.md, results.csv, worst.jsonl, index.html, fields/, pictures/, figures/; or the
+/// journal alone.
 const FolderKind& report_kind();
 
 /// The journal of one shard.
@@ -27,6 +28,9 @@ const FolderKind& field_kind();
 
 /// work_precision.csv, work_precision.json, pictures/.
 const FolderKind& work_precision_kind();
+
+/// What `figures` writes: figures/ alone.
+const FolderKind& figures_kind();
 
 /// The folder itself: a link stays a link to what it will hold, and "report/" names what "report" does. Removes what
 /// killed processes left beside it. \throws InputError when it is the root, its parent does not exist or cannot be

@@ -29,6 +29,7 @@ struct ReportWriter::State {
   ReportFolder folder;
   std::set<std::string> names;    ///< of fields, so that none overwrites another
   std::vector<Picture> pictures;  ///< drawn by write(), all at once
+  std::vector<FigureEntry> figures;
 
   // Two fields whose names differ only in what a file name cannot hold get different files.
   std::string fresh_name(const std::string& name) {
@@ -47,8 +48,7 @@ FieldEntry ReportWriter::write_image(const ImageField& field, const std::string&
   const ImageField::Array& array = array_named(field.arrays, shown, samples);
   const Colours colours = colours_of(array, scale, limits);
   const std::string name = state_->fresh_name(field.name);
-  const FieldEntry entry{title, array.unit, "fields/" + name + ".vti", "pictures/field." + name + ".png",
-                         colours.largest};
+  FieldEntry entry{title, array.unit, "fields/" + name + ".vti", "pictures/field." + name + ".png", colours.largest};
   write_file(state_->folder.path() / entry.data, vti_text(field));
   state_->pictures.push_back(image_picture(field, colours, title, entry.picture));
   return entry;
@@ -59,8 +59,7 @@ FieldEntry ReportWriter::write_mesh(const MeshField& field, const std::string& t
   const ImageField::Array& array = array_named(field.arrays, shown, field.vertices.size());
   const Colours colours = colours_of(array, scale);
   const std::string name = state_->fresh_name(field.name);
-  const FieldEntry entry{title, array.unit, "fields/" + name + ".vtp", "pictures/field." + name + ".png",
-                         colours.largest};
+  FieldEntry entry{title, array.unit, "fields/" + name + ".vtp", "pictures/field." + name + ".png", colours.largest};
   write_file(state_->folder.path() / entry.data, vtp_text(field));
   state_->pictures.push_back(mesh_picture(field, colours, title, entry.picture));
   return entry;
@@ -73,18 +72,25 @@ FieldEntry unwritten_entry(const std::vector<ImageField::Array>& arrays, const s
   return {title, array->unit, {}, {}, colours_of(*array, scale).largest};
 }
 
+void ReportWriter::write_figure(FigureSheet sheet) {
+  std::error_code error;
+  std::filesystem::create_directory(state_->folder.path() / "figures", error);
+  state_->figures.push_back(reports::write_figure(state_->folder.path(), std::move(sheet)));
+}
+
 void ReportWriter::write(const RunResult& result) {
   const std::filesystem::path& folder = state_->folder.path();
   write_file(folder / "summary.json",
              summary_json(result, state_->kind == Kind::Field ? "cageproof-field" : "cageproof-summary"));
-  write_file(folder / "summary.md", summary_markdown(result));
+  write_file(folder / "summary.md", summary_markdown(result, state_->figures));
   write_file(folder / "results.csv", results_csv(result));
   write_file(folder / "worst.jsonl", worst_lines(result));
   const std::vector<CurvePicture> curves = curve_pictures(result);
   std::vector<Picture> pictures = std::move(state_->pictures);
   for (const CurvePicture& curve : curves) pictures.push_back(curve.picture);
   draw(pictures, folder);
-  write_file(folder / "index.html", page(result, curves, folder));
+  write_file(folder / "index.html", page(result, curves, state_->figures, folder));
+  if (!state_->figures.empty()) write_file(folder / "figures/figures.json", figures_json(state_->figures));
 }
 
 void ReportWriter::write_journal(std::string_view text) { write_file(state_->folder.path() / journal_file, text); }

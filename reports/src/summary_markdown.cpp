@@ -3,6 +3,7 @@
 #include "cageproof/reports/broken_groups.h"
 #include "digest.h"
 #include "errata_text.h"
+#include "figure_facts.h"
 #include "figure.h"
 #include "tables.h"
 
@@ -133,6 +134,22 @@ std::string cages(const RunResult& result) {
                     "deformer");
 }
 
+std::string figures_section(const std::vector<FigureEntry>& figures) {
+  if (figures.empty()) return "";
+  std::string text = "\n## Figures of the papers\n\nMade again; for reading, and no part of the verdict.\n";
+  for (const FigureEntry& entry : figures) {
+    text += fmt::format("\n### {}\n\n{} ({}): {}\n\n", escaped(entry.sheet.heading), escaped(entry.picture),
+                        escaped(entry.sheet.source), escaped(entry.sheet.text));
+    text += head({"panel", "what it is", "measured", "data"});
+    for (std::size_t i = 0; i < entry.data.size(); ++i) {
+      const FigurePanel& panel = entry.sheet.panels[i];
+      text += line(
+          {escaped(panel.title), escaped(facts_text(panel)), escaped(measured_text(panel)), escaped(entry.data[i])});
+    }
+  }
+  return text;
+}
+
 std::string errata(const RunResult& result) {
   if (result.errata.empty()) return "";
   std::string measured, texts;
@@ -181,7 +198,7 @@ std::string environment_section(const RunResult& result) {
 
 }  // namespace
 
-std::string summary_markdown(const RunResult& result) {
+std::string summary_markdown(const RunResult& result, const std::vector<FigureEntry>& figures) {
   std::string text = fmt::format("# Cageproof: {}\n\n", verdict_line(result));
   text += fmt::format("Suite {}, seed {}, version {}.\n", escaped(result.suite), result.seed, escaped(result.version));
   text += broken(result) + formulas(result) + properties(result) + cages(result);
@@ -191,7 +208,7 @@ std::string summary_markdown(const RunResult& result) {
       text += line({escaped(field.title), short_number(field.largest), escaped(field.unit), escaped(field.data),
                     escaped(field.picture)});
   }
-  text += errata(result);
+  text += figures_section(figures) + errata(result);
   if (!result.notes.empty()) text += "\n## Notes\n\n";
   for (const std::string& note : result.notes) text += fmt::format("* {}\n", escaped(note));
   return text + pairs("Settings", result.settings) + environment_section(result);

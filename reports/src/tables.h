@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cageproof/core/run_result.h"
+#include "cageproof/reports/figure_sheet.h"
 
 #include <string>
 
@@ -11,7 +12,7 @@ namespace cageproof::reports {
 /// results.csv: a header, then one line a row in the order of the rows; RFC 4180 quoting, line feeds alone.
 std::string results_csv(const RunResult& result);
 
-/// summary.md: the verdict, what is broken, then tables.
-std::string summary_markdown(const RunResult& result);
+/// summary.md: the verdict, what is broken, then tables, of figures their captions.
+std::string summary_markdown(const RunResult& result, const std::vector<FigureEntry>& figures = {});
 
 }  // namespace cageproof::reports

@@ -12,6 +12,7 @@
 #include "cageproof/validation/error_fields.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/one_ring.h"
+#include "cageproof/validation/paper_figures.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/stored_cases.h"
 
@@ -122,6 +123,9 @@ class Planner {
         add_recommended(std::make_shared<const Cage>(embedded_cage(name)), extreme_cage_options());
       for (const auto name : deformer_cage_names()) add_deformers(std::make_shared<const Cage>(embedded_cage(name)));
     }
+    // Figures show whole kinds of coordinates, on cages of their own.
+    if (!options_.cage && options_.formulas == "*" && options_.evaluations == "*" && options_.regimes == "*")
+      add(figure_measurements());
     add(errata_measurement({.formulas = options_.formulas, .seed = options_.seed}));
     for (std::string& note : notes_on_truth(options_.formulas)) plan_.header.notes.push_back(std::move(note));
     plan_.units = units_of(plan_.measurements);

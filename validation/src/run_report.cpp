@@ -6,6 +6,7 @@
 #include "cageproof/reports/run_folder.h"
 #include "cageproof/reports/summary.h"
 #include "cageproof/validation/machine_facts.h"
+#include "cageproof/validation/paper_figures.h"
 #include "cageproof/validation/verdicts.h"
 #include "cageproof/validation/verify.h"
 
@@ -104,6 +105,7 @@ RunResult write_report(const std::filesystem::path& out, const Journal& journal)
   RunResult result = result_of(journal);
   for (const auto& [place, part] : whole_fields(journal.findings))
     result.fields.push_back(write_field(writer, part, journal.findings));
+  for (reports::FigureSheet& sheet : sheets_of_run(journal.findings.meshes)) writer.write_figure(std::move(sheet));
   writer.write(result);
   writer.write_journal(reports::journal_text(journal));
   writer.commit();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cageproof/core/run_result.h"
+#include "cageproof/reports/figure_sheet.h"
 
 #include <filesystem>
 #include <memory>
@@ -29,9 +30,9 @@ FieldEntry unwritten_entry(const std::vector<ImageField::Array>& arrays, const s
 /// half report, and an earlier report stays whole until the new one replaces it in one step.
 ///
 /// The folder holds summary.json, summary.md, results.csv, worst.jsonl, index.html, fields/ and pictures/; that of a
-/// verification its journal too. Apart from RunResult::sessions and session_notes (object "environment" of
-/// summary.json; section "environment", the last, of summary.md and index.html), every byte is a function of the other
-/// results.
+/// verification its journal too, and where figures were written figures/ with figures.json. Apart from
+/// RunResult::sessions and session_notes (object "environment" of summary.json; section "environment", the last, of
+/// summary.md and index.html), every byte is a function of the other results.
 class ReportWriter {
  public:
   /// What the folder is, by which it is known again: one kind never replaces the other.
@@ -58,7 +59,11 @@ class ReportWriter {
   /// \throws as write_image
   FieldEntry write_mesh(const MeshField& field, const std::string& title, const std::string& shown, ColourScale scale);
 
-  /// Writes all files of a run; fields must have been written before. A run may have fields and no rows.
+  /// Writes a figure of the papers: figures/<name>.png and a .vtp a panel. The page shows it.
+  /// \throws InputError when a file cannot be written \throws std::invalid_argument as figure_png
+  void write_figure(FigureSheet sheet);
+
+  /// Writes all files of a run; fields and figures must have been written before. A run may have fields and no rows.
   /// \throws InputError when a file cannot be written, or gnuplot is missing or fails
   void write(const RunResult& result);
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+
+#include "cageproof/validation/paper_figures.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+namespace cageproof::cli {
+namespace {
+
+struct Arguments {
+  std::string data, out = "paper-figures";
+  int jobs = 0;
+};
+
+int run(const Arguments& a) {
+  reports::require_figure_folder(a.out);
+  const validation::PaperFigures figures =
+      a.data.empty() ? validation::embedded_figures() : validation::figures_of_data(a.data);
+  std::vector<reports::FigureSheet> sheets = validation::figure_sheets(figures, a.jobs, [](const std::string& name) {
+    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "computing {}\n", name);
+  });
+  std::vector<std::string> lines;
+  lines.reserve(sheets.size());
+  for (const reports::FigureSheet& sheet : sheets)
+    lines.push_back(fmt::format("{}/figures/{}.png: {}, {} panels; {}", a.out, sheet.name, sheet.heading,
+                                sheet.panels.size(), sheet.source));
+  reports::write_figures(a.out, std::move(sheets));
+  for (const std::string& line : lines) fmt::print("{}\n", line);
+  return success;
+}
+
+}  // namespace
+
+void add_figures(CommandLine& line) {
+  Command command = line.command("figures", "the papers' figures made again: deformers side by side");
+  auto a = std::make_shared<Arguments>();
+  command.option("--data", a->data,
+                 "a folder with NAME_Cage.obj, NAME_Cage_Deformed.obj and NAME.obj, of any number of names, instead of "
+                 "cages made in code");
+  command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
+  command.option("--out", a->out, "pictures, data and captions go to its folder figures/").showing_default();
+  command.runs([a] { return run(*a); });
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The papers' figures from the command line, and how that is refused. Usage: figures_test.sh PATH_OF_CAGEPROOF
+set -u
+cageproof=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 2
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# refuses WORD -- ARGUMENTS of figures...: exit 2, one line on standard error that holds the word, nothing written.
+refuses() {
+  local word=$1 before
+  shift 2
+  before=$(ls -R)
+  "$cageproof" figures "$@" >/dev/null 2>/tmp/figures-stderr.$$ </dev/null
+  [ $? -eq 2 ] || fail "not exit 2: $*"
+  [ "$(wc -l </tmp/figures-stderr.$$)" -eq 1 ] || fail "not one line: $* : $(cat /tmp/figures-stderr.$$)"
+  grep -qF -- "$word" /tmp/figures-stderr.$$ || fail "no '$word' in: $(cat /tmp/figures-stderr.$$)"
+  rm -f /tmp/figures-stderr.$$
+  [ "$(ls -R)" = "$before" ] || fail "left something behind: $*"
+}
+
+"$cageproof" figures --out one --jobs 1 >lines </dev/null || fail "embedded figures"
+"$cageproof" figures --out two --jobs 2 >/dev/null </dev/null || fail "with two threads"
+diff -r one two >/dev/null || fail "threads change bytes"
+for name in t24-bend t24-twist c23-global c23-local c23-kernels t18-symmetry w12-bar; do
+  [ -s "one/figures/$name.png" ] || fail "no $name.png"
+  grep -q "^one/figures/$name.png: " lines || fail "$name is not printed"
+done
+[ "$(ls one)" = figures ] || fail "more than figures/: $(ls one)"
+pictures=$(find one -name '*.png' | wc -l) panels=$(find one -name '*.vtp' | wc -l)
+[ "$pictures" -eq 7 ] || fail "$pictures pictures"
+[ "$(grep -c '"data": "figures/.*\.vtp"' one/figures/figures.json)" -eq "$panels" ] || fail "figures.json does not name all $panels data"
+[ "$(find one -type f | wc -l)" -eq $((pictures + panels + 1)) ] || fail "other files: $(ls one/figures)"
+grep -q '"asymmetry over cage size"' one/figures/figures.json || fail "no asymmetry"
+# What is written is read again.
+"$cageproof" deform --cage cube --posed cube --points one/figures/t18-symmetry.rest.taper.vtp --method mean_value --out again.obj >/dev/null || fail "data are not read again"
+
+mkdir mine data && echo dear >mine/letter.txt
+refuses "letter.txt" -- --out mine
+refuses "missing" -- --out missing/out
+refuses "nowhere" -- --data nowhere --out out
+refuses "_Cage.obj" -- --data data --out out
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n' >data/X_Cage.obj
+refuses "X_Cage_Deformed.obj" -- --data data --out out
+cp data/X_Cage.obj data/X_Cage_Deformed.obj
+refuses "X.obj" -- --data data --out out
+# The disk is full in the middle of it.
+before=$(ls -A)
+(trap '' XFSZ; ulimit -f 20; "$cageproof" figures --out out --jobs 1 >/dev/null 2>stderr </dev/null)
+[ $? -eq 2 ] || fail "a full disk is not exit 2: $(cat stderr)"
+grep -q 'cannot write' stderr || fail "a full disk: $(cat stderr)"
+rm -f stderr
+[ "$(ls -A)" = "$before" ] || fail "a full disk leaves something: $(ls -A)"
+
+[ $failures -eq 0 ] && echo "all passed"
+exit $((failures > 0))

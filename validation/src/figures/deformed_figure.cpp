@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "deformed_figure.h"
+
+#include "figure_measures.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
+#include "cageproof/validation/parallel.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+using deformation::Posed;
+
+// A map of a panel, and what owns its coordinates.
+struct PanelMap {
+  std::shared_ptr<const void> owner;
+  const CageCoordinates* coordinates = nullptr;
+  std::unique_ptr<const Posed<double>> posed;
+};
+
+class DeformedFigure final : public PaperFigure {
+ public:
+  explicit DeformedFigure(DeformedPlan plan) : plan_(std::move(plan)) {
+    for (const SheetPlan& sheet : plan_.sheets)
+      for (const PanelPlan& panel : sheet.panels)
+        if (!panel.method.empty()) group_of(panel).push_back({&sheet, &panel});
+  }
+
+  std::string name() const override { return plan_.name; }
+  int parts() const override { return static_cast<int>(groups_.size()); }
+
+  FigureFindings part(int part, int jobs) const override {
+    const auto& shown = groups_[part].shown;
+    std::vector<PanelMap> maps;
+    maps.reserve(shown.size());
+    Prepared prepared;
+    for (const Shown& one : shown) maps.push_back(map_of(*one.panel, prepared));
+    const auto& points = plan_.mesh.mesh.vertices;
+    std::vector<std::vector<Vec3<double>>> images(shown.size(),
+                                                  std::vector<Vec3<double>>(points.size(), Vec3<double>::Zero()));
+    const CageCoordinates& coordinates = *maps.front().coordinates;
+    const int d = coordinates.dimension();
+    constexpr std::size_t together = 64;
+    for_each_parallel((points.size() + together - 1) / together, jobs, [&](std::size_t block) {
+      const std::size_t first = block * together, count = std::min(together, points.size() - first);
+      const auto tables = coordinates.at<double>(std::span(points).subspan(first, count), 0);
+      for (std::size_t k = 0; k < shown.size(); ++k) {
+        const auto found = maps[k].posed->images(tables, count, 0);
+        for (std::size_t p = 0; p < count; ++p)
+          for (int c = 0; c < d; ++c) images[k][first + p][c] = found.tensors[0][p * d + c];
+      }
+    });
+    FigureFindings found;
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+      for (const Vec3<double>& image : images[k])
+        if (!image.allFinite())
+          throw InputError(fmt::format("{}, {}: an image is not finite", plan_.name, shown[k].panel->title));
+      const std::string key = key_of(*shown[k].sheet, *shown[k].panel);
+      found[key].vertices = std::move(images[k]);
+      if (shown[k].panel->posed.empty()) found[key + cage_suffix].vertices = maps[k].posed->vertices();
+    }
+    for (auto& [key, mesh] : found) mesh.name = key;
+    return found;
+  }
+
+  bool is_in(const FigureFindings& found) const override {
+    return std::ranges::all_of(groups_, [&](const Group& group) {
+      return std::ranges::all_of(group.shown, [&](const Shown& one) {
+        const std::string key = key_of(*one.sheet, *one.panel);
+        return has(found, key, plan_.mesh.mesh.vertices.size()) &&
+               (!one.panel->posed.empty() || has(found, key + cage_suffix, plan_.cage->vertices().size()));
+      });
+    });
+  }
+
+  std::vector<reports::FigureSheet> sheets(const FigureFindings& found) const override {
+    std::vector<reports::FigureSheet> all;
+    all.reserve(plan_.sheets.size());
+    for (const SheetPlan& plan : plan_.sheets) {
+      reports::FigureSheet sheet{.name = plan.name,
+                                 .heading = plan.heading,
+                                 .source = plan.source,
+                                 .text = plan.text,
+                                 .columns = plan.columns,
+                                 .view = plan.view,
+                                 .panels = {}};
+      for (const PanelPlan& panel : plan.panels) sheet.panels.push_back(drawn(plan, panel, found));
+      all.push_back(std::move(sheet));
+    }
+    return all;
+  }
+
+ private:
+  static constexpr const char* cage_suffix = ".cage";
+  struct Shown {
+    const SheetPlan* sheet;
+    const PanelPlan* panel;
+  };
+  struct Group {
+    std::string key;
+    std::vector<Shown> shown;
+  };
+
+  static bool has(const FigureFindings& found, const std::string& key, std::size_t vertices) {
+    const auto at = found.find(key);
+    return at != found.end() && at->second.vertices.size() == vertices;
+  }
+
+  static std::string key_of(const SheetPlan& sheet, const PanelPlan& panel) {
+    return fmt::format("figure/{}/{}", sheet.name, panel.file);
+  }
+
+  // Panels of one kind of coordinates with the same parameters.
+  std::vector<Shown>& group_of(const PanelPlan& panel) {
+    std::string key;
+    if (const auto* constrained = deformation::find_constraint_method(panel.method)) {
+      parameter_values(constrained->parameters, panel.parameters);
+      key = fmt::format("{} {}", panel.method, groups_.size());
+    } else {
+      const auto& method = deformation::deform_method_named(panel.method);
+      const auto known = parameters_of(method);
+      const auto values = parameter_values(known, panel.parameters);
+      key = method.kind;
+      for (const KindParameter& own : parameters_of(coordinate_kind_named(method.kind)))
+        for (std::size_t i = 0; i < known.size(); ++i)
+          if (known[i].name == own.name) key += fmt::format(" {}={}", own.name, values[i]);
+    }
+    const auto found = std::ranges::find(groups_, key, &Group::key);
+    return found != groups_.end() ? found->shown : groups_.emplace_back(key, std::vector<Shown>()).shown;
+  }
+
+  // Prepared once for all poses of a method with the same parameters.
+  using Prepared = std::map<std::string, std::shared_ptr<const deformation::Deformer<double>>>;
+  PanelMap map_of(const PanelPlan& panel, Prepared& prepared) const {
+    if (const auto* constrained = deformation::find_constraint_method(panel.method)) {
+      const auto deformer =
+          deformation::prepare_constrained(*constrained, *plan_.cage, panel.constraints,
+                                           {.parameters = parameter_values(constrained->parameters, panel.parameters)});
+      return {deformer, &deformer->coordinates(), deformer->pose()};
+    }
+    auto& deformer = prepared[fmt::format("{} {}", panel.method, parameters_text(panel))];
+    if (!deformer) {
+      const auto& method = deformation::deform_method_named(panel.method);
+      deformer = deformation::prepare_deformer<double>(
+          method, *plan_.cage, {.parameters = parameter_values(parameters_of(method), panel.parameters)});
+    }
+    return {deformer, &deformer->coordinates(), deformer->pose({panel.posed})};
+  }
+
+  static std::string parameters_text(const PanelPlan& panel) {
+    std::vector<std::string> parameters;
+    parameters.reserve(panel.parameters.size());
+    for (const auto& [name, value] : panel.parameters) parameters.push_back(fmt::format("{}={}", name, value));
+    return fmt::format("{}", fmt::join(parameters, " "));
+  }
+
+  reports::FigurePanel drawn(const SheetPlan& sheet, const PanelPlan& plan, const FigureFindings& found) const {
+    const Mesh& rest = plan_.mesh.mesh;
+    const bool flat = plan_.cage->dimension() == 2;
+    reports::FigurePanel panel;
+    panel.title = plan.title;
+    panel.file = plan.file;
+    panel.flat = flat;
+    panel.tones = plan_.mesh.tones;
+    panel.cage = plan.posed.empty() ? plan_.cage->vertices() : plan.posed;
+    panel.data.vertices = rest.vertices;
+    panel.data.faces = rest.faces;
+    panel.data.segments = rest.segments;
+    panel.data.name = plan.file;
+    for (const Face& face : plan_.cage->parts(!plan.shows_diagonals, Triangulation::Shortest).elements)
+      panel.cage_faces.emplace_back(face.vertices.begin(), face.vertices.begin() + face.size());
+    panel.facts = {{"cage", plan_.cage->name()}};
+    if (plan.method.empty()) {
+      for (const auto& position : plan.constraints.positions) panel.marks.push_back(position.at);
+      return panel;
+    }
+    const std::string key = key_of(sheet, plan);
+    panel.data.vertices = found.at(key).vertices;
+    if (plan.posed.empty()) panel.cage = found.at(key + cage_suffix).vertices;
+    for (const auto& position : plan.constraints.positions) panel.marks.push_back(position.to);
+    panel.facts.insert(panel.facts.begin(), {{"method", plan.method}, {"parameters", parameters_text(plan)}});
+    measure(panel, rest);
+    return panel;
+  }
+
+  void measure(reports::FigurePanel& panel, const Mesh& rest) const {
+    const bool flat = panel.flat;
+    const double size = plan_.cage->size(), before = content_of(rest, rest.vertices, plan_.cage->dimension());
+    double largest = 0, sum = 0;
+    std::vector<double> displacement;
+    for (std::size_t p = 0; p < rest.vertices.size(); ++p) {
+      const Vec3<double> step = panel.data.vertices[p] - rest.vertices[p];
+      largest = std::max(largest, step.norm());
+      sum += step.norm();
+      displacement.insert(displacement.end(), step.begin(), step.end());
+    }
+    panel.data.arrays.push_back({"displacement", "unit of the cage", 3, std::move(displacement)});
+    const double ratio = content_of(rest, panel.data.vertices, plan_.cage->dimension()) / before;
+    // An open mesh has no volume.
+    const bool has_content = flat || is_closed(rest);
+    const std::string content = has_content ? fmt::format("{} × {:.3f}, ", flat ? "area" : "volume", ratio) : "";
+    if (has_content) panel.measured.emplace_back(flat ? "area ratio" : "volume ratio", ratio);
+    panel.measured.emplace_back("largest displacement over cage size", largest / size);
+    panel.measured.emplace_back("mean displacement over cage size",
+                                sum / (size * static_cast<double>(rest.vertices.size())));
+    panel.note = fmt::format("{}moved up to {:.3f}", content, largest / size);
+    if (!plan_.is_symmetric) return;
+    const double off = asymmetry(rest.vertices, panel.data.vertices) / size;
+    panel.measured.emplace_back("asymmetry over cage size", off);
+    panel.note = fmt::format("{}asymmetry {:.1e}", content, off);
+  }
+
+  DeformedPlan plan_;
+  std::vector<Group> groups_;
+};
+
+}  // namespace
+
+std::unique_ptr<const PaperFigure> deformed_figure(DeformedPlan plan) {
+  return std::make_unique<DeformedFigure>(std::move(plan));
+}
+
+std::vector<double> parameter_values(const std::vector<KindParameter>& known,
+                                     const std::vector<std::pair<std::string, std::string>>& given) {
+  std::vector<double> values;
+  values.reserve(known.size());
+  for (const KindParameter& p : known) values.push_back(p.preset);
+  for (const auto& [name, text] : given) {
+    const auto at = std::ranges::find(known, name, &KindParameter::name);
+    if (at == known.end()) throw unknown_name("parameter", name);
+    const auto value = at->value_of(text);
+    if (!value) throw InputError(fmt::format("{}={}: not a value", name, text));
+    values[at - known.begin()] = *value;
+  }
+  return values;
+}
+
+}  // namespace cageproof::validation

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Figures of one mesh in one cage, under several poses and methods.
+#pragma once
+
+#include "figure_shapes.h"
+
+#include "cageproof/validation/paper_figures.h"
+#include "cageproof/deformation/constrained.h"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cageproof::validation {
+
+/// A panel: the mesh under one method and pose. Without a method it is at rest.
+struct PanelPlan {
+  std::string title;
+  std::string file;  ///< of its data, without extension; unlike that of any other panel of its figure
+  std::string method = {};
+  /// What is not at its default: name and value, as on the command line.
+  std::vector<std::pair<std::string, std::string>> parameters = {};
+  std::vector<Vec3<double>> posed = {};       ///< the cage's vertices
+  deformation::Constraints constraints = {};  ///< of methods that take them instead of a posed cage
+  bool shows_diagonals = false;               ///< whether the cage's quads are drawn as triangles
+};
+
+/// A figure: some panels.
+struct SheetPlan {
+  std::string name, heading, source, text;
+  int columns;
+  std::vector<PanelPlan> panels;
+  reports::FigureView view = {};
+};
+
+/// Figures of one cage and mesh.
+struct DeformedPlan {
+  std::string name;
+  std::shared_ptr<const Cage> cage;
+  TonedMesh mesh;
+  std::vector<SheetPlan> sheets;
+  /// Whether cage, poses and mesh are symmetric in x, so that images should be: how far they are not is measured.
+  bool is_symmetric = false;
+};
+
+/// \throws InputError for a method or parameter that does not exist
+std::unique_ptr<const PaperFigure> deformed_figure(DeformedPlan plan);
+
+/// The values of all parameters of an owner, by name. \throws InputError for one that does not exist, or a bad value
+std::vector<double> parameter_values(const std::vector<KindParameter>& known,
+                                     const std::vector<std::pair<std::string, std::string>>& given);
+
+}  // namespace cageproof::validation

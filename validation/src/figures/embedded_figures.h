@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The figures that there are, one function a paper.
+#pragma once
+
+#include "deformed_figure.h"
+
+namespace cageproof::validation {
+
+/// Panels of [T24]'s deformers, of mean value coordinates and of [C23]'s, after one at rest: for any cage in space.
+std::vector<PanelPlan> comparison_panels(const std::vector<Vec3<double>>& posed);
+
+/// Panels of [C23]'s deformer: nu by columns, gamma by rows, after a first column at rest, of mean value and of Green
+/// coordinates. \param variant "global" or "local"
+std::vector<PanelPlan> elastic_panels(const std::vector<Vec3<double>>& posed, const std::string& variant);
+
+/// What there is to see in such figures.
+std::string comparison_text();
+std::string elastic_text(const std::string& variant);
+
+/// [T24] Figures 1, 2, 3 and 5: a bar bent and twisted.
+std::unique_ptr<const PaperFigure> bar_figure();
+/// [C23] Figures 1, 2 and 5: a cube pressed flat.
+std::unique_ptr<const PaperFigure> pressed_figure();
+/// [T18] Figures 1 and 12: quads against their triangulation, in a symmetric pose.
+std::unique_ptr<const PaperFigure> symmetry_figure();
+/// [W12] Figures 1 and 5: a bar of the plane bent.
+std::unique_ptr<const PaperFigure> plane_bar_figure();
+/// [C23] Figure 3: kernels in the plane.
+std::unique_ptr<const PaperFigure> kernel_figure();
+
+}  // namespace cageproof::validation

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "figure_measures.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <stdexcept>
+
+namespace cageproof::validation {
+
+double content_of(const Mesh& mesh, const std::vector<Vec3<double>>& vertices, int dimension) {
+  double sum = 0;
+  const Vec3<double>& from = vertices.front();
+  for (const auto& face : mesh.faces)
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      const Vec3<double> a = vertices[face[0]] - from, b = vertices[face[k - 1]] - from, c = vertices[face[k]] - from;
+      sum += dimension == 3 ? a.dot(b.cross(c)) / 6 : (b - a).cross(c - a)[2] / 2;
+    }
+  return sum;
+}
+
+bool is_closed(const Mesh& mesh) {
+  std::map<std::pair<int, int>, int> edges;
+  for (const auto& face : mesh.faces)
+    for (std::size_t k = 0; k < face.size(); ++k) ++edges[{face[k], face[(k + 1) % face.size()]}];
+  return std::ranges::all_of(edges, [&](const auto& edge) {
+    const auto other = edges.find({edge.first.second, edge.first.first});
+    return other != edges.end() && other->second == edge.second;
+  });
+}
+
+double asymmetry(const std::vector<Vec3<double>>& points, const std::vector<Vec3<double>>& images) {
+  std::map<std::array<double, 3>, std::size_t> at;
+  // Zero and its negative are one key.
+  const auto key = [](double x, double y, double z) { return std::array{x + 0.0, y + 0.0, z + 0.0}; };
+  for (std::size_t p = 0; p < points.size(); ++p) at[key(points[p][0], points[p][1], points[p][2])] = p;
+  double found = 0;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const auto mirrored = at.find(key(-points[p][0], points[p][1], points[p][2]));
+    if (mirrored == at.end()) throw std::invalid_argument("the points are not symmetric");
+    const Vec3<double> image = images[p].cwiseProduct(Vec3<double>(-1, 1, 1));
+    found = std::max(found, (images[mirrored->second] - image).norm());
+  }
+  return found;
+}
+
+}  // namespace cageproof::validation

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/paper_figures.h"
+
+#include "embedded_figures.h"
+
+#include <fmt/format.h>
+
+namespace cageproof::validation {
+namespace {
+
+class FigureMeasurement final : public Measurement {
+ public:
+  explicit FigureMeasurement(std::unique_ptr<const PaperFigure> figure) : figure_(std::move(figure)) {}
+  std::string name() const override { return "figure " + figure_->name(); }
+  int blocks() const override { return figure_->parts(); }
+  Findings measure(int block) const override {
+    Findings findings;
+    findings.meshes = figure_->part(block, 1);
+    return findings;
+  }
+
+ private:
+  std::unique_ptr<const PaperFigure> figure_;
+};
+
+}  // namespace
+
+PaperFigures embedded_figures() {
+  PaperFigures figures;
+  for (const auto make : {bar_figure, pressed_figure, kernel_figure, symmetry_figure, plane_bar_figure})
+    figures.push_back(make());
+  return figures;
+}
+
+std::vector<reports::FigureSheet> figure_sheets(const PaperFigures& figures, int jobs,
+                                                const std::function<void(const std::string&)>& said) {
+  std::vector<reports::FigureSheet> all;
+  for (const auto& figure : figures) {
+    if (said) said(figure->name());
+    FigureFindings found;
+    for (int part = 0; part < figure->parts(); ++part) found.merge(figure->part(part, jobs));
+    for (reports::FigureSheet& sheet : figure->sheets(found)) all.push_back(std::move(sheet));
+  }
+  return all;
+}
+
+Measurements figure_measurements() {
+  Measurements all;
+  for (auto& figure : embedded_figures()) all.push_back(std::make_unique<FigureMeasurement>(std::move(figure)));
+  return all;
+}
+
+std::vector<reports::FigureSheet> sheets_of_run(const FigureFindings& meshes) {
+  std::vector<reports::FigureSheet> all;
+  for (const auto& figure : embedded_figures())
+    if (figure->is_in(meshes))
+      for (reports::FigureSheet& sheet : figure->sheets(meshes)) all.push_back(std::move(sheet));
+  return all;
+}
+
+}  // namespace cageproof::validation
