@@ -88,7 +88,7 @@ double distance(const Case& c, const Images<double>& images, const CageCoordinat
       int row = 0;
       for (const auto& block : at)
         for (const Mp50& value : block.value) sum += value * all(row++, k);
-      worst = std::max(worst, std::abs(static_cast<double>(sum)));
+      keep_larger(worst, std::abs(static_cast<double>(sum)));
     }
   }
   return worst / c.size;

@@ -21,8 +21,7 @@ Images<double> somigliana(const Case& c, Variant variant, double blend, double n
 
 double distance(const Images<double>& a, const Images<double>& b) {
   double worst = 0;
-  for (std::size_t i = 0; i < a.tensors[0].size(); ++i)
-    worst = std::max(worst, std::abs(a.tensors[0][i] - b.tensors[0][i]));
+  for (std::size_t i = 0; i < a.tensors[0].size(); ++i) keep_larger(worst, std::abs(a.tensors[0][i] - b.tensors[0][i]));
   return worst;
 }
 

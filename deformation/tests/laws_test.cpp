@@ -35,7 +35,7 @@ double error_of(const Case& c, const Deformer<double>& deformer, const Map& map)
   const Images<double> images = deformed(deformer, posed, c.points);
   double worst = 0;
   for (std::size_t p = 0; p < c.points.size(); ++p)
-    worst = std::max(worst, (image(images, p, c.cage.dimension()) - (map * c.points[p] + shift)).norm());
+    keep_larger(worst, (image(images, p, c.cage.dimension()) - (map * c.points[p] + shift)).norm());
   return worst / c.size;
 }
 
@@ -149,7 +149,7 @@ TEST(laws, of_the_unit_of_length) {
                          b = deformed(*prepared(scaled, method, std::move(large)), times(c.posed), times(c.points));
     double worst = 0;
     for (std::size_t i = 0; i < a.tensors[0].size(); ++i)
-      worst = std::max(worst, std::abs(b.tensors[0][i] / s - a.tensors[0][i]));
+      keep_larger(worst, std::abs(b.tensors[0][i] / s - a.tensors[0][i]));
     return worst / c.size;
   };
   EXPECT_LT(difference("biharmonic_1_3", {1, 3, std::pow(s, 4), 0}, {1, 3, 1, 0}), 1e-12);
@@ -167,7 +167,7 @@ TEST(laws, somigliana_of_infinite_nu_is_green_in_the_plane_alone) {
       const auto other = deformed(*prepared(c.cage, "somigliana", {variant, INFINITY, 0, 0, 0.5}), c.posed, c.points);
       double worst = 0;
       for (std::size_t i = 0; i < green.tensors[0].size(); ++i)
-        worst = std::max(worst, std::abs(other.tensors[0][i] - green.tensors[0][i]));
+        keep_larger(worst, std::abs(other.tensors[0][i] - green.tensors[0][i]));
       if (c.cage.dimension() == 2) {
         EXPECT_LT(worst, 1e-12) << c.name << variant;
       } else {

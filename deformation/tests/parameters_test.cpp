@@ -15,10 +15,8 @@ namespace {
 template <Scalar R>
 double distance(const Images<R>& a, const Images<R>& b, int order) {
   double worst = 0;
-  for (std::size_t i = 0; i < a.tensors[order].size(); ++i) {
-    const double difference = std::abs(static_cast<double>(R(a.tensors[order][i] - b.tensors[order][i])));
-    if (!(difference <= worst)) worst = difference;
-  }
+  for (std::size_t i = 0; i < a.tensors[order].size(); ++i)
+    keep_larger(worst, std::abs(static_cast<double>(R(a.tensors[order][i] - b.tensors[order][i]))));
   return worst;
 }
 

@@ -88,14 +88,14 @@ TEST(somigliana_routes, tractions_are_those_of_the_dense_system_and_balanced) {
       for (std::size_t e = 0; e < elements.count(); ++e) {
         const Eigen::VectorXd traction = found.tractions[e].head(d),
                               truth = Mp(route.balanced[e] * route.directions[e]).cast<double>();
-        worst = std::max(worst, (traction - truth).norm() / std::max(1., largest));
-        turned = std::max(turned, (found.of_elements[e] - route.of_elements[e].cast<double>()).norm());
+        keep_larger(worst, (traction - truth).norm() / std::max(1., largest));
+        keep_larger(turned, (found.of_elements[e] - route.of_elements[e].cast<double>()).norm());
         const auto measure = static_cast<double>(route.measures[e]);
         left += measure * traction;
         whole += measure * std::abs(static_cast<double>(route.tractions[e]));
       }
       for (std::size_t v = 0; v < c.posed.size(); ++v)
-        turned = std::max(turned, (found.of_vertices[v] - route.of_vertices[v].cast<double>()).norm());
+        keep_larger(turned, (found.of_vertices[v] - route.of_vertices[v].cast<double>()).norm());
       EXPECT_LE(left.norm(), 1e-14 * whole) << c.name << s.local << s.nu << s.gamma;
     }
     EXPECT_LT(worst, 1e-13) << c.name;

@@ -86,6 +86,11 @@ inline Case pentagon() {
                  {{0, 0}, {.3, -.1}, {.2, .4}, {-.1, .3}, {-.3, -.2}}, {1, .9, 0});
 }
 
+/// Takes the larger one; what is no number is larger than any.
+inline void keep_larger(double& worst, double found) {
+  if (!(found <= worst)) worst = found;
+}
+
 /// Images of points under a pose.
 template <Scalar R = double>
 Images<R> deformed(const Deformer<R>& deformer, const std::vector<Vec3<R>>& posed, const std::vector<Vec3<R>>& points,

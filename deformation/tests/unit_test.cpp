@@ -28,7 +28,7 @@ double change(const Case& c, const char* method, const std::vector<double>& para
   const Images<double> there = deformed(*prepared(cage, method, parameters), times(s, c.posed), times(s, c.points));
   double worst = 0;
   for (std::size_t i = 0; i < here.tensors[0].size(); ++i)
-    worst = std::max(worst, std::abs(there.tensors[0][i] / s - here.tensors[0][i]));
+    keep_larger(worst, std::abs(there.tensors[0][i] / s - here.tensors[0][i]));
   return worst / c.size;
 }
 
@@ -61,7 +61,8 @@ TEST(unit, aligned_methods_keep_rotations_where_densities_are_small) {
       const Images<double> found = deformer->images(*pose, points, 0);
       const double condition = pose->report().systems.at(0).condition;
       for (std::size_t p = 0; p < points.size(); ++p)
-        EXPECT_LT((image(found, p) - turned(points[p])).norm() / cage.size(), 1e-13 + 1e-16 * condition)
+        // Below, the system is deficient: what is left of the normal derivatives is of the size of rounding.
+        EXPECT_LT((image(found, p) - turned(points[p])).norm() / cage.size(), s == 1 ? 1e-13 + 1e-16 * condition : 1e-9)
             << s << ' ' << alignment;
       EXPECT_EQ(warns_of(pose->report().warnings, "digits") || warns_of(pose->report().warnings, "deficient"), s < 1)
           << s << ' ' << alignment << ' ' << condition;

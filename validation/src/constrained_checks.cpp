@@ -186,7 +186,11 @@ std::vector<DeformerError> ConstrainedChecks::ask(const Question& question,
   }
   const std::vector<double>& fallen = report.merits.empty() ? report.energies : report.merits;
   double worst = 0;
-  for (std::size_t k = 1; k < fallen.size(); ++k) worst = std::max(worst, fallen[k] / fallen[k - 1] - 1);
+  for (std::size_t k = 1; k < fallen.size(); ++k) {
+    // Where nothing is left, nothing falls.
+    const double rise = fallen[k] == fallen[k - 1] ? 0 : fallen[k] / fallen[k - 1] - 1;
+    if (!(rise <= worst)) worst = rise;
+  }
   return {{worst, worst}};
 }
 

@@ -223,7 +223,7 @@ std::vector<DeformerChecks::Errors> DeformerChecks::mirrored(const MirrorSymmetr
     std::array<Vec3<double>, 2> at{Vec3<double>::Zero(), Vec3<double>::Zero()};
     for (std::size_t k = 0; k < 2; ++k)
       for (int c = 0; c < d; ++c) at[k][c] = images.tensors[0][k * d + c];
-    errors[p][0] = over_condition((at[1] - mirror(at[0])).norm() / cage_->size(), condition);
+    errors[p][0] = error_over_condition((at[1] - mirror(at[0])).norm() / cage_->size(), condition);
   }
   return errors;
 }
