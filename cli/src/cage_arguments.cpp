@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cageproof::cli {
 
@@ -42,6 +43,11 @@ Cage CageArguments::load() const {
 
 namespace {
 
+// Open bounds below zero by the least double there is allow zero.
+std::string lowest_text(double lowest) {
+  return lowest == -std::numeric_limits<double>::denorm_min() ? "0 <=" : fmt::format("{} <", lowest);
+}
+
 // One value, of a parameter that `text` names.
 double value_in(std::string_view text, std::string_view after, const KindParameter& parameter, std::string_view owner) {
   const std::optional<double> value = parameter.value_of(after);
@@ -49,8 +55,8 @@ double value_in(std::string_view text, std::string_view after, const KindParamet
     throw InputError(fmt::format("--parameter {}: '{}' is none of {}", text, after, fmt::join(parameter.names, ", ")));
   if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, after));
   if (!parameter.allows(*value))
-    throw InputError(fmt::format("--parameter {}: {} is out of range for {}, {} < {} {} {}{}{}", text, after, owner,
-                                 parameter.lowest, parameter.name, parameter.includes_highest ? "<=" : "<",
+    throw InputError(fmt::format("--parameter {}: {} is out of range for {}, {} {} {} {}{}{}", text, after, owner,
+                                 lowest_text(parameter.lowest), parameter.name, parameter.includes_highest ? "<=" : "<",
                                  parameter.highest, parameter.includes_infinity ? ", or infinite" : "",
                                  parameter.whole ? ", a whole number" : ""));
   return *value;
@@ -117,8 +123,14 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
 
 std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::string>& given,
                                                      const std::vector<KindParameter>& known, std::string_view owner) {
+  const std::vector<std::vector<double>> lists = lists_of(given, known, owner, true);
+  constexpr double most_sets = 10'000;
+  double wanted = 1;
+  for (const std::vector<double>& list : lists) wanted *= static_cast<double>(list.size());
+  if (wanted > most_sets)
+    throw InputError(fmt::format("--parameter: {:.0f} combinations of values, {:.0f} are the most", wanted, most_sets));
   std::vector<std::vector<double>> sets{{}};
-  for (const std::vector<double>& list : lists_of(given, known, owner, true)) {
+  for (const std::vector<double>& list : lists) {
     std::vector<std::vector<double>> longer;
     longer.reserve(sets.size() * list.size());
     for (const std::vector<double>& set : sets)

@@ -102,7 +102,8 @@ std::vector<Deformed> deform(const CageCoordinates& coordinates, const Cage& cag
   // Normalised coordinates sum to one everywhere.
   const std::optional<Inside> inside =
       coordinates.kind().normalised ? std::nullopt : std::optional<Inside>(coordinates.elements());
-  std::vector<char> missing(points), beyond(points);
+  std::vector<char> missing(points);
+  std::vector<std::size_t> beyond(points);  // a map whose image is not finite, from 1 on
   constexpr std::size_t together = 128;
   validation::for_each_parallel((points + together - 1) / together, jobs, [&](std::size_t block) {
     const std::size_t first = block * together, count = std::min(together, points - first);
@@ -118,18 +119,18 @@ std::vector<Deformed> deform(const CageCoordinates& coordinates, const Cage& cag
         const bool lost = missing[first + p];
         // On the cage derivatives may be nan; values are not.
         if (!lost && !std::ranges::all_of(row.first(d), [](double x) { return std::isfinite(x); }))
-          beyond[first + p] = 1;
+          beyond[first + p] = k + 1;
         if (lost && outside == OutsidePolicy::Rest) put_rest(mesh.vertices[first + p], d, order, row);
         if (lost && outside != OutsidePolicy::Rest) std::ranges::fill(row, std::numeric_limits<double>::quiet_NaN());
         for (int c = 0; c < d; ++c) one.mesh.vertices[first + p][c] = row[c];
       }
     }
   });
-  if (const auto which = std::ranges::find(beyond, 1); which != beyond.end())
-    throw InputError(
-        fmt::format("the image of point number {} is not finite: the pose or a parameter is beyond what the method can "
-                    "take",
-                    which - beyond.begin()));
+  if (const auto which = std::ranges::find_if(beyond, [](std::size_t k) { return k > 0; }); which != beyond.end())
+    throw InputError(fmt::format(
+        "{}the image of point number {} is not finite: the pose or a parameter is beyond what the method can "
+        "take",
+        maps.size() > 1 ? fmt::format("map {}: ", *which) : "", which - beyond.begin()));
   const auto lost = static_cast<std::size_t>(std::ranges::count(missing, 1));
   if (lost > 0 && outside == OutsidePolicy::Error) {
     const auto which = std::ranges::find(missing, 1) - missing.begin();

@@ -76,11 +76,15 @@ for map in 1:0.0:0.0 2:0.0:1.0 3:0.25:0.0 4:0.25:1.0; do
   grep -q 'bent.obj' "swept_$n.json" || fail "the pose of map $n"
   grep -q 'large.obj' "swept_$((n + 4)).json" || fail "the pose of map $((n + 4))"
 done
-rm -f bent.obj
+mv bent.obj pulled_far.obj
 "$cageproof" deform "${common[@]}" --method ahap --parameter alignment=hard,free --out 'swept_{n}.csv' || fail "a sweep of names"
 grep -q '"alignment": "free"' swept_2.json || fail "no alignment: $(cat swept_2.json)"
 rm -f swept_* alone.*
 refuses '2 maps' '{n}' -- "${common[@]}" --method somigliana --parameter nu=0,0.25 --out one.csv
+refuses '25000000 combinations' '10000' -- "${common[@]}" --method somigliana --parameter "nu=$(seq -s, 0 0.00009 0.44995)" --parameter "gamma=$(seq -s, 0 0.0001 0.4999)" --out '{n}.csv'
+refuses 'somigliana' 'other coordinates' -- "${common[@]}" --method somigliana --evaluation as-printed-eq48 --parameter nu=0,0.25 --out '{n}.csv'
+refuses 'map 2' 'number 0' 'not finite' -- --cage cube --posed pulled_far.obj --points mesh.obj --method somigliana --parameter gamma=0,900000 --out '{n}.csv'
+refuses '0 <= gamma_d' -- "${common[@]}" --method biharmonic_1_3 --parameter gamma_d=-1 --out one.csv
 refuses 'nu' 'not a number' -- "${common[@]}" --method somigliana --parameter nu=0,,0.25 --out '{n}.csv'
 refuses 'nu' 'out of range' -- "${common[@]}" --method somigliana --parameter nu=0,0.5 --out '{n}.csv'
 refuses 'neumann' 'biharmonic_1_3' 'one value' -- "${common[@]}" --method biharmonic_1_3 --parameter neumann=constant,affine --out '{n}.csv'

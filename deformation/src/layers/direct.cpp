@@ -25,8 +25,11 @@ class Direct final : public LayerDeformer<R> {
     std::vector<Matrix<R>> data{rows_of(pose.vertices, d), rows_of(pose.normal_derivatives, d),
                                 rows_of(pose.laplacians, d), rows_of(pose.laplacian_derivatives, d)};
     if (pose.normal_derivatives.empty()) data[1] = rows_of(this->own_normals(stretch_, pose.vertices, report), d);
-    if (pose.laplacians.empty()) data[2] = Matrix<R>::Zero(data[0].rows(), d);
-    if (pose.laplacian_derivatives.empty()) data[3] = Matrix<R>::Zero(static_cast<Eigen::Index>(elements.count()), d);
+    // Layers that nothing multiplies may be beyond the range of double.
+    if (pose.laplacians.empty() && pose.laplacian_derivatives.empty()) data.resize(2);
+    else if (pose.laplacians.empty()) data[2] = Matrix<R>::Zero(data[0].rows(), d);
+    else if (pose.laplacian_derivatives.empty())
+      data[3] = Matrix<R>::Zero(static_cast<Eigen::Index>(elements.count()), d);
     return std::make_unique<LinearPosed<R>>(std::move(data), std::move(report));
   }
 

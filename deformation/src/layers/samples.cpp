@@ -112,6 +112,8 @@ template <Scalar R>
 SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
   const CageElements& elements = coordinates.elements();
   SampledLayers<R> found;
+  const double size = size_of(elements);
+  found.unit = unit_of_layers(size);
   const Owner neumann = normals_owner(coordinates);
   const double wanted = count_of_samples(elements, level);
   const std::size_t columns = elements.vertices().size() + elements.count(neumann);
@@ -132,8 +134,6 @@ SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
     found.hats(static_cast<Eigen::Index>(s), corners[0]) = rest;
   }
   const auto tables = checked_limits<R>(coordinates, found.samples, 0);
-  const double size = size_of(elements);
-  found.unit = unit_of_layers(size);
   found.size = size / found.unit;
   const R unit(found.unit);
   found.phi = component(tables[0], count, 0, 1, 0);

@@ -6,12 +6,12 @@
 
 namespace cageproof::deformation {
 
-/// Kelvin's kernels are linear in 1/(1 - nu): T = T1 + T2/(1 - nu) and K = K1 + K2/(1 - nu) with parts that do not
-/// depend on nu. Blocks: T1, K1, which are the coordinates of an infinite nu, then T2, K2.
+/// Kelvin's kernels are linear in 1/(1 - nu), so that T and K of two values of nu give those of any. Blocks: T1, K1 of
+/// one, T2, K2 of the other. Not for printed forms, whose misprints are not linear.
 /// \param options of kind `somigliana`; its parameters are ignored, mu is one
 CageCoordinates somigliana_parts(const Cage& cage, const CoordinateOptions& options);
 
-/// T and K of one nu, from tables of the parts. \param nu infinite, or any number but 1
+/// T and K of a nu, from tables of the parts. \param nu infinite, or any number but 1
 template <Scalar R>
 std::vector<CoordinateTable<R>> assembled(std::span<const CoordinateTable<R>> parts, double nu);
 

@@ -148,9 +148,20 @@ class Somigliana final : public Deformer<R> {
   CorotationOptions options_;
 };
 
+// A form with a paper's misprint, which may not hang on nu as Kelvin's kernels do.
+bool is_printed(const Cage& cage, const std::string& evaluation) {
+  if (evaluation.empty()) return false;
+  const CoordinateKind& kind = coordinate_kind_named("somigliana");
+  return std::ranges::any_of(formulas_of(kind, cage), [&](const Formula* formula) {
+    const auto found = EvaluationRegister::instance().find(formula->name, evaluation);
+    return found && found->role() == Role::Printed;
+  });
+}
+
 template <Scalar R>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
-  const bool in_parts = std::ranges::find(options.varied, "nu") != options.varied.end();
+  const bool in_parts =
+      std::ranges::find(options.varied, "nu") != options.varied.end() && !is_printed(cage, options.evaluation);
   const CoordinateOptions plain{options.evaluation, options.triangulation, {1, options.parameters[kNu]}};
   return std::make_shared<Somigliana<R>>(
       in_parts ? somigliana_parts(cage, plain) : CageCoordinates(cage, coordinate_kind_named("somigliana"), plain),
