@@ -86,7 +86,7 @@ Json catalogue_json() {
     all["coordinates"].push_back(
         {{"name", kind.name}, {"source", kind.source}, {"blocks", blocks}, {"parameters", parameters}});
   }
-  const auto add_deformer = [&](const auto& method, const std::vector<KindParameter>& known, Json taken) {
+  const auto add_deformer = [&](const auto& method, const std::vector<KindParameter>& known, const Json& taken) {
     Json parameters = Json::array();
     for (const KindParameter& p : known) parameters.push_back(parameter_json(p));
     Json& all_of_them = all["deformers"];

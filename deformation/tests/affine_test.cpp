@@ -175,6 +175,7 @@ TEST(affine, own_normal_derivatives_turn_with_the_vertices) {
         EXPECT_LT((image(own, p, d) - image(given, p, d)).norm(), 1e-13 * c.size) << c.name << stretched;
       if (c.cage.vertices().size() > 8) continue;
       std::vector<Vec3<Mp50>> posed;
+      posed.reserve(c.posed.size());
       for (const Vec& v : c.posed) posed.push_back(convert<Mp50>(v));
       const auto exact = prepare_deformer<Mp50>(deform_method_named("biharmonic_1_3"), c.cage,
                                                 {.parameters = {1, stretched ? 1.0 : 3.0, 1, 0, 1}});

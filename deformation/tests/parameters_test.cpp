@@ -103,6 +103,7 @@ TEST(parameters, that_decide_coordinates_are_those_that_are_refused) {
     const auto known = parameters_of(method);
     for (std::size_t i = 0; i < known.size(); ++i) {
       std::vector<double> changed;
+      changed.reserve(known.size());
       for (const KindParameter& p : known) changed.push_back(p.preset);
       for (const double step : {1., -1., -0.125})
         if (known[i].allows(known[i].preset + step)) changed[i] = known[i].preset + step;
