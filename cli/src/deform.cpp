@@ -77,10 +77,19 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
     json["parameters"][std::string(chosen.known[i].name)] = value_json(chosen.known[i], map.parameters[i]);
   json["evaluation"] = coordinates.evaluation();
   json["cage"] = a.cage.file;
+  json["triangulation"] = a.cage.triangulate;
   json[chosen.constrained ? "constraints" : "posed_cage"] = map.file;
   for (auto [option, file] : given_data(a)) {
     std::ranges::replace(option, '-', '_');
     json[option] = file;
+  }
+  // What rows of these files belong to.
+  if (!given_data(a).empty()) {
+    const CageElements& elements = coordinates.elements();
+    for (std::size_t e = 0; e < elements.count(); ++e) {
+      const auto vertices = elements.vertices_of(e);
+      json["elements"].push_back(std::vector<int>(vertices.begin(), vertices.end()));
+    }
   }
   return json;
 }

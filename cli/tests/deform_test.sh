@@ -104,6 +104,9 @@ head -1 corners.csv | grep -q 'phi_7,psi_0_0,psi_0_1,psi_0_2,psi_1_0,.*psi_11_2,
 # A line a corner of each triangle.
 for i in $(seq 36); do echo "0 0 1"; done >corners.txt
 "$cageproof" deform "${common[@]}" --method biharmonic_1_3 --parameter neumann=affine --normal-derivatives corners.txt --out bent.csv || fail "affine normal derivatives"
+whole=$(tr -d ' \n' <bent.json)
+grep -q '"triangulation":"shortest"' <<<"$whole" || fail "no triangulation: $whole"
+[ "$(grep -o '"elements":\[\(\[[0-7],[0-7],[0-7]\],\?\)*\]' <<<"$whole" | grep -o '\[[0-7],' | wc -l)" -eq 12 ] || fail "not twelve triangles: $whole"
 refuses 'corners.txt' '36 rows' '12 elements' -- "${common[@]}" --method biharmonic_1_3 --normal-derivatives corners.txt --out one.csv
 head -12 corners.txt >few.txt
 refuses 'few.txt' '12 rows' '36 corners' -- "${common[@]}" --method biharmonic_1_3 --parameter neumann=affine --normal-derivatives few.txt --out one.csv

@@ -113,6 +113,7 @@ TEST(affine, densities_are_those_of_the_constraints) {
 
 TEST(affine, normal_derivatives_that_are_equal_are_constant_ones) {
   for (const Case& c : {cube(), bar(), l_shape()}) {
+    const int d = c.cage.dimension();
     const CageElements elements(c.cage, false, Triangulation::Shortest);
     std::vector<Vec> normals, corners;
     for (std::size_t e = 0; e < elements.count(); ++e) {
@@ -123,7 +124,7 @@ TEST(affine, normal_derivatives_that_are_equal_are_constant_ones) {
       const Images<double> affine = with_normals(c, *prepared(c.cage, method.name, method.affine), corners),
                            constant = with_normals(c, *prepared(c.cage, method.name, method.constant), normals);
       for (std::size_t p = 0; p < c.points.size(); ++p)
-        EXPECT_LT((image(affine, p) - image(constant, p)).norm(), 1e-12 * c.size) << c.name << method.name;
+        EXPECT_LT((image(affine, p, d) - image(constant, p, d)).norm(), 1e-12 * c.size) << c.name << method.name;
     }
   }
 }

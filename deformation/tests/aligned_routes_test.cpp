@@ -54,11 +54,6 @@ Mp least_not_negative(const Mp& matrix, const Mp& right) {
   return best;
 }
 
-double figure(const DeformationReport& report, std::string_view name) {
-  const auto found = std::ranges::find(report.figures, name, [](const auto& f) { return std::string_view(f.first); });
-  return found == report.figures.end() ? NAN : found->second;
-}
-
 struct Expected {
   Mp normals, sigma;  ///< no sigma of alignments without
 };

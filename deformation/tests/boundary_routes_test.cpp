@@ -115,11 +115,6 @@ Mp least_laplacians(const BoundaryRoute& route, const Mp& posed, const Mp& units
   return best;
 }
 
-double figure(const DeformationReport& report, std::string_view name) {
-  const auto found = std::ranges::find(report.figures, name, [](const auto& f) { return std::string_view(f.first); });
-  return found == report.figures.end() ? NAN : found->second;
-}
-
 TEST(boundary_routes, images_and_laplacians_are_those_of_normal_equations) {
   for (const Case& c : {square(), l_shape(), pentagon()})
     for (const int pieces : {1, 2, 4}) {

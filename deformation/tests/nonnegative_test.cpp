@@ -105,13 +105,6 @@ TEST(nonnegative, takes_what_is_zero_or_dependent) {
   EXPECT_THROW(nonnegative_least_squares<double>(matrix, right), InputError);
 }
 
-double figure(const DeformationReport& report, std::string_view name) {
-  for (const auto& [known, value] : report.figures)
-    if (known == name) return value;
-  ADD_FAILURE() << "no figure " << name;
-  return NAN;
-}
-
 constexpr double kHard = 0, kNonNegative = 3;
 
 TEST(nonnegative, alignment_is_hard_alignment_where_that_has_no_negative_stretch) {

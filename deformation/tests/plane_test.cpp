@@ -21,11 +21,6 @@ constexpr double kDiameter = 0, kOwn = 1;
 // In the paper's own setting, without new nodes.
 std::vector<double> as_printed(double normals) { return {normals, 1, kMidpoints, kOwn}; }
 
-double figure(const DeformationReport& report, std::string_view name) {
-  const auto found = std::ranges::find(report.figures, name, [](const auto& f) { return std::string_view(f.first); });
-  return found == report.figures.end() ? NAN : found->second;
-}
-
 struct Printed {
   Case of;
   Vec unit, complex, ahap;

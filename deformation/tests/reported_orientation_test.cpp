@@ -5,11 +5,6 @@
 namespace cageproof::deformation::test {
 namespace {
 
-double figure(const DeformationReport& report, std::string_view name) {
-  const auto found = std::ranges::find(report.figures, name, [](const auto& f) { return std::string_view(f.first); });
-  return found == report.figures.end() ? NAN : found->second;
-}
-
 bool has_normals_of_its_own(const Setting& s) {
   return deform_method_named(s.method).kind != s.method || s.method == "green" || s.method == "somigliana" ||
          s.method == "cauchy" || s.method == "biharmonic_boundary";

@@ -88,10 +88,6 @@ inline bool contains(const std::string& text, const std::string& words) {
   return text.find(words) != std::string::npos;
 }
 
-inline bool warns_of(const DeformationReport& report, const std::string& words) {
-  return std::ranges::any_of(report.warnings, [&](const std::string& w) { return contains(w, words); });
-}
-
 inline DeformationReport report_of(const Cage& cage, const Setting& setting, const std::vector<Vec>& posed) {
   return prepared_with(cage, setting)->pose({posed, {}})->report();
 }

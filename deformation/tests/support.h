@@ -6,6 +6,8 @@
 #include "cageproof/core/mesh_io.h"
 #include "cageproof/deformation/deformer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -84,6 +86,16 @@ inline Case l_shape() {
 inline Case pentagon() {
   return polygon("pentagon", {{0, 0}, {2, -.3}, {2.6, 1.1}, {1.1, 2.2}, {-.4, 1.2}},
                  {{0, 0}, {.3, -.1}, {.2, .4}, {-.1, .3}, {-.3, -.2}}, {1, .9, 0});
+}
+
+/// A figure of that name; NaN where the report has none.
+inline double figure(const DeformationReport& report, std::string_view name) {
+  const auto found = std::ranges::find(report.figures, name, [](const auto& f) { return std::string_view(f.first); });
+  return found == report.figures.end() ? NAN : found->second;
+}
+
+inline bool warns_of(const DeformationReport& report, std::string_view words) {
+  return std::ranges::any_of(report.warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
 /// Takes the larger one; what is no number is larger than any.

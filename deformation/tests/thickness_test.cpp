@@ -41,15 +41,6 @@ Constraints lifted(double by = 1) {
   return {.positions = {{{.5, .5, 0}, {.5, .5, 0}}, {{3, .5, 0}, {3, .5 + by, 0}}, {{5.5, .5, 0}, {5.5, .5, 0}}}};
 }
 
-double figure(const DeformationReport& report, std::string_view name) {
-  const auto found = std::ranges::find(report.figures, name, [](const auto& f) { return std::string_view(f.first); });
-  return found == report.figures.end() ? NAN : found->second;
-}
-
-bool warns_of(const DeformationReport& report, const std::string& words) {
-  return std::ranges::any_of(report.warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
-}
-
 TEST(thickness, bar_is_that_of_the_specification) {
   const Thickness<double> model(long_bar(), lifted(), {.coordinates = as_printed});
   const auto posed = model.pose();

@@ -37,10 +37,6 @@ TEST(variational_input, targets_may_move) {
   EXPECT_EQ(complaint(), "7 targets for 8 positional constraints");
 }
 
-bool warns_of(const DeformationReport& report, const std::string& words) {
-  return std::ranges::any_of(report.warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
-}
-
 TEST(variational_input, reports) {
   const Case c = bar();
   const Constraints all = bar_constraints(c.cage);

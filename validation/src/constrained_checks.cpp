@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/constrained_checks.h"
 
-#include "cageproof/core/random_stream.h"
-#include "cageproof/core/unknown_name.h"
-#include "cageproof/validation/deformer_campaign.h"
+#include "constrained_problem.h"
 
-#include <fmt/format.h>
+#include "cageproof/core/unknown_name.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,117 +11,12 @@
 namespace cageproof::validation {
 namespace {
 
-using deformation::ConstrainedDeformer;
-using deformation::ConstraintMethod;
-using deformation::Constraints;
 using deformation::Images;
 
-constexpr std::string_view rigid_pose = "rigid";
-constexpr int most_positions = 6, orientations = 1, rotations = 4, most_hessians = 60;
-// Of a cage of size one: with beta so small, rigid targets are met to rounding within the steps that they are given.
-constexpr double of_jacobians = 1e-3, of_hessians = 1e-4;
 constexpr int few_steps = 40, many_steps = 400;
 constexpr double larger = 10;
 
-int power_of_length(std::string_view weight) { return weight == "gamma" ? 4 : 2; }
-
-bool is_weight(std::string_view parameter) {
-  return parameter == "alpha" || parameter == "beta" || parameter == "gamma";
-}
-
-// Positions, and of methods that take more an orientation, rotations and as many Hessians as hold all coefficients.
-std::size_t positions_of(const ConstraintMethod& method, const Cage& cage) {
-  if (!method.positions_alone) return most_positions;
-  return std::clamp<std::size_t>(cage.vertices().size() / 2, 1, 3);
-}
-std::size_t number_of_places(const ConstraintMethod& method, const Cage& cage, Triangulation rule) {
-  const std::size_t positions = positions_of(method, cage);
-  if (method.positions_alone) return positions;
-  const std::size_t unknowns = 2 * (cage.vertices().size() + cage.parts(false, rule).elements.size());
-  return positions + orientations + rotations +
-         std::min<std::size_t>(most_hessians, unknowns / static_cast<std::size_t>(cage.dimension()));
-}
-std::vector<Vec3<double>> places_for(const ConstraintMethod& method, const Cage& cage, Triangulation rule) {
-  return interior_points(cage, rule, 0, static_cast<int>(number_of_places(method, cage, rule)));
-}
-
-Eigen::Matrix3d within(int d, Eigen::Matrix3d matrix) {
-  if (d == 2) matrix.row(2).setZero(), matrix.col(2).setZero();
-  return matrix;
-}
-
-SpaceMap turn(int d) {
-  const std::vector<SpaceMap> maps = space_maps(d);
-  SpaceMap found = maps[2];
-  found.shift = maps[1].shift;
-  return found;
-}
-
 }  // namespace
-
-std::vector<ConstrainedVariant> variants_of(const ConstraintMethod& method) {
-  std::vector<double> values;
-  values.reserve(method.parameters.size());
-  for (const KindParameter& p : method.parameters)
-    values.push_back(p.name == "gamma" ? of_hessians : is_weight(p.name) ? of_jacobians : p.preset);
-  const auto named = std::ranges::find_if(method.parameters, [](const KindParameter& p) { return !p.names.empty(); });
-  // Those of the coordinates come after the method's own.
-  if (method.positions_alone || named == method.parameters.end()) return {{&method, "", values}};
-  std::vector<ConstrainedVariant> variants;
-  variants.reserve(named->names.size());
-  for (std::size_t value = 0; value < named->names.size(); ++value) {
-    variants.push_back({&method, fmt::format("{}={}", named->name, named->names[value]), values});
-    variants.back().parameters[named - method.parameters.begin()] = static_cast<double>(value);
-  }
-  return variants;
-}
-
-ConstrainedVariant variant_named(const ConstraintMethod& method, std::string_view name) {
-  for (ConstrainedVariant& variant : variants_of(method))
-    if (variant.name == name) return std::move(variant);
-  throw unknown_name(fmt::format("variant of {}", method.name), name);
-}
-
-bool can_be_asked(const ConstraintMethod& method, const Cage& cage, Triangulation rule) {
-  if (method.dimension != 0 && method.dimension != cage.dimension()) return false;
-  const CoordinateKind& kind = coordinate_kind_named(method.kind.empty() ? "biharmonic" : method.kind);
-  return accepts(kind, cage) && places_for(method, cage, rule).size() == number_of_places(method, cage, rule);
-}
-
-// A cage, and what is asked of its map.
-struct ConstrainedChecks::Problem {
-  Cage cage;
-  Constraints constraints;
-  double size;  ///< of the cage before it was turned, in the cage's unit
-
-  std::shared_ptr<const ConstrainedDeformer<double>> prepared(const ConstrainedVariant& variant, Triangulation rule,
-                                                              int steps) const {
-    std::vector<double> values = variant.parameters;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      const std::string_view name = variant.method->parameters[k].name;
-      if (is_weight(name)) values[k] *= std::pow(size, power_of_length(name));
-      else if (name == "steps") values[k] = steps;
-      // All steps, of methods that stop before.
-      else if (name == "tolerance") values[k] = 0;
-    }
-    return prepare_constrained(*variant.method, cage, constraints,
-                               {.triangulation = rule, .parameters = std::move(values)});
-  }
-
-  Problem under(const SpaceMap& map, double length) const {
-    const auto there = [&](const Vec3<double>& x) { return Vec3<double>(length * map(x, size)); };
-    std::vector<Vec3<double>> vertices;
-    vertices.reserve(cage.vertices().size());
-    for (const Vec3<double>& v : cage.vertices()) vertices.push_back(there(v));
-    Problem found{cage.with(vertices, cage.faces()), constraints, length * size};
-    for (auto& [at, to] : found.constraints.positions) at = there(at), to = there(to);
-    for (auto& [at, jacobian] : found.constraints.orientations)
-      at = there(at), jacobian = Mat3<double>(map.linear * jacobian * map.linear.transpose());
-    for (Vec3<double>& at : found.constraints.rotations) at = there(at);
-    for (Vec3<double>& at : found.constraints.hessians) at = there(at);
-    return found;
-  }
-};
 
 ConstrainedChecks::ConstrainedChecks(std::shared_ptr<const Cage> cage, ConstrainedVariant variant, Triangulation rule)
     : cage_(std::move(cage)),
@@ -131,29 +24,8 @@ ConstrainedChecks::ConstrainedChecks(std::shared_ptr<const Cage> cage, Constrain
       rule_(rule),
       places_(places_for(*variant_.method, *cage_, rule)) {}
 
-ConstrainedChecks::Problem ConstrainedChecks::problem(std::string_view pose) const {
-  const int d = cage_->dimension();
-  const SpaceMap rigid = turn(d);
-  const bool is_bent = pose == bent_pose;
-  if (!is_bent && pose != rigid_pose) throw unknown_name("pose", pose);
-  // Quads as triangles, whose diagonals rounding does not choose again where the cage is turned.
-  const std::vector<Face> elements = cage_->parts(false, rule_).elements;
-  Problem found{cage_->with(cage_->vertices(), elements), {}, cage_->size()};
-  const std::size_t positions = positions_of(*variant_.method, *cage_);
-  for (std::size_t p = 0; p < positions; ++p) {
-    Vec3<double> to = is_bent ? places_[p] : rigid(places_[p], cage_->size());
-    RandomStream random(0, fmt::format("constrained/{}", cage_->name()), p);
-    for (int c = 0; c < d && is_bent; ++c) to[c] += cage_->size() * random.uniform(-0.05, 0.05);
-    found.constraints.positions.push_back({places_[p], to});
-  }
-  if (variant_.method->positions_alone) return found;
-  Eigen::Matrix3d bent_jacobian;
-  bent_jacobian << 1.1, 0.1, -0.05, 0.05, 0.9, 0.1, -0.1, 0.05, 1.05;
-  auto place = places_.begin() + static_cast<std::ptrdiff_t>(positions);
-  found.constraints.orientations.push_back({*place++, within(d, is_bent ? bent_jacobian : rigid.linear)});
-  for (int k = 0; k < rotations; ++k) found.constraints.rotations.push_back(*place++);
-  found.constraints.hessians.assign(place, places_.end());
-  return found;
+ConstrainedProblem ConstrainedChecks::problem(std::string_view pose) const {
+  return constrained_problem(*variant_.method, *cage_, places_, pose, rule_);
 }
 
 std::vector<ConstrainedChecks::Question> ConstrainedChecks::questions() const {
@@ -170,7 +42,7 @@ std::vector<ConstrainedChecks::Question> ConstrainedChecks::questions() const {
 
 std::vector<DeformerError> ConstrainedChecks::ask(const Question& question,
                                                   std::span<const Vec3<double>> points) const {
-  const Problem asked = problem(question.pose);
+  const ConstrainedProblem asked = problem(question.pose);
   if (question.check == "constrained_motion") return moved(asked, turn(cage_->dimension()), 1, points);
   if (question.check == "constrained_unit") return moved(asked, SpaceMap{}, larger, points);
   if (question.check == "energy_is_flat") return {flatness(asked)};
@@ -194,9 +66,9 @@ std::vector<DeformerError> ConstrainedChecks::ask(const Question& question,
   return {{worst, worst}};
 }
 
-std::vector<DeformerError> ConstrainedChecks::moved(const Problem& here, const SpaceMap& map, double length,
+std::vector<DeformerError> ConstrainedChecks::moved(const ConstrainedProblem& here, const SpaceMap& map, double length,
                                                     std::span<const Vec3<double>> points) const {
-  const Problem other = here.under(map, length);
+  const ConstrainedProblem other = here.under(map, length);
   const double size = cage_->size();
   const int d = cage_->dimension();
   const auto model = here.prepared(variant_, rule_, few_steps), there = other.prepared(variant_, rule_, few_steps);
@@ -222,7 +94,7 @@ std::vector<DeformerError> ConstrainedChecks::moved(const Problem& here, const S
 
 // Half the gradient of the energy in the coefficients, in a unit in which the cage's size is one, by loops over
 // constraints: in the first step rotations are those nearest to the identity.
-DeformerError ConstrainedChecks::flatness(const Problem& problem) const {
+DeformerError ConstrainedChecks::flatness(const ConstrainedProblem& problem) const {
   const auto model = problem.prepared(variant_, rule_, 1);
   const auto posed = model->pose();
   const CageCoordinates& coordinates = model->coordinates();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "corner_normals.h"
 
-#include "../somigliana/corotation.h"
+#include "../turns.h"
 
 namespace cageproof::deformation {
 

@@ -26,11 +26,4 @@ template <Scalar R>
 Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>& posed,
                             const CorotationOptions& options);
 
-/// Of each vertex, the rotation nearest to the sum of those of its elements, weighted with rest areas or lengths: those
-/// of corotation_of where nothing is blended.
-/// \param warnings takes vertices whose rotation is not unique \throws InputError for an element without a normal
-template <Scalar R>
-std::vector<Matrix<R>> vertex_rotations(const CageElements& rest, const std::vector<Vec3<R>>& posed,
-                                        std::vector<std::string>& warnings);
-
 }  // namespace cageproof::deformation

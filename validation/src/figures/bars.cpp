@@ -13,10 +13,9 @@ std::string comparison_text() {
   return "One posed cage (blue), and what each deformer makes of the mesh in it. Mean value coordinates meet the cage "
          "and "
          "may dent the mesh; Green coordinates keep angles and leave the cage; the regularised biharmonic ones follow "
-         "it more "
-         "closely, the more so with normal derivatives of least energy (AHAP, AAAP, TP); Somigliana coordinates behave "
-         "as an "
-         "elastic body. Red: faces that show their inner side.";
+         "it "
+         "more closely, with unit normal derivatives or with those of least energy (AHAP, AAAP, TP); Somigliana "
+         "coordinates behave as an elastic body. Red: faces that show their inner side.";
 }
 
 std::string elastic_text(const std::string& variant) {

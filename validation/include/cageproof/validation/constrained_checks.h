@@ -30,6 +30,8 @@ ConstrainedVariant variant_named(const deformation::ConstraintMethod& method, st
 /// Whether the method takes the cage, and enough points lie deep enough inside for constraints.
 bool can_be_asked(const deformation::ConstraintMethod& method, const Cage& cage, Triangulation rule);
 
+struct ConstrainedProblem;
+
 /// Questions to one method on one cage. Constraints are drawn to a map of space, or, `bent`, each target by itself away
 /// from it by up to a twentieth of the size; their places depend on the cage alone. Safe from any thread.
 class ConstrainedChecks {
@@ -54,11 +56,10 @@ class ConstrainedChecks {
   std::vector<DeformerError> ask(const Question& question, std::span<const Vec3<double>> points) const;
 
  private:
-  struct Problem;
-  Problem problem(std::string_view pose) const;
-  std::vector<DeformerError> moved(const Problem& here, const SpaceMap& map, double length,
+  ConstrainedProblem problem(std::string_view pose) const;
+  std::vector<DeformerError> moved(const ConstrainedProblem& here, const SpaceMap& map, double length,
                                    std::span<const Vec3<double>> points) const;
-  DeformerError flatness(const Problem& problem) const;
+  DeformerError flatness(const ConstrainedProblem& problem) const;
 
   std::shared_ptr<const Cage> cage_;
   ConstrainedVariant variant_;
