@@ -1,33 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Meshes deformed from the command line, and how that is refused. Usage: deform_test.sh PATH_OF_CAGEPROOF
-set -u
-cageproof=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 2
-failures=0
+# shellcheck source=support.sh
+source "$(dirname "$(readlink -f "$0")")/support.sh"
 
-fail() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
-
-# refuses WORDS... -- ARGUMENTS of deform...: exit 2, one line on standard error that holds every word, no file written.
-refuses() {
-  local words=() word before
-  while [ "$1" != -- ]; do words+=("$1"); shift; done
-  shift
-  rm -f stdout stderr
-  before=$(ls)
-  "$cageproof" deform "$@" >stdout 2>stderr </dev/null
-  local code=$?
-  [ $code -eq 2 ] || fail "exit $code, not 2: $*"
-  [ "$(wc -l <stderr)" -eq 1 ] || fail "not one line: $* : $(cat stderr)"
-  for word in "${words[@]}"; do grep -qF -- "$word" stderr || fail "no '$word' in: $(cat stderr)"; done
-  rm -f stdout stderr
-  [ "$(ls)" = "$before" ] || fail "left something behind: $*"
-}
+# refuses WORDS... -- ARGUMENTS of deform...
+refuses() { refuses_to deform "$@"; }
 
 # The embedded cube, a pose that is twice as large, and a mesh in it: a quad and a triangle.
 cat >large.obj <<'OBJ'

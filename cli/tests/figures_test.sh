@@ -1,30 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The papers' figures from the command line, and how that is refused. Usage: figures_test.sh PATH_OF_CAGEPROOF
-set -u
-cageproof=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 2
-failures=0
+# shellcheck source=support.sh
+source "$(dirname "$(readlink -f "$0")")/support.sh"
 
-fail() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
-
-# refuses WORD -- ARGUMENTS of figures...: exit 2, one line on standard error that holds the word, nothing written.
-refuses() {
-  local word=$1 before
-  shift 2
-  before=$(ls -R)
-  "$cageproof" figures "$@" >/dev/null 2>/tmp/figures-stderr.$$ </dev/null
-  [ $? -eq 2 ] || fail "not exit 2: $*"
-  [ "$(wc -l </tmp/figures-stderr.$$)" -eq 1 ] || fail "not one line: $* : $(cat /tmp/figures-stderr.$$)"
-  grep -qF -- "$word" /tmp/figures-stderr.$$ || fail "no '$word' in: $(cat /tmp/figures-stderr.$$)"
-  rm -f /tmp/figures-stderr.$$
-  [ "$(ls -R)" = "$before" ] || fail "left something behind: $*"
-}
+# refuses WORDS... -- ARGUMENTS of figures...
+refuses() { refuses_to figures "$@"; }
 
 "$cageproof" figures --out one --jobs 1 >lines </dev/null || fail "embedded figures"
 "$cageproof" figures --out two --jobs 2 >/dev/null </dev/null || fail "with two threads"

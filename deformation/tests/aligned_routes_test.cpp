@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Aligned normal derivatives ([T24] Eq 31-36) against normal equations as printed, of second differences in 100 digits.
 #include "aligned_routes.h"
+#include "least_over_sets.h"
 
 #include <gtest/gtest.h>
 
@@ -30,28 +31,6 @@ Mp posed_units(const CageElements& elements, const std::vector<Vec>& posed) {
     found.row(static_cast<int>(e)) = unit_normal(corners).head(d).transpose();
   }
   return found;
-}
-
-// The least energy over all sets of stretches that may be zero: all normal equations have the energy's constant in
-// common, so that s^T matrix s - 2 s^T right decides.
-Mp least_not_negative(const Mp& matrix, const Mp& right) {
-  const int m = static_cast<int>(right.rows());
-  Mp best = Mp::Zero(m, 1);
-  Mp50 least = 0;
-  for (unsigned set = 1; set < 1U << m; ++set) {
-    std::vector<int> columns;
-    columns.reserve(m);
-    for (int k = 0; k < m; ++k)
-      if ((set >> k & 1U) != 0) columns.push_back(k);
-    const Mp part = matrix(columns, columns), data = right(columns, Eigen::all);
-    const Mp solution = Eigen::PartialPivLU<Mp>(part).solve(data);
-    const Mp50 lowered = -data.cwiseProduct(solution).sum();
-    if (solution.minCoeff() < 0 || lowered >= least) continue;
-    least = lowered;
-    best.setZero();
-    for (std::size_t k = 0; k < columns.size(); ++k) best(columns[k], 0) = solution(static_cast<int>(k), 0);
-  }
-  return best;
 }
 
 struct Expected {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The plane's solved deformers ([W12] Eq 17-20) by another route: Green layers of the divided polygon next to it in
 // place of limits, and normal equations in 50 digits in place of pseudo-inverses.
-#include "regularised_routes.h"
+#include "least_over_sets.h"
 
 #include <gtest/gtest.h>
 
@@ -90,29 +90,12 @@ struct BoundaryRoute {
   }
 };
 
-// The outward unit normals that least Laplacians are made by, over all sets of stretches that may be zero.
+// The outward normals that least Laplacians are made by.
 Mp least_laplacians(const BoundaryRoute& route, const Mp& posed, const Mp& units) {
-  const int n = static_cast<int>(units.rows());
-  Mp best = Mp::Zero(n, 2);
-  Mp50 least = route.laplacians(posed, best).squaredNorm();
-  const Mp part = route.of_normals * route.to_pieces, fixed = route.laplacians(posed, best);
+  const Mp part = route.of_normals * route.to_pieces, fixed = route.laplacians(posed, Mp::Zero(units.rows(), 2));
   const Mp gram = (part.transpose() * part).cwiseProduct(units * units.transpose());
-  const Mp right = -Mp(part.transpose() * fixed).cwiseProduct(units).rowwise().sum();
-  for (unsigned set = 1; set < 1U << n; ++set) {
-    std::vector<int> columns;
-    columns.reserve(n);
-    for (int k = 0; k < n; ++k)
-      if ((set >> k & 1U) != 0) columns.push_back(k);
-    const Mp matrix = gram(columns, columns), data = right(columns, Eigen::all);
-    const Mp stretches = Eigen::FullPivLU<Mp>(matrix).solve(data);
-    if (stretches.minCoeff() < 0) continue;
-    Mp normals = Mp::Zero(n, 2);
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      normals.row(columns[k]) = stretches(static_cast<int>(k), 0) * units.row(columns[k]);
-    const Mp50 found = route.laplacians(posed, normals).squaredNorm();
-    if (found < least) least = found, best = normals;
-  }
-  return best;
+  const Mp stretches = least_not_negative(gram, -Mp(part.transpose() * fixed).cwiseProduct(units).rowwise().sum());
+  return stretches.col(0).asDiagonal() * units;
 }
 
 TEST(boundary_routes, images_and_laplacians_are_those_of_normal_equations) {

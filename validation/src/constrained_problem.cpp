@@ -46,8 +46,9 @@ Eigen::Matrix3d within(int d, Eigen::Matrix3d matrix) {
 
 SpaceMap turn(int d) {
   const std::vector<SpaceMap> maps = space_maps(d);
-  SpaceMap found = maps[2];
-  found.shift = maps[1].shift;
+  const auto posed = [&](std::string_view pose) { return *std::ranges::find(maps, pose, &SpaceMap::pose); };
+  SpaceMap found = posed("rotation");
+  found.shift = posed("shift").shift;
   return found;
 }
 

@@ -150,6 +150,35 @@ TEST(PaperFigures, panels_show_their_method_with_their_parameters) {
       }
 }
 
+// Coordinates are shared by panels of a kind; parameters that decide the coordinates make others.
+TEST(PaperFigures, panels_whose_parameters_decide_the_coordinates_have_their_own) {
+  const auto cage = std::make_shared<const Cage>(embedded_cage("cube"));
+  std::vector<Vec3<double>> posed = cage->vertices();
+  posed[7] += Vec3<double>(0.3, 0.2, 0.4);
+  DeformedPlan plan{.name = "two", .cage = cage, .mesh = {}, .sheets = {}};
+  plan.mesh.mesh.vertices = {{0.1, 0.2, -0.15}, {0.3, -0.35, 0.25}};
+  plan.sheets.push_back({.name = "two", .heading = "", .source = "", .text = "", .columns = 2, .panels = {}});
+  const std::vector<std::pair<std::string, double>> kinds{{"constant", 0}, {"affine", 1}};
+  for (const auto& [neumann, value] : kinds)
+    plan.sheets[0].panels.push_back({.title = neumann,
+                                     .file = neumann,
+                                     .method = "biharmonic_1_3",
+                                     .parameters = {{"neumann", neumann}},
+                                     .posed = posed});
+  const auto figure = deformed_figure(plan);
+  const FigureFindings found = all_of(*figure);
+  for (const auto& [neumann, value] : kinds) {
+    const auto deformer = deformation::prepare_deformer<double>(deformation::deform_method_named("biharmonic_1_3"),
+                                                                *cage, {.parameters = {1, 3, 1, 0, value}});
+    const auto images =
+        deformer->images(*deformer->pose({posed}), std::span(std::as_const(plan.mesh.mesh.vertices)), 0);
+    const auto& shown = found.at("figure/two/" + neumann).vertices;
+    ASSERT_EQ(shown.size(), 2U);
+    for (std::size_t p = 0; p < 2; ++p)
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(images.tensors[0][p * 3 + c], shown[p][c], 1e-12) << neumann;
+  }
+}
+
 TEST(PaperFigures, do_not_depend_on_threads_and_need_all_their_parts) {
   const auto figure = plane_bar_figure();
   FigureFindings one = all_of(*figure, 1);

@@ -128,9 +128,11 @@ class DeformedFigure final : public PaperFigure {
       const auto known = parameters_of(method);
       const auto values = parameter_values(known, panel.parameters);
       key = method.kind;
-      for (const KindParameter& own : parameters_of(coordinate_kind_named(method.kind)))
-        for (std::size_t i = 0; i < known.size(); ++i)
-          if (known[i].name == own.name) key += fmt::format(" {}={}", own.name, values[i]);
+      const auto of_kind = parameters_of(coordinate_kind_named(method.kind));
+      for (std::size_t i = 0; i < known.size(); ++i)
+        if (decides_coordinates(method, known[i].name) ||
+            std::ranges::find(of_kind, known[i].name, &KindParameter::name) != of_kind.end())
+          key += fmt::format(" {}={}", known[i].name, values[i]);
     }
     const auto found = std::ranges::find(groups_, key, &Group::key);
     return found != groups_.end() ? found->shown : groups_.emplace_back(key, std::vector<Shown>()).shown;
