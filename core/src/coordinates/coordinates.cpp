@@ -4,8 +4,11 @@
 #include "summed.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/whole_evaluation.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace cageproof {
 namespace {
@@ -51,6 +54,24 @@ std::vector<Result<R>> results_of(std::vector<CoordinateTable<R>> tables, int or
   return results;
 }
 
+// Adds one block's coordinates times its data, of `count` points that stand in the result from point `first` on.
+void add_products(const CoordinateTable<double>& table, const CoordinateBlock& block, const CageData& data,
+                  std::size_t b, int order, std::size_t derivatives, std::size_t count, std::size_t first,
+                  AppliedTable& result) {
+  const std::size_t rows = block.shape.rows, columns = block.shape.columns, sets = data.sets;
+  for (std::size_t p = 0; p < count; ++p) {
+    const double* from = table.tensors[order].data() + p * table.stride[order];
+    double* const to = result.tensors[order].data() + (first + p) * result.stride[order];
+    for (int c = 0; c < block.size; ++c)
+      for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < columns; ++column, from += derivatives)
+          for (std::size_t set = 0; set < sets; ++set) {
+            const double x = data.blocks[b][(c * columns + column) * sets + set];
+            for (std::size_t d = 0; d < derivatives; ++d) to[(row * sets + set) * derivatives + d] += x * from[d];
+          }
+  }
+}
+
 }  // namespace
 
 CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, CoordinateOptions options)
@@ -58,7 +79,16 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
   options.parameters = checked_parameters(kind, std::move(options.parameters));
   require_accepted(kind, cage, options.parameters);
   elements_ = std::make_shared<const CageElements>(cage, kind.keeps_quads, options.triangulation);
-  prepared_ = kind.is_sum() ? prepare_sum(kind, elements_, options) : kind.prepare(cage, options);
+  const WholeEvaluation* const whole = find_whole_evaluation(options.evaluation);
+  if (whole == nullptr) {
+    prepared_ = kind.is_sum() ? prepare_sum(kind, elements_, options) : kind.prepare(cage, options);
+    return;
+  }
+  if (!kind.is_sum() || !whole->exists(kind, cage))
+    throw InputError(fmt::format("{}: no {} evaluation of {} coordinates", cage.name(), whole->name, kind.name));
+  CoordinateOptions plain = options;
+  plain.evaluation.clear();
+  prepared_ = whole->prepare(kind, elements_, options, prepare_sum(kind, elements_, plain));
 }
 
 template <Scalar R>
@@ -78,6 +108,28 @@ std::vector<CoordinateTable<R>> CageCoordinates::at(std::span<const Vec3<R>> poi
   auto tables = tables_for<R>(points.size(), order);
   prepared_->fill(points, order, tables);
   return tables;
+}
+
+AppliedTable CageCoordinates::apply(std::span<const Vec3<double>> points, int order, const CageData& data) const {
+  const std::size_t rows = blocks().front().shape.rows, sets = data.sets;
+  for (const CoordinateBlock& block : blocks())
+    if (static_cast<std::size_t>(block.shape.rows) != rows)
+      throw InputError(fmt::format("{} coordinates make no one function of cage data", kind_->name));
+  AppliedTable result;
+  for (int o = 0; o <= order; ++o) {
+    result.stride[o] = rows * sets * derivative_count(dimension(), o);
+    result.tensors[o].assign(points.size() * result.stride[o], 0.0);
+  }
+  if (prepared_->apply(points, order, data, result)) return result;
+  constexpr std::size_t block_size = 64;
+  for (std::size_t first = 0; first < points.size(); first += block_size) {
+    const auto here = points.subspan(first, std::min(block_size, points.size() - first));
+    const auto tables = at<double>(here, order);
+    for (std::size_t b = 0; b < tables.size(); ++b)
+      for (int o = 0; o <= order; ++o)
+        add_products(tables[b], blocks()[b], data, b, o, derivative_count(dimension(), o), here.size(), first, result);
+  }
+  return result;
 }
 
 template <Scalar R>

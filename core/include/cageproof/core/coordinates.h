@@ -57,6 +57,20 @@ struct CoordinateTable {
   std::array<std::size_t, 3> stride{};  ///< numbers a point
 };
 
+/// What coordinates are multiplied with: deformed vertices and normals, say. Block b's numbers lie as
+/// [coordinate][column][set], where a coordinate that is a number counts as one column.
+struct CageData {
+  int sets = 3;
+  std::vector<std::vector<double>> blocks;
+};
+
+/// The functions that coordinates make of cage data at a block of points: tensors[o] is [point][row][set][derivatives],
+/// where coordinates that are numbers have one row.
+struct AppliedTable {
+  std::array<std::vector<double>, 3> tensors;
+  std::array<std::size_t, 3> stride{};  ///< numbers a point
+};
+
 /// A linear system that was solved to prepare a kind for its cage.
 struct SolvedSystem {
   std::string name;   ///< "Psi^H k = (H - Phi^H) l"
@@ -98,6 +112,12 @@ class PreparedCoordinates {
                     std::span<CoordinateTable<double>> tables) const = 0;
   virtual void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const = 0;
   virtual void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const = 0;
+  /// Adds the sums of coordinates times data to a table that the caller sized and set to zero, without keeping
+  /// coordinates. False, and nothing done, for kinds that know no quicker way than coordinates first.
+  virtual bool apply(std::span<const Vec3<double>> /*points*/, int /*order*/, const CageData& /*data*/,
+                     AppliedTable& /*table*/) const {
+    return false;
+  }
   /// Limits from inside at points within elements, which are given by their basis functions there, whatever rounding
   /// makes of the points themselves: for these are seldom doubles. False, and nothing done, for kinds that do not have
   /// such limits: those whose coordinates are no numbers, normalised ones, and those that are neither sums over
@@ -158,7 +178,8 @@ struct KindParameter : Parameter {
 
 /// What a kind is prepared with.
 struct CoordinateOptions {
-  std::string evaluation = {};  ///< of its formulas; empty for each formula's recommended one
+  /// Of its formulas, or of whole coordinates (WholeEvaluation); empty for each formula's recommended one.
+  std::string evaluation = {};
   Triangulation triangulation = Triangulation::Shortest;
   std::vector<double> parameters = {};  ///< in the order of parameters_of(kind); empty for their defaults
 };
@@ -270,6 +291,11 @@ class CageCoordinates {
   /// R: double or Mp50 \throws InputError for kinds that do not solve for them
   template <Scalar R>
   std::vector<CoordinateTable<R>> boundary_laplacians() const;
+
+  /// The functions that coordinates make of cage data, a block of points at a time: no more than a few thousand
+  /// points' coordinates are kept. \pre one list a block, as long as its coordinates, columns and sets ask
+  /// \throws InputError where blocks have different numbers of rows
+  AppliedTable apply(std::span<const Vec3<double>> points, int order, const CageData& data) const;
 
   /// One point: one result a block.
   template <Scalar R>

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Ways to compute all coordinates of a cage at once, instead of formula by formula and element by element.
+#pragma once
+
+#include "cageproof/core/coordinates.h"
+
+#include <list>
+
+namespace cageproof {
+
+/// A way to compute whole coordinates of kinds that are sums over elements. Its name stands where a formula's
+/// evaluation does (CoordinateOptions::evaluation).
+struct WholeEvaluation {
+  std::string_view name;
+  std::string_view description;
+  Role role = Role::Batched;
+  /// Whether it computes the kind in that cage, which the kind accepts.
+  bool (*exists)(const CoordinateKind& kind, const Cage& cage) = nullptr;
+  /// \param options with all parameters \param summed the same kind by recommended evaluations, for scalars and points
+  /// that this one leaves to them \pre exists(kind, cage)
+  std::shared_ptr<const PreparedCoordinates> (*prepare)(const CoordinateKind& kind,
+                                                        std::shared_ptr<const CageElements> elements,
+                                                        const CoordinateOptions& options,
+                                                        std::shared_ptr<const PreparedCoordinates> summed) = nullptr;
+};
+
+/// All of them, in the order in which they were added. They stay where they are.
+const std::list<WholeEvaluation>& whole_evaluations();
+
+/// Adds one at program start: `const RegisterWholeEvaluation r{...};` at namespace scope of a .cpp.
+struct RegisterWholeEvaluation {
+  explicit RegisterWholeEvaluation(WholeEvaluation evaluation);
+};
+
+/// The one of that name, or null.
+const WholeEvaluation* find_whole_evaluation(std::string_view name);
+
+/// What users get who name no evaluation: the name of the first of role batched that computes the kind in the cage;
+/// empty, for the formulas' recommended evaluations, where there is none.
+std::string preferred_evaluation(const CoordinateKind& kind, const Cage& cage);
+
+}  // namespace cageproof

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/core/whole_evaluation.h"
+
+namespace cageproof {
+namespace {
+
+// Made when first asked for, so that evaluations may be added from any file before main.
+std::list<WholeEvaluation>& known() {
+  static std::list<WholeEvaluation> instance;
+  return instance;
+}
+
+}  // namespace
+
+const std::list<WholeEvaluation>& whole_evaluations() { return known(); }
+
+RegisterWholeEvaluation::RegisterWholeEvaluation(WholeEvaluation evaluation) { known().push_back(evaluation); }
+
+const WholeEvaluation* find_whole_evaluation(std::string_view name) {
+  for (const WholeEvaluation& evaluation : known())
+    if (evaluation.name == name) return &evaluation;
+  return nullptr;
+}
+
+std::string preferred_evaluation(const CoordinateKind& kind, const Cage& cage) {
+  if (!kind.is_sum()) return {};
+  for (const WholeEvaluation& evaluation : known())
+    if (evaluation.role == Role::Batched && evaluation.exists(kind, cage)) return std::string(evaluation.name);
+  return {};
+}
+
+}  // namespace cageproof
