@@ -31,11 +31,33 @@ struct Prepared {
   }
 };
 
+// All points, or as many of them as take some seconds: whole evaluations leave some orders to sums.
+std::vector<Vec3<double>> affordable(const Prepared& prepared, int order) {
+  constexpr std::size_t tried = 64;
+  constexpr double seconds = 2;
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
+  const auto few = spread(prepared.points, tried);
+  auto tables = prepared.coordinates.tables_for(few.size(), order);
+  const double start = seconds_of(Clock::Processor);
+  prepared.coordinates.fill(few, order, tables);
+  const double a_point = (seconds_of(Clock::Processor) - start) / static_cast<double>(few.size());
+  const double all = a_point * static_cast<double>(prepared.points.size());
+  return all < seconds ? prepared.points
+                       : spread(prepared.points, std::max(tried, static_cast<std::size_t>(seconds / a_point)));
+}
+
+void run_fill(benchmark::State& state, const Prepared& prepared, int order) {
+  const auto points = affordable(prepared, order);
+  const double seconds = time_fill(state, prepared.coordinates, points, order, 1, Clock::Processor);
+  count_pairs(state, seconds, points.size(), prepared.coordinates.elements());
+}
+
 void run_apply(benchmark::State& state, const Prepared& prepared, int order) {
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
   const CageCoordinates& coordinates = prepared.coordinates.coordinates();
   const CageData data = data_of_pose(coordinates, prepared.what->posed);
-  const std::span points(prepared.points);
+  const auto chosen = affordable(prepared, order);
+  const std::span points(chosen);
   coordinates.apply(points.first(1), order, data);
   const double start = seconds_of(Clock::Processor);
   for (auto _ : state) {
@@ -64,10 +86,7 @@ void add_evaluation(const std::shared_ptr<const DeformedCage>& what, const Coord
   for (int order = 0; order <= prepared->coordinates.max_order(); ++order) {
     const std::string start = fmt::format("cage/{}/{}/{}", kind.name, evaluation.name, order_names[order]);
     names.push_back(fmt::format("{}/{}", start, what->name));
-    add_benchmark(names.back(), [prepared, order](benchmark::State& state) {
-      const double seconds = time_fill(state, prepared->coordinates, prepared->points, order, 1, Clock::Processor);
-      count_pairs(state, seconds, prepared->points.size(), prepared->coordinates.elements());
-    });
+    add_benchmark(names.back(), [prepared, order](benchmark::State& state) { run_fill(state, *prepared, order); });
     names.push_back(fmt::format("{}/apply/{}", start, what->name));
     add_benchmark(names.back(), [prepared, order](benchmark::State& state) { run_apply(state, *prepared, order); });
   }
