@@ -21,14 +21,15 @@ std::size_t points_for(std::size_t pairs, std::size_t elements, std::size_t all)
 // Coordinates of one kind by one evaluation in one cage, and the points that it is timed at.
 struct Prepared {
   std::shared_ptr<const DeformedCage> what;
-  WholeCoordinates coordinates;
+  CageCoordinates coordinates;
   std::vector<Vec3<double>> points;
 
   Prepared(std::shared_ptr<const DeformedCage> cage, const CoordinateKind& kind, const TimedEvaluation& evaluation)
-      : what(std::move(cage)), coordinates(what->cage, kind, evaluation) {
+      : what(std::move(cage)), coordinates(what->cage, kind, CoordinateOptions{.evaluation = evaluation.name}) {
     const std::size_t all = what->points.size();
-    points = spread(what->points, evaluation.whole ? all : points_for(slow_pairs, coordinates.elements(), all));
+    points = spread(what->points, evaluation.whole ? all : points_for(slow_pairs, elements(), all));
   }
+  std::size_t elements() const { return coordinates.elements().count(); }
 };
 
 // All points, or as many of them as take some seconds: whole evaluations leave some orders to sums.
@@ -37,9 +38,9 @@ std::vector<Vec3<double>> affordable(const Prepared& prepared, int order) {
   constexpr double seconds = 2;
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
   const auto few = spread(prepared.points, tried);
-  auto tables = prepared.coordinates.tables_for(few.size(), order);
+  std::vector<CoordinateTable<double>> tables;
   const double start = seconds_of(Clock::Processor);
-  prepared.coordinates.fill(few, order, tables);
+  prepared.coordinates.at(few, order, tables);
   const double a_point = (seconds_of(Clock::Processor) - start) / static_cast<double>(few.size());
   const double all = a_point * static_cast<double>(prepared.points.size());
   return all < seconds ? prepared.points
@@ -49,12 +50,12 @@ std::vector<Vec3<double>> affordable(const Prepared& prepared, int order) {
 void run_fill(benchmark::State& state, const Prepared& prepared, int order) {
   const auto points = affordable(prepared, order);
   const double seconds = time_fill(state, prepared.coordinates, points, order, 1, Clock::Processor);
-  count_pairs(state, seconds, points.size(), prepared.coordinates.elements());
+  count_pairs(state, seconds, points.size(), prepared.elements());
 }
 
 void run_apply(benchmark::State& state, const Prepared& prepared, int order) {
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
-  const CageCoordinates& coordinates = prepared.coordinates.coordinates();
+  const CageCoordinates& coordinates = prepared.coordinates;
   const CageData data = data_of_pose(coordinates, prepared.what->posed);
   const auto chosen = affordable(prepared, order);
   const std::span points(chosen);
@@ -65,7 +66,7 @@ void run_apply(benchmark::State& state, const Prepared& prepared, int order) {
     benchmark::DoNotOptimize(made);
     benchmark::ClobberMemory();
   }
-  count_pairs(state, seconds_of(Clock::Processor) - start, points.size(), prepared.coordinates.elements());
+  count_pairs(state, seconds_of(Clock::Processor) - start, points.size(), prepared.elements());
 }
 
 void run_gauss(benchmark::State& state, const GaussLoop& loop, const std::vector<Vec3<double>>& points, bool plain) {

@@ -41,7 +41,7 @@ DeformedCage subdivided(const DeformedCage& coarse) {
 }
 
 struct Scaled {
-  WholeCoordinates coordinates;
+  CageCoordinates coordinates;
   std::vector<Vec3<double>> points;
 };
 
@@ -51,13 +51,14 @@ class Scaling {
       : kind_(of), evaluation_(by), names_(into) {}
 
   void add(std::string_view over, std::size_t count, const DeformedCage& in, std::size_t points, int threads) {
-    const auto scaled = std::make_shared<const Scaled>(
-        Scaled{WholeCoordinates(in.cage, kind_, evaluation_), spread(in.points, points)});
+    const auto scaled = std::make_shared<const Scaled>(Scaled{
+        CageCoordinates(in.cage, kind_, CoordinateOptions{.evaluation = evaluation_.name}), spread(in.points, points)});
     names_.push_back(fmt::format("scaling/{}/{}/{}/{}", kind_.name, over, evaluation_.name, count));
     add_benchmark(names_.back(), [scaled, threads](benchmark::State& state) {
+      const std::size_t elements = scaled->coordinates.elements().count();
       const double seconds = time_fill(state, scaled->coordinates, scaled->points, 0, threads, Clock::Wall);
-      count_pairs(state, seconds, scaled->points.size(), scaled->coordinates.elements());
-      state.counters["elements"] = static_cast<double>(scaled->coordinates.elements());
+      count_pairs(state, seconds, scaled->points.size(), elements);
+      state.counters["elements"] = static_cast<double>(elements);
       state.counters["threads"] = threads;
     });
   }

@@ -40,9 +40,9 @@ enum class Clock { Processor, Wall };
 /// Now, in seconds.
 double seconds_of(Clock clock);
 
-/// As often as the state asks for, fills tables for all points, a block after the other, on `threads` threads.
-/// \returns seconds
-double time_fill(benchmark::State& state, const WholeCoordinates& coordinates, std::span<const Vec3<double>> points,
+/// As often as the state asks for, computes coordinates of all points, a block after the other, on `threads` threads,
+/// into tables of at most 128 MB that are there already. \returns seconds
+double time_fill(benchmark::State& state, const CageCoordinates& coordinates, std::span<const Vec3<double>> points,
                  int order, int threads, Clock clock);
 
 /// Sets the counters.

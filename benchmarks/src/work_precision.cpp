@@ -200,7 +200,7 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
     if (known < std::ssize(truths))
       result.notes.push_back(fmt::format("{}: no truth at {} samples", place.name, std::ssize(truths) - known));
     if (known == 0) continue;
-    TimedPairs timed{.samples = timed_samples(formula, place, samples, options)};
+    TimedPairs timed{.samples = timed_samples(formula, place, samples, options), .evaluations = {}};
     for (const auto& one : evaluations) {
       WorkPrecisionRow row;
       row.evaluation = one.front().name();

@@ -78,25 +78,6 @@ TEST(CageBenchmarks, counters_are_positive) {
         expect_positive(fmt::format("cage/green/{}/hessian{}/cube", whole.name, how), {"ns_per_pair", "points"});
 }
 
-// What is filled into memory that is there already is what users get.
-TEST(CageBenchmarks, whole_coordinates_are_those_that_are_asked_for) {
-  const DeformedCage in = embedded_deformed_cage("cube", 5);
-  for (const char* name : {"green", "somigliana", "quad_mean_value"}) {
-    const CoordinateKind& kind = coordinate_kind_named(name);
-    for (const TimedEvaluation& evaluation : timed_evaluations(kind, in.cage)) {
-      SCOPED_TRACE(fmt::format("{} {}", name, evaluation.name));
-      const WholeCoordinates whole(in.cage, kind, evaluation);
-      const int order = std::min(2, whole.max_order());
-      auto tables = whole.tables_for(in.points.size(), order);
-      whole.fill(in.points, order, tables);
-      const CageCoordinates asked(in.cage, kind, CoordinateOptions{.evaluation = evaluation.name});
-      const auto expected = asked.at<double>(std::span<const Vec3<double>>(in.points), order);
-      ASSERT_EQ(tables.size(), expected.size());
-      for (std::size_t b = 0; b < tables.size(); ++b) EXPECT_EQ(tables[b].tensors, expected[b].tensors);
-    }
-  }
-}
-
 // The rest pose is the identity where vertices and normals are reproduced; in a box, on whose triangles no area is one.
 TEST(CageBenchmarks, data_of_the_rest_pose_reproduce_points) {
   DeformedCage in = embedded_deformed_cage("cube", 8);
