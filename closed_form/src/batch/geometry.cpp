@@ -43,6 +43,7 @@ FaceTable<To> converted(const FaceTable<Mp200>& from, Convert convert) {
   for (int k = 0; k < 2; ++k) to.hat[k] = convert(from.hat[k]);
   to.area2 = convert(from.area2);
   to.steep = from.steep;
+  to.steep_around = from.steep_around;
   return to;
 }
 template <class To, class Convert>
@@ -161,6 +162,7 @@ LongFace Geometry::long_face(int f) const {
       face.steep = std::max(face.steep, std::abs(static_cast<double>(face.across[k][e])));
     }
   }
+  face.steep_around = face.steep * static_cast<double>(length[0] + length[1] + length[2]) / 3;
   return found;
 }
 

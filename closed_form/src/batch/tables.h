@@ -22,14 +22,15 @@ struct EdgeTable {
 template <class T>
 struct FaceTable {
   int vertex[3], edge[3];
-  double along[3];  ///< of edges: 1, or -1 where the edge's table runs the other way
-  T n[3];           ///< outward unit normal
-  T nu[3][3];       ///< of edges: outward in-plane unit normal
-  T hat[2];         ///< of corners 0 and 1: the hat function over the height above the line of the opposite edge
-  T g[2][3];        ///< of corners 0 and 1: gradient of the hat function
-  T across[2][3];   ///< the same times each edge's nu
-  T area2;          ///< twice the area
-  double steep;     ///< the largest of `across`: how much differences of integrals over its edges are multiplied
+  double along[3];      ///< of edges: 1, or -1 where the edge's table runs the other way
+  T n[3];               ///< outward unit normal
+  T nu[3][3];           ///< of edges: outward in-plane unit normal
+  T hat[2];             ///< of corners 0 and 1: the hat function over the height above the line of the opposite edge
+  T g[2][3];            ///< of corners 0 and 1: gradient of the hat function
+  T across[2][3];       ///< the same times each edge's nu
+  T area2;              ///< twice the area
+  double steep;         ///< the largest of `across`: how much differences of integrals over its edges are multiplied
+  double steep_around;  ///< the same times a third of its circumference
 };
 
 /// What kinds of coordinates are made of.
