@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+// Whole coordinates of closed triangle cages, a vector of points at a time.
+#include "blocks.h"
+
+#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/whole_evaluation.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace cageproof::closed_form::batch {
+namespace {
+
+// The layers that a kind's blocks are made of, by their kernels; nothing for others.
+std::optional<Layers> layers_of(const CoordinateKind& kind) {
+  const auto are = [&](std::initializer_list<std::string_view> kernels) {
+    return std::ranges::equal(kind.blocks, kernels, {}, &SummedBlock::kernel);
+  };
+  if (kind.normalised || kind.keeps_quads) return std::nullopt;
+  if (are({"double_layer", "single_layer"})) return Layers::Harmonic;
+  if (are({"double_layer", "single_layer", "biharmonic_double_layer", "biharmonic_single_layer"}))
+    return Layers::Biharmonic;
+  if (are({"kelvin_traction", "kelvin_displacement"})) return Layers::Kelvin;
+  return std::nullopt;
+}
+
+// Cages beyond this unit, or below one over it, are left to sums of closed forms: powers of it leave double's range.
+constexpr int kLargestExponent = 240;
+// Blocks of points that a thread takes at a time.
+constexpr std::size_t kChunk = 16;
+constexpr std::array<int, 3> kKept{1, 3, 6};
+
+class BatchedCoordinates final : public PreparedCoordinates {
+ public:
+  BatchedCoordinates(Layers layers, std::shared_ptr<const CageElements> elements, const CoordinateOptions& options,
+                     std::shared_ptr<const PreparedCoordinates> summed)
+      : layers_(layers), elements_(std::move(elements)), summed_(std::move(summed)), geometry_(*elements_) {
+    if (layers_ == Layers::Kelvin) {
+      mu_ = options.parameters[0];
+      const double nu = options.parameters[1];
+      if (!std::isinf(nu)) beta_ = Mp200(1) / (Mp200(2) * (Mp200(1) - Mp200(nu)));
+    }
+  }
+
+  const std::vector<CoordinateBlock>& blocks() const override { return summed_->blocks(); }
+  int max_order() const override { return summed_->max_order(); }
+  std::string evaluation() const override { return "batched"; }
+  bool is_exact_in(ScalarKind scalar) const override { return summed_->is_exact_in(scalar); }
+
+  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
+    compute_in_double(points, tables, [&](auto wide, auto in_double) { fill(wide, order, in_double); });
+  }
+  void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
+    if (!computes(order)) return summed_->fill(points, order, tables);
+    over_blocks(
+        points, order,
+        [&](const double* columns, const Request& request, std::size_t first, int count) {
+          for (int o = 0; o <= order; ++o)
+            for (std::size_t b = 0; b < blocks().size(); ++b)
+              kernels().store({.to = tables[b].tensors[o].data() + first * tables[b].stride[o],
+                               .stride = static_cast<long>(tables[b].stride[o]),
+                               .coordinates = blocks()[b].size,
+                               .entries = blocks()[b].entries(),
+                               .width = static_cast<int>(derivative_count(3, o)),
+                               .from = columns + at(request, o, b),
+                               .factor = factor(o, b)},
+                              count);
+        },
+        [&](std::size_t p, const std::vector<CoordinateTable<double>>& own) {
+          for (int o = 0; o <= order; ++o)
+            for (std::size_t b = 0; b < own.size(); ++b)
+              std::ranges::copy(own[b].tensors[o],
+                                tables[b].tensors[o].begin() + static_cast<std::ptrdiff_t>(p * tables[b].stride[o]));
+        });
+  }
+  void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
+    summed_->fill(points, order, tables);
+  }
+  void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const override {
+    summed_->fill(points, order, tables);
+  }
+
+  bool apply(std::span<const Vec3<double>> points, int order, const CageData& data,
+             AppliedTable& table) const override {
+    if (!computes(order)) return false;
+    over_blocks(
+        points, order,
+        [&](const double* columns, const Request& request, std::size_t first, int count) {
+          for (int o = 0; o <= order; ++o)
+            for (std::size_t b = 0; b < blocks().size(); ++b)
+              kernels().multiply({.to = table.tensors[o].data() + first * table.stride[o],
+                                  .stride = static_cast<long>(table.stride[o]),
+                                  .coordinates = blocks()[b].size,
+                                  .rows = blocks()[b].shape.rows,
+                                  .columns = blocks()[b].shape.columns,
+                                  .sets = data.sets,
+                                  .width = static_cast<int>(derivative_count(3, o)),
+                                  .from = columns + at(request, o, b),
+                                  .data = data.blocks[b].data(),
+                                  .factor = factor(o, b)},
+                                 count);
+        },
+        [&](std::size_t p, const std::vector<CoordinateTable<double>>& own) {
+          for (int o = 0; o <= order; ++o) {
+            const auto to = std::span(table.tensors[o]).subspan(p * table.stride[o], table.stride[o]);
+            std::ranges::fill(to, 0.0);
+            for (std::size_t b = 0; b < own.size(); ++b)
+              add_products(own[b].tensors[o], blocks()[b], data.blocks[b], data.sets, derivative_count(3, o), to);
+          }
+        });
+    return true;
+  }
+
+  bool fill_limits(std::span<const Touching> places, int order,
+                   std::span<CoordinateTable<double>> tables) const override {
+    return summed_->fill_limits(places, order, tables);
+  }
+  bool fill_limits(std::span<const Touching> places, int order,
+                   std::span<CoordinateTable<Mp50>> tables) const override {
+    return summed_->fill_limits(places, order, tables);
+  }
+  bool fill_terms(std::span<const Vec3<double>> points, int order,
+                  std::span<CoordinateTable<double>> tables) const override {
+    return summed_->fill_terms(points, order, tables);
+  }
+
+ private:
+  bool computes(int order) const {
+    return geometry_.is_sound() && std::abs(geometry_.exponent()) <= kLargestExponent &&
+           (layers_ != Layers::Kelvin || order == 0);
+  }
+
+  Request request_for(int order) const {
+    const auto high = static_cast<double>(beta_);
+    Request request{layers_, order, {high, static_cast<double>(Mp200(beta_ - high))}, beta_, {}};
+    for (int o = 0; o <= order; ++o)
+      for (std::size_t b = 0; b < blocks().size(); ++b) {
+        request.layout.first[o][b] = request.layout.count;
+        request.layout.count += blocks()[b].size * blocks()[b].entries() * kKept[o];
+      }
+    return request;
+  }
+  static std::ptrdiff_t at(const Request& request, int order, std::size_t b) {
+    return static_cast<std::ptrdiff_t>(request.layout.first[order][b]) * kernels().lanes;
+  }
+
+  // 1/(4 pi) of harmonic layers and Kelvin's, 1/(8 pi) of biharmonic ones, of psibar's values a third of it; one over
+  // mu of K; the unit.
+  double factor(int order, std::size_t b) const {
+    double factor = 1 / (4 * pi<double>());
+    if (b >= 2) factor /= 2;
+    if (b == 3 && order == 0) factor /= 3;
+    if (layers_ == Layers::Kelvin && b == 1) factor /= mu_;
+    return std::ldexp(factor, (blocks()[b].degree - order) * geometry_.exponent());
+  }
+
+  // Adds one point's coordinates of one block times their data.
+  static void add_products(const std::vector<double>& coordinates, const CoordinateBlock& block,
+                           const std::vector<double>& data, int sets, std::size_t width, std::span<double> to) {
+    const double* from = coordinates.data();
+    for (int c = 0; c < block.size; ++c)
+      for (int row = 0; row < block.shape.rows; ++row)
+        for (int column = 0; column < block.shape.columns; ++column, from += width)
+          for (int set = 0; set < sets; ++set) {
+            const double x = data[(c * block.shape.columns + column) * sets + set];
+            for (std::size_t i = 0; i < width; ++i) to[(row * sets + set) * width + i] += x * from[i];
+          }
+  }
+
+  // One point by sums of closed forms.
+  std::vector<CoordinateTable<double>> summed_at(const Vec3<double>& point, int order) const {
+    std::vector<CoordinateTable<double>> tables(blocks().size());
+    for (std::size_t b = 0; b < tables.size(); ++b)
+      for (int o = 0; o <= order; ++o) {
+        tables[b].stride[o] =
+            static_cast<std::size_t>(blocks()[b].size) * blocks()[b].entries() * derivative_count(3, o);
+        tables[b].tensors[o].assign(tables[b].stride[o], 0.0);
+      }
+    summed_->fill(std::span(&point, 1), order, tables);
+    return tables;
+  }
+
+  // put: (columns, request, first point, points). alone: (point, its tables), of what blocks leave out.
+  template <class Put, class Alone>
+  void over_blocks(std::span<const Vec3<double>> points, int order, Put put, Alone alone) const {
+    const Request request = request_for(order);
+    const std::size_t lanes = kernels().lanes, count = (points.size() + lanes - 1) / lanes;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kChunk), [&](const auto& range) {
+      BlockRunner runner(geometry_, *elements_, request);
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        const std::size_t first = i * lanes;
+        const auto here = points.subspan(first, std::min(lanes, points.size() - first));
+        const unsigned left = runner.run(here);
+        put(runner.columns(), request, first, static_cast<int>(here.size()));
+        for (std::size_t p = 0; left != 0 && p < here.size(); ++p)
+          if ((left >> p & 1u) != 0) alone(first + p, summed_at(here[p], order));
+      }
+    });
+  }
+
+  Layers layers_;
+  std::shared_ptr<const CageElements> elements_;
+  std::shared_ptr<const PreparedCoordinates> summed_;
+  Geometry geometry_;
+  double mu_ = 1;
+  Mp200 beta_ = 0;
+};
+
+const RegisterWholeEvaluation registered{
+    {.name = "batched",
+     .description = "all faces of the cage for a vector of points at once; more digits next to edges and vertices",
+     .exists = [](const CoordinateKind& kind,
+                  const Cage& cage) { return cage.dimension() == 3 && layers_of(kind).has_value(); },
+     .prepare = [](const CoordinateKind& kind, std::shared_ptr<const CageElements> elements,
+                   const CoordinateOptions& options,
+                   std::shared_ptr<const PreparedCoordinates> summed) -> std::shared_ptr<const PreparedCoordinates> {
+       return std::make_shared<BatchedCoordinates>(*layers_of(kind), std::move(elements), options, std::move(summed));
+     }}};
+
+}  // namespace
+}  // namespace cageproof::closed_form::batch

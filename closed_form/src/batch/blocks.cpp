@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "blocks.h"
+
+#include "long_sums.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cageproof::closed_form::batch {
+namespace {
+
+// In radii of the cage: beyond the first, sums in double cancel more than they may, beyond the second those in
+// double-double may as well.
+constexpr double kFar = 1.25, kTooFar = 256;
+
+}  // namespace
+
+BlockRunner::BlockRunner(const Geometry& geometry, const CageElements& elements, const Request& request)
+    : geometry_(geometry),
+      elements_(elements),
+      request_(request),
+      tables_(geometry.tables()),
+      points_(aligned<double>(3 * kernels().lanes)),
+      columns_(aligned<double>(static_cast<std::size_t>(request.layout.count) * kernels().lanes)),
+      scratch_(
+          aligned<std::byte>(kernels().scratch_bytes(geometry.vertices(), geometry.edges(), request.layout.count))),
+      marks_(geometry.faces()),
+      beyond_(geometry.faces()) {
+  block_.cage = &tables_;
+  block_.layers = request.layers;
+  block_.order = request.order;
+  block_.beta = request.beta;
+  block_.layout = request.layout;
+  block_.points = points_.get();
+  block_.columns = columns_.get();
+  block_.scratch = scratch_.get();
+  block_.marks = marks_.data();
+  block_.beyond = beyond_.data();
+}
+
+unsigned BlockRunner::run(std::span<const Vec3<double>> points) {
+  const int lanes = kernels().lanes;
+  unsigned left = 0;
+  block_.whole = 0;
+  for (int p = 0; p < lanes; ++p) {
+    // A block that is not full goes on with its last point.
+    const Vec3<double>& point = points[std::min<std::size_t>(p, points.size() - 1)];
+    std::array<double, 3> x{};
+    for (int i = 0; i < 3; ++i) x[i] = std::ldexp(point[i], -geometry_.exponent());
+    double away = 0;
+    bool exact = true;
+    for (int i = 0; i < 3; ++i) {
+      away = std::hypot(away, x[i] - geometry_.centre()[i]);
+      exact = exact && std::ldexp(x[i], geometry_.exponent()) == point[i];
+    }
+    away /= geometry_.radius();
+    if (!exact || !(away < kTooFar)) {
+      left |= 1u << p;
+      x = geometry_.centre();
+    } else if (away > kFar) {
+      block_.whole |= 1u << p;
+    }
+    for (int i = 0; i < 3; ++i) points_[i * lanes + p] = x[i];
+  }
+  kernels().sum(block_);
+  if (block_.marked > 0) {
+    kernels().sum_marked(block_);
+    if (block_.beyond_marked > 0) left |= add_beyond(points);
+  }
+  const unsigned all = (1u << points.size()) - 1;
+  return left & all;
+}
+
+unsigned BlockRunner::add_beyond(std::span<const Vec3<double>> points) {
+  const int lanes = kernels().lanes;
+  unsigned left = 0;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    std::vector<int> faces;
+    for (int m = 0; m < block_.beyond_marked; ++m)
+      if ((beyond_[m].points >> p & 1u) != 0) faces.push_back(beyond_[m].face);
+    if (faces.empty()) continue;
+    const std::array<double, 3> x{points_[p], points_[lanes + p], points_[2 * lanes + p]};
+    // Within a face there are limits of all derivatives, on its border of none but values.
+    const std::vector<Touching> touches = elements_.touching(points[p]);
+    const int on = touches.size() == 1 ? touches.front().element : -1;
+    if (touches.size() > 1 || !add_in_long(geometry_, request_.layers, request_.order, faces, on, x.data(),
+                                           request_.long_beta, request_.layout, columns_.get() + p, lanes))
+      left |= 1u << p;
+  }
+  return left;
+}
+
+}  // namespace cageproof::closed_form::batch

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Blocks of points run through the kernels: one block's sums over faces, whatever is near or far.
+#pragma once
+
+#include "geometry.h"
+#include "kernels.h"
+
+#include "cageproof/core/coordinates.h"
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace cageproof::closed_form::batch {
+
+/// What is asked of all blocks.
+struct Request {
+  Layers layers;
+  int order;
+  TwoDoubles beta;  ///< 1/(2 (1 - nu))
+  Mp200 long_beta;
+  Columns layout;
+};
+
+/// Memory for one block after the other, within one thread.
+class BlockRunner {
+ public:
+  /// They must outlive it.
+  BlockRunner(const Geometry& geometry, const CageElements& elements, const Request& request);
+
+  /// Up to kernels().lanes points. \return a bit for each point that the kernels leave to others: on the cage, too near
+  /// to it, or too far away
+  unsigned run(std::span<const Vec3<double>> points);
+  /// [column][lanes], as Columns says.
+  const double* columns() const { return columns_.get(); }
+
+ private:
+  struct Free {
+    void operator()(void* memory) const { ::operator delete (memory, std::align_val_t{64}); }
+  };
+  template <class T>
+  using Aligned = std::unique_ptr<T[], Free>;
+  template <class T>
+  static Aligned<T> aligned(std::size_t count) {
+    return Aligned<T>(static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{64})));
+  }
+  unsigned add_beyond(std::span<const Vec3<double>> points);
+
+  const Geometry& geometry_;
+  const CageElements& elements_;
+  const Request& request_;
+  CageTables tables_;
+  Aligned<double> points_, columns_;
+  Aligned<std::byte> scratch_;
+  std::vector<Mark> marks_, beyond_;
+  Block block_{};
+};
+
+}  // namespace cageproof::closed_form::batch

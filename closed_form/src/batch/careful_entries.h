@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Sums in double-doubles of each instruction set, compiled by themselves: products and sums must not be contracted.
+#pragma once
+
+#include "lanes.h"
+#include "tables.h"
+
+namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
+
+void sum_marked(Block& block);
+long careful_bytes(int columns);
+
+}  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+// One face's part of the coordinates of a closed triangle cage, in any arithmetic, added to sums over faces.
+//
+// What sums to nothing over the faces of a vertex of a closed cage is left out, so that gradients and Hessians take no
+// derivative of a hat-weighted moment. With w = n x g of a corner's hat function, moments J = int 1/r, I = int r, A and
+// B as in the edge form (triangle/engine/edge_form.h), sums over the vertex's faces are
+//   4 pi grad phi = sum w x grad J,    8 pi grad phibar = sum (w x grad I + 2 A n),
+//   4 pi T = sum B Id + (J - beta Hess I) (n g' - g n'),    mu = 1, beta = 1/(2 (1 - nu)).
+// A single face's part is therefore no derivative of that face's share, and the Hessians' parts are symmetric in sum
+// alone: their symmetric halves are added.
+#pragma once
+
+#include "edge_terms.h"
+
+namespace cageproof::closed_form::batch {
+
+/// Sums over faces, without the factors 1/(4 pi) and 1/(8 pi), mu, and the unit; of psibar's values 3 I.
+template <class V>
+struct Sums {
+  V* columns;
+  const Columns* layout;
+
+  V* at(int order, int block, int coordinate, int size) const {
+    return columns + layout->first[order][block] + coordinate * size;
+  }
+};
+
+template <class V>
+void add_three(V* to, const Three<V>& v) {
+  for (int i = 0; i < 3; ++i) to[i] += v[i];
+}
+/// The symmetric half of sum of the two products a b'.
+template <class V>
+void add_symmetric(V* to, const Three<V>& a0, const Three<V>& b0, const Three<V>& a1, const Three<V>& b1) {
+  int at = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j, ++at)
+      to[at] += i == j ? V(a0[i] * b0[j] + a1[i] * b1[j])
+                       : V((a0[i] * b0[j] + a0[j] * b0[i] + a1[i] * b1[j] + a1[j] * b1[i]) * 0.5);
+}
+template <class V, class T>
+Three<V> constant(const T (&c)[3]) {
+  return {V{} + c[0], V{} + c[1], V{} + c[2]};
+}
+
+/// One face seen from the point, and its moments.
+template <Layers L, int O, class V, class T>
+class FaceTerms {
+ public:
+  /// \param x from the point to the corners \param omega the solid angle \param edges their terms
+  FaceTerms(const FaceTable<T>& face, const Three<V>* const (&x)[3], const V& omega,
+            const EdgeTerms<V>* const (&edges)[3])
+      : face_(face), omega_(omega), edges_(edges) {
+    d_ = -dot(face.n, *x[0]);
+    V h[3];
+    for (int e = 0; e < 3; ++e) h[e] = dot(face.nu[e], *x[e]);
+    J_ = h[0] * edges[0]->inverse + h[1] * edges[1]->inverse + h[2] * edges[2]->inverse + d_ * omega;
+    for (int k = 0; k < 2; ++k) {
+      hat_[k] = h[k + 1] * face.hat[k];
+      inverse_[k] = across(k, [](const EdgeTerms<V>& e) -> const V& { return e.inverse; });
+      B_[k] = hat_[k] * omega + d_ * inverse_[k];
+      if constexpr (Takes<L, O>::distances) {
+        distance_[k] = across(k, [](const EdgeTerms<V>& e) -> const V& { return e.distance; });
+        A_[k] = hat_[k] * J_ + distance_[k];
+      }
+    }
+    if constexpr (Takes<L, O>::distances)
+      thrice_I_ = h[0] * edges[0]->distance + h[1] * edges[1]->distance + h[2] * edges[2]->distance + d_ * d_ * J_;
+  }
+
+  void add(int f, const Sums<V>& sums) const {
+    if constexpr (L == Layers::Kelvin) return;  // add_kelvin
+    add_values(f, sums);
+    if constexpr (O >= 1) add_gradients(f, sums);
+    if constexpr (O >= 2) add_hessians(f, sums);
+  }
+
+  /// T and K of mu = 1, the latter without the factor that its bulk part's beta/2 does not share. \param beta 1/(2 (1 -
+  /// nu))
+  void add_kelvin(int f, const V& beta, const Sums<V>& sums) const {
+    const Three<V> grad_J = gradient_of_J(), slope = slope_of(grad_J), n = constant<V>(face_.n);
+    V M[3][3], K[3][3];
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) {
+        V hessian = n[i] * slope[j];
+        for (int e = 0; e < 3; ++e) hessian = hessian - edges_[e]->grad_distance[j] * face_.nu[e][i];
+        const V bulk = beta * hessian;
+        M[i][j] = M[j][i] = i == j ? V(J_ - bulk) : V(-bulk);
+        K[i][j] = K[j][i] = i == j ? V(J_ - bulk * 0.5) : V(-(bulk * 0.5));
+      }
+    V* const to_K = sums.at(0, 1, f, 9);
+    for (int i = 0; i < 9; ++i) to_K[i] += K[i / 3][i % 3];
+    V* const last = sums.at(0, 0, face_.vertex[2], 9);
+    const Three<V> Mn = times(M, n);
+    for (int k = 0; k < 2; ++k) {
+      V* const to = sums.at(0, 0, face_.vertex[k], 9);
+      const Three<V> g = constant<V>(face_.g[k]), Mg = times(M, g);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          V entry = Mn[i] * g[j] - Mg[i] * n[j];
+          if (i == j) entry = entry + B_[k];
+          to[3 * i + j] += entry;
+          last[3 * i + j] += -entry;
+        }
+    }
+    for (int i = 0; i < 3; ++i) last[4 * i] += omega_;
+  }
+
+ private:
+  template <class Of>
+  V across(int k, Of of) const {
+    return of(*edges_[0]) * face_.across[k][0] + of(*edges_[1]) * face_.across[k][1] +
+           of(*edges_[2]) * face_.across[k][2];
+  }
+  static Three<V> times(const V (&M)[3][3], const Three<V>& v) {
+    Three<V> p;
+    for (int i = 0; i < 3; ++i) p[i] = M[i][0] * v[0] + M[i][1] * v[1] + M[i][2] * v[2];
+    return p;
+  }
+  // omega n - sum L nu
+  Three<V> gradient_of_J() const {
+    Three<V> v;
+    for (int i = 0; i < 3; ++i)
+      v[i] = omega_ * face_.n[i] - (edges_[0]->inverse * face_.nu[0][i] + edges_[1]->inverse * face_.nu[1][i] +
+                                    edges_[2]->inverse * face_.nu[2][i]);
+    return v;
+  }
+  // grad(d J) = J n + d grad J
+  Three<V> slope_of(const Three<V>& grad_J) const {
+    Three<V> v;
+    for (int i = 0; i < 3; ++i) v[i] = J_ * face_.n[i] + d_ * grad_J[i];
+    return v;
+  }
+
+  void add_values(int f, const Sums<V>& sums) const {
+    for (int k = 0; k < 2; ++k) *sums.at(0, 0, face_.vertex[k], 1) += B_[k];
+    *sums.at(0, 0, face_.vertex[2], 1) += omega_ - B_[0] - B_[1];
+    *sums.at(0, 1, f, 1) += J_;
+    if constexpr (L == Layers::Biharmonic) {
+      for (int k = 0; k < 2; ++k) *sums.at(0, 2, face_.vertex[k], 1) += d_ * A_[k];
+      *sums.at(0, 2, face_.vertex[2], 1) += d_ * (J_ - A_[0] - A_[1]);
+      *sums.at(0, 3, f, 1) += thrice_I_;
+    }
+  }
+
+  void add_gradients(int f, const Sums<V>& sums) const {
+    add_three(sums.at(1, 1, f, 3), gradient_of_J());
+    V* const last = sums.at(1, 0, face_.vertex[2], 3);
+    for (int k = 0; k < 2; ++k) {
+      V* const to = sums.at(1, 0, face_.vertex[k], 3);
+      for (int i = 0; i < 3; ++i) {
+        const V x = omega_ * face_.g[k][i] + inverse_[k] * face_.n[i];
+        to[i] += x;
+        last[i] += -x;
+      }
+    }
+    if constexpr (L == Layers::Biharmonic) {
+      const V dJ = d_ * J_;
+      V* const own = sums.at(1, 3, f, 3);
+      for (int i = 0; i < 3; ++i)
+        own[i] += dJ * face_.n[i] - (edges_[0]->distance * face_.nu[0][i] + edges_[1]->distance * face_.nu[1][i] +
+                                     edges_[2]->distance * face_.nu[2][i]);
+      V* const rest = sums.at(1, 2, face_.vertex[2], 3);
+      for (int i = 0; i < 3; ++i) rest[i] += (J_ + J_) * face_.n[i];
+      for (int k = 0; k < 2; ++k) {
+        V* const to = sums.at(1, 2, face_.vertex[k], 3);
+        const V normal = A_[k] + A_[k] + distance_[k];
+        for (int i = 0; i < 3; ++i) {
+          const V x = dJ * face_.g[k][i] + normal * face_.n[i];
+          to[i] += x;
+          rest[i] += -x;
+        }
+      }
+    }
+  }
+
+  void add_hessians(int f, const Sums<V>& sums) const {
+    const Three<V> n = constant<V>(face_.n);
+    Three<V> turn;  // grad omega
+    for (int i = 0; i < 3; ++i)
+      turn[i] = edges_[0]->turning[i] * face_.along[0] + edges_[1]->turning[i] * face_.along[1] +
+                edges_[2]->turning[i] * face_.along[2];
+    add_own(sums.at(2, 1, f, 6), n, turn, [](const EdgeTerms<V>& e) -> const Three<V>& { return e.grad_inverse; });
+    add_corners(sums, 0, turn, [](const EdgeTerms<V>& e) -> const Three<V>& { return e.grad_inverse; });
+    if constexpr (L == Layers::Biharmonic) {
+      const Three<V> grad_J = gradient_of_J(), slope = slope_of(grad_J);
+      add_own(sums.at(2, 3, f, 6), n, slope, [](const EdgeTerms<V>& e) -> const Three<V>& { return e.grad_distance; });
+      V* const last = sums.at(2, 2, face_.vertex[2], 6);
+      const Three<V> zero{{V{}, V{}, V{}}};
+      const Three<V> twice{{grad_J[0] + grad_J[0], grad_J[1] + grad_J[1], grad_J[2] + grad_J[2]}};
+      add_symmetric(last, n, twice, zero, zero);
+      for (int k = 0; k < 2; ++k) {
+        Three<V> q;
+        for (int i = 0; i < 3; ++i) {
+          const V rest = edges_[0]->grad_distance[i] * face_.across[k][0] +
+                         edges_[1]->grad_distance[i] * face_.across[k][1] +
+                         edges_[2]->grad_distance[i] * face_.across[k][2];
+          q[i] = (J_ + J_) * face_.g[k][i] + hat_[k] * twice[i] + rest + rest + rest;
+        }
+        add_pair(sums, 2, k, slope, q);
+      }
+    }
+  }
+
+  // n w' - sum nu (grad of an edge's integral)', which is symmetric.
+  template <class Of>
+  void add_own(V* to, const Three<V>& n, const Three<V>& w, Of of) const {
+    int at = 0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j, ++at)
+        to[at] += n[i] * w[j] - (of(*edges_[0])[j] * face_.nu[0][i] + of(*edges_[1])[j] * face_.nu[1][i] +
+                                 of(*edges_[2])[j] * face_.nu[2][i]);
+  }
+
+  template <class Of>
+  void add_corners(const Sums<V>& sums, int block, const Three<V>& turn, Of of) const {
+    for (int k = 0; k < 2; ++k) {
+      Three<V> q;
+      for (int i = 0; i < 3; ++i)
+        q[i] = of(*edges_[0])[i] * face_.across[k][0] + of(*edges_[1])[i] * face_.across[k][1] +
+               of(*edges_[2])[i] * face_.across[k][2];
+      add_pair(sums, block, k, turn, q);
+    }
+  }
+  // g w' + n q' of corner k, whose opposite the third corner's is, but for what the corners have in common.
+  void add_pair(const Sums<V>& sums, int block, int k, const Three<V>& w, const Three<V>& q) const {
+    V part[6];
+    for (V& x : part) x = V{};
+    add_symmetric(part, constant<V>(face_.g[k]), w, constant<V>(face_.n), q);
+    V* const to = sums.at(2, block, face_.vertex[k], 6);
+    V* const last = sums.at(2, block, face_.vertex[2], 6);
+    for (int i = 0; i < 6; ++i) {
+      to[i] += part[i];
+      last[i] += -part[i];
+    }
+  }
+
+  const FaceTable<T>& face_;
+  const V omega_;
+  const EdgeTerms<V>* const (&edges_)[3];
+  V d_, J_, thrice_I_, hat_[2], inverse_[2], distance_[2], B_[2], A_[2];
+};
+
+}  // namespace cageproof::closed_form::batch

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Sums over all faces in double, a vector of points at a time, for one instruction set.
+#pragma once
+
+#include "lanes.h"
+
+#include "face_terms.h"
+
+namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
+
+/// A vertex seen from the points.
+struct SeenVertex {
+  Three<Lanes> x;
+  Lanes r;
+  Mask near;
+};
+
+struct FastScratch {
+  SeenVertex* vertex;
+  EdgeTerms<Lanes>* edge;
+};
+
+/// Where the sides of the arc tangent that omega is are this small against the product of the distances, the point is
+/// so near to an edge of the face that a rounding of its position turns the face's angle too much.
+inline constexpr double kNextToEdge = 0x1p-7;
+/// On which side of the face a point lies is left to more digits where the height is this small against the face.
+inline constexpr double kNextToFace = 0x1p-36;
+
+inline unsigned bits_of(Mask m) {
+  unsigned bits = 0;
+  for (int i = 0; i < kLanes; ++i) bits |= (m[i] != 0 ? 1u : 0u) << i;
+  return bits;
+}
+inline Mask mask_of(unsigned bits) {
+  Mask m;
+  for (int i = 0; i < kLanes; ++i) m[i] = (bits >> i & 1u) != 0 ? -1 : 0;
+  return m;
+}
+
+/// The terms, with zeros where the mask is set: all that is made of them is zero there.
+inline EdgeTerms<Lanes> without(Mask m, const EdgeTerms<Lanes>& e) {
+  EdgeTerms<Lanes> t;
+  t.between = e.between;
+  t.inverse = select(m, Lanes{}, e.inverse);
+  t.distance = select(m, Lanes{}, e.distance);
+  for (int i = 0; i < 3; ++i) {
+    t.grad_inverse[i] = select(m, Lanes{}, e.grad_inverse[i]);
+    t.grad_distance[i] = select(m, Lanes{}, e.grad_distance[i]);
+    t.turning[i] = select(m, Lanes{}, e.turning[i]);
+  }
+  return t;
+}
+
+template <Layers L, int O>
+void add_face(const FaceTable<double>& face, int f, const Three<Lanes>* const (&x)[3], Lanes omega,
+              const EdgeTerms<Lanes>* const (&edges)[3], Lanes beta, const Sums<Lanes>& sums) {
+  const FaceTerms<L, O, Lanes, double> terms(face, x, omega, edges);
+  if constexpr (L == Layers::Kelvin) terms.add_kelvin(f, beta, sums);
+  else terms.add(f, sums);
+}
+
+template <Layers L, int O>
+void sum_faces(Block& block) {
+  const CageTables& cage = *block.cage;
+  auto* const vertex = static_cast<SeenVertex*>(block.scratch);
+  auto* const edge = reinterpret_cast<EdgeTerms<Lanes>*>(vertex + cage.vertices);
+  auto* const columns = reinterpret_cast<Lanes*>(block.columns);
+  for (int c = 0; c < block.layout.count; ++c) columns[c] = Lanes{};
+  const Sums<Lanes> sums{columns, &block.layout};
+  const auto* const point = reinterpret_cast<const Lanes*>(block.points);
+  const Lanes beta = splat(block.beta.high);
+  const Mask whole = mask_of(block.whole);
+  for (int v = 0; v < cage.vertices; ++v) {
+    SeenVertex& seen = vertex[v];
+    for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
+    seen.r = root(dot(seen.x, seen.x));
+    seen.near = less(seen.r, splat(cage.reach[v])) | whole;
+  }
+  for (int e = 0; e < cage.edges; ++e) {
+    const EdgeTable<double>& table = cage.edge[e];
+    const SeenVertex &a = vertex[table.from], &b = vertex[table.to];
+    edge[e] = edge_terms<L, O, Lanes, double>(table, a.x, b.x, a.r, b.r);
+  }
+  block.marked = 0;
+  for (int f = 0; f < cage.faces; ++f) {
+    const FaceTable<double>& face = cage.face[f];
+    const SeenVertex &v0 = vertex[face.vertex[0]], &v1 = vertex[face.vertex[1]], &v2 = vertex[face.vertex[2]];
+    const EdgeTerms<Lanes>&e0 = edge[face.edge[0]], &e1 = edge[face.edge[1]], &e2 = edge[face.edge[2]];
+    const Lanes product = v0.r * v1.r * v2.r;
+    const Lanes across = face.area2 * dot(face.n, v0.x);
+    const Lanes along = product + e0.between * v2.r + e1.between * v0.r + e2.between * v1.r;
+    const Lanes omega = 2 * angle_of(across, along);
+    const Lanes high = magnitude(across), wide = magnitude(along);
+    const Mask marked = ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
+                        ((along < Lanes{}) & (high < kNextToFace * wide)) | v0.near | v1.near | v2.near;
+    const Three<Lanes>* const x[3] = {&v0.x, &v1.x, &v2.x};
+    if (!any(marked)) [[likely]] {
+      const EdgeTerms<Lanes>* const edges[3] = {&e0, &e1, &e2};
+      add_face<L, O>(face, f, x, omega, edges, beta, sums);
+      continue;
+    }
+    block.marks[block.marked++] = {f, bits_of(marked)};
+    const EdgeTerms<Lanes> left[3] = {without(marked, e0), without(marked, e1), without(marked, e2)};
+    const EdgeTerms<Lanes>* const edges[3] = {&left[0], &left[1], &left[2]};
+    add_face<L, O>(face, f, x, select(marked, Lanes{}, omega), edges, beta, sums);
+  }
+}
+
+}  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD

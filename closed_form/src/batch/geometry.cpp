@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace cageproof::closed_form::batch {
+namespace {
+
+using LongVector = std::array<Mp200, 3>;
+
+Mp200 product(const LongVector& a, const LongVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+LongVector cross_of(const LongVector& a, const LongVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+LongVector times(const LongVector& a, const Mp200& x) { return {a[0] * x, a[1] * x, a[2] * x}; }
+void put(Mp200 (&to)[3], const LongVector& from) {
+  for (int i = 0; i < 3; ++i) to[i] = from[i];
+}
+
+TwoDoubles two(const Mp200& x) {
+  const auto high = static_cast<double>(x);
+  return {high, static_cast<double>(Mp200(x - high))};
+}
+double one(const Mp200& x) { return static_cast<double>(x); }
+
+// A table of other constants.
+template <class To, class Convert>
+FaceTable<To> converted(const FaceTable<Mp200>& from, Convert convert) {
+  FaceTable<To> to;
+  for (int i = 0; i < 3; ++i) {
+    to.vertex[i] = from.vertex[i];
+    to.edge[i] = from.edge[i];
+    to.along[i] = from.along[i];
+    to.n[i] = convert(from.n[i]);
+    for (int c = 0; c < 3; ++c) to.nu[i][c] = convert(from.nu[i][c]);
+    for (int k = 0; k < 2; ++k) {
+      to.g[k][i] = convert(from.g[k][i]);
+      to.across[k][i] = convert(from.across[k][i]);
+    }
+  }
+  for (int k = 0; k < 2; ++k) to.hat[k] = convert(from.hat[k]);
+  to.area2 = convert(from.area2);
+  return to;
+}
+template <class To, class Convert>
+EdgeTable<To> converted(const EdgeTable<Mp200>& from, Convert convert) {
+  return {from.from,
+          from.to,
+          {convert(from.u[0]), convert(from.u[1]), convert(from.u[2])},
+          convert(from.length),
+          convert(from.over)};
+}
+
+}  // namespace
+
+void Geometry::find_unit(const CageElements& elements) {
+  Vec3<double> low = elements.vertices().front(), high = low;
+  for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  const double size = (high / 2 - low / 2).cwiseAbs().maxCoeff();
+  sound_ = size > 0 && std::isfinite(size);
+  if (!sound_) return;
+  exponent_ = std::ilogb(size) + 1;
+  for (const Vec3<double>& v : elements.vertices())
+    for (int i = 0; i < 3; ++i) {
+      vertex_.push_back(std::ldexp(v[i], -exponent_));
+      sound_ = sound_ && std::ldexp(vertex_.back(), exponent_) == v[i];
+    }
+  for (int i = 0; i < 3; ++i) centre_[i] = std::ldexp(low[i] / 2 + high[i] / 2, -exponent_);
+  for (std::size_t v = 0; v < vertex_.size(); v += 3)
+    radius_ = std::max(radius_,
+                       std::hypot(vertex_[v] - centre_[0], vertex_[v + 1] - centre_[1], vertex_[v + 2] - centre_[2]));
+}
+
+void Geometry::number_edges() {
+  std::map<std::pair<int, int>, int> numbers;
+  for (const std::array<int, 3>& corners : corner_) {
+    std::array<int, 3> mine{};
+    for (int e = 0; e < 3; ++e) {
+      const auto ends = std::minmax(corners[e], corners[(e + 1) % 3]);
+      const auto [place, added] = numbers.try_emplace({ends.first, ends.second}, static_cast<int>(ends_.size()));
+      if (added) ends_.emplace_back(ends.first, ends.second);
+      mine[e] = place->second;
+    }
+    edge_of_.push_back(mine);
+  }
+}
+
+Geometry::Geometry(const CageElements& elements) {
+  find_unit(elements);
+  if (!sound_) return;
+  for (std::size_t f = 0; f < elements.count(); ++f) {
+    const auto corners = elements.vertices_of(f);
+    corner_.push_back({corners[0], corners[1], corners[2]});
+  }
+  number_edges();
+  edge_.resize(ends_.size());
+  fine_edge_.resize(ends_.size());
+  for (int f = 0; f < static_cast<int>(corner_.size()) && sound_; ++f) {
+    const LongFace found = long_face(f);
+    face_.push_back(converted<double>(found.face, one));
+    fine_face_.push_back(converted<TwoDoubles>(found.face, two));
+    for (int e = 0; e < 3; ++e) {
+      edge_[found.face.edge[e]] = converted<double>(found.edge[e], one);
+      fine_edge_[found.face.edge[e]] = converted<TwoDoubles>(found.edge[e], two);
+    }
+    sound_ = std::isfinite(face_.back().hat[0]) && face_.back().area2 > 0;
+  }
+  if (sound_) find_reach();
+}
+
+// Within 2^-7 of the shortest edge at a vertex.
+void Geometry::find_reach() {
+  reach_.assign(vertex_.size() / 3, std::numeric_limits<double>::infinity());
+  for (const EdgeTable<double>& e : edge_)
+    for (const int v : {e.from, e.to}) reach_[v] = std::min(reach_[v], 0x1p-7 * e.length);
+}
+
+LongFace Geometry::long_face(int f) const {
+  LongFace found;
+  FaceTable<Mp200>& face = found.face;
+  std::array<LongVector, 3> corner, along, outward;
+  std::array<Mp200, 3> length;
+  for (int k = 0; k < 3; ++k) {
+    face.vertex[k] = corner_[f][k];
+    face.edge[k] = edge_of_[f][k];
+    for (int i = 0; i < 3; ++i) corner[k][i] = vertex_[3 * face.vertex[k] + i];
+  }
+  for (int e = 0; e < 3; ++e) {
+    for (int i = 0; i < 3; ++i) along[e][i] = corner[(e + 1) % 3][i] - corner[e][i];
+    length[e] = sqrt(product(along[e], along[e]));
+  }
+  const LongVector normal = cross_of(along[0], along[1]);
+  face.area2 = sqrt(product(normal, normal));
+  const LongVector n = times(normal, Mp200(1) / face.area2);
+  put(face.n, n);
+  for (int e = 0; e < 3; ++e) {
+    const Mp200 over = Mp200(1) / length[e];
+    const LongVector u = times(along[e], over);
+    outward[e] = cross_of(u, n);
+    put(face.nu[e], outward[e]);
+    const bool forward = ends_[face.edge[e]].first == face.vertex[e];
+    face.along[e] = forward ? 1 : -1;
+    EdgeTable<Mp200>& edge = found.edge[e];
+    edge.from = ends_[face.edge[e]].first;
+    edge.to = ends_[face.edge[e]].second;
+    put(edge.u, times(u, Mp200(face.along[e])));
+    edge.length = length[e];
+    edge.over = over;
+  }
+  for (int k = 0; k < 2; ++k) {
+    const int opposite = k + 1;
+    face.hat[k] = length[opposite] / face.area2;
+    const LongVector g = times(outward[opposite], -face.hat[k]);
+    put(face.g[k], g);
+    for (int e = 0; e < 3; ++e) face.across[k][e] = product(g, outward[e]);
+  }
+  return found;
+}
+
+CageTables Geometry::tables() const {
+  return {vertices(),   edges(),      faces(),           vertex_.data(),   reach_.data(),
+          edge_.data(), face_.data(), fine_edge_.data(), fine_face_.data()};
+}
+
+}  // namespace cageproof::closed_form::batch

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The entry points of one instruction set, by layers and order. Included once for each: fast_*.cpp and careful_*.cpp.
+#pragma once
+
+#include "tables.h"
+
+namespace cageproof::closed_form::batch {
+
+/// The widest instruction set that this machine has, or the one that the environment variable CAGEPROOF_SIMD names
+/// (plain, avx2, avx512) where the machine has that.
+const Kernels& kernels();
+
+#if defined(__x86_64__)
+extern const Kernels kernels_avx512, kernels_avx2;
+#endif
+extern const Kernels kernels_plain;
+
+}  // namespace cageproof::closed_form::batch

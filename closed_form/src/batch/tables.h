@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// A closed triangle cage as kernels of whole cages see it: everything that does not depend on the point. Plain arrays,
+// so that sources compiled for one instruction set leave no functions behind that others might be linked to.
+#pragma once
+
+namespace cageproof::closed_form::batch {
+
+/// A constant of twice the digits of double: their unevaluated sum.
+struct TwoDoubles {
+  double high, low;
+};
+
+/// An edge, run through in one direction for both of its faces. T: the type of constants.
+template <class T>
+struct EdgeTable {
+  int from, to;    ///< vertices
+  T u[3];          ///< unit direction
+  T length, over;  ///< length, and one over it
+};
+
+/// A triangle; its edge i runs from corner i to corner i + 1.
+template <class T>
+struct FaceTable {
+  int vertex[3], edge[3];
+  double along[3];  ///< of edges: 1, or -1 where the edge's table runs the other way
+  T n[3];           ///< outward unit normal
+  T nu[3][3];       ///< of edges: outward in-plane unit normal
+  T hat[2];         ///< of corners 0 and 1: the hat function over the height above the line of the opposite edge
+  T g[2][3];        ///< of corners 0 and 1: gradient of the hat function
+  T across[2][3];   ///< the same times each edge's nu
+  T area2;          ///< twice the area
+};
+
+/// What kinds of coordinates are made of.
+enum class Layers {
+  Harmonic,    ///< phi, psi
+  Biharmonic,  ///< phi, psi, phibar, psibar
+  Kelvin,      ///< T, K
+};
+
+inline constexpr int kMostBlocks = 4;
+
+/// Where sums over faces lie: numbers of block b and order o begin at first[o][b], [coordinate][entry][derivative]: one
+/// of order 0, three of order 1, six of order 2 (xx, xy, xz, yy, yz, zz).
+struct Columns {
+  int first[3][kMostBlocks];
+  int count;
+};
+
+/// Tables of one cage, in a unit in which its size is about one.
+struct CageTables {
+  int vertices, edges, faces;
+  const double* vertex;  ///< [vertex][3]
+  const double* reach;   ///< of vertices: distances below this are next to them
+  const EdgeTable<double>* edge;
+  const FaceTable<double>* face;
+  const EdgeTable<TwoDoubles>* fine_edge;
+  const FaceTable<TwoDoubles>* fine_face;
+};
+
+/// A face, and the points of a block that see it otherwise than the others: a bit each.
+struct Mark {
+  int face;
+  unsigned points;
+};
+
+/// A block of as many points as a vector has lanes, and memory for what is computed of it.
+struct Block {
+  const CageTables* cage;
+  Layers layers;
+  int order;
+  TwoDoubles beta;  ///< 1/(2 (1 - nu)), of Kelvin's layers
+  Columns layout;
+  const double* points;  ///< [3][lanes]
+  unsigned whole;        ///< points that every face is to be seen from with twice the digits
+  double* columns;       ///< [column][lanes]: sums over faces
+  void* scratch;         ///< scratch_bytes of it, aligned to 64
+  Mark* marks;           ///< as many as there are faces, of those that twice the digits are spent on
+  int marked;
+  Mark* beyond;  ///< as many, of those that twice the digits are not enough for
+  int beyond_marked;
+};
+
+/// Where rows of one order and block of coordinates go: row p begins at to + p stride.
+struct Rows {
+  double* to;
+  long stride;
+  int coordinates, entries, width;  ///< width: one derivative, three, or nine
+  const double* from;               ///< the columns, where six stand for nine
+  double factor;
+};
+
+/// Cage data to multiply one order's columns of a block with: [coordinate][column][set].
+struct Products {
+  double* to;  ///< [point][row][set][derivative], added to
+  long stride;
+  int coordinates, rows, columns, sets, width;
+  const double* from;
+  const double* data;
+  double factor;
+};
+
+/// The functions of one instruction set.
+struct Kernels {
+  const char* name;
+  int lanes;
+  long (*scratch_bytes)(int vertices, int edges, int columns);
+  /// Sums over faces in double; lists the faces that points are next to, and leaves these out for them.
+  void (*sum)(Block&);
+  /// Adds what was left out, in double-doubles; lists what these do not decide, and leaves that out.
+  void (*sum_marked)(Block&);
+  void (*store)(const Rows&, int points);
+  void (*multiply)(const Products&, int points);
+};
+
+}  // namespace cageproof::closed_form::batch
