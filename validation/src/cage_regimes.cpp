@@ -81,10 +81,14 @@ void put_beside(const Draw& draw, const Vec& foot, const Vec& direction, CageSam
     return;
   }
   sample.point = at;
-  double& moved = sample.point[draw.random.below(draw.elements.dimension())];
-  // The unit of the cage's frame, also where the foot is the origin.
+  // The unit of the cage's frame, also where the foot is the origin; of all coordinates, so that the point is off faces
+  // that are at right angles to axes.
   const double ulp = std::ldexp(draw.size, -53);
-  moved = moved == 0 ? ulp : std::nextafter(moved, draw.random.uniform() < 0.5 ? -draw.size : draw.size);
+  for (int c = 0; c < draw.elements.dimension(); ++c) {
+    const double towards = draw.random.uniform() < 0.5 ? -1 : 1;
+    double& x = sample.point[c];
+    x = x == 0 ? towards * ulp : std::nextafter(x, towards * 2 * (std::abs(x) + draw.size));
+  }
 }
 
 bool near_face(const Draw& draw, CageSample& sample) {

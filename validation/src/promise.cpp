@@ -250,10 +250,9 @@ constexpr std::array table{
     Row{"cage_laplacian", "*", of_cages, "double", "*", 2, 2, 64, "as the partition of unity, norm-wise over a block"},
     Row{"cage_truth", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity, norm-wise over a block"},
     // Whole cages at once, in units of what rounding the cage in its own frame costs.
-    Row{"cage_block_error", "@(mean_value|quad_mean_value)", batched, "double", "*", 1, 2, 64,
-        "each derivative of a weight to a few roundings, which w/W cancels by the quotient rule: next to a face at a "
-        "distance h weights grow like 1/h and their derivatives like 1/h^2 and 1/h^3, where those of w/W stay bounded, "
-        "so that the unit counts them"},
+    Row{"cage_block_error", "@(mean_value|quad_mean_value)", batched, "double", "*", 1, 2, 16,
+        "derivatives of w/W cancel next to the cage by the quotient rule, where weights grow like 1/h and w/W stays "
+        "bounded: the unit holds one rounding of each weight's derivatives for that, and the bound sixteen of each"},
     Row{"cage_block_error", "*", batched, "double", "*", 0, 2, 64,
         "a few roundings of the point and the corners in the cage's own frame, wherever the point is"},
     // Deformers, in cage sizes: what each keeps, as formulas/deformation.md, Section 1, states it.

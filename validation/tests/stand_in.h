@@ -5,12 +5,21 @@
 #include "cageproof/core/whole_evaluation.h"
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 
 namespace cageproof::validation {
 
-/// How a stand-in goes wrong: changes a block's tables of one point, in double. Null for the right one.
-using Fault = void (*)(const CageElements& elements, const Vec3<double>& point, int order,
-                       std::vector<Result<double>>& blocks);
+/// What a fault may know of a point.
+struct FaultyPoint {
+  const CageElements& elements;
+  const Vec3<double>& point;
+  int order;
+  std::size_t together;  ///< how many points are computed at once
+};
+
+/// How a stand-in goes wrong: changes all blocks at one point. Null for the right one.
+using Fault = void (*)(const FaultyPoint& at, std::vector<Result<double>>& blocks);
 
 /// Sums in multiprecision, rounded once, with a fault; calls itself "batched", as promises know it.
 class StandIn final : public PreparedCoordinates {
@@ -33,7 +42,7 @@ class StandIn final : public PreparedCoordinates {
   void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
     for (std::size_t p = 0; p < points.size(); ++p) {
       std::vector<Result<double>> found = rounded(points[p], order, tables);
-      if (fault_ != nullptr) fault_(*elements_, points[p], order, found);
+      if (fault_ != nullptr) fault_({*elements_, points[p], order, points.size()}, found);
       for (std::size_t b = 0; b < tables.size(); ++b)
         for (int o = 0; o <= order; ++o)
           std::ranges::copy(found[b].of(o),
@@ -42,8 +51,12 @@ class StandIn final : public PreparedCoordinates {
   }
 
  private:
+  // Remembered, since blocks of points are asked for with the same ones beside the one that matters.
   std::vector<Result<double>> rounded(const Vec3<double>& point, int order,
                                       std::span<const CoordinateTable<double>> like) const {
+    const std::scoped_lock lock(mutex_);
+    std::vector<Result<double>>& found = known_[{point[0], point[1], point[2], static_cast<double>(order)}];
+    if (!found.empty()) return found;
     std::vector<CoordinateTable<Mp100>> wide(like.size());
     for (std::size_t b = 0; b < like.size(); ++b)
       for (int o = 0; o <= order; ++o) {
@@ -52,13 +65,15 @@ class StandIn final : public PreparedCoordinates {
       }
     const Vec3<Mp100> exact = convert<Mp100>(point);
     summed_->fill(std::span(&exact, 1), order, wide);
-    std::vector<Result<double>> found(like.size());
+    found.resize(like.size());
     for (std::size_t b = 0; b < like.size(); ++b)
       for (int o = 0; o <= order; ++o)
         for (const Mp100& x : wide[b].tensors[o]) found[b].of(o).push_back(static_cast<double>(x));
     return found;
   }
 
+  mutable std::mutex mutex_;
+  mutable std::map<std::array<double, 4>, std::vector<Result<double>>> known_;
   std::shared_ptr<const CageElements> elements_;
   std::shared_ptr<const PreparedCoordinates> summed_;
   Fault fault_;

@@ -21,7 +21,7 @@ Cage framed(const Cage& cage, const CageFrame& frame);
 /// A point to try a cage at.
 struct CageSample {
   std::string_view place;
-  /// near-*: the distance in cage sizes, 0 for one unit in the last place of one coordinate; far, offset: in cage
+  /// near-*: the distance in cage sizes, 0 for one unit in the last place of each coordinate; far, offset: in cage
   /// sizes; scaled: the unit; else 0.
   double parameter = 0;
   CageFrame frame = {};
