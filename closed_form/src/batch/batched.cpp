@@ -33,6 +33,8 @@ std::optional<Layers> layers_of(const CoordinateKind& kind) {
 constexpr int kLargestExponent = 240;
 // Blocks of points that a thread takes at a time.
 constexpr std::size_t kChunk = 16;
+// Numbers that caches keep for whoever takes them next.
+constexpr std::size_t kCached = 100000;
 constexpr std::array<int, 3> kKept{1, 3, 6};
 
 class BatchedCoordinates final : public PreparedCoordinates {
@@ -52,11 +54,19 @@ class BatchedCoordinates final : public PreparedCoordinates {
   std::string evaluation() const override { return "batched"; }
   bool is_exact_in(ScalarKind scalar) const override { return summed_->is_exact_in(scalar); }
 
+  bool overwrites() const override { return true; }
   void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
     compute_in_double(points, tables, [&](auto wide, auto in_double) { fill(wide, order, in_double); });
   }
   void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
-    if (!computes(order)) return summed_->fill(points, order, tables);
+    if (!computes(order)) {
+      for (CoordinateTable<double>& table : tables)
+        for (std::vector<double>& tensor : table.tensors) std::ranges::fill(tensor, 0.0);
+      return summed_->fill(points, order, tables);
+    }
+    std::size_t numbers = 0;
+    for (const CoordinateTable<double>& table : tables)
+      for (const std::vector<double>& tensor : table.tensors) numbers += tensor.size();
     over_blocks(
         points, order,
         [&](const double* columns, const Request& request, std::size_t first, int count) {
@@ -68,7 +78,8 @@ class BatchedCoordinates final : public PreparedCoordinates {
                                .entries = blocks()[b].entries(),
                                .width = static_cast<int>(derivative_count(3, o)),
                                .from = columns + at(request, o, b),
-                               .factor = factor(o, b)},
+                               .factor = factor(o, b),
+                               .streaming = numbers > kCached},
                               count);
         },
         [&](std::size_t p, const std::vector<CoordinateTable<double>>& own) {

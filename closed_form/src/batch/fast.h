@@ -26,6 +26,11 @@ inline constexpr double kNextToEdge = 0x1p-7;
 /// On which side of the face a point lies is left to more digits where the height is this small against the face.
 inline constexpr double kNextToFace = 0x1p-36;
 
+/// The edges' integrals of a thin face are divided by its height, which leaves that much of their rounding. Beyond this
+/// the face needs more digits: of int r where the layers take it, and else of int 1/r times a squared distance, since
+/// what rounding may leave grows with the point's nearness as derivatives of the coordinates do.
+inline constexpr double kThin = 32;
+
 inline unsigned bits_of(Mask m) {
   unsigned bits = 0;
   for (int i = 0; i < kLanes; ++i) bits |= (m[i] != 0 ? 1u : 0u) << i;
@@ -91,7 +96,9 @@ void sum_faces(Block& block) {
     const Lanes along = product + e0.between * v2.r + e1.between * v0.r + e2.between * v1.r;
     const Lanes omega = 2 * angle_of(across, along);
     const Lanes high = magnitude(across), wide = magnitude(along);
-    const Mask marked = ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
+    const Lanes thin = face.steep * (Takes<L, O>::distances ? e0.distance + e1.distance + e2.distance
+                                                            : (e0.inverse + e1.inverse + e2.inverse) * (v0.r * v1.r));
+    const Mask marked = (thin > kThin) | ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
                         ((along < Lanes{}) & (high < kNextToFace * wide)) | v0.near | v1.near | v2.near;
     const Three<Lanes>* const x[3] = {&v0.x, &v1.x, &v2.x};
     if (!any(marked)) [[likely]] {

@@ -42,6 +42,7 @@ FaceTable<To> converted(const FaceTable<Mp200>& from, Convert convert) {
   }
   for (int k = 0; k < 2; ++k) to.hat[k] = convert(from.hat[k]);
   to.area2 = convert(from.area2);
+  to.steep = from.steep;
   return to;
 }
 template <class To, class Convert>
@@ -149,12 +150,16 @@ LongFace Geometry::long_face(int f) const {
     edge.length = length[e];
     edge.over = over;
   }
+  face.steep = 0;
   for (int k = 0; k < 2; ++k) {
     const int opposite = k + 1;
     face.hat[k] = length[opposite] / face.area2;
     const LongVector g = times(outward[opposite], -face.hat[k]);
     put(face.g[k], g);
-    for (int e = 0; e < 3; ++e) face.across[k][e] = product(g, outward[e]);
+    for (int e = 0; e < 3; ++e) {
+      face.across[k][e] = product(g, outward[e]);
+      face.steep = std::max(face.steep, std::abs(static_cast<double>(face.across[k][e])));
+    }
   }
   return found;
 }

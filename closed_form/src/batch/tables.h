@@ -29,6 +29,7 @@ struct FaceTable {
   T g[2][3];        ///< of corners 0 and 1: gradient of the hat function
   T across[2][3];   ///< the same times each edge's nu
   T area2;          ///< twice the area
+  double steep;     ///< the largest of `across`: how much differences of integrals over its edges are multiplied
 };
 
 /// What kinds of coordinates are made of.
@@ -88,6 +89,7 @@ struct Rows {
   int coordinates, entries, width;  ///< width: one derivative, three, or nine
   const double* from;               ///< the columns, where six stand for nine
   double factor;
+  bool streaming;  ///< whether rows are not to be kept in caches
 };
 
 /// Cage data to multiply one order's columns of a block with: [coordinate][column][set].

@@ -110,6 +110,21 @@ std::vector<CoordinateTable<R>> CageCoordinates::at(std::span<const Vec3<R>> poi
   return tables;
 }
 
+void CageCoordinates::at(std::span<const Vec3<double>> points, int order,
+                         std::vector<CoordinateTable<double>>& tables) const {
+  tables.resize(blocks().size());
+  for (std::size_t b = 0; b < tables.size(); ++b)
+    for (int o = 0; o < 3; ++o) {
+      const bool asked = o <= order;
+      tables[b].stride[o] =
+          asked ? static_cast<std::size_t>(blocks()[b].size) * blocks()[b].entries() * derivative_count(dimension(), o)
+                : 0;
+      tables[b].tensors[o].resize(points.size() * tables[b].stride[o]);
+      if (!prepared_->overwrites()) std::ranges::fill(tables[b].tensors[o], 0.0);
+    }
+  prepared_->fill(points, order, tables);
+}
+
 AppliedTable CageCoordinates::apply(std::span<const Vec3<double>> points, int order, const CageData& data) const {
   const std::size_t rows = blocks().front().shape.rows, sets = data.sets;
   for (const CoordinateBlock& block : blocks())

@@ -112,6 +112,8 @@ class PreparedCoordinates {
                     std::span<CoordinateTable<double>> tables) const = 0;
   virtual void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const = 0;
   virtual void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const = 0;
+  /// Whether `fill` in double stores what it computes, and takes tables that are not zero.
+  virtual bool overwrites() const { return false; }
   /// Adds the sums of coordinates times data to a table that the caller sized and set to zero, without keeping
   /// coordinates. False, and nothing done, for kinds that know no quicker way than coordinates first.
   virtual bool apply(std::span<const Vec3<double>> /*points*/, int /*order*/, const CageData& /*data*/,
@@ -281,6 +283,9 @@ class CageCoordinates {
   /// A block of points: one table a block of coordinates, as PreparedCoordinates::fill.
   template <Scalar R>
   std::vector<CoordinateTable<R>> at(std::span<const Vec3<R>> points, int order) const;
+
+  /// The same in double, into tables of an earlier call, whose memory is kept where it is large enough.
+  void at(std::span<const Vec3<double>> points, int order, std::vector<CoordinateTable<double>>& tables) const;
 
   /// Limits from inside at points within elements (PreparedCoordinates::fill_limits). R: double or Mp50
   /// \throws InputError for kinds that have none
