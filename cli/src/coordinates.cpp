@@ -4,6 +4,7 @@
 #include "coordinate_table.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/whole_evaluation.h"
 #include "cageproof/reports/checked_file.h"
 
 #include <fmt/format.h>
@@ -94,8 +95,9 @@ int run(const Arguments& a) {
     for (const std::string& fault : invalid_quads(cage))
       warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
   const Mesh mesh = load_points(a.points, cage.dimension());
-  const CageCoordinates coordinates(
-      cage, kind, CoordinateOptions{a.evaluation, a.cage.rule(), parameters_from(a.parameters, kind)});
+  const CageCoordinates coordinates(cage, kind,
+                                    CoordinateOptions{a.evaluation.empty() ? std::string(quickest) : a.evaluation,
+                                                      a.cage.rule(), parameters_from(a.parameters, kind)});
   const BoundaryData data = a.data.empty() ? BoundaryData() : read_boundary_data(a.data, coordinates);
   tell_solved(coordinates);
   if (!a.solved.empty()) reports::replace_file(a.solved, solved_json(coordinates).dump(2) + '\n');
@@ -129,7 +131,10 @@ void add_coordinates(CommandLine& line) {
   command.option("--parameter", a->parameters,
                  "mu=..., nu=... of somigliana (nu in (-1, 0.5] or inf or -inf); pieces=1 ... 64, collocation=NAME of "
                  "kinds that solve boundary equations; level=..., gamma_d=... of regularised ones; `list` names all");
-  command.option("--evaluation", a->evaluation, "how its formulas are evaluated, instead of as recommended");
+  command.option(
+      "--evaluation", a->evaluation,
+      "how they are computed: batched, or an evaluation of its formulas (closed_form ...); batched by default where "
+      "the kind has it, else as recommended");
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
   command.option("--out", a->out, ".csv, .npy (points x columns) or .vtp; CSV on standard output if not given");
   command.option("--data", a->data,

@@ -3,6 +3,7 @@
 #include "deform_files.h"
 #include "deformation_report.h"
 
+#include "cageproof/core/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
 #include "cageproof/reports/checked_file.h"
@@ -53,7 +54,8 @@ Chosen chosen_by(const DeformArguments& a) {
 }
 
 Posing posing_by(const DeformArguments& a, const Chosen& chosen, const Cage& cage) {
-  DeformOptions options{a.evaluation, a.cage.rule(), chosen.parameters.front(), chosen.varied};
+  DeformOptions options{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(),
+                        chosen.parameters.front(), chosen.varied};
   if (!chosen.constrained)
     return posed_by_cages(deform_method_named(a.method), cage, std::move(options), chosen.parameters, a.posed, a.data);
   return posed_by_constraints(*chosen.constrained, cage, options, a.constraints, [](int step, double energy) {
@@ -175,7 +177,10 @@ void add_deform(CommandLine& line) {
   command.option("--method", a->method, names_of_methods()).required();
   command.option("--parameter", a->parameters,
                  "the method's, NAME=VALUE, or several values for as many maps, NAME=VALUE,VALUE; `list` names them");
-  command.option("--evaluation", a->evaluation, "how formulas are evaluated, instead of as recommended");
+  command.option(
+      "--evaluation", a->evaluation,
+      "how coordinates are computed: batched, or an evaluation of their formulas; batched by default where there is "
+      "such a one, else as recommended");
   command
       .option(
           "--out", a->out,

@@ -21,7 +21,8 @@ std::optional<Layers> layers_of(const CoordinateKind& kind) {
   const auto are = [&](std::initializer_list<std::string_view> kernels) {
     return std::ranges::equal(kind.blocks, kernels, {}, &SummedBlock::kernel);
   };
-  if (kind.normalised || kind.keeps_quads) return std::nullopt;
+  if (kind.keeps_quads) return std::nullopt;
+  if (kind.normalised) return are({"mean_value"}) ? std::optional(Layers::MeanValue) : std::nullopt;
   if (are({"double_layer", "single_layer"})) return Layers::Harmonic;
   if (are({"double_layer", "single_layer", "biharmonic_double_layer", "biharmonic_single_layer"}))
     return Layers::Biharmonic;
@@ -143,7 +144,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
  private:
   bool computes(int order) const {
     return geometry_.is_sound() && std::abs(geometry_.exponent()) <= kLargestExponent &&
-           (layers_ != Layers::Kelvin || order == 0);
+           (order == 0 || layers_ == Layers::Harmonic || layers_ == Layers::Biharmonic);
   }
 
   Request request_for(int order) const {
@@ -163,6 +164,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
   // 1/(4 pi) of harmonic layers and Kelvin's, 1/(8 pi) of biharmonic ones, of psibar's values a third of it; one over
   // mu of K; the unit.
   double factor(int order, std::size_t b) const {
+    if (layers_ == Layers::MeanValue) return 1;
     double factor = 1 / (4 * pi<double>());
     if (b >= 2) factor /= 2;
     if (b == 3 && order == 0) factor /= 3;

@@ -41,29 +41,31 @@ BlockRunner::BlockRunner(const Geometry& geometry, const CageElements& elements,
 
 unsigned BlockRunner::run(std::span<const Vec3<double>> points) {
   const int lanes = kernels().lanes;
+  const double scale = std::ldexp(1., -geometry_.exponent()), unit = std::ldexp(1., geometry_.exponent());
+  const double far = kFar * geometry_.radius(), too_far = kTooFar * geometry_.radius();
   unsigned left = 0;
   block_.whole = 0;
   for (int p = 0; p < lanes; ++p) {
     // A block that is not full goes on with its last point.
     const Vec3<double>& point = points[std::min<std::size_t>(p, points.size() - 1)];
     std::array<double, 3> x{};
-    for (int i = 0; i < 3; ++i) x[i] = std::ldexp(point[i], -geometry_.exponent());
-    double away = 0;
+    double squared = 0;  // distance from the centre
     bool exact = true;
     for (int i = 0; i < 3; ++i) {
-      away = std::hypot(away, x[i] - geometry_.centre()[i]);
-      exact = exact && std::ldexp(x[i], geometry_.exponent()) == point[i];
+      x[i] = point[i] * scale;
+      exact = exact && x[i] * unit == point[i];
+      squared += (x[i] - geometry_.centre()[i]) * (x[i] - geometry_.centre()[i]);
     }
-    away /= geometry_.radius();
-    if (!exact || !(away < kTooFar)) {
+    if (!exact || !(squared < too_far * too_far)) {
       left |= 1u << p;
       x = geometry_.centre();
-    } else if (away > kFar) {
+    } else if (squared > far * far) {
       block_.whole |= 1u << p;
     }
     for (int i = 0; i < 3; ++i) points_[i * lanes + p] = x[i];
   }
   kernels().sum(block_);
+  left |= block_.left;
   if (block_.marked > 0) {
     kernels().sum_marked(block_);
     if (block_.beyond_marked > 0) left |= add_beyond(points);

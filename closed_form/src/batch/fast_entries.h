@@ -4,10 +4,13 @@
 
 #include "careful_entries.h"
 #include "fast.h"
+#include "mean_values.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
 inline void sum(Block& block) {
+  block.left = 0;
+  if (block.layers == Layers::MeanValue) return sum_mean_values(block);
   if (block.layers == Layers::Kelvin) return sum_faces<Layers::Kelvin, 0>(block);
   const bool biharmonic = block.layers == Layers::Biharmonic;
   switch (block.order) {
@@ -18,8 +21,8 @@ inline void sum(Block& block) {
 }
 
 inline long scratch_bytes(int vertices, int edges, int columns) {
-  const long fast =
-      vertices * static_cast<long>(sizeof(SeenVertex)) + edges * static_cast<long>(sizeof(EdgeTerms<Lanes>));
+  constexpr long of_edge = sizeof(EdgeTerms<Lanes>) > sizeof(SeenEdge) ? sizeof(EdgeTerms<Lanes>) : sizeof(SeenEdge);
+  const long fast = vertices * static_cast<long>(sizeof(SeenVertex)) + edges * of_edge;
   const long careful = careful_bytes(columns);
   return fast > careful ? fast : careful;
 }

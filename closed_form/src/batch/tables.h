@@ -37,6 +37,7 @@ enum class Layers {
   Harmonic,    ///< phi, psi
   Biharmonic,  ///< phi, psi, phibar, psibar
   Kelvin,      ///< T, K
+  MeanValue,   ///< lambda, values alone
 };
 
 inline constexpr int kMostBlocks = 4;
@@ -78,7 +79,8 @@ struct Block {
   void* scratch;         ///< scratch_bytes of it, aligned to 64
   Mark* marks;           ///< as many as there are faces, of those that twice the digits are spent on
   int marked;
-  Mark* beyond;  ///< as many, of those that twice the digits are not enough for
+  unsigned left;  ///< points that nothing is computed of
+  Mark* beyond;   ///< as many, of those that twice the digits are not enough for
   int beyond_marked;
 };
 

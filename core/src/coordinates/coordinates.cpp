@@ -79,12 +79,17 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
   options.parameters = checked_parameters(kind, std::move(options.parameters));
   require_accepted(kind, cage, options.parameters);
   elements_ = std::make_shared<const CageElements>(cage, kind.keeps_quads, options.triangulation);
-  const WholeEvaluation* const whole = find_whole_evaluation(options.evaluation);
-  if (whole == nullptr) {
-    prepared_ = kind.is_sum() ? prepare_sum(kind, elements_, options) : kind.prepare(cage, options);
+  if (!kind.is_sum()) {
+    prepared_ = kind.prepare(cage, options);
     return;
   }
-  if (!kind.is_sum() || !whole->exists(kind, cage))
+  if (options.evaluation == quickest) options.evaluation = quickest_evaluation(kind, cage);
+  const WholeEvaluation* const whole = find_whole_evaluation(options.evaluation);
+  if (whole == nullptr) {
+    prepared_ = prepare_sum(kind, elements_, options);
+    return;
+  }
+  if (!whole->exists(kind, cage))
     throw InputError(fmt::format("{}: no {} evaluation of {} coordinates", cage.name(), whole->name, kind.name));
   CoordinateOptions plain = options;
   plain.evaluation.clear();

@@ -22,8 +22,7 @@ const WholeEvaluation* find_whole_evaluation(std::string_view name) {
   return nullptr;
 }
 
-std::string preferred_evaluation(const CoordinateKind& kind, const Cage& cage) {
-  if (!kind.is_sum()) return {};
+std::string quickest_evaluation(const CoordinateKind& kind, const Cage& cage) {
   for (const WholeEvaluation& evaluation : known())
     if (evaluation.role == Role::Batched && evaluation.exists(kind, cage)) return std::string(evaluation.name);
   return {};

@@ -180,7 +180,8 @@ struct KindParameter : Parameter {
 
 /// What a kind is prepared with.
 struct CoordinateOptions {
-  /// Of its formulas, or of whole coordinates (WholeEvaluation); empty for each formula's recommended one.
+  /// Of its formulas, or of whole coordinates (WholeEvaluation, and `quickest` of them); empty for each formula's
+  /// recommended one.
   std::string evaluation = {};
   Triangulation triangulation = Triangulation::Shortest;
   std::vector<double> parameters = {};  ///< in the order of parameters_of(kind); empty for their defaults

@@ -35,8 +35,11 @@ struct RegisterWholeEvaluation {
 /// The one of that name, or null.
 const WholeEvaluation* find_whole_evaluation(std::string_view name);
 
-/// What users get who name no evaluation: the name of the first of role batched that computes the kind in the cage;
-/// empty, for the formulas' recommended evaluations, where there is none.
-std::string preferred_evaluation(const CoordinateKind& kind, const Cage& cage);
+/// Stands for an evaluation's name: of sums over elements, the first evaluation of role batched that computes the kind
+/// in the cage, and the formulas' recommended ones where there is none. Other kinds ask for their layers by it.
+inline constexpr std::string_view quickest = "quickest";
+
+/// The evaluation that `quickest` stands for: a name, or empty for the recommended ones. \pre the kind is a sum
+std::string quickest_evaluation(const CoordinateKind& kind, const Cage& cage);
 
 }  // namespace cageproof
