@@ -129,7 +129,7 @@ int block_points(const CoordinateKind& kind, const Cage& cage, const BlockCampai
       cost += elements.type(e).splits.empty() ? (formula.shape.rows > 1 ? 4 : 1) : 30;
     }
   // Small cages carry the sweeps.
-  const double budget = options.milliseconds * std::max(1.0, 36.0 / static_cast<double>(elements.count()));
+  const double budget = options.milliseconds * std::max(1.0, 72.0 / static_cast<double>(elements.count()));
   return std::clamp(static_cast<int>(budget / cost), 4, std::max(4, options.points));
 }
 

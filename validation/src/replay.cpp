@@ -95,7 +95,7 @@ CageError replay_cage(const RowKey& row, const WorstCase& worst, Triangulation r
   const CageCoordinates coordinates(cage, *kind, row.evaluation, rule);
   // The orders that the campaign asked for: how many digits an evaluation takes may depend on what else is asked of it.
   const int asked = std::min(worst.asked, coordinates.max_order());
-  const CageTerms terms(cage, *kind, rule);
+  const CageTerms terms(cage, *kind, rule, row.evaluation);
   if (row.check == "cage_truth" && row.order <= asked)
     return truth_errors_at(coordinates, {cage, *kind, CoordinateOptions{.triangulation = rule}}, worst.point, asked,
                            &terms)[row.order];

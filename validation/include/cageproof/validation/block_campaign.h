@@ -16,7 +16,7 @@ struct BlockCampaignOptions {
   Triangulation triangulation = Triangulation::Shortest;
   std::uint64_t seed = 1;
   int points = 150;  ///< of a cage, at most
-  /// What the truths of a kind on a cage may cost, about; on cages of a few elements up to three times that. There are
+  /// What the truths of a kind on a cage may cost, about; on cages of a few elements up to six times that. There are
   /// at least four points.
   int milliseconds = 3000;
 };
