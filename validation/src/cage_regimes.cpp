@@ -112,9 +112,9 @@ bool near_edge(const Draw& draw, CageSample& sample) {
   const Vec foot = draw.vertex(edge.from) + draw.random.uniform(0.1, 0.9) * along;
   const Vec normal = draw.elements.normals()[edge.element];
   const double side = draw.random.uniform() < 0.5 ? -1 : 1;
-  Vec direction = draw.turn % 3 == 0   ? Vec(side * normal)
-                  : draw.turn % 3 == 1 ? Vec(side * normal.cross(along))
-                                       : Vec(draw.direction());
+  Vec direction = draw.turn % 3 == 0                 ? Vec(side * normal)
+                  : draw.turn % 3 == 1 && !edge.flat ? Vec(side * normal.cross(along))
+                                                     : Vec(draw.direction());
   direction -= direction.dot(along) / along.squaredNorm() * along;
   put_beside(draw, foot, direction.stableNormalized(), sample);
   return true;

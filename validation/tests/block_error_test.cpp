@@ -149,7 +149,8 @@ TEST(block_error, of_derivatives_of_normalised_coordinates_sees_lost_digits) {
   std::set<int> orders;
   for (const ResultRow& row : rows_of(embedded_cage("cube"), "mean_value", "stand-in loses digits", 48))
     if (row.verdict == Verdict::Broken) orders.insert(row.order);
-  EXPECT_TRUE(orders.contains(0));
+  // The unit of Hessians holds so many roundings that they must lose a digit more.
+  EXPECT_TRUE(orders.contains(0) && orders.contains(1));
 }
 
 TEST(block_error, replays) {
