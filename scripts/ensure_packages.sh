@@ -37,6 +37,7 @@ libgtest-dev             unit tests
 clang-format             the formatting that CI asks for
 openmpi-bin              tests alone: starts four ranks that measure one run
 libbenchmark-dev         benchmarks
+libsleef-dev             arc tangents and logarithms on vectors, which the benchmarks take for a yardstick
 LIST
 }
 

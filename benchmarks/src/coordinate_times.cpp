@@ -73,7 +73,8 @@ WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>
       errors[i] = difference(coordinates.at<double>(compared[i], 0).front().value, truth[i]);
     });
     summarise(std::move(errors), row);
-    row.nanoseconds = 1e9 * seconds_a_point(coordinates, points, std::max(1.0, options.seconds), points.size(), sink);
+    summarise_times(nanoseconds_of_points(coordinates, points, std::max(1.0, options.seconds), points.size(), sink),
+                    row);
     result.notes.push_back(fmt::format("{}, {}: {:.0f} ms for the mesh", kind, row.evaluation,
                                        row.nanoseconds * static_cast<double>(points.size()) / 1e6));
     result.rows.push_back(std::move(row));

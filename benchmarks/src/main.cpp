@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // cageproof_bench: takes Google Benchmark's own options (--benchmark_filter, --benchmark_format=json, --benchmark_out
-// ...), and three files that deformers are timed on, too: --cage FILE --posed FILE --points FILE.
-#include "deformer_benchmarks.h"
+// ...), three files that deformers are timed on, too: --cage FILE --posed FILE --points FILE, and a folder of cages
+// that whole coordinates are timed in: --data DIR.
+#include "cage_benchmarks.h"
+#include "data_cages.h"
 #include "pair_benchmarks.h"
 #include "pairs.h"
+#include "yardstick.h"
 
 #include "cageproof/core/mesh_io.h"
 
@@ -21,7 +24,7 @@ namespace {
 using cageproof::benchmarks::DeformedCage;
 
 struct Files {
-  std::string cage, posed, points;
+  std::string cage, posed, points, data;
 };
 
 // The program's own options, beside Google Benchmark's, which has --help.
@@ -31,6 +34,7 @@ void add_options(CLI::App& app, Files& files) {
   auto* const posed = app.add_option("--posed", files.posed, "its vertices elsewhere");
   auto* const points = app.add_option("--points", files.points, "points within it");
   for (auto* const option : {cage, posed, points}) option->needs(cage)->needs(posed)->needs(points);
+  app.add_option("--data", files.data, "a folder of cages X_Cage.obj with meshes X.obj, for whole coordinates");
 }
 
 void print_help() {
@@ -64,9 +68,11 @@ int main(int argc, char** argv) {
   Files files;
   add_options(app, files);
   std::shared_ptr<const DeformedCage> given;
+  std::vector<std::shared_ptr<const DeformedCage>> cages;
   try {
     app.parse(count, arguments.data());
     given = cage_of(files);
+    if (!files.data.empty()) cages = cages_in(files.data);
   } catch (const std::exception& error) {
     std::cerr << "cageproof_bench: " << error.what() << '\n';
     return 2;
@@ -80,6 +86,11 @@ int main(int argc, char** argv) {
   for (const char* name : {"spiky-box", "l-shape"})
     register_deformer_benchmarks(std::make_shared<const DeformedCage>(embedded_deformed_cage(name, points)));
   if (given) register_deformer_benchmarks(given);
+  register_yardstick();
+  for (const char* name : {"icosphere", "twisted-bar"})
+    register_cage_benchmarks(std::make_shared<const DeformedCage>(embedded_deformed_cage(name, points)));
+  for (const auto& cage : cages) register_cage_benchmarks(cage);
+  register_scaling_benchmarks();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a row of a study says of its samples' errors.
+// What a row of a study says of its samples' errors and of their times.
 #pragma once
 
 #include "cageproof/core/work_precision.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace cageproof::benchmarks {
@@ -23,6 +24,16 @@ inline void summarise(std::vector<double> errors, WorkPrecisionRow& row) {
   row.largest = errors.back();
   row.rms = std::sqrt(squares / static_cast<double>(errors.size()));
   row.median = errors[(errors.size() - 1) / 2];
+}
+
+/// Sets timed and the three times, from one time of each pair or point. \pre there are some
+inline void summarise_times(std::vector<double> nanoseconds, WorkPrecisionRow& row) {
+  const std::size_t count = nanoseconds.size();
+  std::ranges::sort(nanoseconds);
+  row.timed = count;
+  row.nanoseconds = std::accumulate(nanoseconds.begin(), nanoseconds.end(), 0.0) / static_cast<double>(count);
+  row.median_nanoseconds = nanoseconds[(count - 1) / 2];
+  row.quantile_nanoseconds = nanoseconds[count - 1 - count / 1000];
 }
 
 }  // namespace cageproof::benchmarks

@@ -112,7 +112,7 @@ WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind,
                                  : errors_at(coordinates, cage, points[i], expected, 0).partition[0].relative;
       });
       summarise(std::move(errors), row);
-      row.nanoseconds = 1e9 * seconds_a_point(coordinates, points, options.seconds, SIZE_MAX, sink);
+      summarise_times(nanoseconds_of_points(coordinates, points, options.seconds, SIZE_MAX, sink), row);
       result.rows.push_back(std::move(row));
     }
   }

@@ -5,6 +5,7 @@
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/parallel.h"
 #include "cageproof/validation/truth.h"
+#include "pair_times.h"
 #include "summarise.h"
 #include "whole_work_precision.h"
 
@@ -12,52 +13,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <numeric>
 
 namespace cageproof::benchmarks {
 
 using namespace validation;
 namespace {
-
-constexpr std::size_t timed_pairs = 64;
-
-// What is timed: at each sample, evaluations one after the other, each with its formula's parameters.
-struct Work {
-  std::vector<Sample> samples;
-  std::vector<std::vector<const Evaluation*>> evaluations;  // as many at each sample
-};
-
-// Sets nodes and nanoseconds: whole passes over the samples until `seconds` are over, so that each counts alike.
-void time(const Work& work, int order, double seconds, WorkPrecisionRow& row) {
-  using Clock = std::chrono::steady_clock;
-  std::vector<QueryOf<double>> queries;
-  queries.reserve(work.samples.size());
-  for (const Sample& sample : work.samples) queries.emplace_back(sample, order);
-  Result<double> result;
-  double nodes = 0;
-  const auto pass = [&] {
-    nodes = 0;
-    for (std::size_t i = 0; i < queries.size(); ++i)
-      for (const Evaluation* evaluation : work.evaluations[i]) {
-        (*evaluation)(queries[i].query(), result);
-        nodes += static_cast<double>(result.nodes);
-      }
-  };
-  // Tables that an evaluation builds at its first call are no part of its time.
-  pass();
-  int passes = 0;
-  const auto start = Clock::now();
-  double elapsed = 0;
-  do {
-    pass();
-    ++passes;
-    elapsed = std::chrono::duration<double>(Clock::now() - start).count();
-  } while (elapsed < seconds);
-  const auto pairs = static_cast<double>(queries.size());
-  row.nodes = nodes / (pairs * static_cast<double>(work.evaluations.front().size()));
-  row.nanoseconds = 1e9 * elapsed / (passes * pairs);
-}
 
 // One evaluation of each formula; all that are missing in one message.
 std::vector<std::vector<Evaluation>> find_all(const std::vector<std::string_view>& formulas,
@@ -101,13 +63,15 @@ class KindEvaluations {
   std::array<std::vector<Evaluation>, element_kinds.size()> of_kind_;
 };
 
-// Pairs of a group's points and elements, spread evenly over all of them.
-Work pairs_of(const CageElements& elements, const KindEvaluations& evaluations, const PointGroup& group,
-              const std::vector<double>& parameters) {
-  const std::size_t all = group.points.size() * elements.count(), count = std::min(all, timed_pairs);
-  Work work;
+// Pairs of a group's points and elements, of which the first few are spread over all of them, too.
+TimedPairs pairs_of(const CageElements& elements, const KindEvaluations& evaluations, const PointGroup& group,
+                    const std::vector<double>& parameters, std::size_t most) {
+  const std::size_t all = group.points.size() * elements.count(), count = std::min(all, most);
+  std::size_t stride = static_cast<std::size_t>(0.618 * static_cast<double>(all)) | 1;
+  while (std::gcd(stride, all) != 1) ++stride;
+  TimedPairs work;
   for (std::size_t n = 0; n < count; ++n) {
-    const std::size_t pair = n * all / count, element = pair % elements.count();
+    const std::size_t pair = n * stride % all, element = pair % elements.count();
     work.samples.push_back({elements.corners(element), group.points[pair / elements.count()].point, parameters, 0, 0});
     work.evaluations.push_back(evaluations.on(elements.type(element).kind));
   }
@@ -153,6 +117,20 @@ std::vector<RegimePlace> places_of(const std::vector<const Regime*>& regimes, co
   return places;
 }
 
+// The samples that errors are measured at, and as many more of the place as are to be timed; no more where there is no
+// time for them.
+std::vector<Sample> timed_samples(const Formula& formula, const RegimePlace& place, std::vector<Sample> samples,
+                                  const WorkPrecisionOptions& options) {
+  const std::size_t count = options.seconds > 0 ? options.timed : std::min(samples.size(), least_timed_pairs);
+  samples.resize(std::min(samples.size(), count));
+  samples.reserve(count);
+  while (samples.size() < count) {
+    samples.push_back(make_sample(formula, *place.regime, options.seed, place.first + samples.size() * place.stride));
+    if (!options.parameters.empty()) samples.back().parameters = options.parameters;
+  }
+  return samples;
+}
+
 }  // namespace
 
 WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, const std::vector<PointGroup>& groups,
@@ -189,7 +167,8 @@ WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, 
       });
       summarise(std::move(errors), row);
       const KindEvaluations timed(kind, cage, row.evaluation);
-      time(pairs_of(coordinates.elements(), timed, group, parameters), 0, options.seconds, row);
+      time_pairs(pairs_of(coordinates.elements(), timed, group, parameters, static_cast<std::size_t>(options.timed)), 0,
+                 options.seconds, row);
       result.rows.push_back(std::move(row));
     }
   }
@@ -221,6 +200,7 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
     if (known < std::ssize(truths))
       result.notes.push_back(fmt::format("{}: no truth at {} samples", place.name, std::ssize(truths) - known));
     if (known == 0) continue;
+    TimedPairs timed{.samples = timed_samples(formula, place, samples, options), .evaluations = {}};
     for (const auto& one : evaluations) {
       WorkPrecisionRow row;
       row.evaluation = one.front().name();
@@ -234,9 +214,8 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
                                           : conditioned_error(found, truths[i], options.order, u));
       }
       summarise(std::move(errors), row);
-      const std::size_t timed = std::min(samples.size(), timed_pairs);
-      time({{samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(timed)}, {timed, {&one.front()}}},
-           options.order, options.seconds, row);
+      timed.evaluations.assign(timed.samples.size(), {&one.front()});
+      time_pairs(timed, options.order, options.seconds, row);
       result.rows.push_back(std::move(row));
     }
   }

@@ -2,6 +2,7 @@
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/benchmarks/work_precision.h"
+#include "summarise.h"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +33,21 @@ void fill_fake(Evaluation& bad) {
 const RegisterEvaluation fake{single_family(
     "triangle.double_layer", "seven-nodes",
     {.description = "wrong by a known amount, and slow", .role = Role::Foreign, .max_order = 0}, false, fill_fake)};
+
+// As slow where the point lies in one of about `1 / slow_share` slices of space, and quick elsewhere.
+constexpr double slow_share = 1.0 / 16;
+void fill_sometimes_slow(Evaluation& bad) {
+  const Evaluation good = evaluation_named("triangle.double_layer", "seven-nodes");
+  bad.set_point<double>([good](const Query<double>& query, Result<double>& result) {
+    const double slice = 1e3 * query.point[0];
+    if (slice - std::floor(slice) < slow_share) good(query, result);
+    else result.reset(3, 3, 0);
+  });
+}
+const RegisterEvaluation sometimes{
+    single_family("triangle.double_layer", "sometimes-slow",
+                  {.description = "slow at a known share of points", .role = Role::Foreign, .max_order = 0}, false,
+                  fill_sometimes_slow)};
 
 const CoordinateKind& phi_alone() {
   static const CoordinateKind kind{
@@ -70,8 +86,40 @@ TEST(work_precision, shows_a_known_error_its_nodes_and_its_time) {
     EXPECT_NEAR(row.rms, known_error, 1e-11) << row.place;
     EXPECT_NEAR(row.median, known_error, 1e-11) << row.place;
     EXPECT_EQ(row.nodes, 7);
+    EXPECT_EQ(row.timed, 3U * 12) << "three points, twelve triangles";
+    EXPECT_GE(row.median_nanoseconds, known_nanoseconds);
     EXPECT_GE(row.nanoseconds, known_nanoseconds);
+    EXPECT_GE(row.quantile_nanoseconds, row.median_nanoseconds);
   }
+}
+
+// One pair in so many takes a known time longer, which the quantile shows, the mean shows its share of, and the median
+// does not.
+TEST(work_precision, times_pairs_one_by_one) {
+  WorkPrecisionOptions options = quick({"seven-nodes", "sometimes-slow"});
+  options.timed = 1200;
+  options.seconds = 60;
+  const auto result = formula_work_precision(*find_formula("triangle.double_layer"), {find_regime("generic")}, options);
+  ASSERT_EQ(result.rows.size(), 2u);
+  const WorkPrecisionRow& row = result.rows[1];
+  EXPECT_EQ(row.timed, 1200u);
+  EXPECT_LT(row.median_nanoseconds, known_nanoseconds / 2);
+  EXPECT_GE(row.quantile_nanoseconds, known_nanoseconds);
+  EXPECT_GT(row.nanoseconds, known_nanoseconds * slow_share / 3);
+  EXPECT_LT(row.nanoseconds, row.quantile_nanoseconds);
+}
+
+TEST(work_precision, quantile_leaves_a_thousandth_out) {
+  std::vector<double> times(1000);
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = static_cast<double>(1 + i * 7 % 1000);
+  WorkPrecisionRow row;
+  summarise_times(times, row);
+  EXPECT_EQ(row.timed, 1000u);
+  EXPECT_EQ(row.median_nanoseconds, 500);
+  EXPECT_EQ(row.nanoseconds, 500.5);
+  EXPECT_EQ(row.quantile_nanoseconds, 999);
+  summarise_times({3, 1, 2}, row);
+  EXPECT_EQ(row.quantile_nanoseconds, 3) << "fewer than a thousand: the longest";
 }
 
 // More pieces come nearer to what the scheme approximates, and take longer.

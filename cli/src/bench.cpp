@@ -6,10 +6,12 @@
 #include "cageproof/benchmarks/coordinate_times.h"
 #include "cageproof/validation/machine_facts.h"
 #include "cageproof/benchmarks/work_precision.h"
+#include "cageproof/validation/promise.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace cageproof::cli {
@@ -37,14 +39,23 @@ WorkPrecision measure_cage(const Arguments& a, benchmarks::WorkPrecisionOptions 
   return result;
 }
 
+// Those that a name or glob means; of a glob's those alone that exist for the element.
+std::vector<const validation::Regime*> regimes_named(const std::string& pattern, ElementKind element) {
+  if (const validation::Regime* regime = validation::find_regime(pattern)) return {regime};
+  std::vector<const validation::Regime*> found;
+  for (const validation::Regime& regime : validation::regimes())
+    if (validation::matches(pattern, regime.name) && validation::exists_for(regime, element)) found.push_back(&regime);
+  if (found.empty()) throw unknown_name("regime", pattern);
+  return found;
+}
+
 WorkPrecision measure_formula(const Arguments& a, benchmarks::WorkPrecisionOptions options) {
   const Formula* formula = &formula_named(a.formula);
   if (!a.parameters.empty()) options.parameters = parameters_from(a.parameters, formula->parameters, formula->name);
   std::vector<const validation::Regime*> regimes;
-  for (const std::string& name : a.regimes) {
-    regimes.push_back(validation::find_regime(name));
-    if (!regimes.back()) throw unknown_name("regime", name);
-  }
+  for (const std::string& name : a.regimes)
+    for (const validation::Regime* regime : regimes_named(name, formula->element))
+      if (std::ranges::find(regimes, regime) == regimes.end()) regimes.push_back(regime);
   return benchmarks::formula_work_precision(*formula, regimes, options);
 }
 
@@ -85,7 +96,8 @@ int run(const Arguments& a) {
   result.started = started;
   result.machine = validation::machine_facts();
   result.settings["parameters"] = fmt::format("{}", fmt::join(a.parameters, " "));
-  result.settings["seconds timed at least"] = fmt::format("{}", a.options.seconds);
+  result.settings["seconds"] = fmt::format("{}", a.options.seconds);
+  result.settings["timed"] = fmt::format("{}", a.options.timed);
   std::cout << (a.csv ? reports::work_precision_csv(result) : reports::work_precision_text(result));
   if (writer) writer->write(result);
   return success;
@@ -108,7 +120,7 @@ void add_bench(CommandLine& line, const std::string& command_line) {
       .option("--points", a->points,
               "a mesh, or text with three numbers a line (for polygons two), instead of random points inside")
       .excludes(formula);
-  command.option("--regime", a->regimes, "regimes of a formula's samples")
+  command.option("--regime", a->regimes, "regimes of a formula's samples, names or globs")
       .separated_by(',')
       .excludes(kind)
       .showing_default();
@@ -124,7 +136,12 @@ void add_bench(CommandLine& line, const std::string& command_line) {
             "a formula's errors at each distance (or what else the regime sweeps) by themselves")
       .excludes(kind);
   command.flag("--relative", a->options.relative, "a formula's relative instead of conditioned errors").excludes(kind);
-  command.option("--seconds", a->options.seconds, "timed at least, an evaluation and place")
+  command.option("--timed", a->options.timed, "pairs timed, an evaluation and place, each by itself")
+      .in_range(1, 10000000)
+      .showing_default();
+  command
+      .option("--seconds", a->options.seconds,
+              "spent on pairs beyond the first 64, an evaluation and place; of whole coordinates, timed at least")
       .in_range(0.0, 3600.0)
       .showing_default();
   command.option("--jobs", a->options.jobs, "threads for the errors; 0: all cores").in_range(0, 1024).showing_default();

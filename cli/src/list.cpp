@@ -3,6 +3,7 @@
 
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/whole_evaluation.h"
 #include "cageproof/deformation/constrained.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/hunt.h"
@@ -61,6 +62,16 @@ std::vector<CoordinateBlock> own_blocks(const CoordinateKind& kind) {
   return CageCoordinates(embedded_cage(kind.own_dimension == 2 ? "square" : "cube"), kind, {}).blocks();
 }
 
+// What computes a kind at once in a cage of space or of the plane.
+std::vector<std::string_view> whole_evaluations_of(const CoordinateKind& kind) {
+  std::vector<std::string_view> names;
+  if (!kind.is_sum()) return names;
+  for (const WholeEvaluation& evaluation : whole_evaluations())
+    if (evaluation.exists(kind, embedded_cage("cube")) || evaluation.exists(kind, embedded_cage("square")))
+      names.push_back(evaluation.name);
+  return names;
+}
+
 Json parameter_json(const KindParameter& p) {
   Json parameter = {{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}};
   if (!p.names.empty())
@@ -85,6 +96,7 @@ Json catalogue_json() {
     for (const KindParameter& p : parameters_of(kind)) parameters.push_back(parameter_json(p));
     all["coordinates"].push_back(
         {{"name", kind.name}, {"source", kind.source}, {"blocks", blocks}, {"parameters", parameters}});
+    all["coordinates"].back()["whole_evaluations"] = whole_evaluations_of(kind);
   }
   const auto add_deformer = [&](const auto& method, const std::vector<KindParameter>& known, const Json& taken) {
     Json parameters = Json::array();
@@ -144,7 +156,9 @@ void print_text() {
     for (const SummedBlock& b : kind.blocks) labels.emplace_back(b.label);
     if (!kind.is_sum())
       for (const CoordinateBlock& b : own_blocks(kind)) labels.push_back(b.label);
-    fmt::print(" {} ({})", kind.name, fmt::join(labels, ", "));
+    fmt::print(" {} ({}", kind.name, fmt::join(labels, ", "));
+    for (const std::string_view evaluation : whole_evaluations_of(kind)) fmt::print("; {}", evaluation);
+    fmt::print(")");
   }
   fmt::print("\ndeformers:\n");
   for (const deformation::DeformMethod& method : deformation::deform_methods()) {

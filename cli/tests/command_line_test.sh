@@ -378,6 +378,16 @@ awk -F, '$5 == "closed_form" && !($9 < 1e-10) || $5 == "three-quad-75" && ($14 !
 bench --kind green --points "$work/three.csv" >"$work/stdout" || fail "bench --points"
 bench --formula triangle.solid_angle --order 1 --regime near-face --evaluations gauss-4,closed_form >"$work/stdout" || fail "bench --formula"
 [ "$(grep -c near-face "$work/stdout")" -eq 2 ] || fail "bench --formula: $(cat "$work/stdout")"
+# Globs and lists of regimes: those that exist for the element, each once; what was timed, and how long it took.
+bench --formula triangle.solid_angle --regime 'on-*,generic,on-face' --evaluations closed_form --csv >"$work/globs.csv" || fail "bench --regime 'on-*'"
+[ "$(cut -d, -f 3 "$work/globs.csv" | sort | uniq -c | awk '$1 > 1' | wc -l)" -eq 0 ] || fail "a regime twice: $(cat "$work/globs.csv")"
+for regime in generic on-face on-edge on-vertex; do grep -q ",$regime," "$work/globs.csv" || fail "no $regime: $(cat "$work/globs.csv")"; done
+awk -F, 'NR == 1 { if ($16 != "median_nanoseconds" || $17 != "quantile_nanoseconds" || $18 != "timed") exit 1; next }
+  !($15 > 0 && $16 > 0 && $17 >= $16 && $18 == 2) { exit 1 }' "$work/globs.csv" || fail "times: $(cat "$work/globs.csv")"
+bench --formula segment.double_layer --regime '*' --evaluations closed_form >"$work/stdout" || fail "bench --regime '*' in the plane"
+"$cageproof" bench --formula triangle.solid_angle --regime generic --evaluations closed_form --samples 2 --timed 70 --seconds 10 --csv >"$work/globs.csv" || fail "bench --timed"
+[ "$(tail -n 1 "$work/globs.csv" | cut -d, -f 18)" -eq 70 ] || fail "bench --timed 70: $(cat "$work/globs.csv")"
+refuses nonsense -- bench --formula triangle.solid_angle --regime 'nonsense*'
 refuses nonsense gauss-0 -- bench --kind somigliana --evaluations nonsense,closed_form,gauss-0 --out "$work/out"
 refuses nonsense -- bench --kind nonsense
 refuses nonsense -- bench --formula nonsense

@@ -17,12 +17,13 @@ namespace cageproof::reports {
 std::string work_precision_csv(const WorkPrecision& r) {
   std::string csv =
       "subject,where,place,distance,evaluation,order,samples,nonfinite,largest,rms,median,error,unit,nodes,"
-      "nanoseconds\n";
+      "nanoseconds,median_nanoseconds,quantile_nanoseconds,timed\n";
   for (const WorkPrecisionRow& row : r.rows)
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(r.subject), csv_field(r.where),
-                       csv_field(row.place), row.distance, csv_field(row.evaluation), r.order, row.samples,
-                       row.nonfinite, row.largest, row.rms, row.median, csv_field(r.error), csv_field(r.unit),
-                       row.nodes, row.nanoseconds);
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(r.subject), csv_field(r.where),
+                    csv_field(row.place), row.distance, csv_field(row.evaluation), r.order, row.samples, row.nonfinite,
+                    row.largest, row.rms, row.median, csv_field(r.error), csv_field(r.unit), row.nodes, row.nanoseconds,
+                    row.median_nanoseconds, row.quantile_nanoseconds, row.timed);
   return csv;
 }
 
@@ -38,7 +39,10 @@ std::string work_precision_json(const WorkPrecision& r) {
                     {"rms", json_number(row.rms)},
                     {"median", json_number(row.median)},
                     {"nodes", row.nodes},
-                    {"nanoseconds", row.nanoseconds}});
+                    {"nanoseconds", row.nanoseconds},
+                    {"median_nanoseconds", row.median_nanoseconds},
+                    {"quantile_nanoseconds", row.quantile_nanoseconds},
+                    {"timed", row.timed}});
   const Json all = {
       {"schema", "cageproof-work-precision"},
       {"schema_version", 1},
@@ -58,13 +62,14 @@ std::string work_precision_json(const WorkPrecision& r) {
 }
 
 std::string work_precision_text(const WorkPrecision& r) {
-  std::vector<std::array<std::string, 8>> lines{
-      {"place", "evaluation", "samples", "largest", "rms", "median", "nodes", "ns/" + r.timed}};
+  std::vector<std::array<std::string, 11>> lines{{"place", "evaluation", "samples", "largest", "rms", "median", "nodes",
+                                                  "timed", "ns/" + r.timed + " median", "mean", "99.9 %"}};
   for (const WorkPrecisionRow& row : r.rows)
     lines.push_back({row.place, row.evaluation, fmt::format("{}", row.samples), short_error(row.largest),
                      short_error(row.rms), short_error(row.median), fmt::format("{:.0f}", row.nodes),
-                     fmt::format("{:.0f}", row.nanoseconds)});
-  std::array<std::size_t, 8> width{};
+                     fmt::format("{}", row.timed), fmt::format("{:.0f}", row.median_nanoseconds),
+                     fmt::format("{:.0f}", row.nanoseconds), fmt::format("{:.0f}", row.quantile_nanoseconds)});
+  std::array<std::size_t, 11> width{};
   for (const auto& line : lines)
     for (std::size_t c = 0; c < line.size(); ++c) width[c] = std::max(width[c], line[c].size());
   std::string text = fmt::format("{}, {}: {} [{}], order {}\n", r.subject, r.where, r.error, r.unit, r.order);

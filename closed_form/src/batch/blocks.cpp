@@ -16,15 +16,16 @@ constexpr double kFar = 1.25, kTooFar = 256;
 
 }  // namespace
 
-BlockRunner::BlockRunner(const Geometry& geometry, const CageElements& elements, const Request& request)
+BlockRunner::BlockRunner(const Geometry& geometry, const CageElements& elements, const Request& request,
+                         const Kernels& with)
     : geometry_(geometry),
       elements_(elements),
       request_(request),
+      kernels_(with),
       tables_(geometry.tables()),
-      points_(aligned<double>(3 * kernels().lanes)),
-      columns_(aligned<double>(static_cast<std::size_t>(request.layout.count) * kernels().lanes)),
-      scratch_(
-          aligned<std::byte>(kernels().scratch_bytes(geometry.vertices(), geometry.edges(), request.layout.count))),
+      points_(aligned<double>(3 * kernels_.lanes)),
+      columns_(aligned<double>(static_cast<std::size_t>(request.layout.count) * kernels_.lanes)),
+      scratch_(aligned<std::byte>(kernels_.scratch_bytes(geometry.vertices(), geometry.edges(), request.layout.count))),
       marks_(geometry.faces()),
       beyond_(geometry.faces()) {
   block_.cage = &tables_;
@@ -40,7 +41,7 @@ BlockRunner::BlockRunner(const Geometry& geometry, const CageElements& elements,
 }
 
 unsigned BlockRunner::run(std::span<const Vec3<double>> points) {
-  const int lanes = kernels().lanes;
+  const int lanes = kernels_.lanes;
   const double scale = std::ldexp(1., -geometry_.exponent()), unit = std::ldexp(1., geometry_.exponent());
   const double far = kFar * geometry_.radius(), too_far = kTooFar * geometry_.radius();
   unsigned left = 0;
@@ -64,10 +65,10 @@ unsigned BlockRunner::run(std::span<const Vec3<double>> points) {
     }
     for (int i = 0; i < 3; ++i) points_[i * lanes + p] = x[i];
   }
-  kernels().sum(block_);
+  kernels_.sum(block_);
   left |= block_.left;
   if (block_.marked > 0) {
-    kernels().sum_marked(block_);
+    kernels_.sum_marked(block_);
     if (block_.beyond_marked > 0) left |= add_beyond(points);
   }
   const unsigned all = (1u << points.size()) - 1;
@@ -75,7 +76,7 @@ unsigned BlockRunner::run(std::span<const Vec3<double>> points) {
 }
 
 unsigned BlockRunner::add_beyond(std::span<const Vec3<double>> points) {
-  const int lanes = kernels().lanes;
+  const int lanes = kernels_.lanes;
   unsigned left = 0;
   for (std::size_t p = 0; p < points.size(); ++p) {
     std::vector<int> faces;

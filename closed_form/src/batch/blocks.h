@@ -27,10 +27,11 @@ struct Request {
 class BlockRunner {
  public:
   /// They must outlive it.
-  BlockRunner(const Geometry& geometry, const CageElements& elements, const Request& request);
+  BlockRunner(const Geometry& geometry, const CageElements& elements, const Request& request,
+              const Kernels& with = kernels());
 
-  /// Up to kernels().lanes points. \return a bit for each point that the kernels leave to others: on the cage, too near
-  /// to it, or too far away
+  /// Up to as many points as the kernels have lanes. \return a bit for each point that the kernels leave to others: on
+  /// the cage, too near to it, or too far away
   unsigned run(std::span<const Vec3<double>> points);
   /// [column][lanes], as Columns says.
   const double* columns() const { return columns_.get(); }
@@ -50,6 +51,7 @@ class BlockRunner {
   const Geometry& geometry_;
   const CageElements& elements_;
   const Request& request_;
+  const Kernels& kernels_;
   CageTables tables_;
   Aligned<double> points_, columns_;
   Aligned<std::byte> scratch_;

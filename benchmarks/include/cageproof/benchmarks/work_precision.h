@@ -18,8 +18,10 @@ struct WorkPrecisionOptions {
   int order = 0;              ///< of formulas; cages are asked for values alone
   bool by_parameter = false;  ///< a place for each parameter of a regime (distance ...), instead of one for all
   bool relative = false;      ///< relative errors of formulas, norm-wise, instead of conditioned ones
-  double seconds = 0.2;       ///< timed at least, an evaluation and place
-  int jobs = 0;               ///< threads for the errors; times are always taken on one
+  int timed = 1000;           ///< pairs timed, an evaluation and place, each by itself
+  /// Spent on the pairs beyond the first 64, an evaluation and place; of whole coordinates, timed at least.
+  double seconds = 0.5;
+  int jobs = 0;  ///< threads for the errors; times are always taken on one
 };
 
 /// Points at about the same distance from a cage.

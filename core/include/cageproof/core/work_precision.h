@@ -17,9 +17,12 @@ struct WorkPrecisionRow {
   std::uint64_t samples = 0;
   std::uint64_t nonfinite = 0;  ///< errors that are not finite
   double largest = 0, rms = 0,
-         median = 0;       ///< of the errors, in WorkPrecision::unit; one that is not finite counts as infinite
-  double nodes = 0;        ///< mean kernel evaluations of one formula on one element; 0 for closed forms
-  double nanoseconds = 0;  ///< of what WorkPrecision::timed says, all formulas of the subject, one thread
+         median = 0;  ///< of the errors, in WorkPrecision::unit; one that is not finite counts as infinite
+  double nodes = 0;   ///< mean kernel evaluations of one formula on one element; 0 for closed forms
+  /// Of what WorkPrecision::timed says, all formulas of the subject, one thread: the mean over what was timed, half of
+  /// which took no longer than the median, and all but a thousandth no longer than the quantile.
+  double nanoseconds = 0, median_nanoseconds = 0, quantile_nanoseconds = 0;
+  std::uint64_t timed = 0;  ///< pairs or points that were timed; below 1000 the quantile is the longest time
 };
 
 /// A whole measurement.

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Whole coordinates as benchmarks ask for them: by which evaluations, and applied to what.
+#pragma once
+
+#include "deformer_benchmarks.h"
+
+#include "cageproof/core/whole_evaluation.h"
+
+namespace cageproof::benchmarks {
+
+/// The evaluations that a kind is timed by in a cage: whole ones (whole_evaluations) that compute it, the formulas'
+/// recommended one, and of kinds that keep quads their schemes and direct rules.
+struct TimedEvaluation {
+  std::string name;
+  bool whole;
+};
+std::vector<TimedEvaluation> timed_evaluations(const CoordinateKind& kind, const Cage& cage);
+
+/// What a pose of the cage makes of the blocks: deformed vertices, normals of deformed elements times the root of the
+/// ratio of areas, and a tenth of these for blocks that reproduce nothing. Coordinates that are numbers have three
+/// sets, one a coordinate of space (in the plane two), matrices one.
+CageData data_of_pose(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& posed);
+
+}  // namespace cageproof::benchmarks

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+// Whole coordinates against sums of closed forms in 50 digits, next to everything that a cage has.
+#include "../src/batch/blocks.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/random_stream.h"
+#include "cageproof/core/whole_evaluation.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+namespace cageproof {
+namespace {
+
+using Point = Vec3<double>;
+
+CageCoordinates coordinates_of(const Cage& cage, std::string_view kind, const std::string& evaluation) {
+  return {cage, coordinate_kind_named(kind), CoordinateOptions{.evaluation = evaluation}};
+}
+
+double norm_of(const std::vector<Mp50>& values) {
+  Mp50 squares = 0;
+  for (const Mp50& x : values) squares += x * x;
+  return static_cast<double>(Mp50(sqrt(squares)));
+}
+
+// The largest block error over blocks and orders, in units of u, with the point for the only input: |f - truth| over
+// |truth| + size |grad truth|; of the highest order over |truth| alone.
+double block_error(const CageCoordinates& found, const CageCoordinates& reference, double size, const Point& point,
+                   int order) {
+  const auto f = found.at<double>(point, order);
+  const auto truth = reference.at<Mp50>(convert<Mp50>(point), std::min(order + 1, 2));
+  double worst = 0;
+  for (std::size_t b = 0; b < f.size(); ++b)
+    for (int o = 0; o <= order; ++o) {
+      std::vector<Mp50> difference;
+      for (std::size_t i = 0; i < f[b].of(o).size(); ++i) difference.push_back(Mp50(f[b].of(o)[i]) - truth[b].of(o)[i]);
+      // On the cage some derivatives do not exist.
+      const double slope = o < 2 ? norm_of(truth[b].of(o + 1)) : 0;
+      const double scale = norm_of(truth[b].of(o)) + (std::isfinite(slope) ? size * slope : 0);
+      const double error = norm_of(difference) / (unit_roundoff<double>() * scale);
+      if (!(error <= worst)) worst = error;
+    }
+  return worst;
+}
+
+Point direction(RandomStream& random) {
+  Point v;
+  do
+    for (int c = 0; c < 3; ++c) v[c] = random.uniform(-1, 1);
+  while (v.norm() > 1 || v.norm() < 0.1);
+  return v.normalized();
+}
+
+// Beside the elements of a cage, at a distance: next to faces, edges and vertices by turns.
+std::vector<Point> points_beside(const Cage& cage, const CageElements& elements, double distance, int count) {
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) {
+    RandomStream random(7, "beside/" + cage.name(), i);
+    const auto k = elements.corners(random.below(static_cast<int>(elements.count())));
+    double a = random.uniform(), b = random.uniform();
+    if (a + b > 1) a = 1 - a, b = 1 - b;
+    if (i % 3 >= 1) b = 0;
+    if (i % 3 == 2) a = 0;
+    points.push_back(k[0] + a * (k[1] - k[0]) + b * (k[2] - k[0]) + distance * cage.size() * direction(random));
+  }
+  return points;
+}
+
+void expect_small_errors(const Cage& cage, std::string_view kind, int order, double bound) {
+  const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
+  ASSERT_EQ(found.evaluation(), "batched");
+  for (const int decade : {0, 1, 2, 3, 5, 7, 10, 13, 16})
+    for (const Point& p : points_beside(cage, found.elements(), std::pow(10., -decade), 3))
+      EXPECT_LE(block_error(found, reference, cage.size(), p, order), bound)
+          << kind << " 1e-" << decade << " sizes beside " << cage.name() << ", at " << p.transpose();
+}
+
+TEST(Batched, values_next_to_everything) {
+  for (const char* cage : {"cube", "twisted-bar", "thin-wall-1e-3"})
+    for (const char* kind : {"green", "biharmonic", "somigliana"})
+      expect_small_errors(embedded_cage(cage), kind, 0, 64);
+  for (const char* cage : {"cube", "twisted-bar"}) expect_small_errors(embedded_cage(cage), "mean_value", 0, 64);
+}
+
+// Nearer than double-doubles reach: an edge, and a face whose plane is that of no axis, through the origin.
+TEST(Batched, values_at_distances_beyond_double_doubles) {
+  const std::vector<Face> tetrahedron{{{0, 1, 2, -1}}, {{0, 3, 1, -1}}, {{1, 3, 2, -1}}, {{2, 3, 0, -1}}};
+  const Point a(0.5, 0.375, -0.25), b(-0.75, 0.5, 0.125), c = -a - b, top(0.25, 0.5, 1.5);
+  const Cage face = Cage::make("face", {a, b, c, top}, tetrahedron, {.flip_inward = true});
+  const Cage edge = Cage::make("edge", {a, -a, b, top}, tetrahedron, {.flip_inward = true});
+  for (const Cage* cage : {&face, &edge})
+    for (const char* kind : {"green", "biharmonic", "somigliana", "mean_value"}) {
+      const CageCoordinates found = coordinates_of(*cage, kind, "batched"), reference = coordinates_of(*cage, kind, "");
+      for (const double distance : {1e-18, 1e-25, 1e-32, 1e-40, 1e-60})
+        for (int i = 0; i < 3; ++i) {
+          RandomStream random(5, kind, i);
+          const Point p = distance * direction(random);
+          EXPECT_LE(block_error(found, reference, cage->size(), p, 0), 64)
+              << kind << ' ' << distance << " off the " << cage->name() << ", at " << p.transpose();
+        }
+    }
+}
+
+TEST(Batched, values_far_away) {
+  const Cage cage = embedded_cage("twisted-bar");
+  for (const char* kind : {"green", "biharmonic", "somigliana"}) {
+    const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
+    for (int decade = 0; decade <= 9; ++decade)
+      for (int i = 0; i < 2; ++i) {
+        RandomStream random(9, kind, 10 * decade + i);
+        const Point p = std::pow(10., decade) * cage.size() * direction(random);
+        EXPECT_LE(block_error(found, reference, cage.size(), p, 0), 64) << kind << ' ' << p.transpose();
+      }
+  }
+}
+
+// Heights over a face's plane beside it, and none.
+TEST(Batched, mean_values_in_planes_of_faces) {
+  const Cage cage = embedded_cage("l-block");
+  const CageCoordinates found = coordinates_of(cage, "mean_value", "batched");
+  const CageCoordinates reference = coordinates_of(cage, "mean_value", "");
+  int asked = 0;
+  for (std::size_t f = 0; f < found.elements().count(); ++f)
+    for (const double height : {0., 1e-15, 1e-12, 1e-9, 1e-6, 1e-4}) {
+      const auto k = found.elements().corners(f);
+      const Point p = k[0] + 1.375 * (k[1] - k[0]) + 0.8125 * (k[2] - k[0]) + height * found.elements().normals()[f];
+      if (!found.elements().touching(p).empty()) continue;
+      EXPECT_LE(block_error(found, reference, cage.size(), p, 0), 64) << height << " at " << p.transpose();
+      ++asked;
+    }
+  EXPECT_GE(asked, 60);
+}
+
+TEST(Batched, derivatives_next_to_everything) {
+  for (const char* cage : {"cube", "twisted-bar"}) expect_small_errors(embedded_cage(cage), "biharmonic", 1, 64);
+  // Third derivatives, which a Hessian's rounding is measured by, are not asked for here.
+  expect_small_errors(embedded_cage("cube"), "biharmonic", 2, 128);
+  expect_small_errors(embedded_cage("cube"), "green", 2, 128);
+}
+
+// Neighbours in one plane: their parts are infinite, and cancel.
+TEST(Batched, derivatives_next_to_an_edge_within_a_plane) {
+  const Cage cage = embedded_cage("cube");
+  const CageCoordinates found = coordinates_of(cage, "green", "batched"), reference = coordinates_of(cage, "green", "");
+  const CageElements& elements = found.elements();
+  int asked = 0;
+  for (std::size_t a = 0; a < elements.count(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      if (elements.normals()[a].dot(elements.normals()[b]) < 0.99) continue;
+      std::vector<int> shared;
+      for (const int v : elements.vertices_of(a))
+        if (std::ranges::find(elements.vertices_of(b), v) != elements.vertices_of(b).end()) shared.push_back(v);
+      if (shared.size() != 2) continue;
+      const Point middle = 0.375 * elements.vertices()[shared[0]] + 0.625 * elements.vertices()[shared[1]];
+      for (const double distance : {1e-2, 1e-4, 1e-8, 1e-12, 1e-15}) {
+        const Point p = middle - distance * elements.normals()[a];
+        EXPECT_LE(block_error(found, reference, cage.size(), p, 2), 64) << distance << " off " << middle.transpose();
+        ++asked;
+      }
+    }
+  EXPECT_EQ(asked, 6 * 5);
+}
+
+TEST(Batched, limits_on_the_cage) {
+  const Cage cage = embedded_cage("cube");
+  for (const char* kind : {"green", "biharmonic", "somigliana", "mean_value"}) {
+    const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
+    const auto k = found.elements().corners(0);
+    const Point within = 0.25 * k[0] + 0.25 * k[1] + 0.5 * k[2], on_edge = 0.25 * k[0] + 0.75 * k[1];
+    for (const Point& p : {within, on_edge, k[2]}) {
+      ASSERT_FALSE(found.elements().touching(p).empty());
+      const auto a = found.at<double>(p, 0), b = reference.at<double>(p, 0);
+      for (std::size_t block = 0; block < a.size(); ++block)
+        for (std::size_t i = 0; i < a[block].value.size(); ++i)
+          EXPECT_NEAR(a[block].value[i], b[block].value[i], 1e-14) << kind << " at " << p.transpose();
+    }
+  }
+}
+
+// What is said of a point does not hang on the unit, on where the cage lies, or on what stands beside the point.
+TEST(Batched, in_other_units_and_places) {
+  const Cage cage = embedded_cage("l-block");
+  const auto moved = [&](double unit, const Point& by) {
+    std::vector<Point> vertices = cage.vertices();
+    for (Point& v : vertices) v = unit * v + by;
+    return cage.with(vertices, cage.faces());
+  };
+  for (const double unit : {0x1p-332, 0x1p-60, 1., 0x1p60, 0x1p332, 0x1p900})
+    for (const double away : {0., 0x1p20}) {
+      const Point by(unit * away, -unit * away, unit * away);
+      const Cage other = moved(unit, by);
+      const CageCoordinates found = coordinates_of(other, "green", "batched");
+      const CageCoordinates reference = coordinates_of(other, "green", "");
+      for (const Point& p : {Point(0.25, 0.125, 0.375), Point(0.5, -0.25, 0.0625)})
+        EXPECT_LE(block_error(found, reference, other.size(), unit * p + by, 0), 64) << unit << ' ' << away;
+    }
+}
+
+TEST(Batched, applied_to_data_as_products_are) {
+  const Cage cage = embedded_cage("twisted-bar");
+  for (const char* kind : {"green", "biharmonic", "somigliana", "mean_value"}) {
+    const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
+    const int sets = found.blocks()[0].shape.rows == 1 ? 4 : 2;
+    RandomStream random(3, kind, 0);
+    CageData data{.sets = sets, .blocks = {}};
+    for (const CoordinateBlock& block : found.blocks()) {
+      auto& numbers = data.blocks.emplace_back(static_cast<std::size_t>(block.size) * block.shape.columns * sets);
+      for (double& x : numbers) x = random.uniform(-1, 1);
+    }
+    std::vector<Point> points = points_beside(cage, found.elements(), 0.1, 21);
+    points.push_back(cage.vertices()[0]);  // left to sums of closed forms
+    const int order = found.blocks()[0].shape.rows == 1 && found.blocks()[0].label == "phi" ? 2 : 0;
+    const AppliedTable a = found.apply(points, order, data), b = reference.apply(points, order, data);
+    for (int o = 0; o <= order; ++o) {
+      ASSERT_EQ(a.tensors[o].size(), b.tensors[o].size());
+      // The vertex has no derivatives.
+      const std::size_t asked = o == 0 ? a.tensors[o].size() : 21 * a.stride[o];
+      for (std::size_t i = 0; i < asked; ++i)
+        EXPECT_NEAR(a.tensors[o][i], b.tensors[o][i], 1e-11 * std::pow(10., o)) << kind << ' ' << o << ' ' << i;
+    }
+  }
+}
+
+TEST(Batched, the_same_bytes_for_any_number_of_threads) {
+  const Cage cage = embedded_cage("twisted-bar");
+  const CageCoordinates found = coordinates_of(cage, "biharmonic", "batched");
+  const std::vector<Point> points = points_beside(cage, found.elements(), 0.02, 700);
+  std::vector<CoordinateTable<double>> one, two;
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    found.at(points, 1, one);
+  }
+  // Memory that is not zero, and of another size.
+  found.at(std::span(points).first(5), 2, two);
+  found.at(points, 1, two);
+  for (std::size_t b = 0; b < one.size(); ++b) EXPECT_EQ(one[b].tensors, two[b].tensors);
+}
+
+TEST(Batched, every_instruction_set_of_the_machine) {
+  using namespace closed_form::batch;
+  const Cage cage = embedded_cage("l-block");
+  const CageElements elements(cage, false, Triangulation::Shortest);
+  const Geometry geometry(elements);
+  Request request{Layers::Harmonic, 0, {0, 0}, 0, {}};
+  request.layout.first[0][1] = static_cast<int>(elements.vertices().size());
+  request.layout.count = static_cast<int>(elements.vertices().size() + elements.count());
+  std::vector<const Kernels*> sets{&kernels_plain};
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) sets.push_back(&kernels_avx2);
+#endif
+  sets.push_back(&kernels());
+  const std::vector<Point> points = points_beside(cage, elements, 1e-3, 24);
+  std::vector<std::vector<double>> found;
+  for (const Kernels* set : sets) {
+    BlockRunner runner(geometry, elements, request, *set);
+    auto& values = found.emplace_back();
+    for (std::size_t p = 0; p < points.size(); p += set->lanes) {
+      EXPECT_EQ(runner.run(std::span(points).subspan(p, set->lanes)), 0u);
+      for (int lane = 0; lane < set->lanes; ++lane)
+        for (int c = 0; c < request.layout.count; ++c) values.push_back(runner.columns()[c * set->lanes + lane]);
+    }
+  }
+  for (const auto& other : found)
+    for (std::size_t i = 0; i < other.size(); ++i) EXPECT_NEAR(other[i], found[0][i], 1e-12);
+}
+
+TEST(Batched, kinds_that_it_does_not_know) {
+  const Cage square = embedded_cage("square");
+  EXPECT_THROW(coordinates_of(square, "green", "batched"), InputError);
+  EXPECT_EQ(coordinates_of(square, "green", std::string(quickest)).evaluation(), "closed_form");
+  EXPECT_EQ(coordinates_of(embedded_cage("cube"), "green", std::string(quickest)).evaluation(), "batched");
+}
+
+}  // namespace
+}  // namespace cageproof
