@@ -190,7 +190,7 @@ class CageMeasurement final : public Measurement {
     const CageCampaignOptions& o = options_;
     Setup setup{{*cage_, o.triangulation, kind_.keeps_quads},
                 {*cage_, kind_, o.evaluation, o.triangulation},
-                {*cage_, kind_, o.triangulation},
+                {*cage_, kind_, o.triangulation, o.evaluation},
                 {},
                 {},
                 0,

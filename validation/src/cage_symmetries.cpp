@@ -97,7 +97,7 @@ CageSymmetries::Subdivision CageSymmetries::subdivision() const {
 
 CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
                                Triangulation rule)
-    : size_(cage.size()), base_(cage, kind, evaluation, rule), terms_(cage, kind, rule) {
+    : size_(cage.size()), base_(cage, kind, evaluation, rule), terms_(cage, kind, rule, evaluation) {
   const Turn turn(cage.dimension());
   const CageElements& elements = base_.elements();
   std::vector<Vec3<double>> scaled, turned;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/cage_terms.h"
 
+#include "cageproof/core/whole_evaluation.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace cageproof::validation {
@@ -58,8 +61,9 @@ struct CageTerms::Sums {
   std::array<std::vector<double>, 3> totals;                   // of coordinates that are numbers, with their signs
 };
 
-CageTerms::CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation rule)
-    : coordinates_(cage, kind, CoordinateOptions{.triangulation = rule}) {
+CageTerms::CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation rule, std::string_view judged)
+    : moved_(find_whole_evaluation(judged) != nullptr ? cage.size() : 0),
+      coordinates_(cage, kind, CoordinateOptions{.triangulation = rule}) {
   for (const Parameter& p : parameters_of(kind)) parameters_.push_back(p.preset);
   if (!kind.is_sum()) return;
   const auto& known = EvaluationRegister::instance();
@@ -119,7 +123,35 @@ CageTerms::Sums CageTerms::sums_of_coordinates(const Vec3<double>& point, int or
   return sums;
 }
 
+void CageTerms::add_moved_point(const Vec3<double>& point, int order, TermSizes& sizes) const {
+  const std::size_t dim = coordinates_.dimension();
+  const auto found = coordinates_.at<double>(point, std::min(order + 1, 2));
+  for (std::size_t b = 0; b < found.size(); ++b) {
+    const CoordinateBlock& block = coordinates_.blocks()[b];
+    for (int o = 0; o <= std::min(order, 1); ++o) {
+      const std::vector<double>& next = found[b].of(o + 1);
+      std::array<double, 3> along{};
+      for (std::size_t i = 0; i < next.size(); ++i) along[i % dim] = std::hypot(along[i % dim], next[i]);
+      sizes.blocks[b][o] += moved_ * (along[0] + along[1] + along[2]);
+      if (block.reproduces == Reproduces::Nothing) continue;
+      const std::size_t width = next.size() / block.size;
+      for (int i = 0; i < block.size; ++i) {
+        const double change = moved_ * length_of(std::span(next).subspan(i * width, width)) /
+                              std::sqrt(static_cast<double>(block.entries() > 1 ? dim : 1));
+        sizes.positions[o] += change * weight_of(b, i);
+        if (block.reproduces != Reproduces::Normals) sizes.ones[o] += change;
+      }
+    }
+  }
+}
+
 TermSizes CageTerms::at(const Vec3<double>& point, int order) const {
+  TermSizes sizes = sizes_of_terms(point, order);
+  if (moved_ > 0) add_moved_point(point, order, sizes);
+  return sizes;
+}
+
+TermSizes CageTerms::sizes_of_terms(const Vec3<double>& point, int order) const {
   const bool normalised = coordinates_.kind().normalised;
   const bool sum = coordinates_.kind().is_sum();
   const Sums sums = sum ? sums_of_terms(point, order) : sums_of_coordinates(point, order);

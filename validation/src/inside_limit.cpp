@@ -3,6 +3,7 @@
 #include "cageproof/validation/cage_campaign.h"
 
 #include "cageproof/core/random_stream.h"
+#include "point_inside.h"
 
 #include <cmath>
 #include <limits>
@@ -10,25 +11,7 @@
 namespace cageproof::validation {
 namespace {
 
-constexpr double kStep = 1e-11, kLeastRoom = 1e-4;
-
-// A point that far inside; nothing where there is none.
-std::optional<Vec3<double>> point_inside(const CageCoordinates& coordinates, const Cage& cage,
-                                         const CageLocator& locator, const Vec3<double>& point,
-                                         const std::vector<Touching>& on) {
-  Vec3<double> direction = Vec3<double>::Zero();
-  for (const Touching& touch : on) direction -= coordinates.elements().normal_at(touch);
-  Vec3<double> near = point + kStep * cage.size() * direction.normalized();
-  // Against the mean normal lies the inside of all but saddles; there another direction does.
-  for (std::uint64_t attempt = 0; !(direction.norm() > 0.1) || !locator.inside(near); ++attempt) {
-    if (attempt == 1000) return std::nullopt;
-    RandomStream random(1, "inward", attempt);
-    for (int c = 0; c < cage.dimension(); ++c) direction[c] = random.uniform(-1, 1);
-    near = point + kStep * cage.size() * direction.normalized();
-  }
-  if (locator.winding(near) != 1) return std::nullopt;
-  return near;
-}
+constexpr double kLeastRoom = 1e-4;
 
 // The largest difference of one order over all blocks. Values must be finite; of derivatives those that are not are
 // left out, and nothing is returned where none is left.
@@ -48,6 +31,23 @@ std::optional<double> largest_difference(const CageCoordinates& coordinates, con
 }
 
 }  // namespace
+
+std::optional<Vec3<double>> point_inside(const CageCoordinates& coordinates, const Cage& cage,
+                                         const CageLocator& locator, const Vec3<double>& point,
+                                         const std::vector<Touching>& on) {
+  Vec3<double> direction = Vec3<double>::Zero();
+  for (const Touching& touch : on) direction -= coordinates.elements().normal_at(touch);
+  Vec3<double> near = point + inside_step * cage.size() * direction.normalized();
+  // Against the mean normal lies the inside of all but saddles; there another direction does.
+  for (std::uint64_t attempt = 0; !(direction.norm() > 0.1) || !locator.inside(near); ++attempt) {
+    if (attempt == 1000) return std::nullopt;
+    RandomStream random(1, "inward", attempt);
+    for (int c = 0; c < cage.dimension(); ++c) direction[c] = random.uniform(-1, 1);
+    near = point + inside_step * cage.size() * direction.normalized();
+  }
+  if (locator.winding(near) != 1) return std::nullopt;
+  return near;
+}
 
 std::array<std::optional<double>, 3> inside_limit_errors_at(const CageCoordinates& coordinates, const Cage& cage,
                                                             const CageLocator& locator, const Vec3<double>& point,

@@ -30,6 +30,10 @@ constexpr std::string_view least_energy =
     "steps end where rounding hides the energy's slope, and a minimum is as far off as the root of that";
 constexpr std::string_view unit_normals = "unit normals do not grow with the cage";
 
+// Whole coordinates computed at once, and both.
+constexpr std::string_view batched = "batched";
+constexpr std::string_view of_cages = "@(closed_form|line_form|recommended|batched)";
+
 // First match wins. Bounds of conditioned rows are in units of the rounding error times conditioning.
 constexpr std::array table{
     // The gate: the closed form in multiprecision against the integral.
@@ -207,23 +211,23 @@ constexpr std::array table{
     Row{"linear_reproduction", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, 16384,
         "as their truth: what the systems' solutions are rounded by is summed next to the boundary with derivatives "
         "that grow there"},
-    Row{"partition_of_unity", "*", recommended, "double", "*", 0, 2, 64,
+    Row{"partition_of_unity", "*", of_cages, "double", "*", 0, 2, 64,
         "each term of the sums to a few roundings, normalised ones by the quotient rule"},
-    Row{"linear_reproduction", "*", recommended, "double", "*", 0, 2, 64, "as the partition of unity"},
+    Row{"linear_reproduction", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity"},
     Row{"partition_of_unity", "quad_mean_value", "*", "double", "*", 0, 0, 64, "normalised sums"},
     Row{"linear_reproduction", "quad_mean_value", "gauss-*", "double", "*", 0, 0, none,
         "a fixed rule misses the mean vector of a near quad"},
     Row{"linear_reproduction", "quad_mean_value", "*", "double", "*", 0, 0, 64,
         "weights that keep a quad's mean vector, Eq 17 of [T18]"},
-    Row{"zero_outside", "*", recommended, "double", "*", 0, 2, 64, "as the partition of unity"},
-    Row{"limit_from_inside", "*", recommended, "double", "*", 0, 0, 1e-6,
+    Row{"zero_outside", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity"},
+    Row{"limit_from_inside", "*", of_cages, "double", "*", 0, 0, 1e-6,
         "1e-11 sizes inside, coordinates differ by that times their gradient, which small faces and a logarithm "
         "enlarge"},
     Row{"limit_from_inside", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, none,
         "derivatives have a logarithm at the ends of each piece of an edge, which may lie next to the point"},
     Row{"limit_from_inside", "regularised_*", recommended, "double", "*", 1, 2, 1e-8,
         "as of the layers, times densities, which the systems make up to 1e2 times the data"},
-    Row{"limit_from_inside", "*", recommended, "double", "*", 1, 2, 1e-10,
+    Row{"limit_from_inside", "*", of_cages, "double", "*", 1, 2, 1e-10,
         "1e-11 sizes inside, derivatives differ by that over a power of the distance to the next edge, which the "
         "figure is multiplied with, times a number of order ten"},
     Row{"cage_scaling", "regularised_weber", recommended, "double",
@@ -234,18 +238,26 @@ constexpr std::array table{
     Row{"cage_scaling", "regularised_*", recommended, "double", "*", 0, 0, none,
         "values are weighed against Laplacians or normal derivatives, which change with the unit by other powers: "
         "gamma_d goes with its fourth"},
-    Row{"cage_scaling", "*", recommended, "double", "*", 0, 0, 64, "as the partition of unity, norm-wise over a block"},
-    Row{"cage_rigid_motion", "*", recommended, "double", "*", 0, 0, 64,
+    Row{"cage_scaling", "*", of_cages, "double", "*", 0, 0, 64, "as the partition of unity, norm-wise over a block"},
+    Row{"cage_rigid_motion", "*", of_cages, "double", "*", 0, 0, 64,
         "as the partition of unity, norm-wise over a block"},
-    Row{"cage_corner_permutation", "*", recommended, "double", "*", 0, 0, 64,
+    Row{"cage_corner_permutation", "*", of_cages, "double", "*", 0, 0, 64,
         "as the partition of unity, norm-wise over a block"},
-    Row{"cage_subdivision", "*", recommended, "double", "*", 0, 0, 64,
+    Row{"cage_subdivision", "*", of_cages, "double", "*", 0, 0, 64,
         "as the partition of unity, norm-wise over a block"},
     Row{"cage_differences", "*", recommended, "*", "*", 1, 2, 1e-30,
         "central differences of step 1e-30 sizes in 100 digits are good to 1e-48 at 1e-6 sizes from the cage"},
-    Row{"cage_laplacian", "*", recommended, "double", "*", 2, 2, 64,
-        "as the partition of unity, norm-wise over a block"},
-    Row{"cage_truth", "*", recommended, "double", "*", 0, 2, 64, "as the partition of unity, norm-wise over a block"},
+    Row{"cage_laplacian", "*", of_cages, "double", "*", 2, 2, 64, "as the partition of unity, norm-wise over a block"},
+    Row{"cage_truth", "*", batched, "double", "*", 2, 2, none,
+        "what a moved point costs a Hessian is a third derivative, which terms do not have: cage_block_error is the "
+        "promise"},
+    Row{"cage_truth", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity, norm-wise over a block"},
+    // Whole cages at once, in units of what rounding the cage in its own frame costs.
+    Row{"cage_block_error", "@(mean_value|quad_mean_value)", batched, "double", "*", 1, 2, 16,
+        "derivatives of w/W cancel next to the cage by the quotient rule, where weights grow like 1/h and w/W stays "
+        "bounded: the unit holds one rounding of each weight's derivatives for that, and the bound sixteen of each"},
+    Row{"cage_block_error", "*", batched, "double", "*", 0, 2, 64,
+        "a few roundings of the point and the corners in the cage's own frame, wherever the point is"},
     // Deformers, in cage sizes: what each keeps, as formulas/deformation.md, Section 1, states it.
     Row{"keeps_rigid", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
     Row{"keeps_scale", "green", "stretch=unit", "double", "*", 0, 0, none, unit_normals},

@@ -5,6 +5,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/mesh_io.h"
 #include "cageproof/core/unknown_name.h"
+#include "cageproof/validation/block_campaign.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/cage_symmetries.h"
 #include "cageproof/validation/check.h"
@@ -76,6 +77,15 @@ Cage cage_of(const RowKey& row, const WorstCase& worst) {
   return is_embedded_cage(row.regime) ? embedded_cage(row.regime) : read_cage(row.regime, {.flip_inward = true});
 }
 
+Finding replay_block(const RowKey& row, const WorstCase& worst, Triangulation rule) {
+  const BlockErrors errors(cage_of(row, worst), coordinate_kind_named(row.subject), row.evaluation, rule);
+  const BlockFinding found = errors.at(block_sample(worst));
+  const CageError& error = found.errors[row.order];
+  if (found.is_input && !found.truth_reached) return {Finding::Status::Unreached};
+  if (std::isnan(error.roundings)) return {Finding::Status::NoTruth};
+  return {Finding::Status::Measured, error.roundings, error.relative};
+}
+
 CageError replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rule) {
   const Cage cage = cage_of(row, worst);
   if (row.check == "own_derivative" || row.check == "one_ring_sum")
@@ -85,7 +95,7 @@ CageError replay_cage(const RowKey& row, const WorstCase& worst, Triangulation r
   const CageCoordinates coordinates(cage, *kind, row.evaluation, rule);
   // The orders that the campaign asked for: how many digits an evaluation takes may depend on what else is asked of it.
   const int asked = std::min(worst.asked, coordinates.max_order());
-  const CageTerms terms(cage, *kind, rule);
+  const CageTerms terms(cage, *kind, rule, row.evaluation);
   if (row.check == "cage_truth" && row.order <= asked)
     return truth_errors_at(coordinates, {cage, *kind, CoordinateOptions{.triangulation = rule}}, worst.point, asked,
                            &terms)[row.order];
@@ -133,6 +143,7 @@ Finding replay(const RowKey& row, const WorstCase& worst, Triangulation rule) {
     const DeformerError error = deformer_error_at(cage_of(row, worst), row, worst.point, rule);
     return finding(error.error, error.plain);
   }
+  if (row.check == block_error_check) return replay_block(row, worst, rule);
   const CageError error = replay_cage(row, worst, rule);
   return finding(error.roundings, error.relative);
 }

@@ -5,6 +5,8 @@
 #include "run_report.h"
 
 #include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/validation/block_campaign.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/campaign.h"
 #include "cageproof/validation/deformer_campaign.h"
@@ -96,11 +98,23 @@ std::string fingerprint(const Mesh& mesh) {
   return print.text();
 }
 
+// Whether a pattern names evaluations of whole coordinates, and none of a formula.
+bool names_whole_evaluations_alone(const std::string& pattern) {
+  const bool whole = std::ranges::any_of(
+      whole_evaluations(), [&](const WholeEvaluation& evaluation) { return matches(pattern, evaluation.name); });
+  if (!whole) return false;
+  for (const Formula& formula : catalogue())
+    for (const std::string& name : EvaluationRegister::instance().standard(formula.name))
+      if (matches_evaluation(pattern, evaluation_named(formula.name, name))) return false;
+  return true;
+}
+
 class Planner {
  public:
   explicit Planner(const VerifyOptions& options) : options_(options) {}
 
   RunPlan plan() {
+    if (names_whole_evaluations_alone(options_.evaluations)) return plan_of_whole_evaluations();
     if (options_.regimes != hull_regime && options_.regimes != hunted_regime)
       add(element_measurements(campaign_options()));
     auto stored = stored_measurement(stored_worst_cases(), stored_cases_file, options_.formulas, options_.evaluations);
@@ -121,6 +135,7 @@ class Planner {
       add_figure_three();
       for (const auto name : extreme_cage_names())
         add_recommended(std::make_shared<const Cage>(embedded_cage(name)), extreme_cage_options());
+      add_extreme_batched();
       for (const auto name : deformer_cage_names()) add_deformers(std::make_shared<const Cage>(embedded_cage(name)));
     }
     // Figures show whole kinds of coordinates, on cages of their own.
@@ -205,9 +220,60 @@ class Planner {
     }
   }
 
+  // Of whole coordinates: block errors, and the cage's properties.
+  void add_batched(const std::shared_ptr<const Cage>& cage, const BlockCampaignOptions& block,
+                   CageCampaignOptions campaign) {
+    for (const WholeEvaluation& evaluation : whole_evaluations())
+      for (const CoordinateKind& kind : coordinate_kinds()) {
+        if (evaluation.role != Role::Batched || !matches(options_.evaluations, evaluation.name)) continue;
+        if (!kind.is_sum() || !is_asked(kind, *cage) || !accepts(kind, *cage) || !evaluation.exists(kind, *cage))
+          continue;
+        BlockCampaignOptions options = block;
+        options.evaluation = evaluation.name;
+        add(block_measurement(cage, kind, options));
+        campaign.evaluation = evaluation.name;
+        campaign.kinds = kind.name;
+        // In multiprecision it is the sum of formulas, whose derivatives are asked for already.
+        campaign.differences = false;
+        add(cage_measurements(cage, campaign));
+      }
+  }
+
+  BlockCampaignOptions block_options() const {
+    return {.evaluation = {},
+            .triangulation = options_.triangulation,
+            .seed = options_.seed,
+            .points = options_.suite.block_points,
+            .milliseconds = options_.suite.block_milliseconds};
+  }
+
+  // What a run is that asks for nothing else.
+  RunPlan plan_of_whole_evaluations() {
+    if (options_.cage) {
+      add_batched(std::make_shared<const Cage>(*options_.cage), block_options(), cage_options());
+    } else {
+      for (const auto name : embedded_cage_names())
+        add_batched(std::make_shared<const Cage>(embedded_cage(name)), block_options(), cage_options());
+      add_extreme_batched();
+    }
+    plan_.units = units_of(plan_.measurements);
+    set_header(0);
+    return std::move(plan_);
+  }
+
+  void add_extreme_batched() {
+    // Walls of a rounding's thickness take hundreds of digits an element: suites with time ask for block errors there.
+    if (options_.suite.shown_elements != 0) return;
+    BlockCampaignOptions block = block_options();
+    block.points = block.milliseconds = 0;  // the least
+    for (const auto name : extreme_cage_names())
+      add_batched(std::make_shared<const Cage>(embedded_cage(name)), block, extreme_cage_options());
+  }
+
   void add_cage(const std::shared_ptr<const Cage>& cage) {
     const auto exists = [&](const CoordinateKind& kind) { return is_asked(kind, *cage) && accepts(kind, *cage); };
     add_recommended(cage, cage_options());
+    add_batched(cage, block_options(), cage_options());
     // Whatever a quad's weights are computed with, they must keep the cage's own relations.
     for (const CoordinateKind& kind : coordinate_kinds()) {
       if (!kind.is_sum() || !kind.keeps_quads || !cage->has_quads() || !exists(kind)) continue;
@@ -326,6 +392,8 @@ class Planner {
         {"integral samples", text(suite.integral_samples)},
         {"points of a cage", text(suite.cage_points)},
         {"truths of a cage", text(suite.truth_points)},
+        {"block errors of a cage",
+         fmt::format("{} points, {} ms a kind", suite.block_points, suite.block_milliseconds)},
         {"points of a mesh", text(suite.mesh_points)},
         {"fields", fmt::format("{} samples a side, {} truths{}", suite.slice, suite.pairs,
                                suite.shown_elements > 0

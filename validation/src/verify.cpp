@@ -73,9 +73,9 @@ Session session_of(const VerifyOptions& options) {
 
 const std::vector<Suite>& suites() {
   static const std::vector<Suite> all{
-      {"quick", 20, 2, 1, 16, 2, 1000, 20, 300, 50},
-      {"standard", 400, 4, 3, 240, 8, 20000, 120, 40000, 0},
-      {"full", 100000, 32, 1000, 4000, 64, 0, 240, 400000, 0},
+      {"quick", 20, 2, 1, 16, 2, 120, 1200, 1000, 20, 300, 50},
+      {"standard", 400, 4, 3, 240, 8, 600, 20000, 20000, 120, 40000, 0},
+      {"full", 100000, 32, 1000, 4000, 64, 24000, 2000000, 0, 240, 400000, 0},
   };
   return all;
 }

@@ -17,6 +17,10 @@ namespace cageproof::validation {
 /// + t_0 g_2 + 2 t_1 g_1. By block, the coordinates' derivatives times the roundings of W and its derivatives are terms
 /// as well; they have no part in sums over all coordinates, which are known. Kinds that are no sums have no terms but
 /// their coordinates, unless they say which (CageCoordinates::terms_at).
+///
+/// Evaluations of whole coordinates are promised in units of what rounding the cage in its own frame costs: for them
+/// values and gradients count the cage's size times the sum of the derivatives along the axes as well, as block errors
+/// do.
 struct TermSizes {
   std::array<double, 3> ones{};       ///< of the sum of all coordinates
   std::array<double, 3> positions{};  ///< of the sum of all coordinates times positions, or normals
@@ -38,7 +42,8 @@ double length_of(std::span<const double> values);
 class CageTerms {
  public:
   /// The terms are those of the recommended evaluation.
-  CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation rule);
+  /// \param judged the evaluation that is counted in them
+  CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation rule, std::string_view judged = {});
   /// \pre the point lies off the cage, or the kind is no sum; order <= CageCoordinates::max_order()
   TermSizes at(const Vec3<double>& point, int order) const;
 
@@ -47,7 +52,10 @@ class CageTerms {
   Sums sums_of_terms(const Vec3<double>& point, int order) const;
   Sums sums_of_coordinates(const Vec3<double>& point, int order) const;
   double weight_of(std::size_t block, int coordinate) const;
+  TermSizes sizes_of_terms(const Vec3<double>& point, int order) const;
+  void add_moved_point(const Vec3<double>& point, int order, TermSizes& sizes) const;
 
+  double moved_;  // by how much the point is moved: the cage's size, or not at all
   CageCoordinates coordinates_;
   std::vector<double> parameters_;
   /// By kind of element, one a block.

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The check cage_block_error: evaluations of whole coordinates against the truth, in every regime of a cage.
+#pragma once
+
+#include "cageproof/validation/block_error.h"
+#include "cageproof/validation/cage_regimes.h"
+#include "cageproof/validation/measurement.h"
+
+namespace cageproof::validation {
+
+/// The check's name in row keys.
+inline constexpr const char* block_error_check = "cage_block_error";
+
+struct BlockCampaignOptions {
+  std::string evaluation;  ///< of whole coordinates
+  Triangulation triangulation = Triangulation::Shortest;
+  std::uint64_t seed = 1;
+  int points = 150;  ///< of a cage, at most
+  /// What the truths of a kind on a cage may cost, about; on cages of a few elements up to six times that. There are
+  /// at least four points.
+  int milliseconds = 3000;
+};
+
+/// How many points of a cage a kind is asked at.
+int block_points(const CoordinateKind& kind, const Cage& cage, const BlockCampaignOptions& options);
+
+/// What was found at a sample: by order, with NaN where no limit exists.
+struct BlockFinding {
+  bool is_input = true;       ///< whether rounding left a cage of the frame
+  bool is_on_cage = false;    ///< derivatives need not exist there
+  bool truth_reached = true;  ///< whether two precisions agreed
+  std::array<CageError, 3> errors = {};
+};
+
+/// Errors of an evaluation at a sample: alone and in a block of points, the worse. Coordinates of the cage's own frame
+/// are prepared once.
+class BlockErrors {
+ public:
+  /// \throws InputError as CageCoordinates
+  BlockErrors(const Cage& cage, const CoordinateKind& kind, std::string evaluation, Triangulation rule);
+  BlockFinding at(const CageSample& sample) const;
+  const CageCoordinates& coordinates() const { return coordinates_; }
+
+ private:
+  Cage cage_;
+  const CoordinateKind& kind_;
+  std::string evaluation_;
+  Triangulation rule_;
+  CageCoordinates coordinates_;
+  BlockTruths truths_;
+};
+
+/// The kind's rows on the cage, one a place and order. \pre the evaluation computes the kind in the cage
+std::unique_ptr<const Measurement> block_measurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+                                                     const BlockCampaignOptions& options);
+
+/// The input of a worst case: its point, and its frame as the parameters (unit, then shift).
+WorstCase block_case(const CageSample& sample, double error);
+
+/// The sample that a worst case was made of. \throws InputError when it has other parameters
+CageSample block_sample(const WorstCase& worst);
+
+}  // namespace cageproof::validation
