@@ -80,6 +80,7 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
   require_accepted(kind, cage, options.parameters);
   elements_ = std::make_shared<const CageElements>(cage, kind.keeps_quads, options.triangulation);
   if (!kind.is_sum()) {
+    if (options.evaluation == quickest && !kind.made_of_sums) options.evaluation.clear();
     prepared_ = kind.prepare(cage, options);
     return;
   }

@@ -173,7 +173,8 @@ CoordinateKind kind(std::string_view name, std::string_view source) {
         return std::make_shared<RegularisedCoordinates>(C, cage, options);
       },
       .parameters = std::move(parameters),
-      .solves_on_samples = true};
+      .solves_on_samples = true,
+      .made_of_sums = true};
 }
 
 const RegisterCoordinateKind one_three_kind{

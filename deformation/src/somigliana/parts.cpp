@@ -61,7 +61,8 @@ CageCoordinates somigliana_parts(const Cage& cage, const CoordinateOptions& opti
       .own_dimension = 0,
       .prepare = [](const Cage& of, const CoordinateOptions& with) -> std::shared_ptr<const PreparedCoordinates> {
         return std::make_shared<SomiglianaParts>(of, with);
-      }};
+      },
+      .made_of_sums = true};
   return {cage, kind, CoordinateOptions{options.evaluation, options.triangulation, {}}};
 }
 

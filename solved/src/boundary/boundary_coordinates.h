@@ -6,7 +6,6 @@
 #include "boundary_parameters.h"
 #include "collocation.h"
 
-#include "cageproof/core/whole_evaluation.h"
 #include "cageproof/core/coordinates_in_double.h"
 #include "cageproof/core/input_error.h"
 
@@ -153,8 +152,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
   double inset_in_frame() const { return inset_ * polygon_.diameter(); }
 
   std::string of_layers(const CoordinateOptions& options) const {
-    // Layers of segments are asked for by formula.
-    return inset_ == 0 && options.evaluation != quickest ? options.evaluation : std::string();
+    return inset_ == 0 ? options.evaluation : std::string();
   }
 
   template <Scalar R>

@@ -220,6 +220,9 @@ struct CoordinateKind {
   /// Null for kinds that refuse none. What other parameters make too large, `prepare` refuses.
   std::string (*refuses)(const Cage& cage) = nullptr;
 
+  /// Of kinds that are no sums: whether `quickest` is for the sums that they are made of, whose evaluation they take.
+  bool made_of_sums = false;
+
   bool is_sum() const { return prepare == nullptr; }
 };
 

@@ -36,7 +36,8 @@ struct RegisterWholeEvaluation {
 const WholeEvaluation* find_whole_evaluation(std::string_view name);
 
 /// Stands for an evaluation's name: of sums over elements, the first evaluation of role batched that computes the kind
-/// in the cage, and the formulas' recommended ones where there is none. Other kinds ask for their layers by it.
+/// in the cage, and the formulas' recommended ones where there is none. Kinds that are made of such sums
+/// (CoordinateKind::made_of_sums) ask for theirs by it, others ignore it.
 inline constexpr std::string_view quickest = "quickest";
 
 /// The evaluation that `quickest` stands for: a name, or empty for the recommended ones. \pre the kind is a sum
