@@ -103,11 +103,12 @@ class BlockMeasurement final : public Measurement {
       tally.unit = "block";
       ++tally.asked;
       const CageError& error = found.errors[o];
-      if (!found.is_input) ++tally.without_truth;
-      else if (!std::isnan(error.roundings))
-        tally.add(error.roundings, error.relative, sample.index, [&](double e) { return block_case(sample, e); });
-      else if (found.truth_reached && found.is_on_cage && o > 0) ++tally.without_truth;
-      else ++tally.unreached;
+      // On the cage derivatives may not exist.
+      const bool none =
+          !found.is_input || (std::isnan(error.roundings) && found.truth_reached && found.is_on_cage && o > 0);
+      if (none) ++tally.without_truth;
+      else if (std::isnan(error.roundings)) ++tally.unreached;
+      else tally.add(error.roundings, error.relative, sample.index, [&](double e) { return block_case(sample, e); });
     }
   }
 

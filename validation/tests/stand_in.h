@@ -80,7 +80,7 @@ class StandIn final : public PreparedCoordinates {
 };
 
 /// Registers one that goes wrong in that way.
-template <Fault fault>
+template <Fault Wrong>
 WholeEvaluation stand_in(std::string_view name) {
   return {
       .name = name,
@@ -89,7 +89,7 @@ WholeEvaluation stand_in(std::string_view name) {
       .exists = [](const CoordinateKind& kind, const Cage&) { return kind.is_sum(); },
       .prepare = [](const CoordinateKind&, std::shared_ptr<const CageElements> elements, const CoordinateOptions&,
                     std::shared_ptr<const PreparedCoordinates> summed) -> std::shared_ptr<const PreparedCoordinates> {
-        return std::make_shared<StandIn>(std::move(elements), std::move(summed), fault);
+        return std::make_shared<StandIn>(std::move(elements), std::move(summed), Wrong);
       }};
 }
 
