@@ -63,6 +63,7 @@ TEST(GaussLoop, sums_what_the_rule_of_quadrature_sums) {
 TEST(GaussLoop, nears_the_closed_form) {
   const DeformedCage in = embedded_deformed_cage("icosphere", 24);
   std::vector<Vec3<double>> far;
+  far.reserve(in.points.size());
   for (const Vec3<double>& p : in.points) far.push_back(3 * in.cage.size() * p.normalized());
   for (const char* name : {"green", "biharmonic", "somigliana"}) {
     SCOPED_TRACE(name);

@@ -5,14 +5,16 @@
 
 #include "tables.h"
 
+#include <array>
+
 namespace cageproof::closed_form::batch {
 
 /// A vector of the space.
 template <class V>
 struct Three {
-  V c[3];
-  V& operator[](int i) { return c[i]; }
-  const V& operator[](int i) const { return c[i]; }
+  std::array<V, 3> c;
+  V& operator[](int i) { return c.data()[i]; }
+  const V& operator[](int i) const { return c.data()[i]; }
 };
 
 template <class V>

@@ -65,7 +65,7 @@ class FaceTerms {
       }
     }
     if constexpr (Takes<L, O>::distances)
-      thrice_I_ = h[0] * edges[0]->distance + h[1] * edges[1]->distance + h[2] * edges[2]->distance + d_ * d_ * J_;
+      thrice_i_ = h[0] * edges[0]->distance + h[1] * edges[1]->distance + h[2] * edges[2]->distance + d_ * d_ * J_;
   }
 
   void add(int f, const Sums<V>& sums) const {
@@ -88,16 +88,16 @@ class FaceTerms {
         M[i][j] = M[j][i] = i == j ? V(J_ - bulk) : V(-bulk);
         K[i][j] = K[j][i] = i == j ? V(J_ - bulk * 0.5) : V(-(bulk * 0.5));
       }
-    V* const to_K = sums.at(0, 1, f, 9);
-    for (int i = 0; i < 9; ++i) to_K[i] += K[i / 3][i % 3];
+    V* const displacement = sums.at(0, 1, f, 9);
+    for (int i = 0; i < 9; ++i) displacement[i] += K[i / 3][i % 3];
     V* const last = sums.at(0, 0, face_.vertex[2], 9);
-    const Three<V> Mn = times(M, n);
+    const Three<V> turned_n = times(M, n);
     for (int k = 0; k < 2; ++k) {
       V* const to = sums.at(0, 0, face_.vertex[k], 9);
-      const Three<V> g = constant<V>(face_.g[k]), Mg = times(M, g);
+      const Three<V> g = constant<V>(face_.g[k]), turned_g = times(M, g);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-          V entry = Mn[i] * g[j] - Mg[i] * n[j];
+          V entry = turned_n[i] * g[j] - turned_g[i] * n[j];
           if (i == j) entry = entry + B_[k];
           to[3 * i + j] += entry;
           last[3 * i + j] += -entry;
@@ -139,7 +139,7 @@ class FaceTerms {
     if constexpr (L == Layers::Biharmonic) {
       for (int k = 0; k < 2; ++k) *sums.at(0, 2, face_.vertex[k], 1) += d_ * A_[k];
       *sums.at(0, 2, face_.vertex[2], 1) += d_ * (J_ - A_[0] - A_[1]);
-      *sums.at(0, 3, f, 1) += thrice_I_;
+      *sums.at(0, 3, f, 1) += thrice_i_;
     }
   }
 
@@ -238,7 +238,7 @@ class FaceTerms {
   const FaceTable<T>& face_;
   const V omega_;
   const EdgeTerms<V>* const (&edges_)[3];
-  V d_, J_, thrice_I_, hat_[2], inverse_[2], distance_[2], B_[2], A_[2];
+  V d_, J_, thrice_i_, hat_[2], inverse_[2], distance_[2], B_[2], A_[2];
 };
 
 }  // namespace cageproof::closed_form::batch
