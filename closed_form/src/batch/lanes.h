@@ -49,13 +49,13 @@ inline Lanes root(Lanes a) {
 /// One division: the quotient is brought next to one by a power of two, and log x = 2 atanh((x - 1)/(x + 1)), whose
 /// series is replaced by Chebyshev's polynomial for |z| <= 1/5.
 inline Lanes log_of_quotient(Lanes num, Lanes den, Lanes length, Lanes sum) {
-  constexpr std::int64_t one = 1023;
-  const Mask bits = (Mask)num - (Mask)den + ((one << 52) + (INT64_C(1) << 51));
-  const Mask exponent = (Mask)((Bits)bits >> 52);  // of the power of two, plus `one`
-  const Lanes near_one = (Lanes)((Mask)num - ((exponent - one) << 52));
+  constexpr std::uint64_t one = 1023;
+  const Bits bits = (Bits)num - (Bits)den + ((one << 52) + (UINT64_C(1) << 51));
+  const Bits exponent = bits >> 52;  // of the power of two, plus `one`
+  const Lanes near_one = (Lanes)((Bits)num - ((exponent - one) << 52));
   const Mask small = 5 * length < sum;
   const Lanes z = select(small, length, near_one - den) / select(small, sum, near_one + den);
-  const Lanes power = (Lanes)(exponent | INT64_C(0x4330000000000000)) - (0x1p52 + static_cast<double>(one));
+  const Lanes power = (Lanes)(exponent | UINT64_C(0x4330000000000000)) - (0x1p52 + static_cast<double>(one));
   const Lanes q = z * z, q2 = q * q, q4 = q2 * q2;
   const Lanes series =
       ((0.66666666666666663 + 0.40000000000007857 * q) + (0.28571428567313978 + 0.22222223042012851 * q) * q2) +

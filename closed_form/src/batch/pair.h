@@ -105,15 +105,15 @@ inline Pair series_of_odd(const Pair& s, double sign) {
 
 /// As of Lanes.
 inline Pair log_of_quotient(const Pair& num, const Pair& den, const Pair& length, const Pair& sum) {
-  constexpr std::int64_t one = 1023;
-  const Mask bits = (Mask)num.high - (Mask)den.high + ((one << 52) + (INT64_C(1) << 51));
-  const Mask exponent = (Mask)((Bits)bits >> 52);
+  constexpr std::uint64_t one = 1023;
+  const Bits bits = (Bits)num.high - (Bits)den.high + ((one << 52) + (UINT64_C(1) << 51));
+  const Bits exponent = bits >> 52;
   // 2^-k, a normal number: quotients of what is no double-double of the other are not met here.
   const Lanes scale = (Lanes)((2 * one - exponent) << 52);
   const Pair near_one(num.high * scale, num.low * scale);
   const Mask small = 5 * length.high < sum.high;
   const Pair z = select(small, length, near_one - den) / select(small, sum, near_one + den);
-  const Lanes power = (Lanes)(exponent | INT64_C(0x4330000000000000)) - (0x1p52 + static_cast<double>(one));
+  const Lanes power = (Lanes)(exponent | UINT64_C(0x4330000000000000)) - (0x1p52 + static_cast<double>(one));
   const Pair rest = Pair(2.0) * z * series_of_odd(z * z, 1);
   const Pair ln_2(TwoDoubles{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56});
   return select(small, rest, rest + Pair(power) * ln_2);
