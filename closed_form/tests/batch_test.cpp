@@ -105,6 +105,25 @@ TEST(Batched, values_at_distances_beyond_double_doubles) {
     }
 }
 
+// Distances from a vertex whose squares are no numbers, and one above these: values are those on the vertex.
+TEST(Batched, values_at_the_least_distances) {
+  std::vector<Point> vertices = embedded_cage("cube").vertices();
+  for (Point& v : vertices) v = v.array() + 0.5;
+  const Cage cage = embedded_cage("cube").with(vertices, embedded_cage("cube").faces());
+  for (const char* kind : {"green", "biharmonic", "somigliana", "mean_value"}) {
+    const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
+    for (const double d : {5e-324, 1e-310, 1e-200, 1e-160, 1e-120, 1e-60})
+      for (const Point& p : {Point(d, d, d), Point(1, d, d), Point(d, 0.25, d), Point(0.25, 0.5, d), Point(0, d, d)}) {
+        const auto f = found.at<double>(p, 0);
+        const auto truth = reference.at<Mp50>(convert<Mp50>(p), 0);
+        for (std::size_t b = 0; b < f.size(); ++b)
+          for (std::size_t i = 0; i < f[b].value.size(); ++i)
+            EXPECT_NEAR(f[b].value[i], static_cast<double>(truth[b].value[i]), 1e-14)
+                << kind << " at " << p.transpose();
+      }
+  }
+}
+
 TEST(Batched, values_far_away) {
   const Cage cage = embedded_cage("twisted-bar");
   for (const char* kind : {"green", "biharmonic", "somigliana"}) {

@@ -2,6 +2,7 @@
 // Whole coordinates of closed triangle cages, a vector of points at a time.
 #include "blocks.h"
 
+#include "cageproof/core/coordinate_tables.h"
 #include "cageproof/core/coordinates_in_double.h"
 #include "cageproof/core/whole_evaluation.h"
 
@@ -30,6 +31,8 @@ std::optional<Layers> layers_of(const CoordinateKind& kind) {
   return std::nullopt;
 }
 
+constexpr std::string_view kName = "batched";
+
 // Cages beyond this unit, or below one over it, are left to sums of closed forms: powers of it leave double's range.
 constexpr int kLargestExponent = 240;
 // Blocks of points that a thread takes at a time.
@@ -52,7 +55,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
 
   const std::vector<CoordinateBlock>& blocks() const override { return summed_->blocks(); }
   int max_order() const override { return summed_->max_order(); }
-  std::string evaluation() const override { return "batched"; }
+  std::string evaluation() const override { return std::string(kName); }
   bool is_exact_in(ScalarKind scalar) const override { return summed_->is_exact_in(scalar); }
 
   bool overwrites() const override { return true; }
@@ -172,28 +175,9 @@ class BatchedCoordinates final : public PreparedCoordinates {
     return std::ldexp(factor, (blocks()[b].degree - order) * geometry_.exponent());
   }
 
-  // Adds one point's coordinates of one block times their data.
-  static void add_products(const std::vector<double>& coordinates, const CoordinateBlock& block,
-                           const std::vector<double>& data, int sets, std::size_t width, std::span<double> to) {
-    const double* from = coordinates.data();
-    for (int c = 0; c < block.size; ++c)
-      for (int row = 0; row < block.shape.rows; ++row)
-        for (int column = 0; column < block.shape.columns; ++column, from += width)
-          for (int set = 0; set < sets; ++set) {
-            const double x = data[(c * block.shape.columns + column) * sets + set];
-            for (std::size_t i = 0; i < width; ++i) to[(row * sets + set) * width + i] += x * from[i];
-          }
-  }
-
   // One point by sums of closed forms.
   std::vector<CoordinateTable<double>> summed_at(const Vec3<double>& point, int order) const {
-    std::vector<CoordinateTable<double>> tables(blocks().size());
-    for (std::size_t b = 0; b < tables.size(); ++b)
-      for (int o = 0; o <= order; ++o) {
-        tables[b].stride[o] =
-            static_cast<std::size_t>(blocks()[b].size) * blocks()[b].entries() * derivative_count(3, o);
-        tables[b].tensors[o].assign(tables[b].stride[o], 0.0);
-      }
+    auto tables = zero_tables<double>(blocks(), 3, 1, order);
     summed_->fill(std::span(&point, 1), order, tables);
     return tables;
   }
@@ -225,7 +209,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
 };
 
 const RegisterWholeEvaluation registered{
-    {.name = "batched",
+    {.name = kName,
      .description = "all faces of the cage for a vector of points at once; more digits next to edges and vertices",
      .exists = [](const CoordinateKind& kind,
                   const Cage& cage) { return cage.dimension() == 3 && layers_of(kind).has_value(); },

@@ -49,6 +49,21 @@ struct EdgeTerms {
   Three<V> turning;        ///< its part of grad omega: K3 D x u
 };
 
+/// The terms, with zeros where the mask is set: all that is made of them is zero there.
+template <class V, class M>
+EdgeTerms<V> without(M mask, const EdgeTerms<V>& e) {
+  EdgeTerms<V> t;
+  t.between = e.between;
+  t.inverse = select(mask, V{}, e.inverse);
+  t.distance = select(mask, V{}, e.distance);
+  for (int i = 0; i < 3; ++i) {
+    t.grad_inverse[i] = select(mask, V{}, e.grad_inverse[i]);
+    t.grad_distance[i] = select(mask, V{}, e.grad_distance[i]);
+    t.turning[i] = select(mask, V{}, e.turning[i]);
+  }
+  return t;
+}
+
 /// The table of integrals of the edge form in forms that do not cancel at any distance, as long as p0 x p1 does not.
 /// \param p0, p1 from the point to the edge's ends \param r0, r1 their lengths
 template <Layers L, int O, class V, class T>

@@ -68,15 +68,19 @@ class FaceTerms {
       thrice_i_ = h[0] * edges[0]->distance + h[1] * edges[1]->distance + h[2] * edges[2]->distance + d_ * d_ * J_;
   }
 
-  void add(int f, const Sums<V>& sums) const {
-    if constexpr (L == Layers::Kelvin) return;  // add_kelvin
-    add_values(f, sums);
-    if constexpr (O >= 1) add_gradients(f, sums);
-    if constexpr (O >= 2) add_hessians(f, sums);
+  /// \param beta 1/(2 (1 - nu)), of Kelvin's layers
+  void add(int f, const V& beta, const Sums<V>& sums) const {
+    if constexpr (L == Layers::Kelvin) {
+      add_kelvin(f, beta, sums);
+    } else {
+      add_values(f, sums);
+      if constexpr (O >= 1) add_gradients(f, sums);
+      if constexpr (O >= 2) add_hessians(f, sums);
+    }
   }
 
-  /// T and K of mu = 1, the latter without the factor that its bulk part's beta/2 does not share. \param beta 1/(2 (1 -
-  /// nu))
+ private:
+  // T, and K of mu = 1: J Id - beta/2 Hess I.
   void add_kelvin(int f, const V& beta, const Sums<V>& sums) const {
     const Three<V> grad_J = gradient_of_J(), slope = slope_of(grad_J), n = constant<V>(face_.n);
     V M[3][3], K[3][3];
@@ -106,7 +110,6 @@ class FaceTerms {
     for (int i = 0; i < 3; ++i) last[4 * i] += omega_;
   }
 
- private:
   template <class Of>
   V across(int k, Of of) const {
     return of(*edges_[0]) * face_.across[k][0] + of(*edges_[1]) * face_.across[k][1] +

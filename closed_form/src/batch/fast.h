@@ -15,11 +15,6 @@ struct SeenVertex {
   Mask near;
 };
 
-struct FastScratch {
-  SeenVertex* vertex;
-  EdgeTerms<Lanes>* edge;
-};
-
 /// Where the sides of the arc tangent that omega is are this small against the product of the distances, the point is
 /// so near to an edge of the face that a rounding of its position turns the face's angle too much.
 inline constexpr double kNextToEdge = 0x1p-7;
@@ -39,28 +34,6 @@ inline Mask mask_of(unsigned bits) {
   Mask m;
   for (int i = 0; i < kLanes; ++i) m[i] = (bits >> i & 1u) != 0 ? -1 : 0;
   return m;
-}
-
-/// The terms, with zeros where the mask is set: all that is made of them is zero there.
-inline EdgeTerms<Lanes> without(Mask m, const EdgeTerms<Lanes>& e) {
-  EdgeTerms<Lanes> t;
-  t.between = e.between;
-  t.inverse = select(m, Lanes{}, e.inverse);
-  t.distance = select(m, Lanes{}, e.distance);
-  for (int i = 0; i < 3; ++i) {
-    t.grad_inverse[i] = select(m, Lanes{}, e.grad_inverse[i]);
-    t.grad_distance[i] = select(m, Lanes{}, e.grad_distance[i]);
-    t.turning[i] = select(m, Lanes{}, e.turning[i]);
-  }
-  return t;
-}
-
-template <Layers L, int O>
-void add_face(const FaceTable<double>& face, int f, const Three<Lanes>* const (&x)[3], Lanes omega,
-              const EdgeTerms<Lanes>* const (&edges)[3], Lanes beta, const Sums<Lanes>& sums) {
-  const FaceTerms<L, O, Lanes, double> terms(face, x, omega, edges);
-  if constexpr (L == Layers::Kelvin) terms.add_kelvin(f, beta, sums);
-  else terms.add(f, sums);
 }
 
 template <Layers L, int O>
@@ -102,13 +75,13 @@ void sum_faces(Block& block) {
     const Three<Lanes>* const x[3] = {&v0.x, &v1.x, &v2.x};
     if (!any(marked)) [[likely]] {
       const EdgeTerms<Lanes>* const edges[3] = {&e0, &e1, &e2};
-      add_face<L, O>(face, f, x, omega, edges, beta, sums);
+      FaceTerms<L, O, Lanes, double>(face, x, omega, edges).add(f, beta, sums);
       continue;
     }
     block.marks[block.marked++] = {f, bits_of(marked)};
     const EdgeTerms<Lanes> left[3] = {without(marked, e0), without(marked, e1), without(marked, e2)};
     const EdgeTerms<Lanes>* const edges[3] = {&left[0], &left[1], &left[2]};
-    add_face<L, O>(face, f, x, select(marked, Lanes{}, omega), edges, beta, sums);
+    FaceTerms<L, O, Lanes, double>(face, x, select(marked, Lanes{}, omega), edges).add(f, beta, sums);
   }
 }
 

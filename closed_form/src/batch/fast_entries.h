@@ -11,13 +11,7 @@ namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 inline void sum(Block& block) {
   block.left = 0;
   if (block.layers == Layers::MeanValue) return sum_mean_values(block);
-  if (block.layers == Layers::Kelvin) return sum_faces<Layers::Kelvin, 0>(block);
-  const bool biharmonic = block.layers == Layers::Biharmonic;
-  switch (block.order) {
-    case 0: return biharmonic ? sum_faces<Layers::Biharmonic, 0>(block) : sum_faces<Layers::Harmonic, 0>(block);
-    case 1: return biharmonic ? sum_faces<Layers::Biharmonic, 1>(block) : sum_faces<Layers::Harmonic, 1>(block);
-    default: return biharmonic ? sum_faces<Layers::Biharmonic, 2>(block) : sum_faces<Layers::Harmonic, 2>(block);
-  }
+  with_layers(block.layers, block.order, [&]<Layers L, int O> { sum_faces<L, O>(block); });
 }
 
 inline long scratch_bytes(int vertices, int edges, int columns) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The entry points of one instruction set, by layers and order. Included once for each: fast_*.cpp and careful_*.cpp.
+// The instruction sets that kernels are compiled for, and the one to use.
 #pragma once
 
 #include "tables.h"

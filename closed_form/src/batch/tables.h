@@ -41,6 +41,20 @@ enum class Layers {
   MeanValue,   ///< lambda, values alone
 };
 
+/// Calls f.template operator()<L, O>() for layers that are sums of edge terms; Kelvin's have values alone.
+template <class F>
+auto with_layers(Layers layers, int order, F f) {
+  if (layers == Layers::Kelvin) return f.template operator()<Layers::Kelvin, 0>();
+  if (layers == Layers::Harmonic) {
+    if (order == 0) return f.template operator()<Layers::Harmonic, 0>();
+    if (order == 1) return f.template operator()<Layers::Harmonic, 1>();
+    return f.template operator()<Layers::Harmonic, 2>();
+  }
+  if (order == 0) return f.template operator()<Layers::Biharmonic, 0>();
+  if (order == 1) return f.template operator()<Layers::Biharmonic, 1>();
+  return f.template operator()<Layers::Biharmonic, 2>();
+}
+
 inline constexpr int kMostBlocks = 4;
 
 /// Where sums over faces lie: numbers of block b and order o begin at first[o][b], [coordinate][entry][derivative]: one

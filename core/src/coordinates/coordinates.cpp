@@ -3,6 +3,7 @@
 
 #include "summed.h"
 
+#include "cageproof/core/coordinate_tables.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_evaluation.h"
 
@@ -54,24 +55,6 @@ std::vector<Result<R>> results_of(std::vector<CoordinateTable<R>> tables, int or
   return results;
 }
 
-// Adds one block's coordinates times its data, of `count` points that stand in the result from point `first` on.
-void add_products(const CoordinateTable<double>& table, const CoordinateBlock& block, const CageData& data,
-                  std::size_t b, int order, std::size_t derivatives, std::size_t count, std::size_t first,
-                  AppliedTable& result) {
-  const std::size_t rows = block.shape.rows, columns = block.shape.columns, sets = data.sets;
-  for (std::size_t p = 0; p < count; ++p) {
-    const double* from = table.tensors[order].data() + p * table.stride[order];
-    double* const to = result.tensors[order].data() + (first + p) * result.stride[order];
-    for (int c = 0; c < block.size; ++c)
-      for (std::size_t row = 0; row < rows; ++row)
-        for (std::size_t column = 0; column < columns; ++column, from += derivatives)
-          for (std::size_t set = 0; set < sets; ++set) {
-            const double x = data.blocks[b][(c * columns + column) * sets + set];
-            for (std::size_t d = 0; d < derivatives; ++d) to[(row * sets + set) * derivatives + d] += x * from[d];
-          }
-  }
-}
-
 }  // namespace
 
 CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, CoordinateOptions options)
@@ -98,20 +81,8 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
 }
 
 template <Scalar R>
-std::vector<CoordinateTable<R>> CageCoordinates::tables_for(std::size_t points, int order) const {
-  std::vector<CoordinateTable<R>> tables(blocks().size());
-  for (std::size_t b = 0; b < tables.size(); ++b)
-    for (int o = 0; o <= order; ++o) {
-      tables[b].stride[o] =
-          static_cast<std::size_t>(blocks()[b].size) * blocks()[b].entries() * derivative_count(dimension(), o);
-      tables[b].tensors[o].assign(points * tables[b].stride[o], R(0));
-    }
-  return tables;
-}
-
-template <Scalar R>
 std::vector<CoordinateTable<R>> CageCoordinates::at(std::span<const Vec3<R>> points, int order) const {
-  auto tables = tables_for<R>(points.size(), order);
+  auto tables = zero_tables<R>(blocks(), dimension(), points.size(), order);
   prepared_->fill(points, order, tables);
   return tables;
 }
@@ -146,16 +117,20 @@ AppliedTable CageCoordinates::apply(std::span<const Vec3<double>> points, int or
   for (std::size_t first = 0; first < points.size(); first += block_size) {
     const auto here = points.subspan(first, std::min(block_size, points.size() - first));
     const auto tables = at<double>(here, order);
-    for (std::size_t b = 0; b < tables.size(); ++b)
-      for (int o = 0; o <= order; ++o)
-        add_products(tables[b], blocks()[b], data, b, o, derivative_count(dimension(), o), here.size(), first, result);
+    for (std::size_t p = 0; p < here.size(); ++p)
+      for (int o = 0; o <= order; ++o) {
+        const auto to = std::span(result.tensors[o]).subspan((first + p) * result.stride[o], result.stride[o]);
+        for (std::size_t b = 0; b < tables.size(); ++b)
+          add_products(std::span(tables[b].tensors[o]).subspan(p * tables[b].stride[o], tables[b].stride[o]),
+                       blocks()[b], data.blocks[b], data.sets, derivative_count(dimension(), o), to);
+      }
   }
   return result;
 }
 
 template <Scalar R>
 std::vector<CoordinateTable<R>> CageCoordinates::limits_at(std::span<const Touching> places, int order) const {
-  auto tables = tables_for<R>(places.size(), order);
+  auto tables = zero_tables<R>(blocks(), dimension(), places.size(), order);
   if (!prepared_->fill_limits(places, order, tables))
     throw InputError(fmt::format("{} coordinates have no limits at points within elements", kind_->name));
   return tables;
@@ -175,7 +150,7 @@ std::vector<Result<R>> CageCoordinates::at(const Vec3<R>& point, int order) cons
 }
 
 std::vector<Result<double>> CageCoordinates::terms_at(const Vec3<double>& point, int order) const {
-  auto tables = tables_for<double>(1, order);
+  auto tables = zero_tables<double>(blocks(), dimension(), 1, order);
   if (!prepared_->fill_terms(std::span(&point, 1), order, tables)) return at<double>(point, order);
   return results_of(std::move(tables), order);
 }

@@ -314,9 +314,6 @@ class CageCoordinates {
   std::vector<Result<double>> terms_at(const Vec3<double>& point, int order) const;
 
  private:
-  template <Scalar R>
-  std::vector<CoordinateTable<R>> tables_for(std::size_t points, int order) const;
-
   const CoordinateKind* kind_;
   std::shared_ptr<const CageElements> elements_;
   std::shared_ptr<const PreparedCoordinates> prepared_;
