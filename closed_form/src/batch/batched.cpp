@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whole coordinates of closed triangle cages, a vector of points at a time.
-#include "blocks.h"
+// Whole coordinates of closed triangle cages and of polygons, a vector of points at a time.
+#include "plane_blocks.h"
 
 #include "cageproof/core/coordinate_tables.h"
 #include "cageproof/core/coordinates_in_double.h"
@@ -39,8 +39,29 @@ constexpr int kLargestExponent = 240;
 constexpr std::size_t kChunk = 16;
 // Numbers that caches keep for whoever takes them next.
 constexpr std::size_t kCached = 100000;
-constexpr std::array<int, 3> kKept{1, 3, 6};
 
+// Of triangle cages: factors are 1/(4 pi) of harmonic layers and Kelvin's, 1/(8 pi) of biharmonic ones, of psibar's
+// values a third of it.
+struct Space {
+  using Geometry = batch::Geometry;
+  using Runner = BlockRunner;
+  static constexpr int dimension = 3;
+  static constexpr std::array<int, 3> kept{1, 3, 6};
+  static double factor(int order, std::size_t b) {
+    return (b == 3 && order == 0 ? 1. / 3 : 1.) / ((b >= 2 ? 8 : 4) * pi<double>());
+  }
+};
+
+// Of polygons: 1/(2 pi), and 1/(8 pi).
+struct Plane {
+  using Geometry = Polygon;
+  using Runner = PlaneRunner;
+  static constexpr int dimension = 2;
+  static constexpr std::array<int, 3> kept{1, 2, 3};
+  static double factor(int, std::size_t b) { return 1 / ((b >= 2 ? 8 : 2) * pi<double>()); }
+};
+
+template <class Shape>
 class BatchedCoordinates final : public PreparedCoordinates {
  public:
   BatchedCoordinates(Layers layers, std::shared_ptr<const CageElements> elements, const CoordinateOptions& options,
@@ -80,7 +101,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
                                .stride = static_cast<long>(tables[b].stride[o]),
                                .coordinates = blocks()[b].size,
                                .entries = blocks()[b].entries(),
-                               .width = static_cast<int>(derivative_count(3, o)),
+                               .width = static_cast<int>(derivative_count(Shape::dimension, o)),
                                .from = columns + at(request, o, b),
                                .factor = factor(o, b),
                                .streaming = numbers > kCached},
@@ -114,7 +135,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
                                   .rows = blocks()[b].shape.rows,
                                   .columns = blocks()[b].shape.columns,
                                   .sets = data.sets,
-                                  .width = static_cast<int>(derivative_count(3, o)),
+                                  .width = static_cast<int>(derivative_count(Shape::dimension, o)),
                                   .from = columns + at(request, o, b),
                                   .data = data.blocks[b].data(),
                                   .factor = factor(o, b)},
@@ -125,7 +146,8 @@ class BatchedCoordinates final : public PreparedCoordinates {
             const auto to = std::span(table.tensors[o]).subspan(p * table.stride[o], table.stride[o]);
             std::ranges::fill(to, 0.0);
             for (std::size_t b = 0; b < own.size(); ++b)
-              add_products(own[b].tensors[o], blocks()[b], data.blocks[b], data.sets, derivative_count(3, o), to);
+              add_products(own[b].tensors[o], blocks()[b], data.blocks[b], data.sets,
+                           derivative_count(Shape::dimension, o), to);
           }
         });
     return true;
@@ -156,7 +178,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
     for (int o = 0; o <= order; ++o)
       for (std::size_t b = 0; b < blocks().size(); ++b) {
         request.layout.first[o][b] = request.layout.count;
-        request.layout.count += blocks()[b].size * blocks()[b].entries() * kKept[o];
+        request.layout.count += blocks()[b].size * blocks()[b].entries() * Shape::kept[o];
       }
     return request;
   }
@@ -164,20 +186,17 @@ class BatchedCoordinates final : public PreparedCoordinates {
     return static_cast<std::ptrdiff_t>(request.layout.first[order][b]) * kernels().lanes;
   }
 
-  // 1/(4 pi) of harmonic layers and Kelvin's, 1/(8 pi) of biharmonic ones, of psibar's values a third of it; one over
-  // mu of K; the unit.
+  // Of the shape; one over mu of K; the unit.
   double factor(int order, std::size_t b) const {
     if (layers_ == Layers::MeanValue) return 1;
-    double factor = 1 / (4 * pi<double>());
-    if (b >= 2) factor /= 2;
-    if (b == 3 && order == 0) factor /= 3;
+    double factor = Shape::factor(order, b);
     if (layers_ == Layers::Kelvin && b == 1) factor /= mu_;
     return std::ldexp(factor, (blocks()[b].degree - order) * geometry_.exponent());
   }
 
   // One point by sums of closed forms.
   std::vector<CoordinateTable<double>> summed_at(const Vec3<double>& point, int order) const {
-    auto tables = zero_tables<double>(blocks(), 3, 1, order);
+    auto tables = zero_tables<double>(blocks(), Shape::dimension, 1, order);
     summed_->fill(std::span(&point, 1), order, tables);
     return tables;
   }
@@ -188,7 +207,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
     const Request request = request_for(order);
     const std::size_t lanes = kernels().lanes, count = (points.size() + lanes - 1) / lanes;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kChunk), [&](const auto& range) {
-      BlockRunner runner(geometry_, *elements_, request);
+      typename Shape::Runner runner(geometry_, *elements_, request);
       for (std::size_t i = range.begin(); i < range.end(); ++i) {
         const std::size_t first = i * lanes;
         const auto here = points.subspan(first, std::min(lanes, points.size() - first));
@@ -203,20 +222,22 @@ class BatchedCoordinates final : public PreparedCoordinates {
   Layers layers_;
   std::shared_ptr<const CageElements> elements_;
   std::shared_ptr<const PreparedCoordinates> summed_;
-  Geometry geometry_;
+  typename Shape::Geometry geometry_;
   double mu_ = 1;
   Mp200 beta_ = 0;
 };
 
 const RegisterWholeEvaluation registered{
     {.name = kName,
-     .description = "all faces of the cage for a vector of points at once; more digits next to edges and vertices",
-     .exists = [](const CoordinateKind& kind,
-                  const Cage& cage) { return cage.dimension() == 3 && layers_of(kind).has_value(); },
+     .description = "the whole cage for a vector of points at once; more digits next to edges and vertices",
+     .exists = [](const CoordinateKind& kind, const Cage&) { return layers_of(kind).has_value(); },
      .prepare = [](const CoordinateKind& kind, std::shared_ptr<const CageElements> elements,
                    const CoordinateOptions& options,
                    std::shared_ptr<const PreparedCoordinates> summed) -> std::shared_ptr<const PreparedCoordinates> {
-       return std::make_shared<BatchedCoordinates>(*layers_of(kind), std::move(elements), options, std::move(summed));
+       const Layers layers = *layers_of(kind);
+       if (elements->dimension() == 2)
+         return std::make_shared<BatchedCoordinates<Plane>>(layers, std::move(elements), options, std::move(summed));
+       return std::make_shared<BatchedCoordinates<Space>>(layers, std::move(elements), options, std::move(summed));
      }}};
 
 }  // namespace

@@ -2,13 +2,13 @@
 // Blocks of points run through the kernels: one block's sums over faces, whatever is near or far.
 #pragma once
 
+#include "aligned.h"
 #include "geometry.h"
 #include "kernels.h"
 
 #include "cageproof/core/coordinates.h"
 
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,15 +37,6 @@ class BlockRunner {
   const double* columns() const { return columns_.get(); }
 
  private:
-  struct Free {
-    void operator()(void* memory) const { ::operator delete (memory, std::align_val_t{64}); }
-  };
-  template <class T>
-  using Aligned = std::unique_ptr<T[], Free>;
-  template <class T>
-  static Aligned<T> aligned(std::size_t count) {
-    return Aligned<T>(static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{64})));
-  }
   unsigned add_beyond(std::span<const Vec3<double>> points);
 
   const Geometry& geometry_;

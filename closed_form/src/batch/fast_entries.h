@@ -5,6 +5,7 @@
 #include "careful_entries.h"
 #include "fast.h"
 #include "mean_values.h"
+#include "plane_sums.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
@@ -21,8 +22,18 @@ inline long scratch_bytes(int vertices, int edges, int columns) {
   return fast > careful ? fast : careful;
 }
 
-/// Places of a symmetric matrix's nine entries among its six.
-inline constexpr int kSymmetric[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+/// Derivatives of one order, of which the kept columns are as many as a symmetric matrix has different entries.
+template <int Width>
+struct Order {
+  static constexpr int kept = Width == 9 ? 6 : Width == 4 ? 3 : Width;
+  /// Where a derivative is among those kept.
+  static constexpr int place(int i) {
+    constexpr int of_nine[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5}, of_four[4] = {0, 1, 1, 2};
+    if constexpr (Width == 9) return of_nine[i];
+    if constexpr (Width == 4) return of_four[i];
+    return i;
+  }
+};
 
 /// Stores one number; where rows are more than caches hold, past these.
 template <bool Streaming>
@@ -39,10 +50,10 @@ void put(double* to, double x) {
 }
 
 /// Columns to rows, some at a time, so that what is turned stays in the nearest cache.
-template <bool Streaming>
+template <int Width, bool Streaming>
 void store_rows(const Rows& rows, int points) {
-  constexpr int tile = 48;
-  const int kept = rows.width == 9 ? 6 : rows.width;
+  constexpr int tile = 48, kept = Order<Width>::kept;
+  static_assert(tile % kept == 0);
   const int count = rows.coordinates * rows.entries * kept;
   const auto* const from = reinterpret_cast<const Lanes*>(rows.from);
   for (int first = 0; first < count; first += tile) {
@@ -53,60 +64,64 @@ void store_rows(const Rows& rows, int points) {
       __builtin_memcpy(scaled[c], &x, sizeof x);
     }
     for (int p = 0; p < points; ++p) {
-      double* to = rows.to + p * rows.stride + (kept == 6 ? first / 2 * 3 : first);
-      if (kept == 6) {
-        for (int c = 0; c < here; c += 6, to += 9)
-          for (int i = 0; i < 9; ++i) put<Streaming>(to + i, scaled[c + kSymmetric[i]][p]);
-      } else {
-        for (int c = 0; c < here; ++c) put<Streaming>(to + c, scaled[c][p]);
-      }
+      double* to = rows.to + p * rows.stride + first / kept * Width;
+      for (int c = 0; c < here; c += kept, to += Width)
+        for (int i = 0; i < Width; ++i) put<Streaming>(to + i, scaled[c + Order<Width>::place(i)][p]);
     }
+  }
+}
+
+/// Calls f.template operator()<Width>() for a number of derivatives.
+template <class F>
+void with_width(int width, F f) {
+  switch (width) {
+    case 1: return f.template operator()<1>();
+    case 2: return f.template operator()<2>();
+    case 3: return f.template operator()<3>();
+    case 4: return f.template operator()<4>();
+    default: return f.template operator()<9>();
   }
 }
 
 inline void store(const Rows& rows, int points) {
-  if (!rows.streaming) return store_rows<false>(rows, points);
-  store_rows<true>(rows, points);
+  with_width(rows.width, [&]<int Width> {
+    if (rows.streaming) store_rows<Width, true>(rows, points);
+    else store_rows<Width, false>(rows, points);
+  });
 #if defined(__SSE2__)
   // Other threads see what went past the caches from here on.
-  __builtin_ia32_sfence();
+  if (rows.streaming) __builtin_ia32_sfence();
 #endif
 }
 
 /// `Sets` sets of one row's products, so that columns are read once for them.
-template <int Kept, int Sets>
+template <int Width, int Sets>
 void multiply_sets(const Products& product, int points, int row, int first) {
+  constexpr int kept = Order<Width>::kept;
   const auto* const from = reinterpret_cast<const Lanes*>(product.from);
-  Lanes sum[Sets][Kept] = {};
+  Lanes sum[Sets][kept] = {};
   for (int c = 0; c < product.coordinates; ++c)
     for (int column = 0; column < product.columns; ++column) {
       const double* const x = product.data + (c * product.columns + column) * product.sets + first;
-      const Lanes* const entry = from + ((c * product.rows + row) * product.columns + column) * Kept;
-      for (int i = 0; i < Kept; ++i)
+      const Lanes* const entry = from + ((c * product.rows + row) * product.columns + column) * kept;
+      for (int i = 0; i < kept; ++i)
         for (int set = 0; set < Sets; ++set) sum[set][i] += x[set] * entry[i];
     }
   for (int set = 0; set < Sets; ++set)
     for (int p = 0; p < points; ++p) {
-      double* const to = product.to + p * product.stride + (row * product.sets + first + set) * product.width;
-      for (int i = 0; i < product.width; ++i) to[i] += sum[set][Kept == 6 ? kSymmetric[i] : i][p] * product.factor;
+      double* const to = product.to + p * product.stride + (row * product.sets + first + set) * Width;
+      for (int i = 0; i < Width; ++i) to[i] += sum[set][Order<Width>::place(i)][p] * product.factor;
     }
 }
 
-template <int Kept>
-void multiply_kept(const Products& product, int points) {
-  for (int row = 0; row < product.rows; ++row) {
-    int set = 0;
-    for (; set + 3 <= product.sets; set += 3) multiply_sets<Kept, 3>(product, points, row, set);
-    for (; set < product.sets; ++set) multiply_sets<Kept, 1>(product, points, row, set);
-  }
-}
-
 inline void multiply(const Products& product, int points) {
-  switch (product.width) {
-    case 1: return multiply_kept<1>(product, points);
-    case 3: return multiply_kept<3>(product, points);
-    default: return multiply_kept<6>(product, points);
-  }
+  with_width(product.width, [&]<int Width> {
+    for (int row = 0; row < product.rows; ++row) {
+      int set = 0;
+      for (; set + 3 <= product.sets; set += 3) multiply_sets<Width, 3>(product, points, row, set);
+      for (; set < product.sets; ++set) multiply_sets<Width, 1>(product, points, row, set);
+    }
+  });
 }
 
 }  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD

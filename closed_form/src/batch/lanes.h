@@ -44,16 +44,15 @@ inline Lanes root(Lanes a) {
 }
 
 /// log(num/den), both positive: ((sum + length)/(sum - length)) in any form that does not cancel. Where length is small
-/// against sum, 2 atanh(length/sum) is taken, which keeps all digits of a small result.
+/// against sum, as `small` says, 2 atanh(length/sum) is taken, which keeps all digits of a small result.
 ///
 /// One division: the quotient is brought next to one by a power of two, and log x = 2 atanh((x - 1)/(x + 1)), whose
 /// series is replaced by Chebyshev's polynomial for |z| <= 1/5.
-inline Lanes log_of_quotient(Lanes num, Lanes den, Lanes length, Lanes sum) {
+inline Lanes log_of_quotient(Lanes num, Lanes den, Lanes length, Lanes sum, Mask small) {
   constexpr std::uint64_t one = 1023;
   const Bits bits = (Bits)num - (Bits)den + ((one << 52) + (UINT64_C(1) << 51));
   const Bits exponent = bits >> 52;  // of the power of two, plus `one`
   const Lanes near_one = (Lanes)((Bits)num - ((exponent - one) << 52));
-  const Mask small = 5 * length < sum;
   const Lanes z = select(small, length, near_one - den) / select(small, sum, near_one + den);
   const Lanes power = (Lanes)(exponent | UINT64_C(0x4330000000000000)) - (0x1p52 + static_cast<double>(one));
   const Lanes q = z * z, q2 = q * q, q4 = q2 * q2;
@@ -64,6 +63,11 @@ inline Lanes log_of_quotient(Lanes num, Lanes den, Lanes length, Lanes sum) {
   const Lanes rest = 2 * z + (z * q) * series;
   const Lanes whole = power * 0.6931471805592082 + (rest + power * 7.371002565167799e-13);
   return select(small, rest, whole);
+}
+
+/// Of a positive length.
+inline Lanes log_of_quotient(Lanes num, Lanes den, Lanes length, Lanes sum) {
+  return log_of_quotient(num, den, length, sum, 5 * length < sum);
 }
 
 /// The angle of (x, y) in [-pi, pi], by one division: within thirty degrees of an axis, or of a ray between two.

@@ -58,7 +58,7 @@ auto with_layers(Layers layers, int order, F f) {
 inline constexpr int kMostBlocks = 4;
 
 /// Where sums over faces lie: numbers of block b and order o begin at first[o][b], [coordinate][entry][derivative]: one
-/// of order 0, three of order 1, six of order 2 (xx, xy, xz, yy, yz, zz).
+/// of order 0, three of order 1, six of order 2 (xx, xy, xz, yy, yz, zz); in the plane two and three (xx, xy, yy).
 struct Columns {
   int first[3][kMostBlocks];
   int count;
@@ -103,8 +103,8 @@ struct Block {
 struct Rows {
   double* to;
   long stride;
-  int coordinates, entries, width;  ///< width: one derivative, three, or nine
-  const double* from;               ///< the columns, where six stand for nine
+  int coordinates, entries, width;  ///< width: one derivative, two or four in the plane, three or nine in space
+  const double* from;               ///< the columns, where three stand for four and six for nine
   double factor;
   bool streaming;  ///< whether rows are not to be kept in caches
 };
@@ -119,6 +119,8 @@ struct Products {
   double factor;
 };
 
+struct PlaneBlock;
+
 /// The functions of one instruction set.
 struct Kernels {
   const char* name;
@@ -128,6 +130,9 @@ struct Kernels {
   void (*sum)(Block&);
   /// Adds what was left out, in double-doubles; lists what these do not decide, and leaves that out.
   void (*sum_marked)(Block&);
+  long (*plane_scratch_bytes)(int vertices);
+  /// Sums over a polygon's edges.
+  void (*sum_plane)(PlaneBlock&);
   void (*store)(const Rows&, int points);
   void (*multiply)(const Products&, int points);
 };

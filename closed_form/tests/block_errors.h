@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The error of a whole block of coordinates, for tests of whole evaluations.
+#pragma once
+
+#include "cageproof/core/coordinates.h"
+#include "cageproof/core/random_stream.h"
+
+#include <cmath>
+
+namespace cageproof::block_errors {
+
+using Point = Vec3<double>;
+
+inline CageCoordinates coordinates_of(const Cage& cage, std::string_view kind, const std::string& evaluation) {
+  return {cage, coordinate_kind_named(kind), CoordinateOptions{.evaluation = evaluation}};
+}
+
+inline double norm_of(const std::vector<Mp50>& values) {
+  Mp50 squares = 0;
+  for (const Mp50& x : values) squares += x * x;
+  return static_cast<double>(Mp50(sqrt(squares)));
+}
+
+// The largest block error over blocks and orders, in units of u, with the point for the only input: |f - truth| over
+// |truth| + size |grad truth|; of the highest order over |truth| alone.
+inline double block_error(const CageCoordinates& found, const CageCoordinates& reference, double size,
+                          const Point& point, int order) {
+  const auto f = found.at<double>(point, order);
+  const auto truth = reference.at<Mp50>(convert<Mp50>(point), std::min(order + 1, 2));
+  double worst = 0;
+  for (std::size_t b = 0; b < f.size(); ++b)
+    for (int o = 0; o <= order; ++o) {
+      std::vector<Mp50> difference;
+      for (std::size_t i = 0; i < f[b].of(o).size(); ++i) difference.push_back(Mp50(f[b].of(o)[i]) - truth[b].of(o)[i]);
+      // On the cage some derivatives do not exist.
+      const double slope = o < 2 ? norm_of(truth[b].of(o + 1)) : 0;
+      const double scale = norm_of(truth[b].of(o)) + (std::isfinite(slope) ? size * slope : 0);
+      const double error = norm_of(difference) / (unit_roundoff<double>() * scale);
+      if (!(error <= worst)) worst = error;
+    }
+  return worst;
+}
+
+// Of that many coordinates.
+inline Point direction(RandomStream& random, int dimension = 3) {
+  Point v = Point::Zero();
+  do
+    for (int c = 0; c < dimension; ++c) v[c] = random.uniform(-1, 1);
+  while (v.norm() > 1 || v.norm() < 0.1);
+  return v.normalized();
+}
+
+}  // namespace cageproof::block_errors
