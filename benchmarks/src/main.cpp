@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
     register_deformer_benchmarks(std::make_shared<const DeformedCage>(embedded_deformed_cage(name, points)));
   if (given) register_deformer_benchmarks(given);
   register_yardstick();
-  for (const char* name : {"icosphere", "twisted-bar"})
+  for (const char* name : {"icosphere", "twisted-bar", "comb"})
     register_cage_benchmarks(std::make_shared<const DeformedCage>(embedded_deformed_cage(name, points)));
   for (const auto& cage : cages) register_cage_benchmarks(cage);
   register_scaling_benchmarks();

@@ -39,6 +39,8 @@ constexpr int kLargestExponent = 240;
 constexpr std::size_t kChunk = 16;
 // Numbers that caches keep for whoever takes them next.
 constexpr std::size_t kCached = 100000;
+// Numbers of a point below which its row is not sent past them: parts of lines cost more than they save.
+constexpr std::size_t kShortRow = 256;
 
 // Of triangle cages: factors are 1/(4 pi) of harmonic layers and Kelvin's, 1/(8 pi) of biharmonic ones, of psibar's
 // values a third of it.
@@ -104,7 +106,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
                                .width = static_cast<int>(derivative_count(Shape::dimension, o)),
                                .from = columns + at(request, o, b),
                                .factor = factor(o, b),
-                               .streaming = numbers > kCached},
+                               .streaming = numbers > kCached && tables[b].stride[o] >= kShortRow},
                               count);
         },
         [&](std::size_t p, const std::vector<CoordinateTable<double>>& own) {

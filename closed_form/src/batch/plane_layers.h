@@ -25,6 +25,7 @@ struct PlaneSums {
   }
 };
 
+inline void add(Lanes* to, Lanes x) { *to += x; }
 /// Adds (Re, -Im) of an analytic function's derivative, and its second: those of its real part.
 inline void add_slope(Lanes* to, const Complex& d) {
   to[0] += d.re;
@@ -64,7 +65,7 @@ void add_harmonic(const SeenEdgeOfPlane& edge, Mask afar, const Complex& over_mi
   const int vertex[2] = {side.from, side.to};
   const Complex product = O >= 2 ? edge.a.over * edge.b.over : Complex{};
   for (int k = 0; k < 2; ++k) {
-    sums.at(0, 0, vertex[k], 1)[0] += edge.hat(k).im;
+    add(sums.at(0, 0, vertex[k], 1), edge.hat(k).im);
     if constexpr (O >= 1) {
       const Complex without = k == 0 ? -seen.mean : seen.mean;
       const Complex slope = select(end[k]->apart, edge.hat_slope(k, afar, over_middle), without);
@@ -75,7 +76,7 @@ void add_harmonic(const SeenEdgeOfPlane& edge, Mask afar, const Complex& over_mi
       add_bend(sums.at(2, 0, vertex[k], 3), turned(select(end[k]->apart, far, without)));
     }
   }
-  *sums.at(0, 1, number, 1) -= side.length * mean_log;
+  add(sums.at(0, 1, number, 1), -side.length * mean_log);
   if constexpr (O >= 1) add_slope(sums.at(1, 1, number, 2), side.length * seen.mean);
   if constexpr (O >= 2) add_bend(sums.at(2, 1, number, 3), side.length * product);
 }
@@ -101,7 +102,7 @@ void add_biharmonic(const SeenEdgeOfPlane& edge, Mask afar, const Complex& over_
   const Lanes tilt = 0.25 * seen.whole.re - 0.5 * seen.half_over.re;  // D
   for (int k = 0; k < 2; ++k) {
     const Lanes q = side.length * (mean_log + (k == 0 ? -tilt : tilt) - 0.5);
-    *sums.at(0, 2, vertex[k], 1) -= h * q;
+    add(sums.at(0, 2, vertex[k], 1), -(h * q));
     if constexpr (O >= 1) {
       const Complex slope = -2 * times_conjugate(side.u, edge.hat(k));  // (Re, -Im) is grad q
       Lanes* const gradient = sums.at(1, 2, vertex[k], 2);
