@@ -35,12 +35,16 @@ std::vector<Mp50> difference_of(const std::vector<double>& found, const std::vec
   return difference;
 }
 
-// |f - truth| in units of u (|truth| + size |grad truth|).
+// |f - truth| in units of u (|truth| + size |grad truth| + |truth| (sum |w|/|sum w| - 1)): a block error, with the
+// point for the only input, where a rounding of each weight w costs more far outside, where their sum cancels
+// (errors.md).
 double block_error(const CageCoordinates& found, const CageCoordinates& reference, double size, const Point& point) {
   const auto f = found.at<double>(point, 0)[0];
   const auto truth = reference.at<Mp50>(convert<Mp50>(point), 1)[0];
   const double slope = norm_of(truth.gradient);
-  const double scale = norm_of(truth.value) + (std::isfinite(slope) ? size * slope : 0);
+  Mp50 sizes = 0;
+  for (const Mp50& x : truth.value) sizes += abs(x);
+  const double scale = norm_of(truth.value) * static_cast<double>(sizes) + (std::isfinite(slope) ? size * slope : 0);
   return norm_of(difference_of(f.value, truth.value)) / (unit_roundoff<double>() * scale);
 }
 
