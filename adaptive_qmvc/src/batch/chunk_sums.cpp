@@ -66,7 +66,7 @@ void ChunkSums::sort_by_plan(const FaceTables& face) {
   for (int p = 0; p < points_; ++p) {
     const int across_v = plans_.step_of((d0[p] + d2[p]) * face.over_v);
     const int across_u = plans_.step_of((d1[p] + d3[p]) * face.over_u);
-    plan_[p] = plans_.plan_of(across_v, across_u, face.elementary);
+    plan_[p] = plans_.plan_of(across_v, across_u);
     ++first_[plan_[p] + 1];
   }
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];

@@ -10,11 +10,8 @@
 namespace cageproof::adaptive_qmvc::batch {
 namespace {
 
-// Beyond, powers of the unit leave double's range; likewise those of shorter sides, and of points this far away.
-constexpr int kLargestExponent = 240;
+// Powers of shorter sides leave double's range, in units of the cage.
 constexpr double kShortest = 0x1p-60;
-// Lines that differ more in length are not taken as elementary: seen from the short ones, others are too far away.
-constexpr double kUneven = 4;
 
 void put(double (&to)[3], const Vec3<Mp50>& from) {
   for (int i = 0; i < 3; ++i) to[i] = static_cast<double>(from[i]);
@@ -45,7 +42,6 @@ void Geometry::find_unit(const CageElements& elements) {
   sound_ = size > 0 && std::isfinite(size);
   if (!sound_) return;
   exponent_ = std::ilogb(size) + 1;
-  sound_ = std::abs(exponent_) <= kLargestExponent;
   for (const Vec3<double>& v : elements.vertices()) {
     Vec3<double>& scaled = vertex_.emplace_back();
     for (int i = 0; i < 3; ++i) {
@@ -95,8 +91,6 @@ Geometry::Geometry(const CageElements& elements) {
     const double u = std::max(length[0], length[2]), v = std::max(length[1], length[3]);
     face.over_u = 1 / u;
     face.over_v = 1 / v;
-    face.elementary =
-        (u < kUneven * std::min(length[0], length[2]) ? 1 : 0) | (v < kUneven * std::min(length[1], length[3]) ? 2 : 0);
     // What has no area has no sides on either way.
     sound_ = sound_ && std::isfinite(face.over_u) && std::isfinite(face.over_v);
   }

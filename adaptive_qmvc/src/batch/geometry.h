@@ -16,7 +16,6 @@ struct FaceTables {
   QuadTable along, turned;  ///< lines along the sides from corner 0 to corner 1, and from 0 to 3
   std::array<int, 4> edge;  ///< from corner i to corner i + 1
   double over_u, over_v;    ///< one over the longer one of edges 0 and 2, and of 1 and 3
-  int elementary;           ///< whether lines are about as long as each other: 1 along u, 2 along v
 };
 
 /// A cage's vertices and faces in a unit in which the cage's size is about one.

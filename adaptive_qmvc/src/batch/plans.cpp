@@ -73,39 +73,30 @@ Plans::Plans() {
     // By twos.
     along[step] = std::max(along[step], (nodes_for(axis, kAlong) + 1) / 2 * 2);
   }
-  for (int elementary = 0; elementary < 4; ++elementary)
-    for (int v = 0; v <= kClasses; ++v)
-      for (int u = 0; u <= kClasses; ++u) {
-        double least = std::numeric_limits<double>::infinity();
-        Plan best{};
-        const auto offer = [&](bool turned, int across, int nodes_along) {
-          const double cost =
-              kNodes[across] * (nodes_along > 0 ? kLineCost + kNodeCost * nodes_along : kElementaryCost);
-          if (!(cost < least)) return;
-          least = cost;
-          best = {turned, rule_of(kNodes[across]), nodes_along > 0 ? rule_of(nodes_along) : nullptr};
-        };
-        if (v < kClasses && u < kClasses) {
-          offer(false, v, along[u]);
-          offer(true, u, along[v]);
-        }
-        if (v < kClasses && (elementary & 1) != 0) offer(false, v, 0);
-        if (u < kClasses && (elementary & 2) != 0) offer(true, u, 0);
-        std::uint16_t& choice = choice_[elementary][v][u];
-        if (best.across == nullptr) {
-          choice = std::numeric_limits<std::uint16_t>::max();
-          continue;
-        }
-        const auto same = std::ranges::find_if(plans_, [&](const Plan& plan) {
-          return plan.turned == best.turned && plan.across == best.across && plan.along == best.along;
-        });
-        choice = static_cast<std::uint16_t>(same - plans_.begin());
-        if (same == plans_.end()) plans_.push_back(best);
+  for (int v = 0; v <= kClasses; ++v)
+    for (int u = 0; u <= kClasses; ++u) {
+      double least = std::numeric_limits<double>::infinity();
+      Plan best{};
+      const auto offer = [&](bool turned, int across, int nodes_along) {
+        const double cost = kNodes[across] * (nodes_along > 0 ? kLineCost + kNodeCost * nodes_along : kElementaryCost);
+        if (!(cost < least)) return;
+        least = cost;
+        best = {turned, rule_of(kNodes[across]), nodes_along > 0 ? rule_of(nodes_along) : nullptr};
+      };
+      if (v < kClasses && u < kClasses) {
+        offer(false, v, along[u]);
+        offer(true, u, along[v]);
       }
-  for (auto& of_elementary : choice_)
-    for (auto& of_v : of_elementary)
-      for (std::uint16_t& choice : of_v)
-        choice = static_cast<std::uint16_t>(std::min(static_cast<std::size_t>(choice), plans_.size()));
+      if (v < kClasses) offer(false, v, 0);
+      if (u < kClasses) offer(true, u, 0);
+      if (best.across == nullptr) continue;
+      const auto same = std::ranges::find_if(plans_, [&](const Plan& plan) {
+        return plan.turned == best.turned && plan.across == best.across && plan.along == best.along;
+      });
+      choice_[v][u] = static_cast<std::uint16_t>(same - plans_.begin());
+      if (same == plans_.end()) plans_.push_back(best);
+    }
+  choice_[kClasses][kClasses] = static_cast<std::uint16_t>(plans_.size());
 }
 
 }  // namespace cageproof::adaptive_qmvc::batch

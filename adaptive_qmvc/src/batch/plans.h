@@ -32,8 +32,7 @@ class Plans {
     return step_[step < kSteps - 1 ? static_cast<int>(step) : kSteps - 1];
   }
   /// The number of the plan for steps of the sums across the lines v and u, or none().
-  /// \param elementary whether lines may be elementary: 1 along u, 2 along v, 3 both
-  int plan_of(int across_v, int across_u, int elementary) const { return choice_[elementary][across_v][across_u]; }
+  int plan_of(int across_v, int across_u) const { return choice_[across_v][across_u]; }
   int none() const { return static_cast<int>(plans_.size()); }
   int count() const { return static_cast<int>(plans_.size()); }
   const Plan& operator[](int plan) const { return plans_[plan]; }
@@ -46,7 +45,7 @@ class Plans {
   static constexpr int kClasses = 20;  // and one for what no rule is taken for
 
   std::array<std::uint8_t, kSteps> step_{};
-  std::uint16_t choice_[4][kClasses + 1][kClasses + 1];
+  std::uint16_t choice_[kClasses + 1][kClasses + 1];
   std::vector<Plan> plans_;
 };
 
