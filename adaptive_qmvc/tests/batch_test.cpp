@@ -204,6 +204,28 @@ TEST(BatchedQuads, values_in_any_unit) {
   }
 }
 
+// Where powers of distances leave double's range, and sides that are nothing beside the cage.
+TEST(BatchedQuads, values_at_all_distances) {
+  std::vector<Point> vertices = embedded_cage("cube").vertices();
+  for (const double side : {1., 1e-20, 1e-90, 1e-160}) {
+    for (Point& v : vertices) v[0] = v[0] > 0 ? side : 0;
+    const Cage cage = embedded_cage("cube").with(vertices, embedded_cage("cube").faces());
+    const CageCoordinates found = coordinates_of(cage, "batched"), reference = coordinates_of(cage, "");
+    for (const double distance : {1., 1e5, 1e10, 1e20, 1e60, 1e76, 1e79, 1e81, 1e120, 1e300}) {
+      const Point p = distance * Point(0.3, -0.8, 0.6);
+      const auto f = found.at<double>(p, 0)[0].value, sum = reference.at<double>(p, 0)[0].value;
+      const auto truth = reference.at<Mp50>(convert<Mp50>(p), 0)[0].value;
+      Mp50 sizes = 0;
+      for (const Mp50& x : truth) sizes += abs(x);
+      const double scale = unit_roundoff<double>() * norm_of(truth) * static_cast<double>(sizes);
+      // Weights of both sides of a wall cancel, in sums of line forms too.
+      const double error = norm_of(difference_of(f, truth)) / scale,
+                   of_sum = norm_of(difference_of(sum, truth)) / scale;
+      EXPECT_LE(error, 64 + of_sum) << side << ' ' << distance;
+    }
+  }
+}
+
 TEST(BatchedQuads, hang_on_no_other_point_and_no_thread) {
   const Cage cage = embedded_cage("twisted-bar");
   const CageCoordinates found = coordinates_of(cage, "batched");

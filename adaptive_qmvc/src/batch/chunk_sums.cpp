@@ -9,8 +9,6 @@ namespace {
 
 // Vectors of every instruction set.
 constexpr std::size_t kWidest = 8;
-// Beyond, powers of distances in the shortest sides leave double's range.
-constexpr double kTooFar = 0x1p20;
 // Points that see a quad alike fill vectors, of which more points leave fewer half empty; their sums stay in caches.
 constexpr std::size_t kMost = 1024, kLeast = 64, kSums = std::size_t(1) << 17;
 
@@ -41,22 +39,15 @@ void ChunkSums::take(std::span<const Vec3<double>> points) {
   whole_.resize(stride);
   plan_.resize(stride);
   order_.resize(stride);
-  is_left_.assign(stride, 0);
   chunk_ = {static_cast<int>(stride), at_.data(), sums_.data()};
-  const double scale = std::ldexp(1., -geometry_.exponent()), unit = std::ldexp(1., geometry_.exponent());
   for (std::size_t p = 0; p < stride; ++p) {
     // A chunk that is not full goes on with its last point.
     const Vec3<double>& point = points[std::min(p, points.size() - 1)];
-    for (int i = 0; i < 3; ++i) {
-      const double x = point[i] * scale;
-      const bool held = x * unit == point[i] && std::abs(x) < kTooFar;
-      if (!held) is_left_[p] = 1;
-      at_[i * stride + p] = held ? x : 0;
-    }
+    for (int i = 0; i < 3; ++i) at_[i * stride + p] = std::ldexp(point[i], -geometry_.exponent());
   }
 }
 
-// Points left out follow the others, as those of which a face's weights are computed alone.
+// Points that see the face by no plan, or from no distance that is a number, come last.
 void ChunkSums::sort_by_plan(const FaceTables& face) {
   const auto of = [&](int side) {
     return distances_.data() + static_cast<std::size_t>(face.edge[side]) * chunk_.stride;
@@ -83,7 +74,6 @@ void ChunkSums::add_alone(std::size_t f, std::span<const Vec3<double>> points) {
   const BatchOutput<double> output{.tensors = {weights.data(), nullptr, nullptr}};
   for (int i = first_[plans_.none()]; i < points_; ++i) {
     const int p = order_[i];
-    if (is_left_[p] != 0) continue;
     (*evaluations_[static_cast<std::size_t>(elements_.type(f).kind)])(
         Batch<double>{corners, points.subspan(p, 1), 0, {}}, output);
     for (std::size_t k = 0; k < vertices.size(); ++k)
@@ -109,9 +99,10 @@ void ChunkSums::run(std::span<const Vec3<double>> points) {
     if (first_[plans_.none()] < points_) add_alone(f, points);
   }
   kernels_.normalise(chunk_, geometry_.vertices(), whole_.data());
+  // Weights on the cage are infinite, and powers of distances may leave double's range, which no sum hides.
   left_.clear();
   for (int p = 0; p < points_; ++p)
-    if (is_left_[p] != 0 || !std::isfinite(whole_[p]) || whole_[p] == 0) left_.push_back(p);
+    if (!std::isfinite(whole_[p]) || whole_[p] == 0) left_.push_back(p);
 }
 
 }  // namespace cageproof::adaptive_qmvc::batch

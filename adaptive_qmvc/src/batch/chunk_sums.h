@@ -43,7 +43,6 @@ class ChunkSums {
   std::array<std::optional<Evaluation>, element_kinds.size()> evaluations_;
   std::vector<double> at_, sums_, distances_, whole_;
   std::vector<int> plan_, order_, first_;  // of points, the points by plan, where each plan's begin
-  std::vector<char> is_left_;
   std::vector<int> left_;
   Chunk chunk_{};
   int points_ = 0;

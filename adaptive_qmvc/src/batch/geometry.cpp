@@ -10,9 +10,6 @@
 namespace cageproof::adaptive_qmvc::batch {
 namespace {
 
-// Powers of shorter sides leave double's range, in units of the cage.
-constexpr double kShortest = 0x1p-60;
-
 void put(double (&to)[3], const Vec3<Mp50>& from) {
   for (int i = 0; i < 3; ++i) to[i] = static_cast<double>(from[i]);
 }
@@ -44,10 +41,7 @@ void Geometry::find_unit(const CageElements& elements) {
   exponent_ = std::ilogb(size) + 1;
   for (const Vec3<double>& v : elements.vertices()) {
     Vec3<double>& scaled = vertex_.emplace_back();
-    for (int i = 0; i < 3; ++i) {
-      scaled[i] = std::ldexp(v[i], -exponent_);
-      sound_ = sound_ && std::ldexp(scaled[i], exponent_) == v[i];
-    }
+    for (int i = 0; i < 3; ++i) scaled[i] = std::ldexp(v[i], -exponent_);
   }
 }
 
@@ -57,7 +51,6 @@ int Geometry::edge_between(int from, int to) {
   EdgeTable& edge = edges_.emplace_back();
   for (int i = 0; i < 3; ++i) edge.from[i] = start[i], edge.along[i] = along[i];
   edge.over2 = square > 0 ? 1 / square : 0;
-  sound_ = sound_ && (square == 0 ? from == to : square > kShortest * kShortest);
   return static_cast<int>(edges_.size()) - 1;
 }
 
