@@ -204,16 +204,17 @@ TEST(BatchedQuads, values_in_any_unit) {
   }
 }
 
-// Where powers of distances leave double's range, and sides that are nothing beside the cage.
-TEST(BatchedQuads, values_at_all_distances) {
-  std::vector<Point> vertices = embedded_cage("cube").vertices();
-  for (const double side : {1., 1e-20, 1e-90, 1e-160}) {
-    for (Point& v : vertices) v[0] = v[0] > 0 ? side : 0;
+// Far away, where the weights' sum cancels; and with a face whose sides have no squares.
+TEST(BatchedQuads, values_far_away_and_beside_points) {
+  for (const double side : {1., 1e-20, 1e-90, 1e-160, 1e-200}) {
+    std::vector<Point> vertices = embedded_cage("cube").vertices();
+    for (Point& v : vertices)
+      if (v[2] > 0) v = Point(side * v[0], side * v[1], v[2]);
     const Cage cage = embedded_cage("cube").with(vertices, embedded_cage("cube").faces());
     const CageCoordinates found = coordinates_of(cage, "batched"), reference = coordinates_of(cage, "");
-    for (const double distance : {1., 1e5, 1e10, 1e20, 1e60, 1e76, 1e79, 1e81, 1e120, 1e300}) {
+    for (const double distance : {0.1, 0.5, 1., 1e1, 1e2, 1e4, 1e6, 1e8}) {
       const Point p = distance * Point(0.3, -0.8, 0.6);
-      const auto f = found.at<double>(p, 0)[0].value, sum = reference.at<double>(p, 0)[0].value;
+      const auto f = found.at<double>(p, 0)[0].value;
       const auto truth = reference.at<Mp50>(convert<Mp50>(p), 0)[0].value;
       Mp50 sizes = 0;
       for (const Mp50& x : truth) sizes += abs(x);
