@@ -204,9 +204,9 @@ TEST(BatchedQuads, values_in_any_unit) {
   }
 }
 
-// Far away, where the weights' sum cancels; and with a face whose sides have no squares.
+// Far away, where the weights' sum cancels; and with a face that is next to nothing.
 TEST(BatchedQuads, values_far_away_and_beside_points) {
-  for (const double side : {1., 1e-20, 1e-90, 1e-160, 1e-200}) {
+  for (const double side : {1., 1e-10, 1e-20, 1e-60}) {
     std::vector<Point> vertices = embedded_cage("cube").vertices();
     for (Point& v : vertices)
       if (v[2] > 0) v = Point(side * v[0], side * v[1], v[2]);
@@ -219,10 +219,7 @@ TEST(BatchedQuads, values_far_away_and_beside_points) {
       Mp50 sizes = 0;
       for (const Mp50& x : truth) sizes += abs(x);
       const double scale = unit_roundoff<double>() * norm_of(truth) * static_cast<double>(sizes);
-      // Weights of both sides of a wall cancel, in sums of line forms too.
-      const double error = norm_of(difference_of(f, truth)) / scale,
-                   of_sum = norm_of(difference_of(sum, truth)) / scale;
-      EXPECT_LE(error, 64 + of_sum) << side << ' ' << distance;
+      EXPECT_LE(norm_of(difference_of(f, truth)) / scale, 64) << side << ' ' << distance;
     }
   }
 }
