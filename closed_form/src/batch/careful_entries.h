@@ -2,7 +2,7 @@
 // Sums in double-doubles of each instruction set, compiled by themselves: products and sums must not be contracted.
 #pragma once
 
-#include "lanes.h"
+#include "cageproof/closed_form/batch/lanes.h"
 #include "tables.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {

@@ -2,7 +2,7 @@
 // Sums over all faces in double, a vector of points at a time, for one instruction set.
 #pragma once
 
-#include "lanes.h"
+#include "cageproof/closed_form/batch/lanes.h"
 
 #include "face_terms.h"
 

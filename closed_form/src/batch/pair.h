@@ -4,7 +4,7 @@
 // products and sums.
 #pragma once
 
-#include "lanes.h"
+#include "cageproof/closed_form/batch/lanes.h"
 #include "tables.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {

@@ -8,7 +8,7 @@
 // the edge L is a logarithm and an angle, and S a difference that loses at most a factor of eight.
 #pragma once
 
-#include "lanes.h"
+#include "cageproof/closed_form/batch/lanes.h"
 
 #include "plane_tables.h"
 

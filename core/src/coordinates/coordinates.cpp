@@ -68,13 +68,13 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
     return;
   }
   if (options.evaluation == quickest) options.evaluation = quickest_evaluation(kind, cage);
-  const WholeEvaluation* const whole = find_whole_evaluation(options.evaluation);
-  if (whole == nullptr) {
+  if (find_whole_evaluation(options.evaluation) == nullptr) {
     prepared_ = prepare_sum(kind, elements_, options);
     return;
   }
-  if (!whole->exists(kind, cage))
-    throw InputError(fmt::format("{}: no {} evaluation of {} coordinates", cage.name(), whole->name, kind.name));
+  const WholeEvaluation* const whole = find_whole_evaluation(options.evaluation, kind, cage);
+  if (whole == nullptr)
+    throw InputError(fmt::format("{}: no {} evaluation of {} coordinates", cage.name(), options.evaluation, kind.name));
   CoordinateOptions plain = options;
   plain.evaluation.clear();
   prepared_ = whole->prepare(kind, elements_, options, prepare_sum(kind, elements_, plain));

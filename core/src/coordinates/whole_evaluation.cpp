@@ -22,6 +22,12 @@ const WholeEvaluation* find_whole_evaluation(std::string_view name) {
   return nullptr;
 }
 
+const WholeEvaluation* find_whole_evaluation(std::string_view name, const CoordinateKind& kind, const Cage& cage) {
+  for (const WholeEvaluation& evaluation : known())
+    if (evaluation.name == name && evaluation.exists(kind, cage)) return &evaluation;
+  return nullptr;
+}
+
 std::string quickest_evaluation(const CoordinateKind& kind, const Cage& cage) {
   for (const WholeEvaluation& evaluation : known())
     if (evaluation.role == Role::Batched && evaluation.exists(kind, cage)) return std::string(evaluation.name);

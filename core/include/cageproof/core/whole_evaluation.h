@@ -9,7 +9,7 @@
 namespace cageproof {
 
 /// A way to compute whole coordinates of kinds that are sums over elements. Its name stands where a formula's
-/// evaluation does (CoordinateOptions::evaluation).
+/// evaluation does (CoordinateOptions::evaluation); ways that compute different kinds may share one.
 struct WholeEvaluation {
   std::string_view name;
   std::string_view description;
@@ -32,8 +32,11 @@ struct RegisterWholeEvaluation {
   explicit RegisterWholeEvaluation(WholeEvaluation evaluation);
 };
 
-/// The one of that name, or null.
+/// The first one of that name, or null.
 const WholeEvaluation* find_whole_evaluation(std::string_view name);
+
+/// The one of that name that computes the kind in the cage, which the kind accepts, or null.
+const WholeEvaluation* find_whole_evaluation(std::string_view name, const CoordinateKind& kind, const Cage& cage);
 
 /// Stands for an evaluation's name: of sums over elements, the first evaluation of role batched that computes the kind
 /// in the cage, and the formulas' recommended ones where there is none. Kinds that are made of such sums

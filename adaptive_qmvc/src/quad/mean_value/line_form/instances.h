@@ -9,6 +9,15 @@ namespace cageproof::adaptive_qmvc {
 /// line_form at each point of the batch, at the batch's order.
 template <Scalar R>
 void line_batch(const Batch<R>& batch, double digits, const BatchOutput<R>& output);
+// Said before its uses, whichever source of one build comes first.
+template <>
+void line_batch<double>(const Batch<double>& batch, double digits, const BatchOutput<double>& output);
+template <>
+void line_batch<Mp50>(const Batch<Mp50>& batch, double digits, const BatchOutput<Mp50>& output);
+template <>
+void line_batch<Mp100>(const Batch<Mp100>& batch, double digits, const BatchOutput<Mp100>& output);
+template <>
+void line_batch<Mp200>(const Batch<Mp200>& batch, double digits, const BatchOutput<Mp200>& output);
 
 template <int Order, Scalar R>
 void line_batch_of_order(const Batch<R>& batch, double digits, const BatchOutput<R>& output) {

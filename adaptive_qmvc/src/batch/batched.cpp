@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Mean value coordinates of cages whose quads stay bilinear surfaces, many points at a time.
+#include "chunk_sums.h"
+
+#include "cageproof/core/coordinate_tables.h"
+#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/whole_evaluation.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace cageproof::adaptive_qmvc::batch {
+namespace {
+
+constexpr std::string_view kName = "batched";
+
+class BatchedQuadCoordinates final : public PreparedCoordinates {
+ public:
+  BatchedQuadCoordinates(std::shared_ptr<const CageElements> elements,
+                         std::shared_ptr<const PreparedCoordinates> summed)
+      : elements_(std::move(elements)), summed_(std::move(summed)), geometry_(*elements_) {}
+
+  const std::vector<CoordinateBlock>& blocks() const override { return summed_->blocks(); }
+  int max_order() const override { return summed_->max_order(); }
+  std::string evaluation() const override { return std::string(kName); }
+  bool is_exact_in(ScalarKind scalar) const override { return summed_->is_exact_in(scalar); }
+
+  bool overwrites() const override { return true; }
+  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
+    compute_in_double(points, tables, [&](auto wide, auto in_double) { fill(wide, order, in_double); });
+  }
+  void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
+    if (!computes(order)) {
+      for (std::vector<double>& tensor : tables[0].tensors) std::ranges::fill(tensor, 0.0);
+      return summed_->fill(points, order, tables);
+    }
+    const std::size_t stride = tables[0].stride[0];
+    std::vector<double>& to = tables[0].tensors[0];
+    over_chunks(points, [&](std::size_t p, const double* coordinates, std::size_t step) {
+      for (std::size_t v = 0; v < stride; ++v) to[p * stride + v] = coordinates[v * step];
+    });
+  }
+  void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
+    summed_->fill(points, order, tables);
+  }
+  void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const override {
+    summed_->fill(points, order, tables);
+  }
+
+  bool apply(std::span<const Vec3<double>> points, int order, const CageData& data,
+             AppliedTable& table) const override {
+    if (!computes(order)) return false;
+    const std::size_t stride = table.stride[0], sets = data.sets, vertices = blocks()[0].size;
+    const std::vector<double>& from = data.blocks[0];
+    over_chunks(points, [&](std::size_t p, const double* coordinates, std::size_t step) {
+      double* const to = table.tensors[0].data() + p * stride;
+      for (std::size_t v = 0; v < vertices; ++v)
+        for (std::size_t set = 0; set < sets; ++set) to[set] += coordinates[v * step] * from[v * sets + set];
+    });
+    return true;
+  }
+
+  bool fill_limits(std::span<const Touching> places, int order,
+                   std::span<CoordinateTable<double>> tables) const override {
+    return summed_->fill_limits(places, order, tables);
+  }
+  bool fill_limits(std::span<const Touching> places, int order,
+                   std::span<CoordinateTable<Mp50>> tables) const override {
+    return summed_->fill_limits(places, order, tables);
+  }
+  bool fill_terms(std::span<const Vec3<double>> points, int order,
+                  std::span<CoordinateTable<double>> tables) const override {
+    return summed_->fill_terms(points, order, tables);
+  }
+
+ private:
+  bool computes(int order) const { return geometry_.is_sound() && order == 0; }
+
+  // put: (point, its first coordinate, steps from one to the next)
+  template <class Put>
+  void over_chunks(std::span<const Vec3<double>> points, Put put) const {
+    const std::size_t size = chunk_size(geometry_), count = (points.size() + size - 1) / size;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
+      ChunkSums sums(geometry_, *elements_);
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        const std::size_t first = i * size;
+        const auto here = points.subspan(first, std::min(size, points.size() - first));
+        sums.run(here);
+        std::vector<char> is_left(here.size(), 0);
+        for (const int p : sums.left()) is_left[p] = 1;
+        for (std::size_t p = 0; p < here.size(); ++p) {
+          if (is_left[p] == 0) {
+            put(first + p, sums.coordinates() + p, sums.stride());
+            continue;
+          }
+          // On the cage, and at the ends of double's range: by sums of closed forms.
+          auto tables = zero_tables<double>(blocks(), 3, 1, 0);
+          summed_->fill(here.subspan(p, 1), 0, tables);
+          put(first + p, tables[0].tensors[0].data(), 1);
+        }
+      }
+    });
+  }
+
+  std::shared_ptr<const CageElements> elements_;
+  std::shared_ptr<const PreparedCoordinates> summed_;
+  Geometry geometry_;
+};
+
+// Kinds whose one block is that kernel's weights, divided by their sum.
+bool is_quad_mean_value(const CoordinateKind& kind) {
+  return kind.is_sum() && kind.keeps_quads && kind.normalised && kind.blocks.size() == 1 &&
+         kind.blocks.front().kernel == "mean_value";
+}
+
+const RegisterWholeEvaluation registered{
+    {.name = kName,
+     .description = "the line form of all quads for vectors of points that see them alike; one by one next to a quad",
+     .exists = [](const CoordinateKind& kind,
+                  const Cage& cage) { return cage.dimension() == 3 && is_quad_mean_value(kind); },
+     .prepare = [](const CoordinateKind&, std::shared_ptr<const CageElements> elements, const CoordinateOptions&,
+                   std::shared_ptr<const PreparedCoordinates> summed) -> std::shared_ptr<const PreparedCoordinates> {
+       return std::make_shared<BatchedQuadCoordinates>(std::move(elements), std::move(summed));
+     }}};
+
+}  // namespace
+}  // namespace cageproof::adaptive_qmvc::batch

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#include "kernels.h"
+#include "pair_entries.h"
+
+#if defined(__AVX2__)
+namespace cageproof::adaptive_qmvc::batch {
+
+const Kernels kernels_avx2{"avx2", avx2::distances, avx2::add, avx2::normalise};
+
+}  // namespace cageproof::adaptive_qmvc::batch
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// A cage of bilinear quads as kernels of whole cages see it. Plain arrays, so that sources compiled for one instruction
+// set leave no functions behind that others might be linked to.
+#pragma once
+
+namespace cageproof::adaptive_qmvc::batch {
+
+/// A quad xi = origin + u e + v b + u v w with its lines along e. N = n + u n_u + v n_v, and N.(xi - eta) is bilinear
+/// in u and v: its coefficient of u v is `twist`. A triangle is a quad whose last two corners are one.
+struct QuadTable {
+  double origin[3], e[3], b[3], w[3];
+  double n[3], n_u[3], n_v[3];
+  double twist;
+  int vertex[4];
+};
+
+/// A side of a quad, or of two.
+struct EdgeTable {
+  double from[3], along[3];
+  double over2;  ///< one over its squared length, zero for a side without length
+};
+
+/// Lines of a quad, at most.
+inline constexpr int kMostLines = 128;
+
+/// A Gauss-Legendre rule on [0, 1].
+struct Rule {
+  int count;  ///< even along lines
+  const double* node;
+  const double* moment[3];  ///< the weights, times the nodes, times their squares
+};
+
+/// Points of a chunk in a unit in which the cage's size is about one, and their sums.
+struct Chunk {
+  int stride;        ///< a multiple of every vector's width
+  const double* at;  ///< [3][stride]
+  double* sums;      ///< [vertex][stride]
+};
+
+/// Points that see a quad by the same rules.
+struct Pairs {
+  const Chunk* chunk;
+  const QuadTable* quad;
+  const Rule* across;
+  const Rule* along;  ///< null: along lines the integral is elementary
+  const int* point;   ///< their numbers in the chunk
+  int count;
+};
+
+/// The functions of one instruction set.
+struct Kernels {
+  const char* name;
+  /// The distances of a chunk's points from an edge.
+  void (*distances)(const Chunk&, const EdgeTable&, double* to);
+  /// Adds the weights of one quad.
+  void (*add)(const Pairs&);
+  /// Divides the sums of `vertices` columns by all of them together, which are stored.
+  void (*normalise)(const Chunk&, int vertices, double* whole);
+};
+
+}  // namespace cageproof::adaptive_qmvc::batch
