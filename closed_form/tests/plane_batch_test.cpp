@@ -18,6 +18,7 @@ constexpr int bound = 64;
 
 std::vector<Face> around(int count) {
   std::vector<Face> sides;
+  sides.reserve(count);
   for (int i = 0; i < count; ++i) sides.push_back({{i, (i + 1) % count, -1, -1}});
   return sides;
 }
@@ -126,6 +127,7 @@ TEST(PlaneBatched, applied_to_data_as_products_are) {
       for (double& x : numbers) x = random.uniform(-1, 1);
     }
     std::vector<Point> points;
+    points.reserve(21);
     for (int i = 0; i < 21; ++i) points.emplace_back(random.uniform(-1, 1), random.uniform(-1, 1), 0);
     const int order = highest_order(kind);
     const AppliedTable a = found.apply(points, order, data), b = reference.apply(points, order, data);
@@ -152,6 +154,7 @@ TEST(PlaneBatched, every_instruction_set_of_the_machine) {
 #endif
   sets.push_back(&kernels());
   std::vector<Point> points;
+  points.reserve(24);
   RandomStream random(1, "sets", 0);
   for (int i = 0; i < 24; ++i) points.emplace_back(random.uniform(-2, 2), random.uniform(-2, 2), 0);
   std::vector<std::vector<double>> found;

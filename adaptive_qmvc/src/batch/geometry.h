@@ -23,8 +23,7 @@ class Geometry {
  public:
   explicit Geometry(const CageElements& elements);
 
-  /// Whether double holds all tables: the vertices are what they were, divided by the unit, and no side is so short
-  /// that powers of it leave double's range.
+  /// Whether the cage has a size, and each face sides both ways.
   bool is_sound() const { return sound_; }
   /// The caller's lengths are these times 2^exponent().
   int exponent() const { return exponent_; }

@@ -25,15 +25,26 @@ inline long scratch_bytes(int vertices, int edges, int columns) {
 /// Derivatives of one order, of which the kept columns are as many as a symmetric matrix has different entries.
 template <int Width>
 struct Order {
-  static constexpr int kept = Width == 9 ? 6 : Width == 4 ? 3 : Width;
+  static constexpr int kept = Width;
   /// Where a derivative is among those kept.
-  static constexpr int place(int i) {
-    constexpr int of_nine[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5}, of_four[4] = {0, 1, 1, 2};
-    if constexpr (Width == 9) return of_nine[i];
-    if constexpr (Width == 4) return of_four[i];
-    return i;
-  }
+  static constexpr int place(int i) { return i; }
 };
+template <>
+struct Order<4> {
+  static constexpr int kept = 3;
+  static constexpr int place(int i) { return i == 0 ? 0 : (i + 1) / 2; }
+};
+template <>
+struct Order<9> {
+  static constexpr int kept = 6, places[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+  static constexpr int place(int i) { return places[i]; }
+};
+if constexpr (Width == 9) return of_nine[i];
+if constexpr (Width == 4) return of_four[i];
+return i;
+}
+}
+;
 
 /// Stores one number; where rows are more than caches hold, past these.
 template <bool Streaming>
