@@ -39,12 +39,6 @@ struct Order<9> {
   static constexpr int kept = 6, places[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
   static constexpr int place(int i) { return places[i]; }
 };
-if constexpr (Width == 9) return of_nine[i];
-if constexpr (Width == 4) return of_four[i];
-return i;
-}
-}
-;
 
 /// Stores one number; where rows are more than caches hold, past these.
 template <bool Streaming>
