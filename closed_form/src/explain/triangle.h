@@ -25,19 +25,20 @@ Frame<Counted> counted_frame(const Frame<double>& frame, const Triangle<double>&
 
 /// Which form of the engine closed_form() takes in double, as it decides.
 struct Route {
-  enum class Form { None, Near, Tracked, Far } form = Form::Near;
-  int far_points = 0;
+  enum class Form { None, Near, Tracked, Points } form = Form::Near;
+  Panels panels{};
 };
 
 template <class F, int O>
-Route route_of(const Frame<double>& f, bool finite_part) {
+Route route_of(const Triangle<double>& t, const Vec3<double>& eta, const Frame<double>& f, bool finite_part) {
   using Form = Route::Form;
   if (f.extreme) return {Form::None};
   int limit = first_divergent<F>(f);
   if (limit == 0 && finite_part) limit = 1;
   if (F::diverges_on_triangle && limit < 3) return {Form::None};
   if (limit == 3)
-    if (const auto n = far_points_for<F, O>(ellipse_of(f), kFarTolerance)) return {Form::Far, *n};
+    if (Panels panels = cut_to_panels(f, t, eta, panels_wanted<F, O>(f)); !panels.empty())
+      return {Form::Points, std::move(panels)};
   return {F::cancels_nearby || f.shape() < kThinShape ? Form::Tracked : Form::Near};
 }
 
@@ -50,7 +51,7 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
                           std::optional<std::size_t> entry) {
   const Triangle<double> t{query.corners[0], query.corners[1], query.corners[2]};
   const Frame<double> seen(t, query.point);
-  const Route route = route_of<F, O>(seen, query.finite_part);
+  const Route route = route_of<F, O>(t, query.point, seen, query.finite_part);
   Explanation explanation;
   if (route.form == Route::Form::None) {
     choose_none(explanation, values, entry);
@@ -62,8 +63,8 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   std::array<Counted, F::parameter_count> parameters;
   for (int i = 0; i < F::parameter_count; ++i) parameters[i] = query.parameters[i];
   const bool before = follow_tracked(route.form == Route::Form::Tracked);
-  const auto components = route.form == Route::Form::Far
-                              ? far_components<F, O, Counted>(frame, route.far_points, parameters)
+  const auto components = route.form == Route::Form::Points
+                              ? composed<F, O, Counted>(PanelFormOf<F, Counted, O>(frame, route.panels), parameters)
                               : near_components<F, O, Counted>(frame, parameters);
   follow_tracked(before);
   constexpr std::size_t size = O == 0 ? 1 : O == 1 ? 3 : 9;

@@ -21,7 +21,12 @@ Vec3<Counted> counted(const Vec3<double>& v) { return {v[0], v[1], v[2]}; }
 std::string description_of(const Route& route, bool is_kept) {
   using Form = Route::Form;
   switch (route.form) {
-    case Form::Far: return "far form in double, " + std::to_string(route.far_points) + " Gauss points a side";
+    case Form::Points: {
+      int points = 0;
+      for (const Panel& panel : route.panels) points += panel.across * panel.along;
+      return "far form in double, " + std::to_string(points) + " Gauss points on " +
+             std::to_string(route.panels.size()) + (route.panels.size() == 1 ? " panel" : " panels");
+    }
     case Form::Near:
       return is_kept ? "near form in double" : "near form in double; this entry is a limit on the border";
     case Form::Tracked:

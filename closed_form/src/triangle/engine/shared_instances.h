@@ -18,13 +18,13 @@
   prefix template struct Frame<R>;
 
 // The far form in multiprecision, which every formula asks for.
-#define CAGEPROOF_FAR_MOMENTS(prefix, R)  \
-  prefix template class FarForm<R, 0, 0>; \
-  prefix template class FarForm<R, 1, 1>; \
-  prefix template class FarForm<R, 2, 2>; \
-  prefix template class FarForm<R, 2, 1>; \
-  prefix template class FarForm<R, 3, 2>; \
-  prefix template class FarForm<R, 4, 3>;
+#define CAGEPROOF_FAR_MOMENTS(prefix, R)                    \
+  prefix template class HatMoments<R, 0, 0, SquareSums<R>>; \
+  prefix template class HatMoments<R, 1, 1, SquareSums<R>>; \
+  prefix template class HatMoments<R, 2, 2, SquareSums<R>>; \
+  prefix template class HatMoments<R, 2, 1, SquareSums<R>>; \
+  prefix template class HatMoments<R, 3, 2, SquareSums<R>>; \
+  prefix template class HatMoments<R, 4, 3, SquareSums<R>>;
 
 namespace cageproof::closed_form::triangle {
 #ifndef CAGEPROOF_MOMENTS_HERE

@@ -25,6 +25,17 @@ struct ExactTriangle {
   ExactTriangle(const Triangle<Mp200>& t, const Vec3<Mp200>& point);
 };
 
+/// What says on which sides of a triangle a point lies, and how far: the sign is exact, the size rounded at most twice.
+struct ExactHeights {
+  double volume;                 ///< ExactTriangle::volume
+  std::array<double, 3> beside;  ///< ExactTriangle::beside
+  int volume_sign;               ///< -1, 0 or 1; sizes may leave double's range
+  std::array<int, 3> beside_sign;
+};
+
+/// Of any finite doubles; quick within 112 bits. \param exponent lengths are returned in units of two to this power
+ExactHeights exact_heights(const Triangle<double>& t, const Vec3<double>& point, int exponent);
+
 /// The same of a segment in the plane; third coordinates are not looked at.
 struct ExactSegment {
   std::array<std::array<Mp200, 2>, 2> p;  ///< ends minus the point

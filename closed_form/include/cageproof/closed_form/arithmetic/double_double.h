@@ -9,7 +9,7 @@
 namespace cageproof::closed_form {
 
 /// The unevaluated sum of two doubles: relative error at most 2^-100 an operation (Dekker 1971, Knuth's two-sum), range
-/// of a double. Logarithms and angles go through MPFR.
+/// of a double.
 struct DoubleDouble {
   double high = 0;
   double low = 0;
@@ -64,14 +64,11 @@ struct DoubleDouble {
     const double root = std::sqrt(a.high);
     return sum(root, (a - DoubleDouble(root) * root).high / (2 * root));
   }
-  friend DoubleDouble log(const DoubleDouble& a) { return DoubleDouble(Mp50(log(wide(a)))); }
-  friend DoubleDouble atanh(const DoubleDouble& a) { return DoubleDouble(Mp50(atanh(wide(a)))); }
-  friend DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
-    return DoubleDouble(Mp50(atan2(wide(y), wide(x))));
-  }
-
- private:
-  static Mp50 wide(const DoubleDouble& a) { return Mp50(a.high) + a.low; }
 };
+
+/// To four times the error of an operation. Of numbers next to the ends of the range, and of zeros, through MPFR.
+DoubleDouble log(const DoubleDouble& a);
+DoubleDouble atanh(const DoubleDouble& a);
+DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x);
 
 }  // namespace cageproof::closed_form

@@ -9,8 +9,6 @@ namespace cageproof::closed_form::triangle {
 
 /// 128 units of double: half of what is promised, since running bounds are themselves rounded.
 inline constexpr double kAccurateTolerance = 128 * 0x1p-53;
-/// What the far form may be wrong by: a quarter of a rounding.
-inline constexpr double kFarTolerance = 0x1p-55;
 /// Below this height over the longest edge the edge form in double may cancel more than is promised, and is asked for
 /// its error bound.
 inline constexpr double kThinShape = 0.4;
@@ -28,9 +26,39 @@ std::optional<int> multiprecision_far_points(PointMoments<R, O>& at) {
   return far_points_for<F, O>(at.ellipse(), static_cast<double>(unit_roundoff<R>()), kMultiprecisionLimit);
 }
 
+/// On thin triangles, panels of up to so many Gauss points are quicker than the near form and its bound.
+inline constexpr int kThinPoints = 3000;
+/// Where the near form in double has lost too much, panels of up to so many are quicker than more digits.
+inline constexpr int kMostPoints = 12000;
+
+/// What closed_form asks of panels first.
+template <class F, int O>
+PanelsWanted panels_wanted(const Frame<double>& f, int points = 0) {
+  constexpr int kPoints = F::far_limit * F::far_limit;
+  if (points == 0) points = f.shape() < kThinShape ? std::max(kPoints, kThinPoints) : kPoints;
+  return {std::abs(F::far_power) + O + F::extra, points};
+}
+
+/// Gauss points on panels, or nothing where more points would be needed; where the sums cancel more than is
+/// promised, the near form in more digits. \pre the point is not on the triangle's border
+template <class F, int O>
+std::optional<Jet<double, F::components>> on_panels(PointMoments<double, O>& at, std::span<const double> parameters,
+                                                    const PanelsWanted& wanted) {
+  const Panels& panels = at.on_panels().panels(wanted);
+  if (panels.empty()) return std::nullopt;
+  if constexpr (F::cancels_far && O > 0) {
+    auto result = tracked_on_panels<F, O>(at.frame(), parameters, panels);
+    if (result.worst() > kFastTolerance) result = refined<F>(at, parameters, kAccurateTolerance, 3);
+    return result.jet;
+  } else {
+    const auto& moments = at.on_panels().template moments<F>(panels);
+    return finish<F, O, double>(composed<F, O, double>(moments, parameters), at.frame().unit, 3);
+  }
+}
+
 /// The fast one, at a point whose moments other formulas may share; the result does not depend on which do. In double:
-/// far away a few Gauss points, else the near form; on slivers, where that cancels, the near form in more digits
-/// (formulas that cancel nearby, or far away: wherever the form's own error bound says so); at extreme points what 200
+/// Gauss points on panels, where a few will do, else the near form; on thin triangles, and for formulas that cancel
+/// nearby, more points or digits where its own error bound says so; at extreme points what 200
 /// digits say. In multiprecision: the near form, up to where it has lost half its digits. \param finite_part
 /// Batch::finite_part
 template <class F, int O, Scalar R>
@@ -47,17 +75,14 @@ Jet<R, F::components> closed_form(PointMoments<R, O>& at, std::span<const R> par
     if (limit < 3) return diverging_weights<F, O, R>(f);
   if constexpr (std::same_as<R, double>) {
     if (limit == 3)
-      if (const auto n = far_points_for<F, O>(at.ellipse(), kFarTolerance)) {
-        if constexpr (F::cancels_far && O > 0) {
-          auto result = tracked_far<F, O>(f, parameters, *n);
-          if (result.worst() > kFastTolerance) result = refined<F>(at, parameters, kAccurateTolerance, limit);
-          return result.jet;
-        }
-        return finish<F, O, R>(composed<F, O, R>(at.far_moments().template far<F>(*n), parameters), f.unit, limit);
-      }
+      if (const auto jet = on_panels<F>(at, parameters, panels_wanted<F, O>(f))) return *jet;
     if (F::cancels_nearby || f.shape() < kThinShape) {
       auto result = tracked_near<F, double>(at, parameters, limit);
-      if (result.worst() > kFastTolerance) result = refined<F>(at, parameters, kAccurateTolerance, limit);
+      if (result.worst() > kFastTolerance) {
+        if (limit == 3)
+          if (const auto jet = on_panels<F>(at, parameters, panels_wanted<F, O>(f, kMostPoints))) return *jet;
+        result = refined<F>(at, parameters, kAccurateTolerance, limit);
+      }
       set_infinities<F, O>(at, parameters, limit, result.jet);
       return result.jet;
     }

@@ -6,6 +6,7 @@
 #include "cageproof/closed_form/arithmetic/working.h"
 #include "cageproof/closed_form/triangle/engine/far_form.h"
 #include "cageproof/closed_form/triangle/engine/kernel.h"
+#include "cageproof/closed_form/triangle/engine/panel_form.h"
 
 namespace cageproof::closed_form::triangle {
 
@@ -26,6 +27,8 @@ template <class F, class R, int O>
 using NearForm = typename F::template Near<F, R, O>;
 template <class F, class R, int O>
 using FarFormOf = FarForm<R, O + F::extra, F::extra == 0 ? O : O + F::extra - 1>;
+template <class F, class R, int O>
+using PanelFormOf = PanelForm<R, O + F::extra, F::extra == 0 ? O : O + F::extra - 1>;
 
 /// From moments of either kind, up to degree O.
 template <class F, int O, class R, class Form>
@@ -68,16 +71,19 @@ constexpr int derivative_factor(int m) {
 /// unit^(m - k). Orders from `first_divergent` on have no limit here (the point is on the border) and become NaN.
 template <class F, int O, Scalar R>
 Jet<R, F::components> finish(const Components<F, R, O>& from, const R& unit, int first_divergent) {
-  std::array<R, 3> scale{1, 1, 1};
-  if constexpr (!is_multiprecision<R>)
-    for (int order = 0; order < 3; ++order) scale[order] = std::ldexp(R(1), (F::degree - order) * std::ilogb(unit));
+  // A factor by itself might leave the range of numbers where a result does not.
+  int exponent = 0;
+  if constexpr (!is_multiprecision<R>) exponent = std::ilogb(unit);
   Jet<R, F::components> jet;
   for (int c = 0; c < F::components; ++c)
     for (int m = 0; m < Monomials<O>::count; ++m) {
       const auto& e = Monomials<O>::exponents[m];
       const int order = e[0] + e[1] + e[2];
-      const R x = order >= first_divergent ? std::numeric_limits<R>::quiet_NaN()
-                                           : R(from[c].c[m] * R(derivative_factor<O>(m)) * scale[order]);
+      R x = std::numeric_limits<R>::quiet_NaN();
+      if (order < first_divergent) {
+        x = from[c].c[m] * R(derivative_factor<O>(m));
+        if constexpr (!is_multiprecision<R>) x = std::ldexp(x, (F::degree - order) * exponent);
+      }
       if (order == 0) jet.value[c] = x;
       if (order == 1) jet.gradient[c][e[1] + 2 * e[2]] = x;
       if (order != 2) continue;

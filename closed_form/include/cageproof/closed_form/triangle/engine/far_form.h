@@ -36,6 +36,9 @@ inline double far_error(int n, double rho, int p, int degree) {
   return 4 * std::pow(1 + 2.0 * n / (steepness + 1), steepness) * std::pow(rho, -2.0 * (n - 1));
 }
 
+/// What the far form may be wrong by: a quarter of a rounding.
+inline constexpr double kFarTolerance = 0x1p-55;
+
 /// The fewest points a side that are good to `tolerance`; nothing if more than `limit` would be needed.
 inline std::optional<int> far_points(double rho, int p, int degree, double tolerance, int limit) {
   // Once the bound is below the tolerance it falls, so that the last number of points decides whether any will do.
@@ -69,18 +72,17 @@ struct RuleScalar<Tracked<T>> {
   using type = T;
 };
 
-/// A potential's moments far from the triangle, N and M as in EdgeForm. Sums over the points are computed when first
-/// asked for, and kept, within one thread. The frame must outlive it.
-template <class R, int N, int M>
-class FarForm {
-  using S = typename RuleScalar<R>::type;
-
+/// A potential's moments far from the triangle, N and M as in EdgeForm, from sums over Gauss points. Sums are computed
+/// when first asked for, and kept, within one thread. The frame must outlive it.
+/// \tparam Sums has `template <int p, int D> std::array<Taylor<R, D>, 3> hats(const Frame<R>&) const`: int Gamma_k r^p
+/// of each corner
+template <class R, int N, int M, class Sums>
+class HatMoments {
  public:
-  /// \param n points a side, 2 <= n <= 64
-  FarForm(const Frame<R>& frame, int n) : frame_(frame), rule_(gauss_legendre<S>(n)) {}
+  template <class... From>
+  explicit HatMoments(const Frame<R>& frame, const From&... from) : frame_(frame), sums_(from...) {}
 
-  int points() const { return static_cast<int>(rule_.nodes.size()); }
-
+  const Sums& sums() const { return sums_; }
   const Frame<R>& frame() const { return frame_; }
   Taylor<R, M> omega() const {
     Taylor<R, M> omega;
@@ -111,9 +113,10 @@ class FarForm {
     return product;
   }
 
-  /// int Gamma_k r^p of each corner: the square collapsed towards corner 0.
   template <int p, int D>
-  std::array<Taylor<R, D>, 3> hats() const;
+  std::array<Taylor<R, D>, 3> hats() const {
+    return sums_.template hats<p, D>(frame_);
+  }
   template <int p, int D>
   const std::array<Taylor<R, D>, 3>& kept(std::optional<std::array<Taylor<R, D>, 3>>& sums) const {
     if (!sums) sums = hats<p, D>();
@@ -121,32 +124,28 @@ class FarForm {
   }
 
   const Frame<R>& frame_;
-  const GaussLegendre<S>& rule_;
+  Sums sums_;
   mutable std::optional<std::array<Taylor<R, N>, 3>> inverses_;  // of r^-1
   mutable std::optional<std::array<Taylor<R, M>, 3>> cubes_;     // of r^-3
 };
 
-template <class R, int N, int M>
-template <int p, int D>
-std::array<Taylor<R, D>, 3> FarForm<R, N, M>::hats() const {
+/// int lambda_k r^p over the triangle with corners at corner, corner + side and corner + side + base from the point,
+/// lambda_k its three affine weights: Gauss points on the square collapsed towards the first corner.
+template <int p, int D, class R, Scalar S>
+std::array<Taylor<R, D>, 3> collapsed_sums(const Vec3<R>& corner, const Vec3<R>& side, const Vec3<R>& base,
+                                           const R& area2, const GaussLegendre<S>& across,
+                                           const GaussLegendre<S>& along) {
   using std::sqrt;
   std::array<Taylor<R, D>, 3> sums;
-  const auto& [nodes, weights] = rule_;
-  const auto& corner = frame_.p;
-  Vec3<R> side, base;
-  for (int c = 0; c < 3; ++c) {
-    side[c] = corner[1][c] - corner[0][c];
-    base[c] = corner[2][c] - corner[1][c];
-  }
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const R u = rule_number<R>(nodes[i]);
+  for (std::size_t i = 0; i < across.nodes.size(); ++i) {
+    const R u = rule_number<R>(across.nodes[i]);
     std::array<Taylor<R, D>, 3> row;  // sums of sums round less
-    for (std::size_t j = 0; j < nodes.size(); ++j) {
-      const R v = rule_number<R>(nodes[j]);
+    for (std::size_t j = 0; j < along.nodes.size(); ++j) {
+      const R v = rule_number<R>(along.nodes[j]);
       Vec3<R> x;
-      for (int c = 0; c < 3; ++c) x[c] = corner[0][c] + u * (side[c] + v * base[c]);
+      for (int c = 0; c < 3; ++c) x[c] = corner[c] + u * (side[c] + v * base[c]);
       const R r2 = x[0] * x[0] + x[1] * x[1] + x[2] * x[2], r = sqrt(r2);
-      R value = frame_.area2 * u * rule_number<R>(weights[i]) * rule_number<R>(weights[j]);
+      R value = area2 * u * rule_number<R>(across.weights[i]) * rule_number<R>(along.weights[j]);
       if constexpr (p == 1) value *= r;
       else if constexpr (p == -1) value /= r;
       else if constexpr (p == -3) value /= r2 * r;
@@ -159,5 +158,32 @@ std::array<Taylor<R, D>, 3> FarForm<R, N, M>::hats() const {
   }
   return sums;
 }
+
+/// Sums over n x n Gauss points, the square collapsed towards corner 0.
+template <class R>
+class SquareSums {
+  using S = typename RuleScalar<R>::type;
+
+ public:
+  /// \param n points a side, 2 <= n <= 64
+  explicit SquareSums(int n) : rule_(gauss_legendre<S>(n)) {}
+
+  template <int p, int D>
+  std::array<Taylor<R, D>, 3> hats(const Frame<R>& frame) const {
+    const auto& corner = frame.p;
+    Vec3<R> side, base;
+    for (int c = 0; c < 3; ++c) {
+      side[c] = corner[1][c] - corner[0][c];
+      base[c] = corner[2][c] - corner[1][c];
+    }
+    return collapsed_sums<p, D>(corner[0], side, base, frame.area2, rule_, rule_);
+  }
+
+ private:
+  const GaussLegendre<S>& rule_;
+};
+
+template <class R, int N, int M>
+using FarForm = HatMoments<R, N, M, SquareSums<R>>;
 
 }  // namespace cageproof::closed_form::triangle

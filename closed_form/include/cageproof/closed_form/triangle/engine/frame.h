@@ -5,7 +5,6 @@
 #include "cageproof/closed_form/arithmetic/tracked.h"
 #include "cageproof/closed_form/arithmetic/wide.h"
 #include "cageproof/core/exact_geometry.h"
-#include "cageproof/core/orientation.h"
 
 #include <array>
 #include <optional>
@@ -42,6 +41,9 @@ struct Frame {
   /// The same geometry, rounded to a tracked type.
   template <Scalar S>
   explicit Frame(const Frame<S>& wider);
+  /// In tracked double-doubles, from exact differences, of what was seen in double.
+  Frame(const Frame<double>& seen, const Triangle<double>& t,
+        const Vec3<double>& eta) requires std::same_as<R, Tracked<DoubleDouble>>;
 
   /// Gradient of corner k's hat function (tangent to the triangle).
   Vec3<R> hat_gradient(int k) const {
@@ -94,9 +96,10 @@ R unit_of(const R& x) {
 /// too few digits are left of them, and they are taken from exact differences.
 inline constexpr double kDoubtful = 0x1p-46;
 
-/// Distances below 2^-kExtreme of the largest, and units beyond 2^(2 kExtreme), are extreme in double: eighth powers of
-/// the one and second powers of the other are normal numbers still.
-inline constexpr int kExtreme = 120;
+/// Distances below 2^-kExtreme of the largest, whose eighth powers are normal numbers still, are extreme in double, and
+/// so are units beyond 2^kExtremeUnit, in which differences of coordinates may be too large for it; on the triangle,
+/// beyond 2^(2 kExtreme).
+inline constexpr int kExtreme = 120, kExtremeUnit = 900;
 
 template <class R>
 Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) requires Scalar<R> {
@@ -143,7 +146,7 @@ void Frame<R>::set(const Triangle<R>& t, const Vec3<R>& eta) requires std::same_
   for (int i = 0; i < 3; ++i)
     for (int c = 0; c < 3; ++c) largest = max({largest, abs(t[i][c] - eta[c]), abs(t[(i + 1) % 3][c] - t[i][c])});
   unit = unit_of(largest);
-  extreme = !(abs(std::ilogb(unit)) <= 2 * kExtreme);
+  extreme = !(abs(std::ilogb(unit)) <= kExtremeUnit);
   if (extreme) return;
   const auto see = [this](double x) { extreme = extreme || !(abs(x) >= std::ldexp(1., -kExtreme)); };
   const double scale = 1 / unit;
@@ -164,23 +167,18 @@ void Frame<R>::set(const Triangle<R>& t, const Vec3<R>& eta) requires std::same_
   area2 = sqrt(N.dot(N));
   extreme = extreme || !(area2 > kDoubtful * terms);
   n = N / area2;
-  std::optional<ExactTriangle> exact;  // in the caller's units
-  const auto exactly = [&]() -> const ExactTriangle& {
-    if (!exact)
-      exact.emplace(Triangle<Mp200>{convert<Mp200>(t[0]), convert<Mp200>(t[1]), convert<Mp200>(t[2])},
-                    convert<Mp200>(eta));
+  std::optional<ExactHeights> exact;
+  const auto exactly = [&]() -> const ExactHeights& {
+    if (!exact) exact = exact_heights(t, eta, std::ilogb(unit));
     return *exact;
-  };
-  const auto in_units = [this](const Mp200& x, int degree) {
-    return static_cast<double>(ldexp(x, -degree * std::ilogb(unit)));
   };
   int nearest = r[0] <= r[1] ? 0 : 1;
   if (r[2] < r[nearest]) nearest = 2;
   double volume = static_cast<double>(dot(normal, wp[nearest]));
-  const int side = side_of_plane(t, eta);
-  if (side != 0 && abs(volume) <= kDoubtful * terms * r[nearest]) volume = in_units(exactly().volume, 3);
-  d = side * abs(volume) / area2;
-  if (side != 0) see(d);
+  const bool is_doubtful = abs(volume) <= kDoubtful * terms * r[nearest];
+  if (is_doubtful) volume = exactly().volume;
+  d = -volume / area2;
+  if (!is_doubtful || exactly().volume_sign != 0) see(d);
   for (int i = 0; i < 3; ++i) {
     FrameEdge<R>& e = edges[i];
     const int j = (i + 1) % 3;
@@ -193,10 +191,9 @@ void Frame<R>::set(const Triangle<R>& t, const Vec3<R>& eta) requires std::same_
     const double near_end = r[i] <= r[j] ? r[i] : r[j];
     double beside = static_cast<double>(dot(outward, wp[r[i] <= r[j] ? i : j]));
     if (abs(beside) <= kDoubtful * terms * e.length * near_end) {
-      beside = in_units(exactly().beside[i], 4);
-      if (!exactly().beside[i].is_zero()) see(beside / (e.length * area2));
+      beside = exactly().beside[i];
+      if (exactly().beside_sign[i] != 0) see(beside / (e.length * area2));
     }
-    if (d == 0) beside = side_of_edge(t, i, eta) * abs(beside);
     e.h = beside / (e.length * area2);
     e.s0 = static_cast<double>(dot(we[i], wp[i])) / e.length;
     e.s1 = static_cast<double>(dot(we[i], wp[j])) / e.length;
@@ -204,6 +201,8 @@ void Frame<R>::set(const Triangle<R>& t, const Vec3<R>& eta) requires std::same_
     e.r1 = r[j];
     e.D2 = e.h * e.h + d * d;
   }
+  // Limits on the triangle are formed of results, which may leave double's range.
+  extreme = extreme || (on_triangle() && abs(std::ilogb(unit)) > 2 * kExtreme);
 }
 
 /// Distance of the triangle from the point.
@@ -220,6 +219,55 @@ R distance_of(const Frame<R>& f) {
     if (nearest < least) least = nearest;
   }
   return least;
+}
+
+template <class R>
+Frame<R>::Frame(const Frame<double>& seen, const Triangle<double>& t,
+                const Vec3<double>& eta) requires std::same_as<R, Tracked<DoubleDouble>> : unit(seen.unit),
+                                                                                           far_corner(seen.far_corner) {
+  const auto difference = [scale = 1 / seen.unit](const Vec3<double>& a, const Vec3<double>& b) {
+    const WideVec<DoubleDouble> v = wide_difference<double>(a * scale, b * scale);
+    return Vec3<R>(R(v[0], 0), R(v[1], 0), R(v[2], 0));
+  };
+  const auto dot = [](const Vec3<R>& a, const Vec3<R>& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  const auto cross = [](const Vec3<R>& a, const Vec3<R>& b) {
+    return Vec3<R>(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+  };
+  const auto over = [](const Vec3<R>& a, const R& b) { return Vec3<R>(a[0] / b, a[1] / b, a[2] / b); };
+  std::array<Vec3<R>, 3> along;
+  for (int i = 0; i < 3; ++i) {
+    p[i] = difference(t[i], eta);
+    r[i] = sqrt(dot(p[i], p[i]));
+    along[i] = difference(t[(i + 1) % 3], t[i]);
+  }
+  const int nearest = seen.r[0] <= seen.r[1] && seen.r[0] <= seen.r[2] ? 0 : seen.r[1] <= seen.r[2] ? 1 : 2;
+  const Vec3<R> normal = cross(along[0], along[1]);
+  area2 = sqrt(dot(normal, normal));
+  n = over(normal, area2);
+  // What is exactly zero was seen to be so.
+  if (seen.d != 0) d = -dot(normal, p[nearest]) / area2;
+  for (int i = 0; i < 3; ++i) {
+    FrameEdge<R>& e = edges[i];
+    const int j = (i + 1) % 3;
+    e.length = sqrt(dot(along[i], along[i]));
+    e.u = over(along[i], e.length);
+    e.nu = over(cross(along[i], normal), e.length * area2);
+    if (seen.edges[i].h != 0) e.h = dot(e.nu, p[seen.r[i] <= seen.r[j] ? i : j]);
+    e.s0 = dot(along[i], p[i]) / e.length;
+    e.s1 = dot(along[i], p[j]) / e.length;
+    e.r0 = r[i];
+    e.r1 = r[j];
+    e.D2 = e.h * e.h + d * d;
+  }
+}
+
+/// Whether double-doubles have the digits for the heights, as forms that branch on their signs need.
+inline bool heights_are_certain(const Frame<Tracked<DoubleDouble>>& f) {
+  constexpr double kDigits = 0x1p-60;
+  const auto certain = [](const Tracked<DoubleDouble>& x) {
+    return roundoff_of<DoubleDouble>() * x.error <= kDigits * x.magnitude();
+  };
+  return certain(f.d) && certain(f.edges[0].h) && certain(f.edges[1].h) && certain(f.edges[2].h);
 }
 
 /// A frame's number as a tracked one. In its own type it is the outcome of at most eight roundings, from a wider one it

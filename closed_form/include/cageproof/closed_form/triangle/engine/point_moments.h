@@ -29,29 +29,50 @@ class NearMoments {
       forms_;
 };
 
-/// The far forms, each made when a formula first asks for it: formulas that need as many points share them.
-template <class R, int O>
-class FarMoments {
+/// Gauss points on panels, each cut when a formula first asks for it: formulas that want as much share them.
+template <int O>
+class PanelMoments {
  public:
-  explicit FarMoments(const Frame<R>& frame) : frame_(frame) {}
+  PanelMoments(const Frame<double>& frame, const Triangle<double>& t, const Vec3<double>& eta)
+      : frame_(frame), t_(t), eta_(eta) {}
 
-  template <class F>
-  const FarFormOf<F, R, O>& far(int n) {
-    auto& forms = std::get<Forms<FarFormOf<F, R, O>>>(forms_);
-    for (auto& form : forms) {
-      if (!form) return form.emplace(frame_, n);
-      if (form->points() == n) return *form;
+  /// The panels for a formula's derivatives up to order O; empty where more than `points` points would be needed.
+  const Panels& panels(const PanelsWanted& wanted) {
+    for (auto& cut : cuts_) {
+      if (!cut) return cut.emplace(wanted, cut_to_panels(frame_, t_, eta_, wanted)).panels;
+      if (cut->wanted == wanted) return cut->panels;
     }
-    return forms.back().emplace(frame_, n);
+    return cuts_.back().emplace(wanted, cut_to_panels(frame_, t_, eta_, wanted)).panels;
+  }
+  /// The moments on these panels.
+  template <class F>
+  const PanelFormOf<F, double, O>& moments(const Panels& panels) {
+    auto& forms = std::get<Forms<PanelFormOf<F, double, O>>>(forms_);
+    for (auto& form : forms) {
+      if (!form) return form.emplace(frame_, panels);
+      if (form->sums().is_on(panels)) return *form;
+    }
+    return forms.back().emplace(frame_, panels);
   }
 
  private:
-  // Formulas differ in their number of points by the steepest power of the distance, of which there are four.
+  struct Cut {
+    PanelsWanted wanted;
+    Panels panels;
+    Cut(const PanelsWanted& w, Panels p) : wanted(w), panels(std::move(p)) {}
+  };
+  // Formulas differ by the steepest power of the distance, of which there are four, and by how many points they may
+  // take, of which there are as many.
+  static constexpr int kCuts = 16;
   template <class Form>
-  using Forms = std::array<std::optional<Form>, 4>;
+  using Forms = std::array<std::optional<Form>, kCuts>;
 
-  const Frame<R>& frame_;
-  std::tuple<Forms<FarForm<R, O, O>>, Forms<FarForm<R, O + 1, O>>, Forms<FarForm<R, O + 2, O + 1>>> forms_;
+  const Frame<double>& frame_;
+  const Triangle<double>& t_;
+  const Vec3<double>& eta_;
+  std::array<std::optional<Cut>, kCuts> cuts_;
+  std::tuple<Forms<PanelForm<double, O, O>>, Forms<PanelForm<double, O + 1, O>>, Forms<PanelForm<double, O + 2, O + 1>>>
+      forms_;
 };
 
 /// Near forms that carry a bound of their error, on the same geometry.
@@ -60,6 +81,7 @@ class TrackedMoments {
  public:
   template <Scalar S>
   explicit TrackedMoments(const Frame<S>& frame) : frame_(frame), near_(frame_) {}
+  explicit TrackedMoments(const Frame<Tracked<T>>& frame) : frame_(frame), near_(frame_) {}
   TrackedMoments(const TrackedMoments&) = delete;
   TrackedMoments& operator=(const TrackedMoments&) = delete;
 
@@ -102,13 +124,13 @@ template <int O>
 class PointMoments<double, O> {
  public:
   PointMoments(const Triangle<double>& t, const Vec3<double>& eta)
-      : t_(t), eta_(eta), frame_(t, eta), moments_(frame_), far_(frame_) {}
+      : t_(t), eta_(eta), frame_(t, eta), moments_(frame_), on_panels_(frame_, t, eta) {}
   PointMoments(const PointMoments&) = delete;
   PointMoments& operator=(const PointMoments&) = delete;
 
   const Frame<double>& frame() const { return frame_; }
   NearMoments<double, O>& moments() { return moments_; }
-  FarMoments<double, O>& far_moments() { return far_; }
+  PanelMoments<O>& on_panels() { return on_panels_; }
   /// ellipse_of the frame.
   double ellipse() {
     if (!ellipse_) ellipse_ = ellipse_of(frame_);
@@ -126,12 +148,14 @@ class PointMoments<double, O> {
   template <class T>
   TrackedMoments<T, O>& tracked() {
     auto& moments = std::get<std::optional<TrackedMoments<T, O>>>(tracked_);
-    if constexpr (std::same_as<T, double>) {
-      if (!moments) moments.emplace(frame_);
-    } else {
-      if (!moments) moments.emplace(exact());
-    }
-    return *moments;
+    if (moments) return *moments;
+    if constexpr (std::same_as<T, double>) return moments.emplace(frame_);
+    if constexpr (std::same_as<T, DoubleDouble>)
+      if (!frame_.extreme) {
+        const Frame<Tracked<T>> wide(frame_, t_, eta_);
+        if (heights_are_certain(wide)) return moments.emplace(wide);
+      }
+    return moments.emplace(exact());
   }
 
  private:
@@ -150,7 +174,7 @@ class PointMoments<double, O> {
   const Vec3<double>& eta_;
   Frame<double> frame_;
   NearMoments<double, O> moments_;
-  FarMoments<double, O> far_;
+  PanelMoments<O> on_panels_;
   std::optional<double> ellipse_;
   std::optional<Frame<Mp200>> exact_;
   std::tuple<std::optional<TrackedMoments<double, O>>, std::optional<TrackedMoments<DoubleDouble, O>>,

@@ -77,6 +77,16 @@ BoundedJet<F::components> tracked_far(const Frame<double>& frame, std::span<cons
   return bounded<F, O, double>(far_components<F, O, Tracked<double>>(wide, n, tracked), frame.unit, 3);
 }
 
+/// Gauss points on panels in double, with their bound.
+template <class F, int O>
+BoundedJet<F::components> tracked_on_panels(const Frame<double>& frame, std::span<const double> parameters,
+                                            const Panels& panels) {
+  const auto tracked = tracked_parameters<F, double>(parameters);
+  const Frame<Tracked<double>> wide(frame);
+  const PanelFormOf<F, Tracked<double>, O> moments(wide, panels);
+  return bounded<F, O, double>(composed<F, O, Tracked<double>>(moments, tracked), frame.unit, 3);
+}
+
 /// The near form in double-double, then in 200 digits, until every order's bound is at most `tolerance`; geometry from
 /// 200 digits. \param limit the first order without a limit here
 template <class F, int O>
