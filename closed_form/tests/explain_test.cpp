@@ -88,11 +88,12 @@ TEST_P(Explained, is_what_the_closed_form_computes) {
     EXPECT_EQ(e.entry, entry);
     EXPECT_TRUE(same(e.value, alone.of(order)[entry])) << "sample " << i;
     ++entries;
-    // What the operations stand for is the formula: only rules and series of double's digits are wrong by a little.
+    // What the operations stand for is the formula: only rules and series of double's digits are wrong by a little, at
+    // most one rounding where each of a few points' weights is the product of three rounded numbers.
     const auto [truth, norm] = truth_of(formula, query, entry);
     const bool on_border = e.route.find("on the border") != std::string::npos;
     if (!e.lines.empty() && !on_border && std::isfinite(norm)) {
-      EXPECT_LE(static_cast<double>(Mp200(abs(e.exact - truth))), 0x1p-54 * norm) << "sample " << i << ": " << e.route;
+      EXPECT_LE(static_cast<double>(Mp200(abs(e.exact - truth))), 0x1p-53 * norm) << "sample " << i << ": " << e.route;
       ++compared;
     }
     if (e.is_the_value) {
@@ -106,6 +107,10 @@ TEST_P(Explained, is_what_the_closed_form_computes) {
       const double error = static_cast<double>(Mp200(Mp200(e.value) - e.exact));
       const double allowed = 1e-6 * sizes + 1e-3 * std::abs(error);
       EXPECT_TRUE(!std::isfinite(error) || std::abs(sum - error) <= allowed) << "sample " << i;
+    } else if (e.route.find("in vectors") != std::string::npos) {
+      // The same points in another order.
+      ++kept;
+      EXPECT_LE(std::abs(e.value - e.counted), 0x1p-47 * norm) << "sample " << i << ": " << e.route;
     } else {
       ++refined;
       // Only where the closed form says so itself.
@@ -145,9 +150,10 @@ int kept_by_its_bound() {
     RandomStream random(44, "explain", i);
     const Triangle<double> t{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0),
                              Vec3<double>(random.uniform(0.8, 1), random.uniform(0.1, 0.35), 0)};
-    const Input input{{t[0], t[1], t[2]}, {random.uniform(0, 1), random.uniform(-0.3, 0.3), random.uniform(0.1, 0.5)}};
+    const Input input{{t[0], t[1], t[2]},
+                      {random.uniform(0, 1), random.uniform(-0.1, 0.1), random.uniform(0.001, 0.1)}};
     triangle::PointMoments<double, O> at(t, input.point);
-    if (triangle::far_points_for<F, O>(at.ellipse(), triangle::kFarTolerance) ||
+    if (!at.on_panels().panels(triangle::panels_wanted<F, O>(at.frame())).empty() ||
         triangle::tracked_near<F, double>(at, {}, 3).worst() > triangle::kFastTolerance)
       continue;
     ++kept;

@@ -116,5 +116,64 @@ TEST(far_form, more_points_are_asked_for_closer_by) {
   EXPECT_FALSE(far_points(1.5, -3, 4, kFarTolerance, kFarLimit).has_value());
 }
 
+// Panels' sums against the edge form in 50 digits: the largest error over its bound, and how many panels it took.
+struct OnPanels {
+  double worst = 0;
+  std::size_t panels = 0;
+
+  template <int N>
+  void take(const Taylor<Tracked<double>, N>& sum, const Taylor<R, N>& exact) {
+    for (int m = 0; m < Monomials<N>::count; ++m) {
+      const double error = static_cast<double>(R(abs(R(sum.c[m].value) - exact.c[m])));
+      worst = std::max(worst, error / (0x1p-53 * sum.c[m].error));
+    }
+  }
+};
+
+OnPanels on_panels(double thinness, int sample) {
+  RandomStream random(23, "panels", sample);
+  const Triangle<double> t = random_triangle(random, thinness);
+  const double u = random.uniform(), v = random.uniform(0, 1 - u);
+  const Vec3<double> direction(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  const Vec3<double> eta =
+      t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]) + std::pow(10, random.uniform(-3, 1)) * direction.normalized();
+  const Frame<double> seen(t, eta);
+  OnPanels result;
+  const Panels panels = cut_to_panels(seen, t, eta, {3 + 2, 12000});
+  result.panels = panels.size();
+  if (panels.empty()) return result;
+  // In the unit of the frame in double.
+  const R unit(seen.unit);
+  const Frame<R> frame({convert<R>(t[0]) / unit, convert<R>(t[1]) / unit, convert<R>(t[2]) / unit},
+                       Vec3<R>(convert<R>(eta) / unit));
+  const Frame<Tracked<double>> tracked(seen);
+  const PanelForm<Tracked<double>, 2, 2> sums(tracked, panels);
+  const EdgeForm<R, 2, 2> edge(frame);
+  for (int k = 0; k < 3; ++k) {
+    result.take<2>(sums.A()[k], edge.A()[k]);
+    result.take<2>(sums.B()[k], edge.B()[k]);
+    result.take<2>(sums.mean_value()[k], EvenForm<R, 2>(frame).mean_value()[k]);
+  }
+  result.take<2>(sums.I(), edge.I());
+  return result;
+}
+
+TEST(panels, sums_are_as_good_as_they_say_near_and_far_and_on_thin_triangles) {
+  for (const double thinness : {1., 0.1, 1e-3, 1e-8}) {
+    double worst = 0;
+    int one = 0, many = 0;
+    for (int i = 0; i < 60; ++i) {
+      const OnPanels found = on_panels(thinness, i);
+      worst = std::max(worst, found.worst);
+      one += found.panels == 1;
+      many += found.panels > 4;
+    }
+    EXPECT_LE(worst, 1) << thinness;
+    EXPECT_GE(worst, 1e-2) << thinness;
+    EXPECT_GE(one, 5) << thinness;
+    EXPECT_GE(many, 5) << thinness;
+  }
+}
+
 }  // namespace
 }  // namespace cageproof::closed_form::triangle

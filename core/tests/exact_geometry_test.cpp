@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/exact_geometry.h"
+#include "cageproof/core/random_stream.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -46,6 +47,52 @@ void expect_exact(const Triangle<double>& t, const Vec3<double>& point) {
       EXPECT_TRUE(is(exact.normal[c], normal[c]));
       EXPECT_TRUE(is(exact.outward[i][c], outward[c]));
     }
+  }
+}
+
+// Whether the sign is the rational number's, and the size its double to two roundings, wherever that is a normal one.
+::testing::AssertionResult is_rounded(double size, int sign, const Rational& exact) {
+  const int truly = exact > 0 ? 1 : exact < 0 ? -1 : 0;
+  if (sign != truly) return ::testing::AssertionFailure() << "sign " << sign << " instead of " << truly;
+  if (!std::isnormal(size)) return ::testing::AssertionSuccess();
+  const Rational error = abs(Rational(size) - exact), allowed = abs(exact) * Rational(0x1p-52);
+  if (error <= allowed) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << size << " is off by " << static_cast<double>(error);
+}
+
+void expect_heights(const Triangle<double>& t, const Vec3<double>& point, int exponent = 0) {
+  const ExactHeights heights = exact_heights(t, point, exponent);
+  const Rational unit(std::ldexp(1., exponent));
+  const Vector e0 = minus(from(t[1]), from(t[0])), e1 = minus(from(t[2]), from(t[1])), normal = cross(e0, e1);
+  const Rational volume = dot(normal, minus(from(t[2]), from(point)));
+  EXPECT_TRUE(is_rounded(heights.volume, heights.volume_sign, volume / (unit * unit * unit)));
+  for (int i = 0; i < 3; ++i) {
+    const Vector edge = minus(from(t[(i + 1) % 3]), from(t[i]));
+    const Rational beside = dot(cross(edge, normal), minus(from(t[i]), from(point)));
+    EXPECT_TRUE(is_rounded(heights.beside[i], heights.beside_sign[i], beside / (unit * unit * unit * unit)));
+  }
+}
+
+TEST(exact_heights, are_rational_arithmetics) {
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  expect_heights({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {.25, .375, 0});
+  expect_heights({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {.5, .5, 0});
+  expect_heights({{{3, 5, 7}, {9, -2, 4}, {-1, 8, 2}}}, {2, 1, 5}, 3);
+  expect_heights({{{.1, .7, -.3}, {.9, .2, .4}, {.3, -.8, .6}}}, {.3, 1e-16, -.2}, -2);
+  // As wide as the integers are, one bit more, and all that there is.
+  expect_heights({{{0x1p59, 0x1p59 - 64, -0x1p59}, {-0x1p59, 0x1p-52, 1}, {-0x1p59, -0x1p59, 0x1p59 - 128}}},
+                 {0x1p59, -0x1p-52, -0x1p59});
+  expect_heights({{{0x1p60, 0x1p59 - 64, -0x1p60}, {-0x1p59, 0x1p-52, 1}, {-0x1p60, -0x1p59, 0x1p59 - 128}}},
+                 {0x1p59, -0x1p-52, -0x1p60});
+  expect_heights({{{.1, .7, -.3}, {1e300, 0, 0}, {0, 1e-300, kLeast}}}, {.3, -1e-200, 1e200}, 900);
+  expect_heights({{{1, -1, 0}, {0, 1, -1}, {-1, 0, 1}}}, {1e-250, 0, 0});
+  // Points computed on the triangle lie a rounding off it, or exactly on it.
+  for (int i = 0; i < 200; ++i) {
+    RandomStream random(5, "heights", i);
+    Triangle<double> t;
+    for (auto& v : t) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const double a = random.uniform();
+    expect_heights(t, a * t[0] + .25 * t[1] + (.75 - a) * t[2], 1);
   }
 }
 

@@ -28,10 +28,9 @@ Vec3<double> switch_point(const Triangle<double>& t, const Vec3<double>& through
   double near = 0, far = 100;
   for (int i = 0; i < 50; ++i) {
     const double middle = (near + far) / 2;
-    const bool is_far =
-        cf::far_points_for<F, 2>(cf::ellipse_of(cf::Frame<double>(t, Vec3<double>(centre + middle * ray))),
-                                 cf::kFarTolerance)
-            .has_value();
+    const Vec3<double> point = centre + middle * ray;
+    const cf::Frame<double> frame(t, point);
+    const bool is_far = !cf::cut_to_panels(frame, t, point, cf::panels_wanted<F, 2>(frame)).empty();
     (is_far ? far : near) = middle;
   }
   return centre + far * ray;
@@ -46,11 +45,12 @@ void expect_no_jump(const std::string& name, int samples) {
     const Triangle<double> t{sample.corners[0], sample.corners[1], sample.corners[2]};
     sample.point = switch_point<F>(t, sample.point);
     const cf::Frame<double> frame(t, sample.point);
-    const auto points = cf::far_points_for<F, 2>(cf::ellipse_of(frame), cf::kFarTolerance);
-    ASSERT_TRUE(points.has_value());
+    const cf::Panels panels = cf::cut_to_panels(frame, t, sample.point, cf::panels_wanted<F, 2>(frame));
+    ASSERT_FALSE(panels.empty());
     using Jet = closed_form::Jet<double, F::components>;
     const std::span<const double> parameters(sample.parameters);
-    const Jet far = cf::finish<F, 2, double>(cf::far_components<F, 2>(frame, *points, parameters), frame.unit, 3);
+    const cf::PanelFormOf<F, double, 2> moments(frame, panels);
+    const Jet far = cf::finish<F, 2, double>(cf::composed<F, 2, double>(moments, parameters), frame.unit, 3);
     Jet near = cf::finish<F, 2, double>(cf::near_components<F, 2>(frame, parameters), frame.unit, 3);
     // What is thin is computed with more digits on the near side.
     if (F::cancels_nearby || frame.shape() < cf::kThinShape) {

@@ -25,7 +25,8 @@ std::string description_of(const Route& route, bool is_kept) {
       int points = 0;
       for (const Panel& panel : route.panels) points += panel.across * panel.along;
       return "far form in double, " + std::to_string(points) + " Gauss points on " +
-             std::to_string(route.panels.size()) + (route.panels.size() == 1 ? " panel" : " panels");
+             std::to_string(route.panels.size()) + (route.panels.size() == 1 ? " panel" : " panels") +
+             (is_kept ? "" : ", summed one by one here and in vectors there");
     }
     case Form::Near:
       return is_kept ? "near form in double" : "near form in double; this entry is a limit on the border";

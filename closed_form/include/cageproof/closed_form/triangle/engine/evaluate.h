@@ -71,9 +71,13 @@ constexpr int derivative_factor(int m) {
 /// unit^(m - k). Orders from `first_divergent` on have no limit here (the point is on the border) and become NaN.
 template <class F, int O, Scalar R>
 Jet<R, F::components> finish(const Components<F, R, O>& from, const R& unit, int first_divergent) {
-  // A factor by itself might leave the range of numbers where a result does not.
-  int exponent = 0;
-  if constexpr (!is_multiprecision<R>) exponent = std::ilogb(unit);
+  std::array<int, 3> exponent{};
+  std::array<R, 3> scale{1, 1, 1};
+  if constexpr (!is_multiprecision<R>)
+    for (int order = 0; order < 3; ++order) {
+      exponent[order] = (F::degree - order) * std::ilogb(unit);
+      scale[order] = std::ldexp(R(1), exponent[order]);
+    }
   Jet<R, F::components> jet;
   for (int c = 0; c < F::components; ++c)
     for (int m = 0; m < Monomials<O>::count; ++m) {
@@ -82,7 +86,11 @@ Jet<R, F::components> finish(const Components<F, R, O>& from, const R& unit, int
       R x = std::numeric_limits<R>::quiet_NaN();
       if (order < first_divergent) {
         x = from[c].c[m] * R(derivative_factor<O>(m));
-        if constexpr (!is_multiprecision<R>) x = std::ldexp(x, (F::degree - order) * exponent);
+        // A factor by itself may leave the range of numbers where a result does not.
+        if constexpr (!is_multiprecision<R>) {
+          if (std::isnormal(scale[order])) x *= scale[order];
+          else x = std::ldexp(x, exponent[order]);
+        }
       }
       if (order == 0) jet.value[c] = x;
       if (order == 1) jet.gradient[c][e[1] + 2 * e[2]] = x;
