@@ -89,7 +89,7 @@ TEST(Batched, values_at_the_least_distances) {
 
 TEST(Batched, far_away) {
   const Cage cage = embedded_cage("twisted-bar");
-  for (const auto& [kind, order] : {std::pair{"green", 0}, {"biharmonic", 0}, {"somigliana", 1}}) {
+  for (const auto& [kind, order] : {std::pair{"green", 0}, {"biharmonic", 0}, {"somigliana", 2}}) {
     const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
     for (int decade = 0; decade <= 9; ++decade)
       for (int i = 0; i < 2; ++i) {

@@ -61,7 +61,7 @@ Symmetric<V, 2> slope_of_turning(const EdgeFrame<V>& e, const Three<V>& grad_cub
 template <class V>
 Symmetric<V, 3> third_distance(const EdgeFrame<V>& e, const Three<V>& grad_inverse) {
   // [a Id] + [b u u] - [c D D], a = grad L
-  const V third = V{} + 1.0 / 3;
+  const V third = (V{} + 1.0) / (V{} + 3.0);  // in the arithmetic's digits
   const V flat = e.fifths * e.square - (e.cubes + e.cubes + e.cubes);
   const V along = e.fifth_ends * third * e.square - e.ends;
   const V across = e.fifths * third;
