@@ -171,7 +171,8 @@ class BatchedCoordinates final : public PreparedCoordinates {
  private:
   bool computes(int order) const {
     return geometry_.is_sound() && std::abs(geometry_.exponent()) <= kLargestExponent &&
-           (order == 0 || layers_ == Layers::Harmonic || layers_ == Layers::Biharmonic);
+           (order == 0 || layers_ == Layers::Harmonic || layers_ == Layers::Biharmonic ||
+            (layers_ == Layers::Kelvin && Shape::dimension == 3));
   }
 
   Request request_for(int order) const {

@@ -45,7 +45,7 @@ void sum_marked_faces(Block& block, Pair* columns) {
       if (asked && decided[i] == 0) beyond |= 1u << i;
     }
     if (beyond != 0) block.beyond[block.beyond_marked++] = {mark.face, beyond};
-    for (EdgeTerms<Pair>& edge : seen.edge) edge = without(~mine, edge);
+    for (auto& edge : seen.edge) edge = without(~mine, edge);
     seen.add(face, mark.face, select(mine, omega, Pair()), beta, sums);
   }
   auto* const to = reinterpret_cast<Lanes*>(block.columns);

@@ -3,44 +3,26 @@
 // log_of_quotient, angle_of) are declared before this header is read.
 #pragma once
 
+#include "edge_derivatives.h"
 #include "tables.h"
 
-#include <array>
-
 namespace cageproof::closed_form::batch {
-
-/// A vector of the space.
-template <class V>
-struct Three {
-  std::array<V, 3> c;
-  V& operator[](int i) { return c.data()[i]; }
-  const V& operator[](int i) const { return c.data()[i]; }
-};
-
-template <class V>
-V dot(const Three<V>& a, const Three<V>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class V, class T>
-V dot(const T (&constant)[3], const Three<V>& v) {
-  return v[0] * constant[0] + v[1] * constant[1] + v[2] * constant[2];
-}
-template <class V>
-Three<V> cross(const Three<V>& a, const Three<V>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// Which integrals over edges the layers take for derivatives up to order O.
 template <Layers L, int O>
 struct Takes {
   static constexpr bool distances = L != Layers::Harmonic;
   static constexpr bool distance_gradients = L == Layers::Kelvin || (L == Layers::Biharmonic && O == 2);
-  static constexpr bool inverse_gradients = O == 2;
+  static constexpr bool inverse_gradients = O == 2 || (L == Layers::Kelvin && O == 1);
+  /// How many more derivatives: those of Kelvin's layers.
+  static constexpr int further = L == Layers::Kelvin ? O : 0;
 };
 
 /// Integrals over one edge, in its table's direction u; D: from the point to the nearest point of the line.
+template <class V, int Further = 0>
+struct EdgeTerms;
 template <class V>
-struct EdgeTerms {
+struct EdgeTerms<V, 0> {
   V between;               ///< the scalar product of the vectors to the ends
   V inverse;               ///< L = int 1/r
   V distance;              ///< P = int r
@@ -49,10 +31,21 @@ struct EdgeTerms {
   Three<V> turning;        ///< its part of grad omega: K3 D x u
 };
 
+template <class V>
+struct EdgeTerms<V, 1> : EdgeTerms<V, 0> {
+  Symmetric<V, 2> hess_distance;
+};
+template <class V>
+struct EdgeTerms<V, 2> : EdgeTerms<V, 1> {
+  Symmetric<V, 2> hess_inverse;
+  Symmetric<V, 2> turning_slope;   ///< its part of Hess omega
+  Symmetric<V, 3> third_distance;  ///< third derivatives of P
+};
+
 /// The terms, with zeros where the mask is set: all that is made of them is zero there.
-template <class V, class M>
-EdgeTerms<V> without(M mask, const EdgeTerms<V>& e) {
-  EdgeTerms<V> t;
+template <class V, int Further, class M>
+EdgeTerms<V, Further> without(M mask, const EdgeTerms<V, Further>& e) {
+  EdgeTerms<V, Further> t;
   t.between = e.between;
   t.inverse = select(mask, V{}, e.inverse);
   t.distance = select(mask, V{}, e.distance);
@@ -61,15 +54,25 @@ EdgeTerms<V> without(M mask, const EdgeTerms<V>& e) {
     t.grad_distance[i] = select(mask, V{}, e.grad_distance[i]);
     t.turning[i] = select(mask, V{}, e.turning[i]);
   }
+  if constexpr (Further >= 1)
+    for (int i = 0; i < 6; ++i) t.hess_distance[i] = select(mask, V{}, e.hess_distance[i]);
+  if constexpr (Further >= 2) {
+    for (int i = 0; i < 6; ++i) {
+      t.hess_inverse[i] = select(mask, V{}, e.hess_inverse[i]);
+      t.turning_slope[i] = select(mask, V{}, e.turning_slope[i]);
+    }
+    for (int i = 0; i < 10; ++i) t.third_distance[i] = select(mask, V{}, e.third_distance[i]);
+  }
   return t;
 }
 
 /// The table of integrals of the edge form in forms that do not cancel at any distance, as long as p0 x p1 does not.
 /// \param p0, p1 from the point to the edge's ends \param r0, r1 their lengths
 template <Layers L, int O, class V, class T>
-EdgeTerms<V> edge_terms(const EdgeTable<T>& e, const Three<V>& p0, const Three<V>& p1, const V& r0, const V& r1) {
+EdgeTerms<V, Takes<L, O>::further> edge_terms(const EdgeTable<T>& e, const Three<V>& p0, const Three<V>& p1,
+                                              const V& r0, const V& r1) {
   using Use = Takes<L, O>;
-  EdgeTerms<V> t;
+  EdgeTerms<V, Use::further> t;
   t.between = dot(p0, p1);
   const Three<V> normal = cross(p0, p1);  // length D x u
   const V square = dot(normal, normal);
@@ -103,6 +106,31 @@ EdgeTerms<V> edge_terms(const EdgeTable<T>& e, const Three<V>& p0, const Three<V
         for (int i = 0; i < 3; ++i) {
           t.grad_inverse[i] = ends * e.u[i] + cubes * foot[i];
           t.turning[i] = turn * normal[i];
+        }
+        if constexpr (Use::further >= 1) {
+          const V over_squares = (over * over_product) * (over * over_product);
+          EdgeFrame<V> frame;
+          for (int i = 0; i < 3; ++i) {
+            frame.u[i] = V{} + e.u[i];
+            frame.foot[i] = foot[i];
+            frame.normal[i] = normal[i] * e.over;
+          }
+          frame.square = square * e.over * e.over;
+          frame.inverse = t.inverse;
+          frame.cubes = cubes;
+          frame.ends = ends;
+          t.hess_distance = hess_distance(frame);
+          if constexpr (Use::further >= 2) {
+            frame.fifths =
+                cubes * ((r0 * r0 + r1 * r1) * over_squares * 1.5 + cubes * (cubes * frame.square) * 0.5);
+            frame.fifth_ends = ends * (sum * sum - product) * over_squares;
+            Three<V> grad_cubes;
+            for (int i = 0; i < 3; ++i)
+              grad_cubes[i] = frame.fifth_ends * frame.u[i] + frame.fifths * frame.foot[i];
+            t.hess_inverse = hess_inverse(frame, grad_cubes);
+            t.turning_slope = slope_of_turning(frame, grad_cubes);
+            t.third_distance = third_distance(frame, t.grad_inverse);
+          }
         }
       }
     }

@@ -10,38 +10,9 @@
 // alone: their symmetric halves are added.
 #pragma once
 
-#include "edge_terms.h"
+#include "kelvin_terms.h"
 
 namespace cageproof::closed_form::batch {
-
-/// Sums over faces, without the factors 1/(4 pi) and 1/(8 pi), mu, and the unit; of psibar's values 3 I.
-template <class V>
-struct Sums {
-  V* columns;
-  const Columns* layout;
-
-  V* at(int order, int block, int coordinate, int size) const {
-    return columns + layout->first[order][block] + coordinate * size;
-  }
-};
-
-template <class V>
-void add_three(V* to, const Three<V>& v) {
-  for (int i = 0; i < 3; ++i) to[i] += v[i];
-}
-/// The symmetric half of sum of the two products a b'.
-template <class V>
-void add_symmetric(V* to, const Three<V>& a0, const Three<V>& b0, const Three<V>& a1, const Three<V>& b1) {
-  int at = 0;
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j, ++at)
-      to[at] += i == j ? V(a0[i] * b0[j] + a1[i] * b1[j])
-                       : V((a0[i] * b0[j] + a0[j] * b0[i] + a1[i] * b1[j] + a1[j] * b1[i]) * 0.5);
-}
-template <class V, class T>
-Three<V> constant(const T (&c)[3]) {
-  return {V{} + c[0], V{} + c[1], V{} + c[2]};
-}
 
 /// One face seen from the point, and its moments.
 template <Layers L, int O, class V, class T>
@@ -49,7 +20,7 @@ class FaceTerms {
  public:
   /// \param x from the point to the corners \param omega the solid angle \param edges their terms
   FaceTerms(const FaceTable<T>& face, const Three<V>* const (&x)[3], const V& omega,
-            const EdgeTerms<V>* const (&edges)[3])
+            const EdgeTerms<V, Takes<L, O>::further>* const (&edges)[3])
       : face_(face), omega_(omega), edges_(edges) {
     d_ = -dot(face.n, *x[0]);
     V h[3];
@@ -71,7 +42,7 @@ class FaceTerms {
   /// \param beta 1/(2 (1 - nu)), of Kelvin's layers
   void add(int f, const V& beta, const Sums<V>& sums) const {
     if constexpr (L == Layers::Kelvin) {
-      add_kelvin(f, beta, sums);
+      KelvinTerms<O, V, T>{face_, edges_, beta, omega_, d_, J_, gradient_of_J(), B_, inverse_}.add(f, sums);
     } else {
       add_values(f, sums);
       if constexpr (O >= 1) add_gradients(f, sums);
@@ -80,45 +51,10 @@ class FaceTerms {
   }
 
  private:
-  // T, and K of mu = 1: J Id - beta/2 Hess I.
-  void add_kelvin(int f, const V& beta, const Sums<V>& sums) const {
-    const Three<V> grad_J = gradient_of_J(), slope = slope_of(grad_J), n = constant<V>(face_.n);
-    V M[3][3], K[3][3];
-    for (int i = 0; i < 3; ++i)
-      for (int j = i; j < 3; ++j) {
-        V hessian = n[i] * slope[j];
-        for (int e = 0; e < 3; ++e) hessian = hessian - edges_[e]->grad_distance[j] * face_.nu[e][i];
-        const V bulk = beta * hessian;
-        M[i][j] = M[j][i] = i == j ? V(J_ - bulk) : V(-bulk);
-        K[i][j] = K[j][i] = i == j ? V(J_ - bulk * 0.5) : V(-(bulk * 0.5));
-      }
-    V* const displacement = sums.at(0, 1, f, 9);
-    for (int i = 0; i < 9; ++i) displacement[i] += K[i / 3][i % 3];
-    V* const last = sums.at(0, 0, face_.vertex[2], 9);
-    const Three<V> turned_n = times(M, n);
-    for (int k = 0; k < 2; ++k) {
-      V* const to = sums.at(0, 0, face_.vertex[k], 9);
-      const Three<V> g = constant<V>(face_.g[k]), turned_g = times(M, g);
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          V entry = turned_n[i] * g[j] - turned_g[i] * n[j];
-          if (i == j) entry = entry + B_[k];
-          to[3 * i + j] += entry;
-          last[3 * i + j] += -entry;
-        }
-    }
-    for (int i = 0; i < 3; ++i) last[4 * i] += omega_;
-  }
-
   template <class Of>
   V across(int k, Of of) const {
     return of(*edges_[0]) * face_.across[k][0] + of(*edges_[1]) * face_.across[k][1] +
            of(*edges_[2]) * face_.across[k][2];
-  }
-  static Three<V> times(const V (&M)[3][3], const Three<V>& v) {
-    Three<V> p;
-    for (int i = 0; i < 3; ++i) p[i] = M[i][0] * v[0] + M[i][1] * v[1] + M[i][2] * v[2];
-    return p;
   }
   // omega n - sum L nu
   Three<V> gradient_of_J() const {
@@ -240,7 +176,7 @@ class FaceTerms {
 
   const FaceTable<T>& face_;
   const V omega_;
-  const EdgeTerms<V>* const (&edges_)[3];
+  const EdgeTerms<V, Takes<L, O>::further>* const (&edges_)[3];
   V d_, J_, thrice_i_, hat_[2], inverse_[2], distance_[2], B_[2], A_[2];
 };
 

@@ -38,9 +38,10 @@ inline Mask mask_of(unsigned bits) {
 
 template <Layers L, int O>
 void sum_faces(Block& block) {
+  using Edge = EdgeTerms<Lanes, Takes<L, O>::further>;
   const CageTables& cage = *block.cage;
   auto* const vertex = static_cast<SeenVertex*>(block.scratch);
-  auto* const edge = reinterpret_cast<EdgeTerms<Lanes>*>(vertex + cage.vertices);
+  auto* const edge = reinterpret_cast<Edge*>(vertex + cage.vertices);
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
   for (int c = 0; c < block.layout.count; ++c) columns[c] = Lanes{};
   const Sums<Lanes> sums{columns, &block.layout};
@@ -62,7 +63,7 @@ void sum_faces(Block& block) {
   for (int f = 0; f < cage.faces; ++f) {
     const FaceTable<double>& face = cage.face[f];
     const SeenVertex &v0 = vertex[face.vertex[0]], &v1 = vertex[face.vertex[1]], &v2 = vertex[face.vertex[2]];
-    const EdgeTerms<Lanes>&e0 = edge[face.edge[0]], &e1 = edge[face.edge[1]], &e2 = edge[face.edge[2]];
+    const Edge &e0 = edge[face.edge[0]], &e1 = edge[face.edge[1]], &e2 = edge[face.edge[2]];
     const Lanes product = v0.r * v1.r * v2.r;
     const Lanes across = face.area2 * dot(face.n, v0.x);
     const Lanes along = product + e0.between * v2.r + e1.between * v0.r + e2.between * v1.r;
@@ -74,13 +75,13 @@ void sum_faces(Block& block) {
                         ((along < Lanes{}) & (high < kNextToFace * wide)) | v0.near | v1.near | v2.near;
     const Three<Lanes>* const x[3] = {&v0.x, &v1.x, &v2.x};
     if (!any(marked)) [[likely]] {
-      const EdgeTerms<Lanes>* const edges[3] = {&e0, &e1, &e2};
+      const Edge* const edges[3] = {&e0, &e1, &e2};
       FaceTerms<L, O, Lanes, double>(face, x, omega, edges).add(f, beta, sums);
       continue;
     }
     block.marks[block.marked++] = {f, bits_of(marked)};
-    const EdgeTerms<Lanes> left[3] = {without(marked, e0), without(marked, e1), without(marked, e2)};
-    const EdgeTerms<Lanes>* const edges[3] = {&left[0], &left[1], &left[2]};
+    const Edge left[3] = {without(marked, e0), without(marked, e1), without(marked, e2)};
+    const Edge* const edges[3] = {&left[0], &left[1], &left[2]};
     FaceTerms<L, O, Lanes, double>(face, x, select(marked, Lanes{}, omega), edges).add(f, beta, sums);
   }
 }

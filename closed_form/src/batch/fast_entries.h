@@ -16,7 +16,9 @@ inline void sum(Block& block) {
 }
 
 inline long scratch_bytes(int vertices, int edges, int columns) {
-  constexpr long of_edge = sizeof(EdgeTerms<Lanes>) > sizeof(SeenEdge) ? sizeof(EdgeTerms<Lanes>) : sizeof(SeenEdge);
+  // The most that any layers and order take.
+  constexpr long of_edge = sizeof(EdgeTerms<Lanes, 2>);
+  static_assert(of_edge >= static_cast<long>(sizeof(SeenEdge)));
   const long fast = vertices * static_cast<long>(sizeof(SeenVertex)) + edges * of_edge;
   const long careful = careful_bytes(columns);
   return fast > careful ? fast : careful;

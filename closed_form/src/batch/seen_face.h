@@ -11,7 +11,7 @@ template <Layers L, int O, class V, class T>
 struct SeenFace {
   Three<V> x[3];         ///< from the point to the corners
   V r[3];                ///< their lengths
-  EdgeTerms<V> edge[3];  ///< of the face's edges, each in its table's direction
+  EdgeTerms<V, Takes<L, O>::further> edge[3];  ///< of the face's edges, each in its table's direction
   V product;             ///< of the lengths
   V across, along;
 
@@ -34,7 +34,7 @@ struct SeenFace {
   /// Adds the face's part to sums. \param omega its solid angle \param beta of Kelvin's layers
   void add(const FaceTable<T>& face, int f, const V& omega, const V& beta, const Sums<V>& sums) const {
     const Three<V>* const corners[3] = {&x[0], &x[1], &x[2]};
-    const EdgeTerms<V>* const edges[3] = {&edge[0], &edge[1], &edge[2]};
+    const EdgeTerms<V, Takes<L, O>::further>* const edges[3] = {&edge[0], &edge[1], &edge[2]};
     FaceTerms<L, O, V, T>(face, corners, omega, edges).add(f, beta, sums);
   }
 };

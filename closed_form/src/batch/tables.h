@@ -41,10 +41,14 @@ enum class Layers {
   MeanValue,   ///< lambda, values alone
 };
 
-/// Calls f.template operator()<L, O>() for layers that are sums of edge terms; Kelvin's have values alone.
+/// Calls f.template operator()<L, O>() for layers that are sums of edge terms.
 template <class F>
 auto with_layers(Layers layers, int order, F f) {
-  if (layers == Layers::Kelvin) return f.template operator()<Layers::Kelvin, 0>();
+  if (layers == Layers::Kelvin) {
+    if (order == 0) return f.template operator()<Layers::Kelvin, 0>();
+    if (order == 1) return f.template operator()<Layers::Kelvin, 1>();
+    return f.template operator()<Layers::Kelvin, 2>();
+  }
   if (layers == Layers::Harmonic) {
     if (order == 0) return f.template operator()<Layers::Harmonic, 0>();
     if (order == 1) return f.template operator()<Layers::Harmonic, 1>();
