@@ -15,23 +15,26 @@ inline CageCoordinates coordinates_of(const Cage& cage, std::string_view kind, c
   return {cage, coordinate_kind_named(kind), CoordinateOptions{.evaluation = evaluation}};
 }
 
-inline double norm_of(const std::vector<Mp50>& values) {
-  Mp50 squares = 0;
-  for (const Mp50& x : values) squares += x * x;
-  return static_cast<double>(Mp50(sqrt(squares)));
+template <class Number>
+double norm_of(const std::vector<Number>& values) {
+  Number squares = 0;
+  for (const Number& x : values) squares += x * x;
+  return static_cast<double>(Number(sqrt(squares)));
 }
 
 // The largest block error over blocks and orders, in units of u, with the point for the only input: |f - truth| over
-// |truth| + size |grad truth|; of the highest order over |truth| alone.
-inline double block_error(const CageCoordinates& found, const CageCoordinates& reference, double size,
+// |truth| + size |grad truth|; of the highest order over |truth| alone. Number: of the truth.
+template <class Number = Mp50>
+double block_error(const CageCoordinates& found, const CageCoordinates& reference, double size,
                           const Point& point, int order) {
   const auto f = found.at<double>(point, order);
-  const auto truth = reference.at<Mp50>(convert<Mp50>(point), std::min(order + 1, 2));
+  const auto truth = reference.at<Number>(convert<Number>(point), std::min(order + 1, 2));
   double worst = 0;
   for (std::size_t b = 0; b < f.size(); ++b)
     for (int o = 0; o <= order; ++o) {
-      std::vector<Mp50> difference;
-      for (std::size_t i = 0; i < f[b].of(o).size(); ++i) difference.push_back(Mp50(f[b].of(o)[i]) - truth[b].of(o)[i]);
+      std::vector<Number> difference;
+      for (std::size_t i = 0; i < f[b].of(o).size(); ++i)
+        difference.push_back(Number(f[b].of(o)[i]) - truth[b].of(o)[i]);
       // On the cage some derivatives do not exist.
       const double slope = o < 2 ? norm_of(truth[b].of(o + 1)) : 0;
       const double scale = norm_of(truth[b].of(o)) + (std::isfinite(slope) ? size * slope : 0);
