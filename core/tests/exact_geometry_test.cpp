@@ -80,12 +80,11 @@ TEST(exact_heights, are_rational_arithmetics) {
   expect_heights({{{3, 5, 7}, {9, -2, 4}, {-1, 8, 2}}}, {2, 1, 5}, 3);
   expect_heights({{{.1, .7, -.3}, {.9, .2, .4}, {.3, -.8, .6}}}, {.3, 1e-16, -.2}, -2);
   // As wide as the integers are, one bit more, much more, and all that there is.
-  expect_heights({{{0x1p59, 0x1p59 - 64, -0x1p59}, {-0x1p59, 0x1p-52, 1}, {-0x1p59, -0x1p59, 0x1p59 - 128}}},
-                 {0x1p59, -0x1p-52, -0x1p59});
-  expect_heights({{{0x1p60, 0x1p59 - 64, -0x1p60}, {-0x1p59, 0x1p-52, 1}, {-0x1p60, -0x1p59, 0x1p59 - 128}}},
-                 {0x1p59, -0x1p-52, -0x1p60});
-  expect_heights({{{0x1p88, 0x1p87 + 0x1p40, -0x1p88}, {-0x1p87, 0x1p-52, 1}, {-0x1p88, -0x1p88, 0x1p87 - 0x1p36}}},
-                 {0x1p87, -0x1p-52, -0x1p86});
+  for (const int wide : {0, -1, -30, -60}) {
+    const double small = std::ldexp(0x1.fedcba9876543p0, wide), large = 0x1.fedcba9876541p59;
+    expect_heights({{{large, small, -large}, {-0.7 * large, -large, small}, {-small, 0.9 * large, large}}},
+                   {0.8 * large, -0.6 * large, -small});
+  }
   expect_heights({{{.1, .7, -.3}, {1e300, 0, 0}, {0, 1e-300, kLeast}}}, {.3, -1e-200, 1e200}, 900);
   expect_heights({{{1, -1, 0}, {0, 1, -1}, {-1, 0, 1}}}, {1e-250, 0, 0});
   // Points computed on the triangle lie a rounding off it, or exactly on it.
