@@ -56,8 +56,7 @@ TEST(Batched, distances_beyond_double_doubles) {
   const Cage face = Cage::make("face", {a, b, c, top}, tetrahedron, {.flip_inward = true});
   const Cage edge = Cage::make("edge", {a, -a, b, top}, tetrahedron, {.flip_inward = true});
   for (const Cage* cage : {&face, &edge})
-    for (const auto& [kind, order] :
-         {std::pair{"green", 0}, {"biharmonic", 0}, {"somigliana", 2}, {"mean_value", 0}}) {
+    for (const auto& [kind, order] : {std::pair{"green", 0}, {"biharmonic", 0}, {"somigliana", 2}, {"mean_value", 0}}) {
       const CageCoordinates found = coordinates_of(*cage, kind, "batched"), reference = coordinates_of(*cage, kind, "");
       for (const double distance : {1e-18, 1e-25, 1e-32, 1e-40, 1e-60})
         for (int i = 0; i < 3; ++i) {

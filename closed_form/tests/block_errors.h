@@ -25,8 +25,8 @@ double norm_of(const std::vector<Number>& values) {
 // The largest block error over blocks and orders, in units of u, with the point for the only input: |f - truth| over
 // |truth| + size |grad truth|; of the highest order over |truth| alone. Number: of the truth.
 template <class Number = Mp50>
-double block_error(const CageCoordinates& found, const CageCoordinates& reference, double size,
-                          const Point& point, int order) {
+double block_error(const CageCoordinates& found, const CageCoordinates& reference, double size, const Point& point,
+                   int order) {
   const auto f = found.at<double>(point, order);
   const auto truth = reference.at<Number>(convert<Number>(point), std::min(order + 1, 2));
   double worst = 0;

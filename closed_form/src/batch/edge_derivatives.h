@@ -51,8 +51,8 @@ template <class V>
 Symmetric<V, 2> slope_of_turning(const EdgeFrame<V>& e, const Three<V>& grad_cubes) {
   Symmetric<V, 2> slope;
   for_each_entry<2>([&](int i, int j, int at) {
-    slope[at] = i == j ? V(e.normal[i] * grad_cubes[i])
-                       : V((e.normal[i] * grad_cubes[j] + e.normal[j] * grad_cubes[i]) * 0.5);
+    slope[at] =
+        i == j ? V(e.normal[i] * grad_cubes[i]) : V((e.normal[i] * grad_cubes[j] + e.normal[j] * grad_cubes[i]) * 0.5);
   });
   return slope;
 }

@@ -121,12 +121,10 @@ EdgeTerms<V, Takes<L, O>::further> edge_terms(const EdgeTable<T>& e, const Three
           frame.ends = ends;
           t.hess_distance = hess_distance(frame);
           if constexpr (Use::further >= 2) {
-            frame.fifths =
-                cubes * ((r0 * r0 + r1 * r1) * over_squares * 1.5 + cubes * (cubes * frame.square) * 0.5);
+            frame.fifths = cubes * ((r0 * r0 + r1 * r1) * over_squares * 1.5 + cubes * (cubes * frame.square) * 0.5);
             frame.fifth_ends = ends * (sum * sum - product) * over_squares;
             Three<V> grad_cubes;
-            for (int i = 0; i < 3; ++i)
-              grad_cubes[i] = frame.fifth_ends * frame.u[i] + frame.fifths * frame.foot[i];
+            for (int i = 0; i < 3; ++i) grad_cubes[i] = frame.fifth_ends * frame.u[i] + frame.fifths * frame.foot[i];
             t.hess_inverse = hess_inverse(frame, grad_cubes);
             t.turning_slope = slope_of_turning(frame, grad_cubes);
             t.third_distance = third_distance(frame, t.grad_inverse);

@@ -29,7 +29,8 @@ struct KelvinTerms {
     Symmetric<V, 1> slope;  // grad(d J)
     for (int i = 0; i < 3; ++i) slope[i] = J * n[i] + d * grad_J[i];
     const Symmetric<V, 0> own[2] = {{{B[0]}}, {{B[1]}}};
-    add_order<0>(f, sums, {{J}}, slope, own, [](const auto& e) -> const auto& { return e.grad_distance; });
+    add_order<0>(
+        f, sums, {{J}}, slope, own, [](const auto& e) -> const auto& { return e.grad_distance; });
     V* const last = sums.at(0, 0, face.vertex[2], 9);
     for (int i = 0; i < 3; ++i) last[4 * i] += omega;
     if constexpr (O >= 1) add_gradients(f, sums, n);
@@ -42,7 +43,8 @@ struct KelvinTerms {
     const Three<V> turn = along([](const auto& e) -> const auto& { return e.turning; });
     Symmetric<V, 2> hess;
     for_each_entry<2>([&](int i, int j, int at) {
-      hess[at] = n[i] * turn[j] - outward(i, j, [](const auto& e) -> const auto& { return e.grad_inverse; });
+      hess[at] = n[i] * turn[j] - outward(
+                                      i, j, [](const auto& e) -> const auto& { return e.grad_inverse; });
     });
     return hess;
   }
@@ -55,9 +57,9 @@ struct KelvinTerms {
     }
     const Symmetric<V, 2> hess = hessian_of_J(n);
     Symmetric<V, 2> bend;  // Hess(d J)
-    for_each_entry<2>(
-        [&](int i, int j, int at) { bend[at] = n[i] * grad_J[j] + (n[j] * grad_J[i] + d * hess[at]); });
-    add_order<1>(f, sums, slope, bend, own, [](const auto& e) -> const auto& { return e.hess_distance; });
+    for_each_entry<2>([&](int i, int j, int at) { bend[at] = n[i] * grad_J[j] + (n[j] * grad_J[i] + d * hess[at]); });
+    add_order<1>(
+        f, sums, slope, bend, own, [](const auto& e) -> const auto& { return e.hess_distance; });
   }
 
   void add_hessians(int f, const Sums<V>& sums, const Three<V>& n) const {
@@ -69,13 +71,16 @@ struct KelvinTerms {
                    edges[2]->turning_slope[m] * face.along[2];
     for (int k = 0; k < 2; ++k) {
       Three<V> q;
-      for (int i = 0; i < 3; ++i) q[i] = inward(k, i, [](const auto& e) -> const auto& { return e.grad_inverse; });
+      for (int i = 0; i < 3; ++i)
+        q[i] = inward(
+            k, i, [](const auto& e) -> const auto& { return e.grad_inverse; });
       for (V& x : own[k].c) x = V{};
       add_symmetric(own[k].c.data(), constant<V>(face.g[k]), turn, n, q);
     }
     Symmetric<V, 3> third;  // of d J
     for_each_entry<3>([&](int i, int m, int at) {
-      third[at] = d * (n[i] * turning[m] - outward(i, m, [](const auto& e) -> const auto& { return e.hess_inverse; }));
+      third[at] = d * (n[i] * turning[m] - outward(
+                                               i, m, [](const auto& e) -> const auto& { return e.hess_inverse; }));
     });
     for (int i = 0; i < 3; ++i)
       for (int j = i; j < 3; ++j)
@@ -83,7 +88,8 @@ struct KelvinTerms {
           const int jk = kWith<2>[j][k], at = kWith<3>[i][jk];
           third[at] = third[at] + (n[i] * hess[jk] + n[j] * hess[kWith<2>[i][k]] + n[k] * hess[kWith<2>[i][j]]);
         }
-    add_order<2>(f, sums, hess, third, own, [](const auto& e) -> const auto& { return e.third_distance; });
+    add_order<2>(
+        f, sums, hess, third, own, [](const auto& e) -> const auto& { return e.third_distance; });
   }
 
   // Sums over the edges, of entry m of what `of` takes of each: times its direction, nu_i, and across_k.
@@ -112,8 +118,7 @@ struct KelvinTerms {
     const auto& with = kWith<N + 1>;
     Symmetric<V, N + 2> bulk;  // beta/2 times derivatives of order N of H
     const V half = beta * 0.5;
-    for_each_entry<N + 2>(
-        [&](int i, int m, int at) { bulk[at] = half * (high[m] * face.n[i] - outward(i, m, of)); });
+    for_each_entry<N + 2>([&](int i, int m, int at) { bulk[at] = half * (high[m] * face.n[i] - outward(i, m, of)); });
     V* const displacement = sums.at(N, 1, f, 9 * kept);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)

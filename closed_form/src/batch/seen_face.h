@@ -9,10 +9,10 @@ namespace cageproof::closed_form::batch {
 /// A face's corners, edges and solid angle as a point sees them: omega = 2 atan2(across, along).
 template <Layers L, int O, class V, class T>
 struct SeenFace {
-  Three<V> x[3];         ///< from the point to the corners
-  V r[3];                ///< their lengths
+  Three<V> x[3];                               ///< from the point to the corners
+  V r[3];                                      ///< their lengths
   EdgeTerms<V, Takes<L, O>::further> edge[3];  ///< of the face's edges, each in its table's direction
-  V product;             ///< of the lengths
+  V product;                                   ///< of the lengths
   V across, along;
 
   /// \param edge_of (i): the table of the face's edge i \param difference (corner, axis): corner less point
