@@ -24,6 +24,9 @@ inline constexpr double kNextToFace = 0x1p-36;
 /// The edges' integrals of a thin face are divided by its height, which leaves that much of their rounding. Beyond this
 /// times int r over its edges, or their lengths times the mean distance, the face needs more digits.
 inline constexpr double kThin = 32;
+/// Roundings of many thin faces add up. Where the root of the sum of these numbers' squares is beyond the first, as
+/// next to a vertex of many long triangles, faces beyond the second need more digits as well.
+inline constexpr double kManyThin = 160, kThinOfMany = 8;
 
 inline unsigned bits_of(Mask m) {
   unsigned bits = 0;
@@ -36,29 +39,18 @@ inline Mask mask_of(unsigned bits) {
   return m;
 }
 
+/// Sums over the faces, and lists those that need more digits. \param limit above which a face is thin
+/// \return the sum of the squares of what measures the others
 template <Layers L, int O>
-void sum_faces(Block& block) {
+Lanes sum_faces_within(Block& block, const SeenVertex* vertex, const EdgeTerms<Lanes, Takes<L, O>::further>* edge,
+                       Lanes limit) {
   using Edge = EdgeTerms<Lanes, Takes<L, O>::further>;
   const CageTables& cage = *block.cage;
-  auto* const vertex = static_cast<SeenVertex*>(block.scratch);
-  auto* const edge = reinterpret_cast<Edge*>(vertex + cage.vertices);
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
   for (int c = 0; c < block.layout.count; ++c) columns[c] = Lanes{};
   const Sums<Lanes> sums{columns, &block.layout};
-  const auto* const point = reinterpret_cast<const Lanes*>(block.points);
   const Lanes beta = splat(block.beta.high);
-  const Mask whole = mask_of(block.whole);
-  for (int v = 0; v < cage.vertices; ++v) {
-    SeenVertex& seen = vertex[v];
-    for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
-    seen.r = root(dot(seen.x, seen.x));
-    seen.near = less(seen.r, splat(cage.reach[v])) | whole;
-  }
-  for (int e = 0; e < cage.edges; ++e) {
-    const EdgeTable<double>& table = cage.edge[e];
-    const SeenVertex &a = vertex[table.from], &b = vertex[table.to];
-    edge[e] = edge_terms<L, O, Lanes, double>(table, a.x, b.x, a.r, b.r);
-  }
+  Lanes squares{};
   block.marked = 0;
   for (int f = 0; f < cage.faces; ++f) {
     const FaceTable<double>& face = cage.face[f];
@@ -71,8 +63,9 @@ void sum_faces(Block& block) {
     const Lanes high = magnitude(across), wide = magnitude(along);
     const Lanes thin = Takes<L, O>::distances ? face.steep * (e0.distance + e1.distance + e2.distance)
                                               : face.steep_around * (v0.r + v1.r + v2.r);
-    const Mask marked = (thin > kThin) | ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
+    const Mask marked = (thin > limit) | ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
                         ((along < Lanes{}) & (high < kNextToFace * wide)) | v0.near | v1.near | v2.near;
+    squares = squares + select(marked, Lanes{}, thin * thin);
     const Three<Lanes>* const x[3] = {&v0.x, &v1.x, &v2.x};
     if (!any(marked)) [[likely]] {
       const Edge* const edges[3] = {&e0, &e1, &e2};
@@ -83,6 +76,33 @@ void sum_faces(Block& block) {
     const Edge left[3] = {without(marked, e0), without(marked, e1), without(marked, e2)};
     const Edge* const edges[3] = {&left[0], &left[1], &left[2]};
     FaceTerms<L, O, Lanes, double>(face, x, select(marked, Lanes{}, omega), edges).add(f, beta, sums);
+  }
+  return squares;
+}
+
+template <Layers L, int O>
+void sum_faces(Block& block) {
+  using Edge = EdgeTerms<Lanes, Takes<L, O>::further>;
+  const CageTables& cage = *block.cage;
+  auto* const vertex = static_cast<SeenVertex*>(block.scratch);
+  auto* const edge = reinterpret_cast<Edge*>(vertex + cage.vertices);
+  const auto* const point = reinterpret_cast<const Lanes*>(block.points);
+  const Mask whole = mask_of(block.whole);
+  for (int v = 0; v < cage.vertices; ++v) {
+    SeenVertex& seen = vertex[v];
+    for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
+    seen.r = root(dot(seen.x, seen.x));
+    seen.near = less(seen.r, splat(cage.reach[v])) | whole;
+  }
+  for (int e = 0; e < cage.edges; ++e) {
+    const EdgeTable<double>& table = cage.edge[e];
+    const SeenVertex &a = vertex[table.from], &b = vertex[table.to];
+    edge[e] = edge_terms<L, O, Lanes, double>(table, a.x, b.x, a.r, b.r);
+  }
+  const Lanes squares = sum_faces_within<L, O>(block, vertex, edge, splat(kThin));
+  if constexpr (L == Layers::Kelvin) {
+    const Mask many = squares > kManyThin * kManyThin;
+    if (any(many)) sum_faces_within<L, O>(block, vertex, edge, select(many, splat(kThinOfMany), splat(kThin)));
   }
 }
 
