@@ -29,8 +29,8 @@ struct LeastEllipses {
 // \return kMostOnEdge + 1 where these are not enough
 int points_for(double rho, int steepness) {
   constexpr int kSteepnesses = 9;
-  static const std::array<LeastEllipses, kSteepnesses> table = []<std::size_t... s>(std::index_sequence<s...>) {
-    return std::array{LeastEllipses(s)...};
+  static const std::array<LeastEllipses, kSteepnesses> table = []<std::size_t... S>(std::index_sequence<S...>) {
+    return std::array{LeastEllipses(S)...};
   }
   (std::make_index_sequence<kSteepnesses>());
   const double* const least = table[steepness].least;
