@@ -133,14 +133,20 @@ struct KelvinTerms {
     }
     V* const to[2] = {sums.at(N, 0, face.vertex[0], 9 * kept), sums.at(N, 0, face.vertex[1], 9 * kept)};
     V* const last = sums.at(N, 0, face.vertex[2], 9 * kept);
-    for (int m = 0; m < kept; ++m)
+    // Constants are taken before anything is stored, since what is stored might be one of them for all that the compiler
+    // knows.
+    const Three<V> n = constant<V>(face.n), g[2] = {constant<V>(face.g[0]), constant<V>(face.g[1])};
+    for (int m = 0; m < kept; ++m) {
+      Three<V> a, b[2];
       for (int i = 0; i < 3; ++i) {
         const int im = with[i][m];
-        const V a = mean[m] * face.n[i] + normal[im];
-        const V b[2] = {mean[m] * face.g[0][i] + tangent[0][im], mean[m] * face.g[1][i] + tangent[1][im]};
+        a[i] = mean[m] * n[i] + normal[im];
+        for (int k = 0; k < 2; ++k) b[k][i] = mean[m] * g[k][i] + tangent[k][im];
+      }
+      for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
           const int at = (3 * i + j) * kept + m;
-          V x = a * face.g[0][j] - b[0] * face.n[j], y = a * face.g[1][j] - b[1] * face.n[j];
+          V x = a[i] * g[0][j] - b[0][i] * n[j], y = a[i] * g[1][j] - b[1][i] * n[j];
           if (i == j) {
             x = x + own[0][m];
             y = y + own[1][m];
@@ -149,7 +155,7 @@ struct KelvinTerms {
           to[1][at] += y;
           last[at] += -(x + y);
         }
-      }
+    }
   }
 };
 
