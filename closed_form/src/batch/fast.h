@@ -100,10 +100,8 @@ void sum_faces(Block& block) {
     edge[e] = edge_terms<L, O, Lanes, double>(table, a.x, b.x, a.r, b.r);
   }
   const Lanes squares = sum_faces_within<L, O>(block, vertex, edge, splat(kThin));
-  if constexpr (L == Layers::Kelvin) {
-    const Mask many = squares > kManyThin * kManyThin;
-    if (any(many)) sum_faces_within<L, O>(block, vertex, edge, select(many, splat(kThinOfMany), splat(kThin)));
-  }
+  const Mask many = squares > kManyThin * kManyThin;
+  if (any(many)) sum_faces_within<L, O>(block, vertex, edge, select(many, splat(kThinOfMany), splat(kThin)));
 }
 
 }  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD

@@ -133,8 +133,8 @@ struct KelvinTerms {
     }
     V* const to[2] = {sums.at(N, 0, face.vertex[0], 9 * kept), sums.at(N, 0, face.vertex[1], 9 * kept)};
     V* const last = sums.at(N, 0, face.vertex[2], 9 * kept);
-    // Constants are taken before anything is stored, since what is stored might be one of them for all that the compiler
-    // knows.
+    // Constants are taken before anything is stored, since what is stored might be one of them for all that the
+    // compiler knows.
     const Three<V> n = constant<V>(face.n), g[2] = {constant<V>(face.g[0]), constant<V>(face.g[1])};
     for (int m = 0; m < kept; ++m) {
       Three<V> a, b[2];
