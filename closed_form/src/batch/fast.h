@@ -25,8 +25,11 @@ inline constexpr double kNextToFace = 0x1p-36;
 /// times int r over its edges, or their lengths times the mean distance, the face needs more digits.
 inline constexpr double kThin = 32;
 /// Roundings of many thin faces add up. Where the root of the sum of these numbers' squares is beyond the first, as
-/// next to a vertex of many long triangles, faces beyond the second need more digits as well.
-inline constexpr double kManyThin = 160, kThinOfMany = 8;
+/// next to a vertex of many long triangles, faces beyond the second need more digits as well. What biharmonic layers
+/// are summed from is divided by heights twice.
+template <Layers L>
+inline constexpr double kManyThin = L == Layers::Biharmonic ? 100 : 160;
+inline constexpr double kThinOfMany = 4;
 
 inline unsigned bits_of(Mask m) {
   unsigned bits = 0;
@@ -100,7 +103,7 @@ void sum_faces(Block& block) {
     edge[e] = edge_terms<L, O, Lanes, double>(table, a.x, b.x, a.r, b.r);
   }
   const Lanes squares = sum_faces_within<L, O>(block, vertex, edge, splat(kThin));
-  const Mask many = squares > kManyThin * kManyThin;
+  const Mask many = squares > kManyThin<L> * kManyThin<L>;
   if (any(many)) sum_faces_within<L, O>(block, vertex, edge, select(many, splat(kThinOfMany), splat(kThin)));
 }
 
