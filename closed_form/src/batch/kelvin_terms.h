@@ -6,6 +6,8 @@
 //   H n = grad (d J),    H g_k = -sum across_ke grad P_e,    H = n (grad d J)' - sum nu_e (grad P_e)'.
 // All of these are functions of the point for one face, but for B_k, whose derivatives are those of face_terms.h; so
 // derivatives of T and K are made of derivatives of J, d J, P and B_k alone.
+//
+// What is made of one face is one function, so that it stays in registers.
 #pragma once
 
 #include "face_sums.h"
@@ -24,7 +26,7 @@ struct KelvinTerms {
   const V (&inverse)[2];  ///< sum across L
 
   /// \param f the face's number
-  void add(int f, const Sums<V>& sums) const {
+  [[gnu::always_inline]] void add(int f, const Sums<V>& sums) const {
     const Three<V> n = constant<V>(face.n);
     Symmetric<V, 1> slope;  // grad(d J)
     for (int i = 0; i < 3; ++i) slope[i] = J * n[i] + d * grad_J[i];
@@ -112,8 +114,8 @@ struct KelvinTerms {
 
   // Derivatives of order N of J and of the corners' B, of order N + 1 of d J and, by `of`, of each edge's P.
   template <int N, class Of>
-  void add_order(int f, const Sums<V>& sums, const Symmetric<V, N>& mean, const Symmetric<V, N + 1>& high,
-                 const Symmetric<V, N> (&own)[2], Of of) const {
+  [[gnu::always_inline]] void add_order(int f, const Sums<V>& sums, const Symmetric<V, N>& mean,
+                                        const Symmetric<V, N + 1>& high, const Symmetric<V, N> (&own)[2], Of of) const {
     constexpr int kept = kEntries<N>;
     const auto& with = kWith<N + 1>;
     Symmetric<V, N + 2> bulk;  // beta/2 times derivatives of order N of H

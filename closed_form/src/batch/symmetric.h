@@ -30,9 +30,10 @@ struct Symmetric {
   const V& operator[](int i) const { return c.data()[i]; }
 };
 
-/// Calls f(index, entry of the rest, entry) for each entry, the first of its indices in front.
+/// Calls f(index, entry of the rest, entry) for each entry, the first of its indices in front. As a function of its own
+/// it would keep all that f reads in memory.
 template <int N, class F>
-void for_each_entry(F f) {
+[[gnu::always_inline]] inline void for_each_entry(F f) {
   constexpr int rest = kEntries<N - 1>;
   // Entries of the rest that begin with the same index or a later one are the last ones.
   constexpr int first[3] = {0, rest - N, rest - 1};
