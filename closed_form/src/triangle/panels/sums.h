@@ -49,16 +49,13 @@ inline double sum_of(Lanes a) {
 template <int P, int D>
 void expand(const Lanes (&x)[3], Lanes q, Lanes (&c)[Places::first(D + 1)]) {
   for (int m = 1; m < Places::first(D + 1); ++m) c[m] = Lanes{};
-#pragma GCC unroll 8
   for (int k = 1; k <= D; ++k) {
     const Lanes slope = q * (static_cast<double>(2 * k - 2 - P) / k);
     const Lanes along[3] = {slope * x[0], slope * x[1], slope * x[2]};
-#pragma GCC unroll 16
     for (int m = Places::first(k - 1); m < Places::first(k); ++m)
       for (int i = 0; i < 3; ++i) c[kPlaces.raised[m][i]] += along[i] * c[m];
     if (k < 2) continue;
     const Lanes across = q * (static_cast<double>(P - k + 2) / k);
-#pragma GCC unroll 16
     for (int m = Places::first(k - 2); m < Places::first(k - 1); ++m)
       for (int i = 0; i < 3; ++i) c[kPlaces.raised[kPlaces.raised[m][i]][i]] += across * c[m];
   }
@@ -97,7 +94,6 @@ void sum_panel(const PanelRequest& panel) {
       const Lanes w = u * v, hats[3] = {1.0 - u, u - w, w};
       for (int k = 0; k < 3; ++k) {
         const Lanes hat = hats[0] * panel.hat[k][0] + hats[1] * panel.hat[k][1] + hats[2] * panel.hat[k][2];
-#pragma GCC unroll 64
         for (int m = 0; m < count; ++m) sum[k][m] += hat * c[m];
         if constexpr (Sized)
           for (int m = 0; m <= D; ++m) sum[k][count + m] += hat * size[m];
