@@ -171,8 +171,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
  private:
   bool computes(int order) const {
     return geometry_.is_sound() && std::abs(geometry_.exponent()) <= kLargestExponent &&
-           (order == 0 || layers_ == Layers::Harmonic || layers_ == Layers::Biharmonic ||
-            (layers_ == Layers::Kelvin && Shape::dimension == 3));
+           (order == 0 || layers_ == Layers::Harmonic || layers_ == Layers::Biharmonic || Shape::dimension == 3);
   }
 
   Request request_for(int order) const {
@@ -191,7 +190,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
 
   // Of the shape; one over mu of K; the unit.
   double factor(int order, std::size_t b) const {
-    if (layers_ == Layers::MeanValue) return 1;
+    if (layers_ == Layers::MeanValue) return std::ldexp(1., -order * geometry_.exponent());
     double factor = Shape::factor(order, b);
     if (layers_ == Layers::Kelvin && b == 1) factor /= mu_;
     return std::ldexp(factor, (blocks()[b].degree - order) * geometry_.exponent());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "blocks.h"
 
+#include "faces_alone.h"
 #include "long_sums.h"
 
 #include <algorithm>
@@ -66,6 +67,12 @@ unsigned BlockRunner::run(std::span<const Vec3<double>> points) {
     for (int i = 0; i < 3; ++i) points_[i * lanes + p] = x[i];
   }
   kernels_.sum(block_);
+  if (request_.layers == Layers::MeanValue) {
+    block_.left |= left;
+    add_faces_alone(block_, lanes, static_cast<int>(points.size()));
+    kernels_.normalise(block_);
+    return block_.left & ((1u << points.size()) - 1);
+  }
   left |= block_.left;
   if (block_.marked > 0) {
     kernels_.sum_marked(block_);

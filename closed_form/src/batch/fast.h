@@ -5,15 +5,9 @@
 #include "cageproof/closed_form/batch/lanes.h"
 
 #include "face_terms.h"
+#include "seen_vertex.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
-
-/// A vertex seen from the points.
-struct SeenVertex {
-  Three<Lanes> x;
-  Lanes r;
-  Mask near;
-};
 
 /// Where the sides of the arc tangent that omega is are this small against the product of the distances, the point is
 /// so near to an edge of the face that a rounding of its position turns the face's angle too much.

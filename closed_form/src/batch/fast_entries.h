@@ -4,6 +4,7 @@
 
 #include "careful_entries.h"
 #include "fast.h"
+#include "mean_value_derivatives.h"
 #include "mean_values.h"
 #include "plane_sums.h"
 
@@ -11,7 +12,10 @@ namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
 inline void sum(Block& block) {
   block.left = 0;
-  if (block.layers == Layers::MeanValue) return sum_mean_values(block);
+  if (block.layers == Layers::MeanValue) {
+    if (block.order == 0) return sum_mean_values(block);
+    return block.order == 1 ? sum_mean_value_derivatives<1>(block) : sum_mean_value_derivatives<2>(block);
+  }
   with_layers(block.layers, block.order, [&]<Layers L, int O> { sum_faces<L, O>(block); });
 }
 
@@ -19,6 +23,7 @@ inline long scratch_bytes(int vertices, int edges, int columns) {
   // The most that any layers and order take.
   constexpr long of_edge = sizeof(EdgeTerms<Lanes, 2>);
   static_assert(of_edge >= static_cast<long>(sizeof(SeenEdge)));
+  static_assert(of_edge >= static_cast<long>(sizeof(MeanValueEdge)));
   const long fast = vertices * static_cast<long>(sizeof(SeenVertex)) + edges * of_edge;
   const long careful = careful_bytes(columns);
   return fast > careful ? fast : careful;

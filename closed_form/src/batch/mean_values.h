@@ -8,6 +8,7 @@
 #pragma once
 
 #include "fast.h"
+#include "mean_value_edges.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
@@ -24,18 +25,21 @@ inline constexpr double kNextToPlane = 0x1p-9;
 /// Distances from an edge's line, or from a corner, below this times the edge are left to others; likewise heights
 /// within a face.
 inline constexpr double kLeftAlone = 0x1p-30;
-/// Faces whose hat functions grow by more than this up to the point are as well.
-inline constexpr double kSteepest = 256;
+/// Faces whose hat functions grow by more than this from the nearest corner to the point need more digits.
+inline constexpr double kSteepest = 128;
 
-inline SeenEdge seen_edge(const EdgeTable<double>& e, const Three<Lanes>& p0, const Three<Lanes>& p1) {
-  const Three<Lanes> normal = cross(p0, p1);
-  const Lanes across = root(dot(normal, normal));
-  const Lanes s = dot(e.u, p0);
+inline Mask is_steep(const FaceTable<double>& face, Lanes r0, Lanes r1, Lanes r2) {
+  const Lanes r01 = select(r0 < r1, r0, r1);
+  return face.steep * select(r01 < r2, r01, r2) > kSteepest;
+}
+
+inline SeenEdge seen_edge(const EdgeTable<double>& e, const SeenVertex& a, const SeenVertex& b) {
+  const SeenLine line = seen_line(e, a, b);
   SeenEdge seen;
-  seen.distance = across * e.over;
+  seen.distance = line.distance;
   seen.square = seen.distance * seen.distance;
-  seen.ends = s * (s + e.length);
-  seen.angle_over = angle_of(across, dot(p0, p1)) / seen.distance;
+  seen.ends = line.s0 * line.s1;
+  seen.angle_over = angle_of(seen.distance * e.length, dot(a.x, b.x)) / seen.distance;
   return seen;
 }
 
@@ -55,37 +59,52 @@ inline Lanes in_plane_rest(const EdgeTable<double>& table, const SeenEdge& e, La
   return select(h < Lanes{}, -rest, rest);
 }
 
-inline void sum_mean_values(Block& block) {
+/// What the roundings of steep faces add up to. A face's weights are differences of |d| int r^-2 over its edges times
+/// the slopes of its hat functions, and leave the rounding of these, of which little may be left of the weights' total.
+class Steepness {
+ public:
+  Lanes of(const FaceTable<double>& face, Lanes height, Lanes k2) const { return magnitude(height) * face.steep * k2; }
+  /// \param steepness of a face that is added in double \param total its weights'
+  void count(Lanes steepness, Lanes total) {
+    squares_ += steepness * steepness;
+    total_ += total;
+  }
+  Mask exceeds(Lanes steepness) const { return steepness > limit_; }
+  /// Whether faces are to be summed again, with a limit.
+  bool again() {
+    if (limited_) return false;
+    limited_ = true;
+    const Lanes total = magnitude(total_);
+    const Mask many = squares_ > (kSteepTogether * total) * (kSteepTogether * total);
+    limit_ = select(many, kSteepOfMany * total, limit_);
+    return any(many);
+  }
+
+ private:
+  static constexpr double kSteepTogether = 32, kSteepOfMany = 2;
+
+  Lanes squares_{}, total_{}, limit_ = splat(1e300);
+  bool limited_ = false;
+};
+
+/// Sums over the faces. \return the points that are left to others
+inline Mask sum_mean_values_within(Block& block, const SeenVertex* vertex, const SeenEdge* edge, Steepness& steep) {
   const CageTables& cage = *block.cage;
-  auto* const vertex = static_cast<SeenVertex*>(block.scratch);
-  auto* const edge = reinterpret_cast<SeenEdge*>(vertex + cage.vertices);
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
-  const auto* const point = reinterpret_cast<const Lanes*>(block.points);
-  Mask left = mask_of(block.whole);
-  for (int v = 0; v < cage.vertices; ++v) {
-    SeenVertex& seen = vertex[v];
-    columns[v] = Lanes{};
-    for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
-    seen.r = root(dot(seen.x, seen.x));
-    left |= less(seen.r, splat(kLeftAlone * cage.reach[v]));
-  }
-  for (int e = 0; e < cage.edges; ++e) {
-    const EdgeTable<double>& table = cage.edge[e];
-    edge[e] = seen_edge(table, vertex[table.from].x, vertex[table.to].x);
-    left |= less(edge[e].distance, splat(kLeftAlone * table.length));
-  }
-  Lanes whole{};
+  for (int v = 0; v < cage.vertices; ++v) columns[v] = Lanes{};
+  const Mask whole = mask_of(block.whole);
+  Mask left{};
+  block.marked = 0;
   for (int f = 0; f < cage.faces; ++f) {
     const FaceTable<double>& face = cage.face[f];
     const SeenVertex* const corner[3] = {vertex + face.vertex[0], vertex + face.vertex[1], vertex + face.vertex[2]};
     const SeenEdge* const side[3] = {edge + face.edge[0], edge + face.edge[1], edge + face.edge[2]};
-    const Lanes d = -dot(face.n, corner[0]->x), height = magnitude(d);
-    Lanes h[3], flux{};
-    for (int e = 0; e < 3; ++e) {
-      h[e] = dot(face.nu[e], corner[e]->x);
-      flux += h[e] * side[e]->angle_over;
-    }
-    left |= corner[0]->r * face.steep > kSteepest;
+    const SeenHeights heights = seen_heights(face, corner);
+    const Lanes(&h)[3] = heights.h;
+    const Lanes d = heights.d, height = magnitude(d);
+    Lanes angle[3] = {side[0]->angle_over, side[1]->angle_over, side[2]->angle_over};
+    Lanes flux{};
+    for (int e = 0; e < 3; ++e) flux += h[e] * side[e]->angle_over;
     Lanes over = flux / d;
     const Mask flat = height < kNextToPlane * corner[0]->r;
     if (any(flat)) {
@@ -96,23 +115,48 @@ inline void sum_mean_values(Block& block) {
       const Lanes turn = select(within, 6.2831853071795862 / d, Lanes{});
       over = select(flat, turn - d * rest, over);
     }
+    const Lanes steepness = steep.of(face, d, angle[0] + angle[1] + angle[2]);
+    const Mask marked = whole | steep.exceeds(steepness) | is_steep(face, corner[0]->r, corner[1]->r, corner[2]->r);
+    steep.count(select(marked, Lanes{}, steepness), over);
+    if (any(marked)) {
+      block.marks[block.marked++] = {f, bits_of(marked)};
+      for (int e = 0; e < 3; ++e) angle[e] = select(marked, Lanes{}, angle[e]);
+      over = select(marked, Lanes{}, over);
+    }
     const Lanes hat[2] = {h[1] * face.hat[0], h[2] * face.hat[1]};
     Lanes last = -over;  // the three weights' sum, twice
     for (int k = 0; k < 2; ++k) {
-      const Lanes across = side[0]->angle_over * face.across[k][0] + side[1]->angle_over * face.across[k][1] +
-                           side[2]->angle_over * face.across[k][2];
+      const Lanes across = angle[0] * face.across[k][0] + angle[1] * face.across[k][1] + angle[2] * face.across[k][2];
       const Lanes weight = d * across - hat[k] * over;
       columns[face.vertex[k]] += weight;
       last -= weight;
     }
     columns[face.vertex[2]] += last;
-    whole -= over;
   }
-  for (int v = 0; v < cage.vertices; ++v) columns[v] /= whole;
-  // What is no number has met a distance of zero on the way.
-  left |= ~((whole - whole) == Lanes{});
-  block.marked = 0;
-  block.left = bits_of(left);
+  return left;
+}
+
+inline void sum_mean_values(Block& block) {
+  const CageTables& cage = *block.cage;
+  auto* const vertex = static_cast<SeenVertex*>(block.scratch);
+  auto* const edge = reinterpret_cast<SeenEdge*>(vertex + cage.vertices);
+  const auto* const point = reinterpret_cast<const Lanes*>(block.points);
+  Mask left{};
+  for (int v = 0; v < cage.vertices; ++v) {
+    SeenVertex& seen = vertex[v];
+    for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
+    seen.r = root(dot(seen.x, seen.x));
+    left |= less(seen.r, splat(kLeftAlone * cage.reach[v]));
+  }
+  for (int e = 0; e < cage.edges; ++e) {
+    const EdgeTable<double>& table = cage.edge[e];
+    edge[e] = seen_edge(table, vertex[table.from], vertex[table.to]);
+    left |= less(edge[e].distance, splat(kLeftAlone * table.length));
+  }
+  Steepness steep;
+  Mask beside = sum_mean_values_within(block, vertex, edge, steep);
+  if (steep.again()) beside = sum_mean_values_within(block, vertex, edge, steep);
+  block.left = bits_of(left | beside);
 }
 
 }  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD

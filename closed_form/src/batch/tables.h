@@ -38,7 +38,7 @@ enum class Layers {
   Harmonic,    ///< phi, psi
   Biharmonic,  ///< phi, psi, phibar, psibar
   Kelvin,      ///< T, K
-  MeanValue,   ///< lambda, values alone
+  MeanValue,   ///< lambda
 };
 
 /// Calls f.template operator()<L, O>() for layers that are sums of edge terms.
@@ -134,6 +134,8 @@ struct Kernels {
   void (*sum)(Block&);
   /// Adds what was left out, in double-doubles; lists what these do not decide, and leaves that out.
   void (*sum_marked)(Block&);
+  /// Divides the sums of normalised coordinates by their total.
+  void (*normalise)(Block&);
   long (*plane_scratch_bytes)(int vertices);
   /// Sums over a polygon's edges.
   void (*sum_plane)(PlaneBlock&);
