@@ -7,11 +7,23 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
+#include <string>
 
 namespace cageproof::validation {
 namespace {
+
+void expect_kept(const CageCoordinates& coordinates, const BlockTruths& truths, const Vec3<double>& point) {
+  const auto truth = truths.at(point, 2);
+  ASSERT_TRUE(truth);
+  const std::array<double, 3> bounds{64, 16, 16};
+  for (int order = 0; order <= 2; ++order) {
+    // Values alone are computed in another way.
+    const auto errors = block_errors(coordinates.at<double>(point, order), {truth->blocks, truth->moved, order});
+    for (int o = 0; o <= order; ++o)
+      EXPECT_LE(errors[o].roundings, bounds[o]) << "order " << o << " of " << order << " at " << point.transpose();
+  }
+}
 
 // (1 - a - b, a, b) of each face's corners, moved along its normal by some heights.
 void expect_kept(double a, double b, std::size_t least) {
@@ -26,12 +38,7 @@ void expect_kept(double a, double b, std::size_t least) {
       const auto k = elements.corners(f);
       const Vec3<double> point = k[0] + a * (k[1] - k[0]) + b * (k[2] - k[0]) + height * elements.normals()[f];
       if (!elements.touching(point).empty()) continue;
-      const auto truth = truths.at(point, 2);
-      ASSERT_TRUE(truth);
-      const auto errors = block_errors(coordinates.at<double>(point, 2), *truth);
-      const std::array<double, 3> bounds{64, 16, 16};
-      for (int o = 0; o < 3; ++o)
-        EXPECT_LE(errors[o].roundings, bounds[o]) << "order " << o << ", " << height << " at " << point.transpose();
+      expect_kept(coordinates, truths, point);
       ++asked;
     }
   EXPECT_GE(asked, least);
@@ -40,6 +47,48 @@ void expect_kept(double a, double b, std::size_t least) {
 TEST(BatchedMeanValues, next_to_planes_of_faces) { expect_kept(1.375, 0.8125, 120); }
 TEST(BatchedMeanValues, near_the_border_in_planes_of_faces) { expect_kept(1.015625, 0.25, 120); }
 TEST(BatchedMeanValues, beyond_ends_of_edges) { expect_kept(1.375, 0, 120); }
+// Exactly in the plane of a face, across its border: projections to its neighbour's plane lie on the edge.
+TEST(BatchedMeanValues, across_edges_in_planes_of_faces) {
+  for (const char* name : {"cube", "l-block"}) {
+    const Cage cage = embedded_cage(name);
+    const CoordinateKind& kind = coordinate_kind_named("mean_value");
+    const CageCoordinates coordinates(cage, kind, CoordinateOptions{.evaluation = "batched"});
+    const BlockTruths truths(cage, kind, Triangulation::Shortest);
+    const CageElements& elements = coordinates.elements();
+    int asked = 0;
+    for (std::size_t f = 0; f < elements.count(); f += 3)
+      for (const double distance : {0x1p-29, 0x1p-20, 0x1p-14, 0x1p-11, 0x1p-8, 0x1p-4})
+        for (int e = 0; e < 3; ++e) {
+          const auto k = elements.corners(f);
+          const Vec3<double> along = k[(e + 1) % 3] - k[e];
+          const Vec3<double> point =
+              k[e] + 0.25 * along + distance * along.cross(elements.normals()[f]) / along.squaredNorm();
+          if (!elements.touching(point).empty()) continue;
+          expect_kept(coordinates, truths, point);
+          ++asked;
+        }
+    EXPECT_GE(asked, 24) << name;
+  }
+}
+
+// Low over the long faces of a bar, beside them.
+TEST(BatchedMeanValues, beside_a_bar) {
+  std::vector<Vec3<double>> vertices = embedded_cage("cube").vertices();
+  const Vec3<double> low = vertices.front();
+  for (Vec3<double>& v : vertices) v = (v - low).cwiseProduct(Vec3<double>(1, 0.1, 0.1));
+  const Cage bar = embedded_cage("cube").with(vertices, embedded_cage("cube").faces());
+  const CoordinateKind& kind = coordinate_kind_named("mean_value");
+  const CageCoordinates coordinates(bar, kind, CoordinateOptions{.evaluation = "batched"});
+  const BlockTruths truths(bar, kind, Triangulation::Shortest);
+  for (const double beside : {0.2, 0.545, 0.8})
+    for (const double height : {1e-6, 1e-3, 0.003, 0.01, 0.03})
+      for (const double along : {0.319, 0.5, 1.2}) {
+        expect_kept(coordinates, truths, {along, beside, height});
+        expect_kept(coordinates, truths, {along, beside, 0.1 + height});
+        expect_kept(coordinates, truths, {along, -height, -beside});
+      }
+}
+
 TEST(BatchedMeanValues, within_faces_near_their_border) { expect_kept(0.5, 0.015625, 120); }
 
 }  // namespace

@@ -183,8 +183,7 @@ void sum_mean_value_faces(Block& block, const SeenVertex* vertex, const MeanValu
     const MeanValueFace<O> seen(cage, face, corner, side);
     const Lanes steepness = steep.of(face, seen.height(), side[0]->k2 + side[1]->k2 + side[2]->k2);
     const Mask marked = corner[0]->near | corner[1]->near | corner[2]->near | side[0]->near | side[1]->near |
-                        side[2]->near | steep.exceeds(steepness) |
-                        is_steep(face, corner[0]->r, corner[1]->r, corner[2]->r);
+                        side[2]->near | steep.exceeds(steepness);
     steep.count(select(marked, Lanes{}, steepness), seen.total());
     seen.add(~marked, block);
     if (any(marked)) block.marks[block.marked++] = {f, bits_of(marked)};

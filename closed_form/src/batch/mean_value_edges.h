@@ -62,9 +62,6 @@ struct MeanValueEdge {
   Mask near;           ///< the point is so near to the edge that its faces need more digits
 };
 
-/// Distances from an edge's line beside the edge, over its length, below which its faces need more digits.
-inline constexpr double kBesideEdge = 0x1p-7;
-
 /// An edge's line as the points see it, from the edge's nearer end: further ones would leave their own rounding.
 struct SeenLine {
   Lanes distance, s0, s1;  ///< D, and where the ends are along it
@@ -97,6 +94,9 @@ inline SeenHeights seen_heights(const FaceTable<double>& face, const SeenVertex*
   seen.d = -select(nearer[0], select(nearer[2], d2, d0), select(nearer[1], d1, d2));
   return seen;
 }
+
+/// Distances from an edge's line beside the edge, over its length, below which its faces need more digits.
+inline constexpr double kBesideEdge = 0x1p-7;
 
 template <int O>
 MeanValueEdge mean_value_edge(const EdgeTable<double>& e, const SeenVertex& a, const SeenVertex& b) {

@@ -2,9 +2,9 @@
 // Mean value coordinates of a triangle cage, a vector of points at a time: values ([T18] Eq 11, 13).
 //
 // With d the height, K2 the integral of r^-2 over an edge (its angle over the distance of its line), F = sum h K2 and
-// G_k = sum (nu g_k) K2, a face's weights are w_k = (d G_k - Gamma_k F/d)/2. Near the face's plane F/d cancels, and is
-// taken as (2 pi within the face, or 0)/d - d sum rest, rest = h int 1/(r^2 rho^2), rho the distance from the point's
-// projection: what the height takes off each angle in the plane.
+// G_k = sum (nu g_k) K2, a face's weights are w_k = (d G_k - Gamma_k F/d)/2. Near the face's plane F/d cancels beyond
+// the face, and is taken as -d sum rest, rest = h int 1/(r^2 rho^2), rho the distance from the point's projection: what
+// the height takes off each angle in the plane.
 #pragma once
 
 #include "fast.h"
@@ -20,19 +20,12 @@ struct SeenEdge {
   Lanes ends;        ///< s0 s1
 };
 
-/// Heights below this, over the distance of a corner, take the form next to the plane.
-inline constexpr double kNextToPlane = 0x1p-9;
+/// Heights below this, over the distance of a corner, take the form next to the plane; and where roundings of those
+/// above it add up.
+inline constexpr double kNextToPlane = 0x1p-9, kLow = 0.25;
 /// Distances from an edge's line, or from a corner, below this times the edge are left to others; likewise heights
 /// within a face.
 inline constexpr double kLeftAlone = 0x1p-30;
-/// Faces whose hat functions grow by more than this from the nearest corner to the point need more digits.
-inline constexpr double kSteepest = 128;
-
-inline Mask is_steep(const FaceTable<double>& face, Lanes r0, Lanes r1, Lanes r2) {
-  const Lanes r01 = select(r0 < r1, r0, r1);
-  return face.steep * select(r01 < r2, r01, r2) > kSteepest;
-}
-
 inline SeenEdge seen_edge(const EdgeTable<double>& e, const SeenVertex& a, const SeenVertex& b) {
   const SeenLine line = seen_line(e, a, b);
   SeenEdge seen;
@@ -69,6 +62,8 @@ class Steepness {
     squares_ += steepness * steepness;
     total_ += total;
   }
+  /// Below which a height over the distance of a corner is next to the plane.
+  Lanes low() const { return low_; }
   Mask exceeds(Lanes steepness) const { return steepness > limit_; }
   /// Whether faces are to be summed again, with a limit.
   bool again() {
@@ -77,13 +72,14 @@ class Steepness {
     const Lanes total = magnitude(total_);
     const Mask many = squares_ > (kSteepTogether * total) * (kSteepTogether * total);
     limit_ = select(many, kSteepOfMany * total, limit_);
+    low_ = select(many, splat(kLow), low_);
     return any(many);
   }
 
  private:
   static constexpr double kSteepTogether = 32, kSteepOfMany = 2;
 
-  Lanes squares_{}, total_{}, limit_ = splat(1e300);
+  Lanes squares_{}, total_{}, limit_ = splat(1e300), low_ = splat(kNextToPlane);
   bool limited_ = false;
 };
 
@@ -103,21 +99,34 @@ inline Mask sum_mean_values_within(Block& block, const SeenVertex* vertex, const
     const Lanes(&h)[3] = heights.h;
     const Lanes d = heights.d, height = magnitude(d);
     Lanes angle[3] = {side[0]->angle_over, side[1]->angle_over, side[2]->angle_over};
-    Lanes flux{};
-    for (int e = 0; e < 3; ++e) flux += h[e] * side[e]->angle_over;
-    Lanes over = flux / d;
-    const Mask flat = height < kNextToPlane * corner[0]->r;
-    if (any(flat)) {
-      Lanes rest{};
-      for (int e = 0; e < 3; ++e) rest += in_plane_rest(cage.edge[face.edge[e]], *side[e], h[e], d * d);
-      const Mask within = (h[0] > Lanes{}) & (h[1] > Lanes{}) & (h[2] > Lanes{});
+    Lanes flux{}, sizes{};
+    for (int e = 0; e < 3; ++e) {
+      const Lanes term = h[e] * side[e]->angle_over;
+      flux += term;
+      sizes += magnitude(term);
+    }
+    Lanes over = flux / d, rounding = sizes / height;
+    const Mask near_plane = height < steep.low() * corner[0]->r;
+    if (any(near_plane)) {
+      const Mask within = (h[0] >= Lanes{}) & (h[1] >= Lanes{}) & (h[2] >= Lanes{});
       left |= within & (height < kLeftAlone * corner[0]->r);
-      const Lanes turn = select(within, 6.2831853071795862 / d, Lanes{});
-      over = select(flat, turn - d * rest, over);
+      // Within the face, and where the projection is next to its border, F/d cancels little.
+      Mask beyond = near_plane & ~within;
+      for (int e = 0; e < 3; ++e) {
+        const Lanes r0 = corner[e]->r, r1 = corner[(e + 1) % 3]->r, end = select(r0 < r1, r0, r1);
+        const Lanes away = select(side[e]->ends > Lanes{}, end * end - d * d, h[e] * h[e]);
+        beyond &= away > d * d;
+      }
+      if (any(beyond)) {
+        Lanes rest{};
+        for (int e = 0; e < 3; ++e) rest += in_plane_rest(cage.edge[face.edge[e]], *side[e], h[e], d * d);
+        over = select(beyond, -d * rest, over);
+        rounding = select(beyond, Lanes{}, rounding);
+      }
     }
     const Lanes steepness = steep.of(face, d, angle[0] + angle[1] + angle[2]);
-    const Mask marked = whole | steep.exceeds(steepness) | is_steep(face, corner[0]->r, corner[1]->r, corner[2]->r);
-    steep.count(select(marked, Lanes{}, steepness), over);
+    const Mask marked = whole | steep.exceeds(steepness);
+    steep.count(select(marked, Lanes{}, steepness + rounding), over);
     if (any(marked)) {
       block.marks[block.marked++] = {f, bits_of(marked)};
       for (int e = 0; e < 3; ++e) angle[e] = select(marked, Lanes{}, angle[e]);
