@@ -15,7 +15,7 @@ struct Takes {
   static constexpr bool distance_gradients = L == Layers::Kelvin || (L == Layers::Biharmonic && O == 2);
   static constexpr bool inverse_gradients = O == 2 || (L == Layers::Kelvin && O == 1);
   /// How many more derivatives: those of Kelvin's layers.
-  static constexpr int further = L == Layers::Kelvin ? O : 0;
+  static constexpr int further = O * static_cast<int>(L == Layers::Kelvin);
 };
 
 /// Integrals over one edge, in its table's direction u; D: from the point to the nearest point of the line.

@@ -21,7 +21,7 @@ struct KelvinTerms {
   const EdgeTerms<V, O>* const (&edges)[3];
   const V& beta;
   const V &omega, &d, &J;
-  const Three<V> grad_J;
+  const Three<V> grad_j;
   const V (&B)[2];
   const V (&inverse)[2];  ///< sum across L
 
@@ -29,7 +29,7 @@ struct KelvinTerms {
   [[gnu::always_inline]] void add(int f, const Sums<V>& sums) const {
     const Three<V> n = constant<V>(face.n);
     Symmetric<V, 1> slope;  // grad(d J)
-    for (int i = 0; i < 3; ++i) slope[i] = J * n[i] + d * grad_J[i];
+    for (int i = 0; i < 3; ++i) slope[i] = J * n[i] + d * grad_j[i];
     const Symmetric<V, 0> own[2] = {{{B[0]}}, {{B[1]}}};
     add_order<0>(
         f, sums, {{J}}, slope, own, [](const auto& e) -> const auto& { return e.grad_distance; });
@@ -54,12 +54,12 @@ struct KelvinTerms {
   void add_gradients(int f, const Sums<V>& sums, const Three<V>& n) const {
     Symmetric<V, 1> slope, own[2];
     for (int i = 0; i < 3; ++i) {
-      slope[i] = grad_J[i];
+      slope[i] = grad_j[i];
       for (int k = 0; k < 2; ++k) own[k][i] = omega * face.g[k][i] + inverse[k] * face.n[i];
     }
     const Symmetric<V, 2> hess = hessian_of_J(n);
     Symmetric<V, 2> bend;  // Hess(d J)
-    for_each_entry<2>([&](int i, int j, int at) { bend[at] = n[i] * grad_J[j] + (n[j] * grad_J[i] + d * hess[at]); });
+    for_each_entry<2>([&](int i, int j, int at) { bend[at] = n[i] * grad_j[j] + (n[j] * grad_j[i] + d * hess[at]); });
     add_order<1>(
         f, sums, slope, bend, own, [](const auto& e) -> const auto& { return e.hess_distance; });
   }
