@@ -139,6 +139,61 @@ TEST(Batched, around_and_within_thin_limbs) {
   }
 }
 
+// A box whose sides are cut into strips that end in a fan at each end.
+Cage striped_box(double width, int strips) {
+  std::vector<Point> ring, vertices;
+  for (int i = 0; i < strips; ++i) ring.emplace_back(0, width * i / strips, 0);
+  for (int i = 0; i < strips; ++i) ring.emplace_back(0, width, width * i / strips);
+  for (int i = 0; i < strips; ++i) ring.emplace_back(0, width * (strips - i) / strips, width);
+  for (int i = 0; i < strips; ++i) ring.emplace_back(0, 0, width * (strips - i) / strips);
+  const int n = static_cast<int>(ring.size());
+  for (const double x : {0., 1.})
+    for (const Point& p : ring) vertices.emplace_back(x, p[1], p[2]);
+  for (const double x : {0., 1.}) vertices.emplace_back(x, width / 2, width / 2);
+  std::vector<Face> faces;
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    for (const std::array<int, 4>& f :
+         {std::array{i, n + i, n + j, -1}, {i, n + j, j, -1}, {i, j, 2 * n, -1}, {n + j, n + i, 2 * n + 1, -1}})
+      faces.push_back({f});
+  }
+  return Cage::make("striped box", vertices, faces, {.flip_inward = true});
+}
+
+// What faces in double leave is measured against what all faces give, marked ones included.
+TEST(Batched, around_and_within_plates_and_bars) {
+  const Cage& cube = embedded_cage("cube");
+  const std::vector<Face> tetrahedron{{{0, 2, 1, -1}}, {{0, 1, 3, -1}}, {{1, 2, 3, -1}}, {{0, 3, 2, -1}}};
+  std::vector<Cage> cages{striped_box(0.1, 4), striped_box(1, 8)};
+  for (const double s : {0.3, 0.1, 0.05, 0.01}) {
+    for (const Point& sides : {Point(1, 1, s), Point(1, s, s)}) {
+      std::vector<Point> vertices = cube.vertices();
+      for (Point& v : vertices) v = (v - cube.vertices().front()).cwiseProduct(sides);
+      cages.push_back(cube.with(vertices, cube.faces()));
+    }
+    cages.push_back(
+        Cage::make("flat", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, s}}, tetrahedron, {.flip_inward = true}));
+  }
+  for (const Cage& cage : cages) {
+    Point low = cage.vertices()[0], high = low;
+    for (const Point& v : cage.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
+    for (const int order : {0, 1, 2}) {
+      const CageCoordinates found = coordinates_of(cage, "biharmonic", "batched");
+      const CageCoordinates reference = coordinates_of(cage, "biharmonic", "");
+      // Third derivatives, which a Hessian's rounding is measured by, are not asked for here.
+      const double bound = order == 2 ? 512 : 64;
+      for (int i = 0; i < 12; ++i) {
+        RandomStream random(29, cage.name(), i);
+        Point p = (low + high) / 2 + random.uniform(0.05, 0.62) * cage.size() * direction(random);
+        if (i % 2 == 0)
+          for (int c = 0; c < 3; ++c) p[c] = low[c] + random.uniform() * (high[c] - low[c]);
+        EXPECT_LE(block_error(found, reference, cage.size(), p, order), bound)
+            << cage.name() << ' ' << (high - low).transpose() << ", order " << order << " at " << p.transpose();
+      }
+    }
+  }
+}
+
 TEST(Batched, derivatives_next_to_everything) {
   for (const char* cage : {"cube", "twisted-bar"})
     for (const char* kind : {"biharmonic", "somigliana"}) expect_small_errors(embedded_cage(cage), kind, 1, 64);

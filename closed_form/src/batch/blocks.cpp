@@ -26,7 +26,9 @@ BlockRunner::BlockRunner(const Geometry& geometry, const CageElements& elements,
       tables_(geometry.tables()),
       points_(aligned<double>(3 * kernels_.lanes)),
       columns_(aligned<double>(static_cast<std::size_t>(request.layout.count) * kernels_.lanes)),
-      scratch_(aligned<std::byte>(kernels_.scratch_bytes(geometry.vertices(), geometry.edges(), request.layout.count))),
+      scratch_(aligned<std::byte>(
+          kernels_.scratch_bytes(geometry.vertices(), geometry.edges(), geometry.faces(), request.layout.count))),
+      measured_(aligned<std::byte>(kernels_.measured_bytes())),
       marks_(geometry.faces()),
       beyond_(geometry.faces()) {
   block_.cage = &tables_;
@@ -37,6 +39,7 @@ BlockRunner::BlockRunner(const Geometry& geometry, const CageElements& elements,
   block_.points = points_.get();
   block_.columns = columns_.get();
   block_.scratch = scratch_.get();
+  block_.measured = measured_.get();
   block_.marks = marks_.data();
   block_.beyond = beyond_.data();
 }
@@ -66,20 +69,23 @@ unsigned BlockRunner::run(std::span<const Vec3<double>> points) {
     }
     for (int i = 0; i < 3; ++i) points_[i * lanes + p] = x[i];
   }
+  const unsigned all = (1u << points.size()) - 1;
   kernels_.sum(block_);
   if (request_.layers == Layers::MeanValue) {
     block_.left |= left;
     add_faces_alone(block_, lanes, static_cast<int>(points.size()));
     kernels_.normalise(block_);
-    return block_.left & ((1u << points.size()) - 1);
+    return block_.left & all;
   }
-  left |= block_.left;
-  if (block_.marked > 0) {
-    kernels_.sum_marked(block_);
-    if (block_.beyond_marked > 0) left |= add_beyond(points);
-  }
-  const unsigned all = (1u << points.size()) - 1;
+  left |= add_marked(points);
+  if (kernels_.sum_again(block_)) left |= add_marked(points);
   return left & all;
+}
+
+unsigned BlockRunner::add_marked(std::span<const Vec3<double>> points) {
+  if (block_.marked == 0) return block_.left;
+  kernels_.sum_marked(block_);
+  return block_.beyond_marked > 0 ? block_.left | add_beyond(points) : block_.left;
 }
 
 unsigned BlockRunner::add_beyond(std::span<const Vec3<double>> points) {

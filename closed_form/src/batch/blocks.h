@@ -37,6 +37,7 @@ class BlockRunner {
   const double* columns() const { return columns_.get(); }
 
  private:
+  unsigned add_marked(std::span<const Vec3<double>> points);
   unsigned add_beyond(std::span<const Vec3<double>> points);
 
   const Geometry& geometry_;
@@ -45,7 +46,7 @@ class BlockRunner {
   const Kernels& kernels_;
   CageTables tables_;
   Aligned<double> points_, columns_;
-  Aligned<std::byte> scratch_;
+  Aligned<std::byte> scratch_, measured_;
   std::vector<Mark> marks_, beyond_;
   Block block_{};
 };

@@ -4,6 +4,7 @@
 
 #include "cageproof/closed_form/batch/lanes.h"
 
+#include "cancelling.h"
 #include "face_terms.h"
 #include "seen_vertex.h"
 
@@ -24,9 +25,6 @@ inline constexpr double kThin = 32;
 template <Layers L>
 inline constexpr double kManyThin = L == Layers::Biharmonic ? 100 : 160;
 inline constexpr double kThinOfMany = 4;
-/// Outside a thin cage little is left of its faces' sums. Where the root of such a sum of squares is beyond this times
-/// the norm of the coordinates, all faces need more digits.
-inline constexpr double kOfNorm = 64, kOfBiharmonicNorm = 512, kOfKelvinNorm = 18;
 
 inline unsigned bits_of(Mask m) {
   unsigned bits = 0;
@@ -39,67 +37,35 @@ inline Mask mask_of(unsigned bits) {
   return m;
 }
 
-/// Sums of squares of what measures the faces that are added in double.
-struct Thinness {
-  Lanes thin{};         ///< as kThin says
-  Lanes of_layer{};     ///< of the double layer's values
-  Lanes of_distance{};  ///< of the biharmonic double layer's values
-  Lanes of_slope{};     ///< and of their gradients
-};
-
-/// Of an order's columns of a double layer, of which each vertex has that many.
-inline Lanes squared_norm(const Block& block, int order, int b, int each) {
-  const auto* const from = reinterpret_cast<const Lanes*>(block.columns) + block.layout.first[order][b];
-  Lanes sum{};
-  for (int i = 0; i < each * block.cage->vertices; ++i) sum += from[i] * from[i];
-  return sum;
-}
-
-/// Points whose coordinates are small against what they are sums of.
+/// Sums over the faces, and lists those that need more digits, as the limits say.
 template <Layers L, int O>
-Mask cancelling(const Block& block, const Thinness& sums) {
-  constexpr double of_norm = L == Layers::Kelvin ? kOfKelvinNorm : kOfNorm;
-  constexpr double limit = of_norm * of_norm, biharmonic = kOfBiharmonicNorm * kOfBiharmonicNorm;
-  Mask small = sums.of_layer > limit * squared_norm(block, 0, 0, L == Layers::Kelvin ? 9 : 1);
-  if constexpr (L == Layers::Biharmonic) {
-    small |= sums.of_distance > biharmonic * squared_norm(block, 0, 2, 1);
-    if constexpr (O >= 1) small |= sums.of_slope > biharmonic * squared_norm(block, 1, 2, 3);
-  }
-  return small;
-}
-
-/// Sums over the faces, and lists those that need more digits. \param limit above which a face is thin
-template <Layers L, int O>
-Thinness sum_faces_within(Block& block, const SeenVertex* vertex, const EdgeTerms<Lanes, Takes<L, O>::further>* edge,
-                          Lanes limit) {
+void sum_faces_within(Block& block, const SeenVertex* vertex, const EdgeTerms<Lanes, Takes<L, O>::further>* edge,
+                      MeasuredBlock& measured) {
   using Edge = EdgeTerms<Lanes, Takes<L, O>::further>;
   const CageTables& cage = *block.cage;
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
   for (int c = 0; c < block.layout.count; ++c) columns[c] = Lanes{};
   const Sums<Lanes> sums{columns, &block.layout};
   const Lanes beta = splat(block.beta.high);
-  Thinness sums_of;
+  const Measures limits = measured.limits;
+  Measures squares;
   block.marked = 0;
   for (int f = 0; f < cage.faces; ++f) {
     const FaceTable<double>& face = cage.face[f];
     const SeenVertex &v0 = vertex[face.vertex[0]], &v1 = vertex[face.vertex[1]], &v2 = vertex[face.vertex[2]];
     const Edge &e0 = edge[face.edge[0]], &e1 = edge[face.edge[1]], &e2 = edge[face.edge[2]];
     const Lanes product = v0.r * v1.r * v2.r;
-    const Lanes across = face.area2 * dot(face.n, v0.x);
+    const Lanes height = dot(face.n, v0.x), across = face.area2 * height;
     const Lanes along = product + e0.between * v2.r + e1.between * v0.r + e2.between * v1.r;
     const Lanes omega = 2 * angle_of(across, along);
     const Lanes high = magnitude(across), wide = magnitude(along);
-    const Lanes around = face.steep_around * (v0.r + v1.r + v2.r);
-    const Lanes thin = Takes<L, O>::distances ? face.steep * (e0.distance + e1.distance + e2.distance) : around;
-    const Mask marked = (thin > limit) | ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
+    Measures measures;
+    measures.of_layer = face.steep_around * (v0.r + v1.r + v2.r);
+    measures.thin = Takes<L, O>::distances ? face.steep * (e0.distance + e1.distance + e2.distance) : measures.of_layer;
+    if constexpr (L == Layers::Biharmonic) measures.of_distance = measures.thin * magnitude(height);
+    const Mask marked = measures.exceeds(limits) | ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
                         ((along < Lanes{}) & (high < kNextToFace * wide)) | v0.near | v1.near | v2.near;
-    sums_of.thin += select(marked, Lanes{}, thin * thin);
-    sums_of.of_layer += select(marked, Lanes{}, around * around);
-    if constexpr (L == Layers::Biharmonic) {
-      const Lanes high_thin = thin * dot(face.n, v0.x);
-      sums_of.of_distance += select(marked, Lanes{}, high_thin * high_thin);
-      if constexpr (O >= 1) sums_of.of_slope += select(marked, Lanes{}, thin * thin);
-    }
+    squares.add_squares(measures, marked);
     const Three<Lanes>* const x[3] = {&v0.x, &v1.x, &v2.x};
     if (!any(marked)) [[likely]] {
       const Edge* const edges[3] = {&e0, &e1, &e2};
@@ -111,11 +77,12 @@ Thinness sum_faces_within(Block& block, const SeenVertex* vertex, const EdgeTerm
     const Edge* const edges[3] = {&left[0], &left[1], &left[2]};
     FaceTerms<L, O, Lanes, double>(face, x, select(marked, Lanes{}, omega), edges).add(f, beta, sums);
   }
-  return sums_of;
+  measured.squares = squares;
 }
 
+/// \param measured with limits that have been lowered, where this is done again
 template <Layers L, int O>
-void sum_faces(Block& block) {
+void sum_faces(Block& block, MeasuredBlock& measured) {
   using Edge = EdgeTerms<Lanes, Takes<L, O>::further>;
   const CageTables& cage = *block.cage;
   auto* const vertex = static_cast<SeenVertex*>(block.scratch);
@@ -133,10 +100,12 @@ void sum_faces(Block& block) {
     const SeenVertex &a = vertex[table.from], &b = vertex[table.to];
     edge[e] = edge_terms<L, O, Lanes, double>(table, a.x, b.x, a.r, b.r);
   }
-  const Thinness sums = sum_faces_within<L, O>(block, vertex, edge, splat(kThin));
-  const Mask many = sums.thin > kManyThin<L> * kManyThin<L>, small = cancelling<L, O>(block, sums);
-  if (!any(many | small)) return;
-  sum_faces_within<L, O>(block, vertex, edge, select(small, Lanes{}, select(many, splat(kThinOfMany), splat(kThin))));
+  sum_faces_within<L, O>(block, vertex, edge, measured);
+  const Mask many = measured.squares.thin > kManyThin<L> * kManyThin<L>;
+  if (!any(many)) return;
+  Lanes& limit = measured.limits.thin;
+  limit = select(many & (splat(kThinOfMany) < limit), splat(kThinOfMany), limit);
+  sum_faces_within<L, O>(block, vertex, edge, measured);
 }
 
 }  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD

@@ -16,15 +16,30 @@ inline void sum(Block& block) {
     if (block.order == 0) return sum_mean_values(block);
     return block.order == 1 ? sum_mean_value_derivatives<1>(block) : sum_mean_value_derivatives<2>(block);
   }
-  with_layers(block.layers, block.order, [&]<Layers L, int O> { sum_faces<L, O>(block); });
+  auto& measured = *static_cast<MeasuredBlock*>(block.measured);
+  const Lanes no_limit = splat(__builtin_inf());
+  measured.limits = {splat(kThin), no_limit, no_limit};
+  with_layers(block.layers, block.order, [&]<Layers L, int O> { sum_faces<L, O>(block, measured); });
 }
 
-inline long scratch_bytes(int vertices, int edges, int columns) {
+inline bool sum_again(Block& block) {
+  auto& measured = *static_cast<MeasuredBlock*>(block.measured);
+  bool again = false;
+  with_layers(block.layers, block.order, [&]<Layers L, int O> {
+    again = any(lower_limits<L, O>(block, measured));
+    if (again) sum_faces<L, O>(block, measured);
+  });
+  return again;
+}
+inline long measured_bytes() { return sizeof(MeasuredBlock); }
+
+inline long scratch_bytes(int vertices, int edges, int faces, int columns) {
   // The most that any layers and order take.
   constexpr long of_edge = sizeof(EdgeTerms<Lanes, 2>);
   static_assert(of_edge >= static_cast<long>(sizeof(SeenEdge)));
   static_assert(of_edge >= static_cast<long>(sizeof(MeanValueEdge)));
-  const long fast = vertices * static_cast<long>(sizeof(SeenVertex)) + edges * of_edge;
+  const long fast =
+      vertices * static_cast<long>(sizeof(SeenVertex)) + edges * of_edge + faces * static_cast<long>(sizeof(Lanes));
   const long careful = careful_bytes(columns);
   return fast > careful ? fast : careful;
 }

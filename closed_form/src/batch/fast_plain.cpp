@@ -4,8 +4,9 @@
 
 namespace cageproof::closed_form::batch {
 
-const Kernels kernels_plain{"plain",           plain::kLanes,    plain::scratch_bytes,       plain::sum,
-                            plain::sum_marked, plain::normalise, plain::plane_scratch_bytes, plain::sum_plane,
-                            plain::store,      plain::multiply};
+const Kernels kernels_plain{
+    "plain",           plain::kLanes,    plain::scratch_bytes, plain::measured_bytes,      plain::sum,
+    plain::sum_marked, plain::sum_again, plain::normalise,     plain::plane_scratch_bytes, plain::sum_plane,
+    plain::store,      plain::multiply};
 
 }  // namespace cageproof::closed_form::batch

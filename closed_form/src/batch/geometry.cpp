@@ -110,6 +110,37 @@ Geometry::Geometry(const CageElements& elements) {
     sound_ = std::isfinite(face_.back().hat[0]) && face_.back().area2 > 0;
   }
   if (sound_) find_reach();
+  if (sound_) find_folds();
+}
+
+// Faces that meet at an edge under less than a fifth of a radian, and those at the tips of spikes as narrow.
+void Geometry::find_folds() {
+  const double most = std::cos(0.2);
+  using Vector = Eigen::Vector3d;
+  std::vector<char> narrow(vertex_.size() / 3, 1);
+  std::vector<Vector> across(edge_.size(), Vector::Zero()), along(narrow.size(), Vector::Zero());
+  const auto folds = [&](int e, const double(&nu)[3]) { return across[e].dot(Vector(nu[0], nu[1], nu[2])) > most; };
+  const auto for_sides = [&](auto visit) {
+    for (const FaceTable<double>& face : face_)
+      for (int e = 0; e < 3; ++e) visit(face, e);
+  };
+  std::vector<char> folded_edge(edge_.size(), 0);
+  for_sides([&](const FaceTable<double>& face, int e) {
+    const int edge = face.edge[e];
+    if (folds(edge, face.nu[e])) folded_edge[edge] = 1;
+    across[edge] = Vector(face.nu[e][0], face.nu[e][1], face.nu[e][2]);
+  });
+  for (const EdgeTable<double>& e : edge_) {
+    const Vector u(e.u[0], e.u[1], e.u[2]);
+    for (const auto& [v, away] : {std::pair<int, Vector>(e.from, u), std::pair<int, Vector>(e.to, -u)}) {
+      if (along[v].isZero()) along[v] = away;
+      else if (along[v].dot(away) < most) narrow[v] = 0;
+    }
+  }
+  for (std::size_t e = 0; e < edge_.size(); ++e)
+    if (folded_edge[e] != 0) narrow[edge_[e].from] = narrow[edge_[e].to] = 1;
+  for (const FaceTable<double>& face : face_)
+    folded_.push_back(std::ranges::any_of(face.vertex, [&](int v) { return narrow[v] != 0; }) ? 1 : 0);
 }
 
 // Within 2^-7 of the shortest edge at a vertex.
@@ -167,8 +198,8 @@ LongFace Geometry::long_face(int f) const {
 }
 
 CageTables Geometry::tables() const {
-  return {vertices(),   edges(),      faces(),           vertex_.data(),   reach_.data(),
-          edge_.data(), face_.data(), fine_edge_.data(), fine_face_.data()};
+  return {vertices(),   edges(),           faces(),           vertex_.data(), reach_.data(), edge_.data(),
+          face_.data(), fine_edge_.data(), fine_face_.data(), 2 * radius_,    folded_.data()};
 }
 
 }  // namespace cageproof::closed_form::batch

@@ -43,10 +43,12 @@ class Geometry {
   void find_unit(const CageElements& elements);
   void number_edges();
   void find_reach();
+  void find_folds();
 
   int exponent_ = 0;
   bool sound_ = true;
   std::vector<double> vertex_, reach_;
+  std::vector<char> folded_;
   std::vector<std::array<int, 3>> corner_, edge_of_;  // of faces
   std::vector<std::pair<int, int>> ends_;             // of edges
   std::vector<EdgeTable<double>> edge_;

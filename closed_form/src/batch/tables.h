@@ -77,6 +77,8 @@ struct CageTables {
   const FaceTable<double>* face;
   const EdgeTable<TwoDoubles>* fine_edge;
   const FaceTable<TwoDoubles>* fine_face;
+  double size;         ///< about its diagonal
+  const char* folded;  ///< of faces: whether one lies on another nearly where they meet
 };
 
 /// A face, and the points of a block that see it otherwise than the others: a bit each.
@@ -96,6 +98,7 @@ struct Block {
   unsigned whole;        ///< points that every face is to be seen from with twice the digits
   double* columns;       ///< [column][lanes]: sums over faces
   void* scratch;         ///< scratch_bytes of it, aligned to 64
+  void* measured;        ///< measured_bytes of it, aligned to 64: how much faces cancel, for sum_again
   Mark* marks;           ///< as many as there are faces, of those that twice the digits are spent on
   int marked;
   unsigned left;  ///< points that nothing is computed of
@@ -129,11 +132,15 @@ struct PlaneBlock;
 struct Kernels {
   const char* name;
   int lanes;
-  long (*scratch_bytes)(int vertices, int edges, int columns);
+  long (*scratch_bytes)(int vertices, int edges, int faces, int columns);
+  long (*measured_bytes)();
   /// Sums over faces in double; lists the faces that points are next to, and leaves these out for them.
   void (*sum)(Block&);
   /// Adds what was left out, in double-doubles; lists what these do not decide, and leaves that out.
   void (*sum_marked)(Block&);
+  /// Once all faces are added: whether points cancel more than double may. Then sums are made anew as `sum` does, with
+  /// more faces left out.
+  bool (*sum_again)(Block&);
   /// Divides the sums of normalised coordinates by their total.
   void (*normalise)(Block&);
   long (*plane_scratch_bytes)(int vertices);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Points whose coordinates are small against what they are sums of, as outside thin limbs of a cage, for one
+// instruction set: all their faces need more digits.
+#pragma once
+
+#include "cageproof/closed_form/batch/lanes.h"
+
+#include "edge_terms.h"
+
+namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
+
+/// What a measure, the root of a sum of squares over faces, may be of what roundings are held to. Roundings of a double
+/// layer's values are at most half of their measure, Kelvin's three times theirs, phibar's three times theirs, those of
+/// its gradients and Hessians five times: on the cages of the tests, embedded and real, within and around them.
+inline constexpr double kOfNorm = 64, kOfKelvinNorm = 18, kOfDistance = 26, kOfSlope = 13;
+/// The measure of gradients, times this and over the size of the cage, is that of Hessians.
+inline constexpr double kOfBend = 4;
+
+/// What measures faces: of one that is added in double, or the sum of their squares.
+struct Measures {
+  Lanes thin{};         ///< as kThin says
+  Lanes of_layer{};     ///< of the double layer's values
+  Lanes of_distance{};  ///< of the biharmonic double layer's values; of its derivatives it is `thin`
+
+  void add_squares(const Measures& m, Mask but) {
+    thin += select(but, Lanes{}, m.thin * m.thin);
+    of_layer += select(but, Lanes{}, m.of_layer * m.of_layer);
+    of_distance += select(but, Lanes{}, m.of_distance * m.of_distance);
+  }
+  Mask exceeds(const Measures& limits) const {
+    return (thin > limits.thin) | (of_layer > limits.of_layer) | (of_distance > limits.of_distance);
+  }
+};
+
+/// What a block keeps of its faces' measures.
+struct MeasuredBlock {
+  Measures squares;  ///< summed over the faces that are added in double
+  Measures limits;   ///< beyond which faces are not
+};
+
+/// Of an order's columns of a double layer, of which each vertex has that many.
+inline Lanes norm_of(const Block& block, int order, int b, int each) {
+  const auto* const from = reinterpret_cast<const Lanes*>(block.columns) + block.layout.first[order][b];
+  Lanes sum{};
+  for (int i = 0; i < each * block.cage->vertices; ++i) sum += from[i] * from[i];
+  return root(sum);
+}
+
+/// Lowers a limit where the sum of squares is too large, so that it no longer is. \return where that is
+inline Mask lower(Lanes& limit, Lanes squares, Lanes most, int faces) {
+  const Lanes square = most * most;
+  const Mask lowered = squares > square;
+  const Lanes evenly = root(square * (1. / faces));
+  limit = select(lowered & (evenly < limit), evenly, limit);
+  return lowered;
+}
+
+/// Lowers the limits of points whose roundings are too large for what they are held to: the coordinates' norm, and that
+/// of the next derivatives times the cage's size. Derivatives that are not at hand are estimated. The Laplacian of
+/// phibar is phi, by which its Hessian is at least phi/sqrt(3) and its third derivatives phi's gradient over sqrt(3);
+/// its gradient is about the geometric mean of phibar and phi, in thin limbs as well.
+template <Layers L, int O>
+Mask lower_limits(const Block& block, MeasuredBlock& measured) {
+  const int faces = block.cage->faces;
+  const Measures& squares = measured.squares;
+  Measures& limits = measured.limits;
+  const Lanes phi = norm_of(block, 0, 0, L == Layers::Kelvin ? 9 : 1);
+  Mask found = lower(limits.of_layer, squares.of_layer, (L == Layers::Kelvin ? kOfKelvinNorm : kOfNorm) * phi, faces);
+  if constexpr (L == Layers::Biharmonic) {
+    // In the scale of the sums, where phi counts twice.
+    constexpr double of_laplacian = 2 * 0.57735;
+    const double size = block.cage->size;
+    const Lanes phibar = norm_of(block, 0, 2, 1);
+    Lanes gradient;
+    if constexpr (O == 0) gradient = root((phi + phi) * phibar);
+    else gradient = norm_of(block, 1, 2, 3);
+    found |= lower(limits.of_distance, squares.of_distance, kOfDistance * (phibar + size * gradient), faces);
+    if constexpr (O >= 1) {
+      const Lanes most = kOfSlope * (gradient + (of_laplacian * size) * phi);
+      found |= lower(limits.thin, squares.thin, most, faces);
+    }
+    if constexpr (O >= 2) {
+      const Lanes bend = norm_of(block, 2, 2, 6) + (of_laplacian * size) * norm_of(block, 1, 0, 3);
+      found |= lower(limits.thin, squares.thin, (kOfSlope * size / kOfBend) * bend, faces);
+    }
+  }
+  return found;
+}
+
+}  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD
