@@ -13,10 +13,10 @@
 namespace cageproof::validation {
 namespace {
 
-void expect_kept(const CageCoordinates& coordinates, const BlockTruths& truths, const Vec3<double>& point) {
+void expect_kept(const CageCoordinates& coordinates, const BlockTruths& truths, const Vec3<double>& point,
+                 const std::array<double, 3>& bounds = {64, 16, 16}) {
   const auto truth = truths.at(point, 2);
   ASSERT_TRUE(truth);
-  const std::array<double, 3> bounds{64, 16, 16};
   for (int order = 0; order <= 2; ++order) {
     // Values alone are computed in another way.
     const auto errors = block_errors(coordinates.at<double>(point, order), {truth->blocks, truth->moved, order});
@@ -87,6 +87,36 @@ TEST(BatchedMeanValues, beside_a_bar) {
         expect_kept(coordinates, truths, {along, beside, 0.1 + height});
         expect_kept(coordinates, truths, {along, -height, -beside});
       }
+}
+
+// Two faces that nearly lie on each other, in no coordinate plane: next to their edge, to its ends and to the faces,
+// outside, and between them.
+TEST(BatchedMeanValues, oblique_walls_and_flat_tetrahedra) {
+  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(0.7, Vec3<double>(1, 2, 3).normalized())).toRotationMatrix();
+  const std::vector<Face> tetrahedron{{{0, 2, 1, -1}}, {{0, 1, 3, -1}}, {{1, 2, 3, -1}}, {{0, 3, 2, -1}}};
+  const CoordinateKind& kind = coordinate_kind_named("mean_value");
+  for (const double thickness : {0.1, 1e-3, 1e-5, 1e-7}) {
+    std::vector<Vec3<double>> wall = embedded_cage("cube").vertices();
+    const Vec3<double> low = wall.front(), shift(0.3, -0.2, 0.1);
+    for (Vec3<double>& v : wall) v = turn * (v - low).cwiseProduct(Vec3<double>(1, 1, thickness)) + shift;
+    std::vector<Vec3<double>> flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, thickness}};
+    for (Vec3<double>& v : flat) v = turn * v + shift;
+    for (const Cage& cage : {embedded_cage("cube").with(wall, embedded_cage("cube").faces()),
+                             Cage::make("flat", flat, tetrahedron, {.flip_inward = true})}) {
+      const CageCoordinates coordinates(cage, kind, CoordinateOptions{.evaluation = "batched"});
+      const BlockTruths truths(cage, kind, Triangulation::Shortest);
+      const CageElements& elements = coordinates.elements();
+      for (std::size_t f = 0; f < elements.count(); f += 3)
+        for (const double height : {0.25 * thickness, -0.3 * thickness, 3e-8, 1e-4, 0.2})
+          for (const auto& [a, b] : {std::pair{0.3, 0.4}, {0.3, 0.002}, {0.3, -1e-5}, {0.002, 0.003}, {-1e-8, 2e-8}}) {
+            const auto k = elements.corners(f);
+            const Vec3<double> point = k[0] + a * (k[1] - k[0]) + b * (k[2] - k[0]) + height * elements.normals()[f];
+            SCOPED_TRACE(testing::Message() << cage.name() << " of thickness " << thickness << ", " << height
+                                            << " over (" << a << ", " << b << ") of face " << f);
+            if (elements.touching(point).empty()) expect_kept(coordinates, truths, point, {64, 64, 64});
+          }
+    }
+  }
 }
 
 TEST(BatchedMeanValues, within_faces_near_their_border) { expect_kept(0.5, 0.015625, 120); }

@@ -9,5 +9,7 @@ namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
 void sum_marked(Block& block);
 long careful_bytes(int columns);
+/// The height of each point over the plane of each face, outward: [face].
+void fine_heights(const Block& block, Lanes* heights);
 
 }  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD

@@ -4,6 +4,7 @@
 
 #include "careful.h"
 #include "careful_entries.h"
+#include "fine_heights.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 

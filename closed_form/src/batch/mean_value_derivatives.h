@@ -20,14 +20,17 @@ namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 /// Squares of distances from the edges within the plane, over the height's, above which a projection is beyond.
 inline constexpr double kLowest = 9;
 
+/// What steep faces may leave of rounding in gradients.
+inline constexpr double kSteepGradients = 32;
+
 /// One face seen from the points.
 template <int O>
 class MeanValueFace {
  public:
   MeanValueFace(const CageTables& cage, const FaceTable<double>& face, const SeenVertex* const (&corner)[3],
-                const MeanValueEdge* const (&side)[3])
+                const MeanValueEdge* const (&side)[3], Lanes height)
       : cage_(cage), face_(face), side_(side) {
-    const SeenHeights seen = seen_heights(face, corner);
+    const SeenHeights seen = seen_heights(face, corner, height);
     d_ = seen.d;
     const Lanes d2 = d_ * d_;
     Lanes flux{}, least = splat(1e300);
@@ -169,24 +172,47 @@ class MeanValueFace {
   Lanes whole_{}, slope_{}, bend_{};  // V, Q, dQ/dd
 };
 
+/// As Steepness, of gradients: differences of int r^-2 over a face's edges times the slopes of its hat functions are
+/// parts of the weights' derivative across the face, whatever the height.
+struct SteepSlopes {
+  Lanes squares{}, limit = splat(1e300);
+  /// \return points that have more of them than their gradients allow, with a limit that leaves no more than that
+  Mask lower(const Block& block, double most) {
+    const Lanes gradients = norm_of(block, 1, 0, 3);
+    const Mask many = squares > (most * gradients) * (most * gradients);
+    limit = select(many, (most / root_of_faces(block)) * gradients, limit);
+    return many;
+  }
+  static double root_of_faces(const Block& block) { return __builtin_sqrt(static_cast<double>(block.cage->faces)); }
+};
+
 /// Sums over the faces, and lists those that need more digits.
 template <int O>
-void sum_mean_value_faces(Block& block, const SeenVertex* vertex, const MeanValueEdge* edge, Steepness& steep) {
+void sum_mean_value_faces(Block& block, const SeenVertex* vertex, const MeanValueEdge* edge, const Lanes* height,
+                          Steepness& steep, SteepSlopes& slopes) {
   const CageTables& cage = *block.cage;
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
   for (int c = 0; c < block.layout.count; ++c) columns[c] = Lanes{};
-  block.marked = 0;
+  const Mask whole = mask_of(block.whole);
+  block.marked = block.beyond_marked = 0;
   for (int f = 0; f < cage.faces; ++f) {
     const FaceTable<double>& face = cage.face[f];
     const SeenVertex* const corner[3] = {vertex + face.vertex[0], vertex + face.vertex[1], vertex + face.vertex[2]};
     const MeanValueEdge* const side[3] = {edge + face.edge[0], edge + face.edge[1], edge + face.edge[2]};
-    const MeanValueFace<O> seen(cage, face, corner, side);
-    const Lanes steepness = steep.of(face, seen.height(), side[0]->k2 + side[1]->k2 + side[2]->k2);
-    const Mask marked = corner[0]->near | corner[1]->near | corner[2]->near | side[0]->near | side[1]->near |
-                        side[2]->near | steep.exceeds(steepness);
+    const MeanValueFace<O> seen(cage, face, corner, side, height[f]);
+    const Lanes slope = face.steep * (side[0]->k2 + side[1]->k2 + side[2]->k2);
+    const Lanes steepness = magnitude(seen.height()) * slope;
+    const Mask near =
+        corner[0]->near | corner[1]->near | corner[2]->near | side[0]->near | side[1]->near | side[2]->near;
+    const Mask many = whole | steep.exceeds(steepness) | (slope > slopes.limit), marked = near | many;
     steep.count(select(marked, Lanes{}, steepness), seen.total());
+    slopes.squares += select(marked, Lanes{}, slope * slope);
     seen.add(~marked, block);
-    if (any(marked)) block.marks[block.marked++] = {f, bits_of(marked)};
+    if (!any(marked)) [[likely]]
+      continue;
+    const unsigned points = bits_of(marked), more = cage.folded[f] != 0 ? bits_of(near) : 0;
+    if (more != 0) block.beyond[block.beyond_marked++] = {f, more};
+    if (points != more) block.marks[block.marked++] = {f, points & ~more};
   }
 }
 
@@ -195,21 +221,24 @@ void sum_mean_value_derivatives(Block& block) {
   const CageTables& cage = *block.cage;
   auto* const vertex = static_cast<SeenVertex*>(block.scratch);
   auto* const edge = reinterpret_cast<MeanValueEdge*>(vertex + cage.vertices);
+  auto* const height = reinterpret_cast<Lanes*>(edge + cage.edges);
   const auto* const point = reinterpret_cast<const Lanes*>(block.points);
-  const Mask whole = mask_of(block.whole);
   for (int v = 0; v < cage.vertices; ++v) {
     SeenVertex& seen = vertex[v];
     for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
     seen.r = root(dot(seen.x, seen.x));
-    seen.near = less(seen.r, splat(cage.reach[v])) | whole;
+    seen.near = less(seen.r, splat(cage.reach[v]));
   }
   for (int e = 0; e < cage.edges; ++e) {
     const EdgeTable<double>& table = cage.edge[e];
     edge[e] = mean_value_edge<O>(table, vertex[table.from], vertex[table.to]);
   }
-  Steepness steep;
-  sum_mean_value_faces<O>(block, vertex, edge, steep);
-  if (steep.again()) sum_mean_value_faces<O>(block, vertex, edge, steep);
+  fine_heights(block, height);
+  Steepness steep(kSteepDerivatives);
+  SteepSlopes slopes;
+  sum_mean_value_faces<O>(block, vertex, edge, height, steep, slopes);
+  const bool again = steep.again(), lowered = any(slopes.lower(block, kSteepGradients));
+  if (again || lowered) sum_mean_value_faces<O>(block, vertex, edge, height, steep, slopes);
   block.left = 0;
 }
 

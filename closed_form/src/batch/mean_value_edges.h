@@ -82,16 +82,14 @@ inline SeenLine seen_line(const EdgeTable<double>& e, const SeenVertex& from, co
 struct SeenHeights {
   Lanes d, h[3];
 };
-inline SeenHeights seen_heights(const FaceTable<double>& face, const SeenVertex* const (&corner)[3]) {
+/// \param height of fine_heights
+inline SeenHeights seen_heights(const FaceTable<double>& face, const SeenVertex* const (&corner)[3], Lanes height) {
   SeenHeights seen;
-  Mask nearer[3];  // corner e is nearer than the next one
+  seen.d = height;
   for (int e = 0; e < 3; ++e) {
     const SeenVertex &a = *corner[e], &b = *corner[(e + 1) % 3];
-    nearer[e] = a.r < b.r;
-    seen.h[e] = select(nearer[e], dot(face.nu[e], a.x), dot(face.nu[e], b.x));
+    seen.h[e] = select(a.r < b.r, dot(face.nu[e], a.x), dot(face.nu[e], b.x));
   }
-  const Lanes d0 = dot(face.n, corner[0]->x), d1 = dot(face.n, corner[1]->x), d2 = dot(face.n, corner[2]->x);
-  seen.d = -select(nearer[0], select(nearer[2], d2, d0), select(nearer[1], d1, d2));
   return seen;
 }
 

@@ -7,6 +7,7 @@
 // the height takes off each angle in the plane.
 #pragma once
 
+#include "careful_entries.h"
 #include "fast.h"
 #include "mean_value_edges.h"
 
@@ -23,6 +24,8 @@ struct SeenEdge {
 /// Heights below this, over the distance of a corner, take the form next to the plane; and where roundings of those
 /// above it add up.
 inline constexpr double kNextToPlane = 0x1p-9, kLow = 0.25;
+/// What steep faces may leave of rounding in values and in derivatives, of which less is promised.
+inline constexpr double kSteepValues = 32, kSteepDerivatives = 8;
 /// Distances from an edge's line, or from a corner, below this times the edge are left to others; likewise heights
 /// within a face.
 inline constexpr double kLeftAlone = 0x1p-30;
@@ -56,6 +59,8 @@ inline Lanes in_plane_rest(const EdgeTable<double>& table, const SeenEdge& e, La
 /// the slopes of its hat functions, and leave the rounding of these, of which little may be left of the weights' total.
 class Steepness {
  public:
+  /// \param most what the root of the sum of squares may be of the total
+  explicit Steepness(double most) : most_(most) {}
   Lanes of(const FaceTable<double>& face, Lanes height, Lanes k2) const { return magnitude(height) * face.steep * k2; }
   /// \param steepness of a face that is added in double \param total its weights'
   void count(Lanes steepness, Lanes total) {
@@ -70,34 +75,35 @@ class Steepness {
     if (limited_) return false;
     limited_ = true;
     const Lanes total = magnitude(total_);
-    const Mask many = squares_ > (kSteepTogether * total) * (kSteepTogether * total);
-    limit_ = select(many, kSteepOfMany * total, limit_);
+    const Mask many = squares_ > (most_ * total) * (most_ * total);
+    limit_ = select(many, (most_ / 16) * total, limit_);
     low_ = select(many, splat(kLow), low_);
     return any(many);
   }
 
  private:
-  static constexpr double kSteepTogether = 32, kSteepOfMany = 2;
+  double most_;
 
   Lanes squares_{}, total_{}, limit_ = splat(1e300), low_ = splat(kNextToPlane);
   bool limited_ = false;
 };
 
 /// Sums over the faces. \return the points that are left to others
-inline Mask sum_mean_values_within(Block& block, const SeenVertex* vertex, const SeenEdge* edge, Steepness& steep) {
+inline Mask sum_mean_values_within(Block& block, const SeenVertex* vertex, const SeenEdge* edge, const Lanes* heights,
+                                   Steepness& steep) {
   const CageTables& cage = *block.cage;
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
   for (int v = 0; v < cage.vertices; ++v) columns[v] = Lanes{};
   const Mask whole = mask_of(block.whole);
   Mask left{};
-  block.marked = 0;
+  block.marked = block.beyond_marked = 0;
   for (int f = 0; f < cage.faces; ++f) {
     const FaceTable<double>& face = cage.face[f];
     const SeenVertex* const corner[3] = {vertex + face.vertex[0], vertex + face.vertex[1], vertex + face.vertex[2]};
     const SeenEdge* const side[3] = {edge + face.edge[0], edge + face.edge[1], edge + face.edge[2]};
-    const SeenHeights heights = seen_heights(face, corner);
-    const Lanes(&h)[3] = heights.h;
-    const Lanes d = heights.d, height = magnitude(d);
+    const SeenHeights seen = seen_heights(face, corner, heights[f]);
+    const Lanes(&h)[3] = seen.h;
+    const Lanes d = seen.d, height = magnitude(d);
     Lanes angle[3] = {side[0]->angle_over, side[1]->angle_over, side[2]->angle_over};
     Lanes flux{}, sizes{};
     for (int e = 0; e < 3; ++e) {
@@ -125,10 +131,18 @@ inline Mask sum_mean_values_within(Block& block, const SeenVertex* vertex, const
       }
     }
     const Lanes steepness = steep.of(face, d, angle[0] + angle[1] + angle[2]);
-    const Mask marked = whole | steep.exceeds(steepness);
+    Mask near{};
+    if (cage.folded[f] != 0)
+      for (int e = 0; e < 3; ++e) {
+        const Lanes close = splat(kBesideEdge * cage.edge[face.edge[e]].length);
+        near |= corner[e]->near | ((side[e]->ends < Lanes{}) & (side[e]->distance < close));
+      }
+    const Mask marked = whole | near | steep.exceeds(steepness);
     steep.count(select(marked, Lanes{}, steepness + rounding), over);
     if (any(marked)) {
-      block.marks[block.marked++] = {f, bits_of(marked)};
+      const unsigned points = bits_of(marked), more = bits_of(near);
+      if (more != 0) block.beyond[block.beyond_marked++] = {f, more};
+      if (points != more) block.marks[block.marked++] = {f, points & ~more};
       for (int e = 0; e < 3; ++e) angle[e] = select(marked, Lanes{}, angle[e]);
       over = select(marked, Lanes{}, over);
     }
@@ -149,12 +163,14 @@ inline void sum_mean_values(Block& block) {
   const CageTables& cage = *block.cage;
   auto* const vertex = static_cast<SeenVertex*>(block.scratch);
   auto* const edge = reinterpret_cast<SeenEdge*>(vertex + cage.vertices);
+  auto* const height = reinterpret_cast<Lanes*>(edge + cage.edges);
   const auto* const point = reinterpret_cast<const Lanes*>(block.points);
   Mask left{};
   for (int v = 0; v < cage.vertices; ++v) {
     SeenVertex& seen = vertex[v];
     for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
     seen.r = root(dot(seen.x, seen.x));
+    seen.near = less(seen.r, splat(cage.reach[v]));
     left |= less(seen.r, splat(kLeftAlone * cage.reach[v]));
   }
   for (int e = 0; e < cage.edges; ++e) {
@@ -162,9 +178,10 @@ inline void sum_mean_values(Block& block) {
     edge[e] = seen_edge(table, vertex[table.from], vertex[table.to]);
     left |= less(edge[e].distance, splat(kLeftAlone * table.length));
   }
-  Steepness steep;
-  Mask beside = sum_mean_values_within(block, vertex, edge, steep);
-  if (steep.again()) beside = sum_mean_values_within(block, vertex, edge, steep);
+  fine_heights(block, height);
+  Steepness steep(kSteepValues);
+  Mask beside = sum_mean_values_within(block, vertex, edge, height, steep);
+  if (steep.again()) beside = sum_mean_values_within(block, vertex, edge, height, steep);
   block.left = bits_of(left | beside);
 }
 
