@@ -34,6 +34,11 @@ inline Lanes load(const double* from) {
   __builtin_memcpy(&x, from, sizeof x);
   return x;
 }
+inline Lanes gather(const double* from, const int (&at)[kLanes]) {
+  Lanes x;
+  for (int i = 0; i < kLanes; ++i) x[i] = from[at[i]];
+  return x;
+}
 
 /// `origin` seen from points of a chunk that follow each other.
 inline Three points_from(const Chunk& chunk, int first, const double* origin) {
@@ -138,12 +143,8 @@ void add_pairs(const Pairs& pairs, MomentsOf moments) {
     // A vector that is not full goes on with its last point.
     int at[kLanes];
     for (int i = 0; i < kLanes; ++i) at[i] = pairs.point[first + i < pairs.count ? first + i : pairs.count - 1];
-    Three a;
-    for (int i = 0; i < kLanes; ++i) {
-      a.x[i] = quad.origin[0] - chunk.at[at[i]];
-      a.y[i] = quad.origin[1] - chunk.at[at[i] + chunk.stride];
-      a.z[i] = quad.origin[2] - chunk.at[at[i] + 2 * chunk.stride];
-    }
+    const Three a{quad.origin[0] - gather(chunk.at, at), quad.origin[1] - gather(chunk.at + chunk.stride, at),
+                  quad.origin[2] - gather(chunk.at + 2 * chunk.stride, at)};
     // N.x = g00 + v g01 + u (g10 + v twist)
     const Lanes g00 = dot(quad.n, a), g01 = dot(quad.n_v, a), g10 = dot(quad.n_u, a);
     Lanes weight[4] = {};
