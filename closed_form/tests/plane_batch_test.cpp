@@ -34,7 +34,8 @@ std::vector<Cage> polygons() {
   return {embedded_cage("square"), embedded_cage("l-shape"), embedded_cage("frame"), embedded_cage("comb"), divided()};
 }
 
-int highest_order(std::string_view kind) { return kind == "green" || kind == "biharmonic" ? 2 : 0; }
+// Derivatives of mean values have a unit of their own, in which they are asked for by validation's tests.
+int highest_order(std::string_view kind) { return kind == "mean_value" ? 0 : 2; }
 
 void expect_small_error(const Cage& cage, std::string_view kind, const std::vector<Point>& points, int order) {
   const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
@@ -59,7 +60,6 @@ TEST(PlaneBatched, next_to_sides_and_vertices) {
           const Point foot = (1 - t) * corner[side.vertices[0]] + t * corner[side.vertices[1]];
           points.emplace_back(foot + std::pow(10., -decade) * cage.size() * direction(random, 2));
         }
-      // Derivatives of mean values and of Somigliana coordinates are sums of closed forms.
       expect_small_error(cage, kind, points, highest_order(kind));
     }
 }

@@ -257,9 +257,6 @@ constexpr std::array table{
         "derivatives of w/W cancel next to the cage by the quotient rule, where weights grow like 1/h and w/W stays "
         "bounded: the unit holds one rounding of each weight's derivatives for that; oblique thin walls and flat "
         "tetrahedra take 29 of them"},
-    Row{"cage_block_error", "somigliana", batched, "double", "@(square|l-shape|star|comb|thin-bar|frame|figure)", 1, 2,
-        none,
-        "left to sums of closed forms in the plane, where parts of neighbouring edges cancel next to their vertex"},
     Row{"cage_block_error", "*", batched, "double", "*", 0, 2, 64,
         "a few roundings of the point and the corners in the cage's own frame, wherever the point is"},
     // Deformers, in cage sizes: what each keeps, as formulas/deformation.md, Section 1, states it.

@@ -119,6 +119,29 @@ TEST(BatchedMeanValues, oblique_walls_and_flat_tetrahedra) {
   }
 }
 
+// In the plane: next to sides and vertices, on lines of sides beyond their ends, on integers, and outside.
+TEST(BatchedMeanValues, of_polygons) {
+  const CoordinateKind& kind = coordinate_kind_named("mean_value");
+  for (const char* name : {"square", "l-shape", "comb", "thin-bar"}) {
+    const Cage cage = embedded_cage(name);
+    const CageCoordinates coordinates(cage, kind, CoordinateOptions{.evaluation = "batched"});
+    const BlockTruths truths(cage, kind, Triangulation::Shortest);
+    const std::vector<Vec3<double>>& corner = cage.vertices();
+    int asked = 0;
+    for (const Face& side : cage.faces())
+      for (const double along : {-1., 0., 0.375, 1., 1.5})
+        for (const double across : {-0.5, -1e-2, -1e-6, -1e-12, 0., 1e-15, 1e-9, 1e-4, 0.1}) {
+          const Vec3<double>&a = corner[side.vertices[0]], &b = corner[side.vertices[1]], e = b - a;
+          const Vec3<double> point = a + along * e + across * Vec3<double>(e[1], -e[0], 0);
+          if (!coordinates.elements().touching(point).empty()) continue;
+          SCOPED_TRACE(testing::Message() << name << ", " << along << " along a side, " << across << " across");
+          expect_kept(coordinates, truths, point, {64, 64, 64});
+          ++asked;
+        }
+    EXPECT_GE(asked, 100) << name;
+  }
+}
+
 TEST(BatchedMeanValues, within_faces_near_their_border) { expect_kept(0.5, 0.015625, 120); }
 
 }  // namespace

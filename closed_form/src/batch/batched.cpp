@@ -38,7 +38,7 @@ constexpr int kLargestExponent = 240;
 // Blocks of points that a thread takes at a time.
 constexpr std::size_t kChunk = 16;
 // Numbers that caches keep for whoever takes them next.
-constexpr std::size_t kCached = 100000;
+constexpr std::size_t kCached = 4000000;
 // Numbers of a point below which its row is not sent past them: parts of lines cost more than they save.
 constexpr std::size_t kShortRow = 256;
 
@@ -170,8 +170,7 @@ class BatchedCoordinates final : public PreparedCoordinates {
 
  private:
   bool computes(int order) const {
-    return geometry_.is_sound() && std::abs(geometry_.exponent()) <= kLargestExponent &&
-           (order == 0 || layers_ == Layers::Harmonic || layers_ == Layers::Biharmonic || Shape::dimension == 3);
+    return order <= 2 && geometry_.is_sound() && std::abs(geometry_.exponent()) <= kLargestExponent;
   }
 
   Request request_for(int order) const {

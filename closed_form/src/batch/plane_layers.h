@@ -139,28 +139,4 @@ void add_biharmonic(const SeenEdgeOfPlane& edge, Mask afar, const Complex& over_
   }
 }
 
-/// T and K, values.
-inline void add_kelvin(const SeenEdgeOfPlane& edge, Mask afar, const Complex& over_middle, Lanes mean_log, double beta,
-                       const PlaneSums& sums, int number) {
-  const SideTable& side = edge.side;
-  const int vertex[2] = {side.from, side.to};
-  for (int k = 0; k < 2; ++k) {
-    const Complex hat = edge.hat(k);
-    const Complex lift = times(side.u, conjugate(edge.hat_slope(k, afar, over_middle)));
-    const Lanes scale = beta * edge.seen.height, spin = (1 - beta) * hat.re;
-    Lanes* const t = sums.at(0, 0, vertex[k], 4);
-    t[0] += hat.im - scale * lift.re;
-    t[1] += spin - scale * lift.im;
-    t[2] -= spin + scale * lift.im;
-    t[3] += hat.im + scale * lift.re;
-  }
-  const Complex p = direction_moment(edge);
-  const Lanes round = (beta / 4 * side.length) - (1 - beta / 2) * side.length * mean_log;
-  Lanes* const displacement = sums.at(0, 1, number, 4);
-  displacement[0] += round + beta / 4 * p.re;
-  displacement[1] += beta / 4 * p.im;
-  displacement[2] += beta / 4 * p.im;
-  displacement[3] += round - beta / 4 * p.re;
-}
-
 }  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD

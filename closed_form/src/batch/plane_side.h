@@ -14,6 +14,15 @@
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
+/// Distances from vertices below this are left to others: their squares' squares leave double's range.
+inline constexpr double kLeastSquare = 0x1p-800;
+
+inline unsigned bits_of_lanes(Mask m) {
+  unsigned bits = 0;
+  for (int i = 0; i < kLanes; ++i) bits |= (m[i] != 0 ? 1u : 0u) << i;
+  return bits;
+}
+
 /// A complex number a point.
 struct Complex {
   Lanes re{}, im{};

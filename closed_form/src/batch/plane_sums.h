@@ -2,18 +2,10 @@
 // Sums over all edges of a polygon, a vector of points at a time, for one instruction set.
 #pragma once
 
-#include "plane_layers.h"
+#include "plane_kelvin.h"
+#include "plane_mean_values.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
-
-/// Distances from vertices below this are left to others: their squares' squares leave double's range.
-inline constexpr double kLeastSquare = 0x1p-800;
-
-inline unsigned bits_of_lanes(Mask m) {
-  unsigned bits = 0;
-  for (int i = 0; i < kLanes; ++i) bits |= (m[i] != 0 ? 1u : 0u) << i;
-  return bits;
-}
 
 inline void see_vertices(PlaneBlock& block, SeenEnd* vertex) {
   const PolygonTables& cage = *block.cage;
@@ -68,7 +60,7 @@ void sum_sides(PlaneBlock& block) {
     const Lanes mean_log = 0.5 * (a.log + b.log) + seen.bend.re;
     const Complex over_middle = any_afar ? inverse(seen.middle) : Complex{};
     if constexpr (L == Layers::Kelvin) {
-      add_kelvin(edge, afar, over_middle, mean_log, block.beta, sums, s);
+      add_kelvin<O>(edge, afar, over_middle, mean_log, block.beta, sums, s);
     } else {
       add_harmonic<O>(edge, afar, over_middle, mean_log, sums, s);
       if constexpr (L == Layers::Biharmonic) add_biharmonic<O>(edge, afar, over_middle, mean_log, sums, s);
@@ -76,42 +68,12 @@ void sum_sides(PlaneBlock& block) {
   }
 }
 
-/// Mean value coordinates of a polygon: weights of sums of tan(angle/2)/|z|, normalised ([T18] Eq 11 in the plane).
-inline void sum_mean_values_of_plane(PlaneBlock& block) {
-  const PolygonTables& cage = *block.cage;
-  auto* const vertex = static_cast<SeenEnd*>(block.scratch);
-  auto* const columns = reinterpret_cast<Lanes*>(block.columns);
-  const auto* const point = reinterpret_cast<const Lanes*>(block.points);
-  for (int v = 0; v < cage.vertices; ++v) {
-    SeenEnd& seen = vertex[v];
-    seen.z = {cage.vertex[2 * v] - point[0], cage.vertex[2 * v + 1] - point[1]};
-    seen.square = squared(seen.z);
-    seen.log = root(seen.square);  // the distance stands in for its logarithm here
-    columns[v] = Lanes{};
-    block.left |= bits_of_lanes(seen.square < splat(kLeastSquare));
-  }
-  for (int s = 0; s < cage.sides; ++s) {
-    const SideTable& side = cage.side[s];
-    const SeenEnd &a = vertex[side.from], &b = vertex[side.to];
-    SeenSide seen;
-    see_across(side, a, b, seen);
-    decide_sides(block, side, seen);
-    const Lanes product = a.log * b.log;
-    const Mask acute = seen.along > Lanes{};
-    const Lanes half =
-        select(acute, seen.across, product - seen.along) / select(acute, product + seen.along, seen.across);
-    columns[side.from] += half / a.log;
-    columns[side.to] += half / b.log;
-  }
-  Lanes whole{};
-  for (int v = 0; v < cage.vertices; ++v) whole += columns[v];
-  const Lanes over = 1 / whole;
-  for (int v = 0; v < cage.vertices; ++v) columns[v] *= over;
-}
-
 inline void sum_plane(PlaneBlock& block) {
   block.left = 0;
-  if (block.layers == Layers::MeanValue) return sum_mean_values_of_plane(block);
+  if (block.layers == Layers::MeanValue) {
+    if (block.order == 0) return sum_mean_values_of_plane<0>(block);
+    return block.order == 1 ? sum_mean_values_of_plane<1>(block) : sum_mean_values_of_plane<2>(block);
+  }
   with_layers(block.layers, block.order, [&]<Layers L, int O> { sum_sides<L, O>(block); });
 }
 
