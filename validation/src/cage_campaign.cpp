@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/cage_campaign.h"
 
+#include "cageproof/core/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/random_stream.h"
 #include "cageproof/validation/cage_symmetries.h"
@@ -258,14 +259,15 @@ class MeshShape final : public Measurement {
   std::shared_ptr<const Mesh> mesh_;
 };
 
-// Partition of unity and linear reproduction at a mesh's points, kept by point.
+// Partition of unity and linear reproduction at a mesh's points, kept by point; as users of meshes compute them.
 class MeshMeasurement final : public Measurement {
  public:
   MeshMeasurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind, std::shared_ptr<const Mesh> mesh,
                   const std::string& mesh_name, int place, const CageCampaignOptions& options)
       : cage_(std::move(cage)), kind_(kind), mesh_(std::move(mesh)), place_(place), options_(options), setup_([this] {
           return Setup{{*cage_, options_.triangulation, kind_.keeps_quads},
-                       {*cage_, kind_, options_.evaluation, options_.triangulation},
+                       {*cage_, kind_, options_.evaluation.empty() ? std::string(quickest) : options_.evaluation,
+                        options_.triangulation},
                        prior_of(*cage_, kind_, options_.triangulation),
                        {*cage_, kind_, options_.triangulation}};
         }) {
