@@ -22,8 +22,21 @@ double norm_of(const std::vector<Number>& values) {
   return static_cast<double>(Number(sqrt(squares)));
 }
 
-// The largest block error over blocks and orders, in units of u, with the point for the only input: |f - truth| over
-// |truth| + size |grad truth|; of the highest order over |truth| alone. Number: of the truth.
+// The sum over the point's coordinates of the norms of derivatives by them, which come last.
+template <class Number>
+double slope_of(const std::vector<Number>& derivatives, std::size_t dimension) {
+  double sum = 0;
+  for (std::size_t k = 0; k < dimension; ++k) {
+    std::vector<Number> along;
+    for (std::size_t i = k; i < derivatives.size(); i += dimension) along.push_back(derivatives[i]);
+    sum += norm_of(along);
+  }
+  return sum;
+}
+
+// The largest block error over blocks and orders, in units of u, as docs/errors.md defines it, with the point for the
+// only input: |f - truth| over |truth| + size sum_k |d truth/d x_k|; of the highest order over |truth| alone. Number:
+// of the truth.
 template <class Number = Mp50>
 double block_error(const CageCoordinates& found, const CageCoordinates& reference, double size, const Point& point,
                    int order) {
@@ -36,7 +49,8 @@ double block_error(const CageCoordinates& found, const CageCoordinates& referenc
       for (std::size_t i = 0; i < f[b].of(o).size(); ++i)
         difference.push_back(Number(f[b].of(o)[i]) - truth[b].of(o)[i]);
       // On the cage some derivatives do not exist.
-      const double slope = o < 2 ? norm_of(truth[b].of(o + 1)) : 0;
+      const std::size_t dimension = o < 2 ? truth[b].of(o + 1).size() / truth[b].of(o).size() : 1;
+      const double slope = o < 2 ? slope_of(truth[b].of(o + 1), dimension) : 0;
       const double scale = norm_of(truth[b].of(o)) + (std::isfinite(slope) ? size * slope : 0);
       const double error = norm_of(difference) / (unit_roundoff<double>() * scale);
       if (!(error <= worst)) worst = error;

@@ -253,7 +253,7 @@ constexpr std::array table{
         "promise"},
     Row{"cage_truth", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity, norm-wise over a block"},
     // Whole cages at once, in units of what rounding the cage in its own frame costs.
-    Row{"cage_block_error", "@(mean_value|quad_mean_value)", batched, "double", "*", 1, 2, 64,
+    Row{"cage_block_error", "@(mean_value|quad_mean_value)", batched, "double", "*", 1, 2, 32,
         "derivatives of w/W cancel next to the cage by the quotient rule, where weights grow like 1/h and w/W stays "
         "bounded: the unit holds one rounding of each weight's derivatives for that; oblique thin walls and flat "
         "tetrahedra take 29 of them"},

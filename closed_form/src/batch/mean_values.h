@@ -25,7 +25,7 @@ struct SeenEdge {
 /// above it add up.
 inline constexpr double kNextToPlane = 0x1p-9, kLow = 0.25;
 /// What steep faces may leave of rounding in values and in derivatives, of which less is promised.
-inline constexpr double kSteepValues = 32, kSteepDerivatives = 8;
+inline constexpr double kSteepValues = 20, kSteepDerivatives = 8;
 /// Distances from an edge's line, or from a corner, below this times the edge are left to others; likewise heights
 /// within a face.
 inline constexpr double kLeftAlone = 0x1p-30;
