@@ -11,5 +11,7 @@ void sum_marked(Block& block);
 long careful_bytes(int columns);
 /// The height of each point over the plane of each face, outward: [face].
 void fine_heights(const Block& block, Lanes* heights);
+/// The heights of a face's edges over each point's projection, outward.
+void fine_edge_heights(const Block& block, int f, Lanes (&heights)[3]);
 
 }  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD

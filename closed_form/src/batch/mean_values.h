@@ -39,6 +39,25 @@ inline SeenEdge seen_edge(const EdgeTable<double>& e, const SeenVertex& a, const
   return seen;
 }
 
+/// Next to a face's plane, where another face may be behind it, its edges' heights and distances are rounded once.
+inline void see_finely(const Block& block, int f, const SeenVertex* const (&corner)[3], Mask where, Lanes d,
+                       const SeenEdge* const (&side)[3], SeenEdge (&finely)[3], Lanes (&h)[3]) {
+  Lanes fine[3];
+  fine_edge_heights(block, f, fine);
+  for (int e = 0; e < 3; ++e) {
+    const double length = block.cage->edge[block.cage->face[f].edge[e]].length;
+    SeenEdge& to = finely[e] = *side[e];
+    h[e] = select(where, fine[e], h[e]);
+    const Lanes square = fine[e] * fine[e] + d * d, distance = root(square);
+    const Lanes angle = angle_of(distance * length, dot(corner[e]->x, corner[(e + 1) % 3]->x));
+    // A distance of zero has the integral of the edge's own form, or none.
+    const Mask mine = where & (distance > Lanes{});
+    to.square = select(mine, square, to.square);
+    to.distance = select(mine, distance, to.distance);
+    to.angle_over = select(mine, angle / distance, to.angle_over);
+  }
+}
+
 /// h int 1/(r^2 rho^2) over an edge. \param d2 the squared height
 inline Lanes in_plane_rest(const EdgeTable<double>& table, const SeenEdge& e, Lanes h, Lanes d2) {
   const Lanes reach = magnitude(h);
@@ -100,10 +119,16 @@ inline Mask sum_mean_values_within(Block& block, const SeenVertex* vertex, const
   for (int f = 0; f < cage.faces; ++f) {
     const FaceTable<double>& face = cage.face[f];
     const SeenVertex* const corner[3] = {vertex + face.vertex[0], vertex + face.vertex[1], vertex + face.vertex[2]};
-    const SeenEdge* const side[3] = {edge + face.edge[0], edge + face.edge[1], edge + face.edge[2]};
-    const SeenHeights seen = seen_heights(face, corner, heights[f]);
-    const Lanes(&h)[3] = seen.h;
+    const SeenEdge* side[3] = {edge + face.edge[0], edge + face.edge[1], edge + face.edge[2]};
+    SeenHeights seen = seen_heights(face, corner, heights[f]);
+    Lanes(&h)[3] = seen.h;
     const Lanes d = seen.d, height = magnitude(d);
+    const Mask near_plane = height < steep.low() * corner[0]->r;
+    SeenEdge near_side[3];
+    if (any(near_plane)) {
+      see_finely(block, f, corner, near_plane, d, side, near_side, h);
+      for (int e = 0; e < 3; ++e) side[e] = near_side + e;
+    }
     Lanes angle[3] = {side[0]->angle_over, side[1]->angle_over, side[2]->angle_over};
     Lanes flux{}, sizes{};
     for (int e = 0; e < 3; ++e) {
@@ -112,7 +137,6 @@ inline Mask sum_mean_values_within(Block& block, const SeenVertex* vertex, const
       sizes += magnitude(term);
     }
     Lanes over = flux / d, rounding = sizes / height;
-    const Mask near_plane = height < steep.low() * corner[0]->r;
     if (any(near_plane)) {
       const Mask within = (h[0] >= Lanes{}) & (h[1] >= Lanes{}) & (h[2] >= Lanes{});
       left |= within & (height < kLeftAlone * corner[0]->r);
