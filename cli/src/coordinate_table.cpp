@@ -12,6 +12,7 @@
 #include <xtensor/xnpy.hpp>
 
 #include <algorithm>
+#include <atomic>
 
 namespace cageproof::cli {
 namespace {
@@ -52,7 +53,7 @@ void add_columns(const CoordinateBlock& block, const CageElements& elements, int
 }  // namespace
 
 CoordinateColumns coordinate_columns(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& points,
-                                     int order, int jobs) {
+                                     int order, int jobs, const std::function<void(std::size_t)>& progress) {
   if (order > coordinates.max_order())
     throw InputError(fmt::format("{} by {} gives derivatives up to order {}, not {}", coordinates.kind().name,
                                  coordinates.evaluation(), coordinates.max_order(), order));
@@ -63,6 +64,7 @@ CoordinateColumns coordinate_columns(const CageCoordinates& coordinates, const s
   table.values.resize(points.size() * columns);
   // Blocks of points share what evaluations prepare for an element.
   constexpr std::size_t together = 64;
+  std::atomic<std::size_t> done = 0;
   validation::for_each_parallel((points.size() + together - 1) / together, jobs, [&](std::size_t part) {
     const std::size_t first = part * together, count = std::min(together, points.size() - first);
     const auto found = coordinates.at<double>(std::span(points).subspan(first, count), order);
@@ -72,6 +74,8 @@ CoordinateColumns coordinate_columns(const CageCoordinates& coordinates, const s
         for (int o = 0; o <= order; ++o)
           to = std::copy_n(block.tensors[o].data() + p * block.stride[o], block.stride[o], to);
     }
+    done += count;
+    if (progress) progress(done);
   });
   return table;
 }

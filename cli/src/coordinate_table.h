@@ -5,6 +5,7 @@
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/mesh_io.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,10 +24,10 @@ struct CoordinateColumns {
   std::vector<Group> groups;
 };
 
-/// \param order highest derivative \param jobs threads; 0: all cores
-/// \throws InputError when the coordinates have no derivatives of that order
+/// \param order highest derivative \param jobs threads; 0: all cores \param progress called with the points that are
+/// done, from any thread \throws InputError when the coordinates have no derivatives of that order
 CoordinateColumns coordinate_columns(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& points,
-                                     int order, int jobs);
+                                     int order, int jobs, const std::function<void(std::size_t)>& progress = {});
 
 /// A header, then a row a point.
 std::string csv_text(const CoordinateColumns& table);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "boundary_data.h"
 #include "commands.h"
+#include "coordinate_summary.h"
 #include "coordinate_table.h"
+#include "progress.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_evaluation.h"
@@ -24,23 +26,10 @@ struct Arguments {
   std::string points, kind, evaluation, out, solved, data;
   std::vector<std::string> parameters;
   int order = 0, jobs = 0;
+  bool strict = false;
 };
 
 void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
-
-// Says how many points have no coordinates, and why. Values come first in a row; derivatives may be NaN on the cage.
-void warn_of_missing(const CoordinateColumns& table, std::size_t points, const CoordinateKind& kind, const Cage& cage) {
-  std::size_t missing = 0;
-  for (std::size_t p = 0; p < points; ++p) {
-    const auto values = std::span(table.values).subspan(p * table.names.size(), table.groups.front().columns);
-    missing += std::ranges::any_of(values, [](double x) { return std::isnan(x); });
-  }
-  if (missing == 0) return;
-  const std::string_view reason = !kind.missing_because.empty() ? kind.missing_because
-                                  : cage.allows_invalid_quads() ? "the cage's quads are not valid there"
-                                                                : "terms of theirs leave the range of double";
-  warn(fmt::format("{} of {} points have no {} coordinates (nan): {}", missing, points, kind.name, reason));
-}
 
 // Beyond this a solution by least squares is not the function that its data belong to to the digits it aims at.
 constexpr double kMetData = 1e-8;
@@ -101,15 +90,20 @@ int run(const Arguments& a) {
   const BoundaryData data = a.data.empty() ? BoundaryData() : read_boundary_data(a.data, coordinates);
   tell_solved(coordinates);
   if (!a.solved.empty()) reports::replace_file(a.solved, solved_json(coordinates).dump(2) + '\n');
-  CoordinateColumns table = coordinate_columns(coordinates, mesh.vertices, a.order, a.jobs);
-  warn_of_missing(table, mesh.vertices.size(), kind, cage);
+  Progress progress;
+  CoordinateColumns table = coordinate_columns(coordinates, mesh.vertices, a.order, a.jobs, [&](std::size_t done) {
+    progress("coordinates", done, mesh.vertices.size());
+  });
+  progress.clear();
+  const CoordinateSummary summary = summary_of(coordinates, cage, a.cage.rule(), mesh.vertices, table, a.jobs);
   if (!a.data.empty()) table = functions_of(table, coordinates, a.order, data);
   const std::string text = extension == ".npy"   ? npy_text(table)
                            : extension == ".vtp" ? vtp_text(table, mesh)
                                                  : csv_text(table);
   if (a.out.empty()) std::cout << text;
   else reports::replace_file(a.out, text);
-  return success;
+  for (const std::string& line : lines_of(summary, kind, cage)) fmt::print(stderr, "{}\n", line);
+  return a.strict && summary.unusable > 0 ? promise_broken : success;
 }
 
 std::string names_of_kinds() {
@@ -140,6 +134,8 @@ void add_coordinates(CommandLine& line) {
   command.option("--data", a->data,
                  "text, a line of numbers a coordinate: writes the functions that coordinates make of them instead");
   command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system");
+  command.flag("--strict", a->strict,
+               "exit with 1 where a point has no finite coordinates, or lies where they sum to zero");
   command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
   command.runs([a] { return run(*a); });
 }

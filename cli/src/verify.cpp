@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
+#include "progress.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
@@ -7,11 +8,8 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
-#include <mutex>
 #include <optional>
 
 namespace cageproof::cli {
@@ -23,32 +21,6 @@ struct Arguments {
   validation::VerifyOptions options;
   int samples = 0, enclosures = -1;
   std::optional<Command> command;  // knows which options are given
-};
-
-// One line on a terminal, rewritten; nothing elsewhere.
-class Progress {
- public:
-  void operator()(const std::string& stage, std::size_t done, std::size_t all) {
-    if (!terminal_) return;
-    const std::scoped_lock lock(mutex_);
-    const std::size_t percent = all == 0 ? 100 : 100 * done / all;
-    if (stage == stage_ && percent == percent_) return;
-    stage_ = stage;
-    percent_ = percent;
-    fmt::print(stderr, "\r\033[K{} {} %", stage, percent);
-  }
-  void clear() const {
-    if (terminal_) fmt::print(stderr, "\r\033[K");
-  }
-  void say(const std::string& text) const {
-    if (terminal_) fmt::print(stderr, "{}\n", text);
-  }
-
- private:
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
-  std::mutex mutex_;
-  std::string stage_;
-  std::size_t percent_ = 0;
 };
 
 // "I/N".

@@ -28,6 +28,9 @@ refuses() {
   [ -z "$(find "$work" -name '.out*' -print -quit)" ] || fail "left something aside: $*"
 }
 
+# More on standard error than where points lie and what is left of partition and reproduction.
+says_more() { grep -qvE '^([0-9]+ points?: |largest residual: )' "$work/stderr"; }
+
 verify_cage() { "$cageproof" verify --suite quick --out "$work/out" --cage "$@"; }
 
 tetrahedron='v 0 0 0
@@ -76,7 +79,7 @@ write cavity.obj "$tetrahedron" "$good_faces" "$inner" 'f 5 6 7' 'f 5 8 6' 'f 6 
 for cage in cavity.obj 'shells.obj --flip-inward'; do
   # shellcheck disable=SC2086
   "$cageproof" coordinates --cage "$work"/$cage --points "$work/centre.csv" --kind green >"$work/stdout" 2>"$work/stderr" || fail "coordinates in $cage"
-  [ ! -s "$work/stderr" ] || fail "a word about $cage: $(cat "$work/stderr")"
+  says_more && fail "a word about $cage: $(cat "$work/stderr")"
 done
 write crossing.obj "$tetrahedron" "$good_faces" 'v 0.1 0.1 -0.1' 'v 0.3 0.1 -0.1' 'v 0.1 0.3 -0.1' 'v 0.1 0.1 0.1' 'f 5 7 6' 'f 5 6 8' 'f 6 7 8' 'f 5 8 7'
 "$cageproof" coordinates --cage "$work/crossing.obj" --points "$work/centre.csv" --kind green >"$work/stdout" 2>"$work/stderr" || fail "coordinates in crossing.obj"
@@ -314,7 +317,7 @@ for kind in quad_mean_value spherical_mean_value maximum_entropy; do
   "$cageproof" coordinates --cage twisted-bar --points "$work/three.csv" --kind $kind >"$work/stdout" 2>"$work/stderr" || fail "coordinates $kind"
   awk -F, 'NR > 1 { s = 0; for (i = 1; i <= NF; i++) s += $i; if (s < 0.999999999999 || s > 1.000000000001) exit 1 } END { if (NR != 4) exit 1 }' \
     "$work/stdout" || fail "$kind coordinates do not sum to one"
-  [ ! -s "$work/stderr" ] || fail "$kind: $(cat "$work/stderr")"
+  says_more && fail "$kind: $(cat "$work/stderr")"
 done
 write far.csv '9,9,9' '0,0,0'
 "$cageproof" coordinates --cage cube --points "$work/far.csv" --kind maximum_entropy >"$work/stdout" 2>"$work/stderr" || fail "maximum_entropy outside"
@@ -402,6 +405,30 @@ refuses --cage -- "$cageproof" field --kind green --evaluation gauss-4 --out "$w
 refuses nonsense -- "$cageproof" field --kind green --cage cube --evaluation nonsense --out "$work/out"
 refuses --colours -- "$cageproof" field --kind green --cage cube --evaluation gauss-4 --colours 1 0 --out "$work/out"
 "$cageproof" list --json | grep -q triangle.mean_value || fail "list --json"
+
+# What coordinates say of their points: exit codes with --strict, and lines on standard error.
+says() {
+  local code=$1 words=()
+  shift
+  while [ "$1" != -- ]; do words+=("$1"); shift; done
+  shift
+  "$cageproof" coordinates --cage "$work/unit.obj" --points "$@" >"$work/stdout" 2>"$work/stderr"
+  [ $? -eq "$code" ] || fail "not exit $code: coordinates $*"
+  local word
+  for word in "${words[@]}"; do grep -qF -- "$word" "$work/stderr" || fail "no '$word' of $*: $(cat "$work/stderr")"; done
+}
+write unit.obj "$tetrahedron" "$good_faces"
+write around.csv '0.25 0.25 0.125' '0 0.25 0.5' '-1 0.5 0.5'
+write inside.csv '0.25 0.25 0.125'
+write lost.csv '0.25 0.25 0.125' '1e20 0 0'
+says 0 '3 points: 1 inside, 1 on and 1 outside' 'largest residual: partition of unity' 'collapses to the origin at 1 point' -- "$work/around.csv" --kind green
+says 1 'green coordinates sum to zero outside' -- "$work/around.csv" --kind green --strict
+says 0 '1 point: 1 inside, 0 on and 0 outside' -- "$work/inside.csv" --kind green --strict
+grep -q warning "$work/stderr" && fail "a warning of a point inside: $(cat "$work/stderr")"
+says 0 '1 outside' -- "$work/around.csv" --kind mean_value --order 1 --strict
+grep -q warning "$work/stderr" && fail "a warning of mean values outside: $(cat "$work/stderr")"
+says 1 '1 of 2 points have' 'mean_value coordinates' 'the sum of their weights is zero' -- "$work/lost.csv" --kind mean_value --strict
+awk '/largest residual/ { if ($6 + 0 > 1e-14 || $12 + 0 > 1e-14) exit 1; found = 1 } END { exit !found }' "$work/stderr" || fail "residuals: $(cat "$work/stderr")"
 
 [ $failures -eq 0 ] && echo "all of the command line answers as it should"
 exit $failures

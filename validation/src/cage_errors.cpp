@@ -138,12 +138,12 @@ double expected_sum(const CoordinateKind& kind, const CageLocator& locator, cons
   return kind.normalised ? 1 : locator.winding(point);
 }
 
-CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point, double expected,
-                     int order, const CageTerms* terms) {
+namespace {
+
+// \param terms sizes at the point, where they are known
+CageErrors errors_with(const CageCoordinates& coordinates, const Cage& cage, const std::vector<Result<double>>& blocks,
+                       const Vec3<double>& point, double expected, int order, const TermSizes* terms) {
   CageErrors errors{};
-  const auto blocks = coordinates.at<double>(point, order);
-  if (!coordinates.kind().missing_because.empty() && std::isnan(blocks[0].value[0])) return errors;
-  const TermSizes of_terms = terms ? terms->at(point, order) : TermSizes{};
   const int dim = coordinates.dimension();
   for (int o = 0; o <= order; ++o) {
     const int entries = static_cast<int>(derivative_count(dim, o));
@@ -160,12 +160,28 @@ CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const
       ones_size = std::hypot(ones_size, s.ones_size);
       positions_size = std::hypot(positions_size, s.positions_size);
     }
-    errors.partition[o] = error_of(ones, terms ? of_terms.ones[o] : ones_size, o == 0 ? 1 : ones_size);
+    errors.partition[o] = error_of(ones, terms ? terms->ones[o] : ones_size, o == 0 ? 1 : ones_size);
     errors.reproduction[o] =
-        error_of(positions, terms ? of_terms.positions[o] : positions_size, o == 0 ? cage.size() : positions_size);
+        error_of(positions, terms ? terms->positions[o] : positions_size, o == 0 ? cage.size() : positions_size);
   }
-  if (order >= 2 && terms) errors.laplacian = laplacian_error(coordinates, blocks, of_terms);
+  if (order >= 2 && terms) errors.laplacian = laplacian_error(coordinates, blocks, *terms);
   return errors;
+}
+
+}  // namespace
+
+CageErrors errors_of(const CageCoordinates& coordinates, const Cage& cage, const std::vector<Result<double>>& blocks,
+                     const Vec3<double>& point, double expected, int order) {
+  return errors_with(coordinates, cage, blocks, point, expected, order, nullptr);
+}
+
+CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point, double expected,
+                     int order, const CageTerms* terms) {
+  const auto blocks = coordinates.at<double>(point, order);
+  if (!coordinates.kind().missing_because.empty() && std::isnan(blocks[0].value[0])) return {};
+  if (terms == nullptr) return errors_of(coordinates, cage, blocks, point, expected, order);
+  const TermSizes of_terms = terms->at(point, order);
+  return errors_with(coordinates, cage, blocks, point, expected, order, &of_terms);
 }
 
 std::array<CageError, 3> truth_errors_at(const CageCoordinates& coordinates, const CageCoordinates& reference,

@@ -50,6 +50,10 @@ struct CageErrors {
 CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point, double expected,
                      int order, const CageTerms* terms = nullptr);
 
+/// The same of coordinates that were computed there, without terms. \param blocks of the point, up to that order
+CageErrors errors_of(const CageCoordinates& coordinates, const Cage& cage, const std::vector<Result<double>>& blocks,
+                     const Vec3<double>& point, double expected, int order);
+
 /// How far solved coordinates are from the data that they were solved for, in values and in gradients, as
 /// SolvedSystem says it; nothing of kinds that do not measure it.
 std::array<std::optional<double>, 2> boundary_residuals(const CageCoordinates& coordinates);

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "coordinate_summary.h"
+
+#include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/cage_points.h"
+#include "cageproof/validation/parallel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <span>
+
+namespace cageproof::cli {
+namespace {
+
+// Points that are looked at together.
+constexpr std::size_t kTogether = 64;
+
+// The values of one point, from its row.
+std::vector<Result<double>> blocks_of(const CageCoordinates& coordinates, std::span<const double> row,
+                                      std::size_t per_block) {
+  std::vector<Result<double>> blocks;
+  for (const CoordinateBlock& block : coordinates.blocks()) {
+    const std::size_t values = static_cast<std::size_t>(block.size) * block.entries();
+    Result<double> result;
+    result.value.assign(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(values));
+    blocks.push_back(std::move(result));
+    row = row.subspan(values * per_block);
+  }
+  return blocks;
+}
+
+void keep(Largest& largest, double value, std::size_t point) {
+  // What is not a number is the largest, and of equals the first point.
+  if (std::isnan(largest.value) && largest.point < point) return;
+  if (value > largest.value || std::isnan(value) || (value == largest.value && point < largest.point))
+    largest = {value, point};
+}
+
+void add(CoordinateSummary& sum, const CoordinateSummary& part) {
+  sum.inside += part.inside;
+  sum.on += part.on;
+  sum.outside += part.outside;
+  sum.missing += part.missing;
+  sum.infinite += part.infinite;
+  sum.unusable += part.unusable;
+  keep(sum.partition, part.partition.value, part.partition.point);
+  keep(sum.reproduction, part.reproduction.value, part.reproduction.point);
+}
+
+bool reproduces_points(const CageCoordinates& coordinates) {
+  return std::ranges::any_of(coordinates.blocks(),
+                             [](const CoordinateBlock& b) { return b.reproduces != Reproduces::Nothing; });
+}
+
+// "1 point", "2 points".
+std::string points_of(std::size_t count) { return fmt::format("{} point{}", count, count == 1 ? "" : "s"); }
+
+}  // namespace
+
+CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cage, Triangulation rule,
+                             const std::vector<Vec3<double>>& points, const CoordinateColumns& table, int jobs) {
+  const CoordinateKind& kind = coordinates.kind();
+  const validation::CageLocator locator(cage, rule, kind.keeps_quads);
+  const std::size_t columns = table.names.size();
+  std::size_t values = 0;
+  for (const CoordinateBlock& block : coordinates.blocks())
+    values += static_cast<std::size_t>(block.size) * block.entries();
+  const std::size_t per_block = values == 0 ? 1 : columns / values;
+  CoordinateSummary sum;
+  sum.points = points.size();
+  sum.reproduces = reproduces_points(coordinates);
+  std::mutex adding;
+  validation::for_each_parallel((points.size() + kTogether - 1) / kTogether, jobs, [&](std::size_t part) {
+    CoordinateSummary mine;
+    for (std::size_t p = part * kTogether; p < std::min(points.size(), (part + 1) * kTogether); ++p) {
+      const bool on = !coordinates.elements().touching(points[p]).empty();
+      const int winding = on ? 1 : locator.winding(points[p]);
+      ++(on ? mine.on : winding == 0 ? mine.outside : mine.inside);
+      const auto blocks = blocks_of(coordinates, std::span(table.values).subspan(p * columns, columns), per_block);
+      bool nan = false, infinite = false;
+      for (const Result<double>& block : blocks)
+        for (const double x : block.value) nan = nan || std::isnan(x), infinite = infinite || std::isinf(x);
+      if (nan) ++mine.missing;
+      else if (infinite) ++mine.infinite;
+      if (nan || infinite || (sum.reproduces && winding == 0 && !kind.normalised)) ++mine.unusable;
+      if (nan || infinite || !sum.reproduces) continue;
+      const double expected = kind.normalised ? 1 : winding;
+      const validation::CageErrors errors = validation::errors_of(coordinates, cage, blocks, points[p], expected, 0);
+      keep(mine.partition, errors.partition[0].relative, p);
+      keep(mine.reproduction, errors.reproduction[0].relative, p);
+    }
+    const std::lock_guard lock(adding);
+    add(sum, mine);
+  });
+  return sum;
+}
+
+std::vector<std::string> lines_of(const CoordinateSummary& s, const CoordinateKind& kind, const Cage& cage) {
+  std::vector<std::string> lines{fmt::format("{}: {} inside, {} on and {} outside {}", points_of(s.points), s.inside,
+                                             s.on, s.outside, cage.name())};
+  if (s.reproduces && s.missing + s.infinite < s.points)
+    lines.push_back(fmt::format(
+        "largest residual: partition of unity {:.2g} (point {}), linear reproduction {:.2g} cage sizes (point {})",
+        s.partition.value, s.partition.point, s.reproduction.value, s.reproduction.point));
+  if (s.outside > 0 && !kind.normalised && s.reproduces)
+    lines.push_back(
+        fmt::format("warning: {} coordinates sum to zero outside the cage: what is deformed with them "
+                    "collapses to the origin at {} (normalised kinds, as mean_value, do not)",
+                    kind.name, points_of(s.outside)));
+  const std::string_view lost = kind.normalised ? "the sum of their weights is zero in double, or leaves its range"
+                                                : "terms of theirs leave the range of double";
+  if (s.missing > 0) {
+    const std::string_view reason = !kind.missing_because.empty() ? kind.missing_because
+                                    : cage.allows_invalid_quads() && kind.keeps_quads
+                                        ? "the cage's quads are not valid there"
+                                        : lost;
+    lines.push_back(fmt::format("warning: {} of {} points have no {} coordinates (nan): {}", s.missing, s.points,
+                                kind.name, reason));
+  }
+  if (s.infinite > 0)
+    lines.push_back(fmt::format("warning: {} of {} points have infinite {} coordinates: {}", s.infinite, s.points,
+                                kind.name, lost));
+  return lines;
+}
+
+}  // namespace cageproof::cli

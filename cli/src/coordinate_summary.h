@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What a user should know of the coordinates of many points: where the points lie, which have none, and how well the
+// others reproduce.
+#pragma once
+
+#include "coordinate_table.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cageproof::cli {
+
+/// Of one quantity: its largest value, and the point that has it, counted from 0.
+struct Largest {
+  double value = 0;
+  std::size_t point = 0;
+};
+
+struct CoordinateSummary {
+  std::size_t points = 0;
+  std::size_t inside = 0, on = 0, outside = 0;  ///< the cage, on it decided exactly
+  std::size_t missing = 0;                      ///< points with NaN among their values
+  std::size_t infinite = 0;                     ///< points with an infinity among them, and no NaN
+  Largest partition;                            ///< |sum - 1|, or |sum| outside kinds that vanish there
+  Largest reproduction;                         ///< distance of the reproduced point, in cage sizes
+  bool reproduces = false;                      ///< whether the kind reproduces points at all
+
+  /// Points that a mesh cannot be deformed at: without finite coordinates, or where the coordinates' sum is zero.
+  std::size_t unusable = 0;
+};
+
+/// \param table with values first in each block \param jobs threads; 0: all cores
+CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cage, Triangulation rule,
+                             const std::vector<Vec3<double>>& points, const CoordinateColumns& table, int jobs);
+
+/// Lines for a user: counts, residuals, and a warning for each kind of points that a mesh cannot be deformed at.
+std::vector<std::string> lines_of(const CoordinateSummary& summary, const CoordinateKind& kind, const Cage& cage);
+
+}  // namespace cageproof::cli
