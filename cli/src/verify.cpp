@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "progress.h"
 
+#include "cageproof/benchmarks/evaluation_times.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
 #include "cageproof/validation/verify.h"
@@ -91,6 +92,7 @@ int run(Arguments& a) {
     options.mesh_name = a.points;
     options.mesh = load_points(a.points, options.cage->dimension());
   }
+  options.take_times = benchmarks::times_of_evaluations;
   Progress progress;
   options.progress = [&](std::size_t done, std::size_t all) { progress("measuring", done, all); };
   const validation::Verified done = validation::verify(options);

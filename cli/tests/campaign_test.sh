@@ -39,7 +39,7 @@ without_environment() {
   case $1 in
     */summary.json) sed 's/"environment":{.*},"notes":/"notes":/' "$1" ;;
     */summary.md) sed '/^## Environment$/,$d' "$1" ;;
-    */index.html) sed '/^<footer id="environment">$/,/^<\/footer>$/d' "$1" ;;
+    *.html) sed '/^<section class="environment">$/,/^<\/section>$/d' "$1" ;;
     */journal) sed '1s/"environment":{.*$//' "$1" ;;
     *) cat "$1" ;;
   esac

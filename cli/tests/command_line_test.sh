@@ -139,8 +139,9 @@ refuses flat.csv:1 'three coordinates' -- verify_cage cube --points "$work/flat.
 "$cageproof" field --kind biharmonic --cage "$work/ring.svg" --evaluation closed_form --resolution 8 --out "$work/flat_field" >/dev/null || fail "field in a polygon"
 "$cageproof" verify --suite quick --formulas segment.double_layer --regimes near-face --cage "$work/ring.svg" --points "$work/flat.csv" --out "$work/flat_report" >"$work/stdout" ||
   fail "verify of a polygon: $(cat "$work/stdout")"
-grep -q '"ring.svg\|ring.svg' "$work/flat_report/worst.jsonl" || fail "no worst case in a polygon"
-"$cageproof" replay "$work/flat_report/worst.jsonl" >"$work/stdout" || fail "replay in a polygon: $(tail -n 3 "$work/stdout")"
+cat "$work"/flat_report/worst/*.jsonl >"$work/flat_worst.jsonl"
+grep -q 'ring.svg' "$work/flat_worst.jsonl" || fail "no worst case in a polygon"
+"$cageproof" replay "$work/flat_worst.jsonl" >"$work/stdout" || fail "replay in a polygon: $(tail -n 3 "$work/stdout")"
 
 # Bad points and names.
 write points.csv '0.1,0.2,0.3' '0.1,0.2'
@@ -337,14 +338,16 @@ refuses nonsense -- "$cageproof" coordinates --cage cube --points "$work/three.c
 # verify, its report, and replay.
 "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes 'near-face' --cage cube --out "$work/report" >"$work/stdout"
 [ $? -eq 0 ] || fail "verify: $(cat "$work/stdout")"
-for file in summary.json summary.md results.csv worst.jsonl index.html fields pictures; do
+for file in summary.json summary.md results.csv worst.jsonl worst index.html formulas/triangle.solid_angle.html cages/cube.html fields pictures; do
   [ -e "$work/report/$file" ] || fail "no $file"
 done
-"$cageproof" replay "$work/report/worst.jsonl" >"$work/stdout" || fail "replay: $(tail -n 3 "$work/stdout")"
-[ "$(wc -l <"$work/stdout")" -eq "$(wc -l <"$work/report/worst.jsonl")" ] || fail "replay: a line a case"
+[ ! -s "$work/report/worst.jsonl" ] || fail "worst.jsonl holds what is kept"
+cat "$work"/report/worst/*.jsonl >"$work/worst.jsonl"
+"$cageproof" replay "$work/worst.jsonl" >"$work/stdout" || fail "replay: $(tail -n 3 "$work/stdout")"
+[ "$(wc -l <"$work/stdout")" -eq "$(wc -l <"$work/worst.jsonl")" ] || fail "replay: a line a case"
 awk '{ if (!match($0, /: error [^ ]+/)) exit 1; e = substr($0, RSTART + 8, RLENGTH - 8); if (!match($0, /stored [^)]+/)) exit 1
        s = substr($0, RSTART + 7, RLENGTH - 7); if (e != s) { print; exit 1 } }' "$work/stdout" || fail "replay differs from what was stored"
-grep -q '"regime":"hunted"' "$work/report/worst.jsonl" || fail "verify does not replay the stored worst cases"
+grep -q '"regime":"hunted"' "$work/worst.jsonl" || fail "verify does not replay the stored worst cases"
 
 # hunt: one line, the same for any number of threads, and cases that replay; a second hunt adds to them.
 hunt() { "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --regime 'near-*' --budget 300 --order 1 "$@"; }

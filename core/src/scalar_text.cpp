@@ -34,15 +34,26 @@ std::optional<R> parse_scalar(std::string_view text) {
   return x;
 }
 
+namespace {
+
+template <Scalar R>
+std::string scientific(const R& x, int digits) {
+  std::array<char, 256> text{};
+  mpfr_snprintf(text.data(), text.size(), "%.*Re", digits - 1, x.data());
+  return text.data();
+}
+
+}  // namespace
+
+std::string format_digits(const Mp100& x, int digits) { return isfinite(x) ? scientific(x, digits) : format_scalar(x); }
+
 template <Scalar R>
 std::string format_scalar(const R& x) {
   using std::isfinite, std::isnan;
   if (isnan(x)) return "nan";
   if (!isfinite(x)) return x > 0 ? "inf" : "-inf";
   if constexpr (is_multiprecision<R>) {
-    std::array<char, 256> text{};
-    mpfr_snprintf(text.data(), text.size(), "%.*Re", std::numeric_limits<R>::max_digits10 - 1, x.data());
-    return text.data();
+    return scientific(x, std::numeric_limits<R>::max_digits10);
   } else {
     return fmt::format("{}", x);
   }

@@ -27,6 +27,7 @@ void Tally::merge(const Tally& other) {
   unreached += other.unreached;
   declined += other.declined;
   max_relative = std::max(max_relative, other.max_relative);
+  total_loss = std::max(total_loss, other.total_loss);
   by_parameter.resize(std::max(by_parameter.size(), other.by_parameter.size()), -1);
   for (std::size_t i = 0; i < other.by_parameter.size(); ++i)
     by_parameter[i] = std::max(by_parameter[i], other.by_parameter[i]);

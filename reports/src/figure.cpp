@@ -31,6 +31,12 @@ std::string digits_lost(double relative, std::string_view scalar) {
   return roundings > 1 ? fmt::format("{:.3g}", std::ceil(10 * std::log10(roundings)) / 10) : "0";
 }
 
+std::string digits_kept(double relative, std::string_view scalar) {
+  if (!std::isfinite(relative)) return "0";
+  if (relative < std::ldexp(1.0, scalar == "float" ? -24 : -53)) return "all";
+  return fmt::format("{:.3g}", std::max(0.0, std::floor(-10 * std::log10(relative)) / 10));
+}
+
 std::string short_number(double x) {
   if (!std::isfinite(x) || x == 0) return fmt::format("{}", x);
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(x))));

@@ -16,6 +16,9 @@ std::string short_error(double error);
 /// \param scalar "float" or "double"
 std::string digits_lost(double relative, std::string_view scalar);
 
+/// How many decimal digits of a scalar a relative error leaves, rounded down to a tenth: "0", "12.3", "all".
+std::string digits_kept(double relative, std::string_view scalar);
+
 /// Four digits at most: "64", "1e-12", "-16.32".
 std::string short_number(double x);
 

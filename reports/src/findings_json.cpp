@@ -71,18 +71,29 @@ ErrorHistogram histogram_of(const Json& row) {
   return ErrorHistogram::restored(counts, count_at(row, "nonfinite"), row.contains("max") ? number(row["max"]) : 0);
 }
 
-// Worst cases: error, parameter, sample, asked, corners, point, parameters.
+// Worst cases: error, parameter, sample, asked, corners, point, parameters; where a tensor was compared the relative
+// error, and of the furthest entry index, result and truth.
 Json json_of(const WorstCase& c) {
   Json corners = Json::array();
   for (const Vec3<double>& corner : c.corners) corners.push_back(json_of(corner));
-  return Json::array({json_number(c.error), json_number(c.parameter), c.sample, c.asked, corners, json_of(c.point),
-                      json_of(c.parameters)});
+  Json json = Json::array({json_number(c.error), json_number(c.parameter), c.sample, c.asked, corners, json_of(c.point),
+                           json_of(c.parameters)});
+  if (c.furthest.index < 0) return json;
+  json.push_back(json_number(c.relative));
+  json.push_back(c.furthest.index);
+  json.push_back(json_number(c.furthest.found));
+  json.push_back(c.furthest.truth);
+  return json;
 }
 
 WorstCase case_of(const Json& json) {
   WorstCase c{number(json.at(0)), number(json.at(1)),  count(json.at(2)), {},
               vector(json.at(5)), numbers(json.at(6)), small(json.at(3))};
   for (const Json& corner : json.at(4)) c.corners.push_back(vector(corner));
+  if (json.size() > 7) {
+    c.relative = number(json[7]);
+    c.furthest = {small(json.at(8)), number(json.at(9)), json.at(10).get<std::string>()};
+  }
   return c;
 }
 
@@ -103,6 +114,7 @@ Tally tally_of(const Json& row) {
   tally.unreached = count_at(row, "unreached");
   tally.declined = count_at(row, "declined");
   if (row.contains("max_relative")) tally.max_relative = number(row["max_relative"]);
+  if (row.contains("total_loss")) tally.total_loss = number(row["total_loss"]);
   tally.by_parameter = numbers(list(row, "by_parameter"));
   for (const Json& c : list(row, "worst")) tally.worst.add(case_of(c));
   return tally;
@@ -203,6 +215,7 @@ Json row_json(const RowKey& key, const Tally& tally) {
   if (tally.unreached > 0) json["unreached"] = tally.unreached;
   if (tally.declined > 0) json["declined"] = tally.declined;
   if (tally.max_relative > 0) json["max_relative"] = json_number(tally.max_relative);
+  if (tally.total_loss >= 0) json["total_loss"] = json_number(tally.total_loss);
   if (!tally.by_parameter.empty()) json["by_parameter"] = json_of(tally.by_parameter);
   for (const WorstCase& c : tally.worst.cases()) json["worst"].push_back(json_of(c));
   return json;

@@ -26,14 +26,14 @@ bool has_journal(const fs::path& folder, bool shard) {
 }  // namespace
 
 const FolderKind& report_kind() {
-  static const FolderKind kind{"a verification report",
-                               {journal_file, "summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html",
-                                "fields", "pictures", "figures"},
-                               {"fields", "pictures"},
-                               [](const fs::path& folder) {
-                                 return has_journal(folder, false) ||
-                                        states_schema(folder / "summary.json", "cageproof-summary");
-                               }};
+  static const FolderKind kind{
+      "a verification report",
+      {journal_file, "summary.json", "summary.md", "results.csv", "worst.jsonl", "worst", "index.html", "pictures.html",
+       "formulas", "cages", "deformers", "fields", "pictures", "figures"},
+      {"fields", "pictures"},
+      [](const fs::path& folder) {
+        return has_journal(folder, false) || states_schema(folder / "summary.json", "cageproof-summary");
+      }};
   return kind;
 }
 
@@ -46,7 +46,7 @@ const FolderKind& shard_kind() {
 const FolderKind& field_kind() {
   static const FolderKind kind{
       "an error field",
-      {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "fields", "pictures"},
+      {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "pictures.html", "fields", "pictures"},
       {"fields", "pictures"},
       [](const fs::path& folder) { return states_schema(folder / "summary.json", "cageproof-field"); }};
   return kind;

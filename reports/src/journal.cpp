@@ -30,10 +30,13 @@ constexpr int schema_version = 1;
 }
 
 Json json_of(const Session& session) {
-  return {{"started", session.started},
-          {"seconds", json_number(session.seconds)},
-          {"command_line", session.command_line},
-          {"machine", session.machine}};
+  Json json{{"started", session.started},
+            {"seconds", json_number(session.seconds)},
+            {"command_line", session.command_line},
+            {"machine", session.machine}};
+  for (const EvaluationTime& time : session.times)
+    json["times"].push_back(Json::array({time.formula, time.evaluation, time.order, json_number(time.nanoseconds)}));
+  return json;
 }
 
 Session session_of(const Json& json) {
@@ -42,6 +45,10 @@ Session session_of(const Json& json) {
   session.seconds = number_of(json.at("seconds")).value_or(0);
   session.command_line = json.at("command_line").get<std::string>();
   session.machine = json.at("machine").get<std::map<std::string, std::string>>();
+  if (json.contains("times"))
+    for (const Json& time : json["times"])
+      session.times.push_back({time.at(0).get<std::string>(), time.at(1).get<std::string>(), time.at(2).get<int>(),
+                               number_of(time.at(3)).value_or(0)});
   return session;
 }
 

@@ -10,9 +10,10 @@
 #include "field_picture.h"
 #include "figure.h"
 #include "gnuplot.h"
-#include "page.h"
+#include "page/pages.h"
 #include "report_folder.h"
 #include "tables.h"
+#include "worst_places.h"
 #include "cageproof/reports/vtk_text.h"
 
 #include <fmt/format.h>
@@ -38,6 +39,20 @@ struct ReportWriter::State {
     return fresh;
   }
 };
+
+namespace {
+
+// Files by name, in folders that are made for them.
+void write_files(const std::filesystem::path& folder, const std::map<std::string, std::string>& files) {
+  std::error_code ignored;
+  for (const auto& [name, text] : files) {
+    const std::filesystem::path path = folder / name;
+    std::filesystem::create_directory(path.parent_path(), ignored);
+    write_file(path, text);
+  }
+}
+
+}  // namespace
 
 ReportWriter::ReportWriter(const std::filesystem::path& out, Kind kind) : state_(std::make_unique<State>(out, kind)) {}
 ReportWriter::~ReportWriter() = default;
@@ -84,12 +99,12 @@ void ReportWriter::write(const RunResult& result) {
              summary_json(result, state_->kind == Kind::Field ? "cageproof-field" : "cageproof-summary"));
   write_file(folder / "summary.md", summary_markdown(result, state_->figures));
   write_file(folder / "results.csv", results_csv(result));
-  write_file(folder / "worst.jsonl", worst_lines(result));
+  write_files(folder, worst_files(result));
   const std::vector<CurvePicture> curves = curve_pictures(result);
   std::vector<Picture> pictures = std::move(state_->pictures);
   for (const CurvePicture& curve : curves) pictures.push_back(curve.picture);
   draw(pictures, folder);
-  write_file(folder / "index.html", page(result, curves, state_->figures, folder));
+  write_files(folder, pages(result, curves, state_->figures));
   if (!state_->figures.empty()) write_file(folder / "figures/figures.json", figures_json(state_->figures));
 }
 

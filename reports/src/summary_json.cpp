@@ -2,6 +2,7 @@
 #include "cageproof/reports/summary.h"
 
 #include "json_value.h"
+#include "worst_places.h"
 
 #include <algorithm>
 
@@ -26,15 +27,23 @@ Json histogram(const std::vector<std::uint64_t>& counts) {
 // All that may differ between runs with the same findings.
 Json environment(const RunResult& result) {
   Json sessions = Json::array();
-  for (const Session& session : result.sessions)
+  for (const Session& session : result.sessions) {
+    Json times = Json::array();
+    for (const EvaluationTime& time : session.times)
+      times.push_back({{"formula", time.formula},
+                       {"evaluation", time.evaluation},
+                       {"order", time.order},
+                       {"nanoseconds", json_number(time.nanoseconds)}});
     sessions.push_back({{"started", session.started},
                         {"seconds", json_number(session.seconds)},
                         {"command_line", session.command_line},
-                        {"machine", session.machine}});
+                        {"machine", session.machine},
+                        {"times", times}});
+  }
   return {{"sessions", sessions}, {"notes", result.session_notes}};
 }
 
-Json row(const ResultRow& row, std::size_t& next_line) {
+Json row(const ResultRow& row, const WorstPlace& worst) {
   Json json{{"section", name_of(row.section)},
             {"subject", row.subject},
             {"evaluation", row.evaluation},
@@ -54,12 +63,14 @@ Json row(const ResultRow& row, std::size_t& next_line) {
             {"p999", json_number(row.p999)},
             {"median", json_number(row.median)},
             {"max_relative", json_number(row.max_relative)},
+            {"total_loss", row.total_loss < 0 ? Json() : json_number(row.total_loss)},
             {"bound", row.bound ? json_number(*row.bound) : Json()},
             {"reason", row.reason},
             {"verdict", cageproof::name_of(row.verdict)},
             {"histogram", histogram(row.histogram)},
+            {"worst_file", worst.file},
             {"worst_lines", Json::array()}};
-  for (std::size_t i = 0; i < row.worst.size(); ++i) json["worst_lines"].push_back(next_line++);
+  for (std::size_t i = 0; i < worst.count; ++i) json["worst_lines"].push_back(worst.first + i);
   return json;
 }
 
@@ -104,8 +115,8 @@ std::string summary_json(const RunResult& result, std::string_view schema) {
             {"curves", Json::array()},
             {"fields", Json::array()},
             {"errata", Json::array()}};
-  std::size_t line = 1;
-  for (const ResultRow& r : result.rows) json["rows"].push_back(row(r, line));
+  const WorstPlaces worst(result);
+  for (const ResultRow& r : result.rows) json["rows"].push_back(row(r, worst.of(r)));
   for (const ResultCurve& curve : result.curves)
     json["curves"].push_back({{"subject", curve.subject},
                               {"evaluation", curve.evaluation},

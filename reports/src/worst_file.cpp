@@ -55,18 +55,14 @@ Json json_of(const WorstLine& line) {
   for (std::size_t k = 0; k < worst.parameters.size(); ++k)
     json["parameters"][parameter_name(formula, k)] = format_hex(worst.parameters[k]);
   if (worst.asked != 2) json["asked"] = worst.asked;
+  if (worst.furthest.index >= 0) {
+    json["relative"] = json_number(worst.relative);
+    json["furthest"] = {
+        {"entry", worst.furthest.index}, {"found", json_number(worst.furthest.found)}, {"truth", worst.furthest.truth}};
+  }
   if (!line.triangulation.empty()) json["triangulation"] = line.triangulation;
   if (!line.provenance.empty()) json["provenance"] = line.provenance;
   return json;
-}
-
-WorstLine line_of(const ResultRow& row, const WorstCase& worst, const RunResult& result) {
-  WorstLine line{row, row.unit, row.bound, {}, {}, {}, 0, worst};
-  for (const std::string& flag : {row.section == RowKey::Section::Element ? row.regime : std::string(), row.place})
-    if (!flag.empty()) line.flags.push_back(flag);
-  if (const auto rule = result.settings.find("triangulation"); rule != result.settings.end())
-    line.triangulation = rule->second;
-  return line;
 }
 
 // One line of the file, with what an error message needs.
@@ -180,12 +176,21 @@ WorstLine read_line(const LineReader& in) {
 
 }  // namespace
 
+WorstLine worst_line_of(const ResultRow& row, const WorstCase& worst, const RunResult& result) {
+  WorstLine line{row, row.unit, row.bound, {}, {}, {}, 0, worst};
+  for (const std::string& flag : {row.section == RowKey::Section::Element ? row.regime : std::string(), row.place})
+    if (!flag.empty()) line.flags.push_back(flag);
+  if (const auto rule = result.settings.find("triangulation"); rule != result.settings.end())
+    line.triangulation = rule->second;
+  return line;
+}
+
 std::string worst_line(const WorstLine& line) { return dump(json_of(line)); }
 
 std::string worst_lines(const RunResult& result) {
   std::string lines;
   for (const ResultRow& row : result.rows)
-    for (const WorstCase& worst : row.worst) lines += worst_line(line_of(row, worst, result)) + "\n";
+    for (const WorstCase& worst : row.worst) lines += worst_line(worst_line_of(row, worst, result)) + "\n";
   return lines;
 }
 

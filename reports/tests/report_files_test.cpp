@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/formula.h"
+#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/summary.h"
 #include "json_value.h"
 #include "sample_run.h"
@@ -9,7 +10,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <numeric>
+#include <set>
+#include <sstream>
 
 namespace cageproof::reports {
 namespace {
@@ -34,11 +39,23 @@ std::vector<std::string> attributes(const std::string& page, const std::string& 
   return values;
 }
 
+// A page without what may differ between runs that found the same.
+std::string without_environment(std::string page) {
+  const std::string start = "<section class=\"environment\">", end = "</section>";
+  for (auto at = page.find(start); at != page.npos; at = page.find(start))
+    page.erase(at, page.find(end, at) + end.size() - at);
+  return page;
+}
+
 TEST(ReportFiles, AreAFunctionOfTheResultButForTheRun) {
   RunResult run = sample_run(2, 3);
   const auto first = report(run), second = report(run);
   EXPECT_EQ(first, second);
-  run.sessions = {{"2031-01-01T00:00:00Z", 1, "cageproof verify --jobs 1", {{"processor", "another"}}},
+  run.sessions = {{"2031-01-01T00:00:00Z",
+                   1,
+                   "cageproof verify --jobs 1",
+                   {{"processor", "another"}},
+                   {{"triangle.single_layer", "closed_form", 0, 850}}},
                   {"later", 2, "", {}}};
   run.session_notes = {"a note"};
   const auto other = report(run);
@@ -50,10 +67,12 @@ TEST(ReportFiles, AreAFunctionOfTheResultButForTheRun) {
       a.erase("environment");
       b.erase("environment");
       EXPECT_EQ(a, b);
-    } else if (name == "summary.md" || name == "index.html") {
-      const auto end = name == "summary.md" ? bytes.find("## Environment") : bytes.find("<footer");
+    } else if (name == "summary.md") {
+      const auto end = bytes.find("## Environment");
       EXPECT_NE(end, std::string::npos);
       EXPECT_EQ(bytes.substr(0, end), other.at(name).substr(0, end)) << name;
+    } else if (name.ends_with(".html")) {
+      EXPECT_EQ(without_environment(bytes), without_environment(other.at(name))) << name;
     } else {
       EXPECT_EQ(bytes, other.at(name)) << name;
     }
@@ -78,7 +97,7 @@ TEST(ReportFiles, SummaryJsonHoldsEveryFigure) {
   EXPECT_EQ(json["curves"][0]["errors"][1], "-inf");
   EXPECT_TRUE(std::isnan(*number_of(json["rows"][0]["max_relative"])));
   ASSERT_EQ(json["rows"].size(), run.rows.size());
-  std::size_t line = 1;
+  std::map<std::string, std::size_t> line;
   for (std::size_t i = 0; i < run.rows.size(); ++i) {
     const ResultRow& row = run.rows[i];
     const Json& j = json["rows"][i];
@@ -89,8 +108,9 @@ TEST(ReportFiles, SummaryJsonHoldsEveryFigure) {
     for (const Json& count : j["histogram"]["counts"]) counts.push_back(count.get<std::uint64_t>());
     counts.resize(row.histogram.size());
     EXPECT_EQ(counts, row.histogram);
-    for (const Json& at : j["worst_lines"]) EXPECT_EQ(at, line++);
-    EXPECT_EQ(j["worst_lines"].size(), row.worst.size());
+    for (const Json& at : j["worst_lines"]) EXPECT_EQ(at, ++line[j["worst_file"].get<std::string>()]);
+    // Of what is kept the worst input, of what is broken all that are known.
+    EXPECT_EQ(j["worst_lines"].size(), row.verdict == Verdict::Broken ? row.worst.size() : 1u);
   }
   ASSERT_EQ(json["curves"].size(), run.curves.size());
   for (std::size_t i = 0; i < run.curves.size(); ++i)
@@ -125,9 +145,10 @@ TEST(ReportFiles, DeformersHaveATableOfTheirOwn) {
             std::string::npos);
   const auto files = report(run);
   const std::string &page = files.at("index.html"), &text = files.at("summary.md");
-  for (const char* part : {"href=\"#deformers\"", "id=\"deformers\"", "id=\"deformer-cube\"", "id=\"deformer-square\"",
-                           "green, stretch=unit"})
+  for (const char* part :
+       {"href=\"#deformers\"", "id=\"deformers\"", "href=\"deformers/cube.html\"", "href=\"deformers/square.html\""})
     EXPECT_NE(page.find(part), std::string::npos) << part;
+  EXPECT_NE(files.at("deformers/square.html").find("green, stretch=unit"), std::string::npos);
   const auto table = text.find("## Deformers");
   ASSERT_NE(table, std::string::npos);
   EXPECT_NE(text.find("| square | green, stretch=unit | cage sizes | ", table), std::string::npos);
@@ -163,36 +184,138 @@ TEST(ReportFiles, BrokenPromisesComeFirst) {
   }
 }
 
-TEST(ReportFiles, ThePageStandsAlone) {
+// What a page loads besides itself: nothing from elsewhere, and links that lead somewhere.
+void expect_to_stand_alone(const std::string& name, const std::map<std::string, std::string>& files) {
+  const std::string& page = files.at(name);
+  // The scripts are others' and ours, and are looked at by themselves.
+  std::string text = page;
+  for (auto at = text.find("<script>"); at != text.npos; at = text.find("<script>"))
+    text.erase(at, text.find("</script>", at) + 9 - at);
+  for (const char* part : {"http:", "https:", "@import", "url(", "{{", "<script src", "plugin:\"x\"", "<script>alert"})
+    EXPECT_EQ(text.find(part), std::string::npos) << name << ": " << part;
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos) << name;
+  EXPECT_EQ(attributes(text, "<img src").size(), attributes(text, "alt").size()) << name;
+  const std::string folder = name.find('/') == name.npos ? "" : name.substr(0, name.find('/') + 1);
+  std::vector<std::string> targets = attributes(text, "href");
+  for (const std::string& source : attributes(text, "<img src")) targets.push_back(source);
+  EXPECT_GT(targets.size(), 2u) << name;
+  for (const std::string& target : targets) {
+    const auto hash = target.find('#');
+    std::string file = target.substr(0, hash);
+    file = file.starts_with("../") ? file.substr(3) : file.empty() ? name : folder + file;
+    ASSERT_TRUE(files.contains(file)) << name << ": " << target;
+    if (hash == target.npos) continue;
+    // A section, or a cell that the page's script knows.
+    const std::string id = target.substr(hash + 1), &there = files.at(file);
+    EXPECT_TRUE(there.find(fmt::format("id=\"{}\"", id)) != there.npos ||
+                there.find(fmt::format("\"id\":\"{}\"", id)) != there.npos)
+        << name << ": " << target;
+  }
+}
+
+TEST(ReportFiles, PagesStandAlone) {
   RunResult run = sample_run(2, 3);
   run.rows[0].verdict = Verdict::Broken;
-  run.rows[0].reason = "<script>alert(1)</script>";
+  run.rows[0].reason = "</script><script>alert(1)</script>";
   run.rows[0].evaluation = "plugin:\"x\" onload='y'";
-  const std::string page = report(run).at("index.html");
-  EXPECT_EQ(page.find("<script"), std::string::npos);
-  EXPECT_EQ(page.find("http:"), std::string::npos);
-  EXPECT_EQ(page.find("https:"), std::string::npos);
-  EXPECT_EQ(page.find("@import"), std::string::npos);
-  EXPECT_EQ(page.find("url("), std::string::npos);
-  EXPECT_EQ(page.find("{{"), std::string::npos);
-  EXPECT_NE(page.find("&lt;slice&gt; &amp; "), std::string::npos);
-  EXPECT_NE(page.find("plugin:&quot;x&quot;"), std::string::npos);
-  EXPECT_EQ(page.find("plugin:\"x\""), std::string::npos);
-  // Every image is embedded and described, every link within the page has its target.
-  const std::vector<std::string> images = attributes(page, "<img src"), links = attributes(page, "href");
-  EXPECT_EQ(images.size(), 2u * 3 + 2);
-  EXPECT_EQ(images.size(), attributes(page, "alt").size());
-  for (const std::string& source : images) {
-    EXPECT_TRUE(source.starts_with("data:image/png;base64,iVBOR"));
-    EXPECT_GT(source.size(), 1000u);
-  }
-  EXPECT_GT(links.size(), 5u);
-  for (const std::string& target : links) {
-    EXPECT_TRUE(target.starts_with('#')) << target;
-    EXPECT_NE(page.find(fmt::format("id=\"{}\"", target.substr(1))), std::string::npos) << target;
-  }
+  run.sessions[0].times = {{"triangle.single_layer", "closed_form", 0, 850}};
+  const auto files = report(run);
+  int pages = 0;
+  for (const auto& [name, text] : files)
+    if (name.ends_with(".html")) ++pages, expect_to_stand_alone(name, files);
+  EXPECT_EQ(pages, 1 + 1 + 2 + 4 + 2);  // index, pictures, formulas, cages, deformers
+  EXPECT_NE(files.at("pictures.html").find("&lt;slice&gt; &amp; "), std::string::npos);
+  EXPECT_NE(files.at("index.html").find("plugin:&quot;x&quot;"), std::string::npos);
   const Formula& formula = (*std::next(catalogue().begin(), 1));
-  EXPECT_NE(page.find(std::string(formula.source)), std::string::npos);
+  const std::string page = fmt::format("formulas/{}.html", formula.name);
+  EXPECT_NE(files.at(page).find(std::string(formula.source)), std::string::npos);
+}
+
+TEST(ReportFiles, EveryCellOfAPageIsAnotherOne) {
+  for (const auto& [name, text] : report(sample_run(2, 4))) {
+    std::set<std::string> ids;
+    for (auto at = text.find("{\"id\":\""); at != text.npos; at = text.find("{\"id\":\"", at + 1)) {
+      const auto start = at + 7;
+      EXPECT_TRUE(ids.insert(text.substr(start, text.find('"', start) - start)).second) << name;
+    }
+    if (name.starts_with("formulas/")) EXPECT_GT(ids.size(), 50u) << name;
+  }
+}
+
+// The cell of a row on its formula's page, as its script knows it.
+Json cell_of(const std::map<std::string, std::string>& files, const std::string& page, const std::string& id) {
+  const std::string start = "<script type=\"application/json\" id=\"cells-data\">";
+  const std::string& text = files.at(page);
+  const auto at = text.find(start) + start.size();
+  const Json page_data = Json::parse(text.substr(at, text.find("</script>", at) - at));
+  for (const Json& row : page_data["rows"])
+    if (row["id"] == id) return row;
+  return {};
+}
+
+TEST(ReportFiles, ACellAnswersWithItsWorstInputAndTheTruth) {
+  RunResult run = sample_run(1, 2);
+  ResultRow& row = run.rows[0];
+  row.worst[0].furthest = {0, 0.25, "2.5000000000000000001e-01"};
+  row.worst[0].relative = 4e-20;
+  row.samples = 999;
+  const auto files = report(run);
+  const std::string page = fmt::format("formulas/{}.html", row.subject);
+  const Json cell = cell_of(files, page, "truth.generic.closed_form.double.0");
+  EXPECT_EQ(cell["worst"]["point"][2], "0x0.00000000007e8p-1022");
+  EXPECT_EQ(cell["worst"]["element"].size(), 3u);
+  EXPECT_EQ(cell["worst"]["found"], "0.25");
+  EXPECT_EQ(cell["worst"]["truth"], "2.5000000000000000001e-01");
+  EXPECT_EQ(cell["worst"]["digits"], "all");
+  EXPECT_EQ(cell["bound"], "64");
+  EXPECT_FALSE(cell.contains("median"));
+  // Its line in the file of worst inputs is its own.
+  std::istringstream lines(files.at(cell["file"].get<std::string>()));
+  std::string line;
+  for (int n = cell["line"].get<int>(); n > 0; --n) std::getline(lines, line);
+  EXPECT_EQ(Json::parse(line)["point"], cell["worst"]["point"]);
+  run.rows[0].samples = 1000;
+  EXPECT_TRUE(cell_of(report(run), page, "truth.generic.closed_form.double.0").contains("median"));
+}
+
+TEST(ReportFiles, WhatNoResultCouldBreakIsGrey) {
+  RunResult run = sample_run(1, 1);
+  ResultRow& row = run.rows[0];
+  row.verdict = Verdict::NotPromised;
+  row.total_loss = 63;
+  const std::string page = fmt::format("formulas/{}.html", row.subject), id = "truth.generic.closed_form.double.0";
+  EXPECT_EQ(cell_of(report(run), page, id)["css"], "ill");
+  EXPECT_EQ(cell_of(report(run), page, id)["loss"], "63");
+  row.total_loss = 65;
+  row.verdict = Verdict::Kept;
+  EXPECT_EQ(cell_of(report(run), page, id)["css"], "e0");
+  EXPECT_FALSE(cell_of(report(run), page, id).contains("loss"));
+  EXPECT_NE(cell_of(report(run), page, "truth.generic.gauss-8.double.0")["css"].get<std::string>().find("open"),
+            std::string::npos);
+}
+
+TEST(ReportFiles, PagesAreSmall) {
+  for (const auto& [name, text] : report(sample_run(3, 12))) {
+    if (name == "index.html") EXPECT_LT(text.size(), 200'000u);
+    else if (name.ends_with(".html")) EXPECT_LT(text.size(), 1'000'000u) << name;
+  }
+}
+
+TEST(ReportFiles, CodeOfOthersIsWhatItSays) {
+  // The table beside it states versions and hashes.
+  const std::string folder = CAGEPROOF_REPORT_PAGE "/third_party/", table = read_file(folder + "README.md");
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".js") continue;
+    ++files;
+    const std::string command = fmt::format("sha256sum '{}'", entry.path().string());
+    FILE* pipe = ::popen(command.c_str(), "r");
+    std::array<char, 65> hash{};
+    ASSERT_EQ(std::fread(hash.data(), 1, 64, pipe), 64u);
+    ::pclose(pipe);
+    EXPECT_NE(table.find(hash.data()), std::string::npos) << entry.path();
+  }
+  EXPECT_GT(files, 0);
 }
 
 TEST(ReportFiles, ErrataShowPrintAndCorrectionSideBySide) {

@@ -2,6 +2,7 @@
 #include "cageproof/validation/campaign.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/scalar_text.h"
 #include "cageproof/validation/promise.h"
 
 #include <fmt/format.h>
@@ -93,14 +94,27 @@ Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOption
   return plan;
 }
 
-void record(const Part& part, const Plan& plan, const Sample& sample, const std::array<Finding, 3>& findings,
-            std::array<Tally, 3>& tallies) {
+// Where a result is furthest from the truth.
+FurthestEntry furthest_of(const Finding& finding, const Truth& truth, int order) {
+  if (finding.entry < 0) return {};
+  // Enough to see where a double differs.
+  constexpr int digits = 20;
+  const Mp100& wanted = truth.tensors.of(order)[static_cast<std::size_t>(finding.entry)];
+  return {finding.entry, finding.found, format_digits(wanted, digits)};
+}
+
+void record(const Part& part, const Plan& plan, const Sample& sample, const Truth& truth,
+            const std::array<Finding, 3>& findings, std::array<Tally, 3>& tallies) {
   for (int o = 0; o < 3; ++o) {
     const Finding& finding = findings[o];
     Tally& tally = tallies[o];
     if (!counted(finding.status, tally)) continue;
+    tally.total_loss = std::max(tally.total_loss, finding.total_loss);
     tally.add(finding.error, finding.relative, sample.index, [&](double error) {
-      return WorstCase{error, sample.parameter, sample.index, sample.corners, sample.point, sample.parameters};
+      WorstCase worst{error, sample.parameter, sample.index, sample.corners, sample.point, sample.parameters};
+      worst.relative = finding.relative;
+      worst.furthest = furthest_of(finding, truth, o);
+      return worst;
     });
     const std::size_t decades = plan.regime->parameters.size();
     if (decades > 0 && part.check->role() == Check::Role::Truth)
@@ -148,7 +162,7 @@ class ElementMeasurement final : public Measurement {
         if ((part.scalar == ScalarKind::Float) != single || !takes(part, i)) continue;
         if (!truth) truth = truth_from(*plan_.source, sample, 2);
         const int order = std::min(2, part.evaluation.max_order());
-        record(part, plan_, sample,
+        record(part, plan_, sample, *truth,
                part.check->measure({*plan_.formula, part.evaluation, part.scalar, sample, order, *truth}), tallies[p]);
       }
     }

@@ -84,6 +84,15 @@ constexpr std::array table{
         "its order: 1/n^2 of the truth, in units of 2^-53"},
     Row{"truth", "quad.mean_value", "tessellated-5", "double", "@(generic|far|scaled)", 0, 0, 8e-2 * 0x1p53,
         "its order: 2/n^2 of the truth, two triangles a cell, in units of 2^-53"},
+    Row{"truth", "*", "adaptive", "*", "*", 0, 2, none,
+        "integrates until its own tolerance is met, and says how many digits it stands behind: stated_error holds it "
+        "to that, whatever their number"},
+    Row{"truth", "quad.mean_value", "line-*", "*", "*", 0, 2, none,
+        "the line form for as many digits as its name says, where these are enough: which it keeps is what the report "
+        "is for"},
+    Row{"truth", "quad.mean_value", "@(riemann-*|tessellated-*)", "*", "*", 0, 2, none,
+        "a scheme that approximates the quad by its grid: its error next to it, and of derivatives, is what the report "
+        "is for"},
     Row{"truth", "*", "*", "*", "*", 0, 2, none,
         "a quadrature rule of fixed size: its error is what the report is for"},
     // Properties: two evaluations, each within the promise of `truth`.

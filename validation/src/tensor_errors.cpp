@@ -94,6 +94,27 @@ double conditioned_error(const Result<R>& f, const Truth& truth, int order, cons
   return ratio(c, denominator);
 }
 
+double score_of_total_loss(const Truth& truth, int order, const Mp100& u) {
+  if (!truth.exists[order] || truth.norm[order] == 0) return infinite;
+  return static_cast<double>(Mp100(truth.norm[order] / Mp100(u * truth.conditioned[order])));
+}
+
+template <Scalar R>
+int furthest_entry(const Result<R>& f, const Truth& truth, int order) {
+  const auto& found = f.of(order);
+  const auto& wanted = truth.tensors.of(order);
+  int furthest = 0;
+  Mp100 largest = -1;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Mp100 x(found[i]);
+    if (isfinite(x) != isfinite(wanted[i])) return static_cast<int>(i);
+    if (!isfinite(x)) continue;
+    const Mp100 distance = abs(Mp100(x - wanted[i]));
+    if (distance > largest) largest = distance, furthest = static_cast<int>(i);
+  }
+  return furthest;
+}
+
 template <Scalar R>
 double relative_error(const Result<R>& f, const Truth& truth, int order) {
   const Compared c = compared(f.of(order), truth.tensors.of(order));
@@ -108,6 +129,7 @@ double error_over_digits(const Result<R>& f, const Truth& truth, int order, doub
 
 #define CAGEPROOF_INSTANTIATE(R)                                                           \
   template double conditioned_error<R>(const Result<R>&, const Truth&, int, const Mp100&); \
+  template int furthest_entry<R>(const Result<R>&, const Truth&, int);                     \
   template double relative_error<R>(const Result<R>&, const Truth&, int);                  \
   template double error_over_digits<R>(const Result<R>&, const Truth&, int, double);
 CAGEPROOF_INSTANTIATE(float)

@@ -67,6 +67,9 @@ class TruthCheck final : public Check {
         if (!f.converged && !has_zero(in.truth, in.order)) findings[o].status = Finding::Status::Declined;
         findings[o].error = conditioned_error(f, in.truth, o, u);
         findings[o].relative = relative_error(f, in.truth, o);
+        findings[o].total_loss = score_of_total_loss(in.truth, o, u);
+        findings[o].entry = furthest_entry(f, in.truth, o);
+        findings[o].found = static_cast<double>(f.of(o)[static_cast<std::size_t>(findings[o].entry)]);
       }
       return findings;
     });

@@ -101,6 +101,13 @@ void judge(ResultRow& row) {
                 : row.max <= *row.bound        ? Verdict::Kept
                                                : Verdict::Broken;
   if (!row.bound) return;
+  // What any result would keep is no promise. That results are finite where the truth is was looked at all the same.
+  if (row.verdict == Verdict::Kept && row.is_ill_posed()) {
+    row.verdict = Verdict::NotPromised;
+    row.reason = fmt::format(
+        "ill-posed here: a result without one right digit would score {:.2g} at most, within the bound of {:.2g}",
+        row.total_loss, *row.bound);
+  }
   // A row that measured nothing keeps no promise, and breaks none where there was nothing to measure.
   if (row.samples == 0) row.reason = "no sample had a truth, or a statement, to be measured against";
   if (lost_samples(row) == 0) return;
@@ -122,6 +129,7 @@ ResultRow row_of(const RowKey& key, const Tally& tally) {
   row.p999 = tally.errors.p999();
   row.median = tally.errors.median();
   row.max_relative = tally.max_relative;
+  row.total_loss = tally.total_loss;
   row.worst = tally.worst.cases();
   row.histogram.assign(tally.errors.counts().begin(), tally.errors.counts().end());
   row.is_foundation = has_role(row, Check::Role::Gate) || has_role(row, Check::Role::Proof);

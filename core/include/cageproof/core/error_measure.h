@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace cageproof {
@@ -47,6 +48,13 @@ class ErrorHistogram {
   double max_ = 0;
 };
 
+/// Of a tensor the entry that is furthest from the truth.
+struct FurthestEntry {
+  int index = -1;     ///< in the order of Result; negative where no tensor was compared
+  double found = 0;   ///< what the evaluation gave
+  std::string truth;  ///< to twenty digits
+};
+
 /// An input, exactly, and how wrong the result was.
 struct WorstCase {
   double error = 0;      ///< in the row's unit; infinite for a non-finite result
@@ -56,6 +64,8 @@ struct WorstCase {
   Vec3<double> point = Vec3<double>::Zero();
   std::vector<double> parameters = {};  ///< in the order of Formula::parameters
   int asked = 2;                        ///< highest derivative of the query: forms may differ by it
+  double relative = 0;                  ///< the plain relative error, norm-wise; 0 where none was measured
+  FurthestEntry furthest = {};
 };
 
 /// The k worst cases, by falling error, then by rising sample number, then by the bits of the input: independent of the

@@ -29,12 +29,16 @@ struct ResultRow : RowKey {
   double p999 = 0;
   double median = 0;
   double max_relative = 0;  ///< largest plain relative error, norm-wise
+  double total_loss = -1;   ///< Tally::total_loss
   std::optional<double> bound;
   std::string reason;  ///< why the bound is what it is, or why nothing is promised
   Verdict verdict = Verdict::NotPromised;
   bool is_foundation = false;  ///< others rest on it: where it is broken, what they say counts for little
   std::vector<WorstCase> worst;
   std::vector<std::uint64_t> histogram;  ///< ErrorHistogram::counts()
+
+  /// Whether the problem itself is so ill-posed at every sample that a result without one right digit keeps the bound.
+  bool is_ill_posed() const { return bound && total_loss >= 0 && total_loss <= *bound; }
 };
 
 /// Largest error against the regime's parameter: one curve of a picture.
@@ -68,6 +72,13 @@ struct ErratumRow {
   double corrected_error = 0;   ///< and of the corrected form
 };
 
+/// How long an evaluation in double takes for one pair of an element and a point at generic distance, on one thread.
+struct EvaluationTime {
+  std::string formula, evaluation;
+  int order = 0;
+  double nanoseconds = 0;  ///< median over the pairs
+};
+
 /// One process that measured for a run. Two runs with the same findings may differ in their sessions and in nothing
 /// else.
 struct Session {
@@ -75,6 +86,7 @@ struct Session {
   double seconds = 0;   ///< until its last unit of work was done
   std::string command_line;
   std::map<std::string, std::string> machine;  ///< processor, threads, compiler, library versions
+  std::vector<EvaluationTime> times = {};      ///< of what the run looks at; empty where none were taken
 };
 
 /// A whole run.

@@ -46,6 +46,9 @@ struct Tally {
   std::uint64_t unreached = 0;      ///< samples where a limit exists, and no truth or figure was reached
   std::uint64_t declined = 0;       ///< samples where an evaluation with a tolerance said that it could not meet it
   double max_relative = 0;          ///< largest plain relative error, norm-wise
+  /// The largest error, of all samples, that a result without one right digit would have had; negative where it is not
+  /// known. A bound above it says nothing but that results are finite.
+  double total_loss = -1;
   /// Largest error by index of the regime's parameter; negative where nothing was measured. Empty: no curve is drawn.
   std::vector<double> by_parameter;
 

@@ -22,9 +22,14 @@ struct WorstLine : RowKey {
 
 /// The lines of all rows that have worst cases, in the order of the rows: keys formula (kind for a cage), evaluation,
 /// scalar, regime, check, place, order, unit, error, bound, parameter, sample, flags, element, point, parameters,
-/// triangulation; where they say something asked (highest derivative of the query, otherwise 2) and provenance.
+/// triangulation; where they say something asked (highest derivative of the query, otherwise 2), provenance, relative
+/// (the plain relative error) and furthest (the entry that is furthest from the truth: its index, what was found, the
+/// truth).
 /// Coordinates and parameters are hexadecimal floats in strings; infinite errors the string "inf".
 std::string worst_lines(const RunResult& result);
+
+/// What the line of a row's case says.
+WorstLine worst_line_of(const ResultRow& row, const WorstCase& worst, const RunResult& result);
 
 /// One case as worst_lines writes it, without the line's end.
 std::string worst_line(const WorstLine& line);

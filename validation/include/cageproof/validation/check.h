@@ -31,6 +31,10 @@ struct Finding {
   } status = Status::Unasked;
   double error = 0;     ///< in the check's unit
   double relative = 0;  ///< plain relative error, for the check `truth`
+  /// For the check `truth`: the error that a result without one right digit would have had; negative: not known.
+  double total_loss = -1;
+  int entry = -1;    ///< of the check `truth`: which entry of the tensor is furthest from the truth
+  double found = 0;  ///< and what the evaluation gave there
 };
 
 /// One check. Stateless.

@@ -64,6 +64,16 @@ Truth truth_from(const TruthSource& source, const Sample& sample, int order);
 template <Scalar R>
 double conditioned_error(const Result<R>& f, const Truth& truth, int order, const Mp100& u);
 
+/// The conditioned error, in units of `u`, of a result that has no digit of the truth right: |truth| over the
+/// conditioned denominator. Infinite where zero is the truth, and where entries have no limit, since what is wrong
+/// there is seen whatever the conditioning.
+double score_of_total_loss(const Truth& truth, int order, const Mp100& u);
+
+/// The entry of a tensor that is furthest from the truth, in the order of Result. Entries that are not finite where the
+/// truth is, or the other way round, come before all others. \pre the tensor has entries
+template <Scalar R>
+int furthest_entry(const Result<R>& f, const Truth& truth, int order);
+
 /// |f - truth| / |truth|, norm-wise; as conditioned_error.
 template <Scalar R>
 double relative_error(const Result<R>& f, const Truth& truth, int order);

@@ -45,6 +45,9 @@ struct VerifyOptions {
   bool resume = false;        ///< `out` holds the journal of this run, to go on with
   std::filesystem::path out;
   std::string command_line;
+  /// Takes the times of evaluations whose formulas and names match these globs, before anything is measured. Null:
+  /// the report has none.
+  std::function<std::vector<EvaluationTime>(const std::string& formulas, const std::string& evaluations)> take_times;
   /// Called as units of work end.
   std::function<void(std::size_t done, std::size_t all)> progress;
 };

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What each evaluation takes, for the report of a verification to stand beside its errors.
+#pragma once
+
+#include "cageproof/core/run_result.h"
+
+#include <string>
+#include <vector>
+
+namespace cageproof::benchmarks {
+
+/// Median times of the standard evaluations in double whose formula and name match these globs, for value, gradient and
+/// Hessian: of a few dozen pairs of the regime `generic`, always the same ones, on this thread. Evaluations that take
+/// milliseconds, in multiprecision, are left out. A second or two for the whole catalogue.
+std::vector<EvaluationTime> times_of_evaluations(const std::string& formulas, const std::string& evaluations);
+
+}  // namespace cageproof::benchmarks

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+// What pages of cells do once scripts run: cells answer, every figure is listed, curves and times are drawn by D3.
+const page = JSON.parse(document.getElementById("cells-data").textContent);
+const byId = new Map(page.rows.map((row) => [row.id, row]));
+const orderNames = ["value", "gradient", "Hessian"];
+const answer = document.getElementById("answer");
+
+function element(name, text, attributes = {}) {
+  const made = document.createElement(name);
+  if (text !== undefined && text !== null) made.textContent = text;
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  return made;
+}
+
+function whereOf(row) {
+  const place = row.place ? `, ${row.place}` : "";
+  return location.pathname.includes("/formulas/") ? row.regime + place : `${row.subject}${place}`;
+}
+
+// Lines that a terminal takes: the program's answer at the worst input, and the measurement again.
+function commandsOf(row) {
+  const lines = [];
+  const worst = row.worst;
+  if (worst.element) {
+    const input = {element: worst.element, point: worst.point};
+    if (worst.parameters) input.parameters = worst.parameters;
+    lines.push(`echo '${JSON.stringify(input)}' | cageproof eval --formula ${row.subject} --evaluation ${row.evaluation} --order ${Math.min(worst.order, row.order)} --scalar ${row.scalar}`);
+  }
+  lines.push(`cageproof replay ${row.file} --line ${row.line}`);
+  return lines;
+}
+
+function meaningOf(row) {
+  if (row.loss) return `ill-posed here: a result without a right digit would score at most ${row.loss}, which the bound of ${row.bound} allows`;
+  if (row.verdict === "not promised") return "not promised";
+  return row.verdict === "kept" ? "promise kept" : "promise broken";
+}
+
+function answerOf(row) {
+  const list = element("dl");
+  const say = (what, text) => {
+    if (text === undefined || text === null || text === "") return;
+    list.append(element("dt", what), element("dd", text));
+  };
+  const word = row.certified ? "certified" : "largest found";
+  say("error", `${row.text} ${row.unit === "conditioned" ? "conditioned units" : row.unit}, ${word}${row.bound ? `; bound ${row.bound}` : ""}`);
+  say("verdict", meaningOf(row));
+  say("reason", page.reasons[row.reason]);
+  const samples = [`${row.samples.toLocaleString("en")} measured`];
+  for (const [key, text] of [["nonfinite", "not finite"], ["without_truth", "without a truth"], ["unreached", "whose truth was not reached"], ["declined", "declined"]])
+    if (row[key]) samples.push(`${row[key].toLocaleString("en")} ${text}`);
+  say("samples", samples.join(", "));
+  if (row.p999) say("sampled", `99.9 % up to ${row.p999}, half up to ${row.median}`);
+  const worst = row.worst;
+  if (worst) {
+    say("worst input", `sample ${worst.sample}${worst.parameter && worst.parameter !== "0" ? `, parameter ${worst.parameter}` : ""}: error ${worst.error}`);
+    if (worst.truth) {
+      say("furthest entry", worst.entry);
+      say("found", worst.found);
+      say("truth", worst.truth);
+      say("digits right", `${worst.digits}; relative error ${worst.relative}, whatever the conditioning`);
+    }
+  }
+  const parts = [element("h2", `${row.subject}, ${row.evaluation ? row.evaluation + ", " : ""}${row.scalar}: ${row.check}, ${row.regime}${row.place ? ", " + row.place : ""}, ${orderNames[row.order]}`), list];
+  if (worst) {
+    const input = [...(worst.element || []).map((corner, k) => `corner ${k}  ${corner.join(" ")}`), `point     ${worst.point.join(" ")}`];
+    for (const [name, value] of Object.entries(worst.parameters || {})) input.push(`${name}  ${value}`);
+    parts.push(element("pre", input.join("\n")));
+    for (const line of commandsOf(row)) {
+      const copy = element("div", null, {class: "copy"});
+      const button = element("button", "Copy", {type: "button"});
+      button.addEventListener("click", () => copyText(line, button));
+      copy.append(element("pre", line), button);
+      parts.push(copy);
+    }
+  }
+  return parts;
+}
+
+// Pages that are files have no clipboard in some browsers: the line is then selected, to be copied by hand.
+function copyText(line, button) {
+  const select = () => getSelection().selectAllChildren(button.previousSibling);
+  if (!navigator.clipboard) return select();
+  navigator.clipboard.writeText(line).then(() => (button.textContent = "Copied"), select);
+}
+
+function show(id) {
+  const row = byId.get(id);
+  if (!row) return;
+  for (const cell of document.querySelectorAll("td.chosen")) cell.classList.remove("chosen");
+  for (const link of document.querySelectorAll(`a[href="#${CSS.escape(id)}"]`)) link.parentElement.classList.add("chosen");
+  const close = element("button", "Close", {type: "button", class: "close"});
+  close.addEventListener("click", hide);
+  answer.replaceChildren(close, ...answerOf(row));
+  answer.hidden = false;
+  answer.dataset.id = id;
+  document.body.classList.add("answering");
+}
+
+function hide() {
+  answer.hidden = true;
+  document.body.classList.remove("answering");
+}
+
+const idOf = (link) => decodeURIComponent(link.hash.slice(1));
+const cellLink = (target) => target.closest?.('td > a[href^="#"]');
+
+document.addEventListener("focusin", (event) => {
+  const link = cellLink(event.target);
+  if (link) show(idOf(link));
+});
+addEventListener("hashchange", () => show(decodeURIComponent(location.hash.slice(1))));
+
+// Arrows move to the next cell with a figure.
+document.addEventListener("keydown", (event) => {
+  if (event.key === "Escape") return hide();
+  const step = {ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0]}[event.key];
+  const link = cellLink(event.target);
+  if (!step || !link) return;
+  const cell = link.parentElement, rows = [...cell.closest("tbody").rows];
+  let r = rows.indexOf(cell.parentElement), c = cell.cellIndex;
+  for (;;) {
+    (r += step[0]), (c += step[1]);
+    const next = rows[r]?.cells[c];
+    if (!next) return;
+    if (next.firstElementChild?.matches("a") && !rows[r].hidden) {
+      next.firstElementChild.focus();
+      event.preventDefault();
+      return;
+    }
+  }
+});
+
+// Every figure.
+const all = document.querySelector('[data-table="all"]');
+const lines = page.rows.map((row) => {
+  const line = element("tr");
+  line.append(element("th", row.check, {scope: "row"}), element("td", whereOf(row)), element("td", `${row.evaluation ? row.evaluation + ", " : ""}${row.scalar}`), element("td", orderNames[row.order]));
+  const figure = element("td", null, {class: `n ${row.css}`});
+  figure.append(element("a", row.text, {href: `#${row.id}`}));
+  line.append(figure, element("td", row.unit), element("td", row.bound, {class: "n"}), element("td", row.loss ? "ill-posed here" : row.verdict), element("td", page.reasons[row.reason], {class: "reason"}));
+  for (const text of [row.relative, row.p999, row.median, row.samples.toLocaleString("en"), row.nonfinite, row.without_truth, row.declined]) line.append(element("td", text ?? "", {class: "n"}));
+  return {line, row, verdict: row.loss ? "ill-posed here" : row.verdict, where: whereOf(row), evaluation: line.cells[2].textContent};
+});
+const filters = document.querySelector('[data-filters="all"]');
+addChoices(filters.elements.check, lines.map((line) => line.row.check));
+addChoices(filters.elements.where, lines.map((line) => line.where));
+addChoices(filters.elements.evaluation, lines.map((line) => line.evaluation));
+addChoices(filters.elements.verdict, lines.map((line) => line.verdict));
+// As many as are read; the rest are there when asked for, so that the page opens at once.
+const most = 200;
+rememberFilters(filters, () => {
+  const {check, where, evaluation, order, verdict} = filters.elements;
+  const chosen = lines.filter((line) => (check.value === "" || check.value === line.row.check) && (where.value === "" || where.value === line.where) &&
+    (evaluation.value === "" || evaluation.value === line.evaluation) && (order.value === "" || Number(order.value) === line.row.order) &&
+    (verdict.value === "" || verdict.value === line.verdict));
+  const output = filters.querySelector("output");
+  const fill = (count) => {
+    all.tBodies[0].replaceChildren(...chosen.slice(0, count).map((line) => line.line));
+    output.textContent = `${Math.min(count, chosen.length)} of ${lines.length} rows `;
+    if (count >= chosen.length) return;
+    const more = element("button", `show all ${chosen.length}`, {type: "button"});
+    more.addEventListener("click", () => fill(chosen.length));
+    output.append(more);
+  };
+  fill(most);
+});
+all.hidden = false;
+
+// Curves. An evaluation in a scalar has a colour, a dash and a mark of its own on the whole page.
+const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#a6761d", "#7f3fbf", "#b8860b", "#666666", "#e7298a", "#1b9e77", "#8c564b"];
+const dashes = [null, "6 3", "2 2", "8 3 2 3"];
+const seriesNames = [...new Set((page.curves || []).map((curve) => `${curve.evaluation}, ${curve.scalar}`))];
+function styleOf(name) {
+  const k = Math.max(0, seriesNames.indexOf(name));
+  return {colour: colours[k % colours.length], dash: dashes[Math.floor(k / colours.length) % dashes.length], mark: d3.symbolsFill[k % d3.symbolsFill.length]};
+}
+
+const tip = element("div", null, {class: "tip", role: "status", hidden: ""});
+document.body.append(tip);
+function tipOn(selection, textOf) {
+  const at = (event, datum) => {
+    tip.textContent = textOf(datum);
+    tip.hidden = false;
+    const box = event.currentTarget.getBoundingClientRect();
+    tip.style.left = `${Math.min(scrollX + box.right + 8, scrollX + document.documentElement.clientWidth - tip.offsetWidth - 8)}px`;
+    tip.style.top = `${scrollY + box.top - tip.offsetHeight - 4}px`;
+  };
+  selection.on("pointerenter", at).on("focus", at).on("pointerleave blur", () => (tip.hidden = true));
+}
+
+// One of the names alone, or all again.
+function legend(parent, names, svg) {
+  const box = element("div", null, {class: "legend"});
+  for (const name of names) {
+    const style = styleOf(name);
+    const button = element("button", null, {type: "button", "aria-pressed": "false"});
+    const key = d3.create("svg").attr("width", 30).attr("height", 12).attr("viewBox", "0 0 30 12").attr("aria-hidden", "true");
+    key.append("line").attr("x1", 0).attr("x2", 30).attr("y1", 6).attr("y2", 6).attr("stroke", style.colour).attr("stroke-width", 2).attr("stroke-dasharray", style.dash);
+    key.append("path").attr("d", d3.symbol(style.mark, 36)()).attr("transform", "translate(15,6)").attr("fill", style.colour);
+    button.append(key.node(), document.createTextNode(name));
+    button.addEventListener("click", () => {
+      const alone = button.getAttribute("aria-pressed") === "true" ? null : name;
+      for (const other of box.children) other.setAttribute("aria-pressed", String(other === button && alone !== null));
+      svg.selectAll("[data-series]").classed("dim", function () {
+        return alone !== null && this.dataset.series !== alone;
+      });
+    });
+    box.append(button);
+  }
+  parent.append(box);
+}
+
+const powers = (scale, count) => {
+  const [low, high] = scale.domain().map(Math.log10).sort((a, b) => a - b);
+  const step = Math.max(1, Math.ceil((high - low) / count));
+  return d3.range(Math.ceil(low / step) * step, high + 1e-9, step).map((e) => 10 ** e);
+};
+const powerText = (x) => `1e${Math.round(Math.log10(x))}`;
+const low = 0.1;
+const heightOf = (y) => (y === "inf" || y === null ? Infinity : Number(y));
+
+function axes(panel, x, y, width, height, title, labels) {
+  const ticks = powers(y, 8);
+  panel.append("g").attr("class", "grid").selectAll("line").data(ticks).join("line").attr("x2", width).attr("y1", y).attr("y2", y);
+  panel.append("g").attr("class", "axis").attr("transform", `translate(0,${height})`).call(d3.axisBottom(x).tickValues(powers(x, 6)).tickFormat(powerText));
+  panel.append("g").attr("class", "axis").call(d3.axisLeft(y).tickValues(ticks).tickFormat(labels ? powerText : () => ""));
+  panel.append("text").attr("x", width / 2).attr("y", -8).attr("text-anchor", "middle").text(title);
+}
+
+function drawCurves(details) {
+  const box = details.querySelector(".curves");
+  if (box.childElementCount) return;
+  const curves = (page.curves || []).filter((curve) => curve.regime === details.dataset.regime && curve.check === details.dataset.check);
+  if (!curves.length) return;
+  const xs = curves.flatMap((curve) => curve.x), ys = curves.flatMap((curve) => curve.y.map(heightOf)).filter(Number.isFinite);
+  const top = 10 ** (Math.ceil(Math.log10(Math.max(100, ...ys))) + 1), width = 300, height = 230, left = 48, gap = 22;
+  const x = d3.scaleLog(d3.extent(xs), [0, width]), y = d3.scaleLog([low, top], [height, 0]);
+  const svg = d3.create("svg").attr("viewBox", `0 0 ${left + 3 * (width + gap)} ${height + 66}`).attr("width", left + 3 * (width + gap)).attr("role", "img")
+    .attr("aria-label", `Largest error against ${details.dataset.axis} in regime ${details.dataset.regime}`);
+  orderNames.forEach((title, order) => {
+    const panel = svg.append("g").attr("transform", `translate(${left + order * (width + gap)},24)`);
+    axes(panel, x, y, width, height, title, order === 0);
+    const bounds = new Set(page.rows.filter((row) => row.regime === details.dataset.regime && row.check === details.dataset.check && row.order === order && row.bound).map((row) => Number(row.bound)));
+    for (const bound of bounds)
+      if (bound > low && bound < top)
+        tipOn(panel.append("line").attr("x2", width).attr("y1", y(bound)).attr("y2", y(bound)).attr("stroke", "#888888").attr("stroke-dasharray", "2 3").attr("stroke-width", 1.5), () => `promised bound ${bound}`);
+    for (const curve of curves.filter((one) => one.order === order)) {
+      const name = `${curve.evaluation}, ${curve.scalar}`, style = styleOf(name);
+      const points = curve.x.map((at, i) => ({at, error: heightOf(curve.y[i])}));
+      const place = (point) => y(Number.isFinite(point.error) ? Math.min(Math.max(point.error, low), top) : top);
+      const group = panel.append("g").attr("data-series", name);
+      group.append("path").attr("fill", "none").attr("stroke", style.colour).attr("stroke-width", 1.4).attr("stroke-dasharray", style.dash)
+        .attr("d", d3.line().defined((point) => Number.isFinite(point.error)).x((point) => x(point.at)).y(place)(points));
+      const marks = group.selectAll("a").data(points).join("a").attr("href", `#${["truth" === curve.check ? "truth" : curve.check, fileName(curve.regime), fileName(curve.evaluation), curve.scalar, order].join(".")}`).attr("tabindex", -1);
+      marks.append("path").attr("d", (point) => d3.symbol(Number.isFinite(point.error) ? style.mark : d3.symbolTriangle, 30)()).attr("transform", (point) => `translate(${x(point.at)},${place(point)})`)
+        .attr("fill", (point) => (Number.isFinite(point.error) ? style.colour : "#d62728")).append("title").text((point) => `${name}: ${point.error === Infinity ? "not finite" : point.error} at ${point.at}`);
+      tipOn(marks, (point) => `${name}, ${title}: ${point.error === Infinity ? "not finite" : point.error} at ${details.dataset.axis} ${point.at}`);
+    }
+  });
+  svg.append("text").attr("x", left + 1.5 * width).attr("y", height + 60).attr("text-anchor", "middle").text(details.dataset.axis);
+  svg.append("text").attr("transform", `translate(10,${height / 2 + 24}) rotate(-90)`).attr("text-anchor", "middle").text("conditioned error");
+  box.append(svg.node());
+  legend(box, [...new Set(curves.map((curve) => `${curve.evaluation}, ${curve.scalar}`))], svg);
+}
+
+for (const details of document.querySelectorAll("details.picture")) {
+  if (details.open) drawCurves(details);
+  details.addEventListener("toggle", () => details.open && drawCurves(details));
+}
+
+// Errors against times: an evaluation's mark at generic distance, joined to where it comes next to the element.
+function drawTimes(box) {
+  const times = JSON.parse(document.getElementById("times-data").textContent).filter((time) => time.generic !== null);
+  if (!times.length) return;
+  const errors = times.flatMap((time) => [time.generic, time.near]).map(heightOf).filter(Number.isFinite);
+  const top = 10 ** (Math.ceil(Math.log10(Math.max(100, ...errors))) + 1), width = 300, height = 230, left = 48, gap = 22;
+  const spread = d3.extent(times, (time) => time.nanoseconds);
+  const x = d3.scaleLog([spread[0] / 1.5, spread[1] * 1.5], [0, width]), y = d3.scaleLog([low, top], [height, 0]);
+  const svg = d3.create("svg").attr("viewBox", `0 0 ${left + 3 * (width + gap)} ${height + 66}`).attr("width", left + 3 * (width + gap)).attr("role", "img").attr("aria-label", "Largest error against time of each evaluation");
+  const place = (error) => y(Number.isFinite(error) ? Math.min(Math.max(error, low), top) : top);
+  orderNames.forEach((title, order) => {
+    const panel = svg.append("g").attr("transform", `translate(${left + order * (width + gap)},24)`);
+    axes(panel, x, y, width, height, title, order === 0);
+    for (const time of times.filter((one) => one.order === order)) {
+      const name = `${time.evaluation}, double`, style = styleOf(name), at = x(time.nanoseconds);
+      const generic = heightOf(time.generic), near = heightOf(time.near);
+      const group = panel.append("g").attr("data-series", name);
+      group.append("line").attr("x1", at).attr("x2", at).attr("y1", place(generic)).attr("y2", place(near)).attr("stroke", style.colour).attr("stroke-dasharray", "1 3");
+      const text = `${name}, ${title}: ${time.nanoseconds} ns; at generic distance ${Number.isFinite(generic) ? generic.toPrecision(2) : "not finite"}, next to the element ${Number.isFinite(near) ? near.toPrecision(2) : "not finite"}`;
+      for (const [error, fill] of [[near, "none"], [generic, style.colour]])
+        tipOn(group.append("path").attr("d", d3.symbol(style.mark, 50)()).attr("transform", `translate(${at},${place(error)})`).attr("fill", fill).attr("stroke", style.colour).attr("pointer-events", "all").attr("tabindex", fill === "none" ? null : 0), () => text);
+    }
+  });
+  svg.append("text").attr("x", left + 1.5 * width).attr("y", height + 60).attr("text-anchor", "middle").text("nanoseconds a pair");
+  svg.append("text").attr("transform", `translate(10,${height / 2 + 24}) rotate(-90)`).attr("text-anchor", "middle").text("conditioned error");
+  box.append(svg.node());
+  legend(box, [...new Set(times.map((time) => `${time.evaluation}, double`))], svg);
+}
+const timesBox = document.querySelector("[data-times]");
+if (timesBox) drawTimes(timesBox);
+
+if (location.hash) show(decodeURIComponent(location.hash.slice(1)));

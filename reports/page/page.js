@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// What tables of the report do once scripts run: they sort and filter, and the overview shows any evaluation.
+"use strict";
+
+// What an error's text is as a number, to sort by; text that is no number comes last.
+function numberOf(text) {
+  const plain = text.replace(/[,✗\s]/g, "");
+  if (plain === "inf") return Infinity;
+  return plain === "" || Number.isNaN(Number(plain)) ? null : Number(plain);
+}
+
+function compareCells(a, b) {
+  const x = numberOf(a), y = numberOf(b);
+  if (x !== null && y !== null) return x - y;
+  if (x !== null || y !== null) return x !== null ? -1 : 1;
+  return a.localeCompare(b, "en", {numeric: true});
+}
+
+// The name as a file name and a part of ids, as the program makes it.
+function fileName(name) {
+  const plain = name.replace(/[^A-Za-z0-9._-]/g, "-");
+  return plain === "" || plain.startsWith(".") ? "_" + plain : plain;
+}
+
+function sortable(table) {
+  const heads = [...table.tHead.rows[0].cells];
+  heads.forEach((head, column) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.append(...head.childNodes);
+    head.append(button);
+    button.addEventListener("click", () => {
+      const falling = head.getAttribute("aria-sort") === "ascending";
+      heads.forEach((other) => other.removeAttribute("aria-sort"));
+      head.setAttribute("aria-sort", falling ? "descending" : "ascending");
+      const body = table.tBodies[0];
+      const rows = [...body.rows].map((row, place) => [row.cells[column].textContent.trim(), place, row]);
+      rows.sort((a, b) => (falling ? compareCells(b[0], a[0]) : compareCells(a[0], b[0])) || a[1] - b[1]);
+      body.append(...rows.map((row) => row[2]));
+    });
+  });
+}
+
+function addChoices(select, names) {
+  for (const name of [...new Set(names)]) {
+    if (name === "") continue;
+    const option = document.createElement("option");
+    option.value = option.textContent = name;
+    select.append(option);
+  }
+}
+
+// Keeps what a form's selects ask for in the address, so that a filtered view can be linked and comes back on reload.
+function rememberFilters(form, change) {
+  const key = form.dataset.filters;
+  const stored = new URLSearchParams(location.search);
+  for (const select of form.querySelectorAll("select")) {
+    const value = stored.get(key + "." + select.name);
+    if (value !== null && [...select.options].some((option) => option.value === value)) select.value = value;
+    select.addEventListener("change", () => {
+      const now = new URLSearchParams(location.search);
+      if (select.value === "") now.delete(key + "." + select.name);
+      else now.set(key + "." + select.name, select.value);
+      const query = now.toString();
+      try {
+        history.replaceState(null, "", location.pathname + (query ? "?" + query : "") + location.hash);
+      } catch (error) {
+        // Some browsers keep pages that are files from changing their address.
+      }
+      change();
+    });
+  }
+  form.hidden = false;
+  change();
+}
+
+const overview = document.querySelector('[data-table="overview"]');
+if (overview) {
+  const data = JSON.parse(document.getElementById("overview-data").textContent);
+  const form = document.querySelector('[data-filters="overview"]');
+  const lines = [...overview.tBodies[0].rows].map((row, place) => ({
+    row,
+    formula: row.cells[0].textContent,
+    page: row.cells[0].firstElementChild.getAttribute("href"),
+    regime: row.cells[1].textContent,
+    cells: data.cells[place],
+    shown: [2, 3, 4, 5, 6, 7, 8].map((column) => [row.cells[column].className, row.cells[column].innerHTML]),
+  }));
+  addChoices(form.elements.formula, lines.map((line) => line.formula));
+  addChoices(form.elements.regime, lines.map((line) => line.regime));
+  addChoices(form.elements.evaluation, data.evaluations);
+
+  const showEvaluation = (line, name) => {
+    const cells = [...line.row.cells].slice(2);
+    if (name === "") {
+      cells.forEach((cell, i) => ([cell.className, cell.innerHTML] = line.shown[i]));
+      return true;
+    }
+    const orders = line.cells[data.evaluations.indexOf(name)];
+    if (!orders) return false;
+    cells.forEach((cell) => ((cell.textContent = ""), (cell.className = "")));
+    cells[0].textContent = name;
+    const [evaluation, scalar] = name.split(/, (?=[^,]*$)/);
+    orders.forEach(([text, css], order) => {
+      if (text === undefined) return;
+      const link = document.createElement("a");
+      link.textContent = text;
+      link.href = `${line.page}#truth.${fileName(line.regime)}.${fileName(evaluation)}.${scalar}.${order}`;
+      cells[order + 1].className = css;
+      cells[order + 1].append(link);
+    });
+    return true;
+  };
+  rememberFilters(form, () => {
+    const {formula, regime, evaluation, order} = form.elements;
+    let count = 0;
+    for (const line of lines) {
+      const shown = (formula.value === "" || formula.value === line.formula) && (regime.value === "" || regime.value === line.regime) &&
+        showEvaluation(line, evaluation.value);
+      line.row.hidden = !shown;
+      count += shown;
+    }
+    for (const row of overview.rows)
+      for (const o of [0, 1, 2]) row.cells[3 + o].hidden = order.value !== "" && Number(order.value) !== o;
+    document.querySelector("[data-shown]").textContent = evaluation.value === "" ? "of the recommended evaluation" : `of ${evaluation.value}`;
+    form.querySelector("output").textContent = `${count} of ${lines.length} lines`;
+  });
+}
+
+for (const table of document.querySelectorAll("table[data-sortable]")) sortable(table);

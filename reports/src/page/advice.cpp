@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "advice.h"
+
+#include "cageproof/core/evaluation.h"
+#include "digest.h"
+#include "figure.h"
+#include "page_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace cageproof::reports {
+namespace {
+
+constexpr double kTwelveDigits = 1e4;
+
+bool is_values(const RowKey& row, const std::string& formula, const std::string& evaluation) {
+  return row.section == RowKey::Section::Element && row.subject == formula && row.evaluation == evaluation &&
+         row.scalar == "double" && row.check == "truth" && row.order == 0;
+}
+
+bool is_rule(const std::string& formula, const std::string& evaluation) {
+  const auto found = EvaluationRegister::instance().find(formula, evaluation);
+  return found && found->role() == Role::Rule;
+}
+
+struct Choice {
+  std::string evaluation;
+  double reach, nanoseconds;
+};
+
+// The rules that reach somewhere, the quickest first.
+std::vector<Choice> rules(const RunResult& result, const std::string& formula) {
+  std::vector<Choice> found;
+  for (const EvaluationTime& time : times_of(result))
+    if (time.formula == formula && time.order == 0 && is_rule(formula, time.evaluation))
+      if (const auto reach = reach_of(result, formula, time.evaluation))
+        found.push_back({time.evaluation, *reach, time.nanoseconds});
+  std::ranges::stable_sort(found, {}, &Choice::nanoseconds);
+  return found;
+}
+
+std::string recommended(const RunResult& result, const std::string& formula) {
+  for (const EvaluationTime& time : times_of(result))
+    if (time.formula == formula && is_recommended(formula, time.evaluation)) return time.evaluation;
+  return "";
+}
+
+}  // namespace
+
+const std::vector<EvaluationTime>& times_of(const RunResult& result) {
+  static const std::vector<EvaluationTime> none;
+  const auto timed = std::ranges::find_if(result.sessions, [](const Session& s) { return !s.times.empty(); });
+  return timed == result.sessions.end() ? none : timed->times;
+}
+
+std::optional<double> time_of(const RunResult& result, const std::string& formula, const std::string& evaluation,
+                              int order) {
+  for (const EvaluationTime& time : times_of(result))
+    if (time.formula == formula && time.evaluation == evaluation && time.order == order) return time.nanoseconds;
+  return std::nullopt;
+}
+
+std::optional<double> reach_of(const RunResult& result, const std::string& formula, const std::string& evaluation) {
+  for (const ResultRow& row : result.rows)
+    if (is_values(row, formula, evaluation) && row.regime == "generic" && !(row.max <= kTwelveDigits))
+      return std::nullopt;
+  // Above the largest distance at which one of the regimes has lost them.
+  double lost = 0, smallest = std::numeric_limits<double>::infinity();
+  for (const ResultCurve& curve : result.curves) {
+    if (!is_values(curve, formula, evaluation) || !curve.regime.starts_with("near-")) continue;
+    for (std::size_t i = 0; i < curve.parameters.size(); ++i)
+      if (!(curve.errors[i] <= kTwelveDigits)) lost = std::max(lost, curve.parameters[i]);
+  }
+  for (const ResultCurve& curve : result.curves)
+    if (is_values(curve, formula, evaluation) && curve.regime.starts_with("near-"))
+      for (const double parameter : curve.parameters)
+        if (parameter > lost) smallest = std::min(smallest, parameter);
+  if (!std::isfinite(smallest)) return std::nullopt;
+  return smallest;
+}
+
+std::string advice(const RunResult& result, const std::string& formula) {
+  const std::string lead = recommended(result, formula);
+  std::string text;
+  for (const Choice& rule : rules(result, formula)) {
+    text = fmt::format("12 digits down to {} sizes: {}, {}; ", short_number(rule.reach), rule.evaluation,
+                       duration_text(rule.nanoseconds));
+    break;
+  }
+  if (lead.empty()) return text.empty() ? text : text.substr(0, text.size() - 2);
+  const bool fell_short = std::ranges::any_of(result.rows, [&](const ResultRow& row) {
+    return row.section == RowKey::Section::Element && row.subject == formula && row.evaluation == lead &&
+           row.verdict == Verdict::Broken;
+  });
+  text += fmt::format("{}: {}, {}", fell_short ? "everywhere but where it fell short" : "everywhere", lead,
+                      duration_text(*time_of(result, formula, lead, 0)));
+  std::string more;
+  for (const int order : {1, 2})
+    if (const auto time = time_of(result, formula, lead, order))
+      more += fmt::format("{}{} {}", more.empty() ? "" : ", ", order_name(order), duration_text(*time));
+  return more.empty() ? text : fmt::format("{} ({})", text, more);
+}
+
+}  // namespace cageproof::reports

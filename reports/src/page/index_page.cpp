@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "figure.h"
+#include "gallery_page.h"
+#include "page_data.h"
+#include "page_template.h"
+#include "pages.h"
+#include "subject_page.h"
+
+#include <fmt/format.h>
+
+namespace cageproof::reports {
+namespace {
+
+std::string index_page(const RunResult& result, const std::vector<FigureEntry>& figures) {
+  Data data = common_data(result, "");
+  set_verdict(data, result);
+  set_broken(data, result);
+  set_proof(data, result);
+  set_overview(data, result);
+  set_cages(data, result);
+  set_errata(data, result);
+  data.set("has_pictures", !result.fields.empty() || !figures.empty());
+  data.set("field_count", grouped(result.fields.size()));
+  data.set("figure_count", grouped(figures.size()));
+  Data notes{Data::type::list};
+  for (const std::string& note : result.notes) notes << Data(note);
+  set_list(data, "notes", notes);
+  set_environment(data, result);
+  return rendered(kIndexTemplate, "index.mustache", data);
+}
+
+}  // namespace
+
+std::map<std::string, std::string> pages(const RunResult& result, const std::vector<CurvePicture>& curves,
+                                         const std::vector<FigureEntry>& figures) {
+  std::map<std::string, std::string> all = subject_pages(result, curves);
+  all["index.html"] = index_page(result, figures);
+  if (std::string gallery = gallery_page(result, figures); !gallery.empty()) all["pictures.html"] = std::move(gallery);
+  return all;
+}
+
+}  // namespace cageproof::reports

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// One line a formula and regime. What it shows is the recommended evaluation's; of the others a script can show each,
+// from numbers that the page holds.
+#include "figure.h"
+#include "json_value.h"
+#include "page_data.h"
+#include "script_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace cageproof::reports {
+namespace {
+
+// What the lines show without a script: each formula's recommended evaluation in double, or the first column of all.
+Column lead_of(const ErrorTable& table) { return table.columns.front(); }
+
+std::string name_of(const Column& column) { return column.evaluation + ", " + column.scalar; }
+
+Data line_of(const std::string& formula, const std::string& regime, const ErrorTable& table) {
+  const Column lead = lead_of(table);
+  Data line, orders{Data::type::list};
+  const ResultRow* telling = nullptr;
+  for (int order = 0; order < 3; ++order) {
+    const ResultRow* row = table.at(regime, lead, order);
+    orders << error_cell(row, "index.html");
+    if (row && (!telling || more_telling(*row, *telling))) telling = row;
+  }
+  line.set("formula", formula);
+  line.set("page", fmt::format("formulas/{}.html", file_name(formula)));
+  line.set("regime", regime);
+  line.set("evaluation", name_of(lead));
+  line.set("orders", orders);
+  line.set("digits_lost", lead_digits_lost(table, regime));
+  line.set("bound", telling && telling->bound ? short_number(*telling->bound) : "");
+  line.set("samples", telling ? grouped(telling->samples) : "");
+  return line;
+}
+
+// Cells of every evaluation, by the number of its column: text and class of each order.
+Json cells_of(const ErrorTable& table, const std::string& regime, const std::vector<std::string>& evaluations) {
+  Json cells = Json::object();
+  for (const Column& column : table.columns) {
+    Json orders = Json::array();
+    bool any = false;
+    for (int order = 0; order < 3; ++order) {
+      const ResultRow* row = table.at(regime, column, order);
+      any = any || row;
+      if (row) orders.push_back(Json::array({cell_text(*row), cell_class(*row)}));
+      else orders.push_back(Json::array());
+    }
+    const auto number = std::ranges::find(evaluations, name_of(column)) - evaluations.begin();
+    if (any) cells[fmt::format("{}", number)] = std::move(orders);
+  }
+  return cells;
+}
+
+}  // namespace
+
+void set_overview(Data& page, const RunResult& result) {
+  Data lines{Data::type::list};
+  std::vector<std::string> evaluations;
+  Json cells = Json::array();
+  for (const std::string& formula : subjects(result, ResultRow::Section::Element)) {
+    const ErrorTable table = truth_table(result, formula);
+    if (table.columns.empty()) continue;
+    for (const Column& column : table.columns)
+      if (std::ranges::find(evaluations, name_of(column)) == evaluations.end()) evaluations.push_back(name_of(column));
+    for (const std::string& regime : table.regimes) {
+      lines << line_of(formula, regime, table);
+      cells.push_back(cells_of(table, regime, evaluations));
+    }
+  }
+  set_list(page, "overview", lines);
+  page.set("overview_json", script_json({{"evaluations", evaluations}, {"cells", cells}}));
+}
+
+}  // namespace cageproof::reports

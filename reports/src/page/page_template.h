@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The files of reports/page/, embedded when the program is built.
+#pragma once
+
+namespace cageproof::reports {
+
+extern const char* const kIndexTemplate;
+extern const char* const kSubjectTemplate;
+extern const char* const kGalleryTemplate;
+extern const char* const kPageStyle;
+extern const char* const kPageScript;  ///< what every page with a script runs
+extern const char* const kCellScript;  ///< what pages of cells run besides
+extern const char* const kD3Script;    ///< third_party/d3.min.js
+
+}  // namespace cageproof::reports

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The pages of a report: index.html with the verdict and a line a formula and regime, a page a formula, cage and
+// deformed cage with every cell, and a page of pictures. They need no network; index.html and pictures.html need no
+// script.
+#pragma once
+
+#include "cageproof/core/run_result.h"
+#include "cageproof/reports/figure_sheet.h"
+#include "curve_picture.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cageproof::reports {
+
+/// Text by file name, relative to the report's folder. Pictures are linked, not held.
+std::map<std::string, std::string> pages(const RunResult& result, const std::vector<CurvePicture>& curves,
+                                         const std::vector<FigureEntry>& figures);
+
+}  // namespace cageproof::reports

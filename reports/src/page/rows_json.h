@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What a page's script knows of its cells, its curves and its times.
+#pragma once
+
+#include "digest.h"
+#include "json_value.h"
+#include "worst_places.h"
+
+namespace cageproof::reports {
+
+/// {"reasons": [...], "rows": [...]}: a row a cell, with all that the cell answers. Quantiles are there from 1000
+/// samples on: below, they would only repeat the largest.
+Json rows_json(const Rows& rows, const WorstPlaces& places);
+
+/// Curves of a formula: regime, check, evaluation, scalar, order, parameters, errors, bound.
+Json curves_json(const RunResult& result, const std::string& subject);
+
+/// Which entry of a formula's tensor an index is: "corner 1, row y, column x, d/dx d/dz".
+std::string entry_name(const RowKey& row, int index);
+
+}  // namespace cageproof::reports

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "subject_page.h"
+
+#include "cageproof/core/formula.h"
+#include "advice.h"
+#include "figure.h"
+#include "page_template.h"
+#include "rows_json.h"
+#include "script_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cageproof::reports {
+namespace {
+
+using Section = RowKey::Section;
+
+// A table of cells: heads of columns, and lines.
+struct Matrix {
+  std::string caption;
+  Data heads{Data::type::list}, lines{Data::type::list};
+};
+
+Data line(const std::string& name, const std::string& note, Data cells) {
+  Data data;
+  data.set("name", name);
+  data.set("note", note);
+  data.set("cells", std::move(cells));
+  return data;
+}
+
+Data head(const std::string& name, int span) {
+  Data data;
+  data.set("name", name);
+  data.set("span", fmt::format("{}", span));
+  return data;
+}
+
+// Regimes by evaluations, three orders each.
+Matrix truth_matrix(const ErrorTable& table, const std::string& page) {
+  Matrix matrix{
+      "Against the truth: the largest conditioned error found, of value, gradient and Hessian. Beside each "
+      "regime, how many digits the first evaluation lost, whatever the conditioning."};
+  for (const Column& column : table.columns) matrix.heads << head(column.evaluation + ", " + column.scalar, 3);
+  for (const std::string& regime : table.regimes) {
+    Data cells{Data::type::list};
+    for (const Column& column : table.columns)
+      for (int order = 0; order < 3; ++order) {
+        Data cell = error_cell(table.at(regime, column, order), page);
+        cell.set("first", order == 0);
+        cells << cell;
+      }
+    matrix.lines << line(regime, lead_digits_lost(table, regime), cells);
+  }
+  return matrix;
+}
+
+// Relations that hold without the truth: of all regimes the row nearest to its bound.
+Matrix relations_matrix(const RunResult& result, const std::string& subject, const std::string& page) {
+  Matrix matrix{
+      "Relations that must hold without knowing the truth, and what stands for the truth: of all regimes the "
+      "one nearest to its bound."};
+  std::vector<std::pair<std::string, std::vector<const ResultRow*>>> lines;
+  for (const ResultRow* row : tightest_properties(result, subject)) {
+    const std::string name = fmt::format("{}: {}, {}", row->check, row->evaluation, row->scalar);
+    if (lines.empty() || lines.back().first != name) lines.push_back({name, std::vector<const ResultRow*>(3)});
+    lines.back().second[static_cast<std::size_t>(row->order)] = row;
+  }
+  matrix.heads << head("value", 1) << head("gradient", 1) << head("Hessian", 1);
+  for (const auto& [name, rows] : lines) {
+    Data cells{Data::type::list};
+    std::string unit;
+    for (const ResultRow* row : rows) {
+      cells << error_cell(row, page);
+      if (row) unit = row->unit;
+    }
+    matrix.lines << line(name, unit, cells);
+  }
+  return matrix;
+}
+
+Matrix cage_matrix(const CageTable& table, const std::string& cage, const std::string& caption,
+                   const std::string& page) {
+  Matrix matrix{caption};
+  // Columns that have nothing of this cage are left out.
+  std::vector<std::size_t> used;
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    if (std::ranges::any_of(table.lines, [&](const auto& l) { return l.cage == cage && l.cells[c]; }))
+      used.push_back(c);
+  for (const std::size_t c : used) matrix.heads << head(table.columns[c], 1);
+  for (const CageTable::Line& l : table.lines) {
+    if (l.cage != cage) continue;
+    Data cells{Data::type::list};
+    for (const std::size_t c : used) cells << error_cell(l.cells[c], page);
+    matrix.lines << line(l.name, l.unit, cells);
+  }
+  return matrix;
+}
+
+void add_matrix(Data& list, const Matrix& matrix, const std::string& name_head, const std::string& note_head,
+                bool orders) {
+  if (!matrix.lines.is_non_empty_list()) return;
+  Data data;
+  data.set("caption", matrix.caption);
+  data.set("heads", matrix.heads);
+  data.set("lines", matrix.lines);
+  data.set("name_head", name_head);
+  data.set("note_head", note_head);
+  data.set("orders", orders);
+  list << data;
+}
+
+Data pictures_of(const std::string& subject, const ErrorTable& table, const std::vector<CurvePicture>& curves) {
+  // The regime that tells most is open when the page opens.
+  const CurvePicture* open = nullptr;
+  const ResultRow* telling = nullptr;
+  const auto worst_of = [&](const std::string& regime) {
+    const ResultRow* worst = nullptr;
+    for (int order = 0; order < 3 && !table.columns.empty(); ++order)
+      if (const ResultRow* row = table.at(regime, table.columns.front(), order))
+        if (!worst || more_telling(*row, *worst)) worst = row;
+    return worst;
+  };
+  for (const CurvePicture& curve : curves) {
+    if (curve.subject != subject) continue;
+    const ResultRow* row = worst_of(curve.regime);
+    if (!open || (row && (!telling || more_telling(*row, *telling)))) open = &curve, telling = row;
+  }
+  Data list{Data::type::list};
+  for (const CurvePicture& curve : curves) {
+    if (curve.subject != subject) continue;
+    Data data;
+    data.set("regime", curve.regime);
+    data.set("check", curve.check);
+    data.set("is_truth", curve.check == "truth");
+    data.set("axis", curve.parameter_name);
+    data.set("open", &curve == open);
+    data.set("picture", "../" + curve.picture.file);
+    data.set("subject", subject);
+    list << data;
+  }
+  return list;
+}
+
+// What stands beside errors in the picture of times: errors of values in `generic`, and the worst of all regimes.
+Json times_json(const RunResult& result, const std::string& formula) {
+  Json list = Json::array();
+  for (const EvaluationTime& time : times_of(result)) {
+    if (time.formula != formula) continue;
+    double generic = -1, worst = -1;
+    for (const ResultRow& row : result.rows) {
+      if (row.section != Section::Element || row.subject != formula || row.evaluation != time.evaluation ||
+          row.scalar != "double" || row.check != "truth" || row.order != time.order || row.samples == 0)
+        continue;
+      if (row.regime == "generic") generic = row.max;
+      if (row.regime == "generic" || row.regime.starts_with("near-")) worst = std::max(worst, row.max);
+    }
+    list.push_back({{"evaluation", time.evaluation},
+                    {"order", time.order},
+                    {"nanoseconds", std::round(time.nanoseconds)},
+                    {"generic", generic < 0 ? Json() : json_number(generic)},
+                    {"near", worst < 0 ? Json() : json_number(worst)}});
+  }
+  return list;
+}
+
+Data times_table(const RunResult& result, const std::string& formula) {
+  Data lines{Data::type::list};
+  std::vector<std::string> names;
+  for (const EvaluationTime& time : times_of(result))
+    if (time.formula == formula && std::ranges::find(names, time.evaluation) == names.end())
+      names.push_back(time.evaluation);
+  for (const std::string& name : names) {
+    Data data, orders{Data::type::list};
+    data.set("evaluation", name);
+    for (int order = 0; order < 3; ++order) {
+      const auto time = time_of(result, formula, name, order);
+      orders << Data(time ? duration_text(*time) : "");
+    }
+    data.set("orders", orders);
+    lines << data;
+  }
+  return lines;
+}
+
+// What is common to the three kinds of pages.
+class SubjectPage {
+ public:
+  SubjectPage(const RunResult& result, Rows rows, std::string file, const std::string& name)
+      : result_(result), rows_(std::move(rows)), file_(std::move(file)), data_(common_data(result, "../")) {
+    set_tiles(data_, rows_);
+    data_.set("name", name);
+    data_.set("cell_script", kCellScript);
+  }
+  Data& data() { return data_; }
+  const std::string& file() const { return file_; }
+
+  std::string text(Json page, Data matrices, const WorstPlaces& places) {
+    set_list(data_, "matrices", std::move(matrices));
+    page.update(rows_json(rows_, places));
+    data_.set("json", script_json(page));
+    return rendered(kSubjectTemplate, "subject.mustache", data_);
+  }
+
+ private:
+  const RunResult& result_;
+  Rows rows_;
+  std::string file_;
+  Data data_;
+};
+
+Rows rows_where(const RunResult& result, Section section, const auto& member, const std::string& value) {
+  Rows rows;
+  for (const ResultRow& row : result.rows)
+    if (row.section == section && row.*member == value) rows.push_back(&row);
+  return rows;
+}
+
+void add_formula(std::map<std::string, std::string>& pages, const RunResult& result, const WorstPlaces& places,
+                 const std::string& subject, const std::vector<CurvePicture>& curves) {
+  const ErrorTable table = truth_table(result, subject);
+  SubjectPage page(result, rows_where(result, Section::Element, &ResultRow::subject, subject),
+                   page_of({Section::Element, subject, "", "", "", "", "", 0}), subject);
+  Data& data = page.data();
+  if (const Formula* formula = find_formula(subject)) {
+    data.set("known", true);
+    data.set("symbol", std::string(formula->symbol));
+    data.set("definition", std::string(formula->definition));
+    data.set("source", std::string(formula->source));
+    data.set("element", std::string(name_of(formula->element)));
+  }
+  data.set("what", "formula");
+  Data matrices{Data::type::list};
+  add_matrix(matrices, truth_matrix(table, page.file()), "Regime", "Digits lost", true);
+  add_matrix(matrices, relations_matrix(result, subject, page.file()), "Check", "Unit", false);
+  set_list(data, "pictures", pictures_of(subject, table, curves));
+  const Json times = times_json(result, subject);
+  data.set("d3", kD3Script);
+  data.set("advice", advice(result, subject));
+  set_list(data, "times", times_table(result, subject));
+  data.set("times_json", script_json(times));
+  pages[page.file()] = page.text({{"curves", curves_json(result, subject)}}, matrices, places);
+}
+
+void add_cage(std::map<std::string, std::string>& pages, const RunResult& result, const WorstPlaces& places,
+              Section section, const CageTable& table, const std::string& cage) {
+  const bool deformers = section == Section::Deformer;
+  SubjectPage page(result, rows_where(result, section, &ResultRow::regime, cage),
+                   page_of({section, "", "", "", cage, "", "", 0}),
+                   fmt::format("{} {}", deformers ? "Deformers of" : "Coordinates in", cage));
+  page.data().set("what", deformers ? "deformers" : "cage");
+  Data matrices{Data::type::list};
+  const std::string caption =
+      deformers ? "What deformers keep of maps of space, their derivatives and their truth: the largest error found of "
+                  "all poses and orders. Where nothing is promised a deformer does not keep such maps, and the figure "
+                  "says by how much."
+                : "Properties of whole coordinates: the largest error found of all places (inside, outside, on the "
+                  "cage) and orders.";
+  add_matrix(matrices, cage_matrix(table, cage, caption, page.file()), deformers ? "Deformer" : "Check", "Unit", false);
+  pages[page.file()] = page.text(Json::object(), matrices, places);
+}
+
+}  // namespace
+
+std::map<std::string, std::string> subject_pages(const RunResult& result, const std::vector<CurvePicture>& curves) {
+  std::map<std::string, std::string> pages;
+  const WorstPlaces places(result);
+  for (const std::string& subject : subjects(result, Section::Element))
+    add_formula(pages, result, places, subject, curves);
+  for (const Section section : {Section::Cage, Section::Deformer}) {
+    const CageTable table = section == Section::Cage ? cage_table(result) : deformer_table(result);
+    for (const std::string& cage : distinct(table.lines, [](const auto& l) -> const std::string& { return l.cage; }))
+      add_cage(pages, result, places, section, table, cage);
+  }
+  return pages;
+}
+
+}  // namespace cageproof::reports

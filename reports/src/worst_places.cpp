@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "worst_places.h"
+
+#include "cageproof/reports/worst_file.h"
+#include "figure.h"
+
+#include <algorithm>
+
+namespace cageproof::reports {
+namespace {
+
+std::string file_of(const ResultRow& row) {
+  switch (row.section) {
+    case RowKey::Section::Element: return "worst/" + file_name(row.subject) + ".jsonl";
+    case RowKey::Section::Cage: return "worst/cage." + file_name(row.regime) + ".jsonl";
+    case RowKey::Section::Deformer: break;
+  }
+  return "worst/deformer." + file_name(row.regime) + ".jsonl";
+}
+
+// Rows of kept promises are many, and the worst input of each is what is asked for.
+std::size_t count_of(const ResultRow& row) {
+  return row.verdict == Verdict::Broken ? row.worst.size() : std::min<std::size_t>(row.worst.size(), 1);
+}
+
+}  // namespace
+
+WorstPlaces::WorstPlaces(const RunResult& result) {
+  std::map<std::string, std::size_t> next;
+  for (const ResultRow& row : result.rows) {
+    const WorstPlace place{file_of(row), 1 + next[file_of(row)], count_of(row)};
+    next[place.file] += place.count;
+    places_[&row] = place;
+  }
+}
+
+std::map<std::string, std::string> worst_files(const RunResult& result) {
+  std::map<std::string, std::string> files{{"worst.jsonl", ""}};
+  for (const ResultRow& row : result.rows) {
+    std::string lines;
+    for (std::size_t i = 0; i < count_of(row); ++i)
+      lines += worst_line(worst_line_of(row, row.worst[i], result)) + "\n";
+    if (row.verdict == Verdict::Broken) files["worst.jsonl"] += lines;
+    if (!lines.empty()) files[file_of(row)] += lines;
+  }
+  return files;
+}
+
+}  // namespace cageproof::reports
