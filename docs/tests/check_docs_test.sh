@@ -91,6 +91,19 @@ echo 1.25
 END
 expect number 1 'number.md:6: the program prints'
 
+page dots <<'END'
+```sh
+echo "off by 1.25; see there"
+```
+<!-- output, within 1e-3 -->
+```
+off by 1.26; ...
+```
+END
+expect dots 1 'dots.md:6: the program prints'
+sed -i 's/1.26/1.2501/' "$work/dots.md"
+expect dots 0 'dots.md:2:'
+
 page misspelt <<'END'
 <!-- long, very -->
 

@@ -6,33 +6,37 @@ import math
 import re
 from functools import lru_cache
 
-NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|\bnan\b|\binf\b")
+NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?|\bnan\b|\binf\b"
+TOKEN = re.compile(rf"(?P<number>{NUMBER})|(?P<dots>\.\.\.)|(?P<space>\s+)")
 
 
-def pieces(line: str) -> tuple[list[str], list[str]]:
-    """The line's text, with columns drawn together, and its numbers."""
-    words = [re.sub(r"\s+", " ", text) for text in NUMBER.split(line)]
-    return words, NUMBER.findall(line)
+def pattern(said: str, numbers: str) -> re.Pattern:
+    """What a line of the page stands for: `...` for anything; where numbers may differ, any numbers, a group each, in columns of any width."""
+    parts, at = [], 0
+    for token in TOKEN.finditer(said):
+        parts.append(re.escape(said[at : token.start()]))
+        if token["dots"]:
+            parts.append(".*")
+        elif token["number"] and numbers:
+            parts.append(f"({NUMBER})")
+        elif token["space"] and numbers:
+            parts.append(r"\s+")
+        else:
+            parts.append(re.escape(token[0]))
+        at = token.end()
+    return re.compile("".join(parts) + re.escape(said[at:]))
 
 
 def same_line(said: str, printed: str, numbers: str) -> bool:
-    """Whether they agree: `...` within a line stands for anything, and numbers may differ as `numbers` says."""
     said, printed = said.rstrip(), printed.rstrip()
     if said == printed:
         return True
-    if not numbers:
-        return "..." in said and re.fullmatch(".*".join(re.escape(part) for part in said.split("...")), printed) is not None
-    if "..." in said:
-        said_parts = [re.sub(r"\\?\s+", r"\\s+", re.escape(part)) for part in NUMBER.sub("\0", said).split("...")]
-        return re.fullmatch(".*".join(said_parts).replace("\0", "\0"), NUMBER.sub("\0", printed)) is not None
-    said_words, said_numbers = pieces(said)
-    printed_words, printed_numbers = pieces(printed)
-    if said_words != printed_words:
-        return False
-    if numbers == "numbers vary":
-        return True
+    found = pattern(said, numbers).fullmatch(printed)
+    if not found or not numbers.startswith("within "):
+        return found is not None
     tolerance = float(numbers.removeprefix("within "))
-    return all(a == b or math.isclose(float(a), float(b), rel_tol=tolerance, abs_tol=tolerance) for a, b in zip(said_numbers, printed_numbers))
+    expected = [token["number"] for token in TOKEN.finditer(said) if token["number"]]
+    return all(a == b or math.isclose(float(a), float(b), rel_tol=tolerance, abs_tol=tolerance) for a, b in zip(expected, found.groups()))
 
 
 def same(said: list[str], printed: list[str], numbers: str) -> bool:

@@ -52,6 +52,10 @@ class Block:
     def first_command(self) -> str:
         return next((line.strip() for line in self.lines if line.strip() and not line.startswith("#")), "")
 
+    def command_at(self, line: int) -> str:
+        """The command in that line of the page."""
+        return self.lines[line - self.line].strip() if 0 <= line - self.line < len(self.lines) else self.first_command()
+
 
 class BadMark(Exception):
     pass

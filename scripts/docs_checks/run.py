@@ -85,7 +85,7 @@ def check_page(page: Path, programs: Path, root: Path, long: bool, without: str)
                 code, output, messages, line = run_block(block, folder, environment, LONG_LIMIT if block.long else QUICK_LIMIT)
                 print(f"{name}:{block.line}: {time.monotonic() - start:5.1f} s  {block.first_command()}", flush=True)
                 if code != block.exit:
-                    wrong.append(f"{name}:{line}: exit code {code}, not {block.exit}: {block.first_command()}\n{tail(output)}\n{tail(messages)}")
+                    wrong.append(f"{name}:{line}: exit code {code}, not {block.exit}: {block.command_at(line)}\n{tail(output)}\n{tail(messages)}")
                 else:
                     printed = {"output": output, "messages": messages}
     return wrong
