@@ -36,6 +36,7 @@ fonts-dejavu-core        lettering of those curves
 libgtest-dev             unit tests
 clang-format             the formatting that CI asks for
 openmpi-bin              tests alone: starts four ranks that measure one run
+python3                  tests alone: runs the commands of README.md and docs/
 libbenchmark-dev         benchmarks
 libsleef-dev             arc tangents and logarithms on vectors, which the benchmarks take for a yardstick
 LIST

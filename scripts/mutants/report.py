@@ -10,6 +10,8 @@ HEAD = """# What the suite catches: mutants
 A suite that catches no defects looks like one that finds none. So defects are made: *mutants*, one change of one expression each, and the suite is asked
 which it catches. This page is written by
 
+<!-- not run: a night -->
+
     scripts/mutate                  # hours: draws, builds, runs; --resume goes on with what was stopped
     scripts/mutate report           # this page alone, from the last campaign
 

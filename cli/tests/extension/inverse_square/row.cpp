@@ -7,7 +7,7 @@ namespace {
 
 const RegisterFormula registered{{.name = "triangle.inverse_square",
                                   .symbol = "s_t",
-                                  .source = "README, How to add a formula",
+                                  .source = "docs/adding_a_formula.md",
                                   .definition = "int_t 1/r^2",
                                   .element = ElementKind::Triangle,
                                   .shape = {},

@@ -7,7 +7,7 @@ namespace {
 
 const RegisterFormula registered{{.name = "triangle.my_potential",
                                   .symbol = "m_t",
-                                  .source = "README, How to add a formula",
+                                  .source = "docs/adding_a_formula.md",
                                   .definition = "int_t 1/r",
                                   .element = ElementKind::Triangle,
                                   .shape = {},

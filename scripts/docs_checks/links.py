@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""Whether what a page refers to exists: links to other pages, their headings, and files of the project that it names."""
+
+import re
+import unicodedata
+from pathlib import Path
+
+from docs_checks.page import code, shown_name
+
+LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
+ROOMS = "core closed_form quadrature_ref adaptive_qmvc solved deformation reports validation benchmarks cli scripts docs plugins cmake".split()
+NAMED = re.compile(r"`([\w./-]+?)(?::\d+)?`")
+
+
+def anchor(heading: str) -> str:
+    """The name that GitHub gives a heading."""
+    text = re.sub(r"[`*]|\[([^\]]*)\]\([^)]*\)", r"\1", heading).strip().lower()
+    return "".join(c for c in text.replace(" ", "-") if c in "-_" or unicodedata.category(c)[0] in "LN")
+
+
+def prose(path: Path):
+    """Yields (number, line) of all lines outside blocks of code."""
+    lines = path.read_text().splitlines()
+    for number, language, block in code(lines):
+        if language is None and block is None:
+            yield number, lines[number - 1]
+
+
+def anchors(path: Path) -> set[str]:
+    names: dict[str, int] = {}
+    found = set()
+    for _, line in prose(path):
+        heading = re.match(r"#+ +(.*?)#*$", line)
+        if heading:
+            name = anchor(heading[1])
+            found.add(f"{name}-{names[name]}" if name in names else name)
+            names[name] = names.get(name, 0) + 1
+    return found
+
+
+def exists(name: str, page: Path, root: Path) -> bool:
+    """Whether a file that a page names exists: from the page's folder, from the root, among the pages, or as sources include it (without `include/cageproof`)."""
+    room, _, rest = name.partition("/")
+    return any(path.exists() for path in (page.parent / name, root / name, root / "docs" / name, root / room / "include/cageproof" / room / rest))
+
+
+def broken(page: Path, root: Path) -> list[str]:
+    found = []
+    where = shown_name(page, root)
+    for number, line in prose(page):
+        for target in LINK.findall(line):
+            if re.match(r"[a-z]+:", target):
+                continue
+            name, _, heading = target.partition("#")
+            file = page if not name else (page.parent / name)
+            if not file.exists():
+                found.append(f"{where}:{number}: no file {name}")
+            elif heading and heading not in anchors(file):
+                found.append(f"{where}:{number}: {name or where} has no heading #{heading}; it has {', '.join(sorted(anchors(file)))}")
+        for name in NAMED.findall(line):
+            if is_ours(name) and not exists(name, page, root):
+                found.append(f"{where}:{number}: no file `{name}`")
+    return found
+
+
+def is_ours(name: str) -> bool:
+    """Files of the project begin with a room, or are pages. Others are the user's (my_...), of a report, or written with dots for a part of their name."""
+    if "my_" in name or "..." in name:
+        return False
+    return (name.split("/")[0] in ROOMS and "/" in name) or (name.endswith(".md") and "/" not in name and name != "summary.md")
