@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The report's pages in a browser: what scripts make of them, read from the document that headless Chromium ends with, and that no script fails.
+# Usage: pages_test.sh PATH_OF_CAGEPROOF
+set -u
+cageproof=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 2
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || {
+  echo "FAILED: no Chromium: scripts/ensure_packages.sh tests installs it"
+  exit 1
+}
+
+# opened ADDRESS FILE: the document after its scripts have run, into FILE; what scripts complained of, into FILE.log.
+opened() {
+  timeout 120 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync \
+    --user-data-dir="$work/profile" --window-size=1400,1000 --virtual-time-budget=4000 --enable-logging=stderr --dump-dom "file://$work/$1" >"$2" 2>"$2.log"
+  [ -s "$2" ] || fail "$1 does not open"
+  ! grep -E 'CONSOLE.*(Error|error|Uncaught)' "$2.log" || fail "a script of $1 fails"
+}
+
+# has FILE WORDS...: each stands in the document.
+has() {
+  local file=$1 word
+  shift
+  for word in "$@"; do grep -qF -- "$word" "$file" || fail "$file lacks: $word"; done
+}
+
+"$cageproof" verify --formulas triangle.double_layer --regimes '*-edge' --samples 8 --enclosures 1 --cage cube --out report >stdout || fail "verify: $(cat stdout)"
+
+opened report/index.html index
+has index '2 of 2 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: closed_form'
+opened 'report/index.html?overview.evaluation=gauss-8,%20double&overview.order=1' filtered
+has filtered 'of gauss-8, double' 'href="formulas/triangle.double_layer.html#truth.near-edge.gauss-8.double.1"'
+
+# A cell that the address names answers: worst input, truth, reason, lines to copy.
+page=report/formulas/triangle.double_layer.html
+opened "$page#truth.near-edge.closed_form.double.2" cell
+has cell 'furthest entry' 'digits right' 'backward stable' 'class="chosen' 'cageproof replay worst/triangle.double_layer.jsonl --line' \
+  'cageproof eval --formula triangle.double_layer --evaluation closed_form --order 2 --scalar double' 'promise kept'
+grep -q '<aside id="answer"[^>]*hidden' cell && fail "the answer stays hidden"
+[ "$(grep -c '<svg viewBox' cell)" -ge 2 ] || fail "no curves or no times"
+has cell 'everywhere: closed_form' 'data-series="gauss-8, double"'
+
+# The lines to copy are commands that run, in the report's folder.
+sed -n 's/.*<pre>\(echo [^<]*\)<\/pre>.*/\1/p' cell | sed 's/&amp;/\&/g; s/&lt;/</g; s/&gt;/>/g' | head -n 1 >eval_line
+sed -n 's/.*<pre>\(cageproof replay [^<]*\)<\/pre>.*/\1/p' cell | head -n 1 >replay_line
+[ -s eval_line ] && [ -s replay_line ] || fail "no lines to copy"
+mkdir bin && ln -s "$cageproof" bin/cageproof
+(cd report && PATH=$work/bin:$PATH bash ../eval_line) >answer || fail "the eval line fails: $(cat eval_line)"
+grep -q '"hessian"' answer || fail "eval answers without a Hessian: $(cat answer)"
+(cd report && PATH=$work/bin:$PATH bash ../replay_line) >answer || fail "the replay line fails: $(cat replay_line)"
+grep -q 'near-edge' answer || fail "replay answers something else: $(cat answer)"
+
+opened "report/cages/cube.html" cage
+has cage 'partition_of_unity' 'rows <button'
+
+# Sizes that open at once.
+[ "$(wc -c <report/index.html)" -lt 1000000 ] || fail "index.html has a megabyte"
+for file in report/formulas/*.html; do [ "$(wc -c <"$file")" -lt 2000000 ] || fail "$file has two megabytes"; done
+
+[ $failures -eq 0 ] && echo "the pages are as they should be"
+exit $failures
