@@ -37,7 +37,7 @@ has() {
 "$cageproof" verify --formulas triangle.double_layer --regimes '*-edge' --samples 8 --enclosures 1 --cage cube --out report >stdout || fail "verify: $(cat stdout)"
 
 opened report/index.html index
-has index '2 of 2 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: closed_form'
+has index '3 of 3 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: closed_form'
 opened 'report/index.html?overview.evaluation=gauss-8,%20double&overview.order=1' filtered
 has filtered 'of gauss-8, double' 'href="formulas/triangle.double_layer.html#truth.near-edge.gauss-8.double.1"'
 
@@ -47,7 +47,7 @@ opened "$page#truth.near-edge.closed_form.double.2" cell
 has cell 'furthest entry' 'digits right' 'backward stable' 'class="chosen' 'cageproof replay worst/triangle.double_layer.jsonl --line' \
   'cageproof eval --formula triangle.double_layer --evaluation closed_form --order 2 --scalar double' 'promise kept'
 grep -q '<aside id="answer"[^>]*hidden' cell && fail "the answer stays hidden"
-[ "$(grep -c '<svg viewBox' cell)" -ge 2 ] || fail "no curves or no times"
+[ "$(grep -o '<svg viewBox' cell | wc -l)" -ge 2 ] || fail "no curves or no times"
 has cell 'everywhere: closed_form' 'data-series="gauss-8, double"'
 
 # The lines to copy are commands that run, in the report's folder.
