@@ -28,6 +28,7 @@ libnlopt-dev             least squares whose solution may not be negative, as a 
 libtbb-dev               uses all cores (oneTBB)
 librandom123-dev         counter-based random numbers: the same samples for any number of threads
 libxtensor-dev           writes NumPy's .npy
+libarchive-dev           writes ZIP files: NumPy's .npz
 libkainjow-mustache-dev  template of the report's page
 libgd-dev                small PNGs inside the report's page
 libcairo2-dev            draws the papers' figures, without a display
