@@ -32,7 +32,7 @@ function(cageproof_room name)
   list(FILTER of_kinds INCLUDE REGEX "/src/element/")
   set_source_files_properties(${of_kinds} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_include_directories(cageproof_${name} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>)
   target_link_libraries(cageproof_${name} PUBLIC ${ARG_LINK} PRIVATE cageproof_flags)
   # Reading headers is a quarter of a build, and five seconds a file, without it.
   if(ARG_HEADERS_OF)
@@ -40,7 +40,6 @@ function(cageproof_room name)
   else()
     target_precompile_headers(cageproof_${name} PRIVATE <cageproof/core/linear.h> <cageproof/core/evaluation.h> ${ARG_PRECOMPILE})
   endif()
-  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
 # cageproof_tests(NAME LINK rooms... [HEADERS_OF target]): every tests/*.cpp of the room in one GoogleTest binary.

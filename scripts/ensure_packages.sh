@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs the Debian packages that Cageproof needs and the machine lacks; silent when nothing is missing.
+# scripts/ensure_packages.sh [tests]: installs the Debian packages that Cageproof needs, or its tests as well, and the machine lacks; silent when nothing is missing.
 # Says before what it installs and why. Exit 0: all there; 2: something is missing and could not be installed.
 # Where there is no dpkg it says what is needed and leaves the verdict to CMake.
 set -euo pipefail
@@ -28,6 +28,7 @@ libnlopt-dev             least squares whose solution may not be negative, as a 
 libtbb-dev               uses all cores (oneTBB)
 librandom123-dev         counter-based random numbers: the same samples for any number of threads
 libxtensor-dev           writes NumPy's .npy
+libarchive-dev           writes ZIP files: NumPy's .npz
 libkainjow-mustache-dev  template of the report's page
 libgd-dev                small PNGs inside the report's page
 libcairo2-dev            draws the papers' figures, without a display
@@ -52,9 +53,23 @@ LIST
 
 say() { printf '%s\n' "$*" >&2; }
 
+# What tests alone take: `scripts/ensure_packages.sh tests` installs these, too.
+tests_alone() {
+  cat <<'LIST'
+python3-numpy            docs/apply.md's examples: what coordinates' files hold, and what is done with it
+pkgconf                  the installed library, found by pkg-config
+LIST
+}
+
+needed() {
+  packages
+  [[ ${with-} != tests ]] || tests_alone
+}
+with=${1-}
+
 if ! command -v dpkg-query >/dev/null; then
   say "Not a Debian system (no dpkg-query): Cageproof needs these, under your system's names:"
-  packages | sed 's/^/  /' >&2
+  needed | sed 's/^/  /' >&2
   say "Going on; CMake names what it does not find."
   exit 0
 fi
@@ -69,7 +84,7 @@ missing_of() {
   printf '%s\n' "${names[@]}" | grep --invert-match --line-regexp --fixed-strings --file=<(printf '%s\n' "$installed") || true
 }
 
-mapfile -t missing < <(packages | missing_of)
+mapfile -t missing < <(needed | missing_of)
 mapfile -t wanted < <(helpful | missing_of)
 ((${#missing[@]} + ${#wanted[@]})) || exit 0
 
@@ -92,7 +107,7 @@ install_command() { printf 'apt-get install -y --no-install-recommends %s' "$*";
 
 if ((${#missing[@]})); then
   say "Cageproof needs ${#missing[@]} Debian package(s) that this machine lacks:"
-  packages | awk -v missing=" ${missing[*]} " 'index(missing, " " $1 " ") {print "  " $0}' >&2
+  needed | awk -v missing=" ${missing[*]} " 'index(missing, " " $1 " ") {print "  " $0}' >&2
   if [[ -z $may_install ]]; then
     say "They cannot be installed from here: neither root nor sudo. Ask for this to be run as root, then start again:"
     say "  $(install_command "${missing[@]}")"

@@ -74,7 +74,7 @@ BoundaryData read_boundary_data(const std::filesystem::path& file, const CageCoo
 
 CoordinateColumns functions_of(const CoordinateColumns& table, const CageCoordinates& coordinates, int order,
                                const BoundaryData& data) {
-  constexpr std::array titles{"", " gradient", " Hessian"};
+  constexpr std::array titles{"", " gradient", " Hessian"}, words{"", "_gradient", "_hessian"};
   constexpr std::string_view axes = "xyz";
   const int dim = coordinates.dimension();
   CoordinateColumns made;
@@ -85,7 +85,8 @@ CoordinateColumns functions_of(const CoordinateColumns& table, const CageCoordin
         const std::string second = o == 2 ? std::string{axes[d / dim], axes[d % dim]} : std::string{axes[d]};
         made.names.push_back(fmt::format("f_{}{}", f, o == 0 ? "" : "_d" + second));
       }
-      made.groups.push_back({fmt::format("f_{}{}", f, titles[o]), width});
+      made.groups.push_back({fmt::format("f_{}{}", f, titles[o]), width, fmt::format("f_{}{}", f, words[o]),
+                             std::vector<std::size_t>(o, dim)});
     }
   const std::size_t columns = table.names.size(), points = table.values.size() / columns;
   made.values.reserve(points * made.names.size());

@@ -15,6 +15,9 @@
 namespace cageproof::cli {
 namespace {
 
+// Beyond this a sum of coordinates is a warning.
+constexpr double kExactSum = 1e-8;
+
 // Points that are looked at together.
 constexpr std::size_t kTogether = 64;
 
@@ -46,6 +49,7 @@ void add(CoordinateSummary& sum, const CoordinateSummary& part) {
   sum.missing += part.missing;
   sum.infinite += part.infinite;
   sum.unusable += part.unusable;
+  sum.inexact += part.inexact;
   keep(sum.partition, part.partition.value, part.partition.point);
   keep(sum.reproduction, part.reproduction.value, part.reproduction.point);
 }
@@ -89,6 +93,7 @@ CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cag
       if (nan || infinite || !sum.reproduces) continue;
       const double expected = kind.normalised ? 1 : winding;
       const validation::CageErrors errors = validation::errors_of(coordinates, cage, blocks, points[p], expected, 0);
+      if (!(errors.partition[0].relative <= kExactSum)) ++mine.inexact;
       keep(mine.partition, errors.partition[0].relative, p);
       keep(mine.reproduction, errors.reproduction[0].relative, p);
     }
@@ -110,6 +115,11 @@ std::vector<std::string> lines_of(const CoordinateSummary& s, const CoordinateKi
         fmt::format("warning: {} coordinates sum to zero outside the cage: what is deformed with them "
                     "collapses to the origin at {} (normalised kinds, as mean_value, do not)",
                     kind.name, points_of(s.outside)));
+  if (s.inexact > 0)
+    lines.push_back(fmt::format("warning: {} coordinates of {} of {} points sum to {} to fewer than 8 digits{}",
+                                kind.name, s.inexact, s.points,
+                                kind.normalised || s.outside == 0 ? "one" : "one, or zero outside,",
+                                kind.normalised ? ": far from the cage their weights cancel" : ""));
   const std::string_view lost = kind.normalised ? "the sum of their weights is zero in double, or leaves its range"
                                                 : "terms of theirs leave the range of double";
   if (s.missing > 0) {

@@ -47,7 +47,13 @@ void add_columns(const CoordinateBlock& block, const CageElements& elements, int
       for (std::size_t d = 0; d < derivative_count(dim, order); ++d)
         table.names.push_back(coordinate_name(block, elements, i) + entry_name(e, block.shape) +
                               derivative_name(d, dim, order));
-  table.groups.push_back({block.label + titles[order], table.names.size() - first});
+  constexpr std::array words{"", "_gradient", "_hessian"};
+  std::vector<std::size_t> shape{static_cast<std::size_t>(block.size)};
+  for (const int entries : {block.shape.rows, block.shape.columns})
+    if (block.entries() > 1) shape.push_back(entries);
+  shape.insert(shape.end(), order, dim);
+  table.groups.push_back(
+      {block.label + titles[order], table.names.size() - first, block.label + words[order], std::move(shape)});
 }
 
 }  // namespace
@@ -94,7 +100,9 @@ std::string npy_text(const CoordinateColumns& table) {
   return xt::dump_npy(xt::adapt(table.values, shape));
 }
 
-std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh) {
+namespace {
+
+MeshField field_of(const CoordinateColumns& table, const Mesh& mesh) {
   MeshField field{"coordinates", mesh.vertices, mesh.faces, {}, mesh.segments};
   const std::size_t columns = table.names.size();
   std::size_t first = 0;
@@ -105,7 +113,17 @@ std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh) {
     first += group.columns;
     field.arrays.push_back(std::move(array));
   }
-  return reports::vtp_text(field);
+  return field;
+}
+
+}  // namespace
+
+std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh) {
+  return reports::vtp_text(field_of(table, mesh));
+}
+
+std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh, const reports::DescribedCage& cage) {
+  return reports::vtp_text_with_cage(field_of(table, mesh), cage);
 }
 
 }  // namespace cageproof::cli

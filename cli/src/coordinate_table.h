@@ -4,6 +4,7 @@
 
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/mesh_io.h"
+#include "cageproof/reports/cage_vtp.h"
 
 #include <functional>
 #include <string>
@@ -20,6 +21,8 @@ struct CoordinateColumns {
   struct Group {
     std::string label;  ///< `phi`, `phi gradient`, `phi Hessian`
     std::size_t columns;
+    std::string array = {};               ///< the same as one word: `phi`, `phi_gradient`, `phi_hessian`
+    std::vector<std::size_t> shape = {};  ///< of a point's columns, as many as these multiply to: coordinates, axes
   };
   std::vector<Group> groups;
 };
@@ -35,5 +38,7 @@ std::string csv_text(const CoordinateColumns& table);
 std::string npy_text(const CoordinateColumns& table);
 /// The mesh with an array a group.
 std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh);
+/// The same with the cage as field data.
+std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh, const reports::DescribedCage& cage);
 
 }  // namespace cageproof::cli

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "boundary_data.h"
 #include "commands.h"
+#include "coordinate_files.h"
 #include "coordinate_summary.h"
-#include "coordinate_table.h"
 #include "progress.h"
 
 #include "cageproof/core/input_error.h"
@@ -76,17 +76,18 @@ int run(const Arguments& a) {
   const CoordinateKind& kind = coordinate_kind_named(a.kind);
   if (a.cage.allow_invalid_quads && !kind.keeps_quads)
     throw InputError(fmt::format("--allow-invalid-quads: {} splits quads in triangles", kind.name));
-  const std::string extension = std::filesystem::path(a.out).extension();
-  if (!a.out.empty() && extension != ".csv" && extension != ".npy" && extension != ".vtp")
-    throw InputError(fmt::format("{}: cannot write '{}' files; use .csv, .npy or .vtp", a.out, extension));
+  if (!a.out.empty())
+    check_coordinate_files(
+        a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}, {a.data, "--data"}, {a.solved, "--solved"}});
   const Cage cage = a.cage.load();
   if (cage.allows_invalid_quads())
     for (const std::string& fault : invalid_quads(cage))
       warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
   const Mesh mesh = load_points(a.points, cage.dimension());
-  const CageCoordinates coordinates(cage, kind,
-                                    CoordinateOptions{a.evaluation.empty() ? std::string(quickest) : a.evaluation,
-                                                      a.cage.rule(), parameters_from(a.parameters, kind)});
+  const std::vector<double> parameters = parameters_from(a.parameters, kind);
+  const CageCoordinates coordinates(
+      cage, kind,
+      CoordinateOptions{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(), parameters});
   const BoundaryData data = a.data.empty() ? BoundaryData() : read_boundary_data(a.data, coordinates);
   tell_solved(coordinates);
   if (!a.solved.empty()) reports::replace_file(a.solved, solved_json(coordinates).dump(2) + '\n');
@@ -97,11 +98,13 @@ int run(const Arguments& a) {
   progress.clear();
   const CoordinateSummary summary = summary_of(coordinates, cage, a.cage.rule(), mesh.vertices, table, a.jobs);
   if (!a.data.empty()) table = functions_of(table, coordinates, a.order, data);
-  const std::string text = extension == ".npy"   ? npy_text(table)
-                           : extension == ".vtp" ? vtp_text(table, mesh)
-                                                 : csv_text(table);
-  if (a.out.empty()) std::cout << text;
-  else reports::replace_file(a.out, text);
+  if (a.out.empty()) {
+    std::cout << csv_text(table);
+  } else {
+    const DescribedRun described{a.cage.file, a.points, a.cage.triangulate, a.data, parameters, a.order};
+    reports::replace_files(coordinate_files(a.out, table, mesh, described_cage(coordinates, cage, a.cage.rule()),
+                                            description_of(coordinates, table, described), coordinates));
+  }
   for (const std::string& line : lines_of(summary, kind, cage)) fmt::print(stderr, "{}\n", line);
   return a.strict && summary.unusable > 0 ? promise_broken : success;
 }
@@ -130,7 +133,10 @@ void add_coordinates(CommandLine& line) {
       "how they are computed: batched, or an evaluation of its formulas (closed_form ...); batched by default where "
       "the kind has it, else as recommended");
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
-  command.option("--out", a->out, ".csv, .npy (points x columns) or .vtp; CSV on standard output if not given");
+  command.option("--out", a->out,
+                 ".npz (named arrays with the cage, its elements and normals), .csv or .npy (points x columns, and "
+                 "beside it a .json that says what they are), or .vtp (and beside it the cage as .cage.vtp); CSV on "
+                 "standard output if not given");
   command.option("--data", a->data,
                  "text, a line of numbers a coordinate: writes the functions that coordinates make of them instead");
   command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system");

@@ -2,7 +2,7 @@
 #include "deformation.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/winding_number.h"
+#include "cageproof/deformation/inside.h"
 #include "cageproof/validation/parallel.h"
 
 #include <fmt/format.h>
@@ -17,29 +17,6 @@ using namespace deformation;
 namespace {
 
 constexpr std::array axes{"x", "y", "z"};
-
-// Whether points off the cage are inside it.
-class Inside {
- public:
-  explicit Inside(const CageElements& elements) {
-    for (std::size_t e = 0; e < elements.count(); ++e) {
-      const auto c = elements.corners(e);
-      if (c.size() == 2) segments_.push_back({c[0], c[1]});
-      else triangles_.push_back({c[0], c[1], c[2]});
-      if (c.size() == 4) triangles_.push_back({c[0], c[2], c[3]});
-    }
-  }
-  // On the cage counts as inside.
-  bool holds(const Vec3<double>& point) const {
-    const std::optional<int> winding =
-        segments_.empty() ? winding_number(triangles_, point) : winding_number(segments_, point);
-    return !winding || *winding != 0;
-  }
-
- private:
-  std::vector<Triangle<double>> triangles_;
-  std::vector<Segment<double>> segments_;
-};
 
 CoordinateColumns columns_of(int dimension, int order) {
   CoordinateColumns table;

@@ -18,6 +18,7 @@ namespace {
 struct EvalOptions {
   std::string formula, evaluation, scalar = "double";
   int order = 0;
+  bool allow_invalid_quads = false;
 };
 
 // float and double as JSON numbers in shortest form; multiprecision, NaN and infinity as strings.
@@ -54,6 +55,7 @@ std::string evaluated(const QueryText& text, const Formula& formula, const Evalu
 
 int run(const EvalOptions& options) {
   const Formula& formula = formula_named(options.formula);
+  check_allows_invalid_quads(options.allow_invalid_quads, formula);
   const Evaluation evaluation = evaluation_named(options.formula, options.evaluation);
   const ScalarKind scalar = *scalar_named(options.scalar);
   if (!evaluation.supports(scalar) || options.order > evaluation.max_order())
@@ -66,6 +68,9 @@ int run(const EvalOptions& options) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
       const QueryText query = parse_query(line, formula);
+      if (!options.allow_invalid_quads) require_valid_quad(query, formula);
+      else if (const auto reason = invalid_quad(query, formula))
+        fmt::print(stderr, "warning: line {}: {}\n", number, *reason);
       std::cout << with_scalar(scalar, [&]<Scalar R>() {
         return evaluated<R>(query, formula, evaluation, options.order);
       }) << '\n';
@@ -89,6 +94,7 @@ void add_eval(CommandLine& line) {
   command.option("--scalar", options->scalar, "float, double, mp50, mp100 or mp200")
       .one_of({"float", "double", "mp50", "mp100", "mp200"})
       .showing_default();
+  command.flag("--allow-invalid-quads", options->allow_invalid_quads, allow_invalid_quads_text);
   command.runs([options] { return run(*options); });
 }
 

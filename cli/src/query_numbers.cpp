@@ -1,7 +1,52 @@
 // SPDX-License-Identifier: MIT
 #include "query_numbers.h"
 
+#include "cageproof/core/quad_geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
 namespace cageproof::cli {
+namespace {
+
+// The corners as doubles: exactly where they are doubles, else by their distances from the first, whose digits say more
+// of the shape than those of places far away.
+Quad<double> corners_of(const QueryText& text) {
+  std::array<Vec3<Mp200>, 4> exact;
+  Quad<double> rounded;
+  bool is_double = true;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (int c = 0; c < 3; ++c) {
+      exact[k][c] = *parse_scalar<Mp200>(text.corners[k][c]);
+      rounded[k][c] = static_cast<double>(exact[k][c]);
+      is_double = is_double && Mp200(rounded[k][c]) == exact[k][c];
+    }
+  if (is_double) return rounded;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (int c = 0; c < 3; ++c) rounded[k][c] = static_cast<double>(Mp200(exact[k][c] - exact[0][c]));
+  return rounded;
+}
+
+}  // namespace
+
+void check_allows_invalid_quads(bool allowed, const Formula& formula) {
+  if (allowed && formula.element != ElementKind::Quad)
+    throw InputError(fmt::format("--allow-invalid-quads: {} is on no quads", formula.name));
+}
+
+std::optional<std::string> invalid_quad(const QueryText& text, const Formula& formula) {
+  if (formula.element != ElementKind::Quad) return std::nullopt;
+  const std::optional<std::string> reason = invalid_because(corners_of(text));
+  if (!reason) return std::nullopt;
+  return fmt::format("element: {} (corners counted from 0)", *reason);
+}
+
+void require_valid_quad(const QueryText& text, const Formula& formula) {
+  if (const auto reason = invalid_quad(text, formula))
+    throw InputError(
+        fmt::format("{}; {} wants valid quads, --allow-invalid-quads computes all the same", *reason, formula.name));
+}
 
 void require_extent(const QueryText& text, const Formula& formula) {
   std::vector<Vec3<Mp200>> corners;

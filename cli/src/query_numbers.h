@@ -8,12 +8,26 @@
 #include "cageproof/core/scalar_text.h"
 
 #include <cmath>
+#include <optional>
 
 namespace cageproof::cli {
 
 /// \throws InputError for an element without extent: in 200 digits, since a small triangle's area underflows in double,
 /// and is none the less an area
 void require_extent(const QueryText& text, const Formula& formula);
+
+/// What both `eval` and `explain` say of --allow-invalid-quads.
+inline constexpr const char* allow_invalid_quads_text = "compute with quads that are not valid, of formulas on quads";
+
+/// \throws InputError when the flag is given for a formula that is on no quads
+void check_allows_invalid_quads(bool allowed, const Formula& formula);
+
+/// Why the element is no valid quad (core's invalid_because, decided exactly where the corners are doubles), as
+/// `coordinates` says it; nothing for valid ones and for other elements.
+std::optional<std::string> invalid_quad(const QueryText& text, const Formula& formula);
+
+/// \throws InputError with that reason
+void require_valid_quad(const QueryText& text, const Formula& formula);
 
 /// Owns what its query points to.
 template <Scalar R>

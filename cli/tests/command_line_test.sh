@@ -334,6 +334,20 @@ arrowheads --kind quad_mean_value --allow-invalid-quads >"$work/stdout" 2>"$work
 [ "$(grep -c 'warning: .*face [01]: .*folds over' "$work/stderr")" -eq 2 ] || fail "no warning of invalid quads: $(cat "$work/stderr")"
 refuses bowtie.obj face bow-tie -- "$cageproof" coordinates --cage "$work/bowtie.obj" --points "$work/three.csv" --kind quad_mean_value
 refuses nonsense -- "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind spherical_mean_value --evaluation nonsense
+# eval says the same of the same quads, goes on after them, and takes the same flag.
+write quads.jsonl '{"element":[[0,0,0],[2,1,0],[1,0,0],[2,-1,0]],"point":[0.1,0.2,0.3]}' '{"element":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]],"point":[0.1,0.2,0.3]}' \
+  '{"element":[[0,0,0],[1,1,0],[1,0,0],[0,1,0]],"point":[0.1,0.2,0.3]}' '{"element":[[1,0,0],["1.00000000000000000000000000000001",0,0],["1.00000000000000000000000000000001","1e-32",0],[1,"1e-32",0]],"point":[0,0,1]}'
+eval_quads() { "$cageproof" eval --formula quad.mean_value --evaluation line_form "$@" <"$work/quads.jsonl" >"$work/stdout" 2>"$work/stderr"; }
+eval_quads --scalar mp50
+[ $? -eq 2 ] || fail "invalid quads are not exit 2"
+[ "$(grep -c '"value"' "$work/stdout")" -eq 2 ] || fail "eval of valid quads: $(cat "$work/stdout")"
+reason=$("$cageproof" coordinates --cage "$work/arrowheads.obj" --points "$work/three.csv" --kind quad_mean_value 2>&1 | grep -o 'folds over') || fail "no reason"
+grep -q "\"error\":\"element: .*$reason.*--allow-invalid-quads.*\"line\":1}" "$work/stdout" || fail "eval of an arrowhead: $(cat "$work/stdout")"
+grep -q '"error":"element: .*bow-tie.*"line":3}' "$work/stdout" || fail "eval of a bow-tie: $(cat "$work/stdout")"
+eval_quads --scalar mp50 --allow-invalid-quads || fail "eval --allow-invalid-quads: $(cat "$work/stdout")"
+[ "$(grep -c '"value"' "$work/stdout")" -eq 4 ] || fail "eval of invalid quads: $(cat "$work/stdout")"
+[ "$(grep -c '^warning: line [13]: element: ' "$work/stderr")" -eq 2 ] || fail "no warning of invalid quads: $(cat "$work/stderr")"
+refuses --allow-invalid-quads triangle.solid_angle -- "$cageproof" eval --formula triangle.solid_angle --evaluation closed_form --allow-invalid-quads
 
 # verify, its report, and replay.
 "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes 'near-face' --cage cube --out "$work/report" >"$work/stdout"
@@ -430,6 +444,8 @@ says 0 '1 point: 1 inside, 0 on and 0 outside' -- "$work/inside.csv" --kind gree
 grep -q warning "$work/stderr" && fail "a warning of a point inside: $(cat "$work/stderr")"
 says 0 '1 outside' -- "$work/around.csv" --kind mean_value --order 1 --strict
 grep -q warning "$work/stderr" && fail "a warning of mean values outside: $(cat "$work/stderr")"
+write faint.csv '0.25 0.25 0.125' '1e13 0.5 0'
+says 0 '1 of 2 points sum to one to fewer than 8 digits' -- "$work/faint.csv" --kind mean_value --strict
 says 1 '1 of 2 points have' 'mean_value coordinates' 'the sum of their weights is zero' -- "$work/lost.csv" --kind mean_value --strict
 awk '/largest residual/ { if ($6 + 0 > 1e-14 || $12 + 0 > 1e-14) exit 1; found = 1 } END { exit !found }' "$work/stderr" || fail "residuals: $(cat "$work/stderr")"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/vtk_text.h"
 
+#include "vtk_poly.h"
+
 #include <fmt/format.h>
 
 #include <vtkCellArray.h>
@@ -71,8 +73,8 @@ std::string vti_text(const ImageField& field) {
   return text_of<vtkXMLImageDataWriter>(*image);
 }
 
-std::string vtp_text(const MeshField& field) {
-  vtkNew<vtkPolyData> mesh;
+vtkSmartPointer<vtkPolyData> poly_of(const MeshField& field) {
+  const auto mesh = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const Vec3<double>& vertex : field.vertices) points->InsertNextPoint(vertex.data());
@@ -98,7 +100,11 @@ std::string vtp_text(const MeshField& field) {
     mesh->SetPolys(cells);
   }
   add_arrays(*mesh, field.arrays);
-  return text_of<vtkXMLPolyDataWriter>(*mesh);
+  return mesh;
 }
+
+std::string poly_text(vtkPolyData& data) { return text_of<vtkXMLPolyDataWriter>(data); }
+
+std::string vtp_text(const MeshField& field) { return poly_text(*poly_of(field)); }
 
 }  // namespace cageproof::reports

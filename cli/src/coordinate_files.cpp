@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "coordinate_files.h"
+
+#include "npz.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/whole_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <xtensor/xadapt.hpp>
+#include <xtensor/xnpy.hpp>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace cageproof::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Members = std::vector<std::pair<std::string, std::string>>;
+
+template <class T>
+std::string npy_of(const std::vector<T>& values, const std::vector<std::size_t>& shape) {
+  return xt::dump_npy(xt::adapt(values, shape));
+}
+
+template <class T>
+void add(Members& members, const std::string& name, const std::vector<T>& values,
+         const std::vector<std::size_t>& shape) {
+  members.emplace_back(name + ".npy", npy_of(values, shape));
+}
+
+void add_vectors(Members& members, const std::string& name, const std::vector<Vec3<double>>& rows, int dimension) {
+  std::vector<double> values;
+  values.reserve(rows.size() * dimension);
+  for (const Vec3<double>& row : rows) values.insert(values.end(), row.data(), row.data() + dimension);
+  add(members, name, values, {rows.size(), static_cast<std::size_t>(dimension)});
+}
+
+void add_elements(Members& members, const reports::DescribedCage& cage) {
+  std::size_t most = 0;
+  for (const auto& element : cage.elements) most = std::max(most, element.size());
+  std::vector<std::int64_t> corners;
+  for (const auto& element : cage.elements)
+    for (std::size_t k = 0; k < most; ++k) corners.push_back(k < element.size() ? element[k] : -1);
+  add(members, "elements", corners, {cage.elements.size(), most});
+  add(members, "element_faces", std::vector<std::int64_t>(cage.faces.begin(), cage.faces.end()), {cage.faces.size()});
+}
+
+// What each coordinate of a block belongs to, where that is no vertex and no element.
+void add_corners(Members& members, const CoordinateBlock& block, const CageElements& elements) {
+  if (block.owner != Owner::Corner) return;
+  std::vector<std::int64_t> element_of, vertex_of;
+  for (int i = 0; i < block.size; ++i) {
+    const std::size_t e = elements.element_of(i, block.owner);
+    element_of.push_back(static_cast<std::int64_t>(e));
+    vertex_of.push_back(elements.vertices_of(e)[i - elements.shares_of(e, block.owner).front()]);
+  }
+  const std::size_t count = element_of.size();
+  add(members, block.label + "_elements", element_of, {count});
+  add(members, block.label + "_vertices", vertex_of, {count});
+}
+
+std::string npz_text(const CoordinateColumns& table, const Mesh& mesh, const reports::DescribedCage& cage,
+                     const CageCoordinates& coordinates) {
+  Members members;
+  const std::size_t columns = table.names.size(), points = mesh.vertices.size();
+  std::size_t first = 0;
+  for (const CoordinateColumns::Group& group : table.groups) {
+    std::vector<double> values(points * group.columns);
+    for (std::size_t p = 0; p < points; ++p)
+      std::copy_n(&table.values[p * columns + first], group.columns, &values[p * group.columns]);
+    std::vector<std::size_t> shape{points};
+    shape.insert(shape.end(), group.shape.begin(), group.shape.end());
+    add(members, group.array, values, shape);
+    first += group.columns;
+  }
+  for (const CoordinateBlock& block : coordinates.blocks()) add_corners(members, block, coordinates.elements());
+  add_vectors(members, "points", mesh.vertices, cage.dimension);
+  add_vectors(members, "cage_vertices", cage.vertices, cage.dimension);
+  add_elements(members, cage);
+  add_vectors(members, "element_normals", cage.normals, cage.dimension);
+  add(members, cage.dimension == 2 ? "element_lengths" : "element_areas", cage.measures, {cage.measures.size()});
+  members.emplace_back("metadata.json", cage.metadata + '\n');
+  return zip_text(members);
+}
+
+}  // namespace
+
+std::string coordinate_extensions() { return ".csv, .npy, .npz or .vtp"; }
+
+std::filesystem::path companion_of(const std::filesystem::path& out) {
+  const std::string extension = out.extension();
+  if (extension == ".npz") return {};
+  return std::filesystem::path(out).replace_extension(extension == ".vtp" ? ".cage.vtp" : ".json");
+}
+
+void check_coordinate_files(const std::filesystem::path& out,
+                            const std::vector<std::pair<std::string, std::string>>& others) {
+  const std::string extension = out.extension();
+  if (extension != ".csv" && extension != ".npy" && extension != ".npz" && extension != ".vtp")
+    throw InputError(
+        fmt::format("{}: cannot write '{}' files; use {}", out.string(), extension, coordinate_extensions()));
+  const std::filesystem::path companion = companion_of(out);
+  for (const auto& [file, option] : others) {
+    if (file.empty()) continue;
+    const auto other = std::filesystem::weakly_canonical(file);
+    if (other == std::filesystem::weakly_canonical(out))
+      throw InputError(fmt::format("{}: --out is the file of {}, too", out.string(), option));
+    if (!companion.empty() && other == std::filesystem::weakly_canonical(companion))
+      throw InputError(fmt::format("{}: is written beside {}, and is the file of {}, too", companion.string(),
+                                   out.string(), option));
+  }
+  if (companion.empty() || !std::filesystem::is_regular_file(companion)) return;
+  const std::string_view mark = extension == ".vtp" ? reports::metadata_array : coordinates_schema;
+  if (read_file(companion).find(mark) == std::string::npos)
+    throw InputError(fmt::format("{}: is in the way of the description beside {}, and is none itself",
+                                 companion.string(), out.string()));
+}
+
+std::vector<std::pair<std::filesystem::path, std::string>> coordinate_files(
+    const std::filesystem::path& out, const CoordinateColumns& table, const Mesh& mesh, reports::DescribedCage cage,
+    const Json& description, const CageCoordinates& coordinates) {
+  const std::string extension = out.extension();
+  cage.metadata = description.dump(2);
+  if (extension == ".npz") return {{out, npz_text(table, mesh, cage, coordinates)}};
+  if (extension == ".vtp")
+    return {{out, vtp_text(table, mesh, cage)}, {companion_of(out), reports::cage_vtp_text(cage)}};
+  Json whole = description;
+  whole.update(geometry_json(cage));
+  return {{out, extension == ".npy" ? npy_text(table) : csv_text(table)}, {companion_of(out), whole.dump() + '\n'}};
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The files that `coordinates` writes: the table, and what someone needs to apply it.
+#pragma once
+
+#include "coordinate_description.h"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cageproof::cli {
+
+/// The extensions there are: ".csv, .npy, .npz or .vtp".
+std::string coordinate_extensions();
+
+/// The file beside --out that says what is in it: of tables without names of their own (.csv, .npy) a `.json`, of .vtp
+/// the cage as a `.cage.vtp`; empty for .npz, which holds everything.
+std::filesystem::path companion_of(const std::filesystem::path& out);
+
+/// \throws InputError for an extension there is not, for a file beside --out that is no such description, and for one
+/// that is read or written twice
+void check_coordinate_files(const std::filesystem::path& out,
+                            const std::vector<std::pair<std::string, std::string>>& others);
+
+/// All files with their bytes, ready to be written together.
+/// \param description of everything but the geometry
+std::vector<std::pair<std::filesystem::path, std::string>> coordinate_files(
+    const std::filesystem::path& out, const CoordinateColumns& table, const Mesh& mesh, reports::DescribedCage cage,
+    const nlohmann::ordered_json& description, const CageCoordinates& coordinates);
+
+}  // namespace cageproof::cli

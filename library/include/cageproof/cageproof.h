@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Cage coordinates and what they do to a mesh, in plain arrays of double: the whole library behind one header that
+// includes the standard library alone. docs/library.md has a program that uses it.
+#pragma once
+
+#include "cageproof/core/input_error.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cageproof::library {
+
+/// A closed surface of triangles and quads, in the plane a closed polygon, or several.
+struct Cage {
+  std::vector<double> vertices;         ///< three numbers a vertex, in the plane two
+  std::vector<std::vector<int>> faces;  ///< vertices from 0: 3 or 4, counter-clockwise seen from outside; in the plane
+                                        ///< 2, with the inside on the left
+  int dimension = 3;                    ///< of space: 3, or 2 for the plane
+  std::string name = "cage";            ///< what messages call it
+};
+
+/// A cage from an OBJ file; polylines (`l`) make one in the plane. \throws InputError naming file, line and reason
+Cage read_obj(const std::string& file);
+
+/// One of the cages that come with the library: "cube", "twisted-bar" ... \throws InputError naming all of them
+Cage embedded_cage(const std::string& name);
+
+/// How coordinates are computed. Names are those of `cageproof list`.
+struct Options {
+  /// Empty: all elements at once on vectors of points where the kind can ("batched"), else as recommended.
+  std::string evaluation = {};
+  /// How quads become triangles, of kinds that do not keep them: "shortest" diagonal, or "fan" from the first corner.
+  std::string triangulation = "shortest";
+  /// Name and value: {"nu", "0.3"}, {"collocation", "vertices"}.
+  std::vector<std::pair<std::string, std::string>> parameters = {};
+  bool flip_inward = false;          ///< turn parts whose normals point inward, instead of refusing them
+  bool allow_invalid_quads = false;  ///< of kinds that keep quads: compute with those that cross themselves or fold
+  int threads = 0;                   ///< at most so many; 0: all cores
+};
+
+/// Coordinates that belong together: one for each vertex, element, or corner of an element.
+struct Block {
+  std::string label;   ///< "phi", "psi", "lambda" ...
+  std::string one_a;   ///< "vertex", "element" or "corner" (of elements, element by element)
+  std::size_t count;   ///< coordinates
+  int rows, columns;   ///< of each; 1 and 1 for numbers
+  std::size_t offset;  ///< where its first number stands in a point's row of values
+  /// What it multiplies where a linear map is reproduced: "vertices", "turned vertices" (by a quarter
+  /// counter-clockwise), "normals" (of elements, unit and outward, times `normal_factor`), or "nothing".
+  std::string reproduces;
+  double normal_factor;
+};
+
+/// An element that coordinates belong to: a triangle, also half of a quad; a quad of kinds that keep them; a segment.
+struct Element {
+  std::vector<int> vertices;   ///< of the cage, in its orientation
+  int face;                    ///< of the cage, that it is or is part of
+  std::vector<double> normal;  ///< unit, outward; of a quad along its area vector
+};
+
+/// Coordinates of one kind in one cage. Safe from any thread; copies share what was prepared.
+class Coordinates {
+ public:
+  /// \param kind "mean_value", "green", "biharmonic", "somigliana", "quad_mean_value" ...
+  /// \throws InputError for a cage that is not closed, not oriented or otherwise broken, naming the face or vertex; for
+  /// an unknown kind, evaluation or parameter, naming those there are; where the kind has no coordinates in the cage
+  Coordinates(const Cage& cage, const std::string& kind, const Options& options = {});
+
+  int dimension() const;
+  /// The highest derivative there is: 2 for most.
+  int max_order() const;
+  std::string evaluation() const;
+  const std::vector<Block>& blocks() const;
+  const std::vector<Element>& elements() const;
+  /// Numbers a point: those of all blocks, times dimension^order.
+  std::size_t row(int order = 0) const;
+
+  /// Values of a block of points, and as many derivatives by the point's coordinates as there is room for.
+  /// \param points `dimension` numbers a point
+  /// \param values row(0) numbers a point: [block][coordinate][row][column]
+  /// \param gradients empty, or row(1) numbers a point: the same with [axis] behind
+  /// \param hessians empty, or row(2): the same with [axis][axis] behind; needs gradients
+  /// On the cage values are limits from inside, derivatives that do not exist NaN, as are points without coordinates.
+  /// \throws InputError for spans of other sizes, or derivatives that there are not
+  void evaluate(std::span<const double> points, std::span<double> values, std::span<double> gradients = {},
+                std::span<double> hessians = {}) const;
+
+  /// Sums of coordinates times data, without keeping coordinates: of kinds whose coordinates are numbers.
+  /// \param data [coordinate][function], the coordinates of all blocks one after another
+  /// \param functions how many \param sums [point][function] \throws InputError as evaluate, and for matrices
+  void apply(std::span<const double> points, std::span<const double> data, int functions, std::span<double> sums) const;
+
+ private:
+  struct Prepared;
+  std::shared_ptr<const Prepared> prepared_;
+};
+
+/// What a posed cage does to the points of space, by one method. `images` is safe from any thread, `pose` is not.
+class Deformer {
+ public:
+  /// \param method "mean_value", "green", "biharmonic_1_3", "somigliana" ... of `cageproof list`
+  /// \throws InputError as Coordinates does
+  Deformer(const Cage& rest, const std::string& method, const Options& options = {});
+  ~Deformer();
+  Deformer(Deformer&&) noexcept;
+  Deformer& operator=(Deformer&&) noexcept;
+
+  /// \param vertices of the posed cage, in the rest cage's order: as many numbers \throws InputError for others, and
+  /// for a pose that the method does not take, naming the vertex or element
+  void pose(std::span<const double> vertices);
+
+  /// Where points go, and the Jacobians there. Points outside the cage have no image where the method's coordinates sum
+  /// to zero there, all but interpolating ones; their numbers are NaN.
+  /// \param points `dimension` numbers a point \param images as many
+  /// \param jacobians empty, or [point][component][axis] \throws InputError for spans of other sizes, or before `pose`
+  void images(std::span<const double> points, std::span<double> images, std::span<double> jacobians = {}) const;
+
+ private:
+  struct Prepared;
+  std::unique_ptr<Prepared> prepared_;
+};
+
+/// The version of the library, "0.1.0".
+std::string version();
+
+}  // namespace cageproof::library

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "conversions.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/mesh_io.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace cageproof::library {
+namespace {
+
+Cage plain(const cageproof::Cage& cage) {
+  Cage found;
+  found.dimension = cage.dimension();
+  found.name = cage.name();
+  for (const Vec3<double>& v : cage.vertices())
+    found.vertices.insert(found.vertices.end(), v.data(), v.data() + cage.dimension());
+  for (const Face& face : cage.faces())
+    found.faces.emplace_back(face.vertices.begin(), face.vertices.begin() + face.size());
+  return found;
+}
+
+}  // namespace
+
+Cage read_obj(const std::string& file) {
+  const Mesh mesh = read_mesh(file);
+  Cage cage;
+  cage.name = file;
+  cage.dimension = mesh.faces.empty() && !mesh.segments.empty() ? 2 : 3;
+  if (cage.dimension == 2) check_plane(mesh, file);
+  for (const Vec3<double>& v : mesh.vertices)
+    cage.vertices.insert(cage.vertices.end(), v.data(), v.data() + cage.dimension);
+  cage.faces = mesh.faces;
+  for (const auto& [from, to] : mesh.segments)
+    if (cage.dimension == 2) cage.faces.push_back({from, to});
+  return cage;
+}
+
+Cage embedded_cage(const std::string& name) { return plain(cageproof::embedded_cage(name)); }
+
+cageproof::Cage checked_cage(const Cage& cage, const Options& options) {
+  if (cage.dimension != 2 && cage.dimension != 3)
+    throw InputError(fmt::format("{}: a dimension of {}, not 2 or 3", cage.name, cage.dimension));
+  std::vector<Face> faces;
+  faces.reserve(cage.faces.size());
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    const std::vector<int>& given = cage.faces[f];
+    const std::size_t least = cage.dimension, most = cage.dimension == 2 ? 2 : 4;
+    if (given.size() < least || given.size() > most)
+      throw InputError(fmt::format("{}: face {} has {} vertices, not {} (faces counted from 0)", cage.name, f,
+                                   given.size(), cage.dimension == 2 ? "2" : "3 or 4"));
+    // -1 stands for none in a Face.
+    if (const auto negative = std::ranges::find_if(given, [](int v) { return v < 0; }); negative != given.end())
+      throw InputError(fmt::format("{}: face {}: index {} is out of range (faces and vertices counted from 0)",
+                                   cage.name, f, *negative));
+    std::ranges::copy(given, faces.emplace_back().vertices.begin());
+  }
+  std::vector<Vec3<double>> vertices = vectors_of(cage.vertices, cage.dimension, cage.name + ": vertices");
+  CageOptions checked{.flip_inward = options.flip_inward, .allow_invalid_quads = options.allow_invalid_quads};
+  return cage.dimension == 2
+             ? cageproof::Cage::make_polygon(cage.name, std::move(vertices), std::move(faces), std::move(checked))
+             : cageproof::Cage::make(cage.name, std::move(vertices), std::move(faces), std::move(checked));
+}
+
+Triangulation triangulation_of(const Options& options) {
+  if (options.triangulation == "shortest") return Triangulation::Shortest;
+  if (options.triangulation == "fan") return Triangulation::Fan;
+  throw InputError(fmt::format("triangulation '{}' is none of shortest, fan", options.triangulation));
+}
+
+std::vector<double> parameters_of(const Options& options, const std::vector<KindParameter>& known,
+                                  std::string_view owner) {
+  std::vector<double> values;
+  std::vector<std::string_view> names;
+  for (const KindParameter& p : known) {
+    values.push_back(p.preset);
+    names.push_back(p.name);
+  }
+  for (const auto& [name, text] : options.parameters) {
+    const auto which = std::ranges::find(names, name);
+    if (which == names.end())
+      throw InputError(names.empty()
+                           ? fmt::format("parameter {}: {} has no parameters", name, owner)
+                           : fmt::format("parameter {}: {} has {} alone", name, owner, fmt::join(names, ", ")));
+    const KindParameter& parameter = known[which - names.begin()];
+    const std::optional<double> value = parameter.value_of(text);
+    if (!value || !parameter.allows(*value))
+      throw InputError(fmt::format("parameter {} = '{}' of {} is {}", name, text, owner,
+                                   value ? "out of range"
+                                   : parameter.names.empty()
+                                       ? "not a number"
+                                       : fmt::format("none of {}", fmt::join(parameter.names, ", "))));
+    values[which - names.begin()] = *value;
+  }
+  return values;
+}
+
+std::vector<Vec3<double>> vectors_of(std::span<const double> numbers, int dimension, std::string_view what) {
+  const auto width = static_cast<std::size_t>(dimension);
+  if (numbers.size() % width != 0)
+    throw InputError(fmt::format("{}: {} numbers are no multiple of {}", what, numbers.size(), dimension));
+  std::vector<Vec3<double>> vectors(numbers.size() / width, Vec3<double>::Zero());
+  for (std::size_t i = 0; i < numbers.size(); ++i) vectors[i / width][static_cast<int>(i % width)] = numbers[i];
+  return vectors;
+}
+
+void check_size(std::size_t given, std::size_t wanted, std::string_view what) {
+  if (given != wanted) throw InputError(fmt::format("{}: room for {} numbers, not {}", what, given, wanted));
+}
+
+void for_blocks(std::size_t points, int threads, const std::function<void(std::size_t, std::size_t)>& task) {
+  // Blocks of points share what evaluations prepare for an element.
+  constexpr std::size_t together = 64;
+  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, (points + together - 1) / together, [&](std::size_t block) {
+      const std::size_t first = block * together;
+      task(first, std::min(together, points - first));
+    });
+  });
+}
+
+}  // namespace cageproof::library

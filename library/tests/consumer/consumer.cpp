@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// A program of someone who has the installed library alone, held to what coordinates are: sums of one, points
+// reproduced from vertices and normals, derivatives of the identity, poses that scale.
+#include <cageproof/cageproof.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using namespace cageproof::library;
+
+namespace {
+
+int failures = 0;
+
+void expect(bool holds, const char* what) {
+  if (holds) return;
+  std::printf("FAILED: %s\n", what);
+  ++failures;
+}
+
+const std::vector<double> points{0.1, 0.2, 0.3, -0.2, 0.1, 0, 0.45, -0.4, 0.3};
+
+// Largest distance of what values and gradients reproduce from the points, and from the derivatives of the identity.
+double off_identity(const Cage& cage, const Coordinates& c, double expected_sum) {
+  const std::size_t count = points.size() / 3, row = c.row(), d = 3;
+  std::vector<double> values(count * row), gradients(count * c.row(1));
+  c.evaluate(points, values, gradients);
+  double worst = 0;
+  for (std::size_t p = 0; p < count; ++p) {
+    double sum = 0, at[3]{}, jacobian[3][3]{};
+    for (const Block& block : c.blocks())
+      for (std::size_t i = 0; i < block.count; ++i) {
+        const bool vertex = block.reproduces == "vertices";
+        if (!vertex && block.reproduces != "normals") continue;
+        const double* data = vertex ? &cage.vertices[i * d] : c.elements()[i].normal.data();
+        const double factor = vertex ? 1 : block.normal_factor, value = values[p * row + block.offset + i];
+        if (vertex) sum += value;
+        for (std::size_t k = 0; k < d; ++k) {
+          at[k] += factor * value * data[k];
+          for (std::size_t axis = 0; axis < d; ++axis)
+            jacobian[k][axis] += factor * gradients[(p * row + block.offset + i) * d + axis] * data[k];
+        }
+      }
+    worst = std::max(worst, std::abs(sum - expected_sum));
+    for (std::size_t k = 0; k < d; ++k) {
+      worst = std::max(worst, std::abs(at[k] - points[p * d + k]));
+      for (std::size_t axis = 0; axis < d; ++axis) worst = std::max(worst, std::abs(jacobian[k][axis] - (k == axis)));
+    }
+  }
+  return worst;
+}
+
+template <class F>
+bool refuses(const char* word, F&& act) {
+  try {
+    act();
+  } catch (const cageproof::InputError& error) {
+    if (std::string(error.what()).find(word) != std::string::npos) return true;
+    std::printf("%s\n", error.what());
+  }
+  return false;
+}
+
+}  // namespace
+
+int main() {
+  const Cage cube = embedded_cage("cube"), bar = embedded_cage("twisted-bar");
+  // Of every room in the library, so that none of what adds itself at the program's start is lost in linking.
+  for (const char* kind : {"green", "biharmonic", "biharmonic_affine", "mean_value", "quad_mean_value",
+                           "regularised_1_3", "spherical_mean_value"}) {
+    const Coordinates c(cube, kind);
+    // Of affine psi each belongs to a corner, not an element.
+    if (kind == std::string("biharmonic_affine")) expect(c.blocks()[1].one_a == "corner", "one a corner");
+    else expect(off_identity(cube, c, 1) < 1e-12, kind);
+  }
+  expect(Coordinates(cube, "green").evaluation() == "batched", "batched evaluation is kept");
+  expect(Coordinates(cube, "green").elements().size() == 12, "quads are split");
+  expect(Coordinates(bar, "somigliana", {.parameters = {{"nu", "0.3"}}}).blocks()[0].columns == 3, "matrices");
+  const Cage square{{0, 0, 1, 0, 1, 1, 0, 1}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, 2};
+  std::vector<double> values(8);
+  Coordinates(square, "harmonic", {.parameters = {{"pieces", "4"}}})
+      .evaluate(std::vector<double>{0.5, 0.5}, std::span(values).first(4));
+  expect(std::abs(values[0] - 0.25) < 1e-12, "harmonic coordinates of a square's centre");
+
+  // Sums with data are those of coordinates: the vertices' own first coordinate.
+  const Coordinates mean(cube, "mean_value");
+  std::vector<double> data, sums(3);
+  for (std::size_t v = 0; v < 8; ++v) data.push_back(cube.vertices[3 * v]);
+  mean.apply(points, data, 1, sums);
+  for (std::size_t p = 0; p < 3; ++p) expect(std::abs(sums[p] - points[3 * p]) < 1e-14, "apply");
+
+  // A pose twice as large, by a method that keeps similarities; outside there is no image.
+  Deformer green(cube, "green");
+  std::vector<double> twice = cube.vertices, images(9), jacobians(27), outside{3, 0, 0};
+  for (double& x : twice) x *= 2;
+  expect(refuses("pose", [&] { green.images(points, images); }), "images before a pose");
+  green.pose(twice);
+  green.images(points, images, jacobians);
+  for (std::size_t i = 0; i < 9; ++i) expect(std::abs(images[i] - 2 * points[i]) < 1e-14, "twice as large");
+  expect(std::abs(jacobians[0] - 2) < 1e-13 && std::abs(jacobians[1]) < 1e-13, "Jacobians");
+  green.images(outside, std::span(images).first(3));
+  expect(std::isnan(images[0]), "no image outside");
+
+  Cage open = cube;
+  open.faces.pop_back();
+  expect(refuses("hole", [&] { Coordinates(open, "green"); }), "a hole is named");
+  expect(refuses("face 0", [&] { Coordinates({cube.vertices, {{0, -1, 2}}}, "green"); }), "an index is named");
+  expect(refuses("nonsense", [&] { Coordinates(cube, "nonsense"); }), "a kind is named");
+  expect(refuses("nu",
+                 [&] {
+                   Coordinates(cube, "somigliana", {.parameters = {{"nu", "0.7"}}});
+                 }),
+         "a parameter is named");
+  expect(refuses("values", [&] { mean.evaluate(points, values); }), "room is checked");
+  if (failures == 0) std::printf("cageproof %s does what it says\n", version().c_str());
+  return failures == 0 ? 0 : 1;
+}
