@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Installs the Debian packages that Cageproof needs and the machine lacks; silent when nothing is missing.
+# With the word `tests`, those that tests alone need as well.
 # Says before what it installs and why. Exit 0: all there; 2: something is missing and could not be installed.
 # Where there is no dpkg it says what is needed and leaves the verdict to CMake.
 set -euo pipefail
@@ -49,6 +50,14 @@ clang-tidy-16            what CI asks of changed sources
 LIST
 }
 
+# Only tests need these: `ensure_packages.sh tests` installs them too.
+tests_alone() {
+  cat <<'LIST'
+chromium                 draws the page of a field, without a display
+python3-vtk9             looks at the picture of it
+LIST
+}
+
 say() { printf '%s\n' "$*" >&2; }
 
 if ! command -v dpkg-query >/dev/null; then
@@ -68,7 +77,8 @@ missing_of() {
   printf '%s\n' "${names[@]}" | grep --invert-match --line-regexp --fixed-strings --file=<(printf '%s\n' "$installed") || true
 }
 
-mapfile -t missing < <(packages | missing_of)
+[[ ${1-} == tests ]] && needed() { packages; tests_alone; } || needed() { packages; }
+mapfile -t missing < <(needed | missing_of)
 mapfile -t wanted < <(helpful | missing_of)
 ((${#missing[@]} + ${#wanted[@]})) || exit 0
 
@@ -91,7 +101,7 @@ install_command() { printf 'apt-get install -y --no-install-recommends %s' "$*";
 
 if ((${#missing[@]})); then
   say "Cageproof needs ${#missing[@]} Debian package(s) that this machine lacks:"
-  packages | awk -v missing=" ${missing[*]} " 'index(missing, " " $1 " ") {print "  " $0}' >&2
+  needed | awk -v missing=" ${missing[*]} " 'index(missing, " " $1 " ") {print "  " $0}' >&2
   if [[ -z $may_install ]]; then
     say "They cannot be installed from here: neither root nor sudo. Ask for this to be run as root, then start again:"
     say "  $(install_command "${missing[@]}")"

@@ -28,7 +28,7 @@ bool has_journal(const fs::path& folder, bool shard) {
 const FolderKind& report_kind() {
   static const FolderKind kind{"a verification report",
                                {journal_file, "summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html",
-                                "fields", "pictures", "figures"},
+                                "field.html", "fields", "pictures", "figures"},
                                {"fields", "pictures"},
                                [](const fs::path& folder) {
                                  return has_journal(folder, false) ||
@@ -46,7 +46,7 @@ const FolderKind& shard_kind() {
 const FolderKind& field_kind() {
   static const FolderKind kind{
       "an error field",
-      {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "fields", "pictures"},
+      {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "field.html", "fields", "pictures"},
       {"fields", "pictures"},
       [](const fs::path& folder) { return states_schema(folder / "summary.json", "cageproof-field"); }};
   return kind;
