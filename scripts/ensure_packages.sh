@@ -36,8 +36,6 @@ gnuplot-nox              draws the curves of a report, without a display
 fonts-dejavu-core        lettering of those curves
 libgtest-dev             unit tests
 clang-format             the formatting that CI asks for
-openmpi-bin              tests alone: starts four ranks that measure one run
-python3                  tests alone: runs the commands of README.md and docs/
 libbenchmark-dev         benchmarks
 libsleef-dev             arc tangents and logarithms on vectors, which the benchmarks take for a yardstick
 LIST
@@ -56,16 +54,20 @@ say() { printf '%s\n' "$*" >&2; }
 # What tests alone take: `scripts/ensure_packages.sh tests` installs these, too.
 tests_alone() {
   cat <<'LIST'
+openmpi-bin              starts four ranks that measure one run
+python3                  runs the commands of README.md and docs/
 python3-numpy            docs/apply.md's examples: what coordinates' files hold, and what is done with it
 pkgconf                  the installed library, found by pkg-config
+chromium                 opens the report's pages, without a display
+python3-vtk9             looks at the picture of a field's page
 LIST
 }
 
+with=${1-}
 needed() {
   packages
-  [[ ${with-} != tests ]] || tests_alone
+  if [[ $with == tests ]]; then tests_alone; fi
 }
-with=${1-}
 
 if ! command -v dpkg-query >/dev/null; then
   say "Not a Debian system (no dpkg-query): Cageproof needs these, under your system's names:"

@@ -3,6 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/report_writer.h"
+#include "cageproof/validation/compared_fields.h"
 #include "cageproof/validation/error_fields.h"
 #include "cageproof/validation/machine_facts.h"
 
@@ -17,7 +18,8 @@ namespace {
 
 struct Arguments {
   CageArguments cage;
-  std::string formula, kind, coordinate, evaluation, out, command_line;
+  std::string formula, kind, coordinate, evaluation, points, out, command_line;
+  std::vector<std::string> compare;
   std::vector<std::string> parameters;
   std::vector<double> colours;
   int order = 0, resolution = 0, jobs = 0;
@@ -27,6 +29,7 @@ struct Arguments {
 struct Shown {
   ImageField field;
   std::string title, array;
+  MeshField outline;
 };
 
 Shown formula_field(const Arguments& a, RunResult& result) {
@@ -49,9 +52,17 @@ Shown formula_field(const Arguments& a, RunResult& result) {
     where = cage.name();
     result.settings = {{"cage", cage.name()}, {"triangulation", a.cage.triangulate}};
   }
+  MeshField outline;
+  for (const auto& corners : elements) {
+    std::vector<int>& face = outline.faces.emplace_back();
+    for (const auto& corner : corners) {
+      face.push_back(static_cast<int>(outline.vertices.size()));
+      outline.vertices.push_back(corner);
+    }
+  }
   constexpr std::array orders{"value", "gradient", "Hessian"};
   return {validation::formula_error_field(elements, formula, evaluation, a.order, slice, a.jobs),
-          fmt::format("{}, {} of {}, {}", a.formula, orders[a.order], a.evaluation, where), "relative error"};
+          fmt::format("{}, {} of {}, {}", a.formula, orders[a.order], a.evaluation, where), "relative error", outline};
 }
 
 // "alpha:3": the block's label and the coordinate's index.
@@ -70,7 +81,8 @@ Shown value_field(const Arguments& a, RunResult& result) {
   const auto [label, index] = coordinate_of(a.coordinate);
   const auto plan = validation::coordinate_field(cage, kind, label, index, a.resolution > 0 ? a.resolution : 128);
   const std::string array = plan.field.arrays.front().name;
-  return {validation::sampled(plan, a.jobs), fmt::format("{} of {}, {}", array, a.kind, cage->name()), array};
+  return {validation::sampled(plan, a.jobs), fmt::format("{} of {}, {}", array, a.kind, cage->name()), array,
+          validation::outline_of(*cage)};
 }
 
 Shown kind_field(const Arguments& a, RunResult& result) {
@@ -84,7 +96,31 @@ Shown kind_field(const Arguments& a, RunResult& result) {
   return {validation::sampled(plan, a.jobs),
           fmt::format("{}, partition of unity of {}, {}", a.kind, a.evaluation.empty() ? "recommended" : a.evaluation,
                       cage->name()),
-          "partition of unity"};
+          "partition of unity", validation::outline_of(*cage)};
+}
+
+// Vertices of a mesh that are compared with 50 digits at most: seconds to a minute.
+constexpr std::size_t most_vertices = 2000;
+
+reports::FieldScene scene_of(const Arguments& a, RunResult& result) {
+  const CoordinateKind& kind = coordinate_kind_named(a.kind);
+  const auto cage = std::make_shared<const Cage>(a.cage.load());
+  if (!kind.is_sum())
+    throw InputError(fmt::format("--compare: {} coordinates are no sums over elements, and have no truth", kind.name));
+  if (a.compare.size() > 4)
+    throw InputError(fmt::format("--compare: {} evaluations, 4 are the most", a.compare.size()));
+  const validation::Comparison comparison{cage, &kind, a.compare, a.cage.rule()};
+  result.settings = {{"cage", cage->name()}, {"triangulation", a.cage.triangulate}};
+  const int side = a.resolution > 0 ? a.resolution : validation::affordable_side(comparison, 200'000, 32);
+  reports::FieldScene scene;
+  scene.title = validation::scene_title(comparison);
+  scene.explanation = validation::scene_explanation;
+  for (const std::string& evaluation : a.compare) scene.compared.push_back(evaluation + ": relative error");
+  scene.cage = validation::outline_of(*cage);
+  if (!a.points.empty())
+    scene.mesh = validation::compared_mesh(comparison, load_points(a.points, cage->dimension()), most_vertices, a.jobs);
+  scene.image = validation::sampled(validation::compared_field(comparison, side), a.jobs);
+  return scene;
 }
 
 std::optional<reports::ColourLimits> limits_of(const Arguments& a) {
@@ -104,11 +140,28 @@ int run(const Arguments& a) {
   result.sessions = {{validation::timestamp(), 0, a.command_line, validation::machine_facts()}};
   const auto start = std::chrono::steady_clock::now();
   reports::ReportWriter writer(a.out, reports::ReportWriter::Kind::Field);
-  const Shown shown = a.kind.empty()         ? formula_field(a, result)
-                      : a.coordinate.empty() ? kind_field(a, result)
-                                             : value_field(a, result);
+  if (!a.compare.empty()) {
+    reports::FieldScene scene = scene_of(a, result);
+    scene.image.facts["version"] = scene.mesh.facts["version"] = CAGEPROOF_VERSION;
+    result.fields = writer.write_scene(scene);
+    result.sessions.front().seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    writer.write(result);
+    writer.commit();
+    for (const auto& array : scene.image.arrays)
+      if (!array.linear) {
+        double largest = 0;
+        for (const double error : array.values) largest = std::max(largest, std::isnan(error) ? 0 : error);
+        fmt::print("{}: largest found {:.3g}\n", array.name, largest);
+      }
+    fmt::print("{0}/{1} in a browser; {0}/{2} in ParaView\n", a.out, result.fields[0].page, result.fields[0].state);
+    return success;
+  }
+  Shown shown = a.kind.empty()         ? formula_field(a, result)
+                : a.coordinate.empty() ? kind_field(a, result)
+                                       : value_field(a, result);
+  shown.field.facts["version"] = CAGEPROOF_VERSION;
   const auto scale = a.coordinate.empty() ? reports::ColourScale::Log10 : reports::ColourScale::Linear;
-  result.fields.push_back(writer.write_image(shown.field, shown.title, shown.array, scale, limits));
+  result.fields.push_back(writer.write_image(shown.field, shown.title, shown.array, scale, limits, &shown.outline));
   result.sessions.front().seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   writer.write(result);
   writer.commit();
@@ -134,6 +187,15 @@ void add_field(CommandLine& line, const std::string& command_line) {
   command.option("--coordinate", a->coordinate, "BLOCK:INDEX, as lambda:0: the values of that coordinate instead")
       .needs(kind)
       .excludes(evaluation);
+  const Option compare =
+      command
+          .option("--compare", a->compare,
+                  "2 to 4 evaluations, as gauss-8,published,closed_form: errors against 50 digits side by side, in 3D")
+          .separated_by(',')
+          .needs(kind)
+          .excludes(evaluation);
+  command.option("--points", a->points, "a mesh, whose vertices are compared too (2000 of them, spread evenly)")
+      .needs(compare);
   command.option("--order", a->order, "0 value, 1 gradient, 2 Hessian").in_range(0, 2).showing_default().excludes(kind);
   command.option("--parameter", a->parameters, "mu=..., nu=... of a kind").excludes(formula);
   kind.needs(a->cage.add_to(command, false));

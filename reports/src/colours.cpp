@@ -2,6 +2,7 @@
 #include "colours.h"
 
 #include "gnuplot.h"
+#include "palette.h"
 
 #include <fmt/format.h>
 
@@ -12,10 +13,12 @@
 namespace cageproof::reports {
 namespace {
 
-// Viridis: even steps in lightness, also for people who see few colours and in grey print.
-constexpr const char* kPalette =
-    "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', 5 '#28ae80', 6 '#5ec962', "
-    "7 '#addc30', 8 '#fde725')\n";
+std::string palette_commands() {
+  std::string steps;
+  for (std::size_t i = 0; i < kPalette.size(); ++i)
+    steps += fmt::format("{}{} '{}'", i > 0 ? ", " : "", i, kPalette[i]);
+  return fmt::format("set palette defined ({})\n", steps);
+}
 constexpr double kDecadesBelowLargest = 20;
 
 std::vector<double> samples(const ImageField::Array& array) {
@@ -31,7 +34,7 @@ std::vector<double> samples(const ImageField::Array& array) {
 
 std::string bar(const Colours& colours, ColourScale scale, const ImageField::Array& array) {
   const std::string label = array.unit.empty() ? array.name : fmt::format("{} [{}]", array.name, array.unit);
-  std::string text = fmt::format("{}set cbrange [{}:{}]\nset cblabel {} noenhanced offset 0.6,0\n", kPalette,
+  std::string text = fmt::format("{}set cbrange [{}:{}]\nset cblabel {} noenhanced offset 0.6,0\n", palette_commands(),
                                  colours.low, colours.high, gnuplot_text(label));
   if (scale == ColourScale::Log10) {
     const int step = std::max(1, static_cast<int>(std::ceil((colours.high - colours.low) / 8)));

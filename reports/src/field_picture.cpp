@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "field_picture.h"
 
+#include "slice_outline.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,7 +52,8 @@ constexpr int kHead = 52, kFoot = 48;
 
 }  // namespace
 
-Picture image_picture(const ImageField& field, const Colours& colours, const std::string& title, std::string file) {
+Picture image_picture(const ImageField& field, const Colours& colours, const std::string& title, std::string file,
+                      const MeshField* outline) {
   const Plane plane = plane_of(field);
   const std::array<int, 3> strides{1, field.points[0], field.points[0] * field.points[1]};
   const int slice = field.points[plane.cut] / 2;
@@ -87,9 +90,17 @@ Picture image_picture(const ImageField& field, const Colours& colours, const std
   for (const auto& [name, axis] : {std::pair{'x', plane.across}, std::pair{'y', plane.up}})
     text += fmt::format("set {}range [{}:{}]\n", name, field.origin[axis] - field.spacing[axis] / 2,
                         field.origin[axis] + (field.points[axis] - 0.5) * field.spacing[axis]);
+  std::string segments;
+  if (outline != nullptr)
+    for (const auto& [from, to] : outline_in_plane(*outline, plane.cut, cut))
+      segments += fmt::format("{} {}\n{} {}\n\n", from[plane.across], from[plane.up], to[plane.across], to[plane.up]);
+  // Gnuplot takes no empty data.
+  text += fmt::format("$outline << EOD\n{}EOD\n", segments.empty() ? "NaN NaN\n" : segments);
   text += fmt::format(
       "plot $grid matrix using {}:{}:3 with image notitle, "
-      "$infinite using {}:{}:({}):({}) with boxxyerror fillstyle solid noborder linecolor rgb '{}' notitle{}\n",
+      "$infinite using {}:{}:({}):({}) with boxxyerror fillstyle solid noborder linecolor rgb '{}' notitle, "
+      "$outline using 1:2 with lines linewidth 4 linecolor rgb 'white' notitle, "
+      "$outline using 1:2 with lines linewidth 1.6 linecolor rgb 'black' notitle{}\n",
       x, y, x, y, field.spacing[plane.across] / 2, field.spacing[plane.up] / 2, kInfiniteColour,
       key_note(!infinite.empty(), masked));
   return {std::move(file), width, height, std::move(text)};

@@ -8,7 +8,8 @@
 namespace cageproof::reports {
 
 /// The slice (of a volume the middle one along z) with axes and a colour bar.
-Picture image_picture(const ImageField& field, const Colours& colours, const std::string& title, std::string file);
+Picture image_picture(const ImageField& field, const Colours& colours, const std::string& title, std::string file,
+                      const MeshField* outline = nullptr);
 
 /// The vertices seen from the front (along -z, y up) and from the side (along -x), near ones over far ones.
 Picture mesh_picture(const MeshField& field, const Colours& colours, const std::string& title, std::string file);

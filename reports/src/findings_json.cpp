@@ -135,6 +135,9 @@ Json json_of(int place, const FieldPart& part) {
                  {"spacing", json_of(part.image.spacing)}});
   else json["mesh"] = part.mesh;
   json.update({{"samples", part.samples}, {"first", part.first}, {"arrays", arrays}});
+  if (!part.image.facts.empty()) json["facts"] = part.image.facts;
+  if (!part.cage.empty()) json["cage"] = part.cage;
+  if (!part.scene.empty()) json.update({{"scene", part.scene}, {"compared", part.compared}});
   return json;
 }
 
@@ -155,6 +158,10 @@ FieldPart field_of(const Json& json) {
     part.image.arrays.push_back({array.at("name").get<std::string>(), array.at("unit").get<std::string>(),
                                  small(array.at("components")), numbers(array.at("values")),
                                  array.value("linear", false)});
+  if (json.contains("facts")) part.image.facts = json["facts"].get<FieldFacts>();
+  part.cage = json.value("cage", "");
+  part.scene = json.value("scene", "");
+  if (json.contains("compared")) part.compared = json["compared"].get<std::vector<std::string>>();
   return part;
 }
 

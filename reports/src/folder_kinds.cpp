@@ -29,7 +29,7 @@ const FolderKind& report_kind() {
   static const FolderKind kind{
       "a verification report",
       {journal_file, "summary.json", "summary.md", "results.csv", "worst.jsonl", "worst", "index.html", "pictures.html",
-       "formulas", "cages", "deformers", "fields", "pictures", "figures"},
+       "field.html", "formulas", "cages", "deformers", "fields", "pictures", "figures"},
       {"fields", "pictures"},
       [](const fs::path& folder) {
         return has_journal(folder, false) || states_schema(folder / "summary.json", "cageproof-summary");
@@ -46,7 +46,8 @@ const FolderKind& shard_kind() {
 const FolderKind& field_kind() {
   static const FolderKind kind{
       "an error field",
-      {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "pictures.html", "fields", "pictures"},
+      {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "pictures.html",
+       "field.html", "fields", "pictures"},
       {"fields", "pictures"},
       [](const fs::path& folder) { return states_schema(folder / "summary.json", "cageproof-field"); }};
   return kind;

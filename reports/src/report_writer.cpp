@@ -7,10 +7,12 @@
 #include "cageproof/reports/summary.h"
 #include "colours.h"
 #include "curve_picture.h"
+#include "field_page.h"
 #include "field_picture.h"
 #include "figure.h"
 #include "gnuplot.h"
 #include "page/pages.h"
+#include "paraview_state.h"
 #include "report_folder.h"
 #include "tables.h"
 #include "worst_places.h"
@@ -31,6 +33,7 @@ struct ReportWriter::State {
   std::set<std::string> names;    ///< of fields, so that none overwrites another
   std::vector<Picture> pictures;  ///< drawn by write(), all at once
   std::vector<FigureEntry> figures;
+  bool has_page = false;  ///< field.html
 
   // Two fields whose names differ only in what a file name cannot hold get different files.
   std::string fresh_name(const std::string& name) {
@@ -58,14 +61,14 @@ ReportWriter::ReportWriter(const std::filesystem::path& out, Kind kind) : state_
 ReportWriter::~ReportWriter() = default;
 
 FieldEntry ReportWriter::write_image(const ImageField& field, const std::string& title, const std::string& shown,
-                                     ColourScale scale, std::optional<ColourLimits> limits) {
+                                     ColourScale scale, std::optional<ColourLimits> limits, const MeshField* outline) {
   const std::size_t samples = static_cast<std::size_t>(field.points[0]) * field.points[1] * field.points[2];
   const ImageField::Array& array = array_named(field.arrays, shown, samples);
   const Colours colours = colours_of(array, scale, limits);
   const std::string name = state_->fresh_name(field.name);
   FieldEntry entry{title, array.unit, "fields/" + name + ".vti", "pictures/field." + name + ".png", colours.largest};
-  write_file(state_->folder.path() / entry.data, vti_text(field));
-  state_->pictures.push_back(image_picture(field, colours, title, entry.picture));
+  write_file(state_->folder.path() / entry.data, vti_text(field, FieldArrays::WithLogarithms));
+  state_->pictures.push_back(image_picture(field, colours, title, entry.picture, outline));
   return entry;
 }
 
@@ -75,9 +78,38 @@ FieldEntry ReportWriter::write_mesh(const MeshField& field, const std::string& t
   const Colours colours = colours_of(array, scale);
   const std::string name = state_->fresh_name(field.name);
   FieldEntry entry{title, array.unit, "fields/" + name + ".vtp", "pictures/field." + name + ".png", colours.largest};
-  write_file(state_->folder.path() / entry.data, vtp_text(field));
+  write_file(state_->folder.path() / entry.data, vtp_text(field, FieldArrays::WithLogarithms));
   state_->pictures.push_back(mesh_picture(field, colours, title, entry.picture));
   return entry;
+}
+
+std::vector<FieldEntry> ReportWriter::write_scene(const FieldScene& scene) {
+  constexpr ColourLimits limits{1e-17, 1};
+  const std::filesystem::path& folder = state_->folder.path();
+  std::vector<FieldEntry> entries{
+      write_image(scene.image, scene.title, scene.compared.front(), ColourScale::Log10, limits, &scene.cage)};
+  FieldEntry& image = entries.front();
+  const auto name_of = [](const std::string& path) { return path.substr(path.find('/') + 1); };
+  const std::string stem = name_of(image.data).substr(0, name_of(image.data).size() - 4);
+  SceneFiles files{name_of(image.data), stem + ".cage.vtp", ""};
+  std::vector<std::string> data{image.data, "fields/" + files.cage};
+  MeshField cage = geometry_of(scene.cage);
+  cage.facts = scene.image.facts;
+  write_file(folder / data.back(), vtp_text(cage));
+  if (!scene.mesh.vertices.empty()) {
+    entries.push_back(
+        write_mesh(scene.mesh, scene.title + ", on the mesh", scene.compared.front(), ColourScale::Log10));
+    files.mesh = name_of(entries.back().data);
+    data.push_back(entries.back().data);
+  }
+  const std::string state = "fields/" + stem + ".pvsm";
+  write_file(folder / state, paraview_state(scene, files));
+  data.push_back(state);
+  const std::string page = state_->has_page ? "" : "field.html";
+  if (!page.empty()) write_file(folder / page, field_page(scene, entries.front().picture, data));
+  state_->has_page = true;
+  for (FieldEntry& entry : entries) entry.page = page, entry.state = state;
+  return entries;
 }
 
 FieldEntry unwritten_entry(const std::vector<ImageField::Array>& arrays, const std::string& title,

@@ -127,12 +127,16 @@ std::string summary_json(const RunResult& result, std::string_view schema) {
                               {"parameter_name", curve.parameter_name},
                               {"parameters", numbers(curve.parameters)},
                               {"errors", numbers(curve.errors)}});
-  for (const FieldEntry& field : result.fields)
-    json["fields"].push_back({{"title", field.title},
-                              {"unit", field.unit},
-                              {"data", field.data},
-                              {"picture", field.picture},
-                              {"largest", json_number(field.largest)}});
+  for (const FieldEntry& field : result.fields) {
+    Json entry{{"title", field.title},
+               {"unit", field.unit},
+               {"data", field.data},
+               {"picture", field.picture},
+               {"largest", json_number(field.largest)}};
+    if (!field.page.empty()) entry["page"] = field.page;
+    if (!field.state.empty()) entry["state"] = field.state;
+    json["fields"].push_back(std::move(entry));
+  }
   for (const ErratumRow& erratum : result.errata) json["errata"].push_back(erratum_json(erratum));
   return dump(json) + "\n";
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cageproof/core/run_result.h"
+#include "cageproof/reports/vtk_text.h"
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -12,7 +13,7 @@
 namespace cageproof::reports {
 
 /// The mesh that vtp_text writes.
-vtkSmartPointer<vtkPolyData> poly_of(const MeshField& field);
+vtkSmartPointer<vtkPolyData> poly_of(const MeshField& field, FieldArrays arrays = FieldArrays::Alone);
 
 /// The text of a .vtp file, as vtp_text.
 std::string poly_text(vtkPolyData& data);

@@ -7,16 +7,23 @@
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
 #include <stdexcept>
 
 namespace cageproof::reports {
@@ -39,7 +46,21 @@ class FiniteRangeArray : public vtkDoubleArray {
 };
 vtkStandardNewMacro(FiniteRangeArray);
 
-void add_arrays(vtkDataSet& data, const std::vector<ImageField::Array>& arrays) {
+// What ParaView colours by: magnitudes go through 17 decades and more, where only a logarithm shows anything.
+void add_logarithm(vtkDataSet& data, const ImageField::Array& array) {
+  vtkNew<vtkFloatArray> logarithm;
+  vtkNew<vtkUnsignedCharArray> mask;
+  logarithm->SetName(log10_name(array.name).c_str());
+  mask->SetName(mask_name(array.name).c_str());
+  for (const double value : array.values) {
+    logarithm->InsertNextValue(static_cast<float>(floored_log10(value)));
+    mask->InsertNextValue(std::isfinite(value) ? kHasValue : std::isnan(value) ? kNoValue : kNotFinite);
+  }
+  data.GetPointData()->AddArray(logarithm);
+  data.GetPointData()->AddArray(mask);
+}
+
+void add_arrays(vtkDataSet& data, const std::vector<ImageField::Array>& arrays, FieldArrays kept) {
   for (const ImageField::Array& array : arrays) {
     vtkNew<FiniteRangeArray> values;
     const std::string name = array.unit.empty() ? array.name : fmt::format("{} [{}]", array.name, array.unit);
@@ -48,6 +69,16 @@ void add_arrays(vtkDataSet& data, const std::vector<ImageField::Array>& arrays) 
     values->SetNumberOfTuples(data.GetNumberOfPoints());
     std::ranges::copy(array.values, values->GetPointer(0));
     data.GetPointData()->AddArray(values);
+    if (kept == FieldArrays::WithLogarithms && array.components == 1 && !array.linear) add_logarithm(data, array);
+  }
+}
+
+void add_facts(vtkDataSet& data, const FieldFacts& facts) {
+  for (const auto& [name, text] : facts) {
+    vtkNew<vtkStringArray> fact;
+    fact->SetName(name.c_str());
+    fact->InsertNextValue(text);
+    data.GetFieldData()->AddArray(fact);
   }
 }
 
@@ -64,16 +95,39 @@ std::string text_of(Data& data) {
 
 }  // namespace
 
-std::string vti_text(const ImageField& field) {
+double floored_log10(double value) {
+  if (std::isnan(value)) return value;
+  if (std::isinf(value)) return std::log10(std::numeric_limits<double>::max());
+  return std::max(kLog10Floor, std::log10(std::abs(value)));
+}
+
+std::string log10_name(const std::string& array) { return "log10 " + array; }
+std::string mask_name(const std::string& array) { return "mask " + array; }
+
+MeshField geometry_of(MeshField cage) {
+  std::set<std::array<int, 2>> edges;
+  for (const auto& [from, to] : cage.segments) edges.insert({std::min(from, to), std::max(from, to)});
+  for (const std::vector<int>& face : cage.faces)
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const int from = face[k], to = face[(k + 1) % face.size()];
+      edges.insert({std::min(from, to), std::max(from, to)});
+    }
+  std::erase_if(cage.faces, [](const std::vector<int>& face) { return face.size() < 3; });
+  cage.segments.assign(edges.begin(), edges.end());
+  return cage;
+}
+
+std::string vti_text(const ImageField& field, FieldArrays arrays) {
   vtkNew<vtkImageData> image;
   image->SetDimensions(field.points.data());
   image->SetOrigin(field.origin.data());
   image->SetSpacing(field.spacing.data());
-  add_arrays(*image, field.arrays);
+  add_arrays(*image, field.arrays, arrays);
+  add_facts(*image, field.facts);
   return text_of<vtkXMLImageDataWriter>(*image);
 }
 
-vtkSmartPointer<vtkPolyData> poly_of(const MeshField& field) {
+vtkSmartPointer<vtkPolyData> poly_of(const MeshField& field, FieldArrays arrays) {
   const auto mesh = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -99,12 +153,13 @@ vtkSmartPointer<vtkPolyData> poly_of(const MeshField& field) {
   } else if (!field.faces.empty()) {
     mesh->SetPolys(cells);
   }
-  add_arrays(*mesh, field.arrays);
+  add_arrays(*mesh, field.arrays, arrays);
+  add_facts(*mesh, field.facts);
   return mesh;
 }
 
 std::string poly_text(vtkPolyData& data) { return text_of<vtkXMLPolyDataWriter>(data); }
 
-std::string vtp_text(const MeshField& field) { return poly_text(*poly_of(field)); }
+std::string vtp_text(const MeshField& field, FieldArrays arrays) { return poly_text(*poly_of(field, arrays)); }
 
 }  // namespace cageproof::reports

@@ -7,11 +7,13 @@
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 
@@ -23,7 +25,9 @@ namespace cageproof::reports {
 namespace {
 
 void expect_same(vtkPointData& data, const std::vector<ImageField::Array>& arrays) {
-  ASSERT_EQ(data.GetNumberOfArrays(), static_cast<int>(arrays.size()));
+  // Each error comes with its logarithm and a mask.
+  ASSERT_EQ(data.GetNumberOfArrays(),
+            static_cast<int>(arrays.size() + 2 * std::ranges::count(arrays, 1, &ImageField::Array::components)));
   for (const ImageField::Array& array : arrays) {
     vtkDataArray* read = data.GetArray(fmt::format("{} [{}]", array.name, array.unit).c_str());
     ASSERT_NE(read, nullptr) << array.name;
@@ -94,6 +98,40 @@ TEST_F(Fields, AnImageReadsBackAsWritten) {
     EXPECT_EQ(reader->GetOutput()->GetSpacing()[k], field.spacing[k]);
   }
   expect_same(*reader->GetOutput()->GetPointData(), field.arrays);
+}
+
+TEST_F(Fields, LogarithmsAreFlooredAndMasked) {
+  ImageField field = sample_slice("slice", 9);
+  field.facts = {{"evaluation", "gauss-8"}, {"seed", "7"}, {"version", "1 < 2"}};
+  field.arrays[0].values[0] = 1e-30;
+  field.arrays[0].values[1] = std::nan("");
+  field.arrays[0].values[2] = -1e-3;
+  field.arrays[0].values[3] = HUGE_VAL;
+  field.arrays[0].values[4] = 0;
+  ReportWriter writer(out());
+  const FieldEntry entry = writer.write_image(field, "a slice", "relative error", ColourScale::Log10);
+  writer.write({});
+  writer.commit();
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetFileName((out() / entry.data).c_str());
+  reader->Update();
+  vtkPointData& points = *reader->GetOutput()->GetPointData();
+  vtkDataArray* log = points.GetArray("log10 relative error");
+  vtkDataArray* mask = points.GetArray("mask relative error");
+  ASSERT_NE(log, nullptr);
+  ASSERT_NE(mask, nullptr);
+  EXPECT_EQ(log->GetComponent(0, 0), -17);
+  EXPECT_TRUE(std::isnan(log->GetComponent(1, 0)));
+  EXPECT_FLOAT_EQ(static_cast<float>(log->GetComponent(2, 0)), -3);
+  EXPECT_GT(log->GetComponent(3, 0), 300);
+  EXPECT_EQ(log->GetComponent(4, 0), -17);
+  for (const auto& [sample, value] : {std::pair(0, 1), {1, 0}, {2, 1}, {3, 2}, {4, 1}})
+    EXPECT_EQ(mask->GetComponent(sample, 0), value) << sample;
+  for (const auto& [name, text] : field.facts) {
+    auto* fact = vtkStringArray::SafeDownCast(reader->GetOutput()->GetFieldData()->GetAbstractArray(name.c_str()));
+    ASSERT_NE(fact, nullptr) << name;
+    EXPECT_EQ(fact->GetValue(0), text);
+  }
 }
 
 TEST_F(Fields, AMeshReadsBackAsWritten) {

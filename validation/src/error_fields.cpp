@@ -52,6 +52,14 @@ std::string name_of_field(const Cage& cage, const CoordinateKind& kind, const st
                      CageCoordinates(cage, kind, evaluation, rule).evaluation(), what);
 }
 
+FieldFacts facts_of(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation, Triangulation rule) {
+  return {{"cage", cage.name()},
+          {"kind", std::string(kind.name)},
+          {"evaluation", CageCoordinates(cage, kind, evaluation, rule).evaluation()},
+          {"triangulation", std::string(name_of(rule))},
+          {"unit of length", "that of the cage"}};
+}
+
 SlicePlan grid_of(const ImageField& field) { return {field.origin, field.spacing, field.points}; }
 
 // Arrays with room for so many values each.
@@ -69,11 +77,13 @@ void sample_into(std::vector<ImageField::Array>& arrays, std::size_t at, const F
 
 class FieldMeasurement final : public Measurement {
  public:
-  FieldMeasurement(FieldPlan plan, int place, const std::string& title, const std::string& shown)
-      : place_(place),
-        grid_(grid_of(plan.field)),
-        empty_{title, shown, "", count_of(grid_), 0, std::move(plan.field)},
-        sampler_(std::move(plan.prepare)) {}
+  FieldMeasurement(FieldPlan plan, int place, const std::string& title, const std::string& shown, FieldPart common)
+      : place_(place), grid_(grid_of(plan.field)), empty_(std::move(common)), sampler_(std::move(plan.prepare)) {
+    empty_.title = title;
+    empty_.shown = shown;
+    empty_.samples = count_of(grid_);
+    empty_.image = std::move(plan.field);
+  }
 
   std::string name() const override { return "field " + empty_.image.name; }
   int blocks() const override { return block_count(empty_.samples, 200); }
@@ -129,8 +139,8 @@ ImageField sampled(const FieldPlan& plan, int jobs) {
 }
 
 std::unique_ptr<const Measurement> field_measurement(FieldPlan plan, int place, const std::string& title,
-                                                     const std::string& shown) {
-  return std::make_unique<FieldMeasurement>(std::move(plan), place, title, shown);
+                                                     const std::string& shown, FieldPart common) {
+  return std::make_unique<FieldMeasurement>(std::move(plan), place, title, shown, std::move(common));
 }
 
 FieldPlan reproduction_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
@@ -139,6 +149,7 @@ FieldPlan reproduction_field(const std::shared_ptr<const Cage>& cage, const Coor
   FieldPlan plan;
   plan.field =
       empty_field(slice_through(*cage, resolution), name_of_field(*cage, kind, evaluation, rule, "reproduction"));
+  plan.field.facts = facts_of(*cage, kind, evaluation, rule);
   plan.field.arrays = {{"partition of unity", "1", 1, {}}, {"linear reproduction", "cage sizes", 1, {}}};
   plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
     const auto coordinates =
@@ -159,6 +170,7 @@ FieldPlan coordinate_error_field(const std::shared_ptr<const Cage>& cage, const 
                                  const std::string& evaluation, Triangulation rule, int resolution) {
   FieldPlan plan;
   plan.field = empty_field(slice_through(*cage, resolution), name_of_field(*cage, kind, evaluation, rule, "error"));
+  plan.field.facts = facts_of(*cage, kind, evaluation, rule);
   plan.field.arrays = {{"relative error", "1", 1, {}}};
   plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
     const auto coordinates = std::make_shared<const CageCoordinates>(*cage, kind, evaluation, rule);
@@ -177,6 +189,8 @@ FieldPlan coordinate_difference_field(const std::shared_ptr<const Cage>& cage, c
   FieldPlan plan;
   plan.field =
       empty_field(slice_through(*cage, resolution), name_of_field(*cage, kind, evaluation, rule, "difference"));
+  plan.field.facts = facts_of(*cage, kind, evaluation, rule);
+  plan.field.facts["compared with"] = other.empty() ? "recommended" : other;
   plan.field.arrays = {{"difference", "1", 1, {}}};
   plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
     const auto first = std::make_shared<const CageCoordinates>(*cage, kind, evaluation, rule);
@@ -202,6 +216,7 @@ FieldPlan coordinate_field(const std::shared_ptr<const Cage>& cage, const Coordi
   const std::string name = fmt::format("{}_{}", label, index);
   plan.field =
       empty_field(slice_through(*cage, resolution), fmt::format("{}.{}.{}", file_name(*cage), kind.name, name));
+  plan.field.facts = facts_of(*cage, kind, "", rule);
   plan.field.arrays = {{name, "", 1, {}, true}};
   plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
     const auto coordinates = std::make_shared<const CageCoordinates>(*cage, kind, "", rule);
@@ -255,6 +270,10 @@ ImageField formula_error_field(const std::vector<std::vector<Vec3<double>>>& ele
                                                     order == 0   ? "value"
                                                     : order == 1 ? "gradient"
                                                                  : "hessian"));
+  field.facts = {{"formula", std::string(formula.name)},
+                 {"evaluation", evaluation.name()},
+                 {"order", fmt::format("{}", order)},
+                 {"truth", fmt::format("{} in 50 digits", reference.name())}};
   const std::size_t count = count_of(slice);
   field.arrays = {{"value", "1", 1, std::vector<double>(count)},
                   {"relative error", "1", 1, std::vector<double>(count)}};

@@ -9,6 +9,7 @@
 #include "cageproof/validation/block_campaign.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/campaign.h"
+#include "cageproof/validation/compared_fields.h"
 #include "cageproof/validation/deformer_campaign.h"
 #include "cageproof/validation/errata.h"
 #include "cageproof/validation/error_fields.h"
@@ -301,6 +302,7 @@ class Planner {
       for (const std::string& evaluation : {std::string(), OneRingOptions{}.evaluation})
         add(one_ring_measurement(
             cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed}));
+    if (is_shown(*cage)) add(outline_measurement(cage));
     bool left_out = false;
     for (const CoordinateKind& kind : coordinate_kinds()) {
       if (options_.cage && exists_on(kind, *cage) && !is_affordable(kind, *cage, cage_options()))
@@ -330,19 +332,42 @@ class Planner {
     const Triangulation rule = options_.triangulation;
     const int resolution = options_.suite.slice;
     const auto title = fmt::format("{}, {} coordinates", cage->name(), kind.name);
+    FieldPart common;
+    common.cage = outline_name(*cage);
     add(field_measurement(reproduction_field(cage, kind, "", rule, resolution), fields_++,
-                          title + ": linear reproduction", "linear reproduction"));
-    if (!kind.is_sum()) return;  // no truth to compare with
+                          title + ": linear reproduction", "linear reproduction", common));
+    if (!kind.is_sum()) return;
+    if (add_scene(cage, kind)) return;  // no truth to compare with
     const auto elements = cage->parts(false, rule).elements.size();
-    const double pairs = static_cast<double>(elements * kind.blocks.size()) * (kind.keeps_quads ? quad_cost : 1);
+    const double pairs =
+        static_cast<double>(elements * static_cast<double>(kind.blocks.size())) * (kind.keeps_quads ? quad_cost : 1);
     const int side = std::clamp(static_cast<int>(std::sqrt(options_.suite.pairs / pairs)), 6, resolution);
     add(field_measurement(coordinate_error_field(cage, kind, "", rule, side), fields_++,
-                          title + ": closed form against truth", "relative error"));
+                          title + ": closed form against truth", "relative error", common));
     if (!kind.keeps_quads || !cage->has_quads()) return;
     const auto scheme = EvaluationRegister::instance().with_role(formula_of_kept_faces(kind, *cage).name, Role::Scheme);
     if (!scheme) return;
     add(field_measurement(coordinate_difference_field(cage, kind, scheme->name(), "", rule, resolution), fields_++,
-                          fmt::format("{}: error of {}", title, scheme->name()), "difference"));
+                          fmt::format("{}: error of {}", title, scheme->name()), "difference", common));
+  }
+
+  // One scene a run, of the first kind that papers print and of a cage that is not convex, or the user's; all of them
+  // in suites with time. It takes the place of a slice of the recommended evaluation's rounding noise.
+  bool add_scene(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind) {
+    const Suite& suite = options_.suite;
+    const Comparison comparison{cage, &kind, telling_evaluations(kind, *cage), options_.triangulation};
+    if (kind.keeps_quads || comparison.evaluations.size() < 3) return false;
+    const bool all = suite.shown_elements == 0;
+    if (!all && (scenes_ > 0 || !(options_.cage || cage->name() == "l-block"))) return false;
+    ++scenes_;
+    const auto mesh = options_.mesh ? std::make_shared<const Mesh>(*options_.mesh) : nullptr;
+    const auto elements = static_cast<double>(cage->parts(false, options_.triangulation).elements.size());
+    const auto points =
+        static_cast<std::size_t>(suite.scene_pairs / (elements * static_cast<double>(kind.blocks.size())));
+    add(scene_measurements(comparison, affordable_side(comparison, suite.scene_pairs, suite.scene_side), mesh,
+                           std::max<std::size_t>(100, points), fields_));
+    fields_ += mesh ? 2 : 1;
+    return true;
   }
 
   // [W12] Figure 3: the coordinates of a vertex and an edge themselves, for kinds from mean value to biharmonic.
@@ -356,13 +381,15 @@ class Planner {
     constexpr int index = 3;  // the reentrant corner, and the edge from it
     const int side = std::max(options_.suite.slice, 48);
     const auto cage = std::make_shared<const Cage>(embedded_cage("l-shape"));
+    FieldPart common;
+    common.cage = outline_name(*cage);
     for (const Shown& one : shown) {
       const CoordinateKind* kind = find_coordinate_kind(one.kind);
       if (kind == nullptr || !is_asked(*kind, *cage)) continue;
       add(field_measurement(
           coordinate_field(cage, *kind, std::string(one.label), index, side), fields_++,
           fmt::format("{}, {} coordinates: {}_{} itself ([W12] Figure 3)", cage->name(), kind->name, one.label, index),
-          fmt::format("{}_{}", one.label, index)));
+          fmt::format("{}_{}", one.label, index), common));
     }
   }
 
@@ -395,10 +422,11 @@ class Planner {
         {"block errors of a cage",
          fmt::format("{} points, {} ms a kind", suite.block_points, suite.block_milliseconds)},
         {"points of a mesh", text(suite.mesh_points)},
-        {"fields", fmt::format("{} samples a side, {} truths{}", suite.slice, suite.pairs,
-                               suite.shown_elements > 0
-                                   ? fmt::format(", of embedded cages with at most {} elements", suite.shown_elements)
-                                   : "")},
+        {"fields",
+         fmt::format("{} samples a side, {} truths, {} side by side{}", suite.slice, suite.pairs, suite.scene_pairs,
+                     suite.shown_elements > 0
+                         ? fmt::format(", of embedded cages with at most {} elements", suite.shown_elements)
+                         : "")},
         {"cage", options_.cage ? options_.cage->name() : ""},
         {"points", options_.mesh ? options_.mesh_name : ""}};
     if (options_.cage) header.options["the cage's content"] = fingerprint(*options_.cage);
@@ -428,6 +456,7 @@ class Planner {
   const VerifyOptions& options_;
   RunPlan plan_;
   int fields_ = 0;
+  int scenes_ = 0;
 };
 
 }  // namespace

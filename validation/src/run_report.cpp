@@ -5,6 +5,7 @@
 #include "cageproof/reports/report_writer.h"
 #include "cageproof/reports/run_folder.h"
 #include "cageproof/reports/summary.h"
+#include "cageproof/validation/compared_fields.h"
 #include "cageproof/validation/machine_facts.h"
 #include "cageproof/validation/paper_figures.h"
 #include "cageproof/validation/verdicts.h"
@@ -25,14 +26,52 @@ reports::ColourScale scale_of(const FieldPart& part) {
   return reports::ColourScale::Log10;
 }
 
-FieldEntry write_field(reports::ReportWriter& writer, const FieldPart& part, const Findings& findings) {
-  if (part.mesh.empty()) return writer.write_image(part.image, part.title, part.shown, scale_of(part));
+MeshField mesh_field(const FieldPart& part, const Findings& findings) {
   const auto mesh = findings.meshes.find(part.mesh);
   if (mesh == findings.meshes.end()) throw InputError(fmt::format("the journal has no mesh '{}'", part.mesh));
   MeshField field = mesh->second;
   field.name = part.image.name;
   field.arrays = part.image.arrays;
-  return writer.write_mesh(field, part.title, part.shown, scale_of(part));
+  field.facts = part.image.facts;
+  return field;
+}
+
+FieldEntry write_field(reports::ReportWriter& writer, const FieldPart& part, const Findings& findings) {
+  const auto cage = findings.meshes.find(part.cage);
+  const MeshField* outline = cage == findings.meshes.end() ? nullptr : &cage->second;
+  if (part.mesh.empty())
+    return writer.write_image(part.image, part.title, part.shown, scale_of(part), std::nullopt, outline);
+  return writer.write_mesh(mesh_field(part, findings), part.title, part.shown, scale_of(part));
+}
+
+// The parts of one scene: an image, and maybe a mesh.
+std::vector<FieldEntry> write_scene(reports::ReportWriter& writer, const std::vector<const FieldPart*>& parts,
+                                    const Findings& findings) {
+  reports::FieldScene scene;
+  for (const FieldPart* part : parts) {
+    if (!part->mesh.empty()) {
+      scene.mesh = mesh_field(*part, findings);
+      continue;
+    }
+    const auto cage = findings.meshes.find(part->cage);
+    if (cage == findings.meshes.end()) throw InputError(fmt::format("the journal has no mesh '{}'", part->cage));
+    scene.title = part->title;
+    scene.explanation = scene_explanation;
+    scene.compared = part->compared;
+    scene.image = part->image;
+    scene.cage = cage->second;
+  }
+  return writer.write_scene(scene);
+}
+
+std::map<int, FieldPart> fields_with_facts(const Journal& journal) {
+  std::map<int, FieldPart> fields = whole_fields(journal.findings);
+  for (auto& [place, part] : fields) {
+    part.image.facts["version"] = journal.header.version;
+    part.image.facts["seed"] = journal.header.options.at("seed");
+    part.image.facts["suite"] = journal.header.options.at("suite");
+  }
+  return fields;
 }
 
 void require_finished(const Journal& journal, const std::filesystem::path& folder) {
@@ -103,8 +142,16 @@ RunResult result_of(const Journal& journal) {
 RunResult write_report(const std::filesystem::path& out, const Journal& journal) {
   reports::ReportWriter writer(out);
   RunResult result = result_of(journal);
-  for (const auto& [place, part] : whole_fields(journal.findings))
-    result.fields.push_back(write_field(writer, part, journal.findings));
+  const std::map<int, FieldPart> fields = fields_with_facts(journal);
+  std::map<std::string, std::vector<const FieldPart*>> scenes;
+  for (const auto& [place, part] : fields)
+    if (!part.scene.empty()) scenes[part.scene].push_back(&part);
+  for (const auto& [place, part] : fields) {
+    if (part.scene.empty()) result.fields.push_back(write_field(writer, part, journal.findings));
+    else if (scenes[part.scene].front() == &part)
+      for (FieldEntry& entry : write_scene(writer, scenes[part.scene], journal.findings))
+        result.fields.push_back(std::move(entry));
+  }
   for (reports::FigureSheet& sheet : sheets_of_run(journal.findings.meshes)) writer.write_figure(std::move(sheet));
   writer.write(result);
   writer.write_journal(reports::journal_text(journal));

@@ -21,6 +21,10 @@ Data fields_of(const RunResult& result) {
     data.set("largest", short_number(field.largest));
     data.set("has_picture", !field.picture.empty());
     data.set("picture", field.picture);
+    data.set("has_page", !field.page.empty());
+    data.set("page", field.page);
+    data.set("has_state", !field.state.empty());
+    data.set("state", field.state);
     fields << data;
   }
   return fields;

@@ -50,11 +50,13 @@ struct ResultCurve : RowKey {
 
 /// Where the run's files about one field lie, relative to the report's folder.
 struct FieldEntry {
-  std::string title;    ///< what is shown, of which cage and evaluation
-  std::string unit;     ///< of the colours
-  std::string data;     ///< fields/....vti
-  std::string picture;  ///< pictures/....png, or empty
-  double largest = 0;   ///< of the field, finite samples only
+  std::string title;       ///< what is shown, of which cage and evaluation
+  std::string unit;        ///< of the colours
+  std::string data;        ///< fields/....vti
+  std::string picture;     ///< pictures/....png, or empty
+  double largest = 0;      ///< of the field, finite samples only
+  std::string page = {};   ///< field.html, where the field can be turned with the mouse there, or empty
+  std::string state = {};  ///< fields/....pvsm, which opens it in ParaView beside others, or empty
 };
 
 /// One place where a paper is wrong, with one formula and order that it changes, and by how much.
@@ -108,6 +110,10 @@ struct RunResult {
   bool all_kept() const;
 };
 
+/// What a field's file says of itself, as VTK field data: "kind" or "formula", "evaluation", "cage", "seed", "version",
+/// "unit of length" ...
+using FieldFacts = std::map<std::string, std::string>;
+
 /// Samples on a regular grid (a slice has one cell layer): written as .vti.
 struct ImageField {
   std::string name;  ///< file name without extension
@@ -122,6 +128,7 @@ struct ImageField {
     bool linear = false;         ///< its picture shows the values themselves, with their signs: they are no errors
   };
   std::vector<Array> arrays;
+  FieldFacts facts = {};
 };
 
 /// Samples on a mesh's vertices: written as .vtp.
@@ -131,6 +138,7 @@ struct MeshField {
   std::vector<std::vector<int>> faces;  ///< where there are neither these nor segments: a point cloud
   std::vector<ImageField::Array> arrays;
   std::vector<std::array<int, 2>> segments = {};  ///< of polylines
+  FieldFacts facts = {};
 };
 
 }  // namespace cageproof

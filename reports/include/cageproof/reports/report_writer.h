@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cageproof/core/run_result.h"
+#include "cageproof/reports/field_scene.h"
 #include "cageproof/reports/figure_sheet.h"
 
 #include <filesystem>
@@ -54,12 +55,18 @@ class ReportWriter {
   /// has several components) \throws InputError when the file cannot be written \throws std::invalid_argument when an
   /// array's size is not points x components, or `shown` is no array's name
   /// \param limits of the colours; without, those of the field's own values
+  /// \param outline a cage or element, whose cut is drawn over the picture; null for none
   FieldEntry write_image(const ImageField& field, const std::string& title, const std::string& shown, ColourScale scale,
-                         std::optional<ColourLimits> limits = std::nullopt);
+                         std::optional<ColourLimits> limits = std::nullopt, const MeshField* outline = nullptr);
 
   /// Writes fields/<name>.vtp and pictures/field.<name>.png: the vertices, coloured by one array, seen from two sides.
   /// \throws as write_image
   FieldEntry write_mesh(const MeshField& field, const std::string& title, const std::string& shown, ColourScale scale);
+
+  /// Writes fields/<name>.vti, <name>.cage.vtp, <name>.mesh.vtp where there is a mesh, and <name>.pvsm, which opens
+  /// them side by side in ParaView; of the first scene field.html, which does so in a browser. Gives an entry for the
+  /// image, and one for the mesh. \throws as write_image
+  std::vector<FieldEntry> write_scene(const FieldScene& scene);
 
   /// Writes a figure of the papers: figures/<name>.png and a .vtp a panel. The page shows it.
   /// \throws InputError when a file cannot be written \throws std::invalid_argument as figure_png

@@ -32,8 +32,9 @@ ImageField sampled(const FieldPlan& plan, int jobs);
 
 /// The field in blocks. \param place in the report, \param title what is shown, \param shown the array that the picture
 /// shows
+/// \param common cage, scene and compared of its parts
 std::unique_ptr<const Measurement> field_measurement(FieldPlan plan, int place, const std::string& title,
-                                                     const std::string& shown);
+                                                     const std::string& shown, FieldPart common = {});
 /// An element of each kind that shows its errors well, and a slice of resolution x resolution samples that cuts it: the
 /// element and what surrounds it.
 struct ElementSlice {

@@ -26,6 +26,8 @@ struct Suite {
   int mesh_points;         ///< of a mesh, at most, for each kind of coordinates; 0: all
   int slice;               ///< samples a side of the fields of linear reproduction
   int pairs;               ///< multiprecision evaluations a field of errors may cost
+  int scene_pairs;         ///< and a scene of errors side by side
+  int scene_side;          ///< samples a side of these at most
   int shown_elements;      ///< embedded cages with more elements get no fields; 0: all get them
 };
 
