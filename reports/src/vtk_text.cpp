@@ -74,7 +74,7 @@ std::string vti_text(const ImageField& field) {
 }
 
 vtkSmartPointer<vtkPolyData> poly_of(const MeshField& field) {
-  const auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const Vec3<double>& vertex : field.vertices) points->InsertNextPoint(vertex.data());
