@@ -4,7 +4,7 @@
 #include "cageproof/reports/vtk_text.h"
 #include "colours.h"
 #include "field_page_template.h"
-#include "page_data.h"
+#include "page/page_data.h"
 #include "palette.h"
 
 #include <nlohmann/json.hpp>

@@ -128,7 +128,7 @@ std::string vti_text(const ImageField& field, FieldArrays arrays) {
 }
 
 vtkSmartPointer<vtkPolyData> poly_of(const MeshField& field, FieldArrays arrays) {
-  const auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const Vec3<double>& vertex : field.vertices) points->InsertNextPoint(vertex.data());
