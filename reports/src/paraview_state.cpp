@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkXMLDataElement.h>
 
+#include <regex>
 #include <sstream>
 
 namespace cageproof::reports {
@@ -108,7 +109,8 @@ class State {
     links();
     std::ostringstream out;
     root_->PrintXML(out, vtkIndent());
-    return out.str();
+    // VTK leaves empty attributes out, and ParaView ends at an element without its value.
+    return std::regex_replace(out.str(), std::regex(R"re((<Element index="\d+")/>)re"), "$1 value=\"\"/>");
   }
 
  private:
