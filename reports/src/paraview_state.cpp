@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkXMLDataElement.h>
 
+#include <regex>
 #include <sstream>
 
 namespace cageproof::reports {
@@ -29,7 +30,7 @@ std::string value_text(int value) { return fmt::format("{}", value); }
 std::string value_text(double value) { return fmt::format("{}", value); }
 
 // The numbers that proxies go by.
-enum Id { kImage = 100, kCage, kMesh, kPoints, kColours, kOpacity, kLayout, kBar, kFirstView = 200 };
+enum Id { kImage = 100, kCage, kMesh, kPoints, kColours, kOpacity, kLayout, kFirstView = 200 };
 
 class Proxy {
  public:
@@ -108,7 +109,8 @@ class State {
     links();
     std::ostringstream out;
     root_->PrintXML(out, vtkIndent());
-    return out.str();
+    // VTK leaves empty attributes out, and ParaView ends at an element without its value.
+    return std::regex_replace(out.str(), std::regex(R"re((<Element index="\d+")/>)re"), "$1 value=\"\"/>");
   }
 
  private:
@@ -209,17 +211,6 @@ class State {
         .set("Color", std::vector<double>{0, 0, 0})
         .set("TextPropMode", 0)
         .set("WindowLocation", 4);
-    if (v + 1 == static_cast<int>(scene_.compared.size())) {
-      proxy("scalar_bars", "errors", "representations", "ScalarBarWidgetRepresentation", kBar, 21)
-          .set("Enabled", 1)
-          .set("Visibility", 1)
-          .set("Title", std::string("log10 of the relative error"))
-          .set("ComponentTitle", std::string())
-          .set("TitleColor", std::vector<double>{0, 0, 0})
-          .set("LabelColor", std::vector<double>{0, 0, 0})
-          .refer("LookupTable", {kColours});
-      shown.push_back(kBar);
-    }
     double radius = 0;
     const auto centre = centre_of(scene_.image, radius);
     const bool flat = scene_.image.points[2] == 1;
@@ -267,7 +258,7 @@ class State {
 
   void collections() {
     for (const char* name :
-         {"sources", "lookup_tables", "piecewise_functions", "representations", "scalar_bars", "views", "layouts"}) {
+         {"sources", "lookup_tables", "piecewise_functions", "representations", "views", "layouts"}) {
       Element& collection = child(*state_, "ProxyCollection");
       collection.SetAttribute("name", name);
       for (const Item& one : items_)

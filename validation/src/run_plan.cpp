@@ -336,11 +336,10 @@ class Planner {
     common.cage = outline_name(*cage);
     add(field_measurement(reproduction_field(cage, kind, "", rule, resolution), fields_++,
                           title + ": linear reproduction", "linear reproduction", common));
-    if (!kind.is_sum()) return;
-    if (add_scene(cage, kind)) return;  // no truth to compare with
+    if (!kind.is_sum()) return;  // no truth to compare with
+    if (add_scene(cage, kind)) return;
     const auto elements = cage->parts(false, rule).elements.size();
-    const double pairs =
-        static_cast<double>(elements * kind.blocks.size()) * (kind.keeps_quads ? quad_cost : 1);
+    const double pairs = static_cast<double>(elements * kind.blocks.size()) * (kind.keeps_quads ? quad_cost : 1);
     const int side = std::clamp(static_cast<int>(std::sqrt(options_.suite.pairs / pairs)), 6, resolution);
     add(field_measurement(coordinate_error_field(cage, kind, "", rule, side), fields_++,
                           title + ": closed form against truth", "relative error", common));
