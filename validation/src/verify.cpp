@@ -64,9 +64,7 @@ Journal earlier_journal(const std::filesystem::path& path, const JournalHeader& 
 }
 
 Session session_of(const VerifyOptions& options) {
-  Session session{timestamp(), 0, options.command_line, machine_facts()};
-  session.machine["threads asked for"] = options.jobs > 0 ? fmt::format("{}", options.jobs) : "all";
-  return session;
+  return {timestamp(), 0, options.command_line, machine_facts(options.jobs)};
 }
 
 }  // namespace
