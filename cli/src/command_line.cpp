@@ -163,7 +163,10 @@ CommandLine::CommandLine(const std::string& description, const std::string& vers
 CommandLine::~CommandLine() = default;
 
 Command CommandLine::command(const std::string& name, const std::string& description) {
-  return {app_->add_subcommand(name, description), &chosen_};
+  CLI::App* command = app_->add_subcommand(name, description);
+  // CLI11 hands the program's down.
+  command->footer("");
+  return {command, &chosen_};
 }
 
 ProgramText CommandLine::describe() const { return text_of(*app_); }

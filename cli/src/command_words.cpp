@@ -114,11 +114,17 @@ void refuse_unknown_command(const CLI::App& app, std::string_view first) {
         fmt::format("a command is missing: one of {} (see `cageproof --help`)", fmt::join(commands, ", ")));
   if (std::ranges::find(commands, first) != commands.end()) return;
   if (app.get_option_no_throw(std::string(first)) != nullptr) return;
-  const bool option = first.front() == '-';
-  // An option may stand before its command.
-  const std::vector<std::string> known = option ? option_names(app) : commands;
-  throw InputError(fmt::format("unknown {} '{}'{} (see `cageproof --help`)", option ? "option" : "command", first,
-                               did_you_mean(first, known)));
+  if (first.front() != '-') {
+    const std::string meant = did_you_mean(first, commands);
+    throw InputError(fmt::format("unknown command '{}'{} (see `cageproof --help`)", first,
+                                 meant.empty() ? fmt::format("; known: {}", fmt::join(commands, ", ")) : meant));
+  }
+  for (const CLI::App* command : app.get_subcommands(is_command))
+    if (const auto names = option_names(*command); std::ranges::find(names, first) != names.end())
+      throw InputError(
+          fmt::format("'{0}' stands behind its command, as in `cageproof {1} {0}`", first, command->get_name()));
+  throw InputError(
+      fmt::format("unknown option '{}'{} (see `cageproof --help`)", first, did_you_mean(first, option_names(app))));
 }
 
 std::string complaint_of(const CLI::App& app, const std::string& parsers) {

@@ -125,8 +125,10 @@ EvaluationFamily single_family(std::string_view formula, std::string_view name, 
 }
 
 std::string why_no_evaluation(std::string_view formula, std::string_view name) {
+  const std::string text = fmt::format("{} has no evaluation '{}'", formula, name);
+  if (is_glob(name)) return text + ": one name is asked for here, no glob";
+  if (name.find(',') != std::string_view::npos) return text + ": one name is asked for here, no list";
   const auto families = EvaluationRegister::instance().families(formula);
-  std::string text = fmt::format("{} has no evaluation '{}'", formula, name);
   std::vector<std::string_view> known;
   for (const EvaluationFamily* family : families) {
     known.push_back(family->pattern);
@@ -135,11 +137,9 @@ std::string why_no_evaluation(std::string_view formula, std::string_view name) {
     const std::string_view range = range_of_pattern(family->pattern);
     if (!range.empty() && name.starts_with(stem)) return fmt::format("{}: {} takes {}", text, family->pattern, range);
   }
-  if (is_glob(name)) return text + ": one name is asked for here, no glob";
-  if (name.find(',') != std::string_view::npos) return text + ": one name is asked for here, no list";
   const std::string_view meant = nearest_name(name, known);
-  if (!meant.empty()) text += fmt::format("; did you mean '{}'?", meant);
-  return text + "; see `cageproof list`";
+  if (meant.empty()) return text + "; see `cageproof list`";
+  return fmt::format("{}; did you mean '{}'? (see `cageproof list`)", text, meant);
 }
 
 Evaluation evaluation_named(std::string_view formula, std::string_view name) {

@@ -64,7 +64,7 @@ InputError unknown_name(std::string_view what, std::string_view name, const std:
       is_glob(name) ? fmt::format("no {} matches '{}'", what, name) : fmt::format("unknown {} '{}'", what, name);
   const std::string_view meant = nearest_name(name, known);
   if (!meant.empty()) text += fmt::format("; did you mean '{}'?", meant);
-  if (known.empty() || known.size() > few) text += "; see `cageproof list`";
+  if (known.empty() || known.size() > few) text += meant.empty() ? "; see `cageproof list`" : " (see `cageproof list`)";
   else text += fmt::format("; known: {}", fmt::join(known, ", "));
   return InputError(text);
 }

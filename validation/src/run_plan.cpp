@@ -124,7 +124,7 @@ void require_known_names(const VerifyOptions& options) {
   for (const WholeEvaluation& evaluation : whole_evaluations()) evaluations.push_back(evaluation.name);
   require_known("formula", options.formulas, formulas);
   require_known("regime", options.regimes, regime_names);
-  require_known("evaluation that verification runs", options.evaluations, evaluations);
+  require_known("evaluation", options.evaluations, evaluations);
 }
 
 class Planner {
