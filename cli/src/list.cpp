@@ -243,7 +243,7 @@ void add_list(CommandLine& line) {
   auto a = std::make_shared<Arguments>();
   const Option names =
       command.option("names", a->names, "what has such a name alone, names and globs with commas between; without, all")
-          .taking("FORMULAS");
+          .taking("NAMES");
   command.flag("--json", a->json, "as JSON, with scalars, ranges and descriptions").excludes(names);
   command.example("cageproof list 'triangle.*'");
   command.example("cageproof list --json");

@@ -9,7 +9,8 @@ const std::vector<ManualSection>& manual_sections() {
        {"`cageproof list` prints all names of formulas, evaluations, regimes, checks, kinds of coordinates, deformers "
         "and "
         "embedded cages.",
-        "Options that take several names (values FORMULAS, EVALUATIONS, REGIMES, CHECKS) have one grammar, in every "
+        "Options that take several names (values NAMES, FORMULAS, EVALUATIONS, REGIMES, CHECKS) have one grammar, in "
+        "every "
         "command: names and globs with commas between. In a glob * stands for any characters, ? for one, [ab] for one "
         "of these; quote it, or the shell expands it. Each name and glob must be or match something; one that does not "
         "is refused, with the name that may have been meant. Of what a glob matches, only what exists for the element "

@@ -32,7 +32,7 @@ std::vector<std::string> names_of(const auto& rows, auto name) {
 }  // namespace
 
 bool is_list_type(std::string_view type) {
-  return type == "FORMULAS" || type == "EVALUATIONS" || type == "REGIMES" || type == "CHECKS";
+  return type == "NAMES" || type == "FORMULAS" || type == "EVALUATIONS" || type == "REGIMES" || type == "CHECKS";
 }
 
 bool is_file_type(std::string_view type) { return type == "FILE" || type == "CAGE"; }
@@ -42,6 +42,12 @@ bool is_folder_type(std::string_view type) { return type == "FOLDER"; }
 std::vector<std::string> names_of_type(std::string_view type) {
   if (is_list_type(type)) type.remove_suffix(1);
   const auto name = [](const auto& row) { return row.name; };
+  if (type == "NAME") {
+    std::vector<std::string> all;
+    for (const std::string_view one : {"FORMULA", "KIND", "METHOD", "REGIME", "CHECK", "CAGE"})
+      for (std::string& each : names_of_type(one)) all.push_back(std::move(each));
+    return all;
+  }
   if (type == "FORMULA") return names_of(catalogue(), name);
   if (type == "EVALUATION") return evaluation_names();
   if (type == "KIND") return names_of(coordinate_kinds(), name);

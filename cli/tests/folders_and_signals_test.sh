@@ -4,7 +4,7 @@
 . "$(dirname "$0")/support.sh"
 
 # Everything in a folder, with contents.
-state_of() { (cd "$1" && find . \( -type f -o -type l \) -print0 | sort -z | xargs -0 sha256sum; find . | sort); }
+state_of() { (cd "$1" && find . -type f -print0 | sort -z | xargs -0 sha256sum; find . -printf '%p %y %l\n' | sort); }
 verify() { "$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far --cage square "$@"; }
 field() { "$cageproof" field --formula triangle.single_layer --evaluation gauss-4 --resolution 4 "$@"; }
 bench() { "$cageproof" bench --formula segment.winding_angle --regime far --evaluations closed_form --samples 1 --seconds 0 "$@"; }
@@ -43,11 +43,12 @@ keeps 'does not replace' field "$cageproof" merge shard other --out field
 # Folders of no kind, and of a kind with something of somebody's in it.
 for command in verify field bench figures; do
   for folder in own named; do keeps "$folder" $folder $command --out $folder; done
-  keeps "'notes.txt'" 'of a user' $command --out 'of a user' 2>/dev/null || true
+  [ $command = verify ] && word=notes.txt || word='does not replace'
+  keeps "$word" 'of a user' $command --out 'of a user'
 done
 for place in fields/mine.vti pictures/mine.png fields/deeper/mine.vti mine.txt; do
   rm -rf mixed && cp -r report mixed && mkdir -p "mixed/$(dirname $place)" && echo mine >mixed/$place
-  keeps mine mixed "$cageproof" report mixed
+  keeps "'${place%%/mine.*}" mixed "$cageproof" report mixed
   [ $place = mine.txt ] || grep -qF 'did not write' stderr || fail "$place: $(cat stderr)"
 done
 cp -r field linked && ln -s ../own linked/fields/own
@@ -93,20 +94,27 @@ rm report/.cageproof-files && "$cageproof" report report >/dev/null || fail 'rep
 options=(--suite quick --formulas '*.solid_angle,triangle.single_layer' --regimes 'near-*' --cage cube --samples 40)
 "$cageproof" verify "${options[@]}" --out whole >/dev/null || fail 'a whole run'
 mkdir scratch && export TMPDIR=$work/scratch
-number=0
+number=0 drawn=0
 for signal in INT TERM HUP; do
-  for delay in 0.1 0.6 1.2 1.8; do
+  # At some times, and while the report is drawn.
+  for delay in 0.1 0.6 1.2 drawn; do
     number=$((number + 1))
     rm -rf run
     # A shell starts background jobs with SIGINT ignored; this does not.
     /usr/bin/python3 -c 'import os, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); os.execv(sys.argv[1], sys.argv[1:])' \
       "$cageproof" verify "${options[@]}" --out run >out.txt 2>err.txt &
     process=$!
-    sleep $delay
+    if [ $delay = drawn ]; then
+      while kill -0 $process 2>/dev/null && [ -z "$(find . -maxdepth 1 -name '.run.partial-*')" ]; do sleep 0.01; done
+      sleep 0.0$((number % 10))
+    else
+      sleep $delay
+    fi
     kill -$signal $process 2>/dev/null
-    wait $process
+    wait $process 2>/dev/null
     code=$?
     case $signal in INT) expected=130 ;; TERM) expected=143 ;; HUP) expected=129 ;; esac
+    [ $delay = drawn ] && [ $code -eq $expected ] && drawn=$((drawn + 1))
     [ $code -eq $expected ] || [ $code -eq 0 ] || fail "SIG$signal after $delay s: exit $code, not $expected: $(cat err.txt)"
     [ -z "$(find . -name '.*.partial-*')" ] || fail "SIG$signal after $delay s leaves $(find . -name '.*.partial-*')"
     [ ! -s err.txt ] || fail "SIG$signal complains: $(cat err.txt)"
@@ -117,6 +125,7 @@ for signal in INT TERM HUP; do
     fi
   done
 done
+[ $drawn -gt 0 ] || fail 'no signal came while the report was drawn'
 # An earlier report stays as it was, whenever the signal comes.
 before=$(state_of field)
 for delay in 0.02 0.05 0.1 0.2 0.4; do

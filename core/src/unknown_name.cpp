@@ -65,7 +65,7 @@ InputError unknown_name(std::string_view what, std::string_view name, const std:
   const std::string_view meant = nearest_name(name, known);
   if (!meant.empty()) text += fmt::format("; did you mean '{}'?", meant);
   if (known.empty() || known.size() > few) text += meant.empty() ? "; see `cageproof list`" : " (see `cageproof list`)";
-  else text += fmt::format("; known: {}", fmt::join(known, ", "));
+  else text += fmt::format(fmt::runtime(meant.empty() ? "; known: {}" : " (known: {})"), fmt::join(known, ", "));
   return InputError(text);
 }
 
