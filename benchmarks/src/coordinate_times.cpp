@@ -25,6 +25,29 @@ double difference(const std::vector<double>& found, const std::vector<Mp50>& tru
   return worst;
 }
 
+// Mean nodes of a sum's formulas on one element, at some of the points; 0 for kinds that are no sums.
+double mean_nodes(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& points) {
+  const CoordinateKind& kind = coordinates.kind();
+  if (!kind.is_sum()) return 0;
+  const CageElements& elements = coordinates.elements();
+  double nodes = 0, pairs = 0;
+  Result<double> result;
+  for (std::size_t e = 0; e < elements.count(); ++e)
+    for (const SummedBlock& block : kind.blocks) {
+      const Formula* formula = find_formula(elements.type(e).kind, block.kernel);
+      auto evaluation = EvaluationRegister::instance().find(formula->name, coordinates.evaluation());
+      if (!evaluation) evaluation = EvaluationRegister::instance().with_role(formula->name, Role::Recommended);
+      std::vector<double> parameters;
+      for (const Parameter& p : formula->parameters) parameters.push_back(p.preset);
+      const auto corners = elements.corners(e);
+      const Vec3<double>& point = points[e * points.size() / elements.count()];
+      (*evaluation)(Query<double>{corners, point, 0, parameters}, result);
+      nodes += static_cast<double>(result.nodes);
+      ++pairs;
+    }
+  return nodes / pairs;
+}
+
 }  // namespace
 
 std::vector<KindAndEvaluation> table_one() {
@@ -68,6 +91,7 @@ WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>
     WorkPrecisionRow row;
     row.place = kind;
     row.evaluation = coordinates.evaluation();
+    row.nodes = mean_nodes(coordinates, points);
     std::vector<double> errors(count);
     for_each_parallel(count, options.jobs, [&](std::size_t i) {
       errors[i] = difference(coordinates.at<double>(compared[i], 0).front().value, truth[i]);

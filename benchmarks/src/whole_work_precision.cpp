@@ -2,6 +2,7 @@
 #include "whole_work_precision.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/name_pattern.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/parallel.h"
 #include "cageproof/validation/scheme_errors.h"
@@ -38,8 +39,9 @@ std::vector<Way> ways_of(const CoordinateKind& kind, const Cage& cage, const Wor
   const auto pieces = std::ranges::find(kind.parameters, "pieces", &KindParameter::name);
   std::vector<Way> ways;
   if (!given.evaluations.empty()) {
-    for (const std::string& evaluation : given.evaluations)
-      ways.push_back({"", {evaluation, given.triangulation, parameters}});
+    for (const std::string& list : given.evaluations)
+      for (const std::string& evaluation : names_in(list))
+        ways.push_back({"", {evaluation, given.triangulation, parameters}});
   } else if (given.parameters.empty() && pieces != kind.parameters.end()) {
     for (const int n : {1, 2, 4, 8, 16, 32}) {
       if (n * static_cast<int>(cage.faces().size()) > most_nodes) {

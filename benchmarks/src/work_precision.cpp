@@ -2,6 +2,8 @@
 #include "cageproof/benchmarks/work_precision.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/name_pattern.h"
+#include "cageproof/core/unknown_name.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/parallel.h"
 #include "cageproof/validation/truth.h"
@@ -31,15 +33,79 @@ std::vector<std::vector<Evaluation>> find_all(const std::vector<std::string_view
     auto& row = found.emplace_back();
     for (const auto formula : formulas) {
       auto e = EvaluationRegister::instance().find(formula, name);
-      if (!e) missing.push_back(fmt::format("{} has no evaluation '{}'", formula, name));
+      if (!e) missing.push_back(why_no_evaluation(formula, name));
       else if (!e->supports<double>()) missing.push_back(fmt::format("'{}' of {} has no double", name, formula));
       else if (e->max_order() < options.order)
         missing.push_back(fmt::format("'{}' of {} gives no derivatives of order {}", name, formula, options.order));
       else row.push_back(std::move(*e));
     }
   }
-  if (!missing.empty()) throw InputError(fmt::format("{}; see `cageproof list`", fmt::join(missing, ", ")));
+  if (!missing.empty()) throw InputError(fmt::format("{}", fmt::join(missing, "; ")));
   return found;
+}
+
+// What work-precision shows of a family when nothing is asked for.
+const std::vector<std::string>& shown_of(const EvaluationFamily& family) {
+  const bool form = family.role == Role::Recommended || family.role == Role::Printed;
+  return form ? family.standard : family.studied;
+}
+
+// Of names that were not asked for one by one, those that all the formulas have in double with these derivatives; what
+// is left out is noted.
+std::vector<std::string> that_exist(std::vector<std::string> names, const std::vector<std::string_view>& formulas,
+                                    int order, std::vector<std::string>& notes) {
+  std::vector<std::string> left_out;
+  std::erase_if(names, [&](const std::string& name) {
+    bool exists = true, gives_order = true;
+    for (const auto formula : formulas) {
+      const auto evaluation = EvaluationRegister::instance().find(formula, name);
+      exists = exists && evaluation && evaluation->supports<double>();
+      gives_order = gives_order && evaluation && evaluation->max_order() >= order;
+    }
+    if (exists && !gives_order) left_out.push_back(name);
+    return !exists || !gives_order;
+  });
+  if (!left_out.empty())
+    notes.push_back(
+        fmt::format("left out, they give no derivatives of order {}: {}", order, fmt::join(left_out, ", ")));
+  return names;
+}
+
+// All that may be shown of formulas: of roles in this order.
+std::vector<std::string> all_shown(const std::vector<std::string_view>& formulas) {
+  std::vector<std::string> names;
+  for (const Role role : {Role::Scheme, Role::Rule, Role::Recommended, Role::Printed})
+    for (const EvaluationFamily* family : EvaluationRegister::instance().families(formulas.back()))
+      if (family->role == role) names.insert(names.end(), shown_of(*family).begin(), shown_of(*family).end());
+  return names;
+}
+
+// The names of lists of names and globs, each once; without any, those that are shown.
+std::vector<std::string> evaluations_asked(const std::vector<std::string>& given,
+                                           const std::vector<std::string_view>& formulas, int order,
+                                           std::vector<std::string>& notes) {
+  if (given.empty()) return that_exist(all_shown(formulas), formulas, order, notes);
+  std::vector<std::string> known = all_shown(formulas), chosen;
+  for (const EvaluationFamily* family : EvaluationRegister::instance().families(formulas.back()))
+    known.insert(known.end(), family->standard.begin(), family->standard.end());
+  const auto choose = [&](const std::string& name) {
+    if (std::ranges::find(chosen, name) == chosen.end()) chosen.push_back(name);
+  };
+  for (const std::string& list : given)
+    for (const std::string& name : names_in(list)) {
+      if (!is_glob(name)) {
+        choose(name);
+        continue;
+      }
+      require_known(fmt::format("evaluation of {}", formulas.back()), name, {known.begin(), known.end()});
+      std::vector<std::string> found;
+      std::ranges::copy_if(known, std::back_inserter(found), [&](const auto& one) { return matches(name, one); });
+      for (const std::string& one : that_exist(found, formulas, order, notes)) choose(one);
+    }
+  if (chosen.empty())
+    throw InputError(
+        fmt::format("no evaluation of {} that is asked for gives derivatives of order {}", formulas.back(), order));
+  return chosen;
 }
 
 // The evaluations of a kind's formulas on each kind of element that the cage has: of that name, or the recommended one
@@ -139,13 +205,14 @@ WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, 
     throw InputError(fmt::format("{}: {} coordinates do not exist on cages of this dimension", cage.name(), kind.name));
   if (!kind.is_sum()) return whole_work_precision(cage, kind, groups, given);
   WorkPrecisionOptions options = given;
-  if (options.evaluations.empty())
-    options.evaluations = default_work_precision_evaluations(leading_formulas(kind, cage), options.order);
+  std::vector<std::string> notes;
+  options.evaluations = evaluations_asked(given.evaluations, leading_formulas(kind, cage), options.order, notes);
   const auto evaluations = find_all(leading_formulas(kind, cage), options);
   std::vector<double> parameters = options.parameters;
   if (parameters.empty())
     for (const Parameter& p : parameters_of(kind)) parameters.push_back(p.preset);
   WorkPrecision result = empty_measurement(kind.name, options);
+  result.notes = std::move(notes);
   result.where = cage.name();
   result.error = "partition of unity residual";
   result.unit = "1";
@@ -179,11 +246,12 @@ WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, 
 WorkPrecision formula_work_precision(const Formula& formula, const std::vector<const Regime*>& regimes,
                                      const WorkPrecisionOptions& given) {
   WorkPrecisionOptions options = given;
-  if (options.evaluations.empty())
-    options.evaluations = default_work_precision_evaluations({formula.name}, options.order);
+  std::vector<std::string> notes;
+  options.evaluations = evaluations_asked(given.evaluations, {formula.name}, options.order, notes);
   const auto evaluations = find_all({formula.name}, options);
   const TruthSource source = truth_source(formula);
   WorkPrecision result = empty_measurement(formula.name, options);
+  result.notes = std::move(notes);
   result.where = "one element";
   result.error = options.relative ? "relative error" : "conditioned error";
   result.unit = options.relative ? "1" : "u";
@@ -224,22 +292,8 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
 }
 
 std::vector<std::string> default_work_precision_evaluations(const std::vector<std::string_view>& formulas, int order) {
-  const auto& known = EvaluationRegister::instance();
-  std::vector<std::string> names;
-  for (const Role role : {Role::Scheme, Role::Rule, Role::Recommended, Role::Printed})
-    for (const EvaluationFamily* family : known.families(formulas.back())) {
-      if (family->role != role) continue;
-      const bool form = role == Role::Recommended || role == Role::Printed;
-      const auto& shown = form ? family->standard : family->studied;
-      names.insert(names.end(), shown.begin(), shown.end());
-    }
-  std::erase_if(names, [&](const std::string& name) {
-    return std::ranges::any_of(formulas, [&](auto formula) {
-      const auto evaluation = known.find(formula, name);
-      return !evaluation || evaluation->max_order() < order;
-    });
-  });
-  return names;
+  std::vector<std::string> notes;
+  return that_exist(all_shown(formulas), formulas, order, notes);
 }
 
 }  // namespace cageproof::benchmarks

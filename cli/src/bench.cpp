@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/name_pattern.h"
 #include "cageproof/reports/work_precision.h"
 #include "cageproof/benchmarks/coordinate_times.h"
 #include "cageproof/validation/machine_facts.h"
@@ -39,24 +40,28 @@ WorkPrecision measure_cage(const Arguments& a, benchmarks::WorkPrecisionOptions 
   return result;
 }
 
-// Those that a name or glob means; of a glob's those alone that exist for the element.
-std::vector<const validation::Regime*> regimes_named(const std::string& pattern, ElementKind element) {
-  if (const validation::Regime* regime = validation::find_regime(pattern)) return {regime};
+// Those that lists of names and globs mean, each once; of a glob's those alone that exist for the element.
+std::vector<const validation::Regime*> regimes_named(const std::vector<std::string>& lists, ElementKind element) {
+  std::vector<std::string_view> known;
+  for (const validation::Regime& regime : validation::regimes()) known.push_back(regime.name);
   std::vector<const validation::Regime*> found;
-  for (const validation::Regime& regime : validation::regimes())
-    if (validation::matches(pattern, regime.name) && validation::exists_for(regime, element)) found.push_back(&regime);
-  if (found.empty()) throw unknown_name("regime", pattern);
+  for (const std::string& list : lists) {
+    require_known("regime", list, known);
+    for (const std::string& name : names_in(list))
+      for (const validation::Regime& regime : validation::regimes())
+        if (matches(name, regime.name) && (!is_glob(name) || validation::exists_for(regime, element)) &&
+            std::ranges::find(found, &regime) == found.end())
+          found.push_back(&regime);
+  }
+  if (found.empty())
+    throw InputError(fmt::format("no regime of a {} matches '{}'", name_of(element), fmt::join(lists, ",")));
   return found;
 }
 
 WorkPrecision measure_formula(const Arguments& a, benchmarks::WorkPrecisionOptions options) {
   const Formula* formula = &formula_named(a.formula);
   if (!a.parameters.empty()) options.parameters = parameters_from(a.parameters, formula->parameters, formula->name);
-  std::vector<const validation::Regime*> regimes;
-  for (const std::string& name : a.regimes)
-    for (const validation::Regime* regime : regimes_named(name, formula->element))
-      if (std::ranges::find(regimes, regime) == regimes.end()) regimes.push_back(regime);
-  return benchmarks::formula_work_precision(*formula, regimes, options);
+  return benchmarks::formula_work_precision(*formula, regimes_named(a.regimes, formula->element), options);
 }
 
 WorkPrecision measure_coordinates(const Arguments& a) {
@@ -73,7 +78,8 @@ WorkPrecision measure_coordinates(const Arguments& a) {
   options.triangulation = a.cage.rule();
   std::vector<benchmarks::KindAndEvaluation> what;
   what.reserve(options.evaluations.size());
-  for (const std::string& evaluation : options.evaluations) what.push_back({"quad_mean_value", evaluation});
+  for (const std::string& list : options.evaluations)
+    for (const std::string& evaluation : names_in(list)) what.push_back({"quad_mean_value", evaluation});
   WorkPrecision result =
       benchmarks::coordinate_times(cage, points, what.empty() ? benchmarks::table_one() : what, options);
   result.settings = {{"triangulation", a.cage.triangulate}, {"points", a.points.empty() ? "random" : a.points}};
@@ -94,7 +100,7 @@ int run(const Arguments& a) {
   result.version = CAGEPROOF_VERSION;
   result.command_line = a.command_line;
   result.started = started;
-  result.machine = validation::machine_facts();
+  result.machine = validation::machine_facts(a.options.jobs);
   result.settings["parameters"] = fmt::format("{}", fmt::join(a.parameters, " "));
   result.settings["seconds"] = fmt::format("{}", a.options.seconds);
   result.settings["timed"] = fmt::format("{}", a.options.timed);
@@ -110,8 +116,9 @@ void add_bench(CommandLine& line, const std::string& command_line) {
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
   Command what = command.exactly_one_of("what is measured");
-  const Option kind = what.option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic_boundary ...");
-  const Option formula = what.option("--formula", a->formula, "one formula of the catalogue");
+  const Option kind =
+      what.option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic_boundary ...").taking("KIND");
+  const Option formula = what.option("--formula", a->formula, "one formula of the catalogue").taking("FORMULA");
   what.flag("--coordinates", a->coordinates,
             "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1, or quad_mean_value by those "
             "of --evaluations");
@@ -119,13 +126,17 @@ void add_bench(CommandLine& line, const std::string& command_line) {
   command
       .option("--points", a->points,
               "a mesh, or text with three numbers a line (for polygons two), instead of random points inside")
+      .taking("FILE")
       .excludes(formula);
-  command.option("--regime", a->regimes, "regimes of a formula's samples, names or globs")
-      .separated_by(',')
+  command.option("--regime,--regimes", a->regimes, "of a formula's samples")
+      .taking("REGIMES")
       .excludes(kind)
-      .showing_default();
-  command.option("--evaluations", a->options.evaluations, "what is compared").separated_by(',');
-  command.option("--parameter", a->parameters, "nu=..., pieces=...");
+      .showing_default("generic,near-face");
+  command
+      .option("--evaluations,--evaluation", a->options.evaluations,
+              "what is compared; without: rules coarse to fine, the recommended evaluation, printed forms")
+      .taking("EVALUATIONS");
+  command.option("--parameter", a->parameters, "nu=..., pieces=...").taking("NAME=VALUE");
   command.option("--order", a->options.order, "of a formula: 0 value, 1 gradient, 2 Hessian")
       .in_range(0, 2)
       .excludes(kind);
@@ -144,9 +155,13 @@ void add_bench(CommandLine& line, const std::string& command_line) {
               "spent on pairs beyond the first 64, an evaluation and place; of whole coordinates, timed at least")
       .in_range(0.0, 3600.0)
       .showing_default();
-  command.option("--jobs", a->options.jobs, "threads for the errors; 0: all cores").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->options.jobs, "threads for the errors; 0: one a core")
+      .in_range(0, 1024)
+      .showing_default();
   command.flag("--csv", a->csv, "as CSV");
-  command.option("--out", a->out, "a folder for CSV, JSON and pictures");
+  command.option("--out", a->out, "a folder for CSV, JSON and pictures").taking("FOLDER");
+  command.example("cageproof bench --formula triangle.kelvin_traction --regime near-face --order 1");
+  command.example("cageproof bench --kind green --cage torus --out green-times");
   command.runs([a] { return run(*a); });
 }
 

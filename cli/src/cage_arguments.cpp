@@ -4,6 +4,7 @@
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/scalar_text.h"
+#include "cageproof/core/unknown_name.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,7 +21,8 @@ Option CageArguments::add_to(Command command, bool required) {
           .option(
               "--cage", file,
               "cage: a file (OBJ, PLY, STL, VTP; polygons: SVG, GeoJSON, OBJ, VTP), or the name of an embedded cage")
-          .required(required);
+          .required(required)
+          .taking("CAGE");
   command.flag("--flip-inward", flip_inward, "turn a cage whose normals point inward, a polygon that runs clockwise");
   command
       .option("--triangulate", triangulate,
@@ -30,12 +32,23 @@ Option CageArguments::add_to(Command command, bool required) {
   return cage;
 }
 
+namespace {
+
+std::string meant(std::string_view name, const std::vector<std::string_view>& known) {
+  const std::string_view nearest = nearest_name(name, known);
+  return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+}
+
+}  // namespace
+
 Cage CageArguments::load() const {
   const auto names = embedded_cage_names();
   if (is_embedded_cage(file)) return embedded_cage(file);
   if (std::filesystem::path(file).extension().empty() && !std::filesystem::exists(file))
     throw InputError(
-        fmt::format("--cage {}: no such file, and no embedded cage of that name ({})", file, fmt::join(names, ", ")));
+        fmt::format("--cage {}: no such file, and no embedded cage of that name{} ({}, and extreme ones, "
+                    "see `cageproof list`)",
+                    file, meant(file, names), fmt::join(names, ", ")));
   Cage cage = read_cage(file, {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
   if (const auto warning = crossing_warning(cage)) fmt::print(stderr, "warning: {}\n", *warning);
   return cage;
@@ -52,7 +65,8 @@ std::string lowest_text(double lowest) {
 double value_in(std::string_view text, std::string_view after, const KindParameter& parameter, std::string_view owner) {
   const std::optional<double> value = parameter.value_of(after);
   if (!value && !parameter.names.empty())
-    throw InputError(fmt::format("--parameter {}: '{}' is none of {}", text, after, fmt::join(parameter.names, ", ")));
+    throw InputError(fmt::format("--parameter {}: '{}' is none of {}{}", text, after, fmt::join(parameter.names, ", "),
+                                 meant(after, parameter.names)));
   if (!value) throw InputError(fmt::format("--parameter {}: '{}' is not a number", text, after));
   if (!parameter.allows(*value))
     throw InputError(fmt::format("--parameter {}: {} is out of range for {}, {} {} {} {}{}{}", text, after, owner,
@@ -72,7 +86,8 @@ std::pair<std::size_t, std::string_view> named_in(const std::string& text, const
     std::vector<std::string_view> names;
     names.reserve(known.size());
     for (const KindParameter& p : known) names.push_back(p.name);
-    throw InputError(fmt::format("--parameter {}: {} has {} alone", text, owner, fmt::join(names, ", ")));
+    throw InputError(fmt::format("--parameter {}: {} has {} alone{}", text, owner, fmt::join(names, ", "),
+                                 meant(std::string_view(text).substr(0, equals), names)));
   }
   if (equals == std::string::npos) throw InputError(fmt::format("--parameter {}: write {}=value", text, text));
   return {found - known.begin(), std::string_view(text).substr(equals + 1)};

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "command_line.h"
 
+#include "command_numbers.h"
+#include "command_words.h"
+
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <charconv>
-#include <system_error>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace cageproof::cli {
@@ -17,17 +23,30 @@ Option& Option::required(bool whether) {
 }
 
 Option& Option::one_of(const std::vector<std::string>& names) {
-  option_->check(CLI::IsMember(names));
+  // What the value is called holds its choices: descriptions find them there.
+  option_->type_name(fmt::format("{}", fmt::join(names, "|")));
+  option_->check([names](const std::string& text) -> std::string {
+    if (std::ranges::find(names, text) != names.end()) return {};
+    const std::string_view meant = nearest_name(text, {names.begin(), names.end()});
+    return fmt::format("'{}' is none of {}{}", text, fmt::join(names, ", "),
+                       meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant));
+  });
+  return *this;
+}
+
+Option& Option::taking(const std::string& type) {
+  option_->type_name(type);
   return *this;
 }
 
 Option& Option::in_range(int lowest, int highest) {
-  option_->check(CLI::Range(lowest, highest));
-  return *this;
+  return in_range(static_cast<double>(lowest), static_cast<double>(highest));
 }
 
 Option& Option::in_range(double lowest, double highest) {
-  option_->check(CLI::Range(lowest, highest));
+  bounds_->lowest = lowest;
+  bounds_->highest = highest;
+  option_->description(fmt::format("{} ({} to {})", option_->get_description(), lowest, highest));
   return *this;
 }
 
@@ -36,8 +55,8 @@ Option& Option::values(int count) {
   return *this;
 }
 
-Option& Option::separated_by(char separator) {
-  option_->delimiter(separator);
+Option& Option::one_at_a_time() {
+  option_->allow_extra_args(false);
   return *this;
 }
 
@@ -61,28 +80,46 @@ Option& Option::showing_default(const std::string& text) {
   return *this;
 }
 
+namespace {
+
+// CLI11 takes hexadecimal and octal numbers, not 1e3, and some that are too large as others.
+Option with_numbers(CLI::Option* option, bool whole) {
+  auto bounds = std::make_shared<NumberBounds>();
+  bounds->whole = whole;
+  if (whole) {
+    bounds->lowest = std::numeric_limits<int>::lowest();
+    bounds->highest = std::numeric_limits<int>::max();
+  }
+  option->transform(CLI::Validator([bounds](std::string& text) { return make_plain(text, *bounds); }, ""));
+  option->type_name(whole ? "N" : "NUMBER");
+  return Option(option, bounds);
+}
+
+}  // namespace
+
 Option Command::option(const std::string& name, std::string& value, const std::string& description) {
   return Option(app_->add_option(name, value, description));
 }
 
 Option Command::option(const std::string& name, int& value, const std::string& description) {
-  return Option(app_->add_option(name, value, description));
+  return with_numbers(app_->add_option(name, value, description), true);
 }
 
 Option Command::option(const std::string& name, std::uint64_t& value, const std::string& description) {
   CLI::Option* option = app_->add_option(name, value, description);
-  // CLI11 takes negative numbers, and those beyond 64 bits, as other ones.
-  option->check([](const std::string& text) {
-    std::uint64_t parsed = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parsed);
-    const bool whole = error == std::errc() && end == text.data() + text.size();
-    return whole ? std::string() : "'" + text + "' is not a number from 0 to 2^64 - 1";
-  });
-  return Option(option);
+  // A range makes it an ordinary number; without one it is a seed, which has all 64 bits.
+  auto bounds = std::make_shared<NumberBounds>();
+  option->transform(CLI::Validator(
+      [bounds](std::string& text) {
+        return std::isfinite(bounds->highest) ? make_plain(text, *bounds) : make_plain_seed(text);
+      },
+      ""));
+  option->type_name("N");
+  return Option(option, bounds);
 }
 
 Option Command::option(const std::string& name, double& value, const std::string& description) {
-  return Option(app_->add_option(name, value, description));
+  return with_numbers(app_->add_option(name, value, description), false);
 }
 
 Option Command::option(const std::string& name, std::vector<std::string>& values, const std::string& description) {
@@ -90,7 +127,7 @@ Option Command::option(const std::string& name, std::vector<std::string>& values
 }
 
 Option Command::option(const std::string& name, std::vector<double>& values, const std::string& description) {
-  return Option(app_->add_option(name, values, description));
+  return with_numbers(app_->add_option(name, values, description), false);
 }
 
 Option Command::flag(const std::string& name, bool& value, const std::string& description) {
@@ -105,36 +142,45 @@ Command Command::exactly_one_of(const std::string& title) {
 
 bool Command::given(const std::string& name) const { return app_->count(name) > 0; }
 
+void Command::example(const std::string& line) {
+  const std::string before = app_->get_footer();
+  app_->footer((before.empty() ? examples_title : before) + "\n  " + line);
+}
+
 void Command::runs(Action action) {
   app_->callback([chosen = chosen_, action = std::move(action)] { *chosen = action; });
 }
 
 CommandLine::CommandLine(const std::string& description, const std::string& version)
     : app_(std::make_unique<CLI::App>(description)) {
-  app_->set_version_flag("--version", version);
-  app_->require_subcommand(1);
+  app_->name("cageproof");
+  app_->set_version_flag("--version", version, "print version and commit, and exit");
+  app_->set_help_flag("-h,--help", "print this help, and exit");
+  app_->formatter(help_formatter());
+  app_->footer("`cageproof COMMAND --help` says more of each; `man cageproof` and docs/command_line.md say it all.");
 }
 
 CommandLine::~CommandLine() = default;
 
 Command CommandLine::command(const std::string& name, const std::string& description) {
-  return {app_->add_subcommand(name, description), &chosen_};
+  CLI::App* command = app_->add_subcommand(name, description);
+  // CLI11 hands the program's down.
+  command->footer("");
+  return {command, &chosen_};
 }
 
+ProgramText CommandLine::describe() const { return text_of(*app_); }
+
 int CommandLine::run(int argc, char** argv) {
-  // CLI11 would say that a command is missing.
   const std::string first = argc > 1 ? argv[1] : "";
-  const auto named = [&](const CLI::App* command) { return command->get_name() == first; };
-  if (!first.empty() && app_->get_subcommands(named).empty() && app_->get_option_no_throw(first) == nullptr) {
-    const char* what = first.front() == '-' ? "option" : "command";
-    throw InputError(std::string("unknown ") + what + " '" + first + "' (see `cageproof --help`)");
-  }
+  // CLI11 would say that a command is missing.
+  refuse_unknown_command(*app_, first);
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     // Help and version arrive as exceptions too.
     if (e.get_exit_code() == 0) return app_->exit(e);
-    throw InputError(e.what() + std::string(" (see `cageproof --help`)"));
+    throw InputError(complaint_of(*app_, e.what()));
   }
   return chosen_();
 }

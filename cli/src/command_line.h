@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The command line: commands, their options, and what they run. CLI11 parses it; its templates are instantiated in
-// command_line.cpp alone, because they cost every file that includes them seconds of compiling.
+// command_line.cpp and its neighbours alone, because they cost every file that includes them seconds of compiling.
 #pragma once
+
+#include "command_text.h"
 
 #include <cstdint>
 #include <functional>
@@ -16,25 +18,30 @@ class Option;
 
 namespace cageproof::cli {
 
+struct NumberBounds;
+
 /// Runs the chosen command; returns its exit code.
 using Action = std::function<int()>;
 
 /// An option of a command: a handle that can be copied, and that lives as long as the CommandLine.
 class Option {
  public:
-  explicit Option(CLI::Option* option) : option_(option) {}
+  explicit Option(CLI::Option* option, std::shared_ptr<NumberBounds> bounds = nullptr)
+      : option_(option), bounds_(std::move(bounds)) {}
 
   /// The command is refused without this option.
   Option& required(bool whether = true);
   /// Values are one of these, and the help lists them.
   Option& one_of(const std::vector<std::string>& names);
-  /// Values lie in the closed range, and the help shows it.
+  /// What help calls the value, by which completion knows what to offer: value_names.h has the words.
+  Option& taking(const std::string& type);
+  /// Values lie in the closed range, and the help shows it. \pre an option of numbers
   Option& in_range(int lowest, int highest);
   Option& in_range(double lowest, double highest);
   /// Takes exactly so many values.
   Option& values(int count);
-  /// One text holds several values with this character between them.
-  Option& separated_by(char separator);
+  /// Takes one value at a time: what follows it is not its own.
+  Option& one_at_a_time();
   /// The two are not given together.
   Option& excludes(const Option& other);
   /// Is not given without the other.
@@ -46,12 +53,14 @@ class Option {
 
  private:
   CLI::Option* option_;
+  std::shared_ptr<NumberBounds> bounds_;  // of an option of numbers
 };
 
 /// A command, or a group of its options: a handle that can be copied, and that lives as long as the CommandLine.
 class Command {
  public:
-  /// An option whose value goes to a variable, which must outlive the parsing. A name without dashes is positional.
+  /// An option whose value goes to a variable, which must outlive the parsing. A name without dashes is positional;
+  /// "--regime,--regimes" are two names of one. Whole numbers may be written 1e3.
   Option option(const std::string& name, std::string& value, const std::string& description);
   Option option(const std::string& name, int& value, const std::string& description);
   Option option(const std::string& name, std::uint64_t& value, const std::string& description);
@@ -64,6 +73,8 @@ class Command {
   Command exactly_one_of(const std::string& title);
   /// Whether the user gave the option of this name, which must exist.
   bool given(const std::string& name) const;
+  /// A command line that does something sensible, which help and manual show.
+  void example(const std::string& line);
   /// What the command does, once the whole command line is read.
   void runs(Action action);
 
@@ -84,8 +95,10 @@ class CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   Command command(const std::string& name, const std::string& description);
+  /// What there is, for manuals and completion.
+  ProgramText describe() const;
   /// Reads the arguments and runs the chosen command, or prints the help or version that was asked for.
-  /// \return the exit code \throws InputError when the arguments are not understood
+  /// \return the exit code \throws InputError when the arguments are not understood: says what would have been right
   int run(int argc, char** argv);
 
  private:

@@ -45,10 +45,13 @@ void add_compare(CommandLine& line) {
   Command command =
       line.command("compare", "figures and verdicts that differ between two reports or journals; exit 1 when any does");
   auto a = std::make_shared<Arguments>();
-  command.option("old", a->before, "a report's folder, its summary.json, or a journal").required();
-  command.option("new", a->after, "another").required();
-  command.option("--names", a->names,
-                 R"(JSON object {"old": "new"} of names that changed; "subject/old" in that subject's rows alone)");
+  command.option("old", a->before, "a report's folder, its summary.json, or a journal").taking("FILE").required();
+  command.option("new", a->after, "another").taking("FILE").required();
+  command
+      .option("--names", a->names,
+              R"(JSON object {"old": "new"} of names that changed; "subject/old" in that subject's rows alone)")
+      .taking("FILE");
+  command.example("cageproof compare report-before report-after");
   command.runs([a] { return run(*a); });
 }
 

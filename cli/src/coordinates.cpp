@@ -121,17 +121,23 @@ void add_coordinates(CommandLine& line) {
   Command command = line.command("coordinates", "coordinates of points in a cage");
   auto a = std::make_shared<Arguments>();
   a->cage.add_to(command, true);
-  command.option("--points", a->points, "a mesh, or text with three numbers a line, for polygons two").required();
-  command.option("--kind", a->kind, names_of_kinds()).required();
+  command.option("--points", a->points, "a mesh, or text with three numbers a line, for polygons two")
+      .taking("FILE")
+      .required();
+  command.option("--kind", a->kind, names_of_kinds()).taking("KIND").required();
   command.flag("--allow-invalid-quads", a->cage.allow_invalid_quads,
                "compute with quads that are not valid, of kinds that keep quads");
-  command.option("--parameter", a->parameters,
-                 "mu=..., nu=... of somigliana (nu in (-1, 0.5] or inf or -inf); pieces=1 ... 64, collocation=NAME of "
-                 "kinds that solve boundary equations; level=..., gamma_d=... of regularised ones; `list` names all");
-  command.option(
-      "--evaluation", a->evaluation,
-      "how they are computed: batched, or an evaluation of its formulas (closed_form ...); batched by default where "
-      "the kind has it, else as recommended");
+  command
+      .option("--parameter", a->parameters,
+              "mu=..., nu=... of somigliana (nu in (-1, 0.5] or inf or -inf); pieces=1 ... 64, collocation=NAME of "
+              "kinds that solve boundary equations; level=..., gamma_d=... of regularised ones; `list` names all")
+      .taking("NAME=VALUE");
+  command
+      .option("--evaluation", a->evaluation,
+              "how they are computed: batched, or an evaluation of its formulas (closed_form ...); batched by default "
+              "where "
+              "the kind has it, else as recommended")
+      .taking("EVALUATION");
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
   command.option("--out", a->out,
                  ".npz (named arrays with the cage, its elements and normals), .csv or .npy (points x columns, and "
@@ -142,7 +148,7 @@ void add_coordinates(CommandLine& line) {
   command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system");
   command.flag("--strict", a->strict,
                "exit with 1 where a point has no finite coordinates, or lies where they sum to zero");
-  command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
   command.runs([a] { return run(*a); });
 }
 

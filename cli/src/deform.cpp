@@ -164,35 +164,51 @@ void add_deform(CommandLine& line) {
   auto a = std::make_shared<DeformArguments>();
   a->cage.add_to(command, true);
   Command pose = command.exactly_one_of("Pose");
-  pose.option("--posed", a->posed, "the cage's vertices elsewhere: a mesh, text, or an embedded cage; repeats");
+  pose.option("--posed", a->posed, "the cage's vertices elsewhere: a mesh, text, or an embedded cage; repeats")
+      .taking("CAGE");
   pose.option("--constraints", a->constraints,
-              "JSON: what is asked of the map at points, of methods without a posed cage");
-  command.option("--normal-derivatives", a->data.normal_derivatives,
-                 "text, three numbers a line, for polygons two, a line a triangle or segment (neumann=affine: a line a "
-                 "corner of each): normal derivatives in place of posed normals");
-  command.option("--laplacians", a->data.laplacians, "the same, a line a vertex: densities of biharmonic_direct");
-  command.option("--laplacian-derivatives", a->data.laplacian_derivatives,
-                 "the same, a line a triangle or segment: densities of biharmonic_direct");
-  command.option("--points", a->points, "a mesh, or text with three numbers a line, for polygons two").required();
-  command.option("--method", a->method, names_of_methods()).required();
-  command.option("--parameter", a->parameters,
-                 "the method's, NAME=VALUE, or several values for as many maps, NAME=VALUE,VALUE; `list` names them");
-  command.option(
-      "--evaluation", a->evaluation,
-      "how coordinates are computed: batched, or an evaluation of their formulas; batched by default where there is "
-      "such a one, else as recommended");
+              "JSON: what is asked of the map at points, of methods without a posed cage")
+      .taking("FILE");
+  command
+      .option("--normal-derivatives", a->data.normal_derivatives,
+              "text, three numbers a line, for polygons two, a line a triangle or segment (neumann=affine: a line a "
+              "corner of each): normal derivatives in place of posed normals")
+      .taking("FILE");
+  command.option("--laplacians", a->data.laplacians, "the same, a line a vertex: densities of biharmonic_direct")
+      .taking("FILE");
+  command
+      .option("--laplacian-derivatives", a->data.laplacian_derivatives,
+              "the same, a line a triangle or segment: densities of biharmonic_direct")
+      .taking("FILE");
+  command.option("--points", a->points, "a mesh, or text with three numbers a line, for polygons two")
+      .taking("FILE")
+      .required();
+  command.option("--method", a->method, names_of_methods()).taking("METHOD").required();
+  command
+      .option("--parameter", a->parameters,
+              "the method's, NAME=VALUE, or several values for as many maps, NAME=VALUE,VALUE; `list` names them")
+      .taking("NAME=VALUE");
+  command
+      .option("--evaluation", a->evaluation,
+              "how coordinates are computed: batched, or an evaluation of their formulas; batched by default where "
+              "there is "
+              "such a one, else as recommended")
+      .taking("EVALUATION");
   command
       .option(
           "--out", a->out,
           ".obj, .ply, .vtp, .csv or .npy, with {n} for the number of the map; a .json beside it says what was done")
+      .taking("FILE")
       .required();
   command.option("--order", a->order, "1: Jacobians, 2: Hessians, too").in_range(0, 2).showing_default();
-  command.option("--derivatives", a->derivatives, ".csv, .npy or .vtp, beside a mesh file");
-  command.option("--energies", a->energies, ".csv or .png: of methods that iterate, the energy at every half step");
+  command.option("--derivatives", a->derivatives, ".csv, .npy or .vtp, beside a mesh file").taking("FILE");
+  command.option("--energies", a->energies, ".csv or .png: of methods that iterate, the energy at every half step")
+      .taking("FILE");
   command.option("--outside", a->outside, "points without image: an error, left at rest, or nan")
       .one_of({"error", "rest", "nan"})
       .showing_default();
-  command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.example("cageproof deform --cage cube --posed posed.obj --points mesh.obj --method green --out deformed.obj");
   command.runs([a] { return run(*a); });
 }
 

@@ -88,13 +88,16 @@ int run(const EvalOptions& options) {
 void add_eval(CommandLine& line) {
   Command command = line.command("eval", "evaluate JSON lines from standard input");
   auto options = std::make_shared<EvalOptions>();
-  command.option("--formula", options->formula, "a formula of the catalogue").required();
-  command.option("--evaluation", options->evaluation, "one of its evaluations").required();
+  command.option("--formula", options->formula, "a formula of the catalogue").taking("FORMULA").required();
+  command.option("--evaluation", options->evaluation, "one of its evaluations").taking("EVALUATION").required();
   command.option("--order", options->order, "0 value, 1 and gradient, 2 and Hessian").in_range(0, 2).showing_default();
-  command.option("--scalar", options->scalar, "float, double, mp50, mp100 or mp200")
+  command.option("--scalar", options->scalar, "what it computes in: mp50 is 50 digits")
       .one_of({"float", "double", "mp50", "mp100", "mp200"})
       .showing_default();
   command.flag("--allow-invalid-quads", options->allow_invalid_quads, allow_invalid_quads_text);
+  command.example(
+      "echo '{\"element\":[[0,0,0],[1,0,0],[0,1,0]],\"point\":[0.25,0.25,\"0x1p-4\"]}' | "
+      "cageproof eval --formula triangle.solid_angle --evaluation closed_form --order 1");
   command.runs([options] { return run(*options); });
 }
 

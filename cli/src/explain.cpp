@@ -215,19 +215,24 @@ int run(const ExplainOptions& options) {
 void add_explain(CommandLine& line) {
   Command command = line.command("explain", "which operations of a closed form lose how much, for one input");
   auto options = std::make_shared<ExplainOptions>();
-  command.option("--formula", options->formula, "a formula of the catalogue").required();
-  command.option("--evaluation", options->evaluation, "the recommended one, which is the default");
-  Option element = command.option("--element", options->element,
-                                  "its corners, [[x,y,z],...]; without, a JSON line from standard input, as eval's");
-  Option point = command.option("--point", options->point, "the point, [x,y,z]");
+  command.option("--formula", options->formula, "a formula of the catalogue").taking("FORMULA").required();
+  command.option("--evaluation", options->evaluation, "the recommended one, which is the default").taking("EVALUATION");
+  Option element = command
+                       .option("--element", options->element,
+                               "its corners, [[x,y,z],...]; without, a JSON line from standard input, as eval's")
+                       .taking("JSON");
+  Option point = command.option("--point", options->point, "the point, [x,y,z]").taking("JSON");
   element.needs(point);
   point.needs(element);
-  command.option("--parameter", options->parameters, "mu=..., nu=... of the formula");
+  command.option("--parameter", options->parameters, "mu=..., nu=... of the formula").taking("NAME=VALUE");
   command.option("--order", options->order, "0 value, 1 gradient, 2 Hessian").in_range(0, 2).showing_default();
   command.option("--entry", options->entry, "of that tensor, in eval's order; without, the one with the largest errors")
       .in_range(0, 1 << 20);
   command.option("--limit", options->limit, "lines of the table").in_range(1, 1 << 20).showing_default();
   command.flag("--json", options->json, "as JSON");
+  command.example(
+      "cageproof explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[0,1,0]]' --point "
+      "'[0.25,0.25,1e-9]'");
   command.runs([options] { return run(*options); });
 }
 

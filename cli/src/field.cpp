@@ -137,7 +137,7 @@ int run(const Arguments& a) {
   RunResult result;
   result.version = CAGEPROOF_VERSION;
   result.suite = "field";
-  result.sessions = {{validation::timestamp(), 0, a.command_line, validation::machine_facts()}};
+  result.sessions = {{validation::timestamp(), 0, a.command_line, validation::machine_facts(a.jobs)}};
   const auto start = std::chrono::steady_clock::now();
   reports::ReportWriter writer(a.out, reports::ReportWriter::Kind::Field);
   if (!a.compare.empty()) {
@@ -180,8 +180,9 @@ void add_field(CommandLine& line, const std::string& command_line) {
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
   Command what = command.exactly_one_of("what is shown");
-  const Option formula = what.option("--formula", a->formula, "relative error of a formula of the catalogue");
-  Option kind = what.option("--kind", a->kind, "partition of unity of a kind of cage coordinates");
+  const Option formula =
+      what.option("--formula", a->formula, "relative error of a formula of the catalogue").taking("FORMULA");
+  Option kind = what.option("--kind", a->kind, "partition of unity of a kind of cage coordinates").taking("KIND");
   Option evaluation = command.option("--evaluation", a->evaluation,
                                      "one of its evaluations; of a kind, by default the recommended one");
   command.option("--coordinate", a->coordinate, "BLOCK:INDEX, as lambda:0: the values of that coordinate instead")
@@ -200,7 +201,7 @@ void add_field(CommandLine& line, const std::string& command_line) {
   command.option("--parameter", a->parameters, "mu=..., nu=... of a kind").excludes(formula);
   kind.needs(a->cage.add_to(command, false));
   command.option("--resolution", a->resolution, "samples a side").in_range(2, 4096);
-  command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
+  command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
   command.option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
       .values(2);
   command.option("--out", a->out, "a folder for the field, its picture and a summary").required();

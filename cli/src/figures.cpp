@@ -37,11 +37,16 @@ int run(const Arguments& a) {
 void add_figures(CommandLine& line) {
   Command command = line.command("figures", "the papers' figures made again: deformers side by side");
   auto a = std::make_shared<Arguments>();
-  command.option("--data", a->data,
-                 "a folder with NAME_Cage.obj, NAME_Cage_Deformed.obj and NAME.obj, of any number of names, instead of "
-                 "cages made in code");
-  command.option("--jobs", a->jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
-  command.option("--out", a->out, "pictures, data and captions go to its folder figures/").showing_default();
+  command
+      .option("--data", a->data,
+              "a folder with NAME_Cage.obj, NAME_Cage_Deformed.obj and NAME.obj, of any number of names, instead of "
+              "cages made in code")
+      .taking("FOLDER");
+  command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.option("--out", a->out, "pictures, data and captions go to its folder figures/")
+      .taking("FOLDER")
+      .showing_default();
+  command.example("cageproof figures --out paper-figures");
   command.runs([a] { return run(*a); });
 }
 

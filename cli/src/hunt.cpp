@@ -2,7 +2,7 @@
 #include "commands.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/name_pattern.h"
 #include "cageproof/core/scalar_text.h"
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/hunt.h"
@@ -34,13 +34,28 @@ std::optional<double> bound_of(const Arguments& a, const HuntObjective& objectiv
       .bound;
 }
 
+// Whether a list of names and globs has the check; glob: by a glob alone, which leaves out what is not asked.
+bool names_check(const Arguments& a, std::string_view check, bool& by_glob) {
+  bool named = false;
+  by_glob = true;
+  for (const std::string& list : a.checks)
+    for (const std::string& name : names_in(list)) {
+      if (!matches(name, check)) continue;
+      named = true;
+      by_glob = by_glob && is_glob(name);
+    }
+  return named;
+}
+
 // The checks of an evaluation that are named; without names the promised error, and the plain relative one of
 // evaluations that are asked for it.
 std::vector<const validation::Check*> checks_of(const Arguments& a, const Evaluation& evaluation) {
   std::vector<const validation::Check*> chosen;
-  for (const std::string& name : a.checks) {
-    chosen.push_back(validation::find_check(name));
-    if (!chosen.back()) throw unknown_name("check", name);
+  for (const auto& check : validation::checks()) {
+    bool by_glob = false;
+    if (!names_check(a, check->name(), by_glob)) continue;
+    if (!by_glob || check->applies(*a.options.formula, evaluation, a.options.scalar, validation::hunted_regime))
+      chosen.push_back(check.get());
   }
   if (!chosen.empty()) return chosen;
   chosen.push_back(validation::find_check("truth"));
@@ -59,7 +74,8 @@ std::vector<HuntObjective> promised_objectives(const Arguments& a) {
     if (!evaluation.supports(a.options.scalar) || a.options.order > evaluation.max_order()) continue;
     for (const std::string_view check_name : {"truth", "relative", "stated_error"}) {
       const HuntObjective objective{evaluation, validation::find_check(check_name)};
-      const bool asked = a.checks.empty() || std::ranges::find(a.checks, check_name) != a.checks.end();
+      bool by_glob = false;
+      const bool asked = a.checks.empty() || names_check(a, check_name, by_glob);
       if (asked && bound_of(a, objective) &&
           objective.check->applies(*a.options.formula, evaluation, a.options.scalar, validation::hunted_regime))
         found.push_back(objective);
@@ -72,9 +88,26 @@ std::vector<HuntObjective> promised_objectives(const Arguments& a) {
 }
 
 std::vector<HuntObjective> objectives_of(const Arguments& a) {
+  for (const std::string& list : a.checks) require_known("check", list, validation::check_names());
   if (a.evaluations.empty()) return promised_objectives(a);
+  const std::vector<std::string> known = EvaluationRegister::instance().standard(a.formula);
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (const std::string& list : a.evaluations)
+    for (const std::string& name : names_in(list)) {
+      if (!is_glob(name)) add(name);
+      else require_known(fmt::format("evaluation of {}", a.formula), name, {known.begin(), known.end()});
+      for (const std::string& one : known) {
+        const Evaluation evaluation = evaluation_named(a.formula, one);
+        if (is_glob(name) && matches(name, one) && evaluation.supports(a.options.scalar) &&
+            a.options.order <= evaluation.max_order())
+          add(one);
+      }
+    }
   std::vector<HuntObjective> chosen;
-  for (const std::string& name : a.evaluations) {
+  for (const std::string& name : names) {
     const Evaluation evaluation = evaluation_named(a.formula, name);
     for (const validation::Check* check : checks_of(a, evaluation)) chosen.push_back({evaluation, check});
   }
@@ -170,18 +203,23 @@ int run(Arguments& a) {
 void add_hunt(CommandLine& line) {
   Command command = line.command("hunt", "search for the worst inputs of evaluations");
   auto a = std::make_shared<Arguments>();
-  command.option("--formula", a->formula, "name of a formula").required();
-  command.option("--evaluation", a->evaluations, "names of evaluations; default: all with a promise");
+  command.option("--formula", a->formula, "a formula of the catalogue").taking("FORMULA").required();
+  command.option("--evaluation,--evaluations", a->evaluations, "whose errors; without: of all with a promise")
+      .taking("EVALUATIONS");
   command.option("--budget", a->options.budget, "inputs to measure, each by all that is looked for")
       .required()
       .in_range(1, 1000000000);
   command.option("--order", a->options.order, "derivative order asked and looked at").in_range(0, 2).showing_default();
   command.option("--scalar", a->scalar, "scalar").one_of({"double", "float"}).showing_default();
-  command.option("--check", a->checks, "whose errors; default: what is promised, and relative where it is asked");
-  command.option("--regime", a->options.regimes, "glob: where climbs start").showing_default();
+  command
+      .option("--check,--checks", a->checks, "which errors; without: what is promised, and relative where it is asked")
+      .taking("CHECKS");
+  command.option("--regime,--regimes", a->options.regimes, "where climbs start").taking("REGIMES").showing_default();
   command.option("--seed", a->options.seed, "64-bit seed").showing_default();
-  command.option("--jobs", a->options.jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
-  command.option("--out", a->out, "worst-case file to add the worst cases to");
+  command.option("--jobs", a->options.jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.option("--out", a->out, "worst-case file to add the worst cases to").taking("FILE");
+  command.example(
+      "cageproof hunt --formula triangle.solid_angle --evaluation closed_form --budget 1000 --out worst.jsonl");
   command.runs([a] { return run(*a); });
 }
 

@@ -3,6 +3,8 @@
 
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/name_pattern.h"
+#include "cageproof/core/unknown_name.h"
 #include "cageproof/core/whole_evaluation.h"
 #include "cageproof/deformation/constrained.h"
 #include "cageproof/validation/check.h"
@@ -14,6 +16,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <functional>
 #include <iostream>
 
 namespace cageproof::cli {
@@ -29,6 +33,7 @@ Json formula_json(const Formula& f) {
     for (const ScalarKind kind : scalar_kinds)
       if (example.supports(kind)) scalars.push_back(name_of(kind));
     evaluations.push_back({{"name", family->pattern},
+                           {"range", range_of_pattern(family->pattern)},
                            {"standard", family->standard},
                            {"role", name_of(family->role)},
                            {"description", example.description()},
@@ -130,6 +135,13 @@ Json catalogue_json() {
   return all;
 }
 
+std::vector<std::string_view> regime_names() {
+  std::vector<std::string_view> names;
+  for (const auto& regime : validation::regimes()) names.push_back(regime.name);
+  names.insert(names.end(), {validation::hull_regime, validation::hunted_regime});
+  return names;
+}
+
 void print_parameters(const std::vector<KindParameter>& parameters) {
   for (const KindParameter& p : parameters) {
     if (p.names.empty()) fmt::print(" {}={:g}", p.name, p.preset);
@@ -142,15 +154,33 @@ void print_parameters(const std::vector<KindParameter>& parameters) {
   }
 }
 
-void print_text() {
+// Whether what is printed of them has anything to show.
+bool any_of(const auto& rows, const std::string& asked, auto name) {
+  return std::ranges::any_of(rows, [&](const auto& row) { return matches(asked, name(row)); });
+}
+
+void print_names(const char* heading, const std::vector<std::string_view>& names, const std::string& asked) {
+  if (!any_of(names, asked, std::identity())) return;
+  fmt::print("{}:", heading);
+  for (const std::string_view name : names)
+    if (matches(asked, name)) fmt::print(" {}", name);
+  fmt::print("\n");
+}
+
+void print_text(const std::string& asked) {
+  const auto name_of_row = [](const auto& row) { return row.name; };
   for (const Formula& f : catalogue()) {
+    if (!matches(asked, f.name)) continue;
     fmt::print("{}\n    {} = {}   ({})\n    evaluations:", f.name, f.symbol, f.definition, f.source);
     for (const EvaluationFamily* family : EvaluationRegister::instance().families(f.name))
       fmt::print(" {}", family->pattern);
     fmt::print("\n");
   }
-  fmt::print("\ncoordinates:");
+  if (asked == "*") fmt::print("\n");
+  const bool kinds = any_of(coordinate_kinds(), asked, name_of_row);
+  if (kinds) fmt::print("coordinates:");
   for (const CoordinateKind& kind : coordinate_kinds()) {
+    if (!matches(asked, kind.name)) continue;
     std::vector<std::string> labels;
     labels.reserve(kind.blocks.size());
     for (const SummedBlock& b : kind.blocks) labels.emplace_back(b.label);
@@ -160,38 +190,67 @@ void print_text() {
     for (const std::string_view evaluation : whole_evaluations_of(kind)) fmt::print("; {}", evaluation);
     fmt::print(")");
   }
-  fmt::print("\ndeformers:\n");
+  if (kinds) fmt::print("\n");
+  if (any_of(deformation::deform_methods(), asked, name_of_row) ||
+      any_of(deformation::constraint_methods(), asked, name_of_row))
+    fmt::print("deformers:\n");
   for (const deformation::DeformMethod& method : deformation::deform_methods()) {
+    if (!matches(asked, method.name)) continue;
     fmt::print("    {}", method.name);
     print_parameters(deformation::parameters_of(method));
     fmt::print("   ({}; keeps {})\n", method.source, method.keeps);
   }
   for (const deformation::ConstraintMethod& method : deformation::constraint_methods()) {
+    if (!matches(asked, method.name)) continue;
     fmt::print("    {}", method.name);
     print_parameters(method.parameters);
     fmt::print("   ({}; by constraints; keeps {})\n", method.source, method.keeps);
   }
-  fmt::print("regimes:");
-  for (const auto& regime : validation::regimes()) fmt::print(" {}", regime.name);
-  fmt::print(" {} {}\nchecks:", validation::hull_regime, validation::hunted_regime);
-  for (const auto& check : validation::checks()) fmt::print(" {}", check->name());
-  for (const std::string_view name : other_checks()) fmt::print(" {}", name);
-  fmt::print("\nembedded cages:");
-  for (const auto name : embedded_cage_names()) fmt::print(" {}", name);
-  fmt::print("\nextreme cages:");
-  for (const auto name : extreme_cage_names()) fmt::print(" {}", name);
-  fmt::print("\n");
+  print_names("regimes", regime_names(), asked);
+  std::vector<std::string_view> checks = validation::check_names();
+  for (const std::string_view name : other_checks()) checks.push_back(name);
+  print_names("checks", checks, asked);
+  print_names("embedded cages", embedded_cage_names(), asked);
+  print_names("extreme cages", extreme_cage_names(), asked);
+}
+
+// Everything that has a name.
+std::vector<std::string_view> all_names() {
+  std::vector<std::string_view> all = regime_names();
+  const auto add = [&](const std::vector<std::string_view>& names) {
+    all.insert(all.end(), names.begin(), names.end());
+  };
+  for (const Formula& f : catalogue()) all.push_back(f.name);
+  for (const CoordinateKind& kind : coordinate_kinds()) all.push_back(kind.name);
+  for (const auto& method : deformation::deform_methods()) all.push_back(method.name);
+  for (const auto& method : deformation::constraint_methods()) all.push_back(method.name);
+  add(validation::check_names());
+  add(other_checks());
+  add(embedded_cage_names());
+  add(extreme_cage_names());
+  return all;
 }
 
 }  // namespace
 
 void add_list(CommandLine& line) {
-  Command command = line.command("list", "the catalogue: formulas, sources, evaluations");
-  auto json = std::make_shared<bool>(false);
-  command.flag("--json", *json, "as JSON");
-  command.runs([json] {
-    if (*json) std::cout << catalogue_json().dump(2) << '\n';
-    else print_text();
+  Command command = line.command(
+      "list", "the catalogue: formulas, sources, evaluations, kinds of coordinates, deformers, regimes, checks, cages");
+  struct Arguments {
+    std::string names = "*";
+    bool json = false;
+  };
+  auto a = std::make_shared<Arguments>();
+  const Option names =
+      command.option("names", a->names, "what has such a name alone, names and globs with commas between; without, all")
+          .taking("NAMES");
+  command.flag("--json", a->json, "as JSON, with scalars, ranges and descriptions").excludes(names);
+  command.example("cageproof list 'triangle.*'");
+  command.example("cageproof list --json");
+  command.runs([a] {
+    require_known("name", a->names, all_names());
+    if (a->json) std::cout << catalogue_json().dump(2) << '\n';
+    else print_text(a->names);
     return success;
   });
 }

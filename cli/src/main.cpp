@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 
+#include "cageproof/core/build_facts.h"
 #include "cageproof/core/input_error.h"
+#include "cageproof/reports/clean_end.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +15,7 @@ using namespace cageproof;
 
 // One line, whatever the message holds.
 int complain(std::string message) {
+  reports::wait_if_ending();
   for (char& c : message)
     if (c == '\n') c = ' ';
   fmt::print(stderr, "cageproof: {}\n", message);
@@ -34,7 +37,7 @@ std::string quoted(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace cli;
   CommandLine line("Cageproof: every cage-coordinate formula, several independent ways, against its definition.",
-                   CAGEPROOF_VERSION);
+                   fmt::format("cageproof {} (commit {})", CAGEPROOF_VERSION, build_commit()));
   const std::string as_given = quoted(argc, argv);
   add_list(line);
   add_eval(line);
@@ -50,6 +53,8 @@ int main(int argc, char** argv) {
   add_replay(line);
   add_hunt(line);
   add_bench(line, as_given);
+  add_descriptions(line);
+  reports::end_cleanly_on_signals();
   try {
     const int code = line.run(argc, argv);
     std::cout.flush();

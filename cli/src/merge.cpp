@@ -20,8 +20,9 @@ int run(const Arguments& a) {
 void add_merge(CommandLine& line) {
   Command command = line.command("merge", "one report of all shards of a run");
   auto a = std::make_shared<Arguments>();
-  command.option("parts", a->parts, "the shards' folders, as `verify --shard` made them").required();
-  command.option("--out", a->out, "the report's folder").required();
+  command.option("parts", a->parts, "the shards' folders, as `verify --shard` made them").taking("FOLDER").required();
+  command.option("--out", a->out, "the report's folder").taking("FOLDER").required();
+  command.example("cageproof merge part-0 part-1 part-2 --out report");
   command.runs([a] { return run(*a); });
 }
 

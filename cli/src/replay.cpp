@@ -10,8 +10,17 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace cageproof::cli {
 namespace {
+
+// What all cases together are.
+struct Summary {
+  std::size_t kept = 0, broken = 0, unpromised = 0, unmeasured = 0, changed = 0;
+  std::string largest;  // the case with the most of its promise
+  double most = -1;
+};
 
 // What a case is now, and whether that breaks the promise that was stored with it.
 std::pair<std::string, bool> outcome(const reports::WorstLine& line, const validation::Finding& finding) {
@@ -26,8 +35,36 @@ std::pair<std::string, bool> outcome(const reports::WorstLine& line, const valid
       broken};
 }
 
+std::string name_of(const reports::WorstLine& line) {
+  return fmt::format("{} {} {} {} {} order {}", line.subject, line.evaluation, line.scalar, line.regime, line.check,
+                     line.order);
+}
+
+void count(const reports::WorstLine& line, const validation::Finding& finding, bool broken, Summary& all) {
+  const bool measured = finding.status == validation::Finding::Status::Measured;
+  (broken ? all.broken : !measured ? all.unmeasured : line.bound ? all.kept : all.unpromised)++;
+  if (!measured) return;
+  const bool same = finding.error == line.worst.error || (std::isnan(finding.error) && std::isnan(line.worst.error));
+  all.changed += !same;
+  const double share = line.bound && *line.bound > 0 ? finding.error / *line.bound : -1;
+  // What is not a number is the worst of all.
+  if (line.bound && (std::isnan(share) || share > all.most)) {
+    all.most = std::isnan(share) ? HUGE_VAL : share;
+    all.largest = fmt::format("{} {} of the promised {} in line {}: {}", format_scalar(finding.error), line.unit,
+                              format_scalar(*line.bound), line.number, name_of(line));
+  }
+}
+
+void print(const Summary& all, const std::string& file) {
+  const std::size_t cases = all.kept + all.broken + all.unpromised + all.unmeasured;
+  fmt::print("{}: {} cases of {}: {} kept, {} broken, {} not promised, {} without error; {} changed since stored\n",
+             all.broken == 0 ? "all promises kept" : "PROMISES BROKEN", cases, file, all.kept, all.broken,
+             all.unpromised, all.unmeasured, all.changed);
+  if (!all.largest.empty()) fmt::print("largest share of a promise: {}\n", all.largest);
+}
+
 int run(const std::string& file) {
-  int code = success;
+  Summary all;
   for (const reports::WorstLine& line : reports::read_worst(file)) {
     validation::Finding finding;
     try {
@@ -37,19 +74,21 @@ int run(const std::string& file) {
       throw InputError(fmt::format("{}:{}: {}", file, line.number, e.what()));
     }
     const auto [text, broken] = outcome(line, finding);
-    if (broken) code = promise_broken;
-    fmt::print("{} {} {} {} {} order {}: {}\n", line.subject, line.evaluation, line.scalar, line.regime, line.check,
-               line.order, text);
+    count(line, finding, broken, all);
+    fmt::print("{}: {}\n", name_of(line), text);
   }
-  return code;
+  print(all, file);
+  return all.broken == 0 ? success : promise_broken;
 }
 
 }  // namespace
 
 void add_replay(CommandLine& line) {
-  Command command = line.command("replay", "re-run stored worst cases exactly");
+  Command command =
+      line.command("replay", "stored worst cases run again exactly, and a summary; exit 1 when a promise is broken");
   auto file = std::make_shared<std::string>();
-  command.option("file", *file, "a worst.jsonl").required();
+  command.option("file", *file, "a worst.jsonl").taking("FILE").required();
+  command.example("cageproof replay report/worst.jsonl");
   command.runs([file] { return run(*file); });
 }
 

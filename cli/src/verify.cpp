@@ -108,12 +108,20 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   auto a = std::make_shared<Arguments>();
   a->options.command_line = command_line;
   a->command = command;
-  command.option("--formulas", a->options.formulas, "glob").showing_default();
-  command.option("--evaluations", a->options.evaluations, "glob").showing_default();
-  command.option("--regimes", a->options.regimes, "glob").showing_default();
+  command.option("--formulas,--formula", a->options.formulas, "which, names and globs with commas between")
+      .taking("FORMULAS")
+      .showing_default();
+  command.option("--evaluations,--evaluation", a->options.evaluations, "which of theirs")
+      .taking("EVALUATIONS")
+      .showing_default();
+  command.option("--regimes,--regime", a->options.regimes, "how points sit to elements")
+      .taking("REGIMES")
+      .showing_default();
   a->cage.add_to(command, false);
-  command.option("--points", a->points,
-                 "points to try the cage at: a mesh, or text with three numbers a line (for polygons two)");
+  command
+      .option("--points", a->points,
+              "points to try the cage at: a mesh, or text with three numbers a line (for polygons two)")
+      .taking("FILE");
   command.option("--samples", a->samples, "samples of each formula in each regime, instead of the suite's")
       .in_range(1, 100000000);
   command
@@ -122,16 +130,24 @@ void add_verify(CommandLine& line, const std::string& command_line) {
               "proof run")
       .in_range(0, 1000000);
   const auto suites = names_of_suites();
-  command.option("--suite", a->suite, "how much").one_of({suites.begin(), suites.end()}).showing_default();
+  command.option("--suite", a->suite, "how much: seconds, minutes or hours; `full` is for shards on many cores")
+      .one_of({suites.begin(), suites.end()})
+      .showing_default();
   command.option("--seed", a->options.seed, "64-bit seed of all samples").showing_default();
-  command.option("--jobs", a->options.jobs, "threads; 0: all cores").in_range(0, 1024).showing_default();
-  const Option out = command.option("--out", a->out, "the report's folder").showing_default();
+  command.option("--jobs", a->options.jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  const Option out = command.option("--out", a->out, "the report's folder").taking("FOLDER").showing_default();
   command.option("--shard", a->shard, "I/N: measure part I of N, from 0, alone; `merge` makes the report")
+      .taking("I/N")
       .showing_default();
   command
       .option("--resume", a->resume,
               "folder of a run to go on with; options that are not given are that run's, others must agree with it")
+      .taking("FOLDER")
       .excludes(out);
+  command.example("cageproof verify --suite quick --out report");
+  command.example("cageproof verify --formulas 'triangle.*' --regimes 'near-*,far' --evaluations closed_form,gauss-8");
+  command.example("cageproof verify --cage my-cage.obj --points my-mesh.obj --out my-report");
+  command.example("cageproof verify --resume report");
   command.runs([a] { return run(*a); });
 }
 

@@ -166,7 +166,7 @@ refuses nonsense -- "$cageproof" hunt --formula triangle.solid_angle --evaluatio
 refuses budget -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 0
 refuses bad.jsonl:1 -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --out "$work/bad.jsonl"
 refuses "$work/nowhere" -- "$cageproof" hunt --formula triangle.solid_angle --evaluation closed_form --budget 10 --out "$work/nowhere/x.jsonl"
-refuses subcommand -- "$cageproof"
+refuses 'a command is missing' verify -- "$cageproof"
 refuses "'nonsense'" command -- "$cageproof" nonsense
 refuses "'--nonsense'" option -- "$cageproof" --nonsense verify
 refuses --seed "'-1'" -- "$cageproof" verify --seed -1 --out "$work/out"
@@ -356,10 +356,11 @@ for file in summary.json summary.md results.csv worst.jsonl worst index.html for
   [ -e "$work/report/$file" ] || fail "no $file"
 done
 [ ! -s "$work/report/worst.jsonl" ] || fail "worst.jsonl holds what is kept"
+"$cageproof" replay "$work/report/worst.jsonl" >"$work/stdout" || fail "replay of no case: $(cat "$work/stdout")"
 cat "$work"/report/worst/*.jsonl >"$work/worst.jsonl"
 "$cageproof" replay "$work/worst.jsonl" >"$work/stdout" || fail "replay: $(tail -n 3 "$work/stdout")"
-[ "$(wc -l <"$work/stdout")" -eq "$(wc -l <"$work/worst.jsonl")" ] || fail "replay: a line a case"
-awk '{ if (!match($0, /: error [^ ]+/)) exit 1; e = substr($0, RSTART + 8, RLENGTH - 8); if (!match($0, /stored [^)]+/)) exit 1
+[ "$(grep -c ': error ' "$work/stdout")" -eq "$(wc -l <"$work/worst.jsonl")" ] || fail "replay: a line a case"
+awk '/: error / { if (!match($0, /: error [^ ]+/)) exit 1; e = substr($0, RSTART + 8, RLENGTH - 8); if (!match($0, /stored [^)]+/)) exit 1
        s = substr($0, RSTART + 7, RLENGTH - 7); if (e != s) { print; exit 1 } }' "$work/stdout" || fail "replay differs from what was stored"
 grep -q '"regime":"hunted"' "$work/worst.jsonl" || fail "verify does not replay the stored worst cases"
 

@@ -2,7 +2,10 @@
 #include "cageproof/core/evaluation.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/name_pattern.h"
 #include "cageproof/core/unknown_name.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -121,16 +124,37 @@ EvaluationFamily single_family(std::string_view formula, std::string_view name, 
   return family;
 }
 
+std::string why_no_evaluation(std::string_view formula, std::string_view name) {
+  const std::string text = fmt::format("{} has no evaluation '{}'", formula, name);
+  if (is_glob(name)) return text + ": one name is asked for here, no glob";
+  if (name.find(',') != std::string_view::npos) return text + ": one name is asked for here, no list";
+  const auto families = EvaluationRegister::instance().families(formula);
+  std::vector<std::string_view> known;
+  for (const EvaluationFamily* family : families) {
+    known.push_back(family->pattern);
+    known.insert(known.end(), family->standard.begin(), family->standard.end());
+    const std::string_view stem = std::string_view(family->pattern).substr(0, family->pattern.find('<'));
+    const std::string_view range = range_of_pattern(family->pattern);
+    if (!range.empty() && name.starts_with(stem)) return fmt::format("{}: {} takes {}", text, family->pattern, range);
+  }
+  const std::string_view meant = nearest_name(name, known);
+  if (meant.empty()) return text + "; see `cageproof list`";
+  return fmt::format("{}; did you mean '{}'? (see `cageproof list`)", text, meant);
+}
+
 Evaluation evaluation_named(std::string_view formula, std::string_view name) {
   auto found = EvaluationRegister::instance().find(formula, name);
-  if (!found)
-    throw InputError(std::string(formula) + " has no evaluation '" + std::string(name) + "'; see `cageproof list`");
+  if (!found) throw InputError(why_no_evaluation(formula, name));
   return std::move(*found);
 }
 
 const Formula& formula_named(std::string_view name) {
   const Formula* found = find_formula(name);
-  if (found == nullptr) throw unknown_name("formula", name);
+  if (found == nullptr) {
+    std::vector<std::string_view> known;
+    for (const Formula& formula : catalogue()) known.push_back(formula.name);
+    throw unknown_name("formula", name, known);
+  }
   return *found;
 }
 

@@ -1,14 +1,90 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/unknown_name.h"
 
+#include "cageproof/core/name_pattern.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <string>
+
 namespace cageproof {
+namespace {
+
+// More of them no one reads in an error.
+constexpr std::size_t few = 12;
+
+bool same_letter(char a, char b) {
+  const auto plain = [](char c) { return c == '_' ? '-' : std::tolower(static_cast<unsigned char>(c)); };
+  return plain(a) == plain(b);
+}
+
+// Letters to insert, leave out, change, or exchange with the next one (Damerau and Levenshtein).
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + !same_letter(a[i - 1], b[j - 1])});
+      if (i > 1 && j > 1 && same_letter(a[i - 1], b[j - 2]) && same_letter(a[i - 2], b[j - 1]))
+        row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    std::swap(before, last);
+    std::swap(last, row);
+  }
+  return last[b.size()];
+}
+
+std::string_view nearest(std::string_view name, const std::vector<std::string_view>& known, auto part) {
+  std::string_view best;
+  // A third of the letters: with more, any word would be near any other.
+  std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
+  for (const std::string_view one : known)
+    if (const std::size_t off = distance(name, part(one)); off < least && off < part(one).size()) {
+      least = off;
+      best = one;
+    }
+  return best;
+}
+
+}  // namespace
+
+std::string_view nearest_name(std::string_view name, const std::vector<std::string_view>& known) {
+  const auto whole = nearest(name, known, [](std::string_view one) { return one; });
+  if (!whole.empty()) return whole;
+  return nearest(name, known, [](std::string_view one) { return one.substr(one.rfind('.') + 1); });
+}
 
 InputError unknown_name(std::string_view what, std::string_view name, const std::vector<std::string_view>& known) {
-  const std::string where = known.empty() ? "see `cageproof list`" : fmt::format("known: {}", fmt::join(known, ", "));
-  return InputError(fmt::format("unknown {} '{}'; {}", what, name, where));
+  std::string text =
+      is_glob(name) ? fmt::format("no {} matches '{}'", what, name) : fmt::format("unknown {} '{}'", what, name);
+  const std::string_view meant = nearest_name(name, known);
+  if (!meant.empty()) text += fmt::format("; did you mean '{}'?", meant);
+  if (known.empty() || known.size() > few) text += meant.empty() ? "; see `cageproof list`" : " (see `cageproof list`)";
+  else text += fmt::format(fmt::runtime(meant.empty() ? "; known: {}" : " (known: {})"), fmt::join(known, ", "));
+  return InputError(text);
+}
+
+namespace {
+
+std::map<std::string, std::string, std::less<>>& ranges() {
+  static std::map<std::string, std::string, std::less<>> stated;
+  return stated;
+}
+
+}  // namespace
+
+void state_range(std::string_view pattern, std::string_view range) {
+  if (!range.empty()) ranges().insert_or_assign(std::string(pattern), std::string(range));
+}
+
+std::string_view range_of_pattern(std::string_view pattern) {
+  const auto found = ranges().find(pattern);
+  return found == ranges().end() ? std::string_view() : found->second;
 }
 
 }  // namespace cageproof

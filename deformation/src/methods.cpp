@@ -43,7 +43,12 @@ RegisterDeformMethod::RegisterDeformMethod(DeformMethod method) {
 
 const DeformMethod& deform_method_named(std::string_view name) {
   const auto found = std::ranges::find(known(), name, &DeformMethod::name);
-  if (found == known().end()) throw unknown_name("deformer", name);
+  if (found == known().end()) {
+    std::vector<std::string_view> names;
+    for (const DeformMethod& method : known()) names.push_back(method.name);
+    for (const ConstraintMethod& method : constraint_methods()) names.push_back(method.name);
+    throw unknown_name("deformer", name, names);
+  }
   return *found;
 }
 

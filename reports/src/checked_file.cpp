@@ -2,6 +2,7 @@
 #include "cageproof/reports/checked_file.h"
 
 #include "aside.h"
+#include "aside_notes.h"
 
 #include "cageproof/core/input_error.h"
 
@@ -39,6 +40,9 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) { wri
 
 void replace_files(const std::vector<std::pair<std::filesystem::path, std::string>>& files) {
   for (const auto& [path, bytes] : files) remove_leftovers(path);
+  std::vector<std::unique_ptr<AsideNote>> notes;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    notes.push_back(std::make_unique<AsideNote>(aside(files[i].first, static_cast<int>(i))));
   std::size_t written = 0;
   const auto remove_fresh = [&](std::size_t first) {
     std::error_code ignored;
@@ -60,6 +64,7 @@ void replace_files(const std::vector<std::pair<std::filesystem::path, std::strin
     remove_fresh(0);
     throw;
   }
+  const auto lock = undisturbed();
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (std::rename(aside(files[i].first, static_cast<int>(i)).c_str(), files[i].first.c_str()) == 0) continue;
     const int reason = errno;

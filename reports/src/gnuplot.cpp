@@ -4,6 +4,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
+#include "cageproof/reports/clean_end.h"
 #include "small_png.h"
 
 #include <fmt/format.h>
@@ -37,6 +38,8 @@ class Gnuplot {
     vtksysProcess_SetPipeFile(process_.get(), vtksysProcess_Pipe_STDOUT, "/dev/null");
     vtksysProcess_SetPipeFile(process_.get(), vtksysProcess_Pipe_STDERR, log_.c_str());
     vtksysProcess_Execute(process_.get());
+    // It takes signals over, to end what it started: that comes after the removal of what is aside.
+    rearm_clean_end();
   }
   ~Gnuplot() {
     process_.reset();

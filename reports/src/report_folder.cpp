@@ -2,6 +2,8 @@
 #include "report_folder.h"
 
 #include "aside.h"
+#include "aside_notes.h"
+#include "written_files.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/checked_file.h"
@@ -44,11 +46,13 @@ void require_replaceable(const fs::path& out, const FolderKind& kind) {
       fail_folder(out, fmt::format("the folder holds {}, which {} does not replace", other->what, kind.what));
   for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
     const std::string name = entry.path().filename().string();
-    if (std::ranges::find(kind.parts, name) == kind.parts.end())
+    if (name != written_files_name && std::ranges::find(kind.parts, name) == kind.parts.end())
       fail_folder(out, fmt::format("the folder holds '{}', which is no part of {}", name, kind.what));
   }
   if (error) fail_folder(out, error.message());
   if (!ours) fail_folder(out, fmt::format("the folder is not empty and does not hold {}", kind.what));
+  if (const std::string foreign = foreign_entry(out); !foreign.empty())
+    fail_folder(out, fmt::format("the folder holds '{}', which cageproof did not write; move it away", foreign));
 }
 
 fs::path resolved(const fs::path& out) {
@@ -89,6 +93,7 @@ fs::path replaceable_folder(const fs::path& out, const FolderKind& kind) {
 }
 
 void begin_folder(const fs::path& out, std::string_view file, std::string_view bytes) {
+  const auto lock = undisturbed();
   const fs::path staging = staging_for(out);
   std::error_code ignored;
   try {
@@ -105,7 +110,13 @@ void begin_folder(const fs::path& out, std::string_view file, std::string_view b
 }
 
 ReportFolder::ReportFolder(const fs::path& out, const FolderKind& kind)
-    : kind_(&kind), out_(replaceable_folder(out, kind)), staging_(staging_for(out_)) {
+    : kind_(&kind), out_(replaceable_folder(out, kind)) {
+  {
+    // A signal that comes between the folder and its note would leave it.
+    const auto lock = undisturbed();
+    staging_ = staging_for(out_);
+    note_ = std::make_unique<AsideNote>(staging_);
+  }
   try {
     for (const std::string_view folder : kind.folders) make_folder(staging_ / folder);
   } catch (...) {
@@ -116,12 +127,15 @@ ReportFolder::ReportFolder(const fs::path& out, const FolderKind& kind)
 }
 
 ReportFolder::~ReportFolder() {
+  const auto lock = undisturbed();
   std::error_code ignored;
   if (!committed_) fs::remove_all(staging_, ignored);
 }
 
 void ReportFolder::commit() {
+  write_file(staging_ / written_files_name, list_of_files(staging_));
   require_replaceable(out_, *kind_);
+  const auto lock = undisturbed();
   // Onto nothing or an empty folder a rename is enough; an earlier report is exchanged in one step.
   if (std::rename(staging_.c_str(), out_.c_str()) == 0) {
     committed_ = true;

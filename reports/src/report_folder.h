@@ -2,13 +2,17 @@
 // The folders that the program writes: what each kind may hold, how one is begun, and how it is replaced as a whole.
 #pragma once
 
+#include "aside_notes.h"
+
 #include <filesystem>
+#include <memory>
 #include <string_view>
 #include <vector>
 
 namespace cageproof::reports {
 
-/// What a folder holds, by which one of ours is known again: only one of the same kind, or an empty one, is replaced.
+/// What a folder holds, by which one of ours is known again: only one of the same kind that holds nothing else than
+/// what was written into it (written_files.h), or an empty one, is replaced.
 struct FolderKind {
   std::string_view what;                        ///< "a verification report": for messages
   std::vector<std::string_view> parts;          ///< every entry it may hold
@@ -59,6 +63,7 @@ class ReportFolder {
  private:
   const FolderKind* kind_;
   std::filesystem::path out_, staging_;
+  std::unique_ptr<AsideNote> note_;
   bool committed_ = false;
 };
 

@@ -2,27 +2,38 @@
 // Folders for what is written to be read at once.
 #pragma once
 
+#include "aside.h"
+#include "aside_notes.h"
+
 #include "cageproof/core/input_error.h"
 
 #include <fmt/format.h>
 
+#include <sys/stat.h>
+
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <system_error>
 
 namespace cageproof::reports {
 
-/// A folder of its own, which goes with what is in it.
+/// A folder of its own, which goes with what is in it; what killed processes left of theirs goes when one is made.
 class ScratchFolder {
  public:
   /// \throws InputError where none can be made
   ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "cageproof-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw InputError(fmt::format("cannot make a folder like {}: {}", name, std::generic_category().message(errno)));
-    path_ = name;
+    const std::filesystem::path like = std::filesystem::temp_directory_path() / "cageproof";
+    remove_leftovers(like);
+    for (int n = 0; path_.empty(); ++n) {
+      const auto lock = undisturbed();
+      const std::filesystem::path candidate = aside(like, n);
+      if (::mkdir(candidate.c_str(), S_IRWXU) == 0) path_ = candidate;
+      else if (errno != EEXIST)
+        throw InputError(fmt::format("cannot make {}: {}", candidate.string(), std::generic_category().message(errno)));
+      if (!path_.empty()) note_ = std::make_unique<AsideNote>(path_);
+    }
   }
   ~ScratchFolder() {
     std::error_code ignored;
@@ -34,6 +45,7 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
+  std::unique_ptr<AsideNote> note_;
 };
 
 }  // namespace cageproof::reports

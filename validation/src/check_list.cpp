@@ -32,4 +32,10 @@ const Check* find_check(std::string_view name) {
   return found == checks().end() ? nullptr : found->get();
 }
 
+std::vector<std::string_view> check_names() {
+  std::vector<std::string_view> names;
+  for (const auto& check : checks()) names.push_back(check->name());
+  return names;
+}
+
 }  // namespace cageproof::validation

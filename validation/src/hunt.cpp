@@ -42,6 +42,9 @@ struct Climb {
 class Hunter {
  public:
   explicit Hunter(const HuntOptions& options) : options_(options), source_(truth_source(*options.formula)) {
+    std::vector<std::string_view> known;
+    for (const Regime& regime : regimes()) known.push_back(regime.name);
+    require_known("regime", options.regimes, known);
     for (const Regime& regime : regimes())
       if (matches(options.regimes, regime.name) && exists_for(regime, options.formula->element))
         regimes_.push_back(&regime);

@@ -2,7 +2,9 @@
 #include "cageproof/validation/machine_facts.h"
 
 #include "build_id.h"
+#include "cageproof/core/build_facts.h"
 #include "cageproof/core/scalar.h"
+#include "cageproof/validation/parallel.h"
 
 #include <boost/version.hpp>
 #include <fmt/chrono.h>
@@ -25,10 +27,13 @@ std::string processor() {
 
 }  // namespace
 
-std::map<std::string, std::string> machine_facts() {
+std::map<std::string, std::string> machine_facts(int jobs) {
   return {{"processor", processor()},
-          {"threads", fmt::format("{}", std::thread::hardware_concurrency())},
+          {"cores", fmt::format("{}", std::thread::hardware_concurrency())},
+          {"threads", fmt::format("{}", threads_for(jobs))},
+          {"commit", std::string(build_commit())},
           {"compiler", __VERSION__},
+          {"flags", std::string(build_flags())},
           {"C library", fmt::format("glibc {}", gnu_get_libc_version())},
           {program_build, build_id()},
           {elementary_functions, elementary_function_variant()},

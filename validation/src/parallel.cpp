@@ -9,8 +9,10 @@
 
 namespace cageproof::validation {
 
+int threads_for(int jobs) { return jobs > 0 ? jobs : tbb::info::default_concurrency(); }
+
 void for_each_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& task) {
-  const int threads = jobs > 0 ? jobs : tbb::info::default_concurrency();
+  const int threads = threads_for(jobs);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(threads);
   // A range cut in halves would begin half of it last. Tasks that take long come first where that matters, and the

@@ -325,10 +325,6 @@ std::vector<std::string_view> promised_checks() {
   return names;
 }
 
-bool matches(std::string_view pattern, std::string_view text) {
-  return fnmatch(std::string(pattern).c_str(), std::string(text).c_str(), 0) == 0;
-}
-
 bool matches_evaluation(std::string_view pattern, const Evaluation& evaluation) {
   if (matches(pattern, evaluation.name())) return true;
   for (const EvaluationFamily* family : EvaluationRegister::instance().families(evaluation.formula().name))

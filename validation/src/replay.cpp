@@ -43,7 +43,7 @@ ElementCase element_case(const RowKey& row, const WorstCase& worst) {
   const auto scalar = scalar_named(row.scalar);
   if (!scalar) throw unknown_name("scalar", row.scalar, names_of_scalars());
   const Check* check = find_check(row.check);
-  if (!check) throw unknown_name("check", row.check);
+  if (!check) throw unknown_name("check", row.check, check_names());
   if (static_cast<int>(worst.corners.size()) != formula.corners() ||
       worst.parameters.size() != formula.parameters.size())
     throw InputError(fmt::format("not an input of {}", row.subject));

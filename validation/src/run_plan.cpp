@@ -110,13 +110,32 @@ bool names_whole_evaluations_alone(const std::string& pattern) {
   return true;
 }
 
+// Each name and glob of the options must mean something.
+void require_known_names(const VerifyOptions& options) {
+  std::vector<std::string_view> formulas, regime_names{hull_regime, hunted_regime}, evaluations;
+  for (const Formula& formula : catalogue()) {
+    formulas.push_back(formula.name);
+    for (const EvaluationFamily* family : EvaluationRegister::instance().families(formula.name)) {
+      evaluations.insert(evaluations.end(), family->standard.begin(), family->standard.end());
+      if (family->standard.empty()) evaluations.push_back(family->pattern);
+      if (!family->alias.empty()) evaluations.push_back(family->alias);
+    }
+  }
+  for (const Regime& regime : regimes()) regime_names.push_back(regime.name);
+  for (const WholeEvaluation& evaluation : whole_evaluations()) evaluations.push_back(evaluation.name);
+  require_known("formula", options.formulas, formulas);
+  require_known("regime", options.regimes, regime_names);
+  require_known("evaluation", options.evaluations, evaluations);
+}
+
 class Planner {
  public:
   explicit Planner(const VerifyOptions& options) : options_(options) {}
 
   RunPlan plan() {
+    require_known_names(options_);
     if (names_whole_evaluations_alone(options_.evaluations)) return plan_of_whole_evaluations();
-    if (options_.regimes != hull_regime && options_.regimes != hunted_regime)
+    if (std::ranges::any_of(regimes(), [&](const Regime& one) { return matches(options_.regimes, one.name); }))
       add(element_measurements(campaign_options()));
     auto stored = stored_measurement(stored_worst_cases(), stored_cases_file, options_.formulas, options_.evaluations);
     if (stored.measurement) add(std::move(stored.measurement));

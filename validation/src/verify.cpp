@@ -64,8 +64,7 @@ Journal earlier_journal(const std::filesystem::path& path, const JournalHeader& 
 }
 
 Session session_of(const VerifyOptions& options) {
-  Session session{timestamp(), 0, options.command_line, machine_facts()};
-  session.machine["threads asked for"] = options.jobs > 0 ? fmt::format("{}", options.jobs) : "all";
+  Session session{timestamp(), 0, options.command_line, machine_facts(options.jobs)};
   if (options.take_times) session.times = options.take_times(options.formulas, options.evaluations);
   return session;
 }

@@ -141,7 +141,11 @@ const CoordinateKind* find_coordinate_kind(std::string_view name) {
 
 const CoordinateKind& coordinate_kind_named(std::string_view name) {
   const CoordinateKind* found = find_coordinate_kind(name);
-  if (found == nullptr) throw unknown_name("kind of coordinates", name);
+  if (found == nullptr) {
+    std::vector<std::string_view> known;
+    for (const CoordinateKind& kind : coordinate_kinds()) known.push_back(kind.name);
+    throw unknown_name("kind of coordinates", name, known);
+  }
   return *found;
 }
 

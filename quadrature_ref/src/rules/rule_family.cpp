@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rule_family.h"
 
+#include "cageproof/core/unknown_name.h"
+
 namespace cageproof::quadrature_ref {
 namespace {
 
@@ -42,7 +44,8 @@ const std::vector<RuleFamily>& rules_of(ElementKind kind) {
 
 void register_rules(ElementKind kind, std::string_view kernel, const std::shared_ptr<const KernelSet>& kernels) {
   const std::string formula = std::string(name_of(kind)) + "." + std::string(kernel);
-  for (const RuleFamily& family : rules_of(kind))
+  for (const RuleFamily& family : rules_of(kind)) {
+    state_range(family.pattern, family.number.range);
     EvaluationRegister::instance().add(
         {formula,
          family.pattern,
@@ -56,6 +59,7 @@ void register_rules(ElementKind kind, std::string_view kernel, const std::shared
          },
          {},
          family.studied});
+  }
 }
 
 RegisterKernel::RegisterKernel(std::string_view kernel, const std::shared_ptr<const KernelSet>& kernels) {

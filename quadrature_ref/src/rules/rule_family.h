@@ -16,13 +16,20 @@ struct RuleFunctions {
   std::function<void(const Integrand&, int number, const Query<R>&, Result<R>&)> point;
 };
 
+/// The numbers that the names of a family's members state.
+struct MemberNumbers {
+  std::function<std::optional<int>(std::string_view)> number;  ///< of that name; nothing for other families' names
+  std::string range = {};                                      ///< state_range
+  std::optional<int> operator()(std::string_view name) const { return number(name); }
+};
+
 /// Rules that share one way of integrating, for any kernel on their element.
 struct RuleFamily {
   std::string pattern;  ///< "gauss-<N>", "adaptive"
   EvaluationFacts facts;
   std::vector<std::string> standard;  ///< members that verification runs
   /// The number that a member's name states, 0 for the only member; nothing for other names.
-  std::function<std::optional<int>(std::string_view name)> number;
+  MemberNumbers number;
   std::vector<std::string> studied = {};  ///< EvaluationFamily::studied
   std::tuple<RuleFunctions<float>, RuleFunctions<double>, RuleFunctions<Mp50>, RuleFunctions<Mp100>,
              RuleFunctions<Mp200>>
@@ -56,16 +63,17 @@ struct RuleFamily {
 };
 
 /// The number of a member called `prefix` and a number from lowest to highest.
-inline std::function<std::optional<int>(std::string_view)> numbered(std::string_view prefix, int lowest, int highest) {
-  return [=](std::string_view name) -> std::optional<int> {
-    const auto n = number_after(prefix, name);
-    return n && lowest <= *n && *n <= highest ? n : std::nullopt;
-  };
+inline MemberNumbers numbered(std::string_view prefix, int lowest, int highest) {
+  return {[=](std::string_view name) -> std::optional<int> {
+            const auto n = number_after(prefix, name);
+            return n && lowest <= *n && *n <= highest ? n : std::nullopt;
+          },
+          "N from " + std::to_string(lowest) + " to " + std::to_string(highest)};
 }
 
 /// The one member of that name.
-inline std::function<std::optional<int>(std::string_view)> called(std::string_view only) {
-  return [=](std::string_view name) { return name == only ? std::optional(0) : std::nullopt; };
+inline MemberNumbers called(std::string_view only) {
+  return {[=](std::string_view name) { return name == only ? std::optional(0) : std::nullopt; }};
 }
 
 /// What adaptive rules and reference integrals of all elements are.

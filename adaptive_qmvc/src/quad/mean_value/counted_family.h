@@ -4,6 +4,7 @@
 
 #include "cageproof/core/counted_name.h"
 #include "cageproof/core/evaluation.h"
+#include "cageproof/core/unknown_name.h"
 
 namespace cageproof::adaptive_qmvc {
 
@@ -26,6 +27,7 @@ EvaluationFamily counted_family(const std::string& stem, std::vector<std::string
       });
     return made;
   };
+  state_range(stem + "-<n>", "n from 1 to 512");
   return {formula, stem + "-<n>", Role::Scheme, std::move(standard), make, {}, std::move(studied)};
 }
 

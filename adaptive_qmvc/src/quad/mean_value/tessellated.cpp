@@ -58,7 +58,7 @@ struct Tessellated {
       if (sums.diverges[p])
         for (int k = 0; k < 4; ++k) sum[k] = sums.diverging[p][k] > 0 ? std::numeric_limits<R>::infinity() : R(0);
       output.put(p, 0, sum);
-      output.state(p, {});
+      output.state(p, {.nodes = 2 * static_cast<std::size_t>(n) * n});
     }
   }
 

@@ -3,14 +3,28 @@
 
 #include "cageproof/core/input_error.h"
 
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace cageproof {
 
-/// The error to throw for a name that nothing has: "unknown check 'x'; see `cageproof list`".
-/// \param what is named: "formula" \param known all names that there are, when they are few and the catalogue does not
-/// list them: "unknown scalar 'x'; known: float, double"
+/// The one of `known` that somebody who wrote `name` may have meant: a few letters off, or the same behind its dot
+/// ("solid_angle": "triangle.solid_angle"). Empty where none is near.
+std::string_view nearest_name(std::string_view name, const std::vector<std::string_view>& known);
+
+/// The error to throw for a name that nothing has: "unknown check 'x'; see `cageproof list`". What may have been meant
+/// is said, "did you mean 'y'?", and where there are few names, all: "unknown scalar 'x'; known: float, double".
+/// \param what is named: "formula" \param known all names that there are; empty: only that the catalogue lists them
 InputError unknown_name(std::string_view what, std::string_view name, const std::vector<std::string_view>& known = {});
+
+/// What is to be said where a formula has no evaluation of that name: the numbers that rules of such a name take, or
+/// what may have been meant.
+std::string why_no_evaluation(std::string_view formula, std::string_view name);
+
+/// States what stands for the placeholder in a pattern of evaluations' names: "gauss-<N>", "N from 1 to 256".
+void state_range(std::string_view pattern, std::string_view range);
+/// What was stated; empty where nothing was.
+std::string_view range_of_pattern(std::string_view pattern);
 
 }  // namespace cageproof

@@ -25,7 +25,7 @@ std::vector<RuleFamily> triangle::families() {
   RuleFamily three_quads{"three-quad-<P>",
                          fixed_facts("Gauss-Legendre on three quads, P points in all [C23]"),
                          {"three-quad-75", "three-quad-300"},
-                         three_quad_side,
+                         {three_quad_side, "P = 3 n^2, as 75 and 300, n from 1 to 256"},
                          {"three-quad-75", "three-quad-300", "three-quad-1200", "three-quad-7500"}};
   three_quads.with_blocks([]<Scalar R>(const auto&... given) { integrate_three_quads<R>(given...); });
   RuleFamily near_singular{"near-singular-<N>",

@@ -79,4 +79,7 @@ const std::vector<std::unique_ptr<Check>>& checks();
 /// The check of that name, or null.
 const Check* find_check(std::string_view name);
 
+/// The names of all.
+std::vector<std::string_view> check_names();
+
 }  // namespace cageproof::validation

@@ -13,8 +13,9 @@ inline constexpr const char* elementary_functions = "elementary functions";
 /// The key whose value tells programs apart.
 inline constexpr const char* program_build = "program's build";
 
-/// Processor, threads, compiler, libraries, and the elementary functions that were picked.
-std::map<std::string, std::string> machine_facts();
+/// Processor and its cores, threads that are used, commit, compiler and its flags, libraries, and the elementary
+/// functions that were picked. \param jobs threads asked for; 0: one a core
+std::map<std::string, std::string> machine_facts(int jobs = 0);
 
 /// Which variants of log, atan2, exp ... the C library picked for this processor, and a fingerprint of what they
 /// return: two processes with the same text compute the same.

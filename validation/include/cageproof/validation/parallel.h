@@ -9,6 +9,9 @@
 
 namespace cageproof::validation {
 
+/// How many threads that many jobs are: 0 means one a core that this process may use.
+int threads_for(int jobs);
+
 /// Runs `task(i)` for i in [0, count) on `jobs` threads (0: all cores), begun in rising order. An exception ends the
 /// loop and is thrown on.
 void for_each_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& task);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cageproof/core/evaluation.h"
+#include "cageproof/core/name_pattern.h"
 
 #include <optional>
 #include <string>
@@ -29,10 +30,7 @@ Promise promise_for(const PromiseKey& key);
 /// The checks of the table, in its order, each once: those of elements and those of whole cages.
 std::vector<std::string_view> promised_checks();
 
-/// Whether `text` matches a pattern with `*` and `?`.
-bool matches(std::string_view pattern, std::string_view text);
-
-/// Whether a pattern names an evaluation, by its name or by the other one that its family has.
+/// Whether a list of names and globs names an evaluation, by its name or by the other one that its family has.
 bool matches_evaluation(std::string_view pattern, const Evaluation& evaluation);
 
 }  // namespace cageproof::validation

@@ -5,6 +5,7 @@
 
 #include "cageproof/core/counted_name.h"
 #include "cageproof/core/evaluation.h"
+#include "cageproof/core/unknown_name.h"
 
 namespace cageproof::adaptive_qmvc {
 namespace {
@@ -78,6 +79,8 @@ const RegisterEvaluation line{
      },
      {},
      {"line-12"}}};
+
+const bool line_digits = (state_range("line-<digits>", "digits from 2 to 90"), true);
 
 }  // namespace
 }  // namespace cageproof::adaptive_qmvc

@@ -21,6 +21,6 @@ void riemann_batch(const Batch<R>& batch, int n, const BatchOutput<R>& output);
     for (std::size_t p = 0; p < batch.points.size(); ++p) {                                                     \
       const Vec4<R> w = quad_weights<R>(q, batch.points[p], n, work);                                           \
       output.put(p, 0, {w.data(), 4});                                                                          \
-      output.state(p, {});                                                                                      \
+      output.state(p, {.nodes = static_cast<std::size_t>(2 * n + 1) * (2 * n + 1)});                            \
     }                                                                                                           \
   }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The command line in words, as its own description has them: what help, manual and completion are made of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cageproof::cli {
+
+/// An option, or what stands without one (a positional).
+struct OptionText {
+  std::vector<std::string> names;    ///< "--regimes", "--regime"; of a positional its one name
+  std::string type;                  ///< what its value is called, "FOLDER"; empty: takes none
+  std::string description;           ///< with range and choices
+  std::string preset;                ///< the default; empty where none is said
+  std::vector<std::string> choices;  ///< all values that there are; empty: others too
+  std::vector<std::string> needs, excludes;
+  bool required = false, positional = false, repeats = false;
+};
+
+struct CommandText {
+  std::string name, description;
+  std::vector<OptionText> options;    ///< positionals first
+  std::vector<std::string> examples;  ///< command lines
+};
+
+struct ProgramText {
+  std::string name, description, version;
+  std::vector<OptionText> options;
+  std::vector<CommandText> commands;
+};
+
+/// The description with what else is to be said: "; default: 1; required; not with --out".
+std::string whole_description(const OptionText& option);
+
+/// "cageproof eval --formula FORMULA --evaluation EVALUATION [options]".
+std::string usage(const ProgramText& program, const CommandText& command);
+
+}  // namespace cageproof::cli

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "command_words.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace cageproof::cli {
+namespace {
+
+OptionText text_of(const CLI::Option& option) {
+  OptionText text;
+  text.positional = option.get_positional();
+  if (text.positional) text.names.push_back(option.get_name(true, false));
+  for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
+  text.description = option.get_description();
+  text.repeats = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
+  text.required = option.get_required();
+  text.preset = option.get_default_str();
+  if (option.get_items_expected_max() > 0) {
+    text.type = option.get_type_name();
+    if (text.type.find('|') != std::string::npos) {
+      text.choices = CLI::detail::split(text.type, '|');
+      text.type = "WORD";
+    }
+  }
+  const auto names_of = [](const auto& options) {
+    std::vector<std::string> names;
+    for (const CLI::Option* other : options) names.push_back(other->get_name());
+    std::ranges::sort(names);
+    return names;
+  };
+  text.needs = names_of(option.get_needs());
+  text.excludes = names_of(option.get_excludes());
+  return text;
+}
+
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() { column_width(34); }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const OptionText text = text_of(*option);
+    if (text.positional || text.type.empty()) return "";
+    return " " + (text.choices.empty() ? text.type : fmt::format("{}", fmt::join(text.choices, "|")));
+  }
+  std::string make_option_desc(const CLI::Option* option) const override {
+    OptionText text = text_of(*option);
+    text.choices.clear();  // stand beside its name
+    return whole_description(text);
+  }
+};
+
+// Of a command and of its groups.
+void add_options(const CLI::App& app, CommandText& command) {
+  for (const CLI::Option* option : app.get_options()) {
+    command.options.push_back(text_of(*option));
+  }
+  for (const CLI::App* group : app.get_subcommands([](const CLI::App* one) { return one->get_name().empty(); })) {
+    const std::size_t first = command.options.size();
+    add_options(*group, command);
+    for (std::size_t i = first; i < command.options.size(); ++i)
+      command.options[i].description += fmt::format(" (exactly one of: {})", group->get_group());
+  }
+}
+
+CommandText command_text(const CLI::App& app) {
+  CommandText command{app.get_name(), app.get_description(), {}, {}};
+  add_options(app, command);
+  std::ranges::stable_partition(command.options, [](const OptionText& option) { return option.positional; });
+  for (std::string line : CLI::detail::split(app.get_footer(), '\n'))
+    if (CLI::detail::trim(line) != examples_title && !line.empty()) command.examples.push_back(line);
+  return command;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  CommandText command;
+  add_options(app, command);
+  std::vector<std::string> names;
+  for (const OptionText& option : command.options)
+    if (!option.positional) names.insert(names.end(), option.names.begin(), option.names.end());
+  return names;
+}
+
+bool is_command(const CLI::App* app) { return !app->get_name().empty(); }
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  const std::string_view meant = nearest_name(word, {known.begin(), known.end()});
+  return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
+}
+
+}  // namespace
+
+std::shared_ptr<CLI::Formatter> help_formatter() { return std::make_shared<HelpFormatter>(); }
+
+ProgramText text_of(const CLI::App& app) {
+  ProgramText program{app.get_name(), app.get_description(), {}, {}, {}};
+  program.version = app.version();
+  program.options = command_text(app).options;
+  for (const CLI::App* command : app.get_subcommands(is_command)) program.commands.push_back(command_text(*command));
+  return program;
+}
+
+void refuse_unknown_command(const CLI::App& app, std::string_view first) {
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands(is_command)) commands.push_back(command->get_name());
+  if (first.empty())
+    throw InputError(
+        fmt::format("a command is missing: one of {} (see `cageproof --help`)", fmt::join(commands, ", ")));
+  if (std::ranges::find(commands, first) != commands.end()) return;
+  if (app.get_option_no_throw(std::string(first)) != nullptr) return;
+  if (first.front() != '-') {
+    const std::string meant = did_you_mean(first, commands);
+    throw InputError(fmt::format("unknown command '{}'{} (see `cageproof --help`)", first,
+                                 meant.empty() ? fmt::format("; known: {}", fmt::join(commands, ", ")) : meant));
+  }
+  for (const CLI::App* command : app.get_subcommands(is_command))
+    if (const auto names = option_names(*command); std::ranges::find(names, first) != names.end())
+      throw InputError(
+          fmt::format("'{0}' stands behind its command, as in `cageproof {1} {0}`", first, command->get_name()));
+  throw InputError(
+      fmt::format("unknown option '{}'{} (see `cageproof --help`)", first, did_you_mean(first, option_names(app))));
+}
+
+std::string complaint_of(const CLI::App& app, const std::string& parsers) {
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty()) return parsers + " (see `cageproof --help`)";
+  const CLI::App& command = *chosen.front();
+  const std::string help = fmt::format("(see `cageproof {} --help`)", command.get_name());
+  const std::vector<std::string> left = command.remaining();
+  if (left.empty()) return parsers + " " + help;
+  const std::string word = left.front().substr(0, left.front().find('='));
+  if (!word.starts_with("-"))
+    return fmt::format("unexpected '{}': no option of `cageproof {}` takes it {}", word, command.get_name(), help);
+  return fmt::format("unknown option '{}' of `cageproof {}`{} {}", word, command.get_name(),
+                     did_you_mean(word, option_names(command)), help);
+}
+
+}  // namespace cageproof::cli

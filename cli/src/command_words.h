@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What the command line says of itself: help, its description as text, and what is wrong with what was typed.
+#pragma once
+
+#include "command_text.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace CLI {
+class App;
+class Formatter;
+}  // namespace CLI
+
+namespace cageproof::cli {
+
+/// What the lines of examples stand under in help.
+inline const std::string examples_title = "Examples:";
+
+/// Help with defaults, choices and conditions in words.
+std::shared_ptr<CLI::Formatter> help_formatter();
+
+/// The description of all commands and options.
+ProgramText text_of(const CLI::App& app);
+
+/// \throws InputError where the first argument is neither a command nor an option of the program, or missing
+void refuse_unknown_command(const CLI::App& app, std::string_view first);
+
+/// What is wrong with the command line: a word that no option takes comes before what is missing, since the one is
+/// often the other misspelt. \param parsers what CLI11 says
+std::string complaint_of(const CLI::App& app, const std::string& parsers);
+
+}  // namespace cageproof::cli

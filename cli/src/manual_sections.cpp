@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "manual.h"
+
+namespace cageproof::cli {
+
+const std::vector<ManualSection>& manual_sections() {
+  static const std::vector<ManualSection> sections{
+      {"Names, globs and lists",
+       {"`cageproof list` prints all names of formulas, evaluations, regimes, checks, kinds of coordinates, deformers "
+        "and "
+        "embedded cages.",
+        "Options that take several names (values NAMES, FORMULAS, EVALUATIONS, REGIMES, CHECKS) have one grammar, in "
+        "every "
+        "command: names and globs with commas between. In a glob * stands for any characters, ? for one, [ab] for one "
+        "of these; quote it, or the shell expands it. Each name and glob must be or match something; one that does not "
+        "is refused, with the name that may have been meant. Of what a glob matches, only what exists for the element "
+        "and order is taken. Options that may repeat take lists as well.",
+        "Families of rules have a number in their names: gauss-<N> with N from 1 to 256, line-<digits>. Any number in "
+        "the range that `cageproof list --json` states is a name; globs match those that verification runs."},
+       {{"--regimes 'near-*,far'", "the regimes near-face, near-edge ..., and far"},
+        {"--formulas '*.solid_angle,segment.*'", "the solid angles of all elements, and all formulas of segments"},
+        {"--evaluations 'gauss-*,closed_form'", "the Gauss rules that verification runs, and the closed form"}}},
+      {"Numbers",
+       {"Whole numbers are decimal; 1e3 and 1000 are the same. Seeds are from 0 to 2^64 - 1. Numbers are finite, and "
+        "their ranges stand with the options. Coordinates in JSON are decimal, or hexadecimal floats in strings "
+        "(\"0x1.8p-3\"), which lose nothing."},
+       {}},
+      {"Exit status",
+       {},
+       {{"0", "all went well, and every promise was kept"},
+        {"1",
+         "a promise is broken (verify, merge, report, replay, hunt), reports differ (compare), or --strict found "
+         "points without usable coordinates"},
+        {"2",
+         "the command line or the input is not understood, or a file cannot be read or written: one line on standard "
+         "error says which and why, and nothing is written half or deleted"},
+        {"128 + n", "ended by signal n: 130 after SIGINT (Ctrl-C), 143 after SIGTERM"}}},
+      {"Signals",
+       {"SIGINT, SIGTERM, SIGHUP and SIGPIPE end the program by that signal, after it has removed what it was writing: "
+        "no half report, no file aside. What stood in its place stays as it was. The journal of `verify` stays, and "
+        "`verify --resume FOLDER` goes on where it ended."},
+       {}},
+      {"Files and folders that are written",
+       {"Every file and folder is written beside its place, as .NAME.partial-PID-N@HOST, and renamed into it when it "
+        "is "
+        "whole. What a process that was killed (SIGKILL, power) left there is removed by the next command that writes "
+        "to "
+        "the same place; that of a process that lives is left alone.",
+        "A folder is replaced by the same command alone: what `verify` wrote by verify, merge and report, what `field` "
+        "wrote "
+        "by field, and so with `bench --out` and `figures`. Every folder holds .cageproof-files, the list of what was "
+        "written; where it holds anything else, or is no such folder, the command refuses, and says what is in the "
+        "way."},
+       {}},
+      {"Output",
+       {"Results go to standard output, and progress to standard error when that is a terminal. The same options and "
+        "seed "
+        "give the same results, byte for byte, whatever --jobs is; only what is named environment differs (times, "
+        "machine, threads, commit)."},
+       {}},
+      {"Environment",
+       {},
+       {{"TMPDIR", "where files are put that live as long as the command; default: /tmp"},
+        {"CAGEPROOF_SIMD",
+         "plain or avx2: batched coordinates use no wider instructions; default: the widest that the "
+         "processor has"}}},
+      {"Completion",
+       {"Installed for bash, zsh and fish in their folders below PREFIX/share. Without an installation: "
+        "`source <(cageproof completion bash)`."},
+       {}}};
+  return sections;
+}
+
+}  // namespace cageproof::cli

@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Names, globs and lists have one grammar, numbers one form, and every refusal says what would have been right.
+# Usage: names_and_numbers_test.sh PATH_OF_CAGEPROOF
+. "$(dirname "$0")/support.sh"
+
+# Commands and options.
+refuses_to frobnicate "unknown command 'frobnicate'" 'known: list, eval' --
+refuses_to verfy "did you mean 'verify'?" --
+refuses_to --jobs "stands behind its command" -- 2 verify
+refuses_to --versoin "did you mean '--version'?" --
+refuses_to eval "'--formla'" "did you mean '--formula'?" 'cageproof eval --help' -- --formla triangle.single_layer --evaluation closed_form
+refuses_to list "'triangle.*'" -- '*.single_layer' 'triangle.*'
+refuses_to report 'folder is required' --
+for command in eval explain coordinates deform merge report compare field replay hunt bench completion; do refuses_to $command "cageproof $command --help" --; done
+for command in list eval explain coordinates deform verify merge report compare field figures replay hunt bench man completion; do
+  "$cageproof" $command --help >stdout 2>stderr || fail "$command --help"
+  [ ! -s stderr ] && grep -q Usage stdout || fail "$command --help: $(cat stderr)"
+done
+
+# Names: what may have been meant.
+verify() { "$cageproof" verify "$@"; }
+refuses_to verify "unknown formula 'triangle.solid_angel'" "did you mean 'triangle.solid_angle'?" -- --formulas triangle.solid_angel
+refuses_to verify "unknown regime 'fra'" "did you mean 'far'?" -- --regimes 'near-*,fra'
+refuses_to verify "no regime matches 'nera-*'" -- --regimes 'far,nera-*'
+refuses_to verify "did you mean 'closed_form'?" -- --evaluations gauss-8,closed_frm
+refuses_to verify "'near-*,,far' is no list" -- --regimes 'near-*,,far'
+refuses_to verify "'' is no list" -- --regimes ''
+refuses_to verify "did you mean 'quick'?" 'quick, standard, full' -- --suite quik
+refuses_to eval "did you mean 'triangle.solid_angle'?" -- --formula solid_angle --evaluation closed_form
+refuses_to eval 'gauss-<N> takes N from 1 to 256' -- --formula triangle.single_layer --evaluation gauss-300
+refuses_to eval 'near-singular-<N> takes N from 2 to 64' -- --formula triangle.single_layer --evaluation near-singular-1
+refuses_to eval 'P = 3 n^2' -- --formula triangle.single_layer --evaluation three-quad-76
+refuses_to eval 'riemann-<n> takes n from 1 to 512' -- --formula quad.mean_value --evaluation riemann-600
+refuses_to eval 'line-<digits> takes digits from 2 to 90' -- --formula quad.mean_value --evaluation line-1
+refuses_to eval 'one name' glob -- --formula triangle.single_layer --evaluation 'gauss-*'
+refuses_to eval 'one name' list -- --formula triangle.single_layer --evaluation gauss-4,gauss-8
+refuses_to eval "did you mean 'double'?" -- --formula triangle.single_layer --evaluation closed_form --scalar doubel
+refuses_to coordinates "did you mean 'green'?" -- --cage cube --points none.csv --kind gren
+refuses_to coordinates "did you mean 'cube'?" -- --cage cueb --points none.csv --kind green
+refuses_to deform "did you mean 'green'?" -- --cage cube --posed cube --points none.csv --method gren --out out.obj
+refuses_to hunt "did you mean 'truth'?" -- --formula triangle.solid_angle --evaluation closed_form --check trth --budget 10
+refuses_to bench "did you mean 'near-face'?" -- --formula triangle.solid_angle --regime near-fce
+refuses_to bench 'gauss-<N> takes N from 1 to 256' -- --formula triangle.solid_angle --evaluations gauss-300,closed_form
+refuses_to bench 'derivatives of order 1' -- --formula quad.mean_value --evaluations 'riemann-*' --order 1
+refuses_to list "did you mean 'near-face'?" -- near-fac
+write() { printf '%s\n' "${@:2}" >"$1"; }
+write one.csv '0.1 0.2 0.3'
+refuses_to coordinates "did you mean 'nu'" -- --cage cube --points one.csv --kind somigliana --parameter un=0.3
+"$cageproof" list 'near-*,*.solid_angle' >stdout || fail 'list of globs'
+[ "$(grep -c '^[a-z]*\.[a-z_]*$' stdout)" -eq "$(grep -c '^[a-z]*\.solid_angle$' stdout)" ] && grep -qx triangle.solid_angle stdout && grep -q '^regimes: near-face near-plane near-edge near-line near-vertex$' stdout || fail "list of globs: $(cat stdout)"
+"$cageproof" list --json | grep -q '"range": "N from 1 to 256"' || fail 'list --json does not say the range of gauss-<N>'
+
+# The same lists mean the same everywhere.
+bench() { "$cageproof" bench --samples 2 --seconds 0 --csv "$@"; }
+bench --formula triangle.solid_angle --regime 'near-f*,far' --evaluations 'gauss-4,clos*' >a.csv || fail 'bench of lists'
+bench --formula triangle.solid_angle --regimes near-face --regimes far --evaluations gauss-4 --evaluation closed_form >b.csv || fail 'bench of repeated options'
+[ "$(cut -d, -f 3-14 a.csv)" = "$(cut -d, -f 3-14 b.csv)" ] && [ "$(wc -l <a.csv)" -eq 5 ] || fail "lists differ from repeated options: $(cat a.csv b.csv)"
+verify --suite quick --formulas 'triangle.solid_*,segment.winding_angle' --regimes near-face,far --evaluations 'gauss-8,clos*' --samples 1e1 --cage cube --out run >stdout ||
+  fail "verify of lists: $(cat stdout)"
+subjects=$(cut -d, -f 2 run/results.csv | sort -u)
+for name in triangle.solid_angle segment.winding_angle; do grep -qx $name <<<"$subjects" || fail "verify of lists leaves out $name"; done
+grep -qx triangle.single_layer <<<"$subjects" && fail 'verify of lists has what was not asked for'
+"$cageproof" hunt --formula triangle.solid_angle --evaluation 'gauss-4,clos*' --check 'tr*' --budget 2e1 --regime 'near-*,far' >stdout 2>/dev/null || fail 'hunt of lists'
+[ "$(wc -l <stdout)" -eq 2 ] || fail "hunt of lists: $(cat stdout)"
+
+# Evaluations that lack the order are left out of a default with a word.
+bench --formula quad.mean_value --regime near-face --order 1 >stdout || fail "bench --order 1: $(cat stdout)"
+"$cageproof" bench --samples 2 --seconds 0 --formula quad.mean_value --regime near-face --order 1 | grep -q 'left out.*order 1.*riemann' || fail 'nothing says what is left out'
+# Rules have nodes, and say how many.
+bench --formula quad.mean_value --regime near-face --evaluations riemann-4,tessellated-5,gauss-8,line-12,adaptive >nodes.csv || fail 'bench of rules'
+awk -F, 'NR > 1 && !($14 > 0) || $5 == "riemann-4" && $14 != 81 || $5 == "tessellated-5" && $14 != 50 || $5 == "gauss-8" && $14 != 64 { exit 1 }' nodes.csv ||
+  fail "nodes: $(cut -d, -f 5,14 nodes.csv)"
+"$cageproof" bench --coordinates --cage cube --samples 1 --seconds 0 --evaluations riemann-4 --csv | grep -qF ',1,81,' || fail 'nodes of whole coordinates'
+
+# Numbers.
+for bad in nan inf -inf 0x10 '' ' ' -3 3k 1.5 1e99 0 1e400 ++3 +-3 1,000 '1 2'; do
+  refuses_to verify --samples "'$bad' is not a whole number from 1 to 100000000" -- --samples "$bad"
+done
+for bad in -1 99999999999999999999999 18446744073709551616 1.5 nan ' ' seed 0x1; do
+  refuses_to verify --seed 'from 0 to 2^64 - 1' -- "--seed=$bad"
+  refuses_to hunt --seed 'from 0 to 2^64 - 1' -- --formula triangle.solid_angle --budget 10 "--seed=$bad"
+  refuses_to bench --seed 'from 0 to 2^64 - 1' -- --formula triangle.solid_angle "--seed=$bad"
+done
+for bad in nan inf 1h -1 4e3 ' '; do refuses_to bench --seconds 'a finite number from 0 to 3600' -- --formula triangle.solid_angle "--seconds=$bad"; done
+for command in coordinates deform verify field figures hunt bench; do refuses_to $command --jobs 'from 0 to 1024' -- --jobs 2000; done
+refuses_to eval --order 'from 0 to 2' -- --formula triangle.single_layer --evaluation closed_form --order 3
+refuses_to hunt --budget 'from 1 to 1000000000' -- --formula triangle.solid_angle --budget 0
+refuses_to field --resolution 'from 2 to 4096' -- --formula triangle.single_layer --evaluation gauss-4 --resolution 1e9 --out out
+for shard in 2/2 -1/2 1 1/2x a/b 1.5/2; do refuses_to verify "--shard $shard" -- --shard=$shard; done
+refuses_to verify --seed 'from 0 to 2^64 - 1' -- --seed ''
+far() { "$cageproof" bench --formula triangle.solid_angle --regime far --evaluations gauss-4 --seconds 0 --csv "$@"; }
+far --samples 2e0 --seed 18446744073709551615 >a.csv || fail 'a seed of 2^64 - 1'
+far --samples +2 --seed 1e3 >a.csv || fail '1e3'
+far --samples 2 --seed 1000 >b.csv || fail '1000'
+[ "$(cut -d, -f 1-14 a.csv)" = "$(cut -d, -f 1-14 b.csv)" ] || fail '1e3 is not 1000'
+
+# What a session records is what was used.
+"$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far --cage square --jobs 1 --out one >/dev/null || fail 'verify --jobs 1'
+grep -qF '"threads":"1"' one/summary.json || fail 'threads that were used'
+commit=$("$cageproof" --version | sed -n 's/^cageproof [0-9.]* (commit \(.*\))$/\1/p')
+[ -n "$commit" ] || fail "--version: $("$cageproof" --version)"
+grep -qF "\"commit\":\"$commit\"" one/summary.json || fail "the commit $commit is not recorded"
+grep -qF '"flags":"' one/summary.json || fail 'no flags'
+
+# replay ends with a summary.
+"$cageproof" replay one/worst.jsonl >stdout || fail "replay: $(tail -n 2 stdout)"
+grep -q "^all promises kept: $(wc -l <one/worst.jsonl) cases of one/worst.jsonl: .* 0 broken, .* 0 changed since stored$" stdout || fail "replay: $(tail -n 2 stdout)"
+grep -q '^largest share of a promise: .* in line [0-9]*: segment.winding_angle' stdout || fail "replay: $(tail -n 1 stdout)"
+sed 's/"bound":[^,}]*/"bound":1e-300/' one/worst.jsonl >broken.jsonl
+"$cageproof" replay broken.jsonl >stdout
+[ $? -eq 1 ] && grep -q '^PROMISES BROKEN: ' stdout || fail "replay of broken promises: $(tail -n 2 stdout)"
+
+[ $failures -eq 0 ] && echo "names and numbers mean the same everywhere"
+exit $failures

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What this process has aside at the moment: a signal that ends it takes this along.
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <vector>
+
+namespace cageproof::reports {
+
+/// A file or folder that goes when a signal ends the process, as long as this lives.
+class AsideNote {
+ public:
+  explicit AsideNote(std::filesystem::path path);
+  ~AsideNote();
+  AsideNote(const AsideNote&) = delete;
+  AsideNote& operator=(const AsideNote&) = delete;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Held while what was written aside is put in its place: signals wait until this is done.
+std::unique_lock<std::mutex> undisturbed();
+
+/// All that is noted. \pre undisturbed() is held
+std::vector<std::filesystem::path> noted_aside();
+
+}  // namespace cageproof::reports
