@@ -5,6 +5,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/mesh_io.h"
 #include "cageproof/core/scalar_text.h"
+#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/replay.h"
 
@@ -63,9 +64,29 @@ void print(const Summary& all, const std::string& file) {
   if (!all.largest.empty()) fmt::print("largest share of a promise: {}\n", all.largest);
 }
 
-int run(const std::string& file) {
+struct Arguments {
+  std::string file;
+  int line = 0;  // 0: all
+};
+
+// The lines asked for. A report's worst.jsonl is empty where nothing fell short.
+std::vector<reports::WorstLine> lines_of(const Arguments& asked) {
+  std::vector<reports::WorstLine> lines = reports::parse_worst(read_file(asked.file), asked.file);
+  if (asked.line == 0) return lines;
+  std::erase_if(lines, [&](const reports::WorstLine& line) { return line.number != asked.line; });
+  if (lines.empty()) throw InputError(fmt::format("{}: no case in line {}", asked.file, asked.line));
+  return lines;
+}
+
+int run(const Arguments& asked) {
   Summary all;
-  for (const reports::WorstLine& line : reports::read_worst(file)) {
+  const std::string& file = asked.file;
+  const std::vector<reports::WorstLine> lines = lines_of(asked);
+  if (lines.empty()) {
+    fmt::print("{} is empty: there is nothing to run again\n", file);
+    return success;
+  }
+  for (const reports::WorstLine& line : lines) {
     validation::Finding finding;
     try {
       finding = validation::replay(line, line.worst,
@@ -86,10 +107,14 @@ int run(const std::string& file) {
 void add_replay(CommandLine& line) {
   Command command =
       line.command("replay", "stored worst cases run again exactly, and a summary; exit 1 when a promise is broken");
-  auto file = std::make_shared<std::string>();
-  command.option("file", *file, "a worst.jsonl").taking("FILE").required();
+  auto asked = std::make_shared<Arguments>();
+  command.option("file", asked->file, "worst cases: a report's worst.jsonl, or a file of its folder worst")
+      .taking("FILE")
+      .required();
+  command.option("--line", asked->line, "the case of this line alone, from 1").in_range(1, 1000000000);
   command.example("cageproof replay report/worst.jsonl");
-  command.runs([file] { return run(*file); });
+  command.example("cageproof replay report/worst/triangle.double_layer.jsonl --line 12");
+  command.runs([asked] { return run(*asked); });
 }
 
 }  // namespace cageproof::cli

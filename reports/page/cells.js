@@ -24,7 +24,9 @@ function commandsOf(row) {
   if (worst.element) {
     const input = {element: worst.element, point: worst.point};
     if (worst.parameters) input.parameters = worst.parameters;
-    lines.push(`echo '${JSON.stringify(input)}' | cageproof eval --formula ${row.subject} --evaluation ${row.evaluation} --order ${Math.min(worst.order, row.order)} --scalar ${row.scalar}`);
+    // As many derivatives as the measurement asked for, of those that the evaluation has.
+    const order = Math.min(worst.order, Math.max(...page.rows.filter((other) => other.evaluation === row.evaluation).map((other) => other.order)));
+    lines.push(`echo '${JSON.stringify(input)}' | cageproof eval --formula ${row.subject} --evaluation ${row.evaluation} --order ${order} --scalar ${row.scalar}${row.subject.startsWith("quad.") ? " --allow-invalid-quads" : ""}`);
   }
   lines.push(`cageproof replay ${row.file} --line ${row.line}`);
   return lines;

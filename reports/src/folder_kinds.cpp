@@ -46,8 +46,8 @@ const FolderKind& shard_kind() {
 const FolderKind& field_kind() {
   static const FolderKind kind{
       "an error field",
-      {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "pictures.html",
-       "field.html", "fields", "pictures"},
+      {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "pictures.html", "field.html",
+       "fields", "pictures"},
       {"fields", "pictures"},
       [](const fs::path& folder) { return states_schema(folder / "summary.json", "cageproof-field"); }};
   return kind;
