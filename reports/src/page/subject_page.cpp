@@ -189,7 +189,7 @@ Data times_table(const RunResult& result, const std::string& formula) {
 class SubjectPage {
  public:
   SubjectPage(const RunResult& result, Rows rows, std::string file, const std::string& name)
-      : result_(result), rows_(std::move(rows)), file_(std::move(file)), data_(common_data(result, "../")) {
+      : rows_(std::move(rows)), file_(std::move(file)), data_(common_data(result, "../")) {
     set_tiles(data_, rows_);
     data_.set("name", name);
     data_.set("cell_script", kCellScript);
@@ -205,7 +205,6 @@ class SubjectPage {
   }
 
  private:
-  const RunResult& result_;
   Rows rows_;
   std::string file_;
   Data data_;
