@@ -128,8 +128,8 @@ done
 [ $drawn -gt 0 ] || fail 'no signal came while the report was drawn'
 # An earlier report stays as it was, whenever the signal comes.
 before=$(state_of field)
-for delay in 0.02 0.05 0.1 0.2 0.4; do
-  "$cageproof" field --kind somigliana --cage cube --evaluation gauss-8 --resolution 48 --out slow >/dev/null 2>&1 &
+for delay in 0.02 0.05 0.1 0.13 0.16 0.19 0.22 0.25 0.28 0.31 0.35 0.4; do
+  "$cageproof" field --kind somigliana --cage cube --evaluation gauss-8 --resolution 12 --out slow >/dev/null 2>&1 &
   process=$!
   sleep $delay
   kill -TERM $process 2>/dev/null

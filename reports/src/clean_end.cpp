@@ -53,8 +53,7 @@ void remove_what_is_aside() {
   // Held to the end: nothing is put in its place any more, and who wanted to waits.
   const auto lock = undisturbed();
   remove_what_is_aside();
-  // Libraries end the programs that they started; without such the default ends this one, so that shells see the
-  // signal.
+  // By what would have ended it, so that shells see the signal.
   for (std::size_t k = 0; k < signals.size(); ++k)
     if (signals[k] == number) ::sigaction(number, &actions_before[k], nullptr);
   ::kill(::getpid(), number);
@@ -80,10 +79,6 @@ void start_thread() {
 
 void end_cleanly_on_signals() {
   if (to_thread < 0) start_thread();
-  rearm_clean_end();
-}
-
-void rearm_clean_end() {
   if (to_thread < 0) return;
   for (std::size_t k = 0; k < signals.size(); ++k) {
     struct sigaction now {};

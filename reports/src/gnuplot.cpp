@@ -4,16 +4,23 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
-#include "cageproof/reports/clean_end.h"
 #include "small_png.h"
 
 #include <fmt/format.h>
-#include <vtksys/Process.h>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <future>
 #include <memory>
+#include <system_error>
 #include <thread>
 
 namespace cageproof::reports {
@@ -21,28 +28,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct DeleteProcess {
-  void operator()(vtksysProcess* process) const { vtksysProcess_Delete(process); }
-};
-
-// One gnuplot, its script and what it says, removed when it is done.
+// One gnuplot, its script and what it says, removed when it is done. VTK's processes would take signals over, which
+// would then end this program with what it has aside still there.
 class Gnuplot {
  public:
   Gnuplot(const fs::path& folder, std::size_t number, const std::string& script)
       : script_(folder / fmt::format(".gnuplot-{}", number)), log_(script_.string() + ".log") {
     write_file(script_, script);
-    process_.reset(vtksysProcess_New());
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     // Default settings: someone's ~/.gnuplot must not change a report.
-    const char* const command[] = {"gnuplot", "-d", script_.c_str(), nullptr};
-    vtksysProcess_SetCommand(process_.get(), command);
-    vtksysProcess_SetPipeFile(process_.get(), vtksysProcess_Pipe_STDOUT, "/dev/null");
-    vtksysProcess_SetPipeFile(process_.get(), vtksysProcess_Pipe_STDERR, log_.c_str());
-    vtksysProcess_Execute(process_.get());
-    // It takes signals over, to end what it started: that comes after the removal of what is aside.
-    rearm_clean_end();
+    std::string name = "gnuplot", settings = "-d", file = script_.string();
+    char* const command[] = {name.data(), settings.data(), file.data(), nullptr};
+    start_error_ = posix_spawnp(&process_, name.c_str(), &files, nullptr, command, environ);
+    posix_spawn_file_actions_destroy(&files);
+    if (start_error_ != 0) process_ = 0;
   }
   ~Gnuplot() {
-    process_.reset();
+    if (process_ > 0) {
+      ::kill(process_, SIGKILL);
+      wait();
+    }
     std::error_code ignored;
     fs::remove(script_, ignored);
     fs::remove(log_, ignored);
@@ -51,19 +60,14 @@ class Gnuplot {
   Gnuplot& operator=(const Gnuplot&) = delete;
 
   void finish() {
-    vtksysProcess_WaitForExit(process_.get(), nullptr);
-    switch (vtksysProcess_GetState(process_.get())) {
-      case vtksysProcess_State_Exited:
-        if (vtksysProcess_GetExitValue(process_.get()) != 0)
-          throw InputError(fmt::format("cannot draw pictures: gnuplot failed: {}", complaint()));
-        return;
-      case vtksysProcess_State_Error:
-        throw InputError(fmt::format("cannot draw pictures: gnuplot does not start ({}); install gnuplot-nox",
-                                     vtksysProcess_GetErrorString(process_.get())));
-      default:
-        throw InputError(
-            fmt::format("cannot draw pictures: gnuplot died: {}", vtksysProcess_GetExceptionString(process_.get())));
-    }
+    if (start_error_ != 0)
+      throw InputError(fmt::format("cannot draw pictures: gnuplot does not start ({}); install gnuplot-nox",
+                                   std::generic_category().message(start_error_)));
+    const int status = wait();
+    if (WIFSIGNALED(status))
+      throw InputError(fmt::format("cannot draw pictures: gnuplot died: {}", ::strsignal(WTERMSIG(status))));
+    if (WEXITSTATUS(status) != 0)
+      throw InputError(fmt::format("cannot draw pictures: gnuplot failed: {}", complaint()));
   }
 
  private:
@@ -76,8 +80,16 @@ class Gnuplot {
     return log.substr(start == log.npos ? 0 : start + 1, end - (start == log.npos ? -1 : start));
   }
 
+  int wait() {
+    int status = 0;
+    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
+    process_ = 0;
+    return status;
+  }
+
   fs::path script_, log_;
-  std::unique_ptr<vtksysProcess, DeleteProcess> process_;
+  pid_t process_ = 0;
+  int start_error_ = 0;
 };
 
 std::string commands(const Picture& picture, const fs::path& folder) {

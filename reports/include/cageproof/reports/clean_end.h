@@ -8,10 +8,6 @@ namespace cageproof::reports {
 /// its place, then end it as they would have. Those that are ignored stay so (nohup).
 void end_cleanly_on_signals();
 
-/// The same again where it was asked for once and a library has taken signals over since: what that does comes after
-/// the removal.
-void rearm_clean_end();
-
 /// Does not come back when such a signal has arrived: what fails after it is its doing, and nothing to complain of.
 void wait_if_ending();
 
