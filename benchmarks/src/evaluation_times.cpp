@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/benchmarks/evaluation_times.h"
 
+#include "cageproof/core/name_pattern.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/regime.h"
 #include "pair_times.h"
@@ -34,7 +35,7 @@ EvaluationTime time_of(const Evaluation& evaluation, int order, const std::vecto
 std::vector<EvaluationTime> times_of_evaluations(const std::string& formulas, const std::string& evaluations) {
   std::vector<EvaluationTime> times;
   for (const Formula& formula : catalogue()) {
-    if (!validation::matches(formulas, formula.name)) continue;
+    if (!matches(formulas, formula.name)) continue;
     const std::vector<validation::Sample> samples = generic_samples(formula);
     for (const std::string& name : EvaluationRegister::instance().standard(formula.name)) {
       const Evaluation evaluation = *EvaluationRegister::instance().find(formula.name, name);
