@@ -2,6 +2,7 @@
 #include "commands.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/name_pattern.h"
 #include "cageproof/reports/report_writer.h"
 #include "cageproof/validation/compared_fields.h"
 #include "cageproof/validation/error_fields.h"
@@ -102,20 +103,32 @@ Shown kind_field(const Arguments& a, RunResult& result) {
 // Vertices of a mesh that are compared with 50 digits at most: seconds to a minute.
 constexpr std::size_t most_vertices = 2000;
 
+// Two to four, each once.
+std::vector<std::string> compared_names(const std::vector<std::string>& lists) {
+  std::vector<std::string> names;
+  for (const std::string& list : lists)
+    for (const std::string& name : names_in(list)) {
+      if (std::ranges::find(names, name) != names.end()) throw InputError(fmt::format("--compare: {} twice", name));
+      names.push_back(name);
+    }
+  if (names.size() < 2 || names.size() > 4)
+    throw InputError(fmt::format("--compare: {} evaluations; 2 to 4 are compared", names.size()));
+  return names;
+}
+
 reports::FieldScene scene_of(const Arguments& a, RunResult& result) {
   const CoordinateKind& kind = coordinate_kind_named(a.kind);
   const auto cage = std::make_shared<const Cage>(a.cage.load());
   if (!kind.is_sum())
     throw InputError(fmt::format("--compare: {} coordinates are no sums over elements, and have no truth", kind.name));
-  if (a.compare.size() > 4)
-    throw InputError(fmt::format("--compare: {} evaluations, 4 are the most", a.compare.size()));
-  const validation::Comparison comparison{cage, &kind, a.compare, a.cage.rule()};
+  const std::vector<std::string> compare = compared_names(a.compare);
+  const validation::Comparison comparison{cage, &kind, compare, a.cage.rule()};
   result.settings = {{"cage", cage->name()}, {"triangulation", a.cage.triangulate}};
   const int side = a.resolution > 0 ? a.resolution : validation::affordable_side(comparison, 200'000, 32);
   reports::FieldScene scene;
   scene.title = validation::scene_title(comparison);
   scene.explanation = validation::scene_explanation;
-  for (const std::string& evaluation : a.compare) scene.compared.push_back(evaluation + ": relative error");
+  for (const std::string& evaluation : compare) scene.compared.push_back(evaluation + ": relative error");
   scene.cage = validation::outline_of(*cage);
   if (!a.points.empty())
     scene.mesh = validation::compared_mesh(comparison, load_points(a.points, cage->dimension()), most_vertices, a.jobs);
@@ -192,7 +205,7 @@ void add_field(CommandLine& line, const std::string& command_line) {
       command
           .option("--compare", a->compare,
                   "2 to 4 evaluations, as gauss-8,published,closed_form: errors against 50 digits side by side, in 3D")
-          .separated_by(',')
+          .taking("EVALUATION...")
           .needs(kind)
           .excludes(evaluation);
   command.option("--points", a->points, "a mesh, whose vertices are compared too (2000 of them, spread evenly)")
@@ -203,7 +216,8 @@ void add_field(CommandLine& line, const std::string& command_line) {
   command.option("--resolution", a->resolution, "samples a side").in_range(2, 4096);
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
   command.option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
-      .values(2);
+      .values(2)
+      .excludes(compare);
   command.option("--out", a->out, "a folder for the field, its picture and a summary").required();
   command.runs([a] { return run(*a); });
 }
