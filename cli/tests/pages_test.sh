@@ -34,10 +34,10 @@ has() {
   for word in "$@"; do grep -qF -- "$word" "$file" || fail "$file lacks: $word"; done
 }
 
-"$cageproof" verify --formulas triangle.double_layer --regimes '*-edge' --samples 8 --enclosures 1 --cage cube --out report >stdout || fail "verify: $(cat stdout)"
+"$cageproof" verify --formulas triangle.double_layer --regimes '*-edge,generic' --samples 8 --enclosures 1 --cage cube --out report >stdout || fail "verify: $(cat stdout)"
 
 opened report/index.html index
-has index '3 of 3 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: closed_form'
+has index '4 of 4 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: closed_form'
 opened 'report/index.html?overview.evaluation=gauss-8,%20double&overview.order=1' filtered
 has filtered 'of gauss-8, double' 'href="formulas/triangle.double_layer.html#truth.near-edge.gauss-8.double.1"'
 
