@@ -69,6 +69,9 @@ void add_table(const std::vector<OptionText>& options, std::string& text) {
 
 std::string paragraph(std::string_view text) { return cell(text) + "\n\n"; }
 
+// For scripts/check_docs, which runs the blocks of other pages.
+std::string not_run(const std::string& why) { return fmt::format("<!-- not run: {} -->\n\n", why); }
+
 }  // namespace
 
 std::string manual_page(const ProgramText& program) {
@@ -119,10 +122,11 @@ std::string manual_markdown(const ProgramText& program) {
   }
   text += "## Commands\n\n";
   for (const CommandText& command : program.commands) {
-    text += fmt::format("### {}\n\n{}\n\n    {}\n\n", command.name, cell(command.description), usage(program, command));
+    text += fmt::format("### {}\n\n{}\n\n{}    {}\n\n", command.name, cell(command.description),
+                        not_run("how it is called"), usage(program, command));
     add_table(command.options, text);
     if (command.examples.empty()) continue;
-    text += "Examples:\n\n";
+    text += "Examples:\n\n" + not_run("on files of a user, and of any length");
     for (const std::string& example : command.examples) text += "    " + example + "\n";
     text += "\n";
   }

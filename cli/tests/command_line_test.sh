@@ -352,7 +352,7 @@ refuses --allow-invalid-quads triangle.solid_angle -- "$cageproof" eval --formul
 # verify, its report, and replay.
 "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes 'near-face' --cage cube --out "$work/report" >"$work/stdout"
 [ $? -eq 0 ] || fail "verify: $(cat "$work/stdout")"
-for file in summary.json summary.md results.csv worst.jsonl worst index.html formulas/triangle.solid_angle.html cages/cube.html fields pictures; do
+for file in summary.json summary.md results.csv worst.jsonl worst index.html formulas/triangle.solid_angle.html fields pictures; do
   [ -e "$work/report/$file" ] || fail "no $file"
 done
 [ ! -s "$work/report/worst.jsonl" ] || fail "worst.jsonl holds what is kept"
