@@ -37,6 +37,7 @@ std::string upper(std::string text) {
 void add_options(const std::vector<OptionText>& options, std::string& text) {
   for (const OptionText& option : options) {
     std::vector<std::string> names;
+    names.reserve(option.names.size());
     for (const std::string& name : option.names) names.push_back("\\fB" + roff(name) + "\\fR");
     text += fmt::format(".TP\n{}", fmt::join(names, ", "));
     if (!option.positional && !option.type.empty()) text += " \\fI" + roff(option.type) + "\\fR";

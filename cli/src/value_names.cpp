@@ -25,6 +25,7 @@ std::vector<std::string> evaluation_names() {
 
 std::vector<std::string> names_of(const auto& rows, auto name) {
   std::vector<std::string> names;
+  names.reserve(std::size(rows));
   for (const auto& row : rows) names.emplace_back(name(row));
   return names;
 }

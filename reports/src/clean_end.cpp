@@ -31,7 +31,8 @@ extern "C" void tell_thread(int number) {
   const auto byte = static_cast<unsigned char>(number);
   [[maybe_unused]] const auto written = ::write(to_thread, &byte, 1);
   // Whoever writes to a pipe that nobody reads has nothing more to do, nor to complain of.
-  while (number == SIGPIPE) ::pause();
+  if (number == SIGPIPE)
+    for (;;) ::pause();
   errno = error;
 }
 

@@ -227,6 +227,7 @@ class State {
     // high.
     const std::array<double, 3> towards = flat ? std::array{0.0, 0.0, 1.0} : std::array{0.542, 0.397, 0.741};
     std::vector<double> position;
+    position.reserve(3);
     for (int c = 0; c < 3; ++c) position.push_back(centre[c] + 7 * radius * towards[c]);
     proxy("views", label, "views", "RenderView", first, 21)
         .set("UseColorPaletteForBackground", 0)

@@ -202,7 +202,8 @@ void expect_to_stand_alone(const std::string& name, const std::map<std::string, 
   for (const std::string& target : targets) {
     const auto hash = target.find('#');
     std::string file = target.substr(0, hash);
-    file = file.starts_with("../") ? file.substr(3) : file.empty() ? name : folder + file;
+    if (file.starts_with("../")) file.erase(0, 3);
+    else file.insert(0, file.empty() ? name : folder);
     ASSERT_TRUE(files.contains(file)) << name << ": " << target;
     if (hash == target.npos) continue;
     // A section, or a cell that the page's script knows.

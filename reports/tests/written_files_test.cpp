@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path folder_in(const ScratchFolder& scratch) {
-  const fs::path folder = scratch.path() / "report";
+  fs::path folder = scratch.path() / "report";
   fs::create_directories(folder / "fields");
   write_file(folder / "fields/a.vti", "a");
   write_file(folder / "summary.json", "{}");

@@ -160,7 +160,9 @@ void integrate_certified(std::string_view formula, const Query<R>& query, Result
   result.converged = best && best->all_orders && best->bits >= effort.bits_wanted;
   if (!best || std::ranges::all_of(best->tensors, &std::vector<Real>::empty)) return;
   constexpr double digits_a_bit = 0.30102999566398119521;
-  result.stated_digits = std::clamp(best->bits, 0.0, static_cast<double>(most_bits)) * digits_a_bit;
+  // What is proven of the numbers that are given: rounding to R leaves no more than R has.
+  const double given_bits = is_multiprecision<R> ? most_bits : std::min(most_bits, std::numeric_limits<R>::digits);
+  result.stated_digits = std::clamp(best->bits, 0.0, given_bits) * digits_a_bit;
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \

@@ -23,11 +23,11 @@ struct Matrix {
   Data heads{Data::type::list}, lines{Data::type::list};
 };
 
-Data line(const std::string& name, const std::string& note, Data cells) {
+Data line(const std::string& name, const std::string& note, const Data& cells) {
   Data data;
   data.set("name", name);
   data.set("note", note);
-  data.set("cells", std::move(cells));
+  data.set("cells", cells);
   return data;
 }
 
