@@ -38,6 +38,7 @@ double mean_nodes(const CageCoordinates& coordinates, const std::vector<Vec3<dou
       auto evaluation = EvaluationRegister::instance().find(formula->name, coordinates.evaluation());
       if (!evaluation) evaluation = EvaluationRegister::instance().with_role(formula->name, Role::Recommended);
       std::vector<double> parameters;
+      parameters.reserve(formula->parameters.size());
       for (const Parameter& p : formula->parameters) parameters.push_back(p.preset);
       const auto corners = elements.corners(e);
       const Vec3<double>& point = points[e * points.size() / elements.count()];

@@ -16,7 +16,7 @@
 namespace cageproof::cli {
 
 Option CageArguments::add_to(Command command, bool required) {
-  const Option cage =
+  Option cage =
       command
           .option(
               "--cage", file,

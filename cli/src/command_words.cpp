@@ -32,6 +32,7 @@ OptionText text_of(const CLI::Option& option) {
   }
   const auto names_of = [](const auto& options) {
     std::vector<std::string> names;
+    names.reserve(options.size());
     for (const CLI::Option* other : options) names.push_back(other->get_name());
     std::ranges::sort(names);
     return names;

@@ -106,20 +106,22 @@ std::vector<std::string> EvaluationRegister::standard(std::string_view formula) 
     for (const std::string& name : family->standard) names.emplace_back(family->role != Role::Recommended, name);
   std::ranges::sort(names);
   std::vector<std::string> sorted;
+  sorted.reserve(names.size());
   for (auto& [later, name] : names) sorted.push_back(std::move(name));
   return sorted;
 }
 
 EvaluationFamily single_family(std::string_view formula, std::string_view name, EvaluationFacts facts, bool standard,
                                std::function<void(Evaluation&)> fill) {
-  const auto make = [formula = std::string(formula), name = std::string(name), facts,
+  const Role role = facts.role;
+  const auto make = [formula = std::string(formula), name = std::string(name), facts = std::move(facts),
                      fill = std::move(fill)](std::string_view asked) -> std::optional<Evaluation> {
     if (asked != name) return std::nullopt;
     Evaluation evaluation(formula, name, facts);
     fill(evaluation);
     return evaluation;
   };
-  EvaluationFamily family{std::string(formula), std::string(name), facts.role, {}, make};
+  EvaluationFamily family{std::string(formula), std::string(name), role, {}, make};
   if (standard) family.standard = {family.pattern};
   return family;
 }
