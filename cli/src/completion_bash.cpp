@@ -69,6 +69,7 @@ void add_command(const CommandText& command, std::string& text) {
 
 std::string bash_completion(const ProgramText& program) {
   std::vector<std::string> commands;
+  commands.reserve(program.commands.size());
   for (const CommandText& command : program.commands) commands.push_back(command.name);
   std::string text = "# bash completion of cageproof, made by `cageproof completion bash`.\n\n";
   text += helpers;
