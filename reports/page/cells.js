@@ -60,7 +60,7 @@ function answerOf(row) {
       say("furthest entry", worst.entry);
       say("found", worst.found);
       say("truth", worst.truth);
-      say("digits right", `${worst.digits}; relative error ${worst.relative}, whatever the conditioning`);
+      say("digits right", `${worst.digits}, of the ${orderNames[row.order]} as a whole: its relative error is ${worst.relative}, norm-wise, whatever the conditioning`);
     }
   }
   const parts = [element("h2", `${row.subject}, ${row.evaluation ? row.evaluation + ", " : ""}${row.scalar}: ${row.check}, ${row.regime}${row.place ? ", " + row.place : ""}, ${orderNames[row.order]}`), list];

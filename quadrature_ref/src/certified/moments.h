@@ -39,7 +39,8 @@ class Moments {
 
  private:
   std::size_t index(int a, int b, int q) const {
-    return static_cast<std::size_t>((q - range_.lowest_q()) / 2 * stride_ + (a + b) * (a + b + 1) / 2 + b);
+    const int place = (q - range_.lowest_q()) / 2 * stride_ + (a + b) * (a + b + 1) / 2 + b;
+    return static_cast<std::size_t>(place);
   }
 
   MomentRange range_;

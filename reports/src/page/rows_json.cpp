@@ -40,7 +40,8 @@ Json worst_json(const ResultRow& row, const WorstCase& worst) {
   json["relative"] = short_error(worst.relative);
   json["digits"] = digits_kept(worst.relative, row.scalar);
   json["entry"] = entry_name(row, worst.furthest.index);
-  json["found"] = format_scalar(worst.furthest.found);
+  json["found"] = row.scalar == "float" ? format_scalar(static_cast<float>(worst.furthest.found))
+                                        : format_scalar(worst.furthest.found);
   json["truth"] = worst.furthest.truth;
   return json;
 }
