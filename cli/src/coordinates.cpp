@@ -72,7 +72,17 @@ nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
   return all;
 }
 
+// What was solved must not be written over what is read.
+void check_solved_file(const Arguments& a) {
+  if (a.solved.empty()) return;
+  const auto solved = std::filesystem::weakly_canonical(a.solved);
+  for (const auto& [file, option] : {std::pair(a.cage.file, "--cage"), {a.points, "--points"}, {a.data, "--data"}})
+    if (!file.empty() && std::filesystem::weakly_canonical(file) == solved)
+      throw InputError(fmt::format("{}: --solved is the file of {}, too", a.solved, option));
+}
+
 int run(const Arguments& a) {
+  check_solved_file(a);
   const CoordinateKind& kind = coordinate_kind_named(a.kind);
   if (a.cage.allow_invalid_quads && !kind.keeps_quads)
     throw InputError(fmt::format("--allow-invalid-quads: {} splits quads in triangles", kind.name));

@@ -103,6 +103,11 @@ commit=$("$cageproof" --version | sed -n 's/^cageproof [0-9.]* (commit \(.*\))$/
 grep -qF "\"commit\":\"$commit\"" one/summary.json || fail "the commit $commit is not recorded"
 grep -qF '"flags":"' one/summary.json || fail 'no flags'
 
+# What is read is never written over.
+printf '0.5,0.5\n' >inside.csv
+refuses_to coordinates inside.csv '--solved is the file of --points' -- --cage square --points inside.csv --kind harmonic --solved inside.csv
+[ "$(cat inside.csv)" = 0.5,0.5 ] || fail "--solved wrote over the points"
+
 # replay ends with a summary, of a file, or of a line of it.
 "$cageproof" replay one/worst.jsonl >stdout && grep -q 'is empty' stdout || fail "replay of what fell short, which is nothing: $(cat stdout)"
 cat one/worst/*.jsonl >one/worst.jsonl
