@@ -2,17 +2,8 @@
 # SPDX-License-Identifier: MIT
 # The report's pages in a browser: what scripts make of them, read from the document that headless Chromium ends with, and that no script fails.
 # Usage: pages_test.sh PATH_OF_CAGEPROOF
-set -u
-cageproof=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 2
-failures=0
-
-fail() {
-  echo "FAILED: $*"
-  failures=$((failures + 1))
-}
+# shellcheck source=support.sh
+source "$(dirname "$(readlink -f "$0")")/support.sh"
 
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || {
   echo "FAILED: no Chromium: scripts/ensure_packages.sh tests installs it"
