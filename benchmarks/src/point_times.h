@@ -35,4 +35,24 @@ inline std::vector<double> nanoseconds_of_points(const CageCoordinates& coordina
   return found;
 }
 
+/// Nanoseconds of calls for all points together: for at least `seconds`, and at least three calls. \pre there are
+/// points
+inline std::vector<double> nanoseconds_of_batches(const CageCoordinates& coordinates,
+                                                  const std::vector<Vec3<double>>& points, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<CoordinateTable<double>> tables;
+  // Tables that an evaluation builds at its first call are no part of its time.
+  coordinates.at(points, 0, tables);
+  std::vector<double> found;
+  const auto start = Clock::now();
+  auto last = start;
+  while (found.size() < 3 || std::chrono::duration<double>(last - start).count() < seconds) {
+    coordinates.at(points, 0, tables);
+    const auto now = Clock::now();
+    found.push_back(std::chrono::duration<double, std::nano>(now - last).count());
+    last = now;
+  }
+  return found;
+}
+
 }  // namespace cageproof::benchmarks

@@ -2,17 +2,17 @@
 #include "cageproof/benchmarks/work_precision.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/name_pattern.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/whole_evaluation.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/parallel.h"
 #include "cageproof/validation/truth.h"
+#include "asked_evaluations.h"
 #include "pair_times.h"
+#include "point_times.h"
 #include "summarise.h"
 #include "whole_work_precision.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,91 +22,6 @@ namespace cageproof::benchmarks {
 
 using namespace validation;
 namespace {
-
-// One evaluation of each formula; all that are missing in one message.
-std::vector<std::vector<Evaluation>> find_all(const std::vector<std::string_view>& formulas,
-                                              const WorkPrecisionOptions& options) {
-  if (options.evaluations.empty()) throw InputError("no evaluation to measure");
-  std::vector<std::string> missing;
-  std::vector<std::vector<Evaluation>> found;
-  for (const std::string& name : options.evaluations) {
-    auto& row = found.emplace_back();
-    for (const auto formula : formulas) {
-      auto e = EvaluationRegister::instance().find(formula, name);
-      if (!e) missing.push_back(why_no_evaluation(formula, name));
-      else if (!e->supports<double>()) missing.push_back(fmt::format("'{}' of {} has no double", name, formula));
-      else if (e->max_order() < options.order)
-        missing.push_back(fmt::format("'{}' of {} gives no derivatives of order {}", name, formula, options.order));
-      else row.push_back(std::move(*e));
-    }
-  }
-  if (!missing.empty()) throw InputError(fmt::format("{}", fmt::join(missing, "; ")));
-  return found;
-}
-
-// What work-precision shows of a family when nothing is asked for.
-const std::vector<std::string>& shown_of(const EvaluationFamily& family) {
-  const bool form = family.role == Role::Recommended || family.role == Role::Printed;
-  return form ? family.standard : family.studied;
-}
-
-// Of names that were not asked for one by one, those that all the formulas have in double with these derivatives; what
-// is left out is noted.
-std::vector<std::string> that_exist(std::vector<std::string> names, const std::vector<std::string_view>& formulas,
-                                    int order, std::vector<std::string>& notes) {
-  std::vector<std::string> left_out;
-  std::erase_if(names, [&](const std::string& name) {
-    bool exists = true, gives_order = true;
-    for (const auto formula : formulas) {
-      const auto evaluation = EvaluationRegister::instance().find(formula, name);
-      exists = exists && evaluation && evaluation->supports<double>();
-      gives_order = gives_order && evaluation && evaluation->max_order() >= order;
-    }
-    if (exists && !gives_order) left_out.push_back(name);
-    return !exists || !gives_order;
-  });
-  if (!left_out.empty())
-    notes.push_back(
-        fmt::format("left out, they give no derivatives of order {}: {}", order, fmt::join(left_out, ", ")));
-  return names;
-}
-
-// All that may be shown of formulas: of roles in this order.
-std::vector<std::string> all_shown(const std::vector<std::string_view>& formulas) {
-  std::vector<std::string> names;
-  for (const Role role : {Role::Scheme, Role::Rule, Role::Recommended, Role::Printed})
-    for (const EvaluationFamily* family : EvaluationRegister::instance().families(formulas.back()))
-      if (family->role == role) names.insert(names.end(), shown_of(*family).begin(), shown_of(*family).end());
-  return names;
-}
-
-// The names of lists of names and globs, each once; without any, those that are shown.
-std::vector<std::string> evaluations_asked(const std::vector<std::string>& given,
-                                           const std::vector<std::string_view>& formulas, int order,
-                                           std::vector<std::string>& notes) {
-  if (given.empty()) return that_exist(all_shown(formulas), formulas, order, notes);
-  std::vector<std::string> known = all_shown(formulas), chosen;
-  for (const EvaluationFamily* family : EvaluationRegister::instance().families(formulas.back()))
-    known.insert(known.end(), family->standard.begin(), family->standard.end());
-  const auto choose = [&](const std::string& name) {
-    if (std::ranges::find(chosen, name) == chosen.end()) chosen.push_back(name);
-  };
-  for (const std::string& list : given)
-    for (const std::string& name : names_in(list)) {
-      if (!is_glob(name)) {
-        choose(name);
-        continue;
-      }
-      require_known(fmt::format("evaluation of {}", formulas.back()), name, {known.begin(), known.end()});
-      std::vector<std::string> found;
-      std::ranges::copy_if(known, std::back_inserter(found), [&](const auto& one) { return matches(name, one); });
-      for (const std::string& one : that_exist(found, formulas, order, notes)) choose(one);
-    }
-  if (chosen.empty())
-    throw InputError(
-        fmt::format("no evaluation of {} that is asked for gives derivatives of order {}", formulas.back(), order));
-  return chosen;
-}
 
 // The evaluations of a kind's formulas on each kind of element that the cage has: of that name, or the recommended one
 // where quads alone have it.
@@ -142,6 +57,18 @@ TimedPairs pairs_of(const CageElements& elements, const KindEvaluations& evaluat
     work.evaluations.push_back(evaluations.on(elements.type(element).kind));
   }
   return work;
+}
+
+// What a pair of a point and an element takes where all points are asked for at once.
+void time_at_once(const CageCoordinates& coordinates, const std::vector<CagePoint>& group, double seconds,
+                  WorkPrecisionRow& row) {
+  std::vector<Vec3<double>> points;
+  points.reserve(group.size());
+  for (const CagePoint& p : group) points.push_back(p.point);
+  const auto pairs = static_cast<double>(points.size() * coordinates.elements().count());
+  std::vector<double> each = nanoseconds_of_batches(coordinates, points, seconds);
+  for (double& nanoseconds : each) nanoseconds /= pairs;
+  summarise_times(std::move(each), row);
 }
 
 // The formulas that must have an evaluation for a kind to be measured by it: those of quads where the kind keeps them.
@@ -206,8 +133,9 @@ WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, 
   if (!kind.is_sum()) return whole_work_precision(cage, kind, groups, given);
   WorkPrecisionOptions options = given;
   std::vector<std::string> notes;
-  options.evaluations = evaluations_asked(given.evaluations, leading_formulas(kind, cage), options.order, notes);
-  const auto evaluations = find_all(leading_formulas(kind, cage), options);
+  const Subject subject{kind.name, leading_formulas(kind, cage), whole_evaluation_names(kind, cage)};
+  options.evaluations = evaluations_asked(given.evaluations, subject, options.order, notes);
+  const auto evaluations = find_all(subject, options);
   std::vector<double> parameters = options.parameters;
   if (parameters.empty())
     for (const Parameter& p : parameters_of(kind)) parameters.push_back(p.preset);
@@ -233,6 +161,11 @@ WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, 
         errors[i] = errors_at(coordinates, cage, p.point, expected_sum(kind, p.place), 0).partition[0].relative;
       });
       summarise(std::move(errors), row);
+      if (subject.has_whole(row.evaluation)) {
+        time_at_once(coordinates, group.points, options.seconds, row);
+        result.rows.push_back(std::move(row));
+        continue;
+      }
       const KindEvaluations timed(kind, cage, row.evaluation);
       time_pairs(pairs_of(coordinates.elements(), timed, group, parameters, static_cast<std::size_t>(options.timed)), 0,
                  options.seconds, row);
@@ -247,8 +180,9 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
                                      const WorkPrecisionOptions& given) {
   WorkPrecisionOptions options = given;
   std::vector<std::string> notes;
-  options.evaluations = evaluations_asked(given.evaluations, {formula.name}, options.order, notes);
-  const auto evaluations = find_all({formula.name}, options);
+  const Subject subject{formula.name, {formula.name}, {}};
+  options.evaluations = evaluations_asked(given.evaluations, subject, options.order, notes);
+  const auto evaluations = find_all(subject, options);
   const TruthSource source = truth_source(formula);
   WorkPrecision result = empty_measurement(formula.name, options);
   result.notes = std::move(notes);
@@ -293,7 +227,7 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
 
 std::vector<std::string> default_work_precision_evaluations(const std::vector<std::string_view>& formulas, int order) {
   std::vector<std::string> notes;
-  return that_exist(all_shown(formulas), formulas, order, notes);
+  return evaluations_asked({}, {formulas.back(), formulas, {}}, order, notes);
 }
 
 }  // namespace cageproof::benchmarks

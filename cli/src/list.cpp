@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "catalogue_names.h"
 #include "commands.h"
 
 #include "cageproof/core/coordinates.h"
@@ -14,126 +15,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <functional>
 #include <iostream>
+#include <map>
 
 namespace cageproof::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json formula_json(const Formula& f) {
-  Json evaluations = Json::array();
-  for (const EvaluationFamily* family : EvaluationRegister::instance().families(f.name)) {
-    Json scalars = Json::array();
-    const Evaluation example = family->example();
-    for (const ScalarKind kind : scalar_kinds)
-      if (example.supports(kind)) scalars.push_back(name_of(kind));
-    evaluations.push_back({{"name", family->pattern},
-                           {"range", range_of_pattern(family->pattern)},
-                           {"standard", family->standard},
-                           {"role", name_of(family->role)},
-                           {"description", example.description()},
-                           {"max_order", example.max_order()},
-                           {"scalars", scalars}});
-  }
-  Json parameters = Json::array();
-  for (const Parameter& p : f.parameters)
-    parameters.push_back(
-        {{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}, {"whole", p.whole}});
-  return {{"name", f.name},
-          {"symbol", f.symbol},
-          {"source", f.source},
-          {"definition", f.definition},
-          {"element", name_of(f.element)},
-          {"shape", {{"per_corner", f.shape.per_corner}, {"rows", f.shape.rows}, {"columns", f.shape.columns}}},
-          {"degree", f.degree},
-          {"parameters", parameters},
-          {"evaluations", evaluations}};
-}
-
-// Checks that samples of elements are not asked one by one.
-std::vector<std::string_view> other_checks() {
-  std::vector<std::string_view> names = validation::promised_checks();
-  std::erase_if(names, [](std::string_view name) { return validation::find_check(name) != nullptr; });
-  return names;
-}
-
-// Of a kind that is no sum: as it has them in a cage of its dimension.
-std::vector<CoordinateBlock> own_blocks(const CoordinateKind& kind) {
-  return CageCoordinates(embedded_cage(kind.own_dimension == 2 ? "square" : "cube"), kind, {}).blocks();
-}
-
-// What computes a kind at once in a cage of space or of the plane.
-std::vector<std::string_view> whole_evaluations_of(const CoordinateKind& kind) {
-  std::vector<std::string_view> names;
-  if (!kind.is_sum()) return names;
-  for (const WholeEvaluation& evaluation : whole_evaluations())
-    if (evaluation.exists(kind, embedded_cage("cube")) || evaluation.exists(kind, embedded_cage("square")))
-      names.push_back(evaluation.name);
-  return names;
-}
-
-Json parameter_json(const KindParameter& p) {
-  Json parameter = {{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}};
-  if (!p.names.empty())
-    parameter = {{"name", p.name}, {"default", p.names[static_cast<std::size_t>(p.preset)]}, {"names", p.names}};
-  if (!p.meaning.empty()) parameter["meaning"] = p.meaning;
-  return parameter;
-}
-
-Json catalogue_json() {
-  Json all = {{"schema", "cageproof-catalogue"}, {"schema_version", 1}, {"formulas", Json::array()}};
-  for (const Formula& f : catalogue()) all["formulas"].push_back(formula_json(f));
-  for (const CoordinateKind& kind : coordinate_kinds()) {
-    Json blocks = Json::array();
-    for (const SummedBlock& b : kind.blocks) {
-      blocks.push_back({{"label", b.label}, {"kernel", b.kernel}});
-      if (b.one_a_corner) blocks.back()["one_a"] = name_of(Owner::Corner);
-    }
-    if (!kind.is_sum())
-      for (const CoordinateBlock& b : own_blocks(kind))
-        blocks.push_back({{"label", b.label}, {"one_a", name_of(b.owner)}});
-    Json parameters = Json::array();
-    for (const KindParameter& p : parameters_of(kind)) parameters.push_back(parameter_json(p));
-    all["coordinates"].push_back(
-        {{"name", kind.name}, {"source", kind.source}, {"blocks", blocks}, {"parameters", parameters}});
-    all["coordinates"].back()["whole_evaluations"] = whole_evaluations_of(kind);
-  }
-  const auto add_deformer = [&](const auto& method, const std::vector<KindParameter>& known, const Json& taken) {
-    Json parameters = Json::array();
-    for (const KindParameter& p : known) parameters.push_back(parameter_json(p));
-    Json& all_of_them = all["deformers"];
-    all_of_them.push_back({{"name", method.name}, {"source", method.source}, {"keeps", method.keeps}});
-    all_of_them.back().update(taken);
-    all_of_them.back()["parameters"] = std::move(parameters);
-  };
-  for (const deformation::DeformMethod& method : deformation::deform_methods())
-    add_deformer(method, deformation::parameters_of(method), {{"coordinates", method.kind}, {"takes", "posed cages"}});
-  for (const deformation::ConstraintMethod& method : deformation::constraint_methods())
-    add_deformer(method, method.parameters, {{"takes", method.positions_alone ? "positions" : "constraints"}});
-  for (const auto& regime : validation::regimes())
-    all["regimes"].push_back(
-        {{"name", regime.name}, {"parameter", regime.parameter_name}, {"description", regime.description}});
-  all["regimes"].push_back({{"name", validation::hull_regime},
-                            {"parameter", ""},
-                            {"description", "on and beside the convex hull of a twisted quad; hull_jump alone"}});
-  all["regimes"].push_back({{"name", validation::hunted_regime},
-                            {"parameter", ""},
-                            {"description", "the stored worst cases, measured again in every run"}});
-  for (const auto& check : validation::checks())
-    all["checks"].push_back({{"name", check->name()}, {"unit", check->unit()}, {"description", check->description()}});
-  for (const std::string_view name : other_checks())
-    all["checks"].push_back({{"name", name},
-                             {"unit", ""},
-                             {"description", "of whole cages, their elements and deformers; docs/errors.md"}});
-  for (const auto name : embedded_cage_names()) all["cages"].push_back(name);
-  for (const auto name : extreme_cage_names()) all["extreme_cages"].push_back(name);
-  return all;
-}
 
 std::vector<std::string_view> regime_names() {
   std::vector<std::string_view> names;
@@ -214,16 +103,42 @@ void print_text(const std::string& asked) {
   print_names("extreme cages", extreme_cage_names(), asked);
 }
 
+// The formulas and kinds that have an evaluation, each evaluation by the name that a list gives it.
+std::map<std::string, std::vector<std::string_view>> evaluations_by_name() {
+  std::map<std::string, std::vector<std::string_view>> all;
+  for (const Formula& f : catalogue())
+    for (const EvaluationFamily* family : EvaluationRegister::instance().families(f.name)) {
+      all[family->pattern].push_back(f.name);
+      for (const std::string& name : family->standard)
+        if (name != family->pattern) all[name].push_back(f.name);
+    }
+  for (const CoordinateKind& kind : coordinate_kinds())
+    for (const std::string_view name : whole_evaluations_of(kind)) all[std::string(name)].push_back(kind.name);
+  return all;
+}
+
+// Of names that were asked for alone: formulas say theirs.
+void print_evaluations(const std::string& asked) {
+  const auto all = evaluations_by_name();
+  for (const auto& [name, owners] : all) {
+    if (!matches(asked, name)) continue;
+    const std::string_view range = range_of_pattern(name);
+    fmt::print("evaluation {}{}{} of: {}\n", name, range.empty() ? "" : ", ", range, fmt::join(owners, " "));
+  }
+}
+
 // Everything that has a name.
-std::vector<std::string_view> all_names() {
-  std::vector<std::string_view> all = regime_names();
+std::vector<std::string> all_names() {
+  std::vector<std::string> all;
+  for (const auto& [name, owners] : evaluations_by_name()) all.push_back(name);
   const auto add = [&](const std::vector<std::string_view>& names) {
     all.insert(all.end(), names.begin(), names.end());
   };
-  for (const Formula& f : catalogue()) all.push_back(f.name);
-  for (const CoordinateKind& kind : coordinate_kinds()) all.push_back(kind.name);
-  for (const auto& method : deformation::deform_methods()) all.push_back(method.name);
-  for (const auto& method : deformation::constraint_methods()) all.push_back(method.name);
+  for (const Formula& f : catalogue()) all.emplace_back(f.name);
+  for (const CoordinateKind& kind : coordinate_kinds()) all.emplace_back(kind.name);
+  for (const auto& method : deformation::deform_methods()) all.emplace_back(method.name);
+  for (const auto& method : deformation::constraint_methods()) all.emplace_back(method.name);
+  add(regime_names());
   add(validation::check_names());
   add(other_checks());
   add(embedded_cage_names());
@@ -248,9 +163,11 @@ void add_list(CommandLine& line) {
   command.example("cageproof list 'triangle.*'");
   command.example("cageproof list --json");
   command.runs([a] {
-    require_known("name", a->names, all_names());
-    if (a->json) std::cout << catalogue_json().dump(2) << '\n';
+    const std::vector<std::string> all = all_names();
+    require_known("name", a->names, {all.begin(), all.end()});
+    if (a->json) std::cout << catalogue_text();
     else print_text(a->names);
+    if (!a->json && a->names != "*") print_evaluations(a->names);
     return success;
   });
 }

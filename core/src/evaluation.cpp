@@ -126,22 +126,26 @@ EvaluationFamily single_family(std::string_view formula, std::string_view name, 
   return family;
 }
 
-std::string why_no_evaluation(std::string_view formula, std::string_view name) {
-  const std::string text = fmt::format("{} has no evaluation '{}'", formula, name);
+std::string why_no_evaluation(std::string_view subject, const std::vector<std::string_view>& formulas,
+                              std::string_view name, const std::vector<std::string_view>& more) {
+  const std::string text = fmt::format("{} has no evaluation '{}'", subject, name);
   if (is_glob(name)) return text + ": one name is asked for here, no glob";
   if (name.find(',') != std::string_view::npos) return text + ": one name is asked for here, no list";
-  const auto families = EvaluationRegister::instance().families(formula);
-  std::vector<std::string_view> known;
-  for (const EvaluationFamily* family : families) {
-    known.push_back(family->pattern);
-    known.insert(known.end(), family->standard.begin(), family->standard.end());
-    const std::string_view stem = std::string_view(family->pattern).substr(0, family->pattern.find('<'));
-    const std::string_view range = range_of_pattern(family->pattern);
-    if (!range.empty() && name.starts_with(stem)) return fmt::format("{}: {} takes {}", text, family->pattern, range);
-  }
+  std::vector<std::string_view> known = more;
+  for (const std::string_view formula : formulas)
+    for (const EvaluationFamily* family : EvaluationRegister::instance().families(formula)) {
+      known.push_back(family->pattern);
+      known.insert(known.end(), family->standard.begin(), family->standard.end());
+    }
+  if (const std::string_view family = family_of_number(name); std::ranges::find(known, family) != known.end())
+    return fmt::format("{}: {} takes {}", text, family, range_of_pattern(family));
   const std::string_view meant = nearest_name(name, known);
   if (meant.empty()) return text + "; see `cageproof list`";
   return fmt::format("{}; did you mean '{}'? (see `cageproof list`)", text, meant);
+}
+
+std::string why_no_evaluation(std::string_view formula, std::string_view name) {
+  return why_no_evaluation(formula, {formula}, name, {});
 }
 
 Evaluation evaluation_named(std::string_view formula, std::string_view name) {

@@ -59,16 +59,6 @@ std::string_view nearest_name(std::string_view name, const std::vector<std::stri
   return nearest(name, known, [](std::string_view one) { return one.substr(one.rfind('.') + 1); });
 }
 
-InputError unknown_name(std::string_view what, std::string_view name, const std::vector<std::string_view>& known) {
-  std::string text =
-      is_glob(name) ? fmt::format("no {} matches '{}'", what, name) : fmt::format("unknown {} '{}'", what, name);
-  const std::string_view meant = nearest_name(name, known);
-  if (!meant.empty()) text += fmt::format("; did you mean '{}'?", meant);
-  if (known.empty() || known.size() > few) text += meant.empty() ? "; see `cageproof list`" : " (see `cageproof list`)";
-  else text += fmt::format(fmt::runtime(meant.empty() ? "; known: {}" : " (known: {})"), fmt::join(known, ", "));
-  return InputError(text);
-}
-
 namespace {
 
 std::map<std::string, std::string, std::less<>>& ranges() {
@@ -76,7 +66,39 @@ std::map<std::string, std::string, std::less<>>& ranges() {
   return stated;
 }
 
+// The letters before a pattern's placeholder: "gauss-" of "gauss-<N>".
+std::string_view stem_of(std::string_view pattern) { return pattern.substr(0, pattern.find('<')); }
+
 }  // namespace
+
+std::string_view family_of_number(std::string_view name) {
+  std::string_view found;
+  for (const auto& [pattern, range] : ranges()) {
+    const std::string_view stem = stem_of(pattern);
+    if (stem.size() == pattern.size() || !name.starts_with(stem) || stem.size() <= stem_of(found).size()) continue;
+    if (name.find_first_not_of("0123456789+-.eE", stem.size()) == std::string_view::npos) found = pattern;
+  }
+  return found;
+}
+
+InputError unknown_name(std::string_view what, std::string_view name, const std::vector<std::string_view>& known) {
+  std::string text =
+      is_glob(name) ? fmt::format("no {} matches '{}'", what, name) : fmt::format("unknown {} '{}'", what, name);
+  // The nearest name to one with another number would be any of its family.
+  if (const std::string_view family = family_of_number(name); !family.empty()) {
+    std::vector<std::string_view> same;
+    for (const std::string_view one : known)
+      if (family_of_number(one) == family && std::ranges::find(same, one) == same.end()) same.push_back(one);
+    if (!same.empty())
+      return InputError(
+          fmt::format("{}: {} takes {}, and here {}", text, family, range_of_pattern(family), fmt::join(same, ", ")));
+  }
+  const std::string_view meant = nearest_name(name, known);
+  if (!meant.empty()) text += fmt::format("; did you mean '{}'?", meant);
+  if (known.empty() || known.size() > few) text += meant.empty() ? "; see `cageproof list`" : " (see `cageproof list`)";
+  else text += fmt::format(fmt::runtime(meant.empty() ? "; known: {}" : " (known: {})"), fmt::join(known, ", "));
+  return InputError(text);
+}
 
 void state_range(std::string_view pattern, std::string_view range) {
   if (!range.empty()) ranges().insert_or_assign(std::string(pattern), std::string(range));

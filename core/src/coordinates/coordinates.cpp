@@ -5,6 +5,7 @@
 
 #include "cageproof/core/coordinate_tables.h"
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
 #include "cageproof/core/whole_evaluation.h"
 
 #include <fmt/format.h>
@@ -55,6 +56,18 @@ std::vector<Result<R>> results_of(std::vector<CoordinateTable<R>> tables, int or
   return results;
 }
 
+// One that no formula of the kind has, on elements of this cage or of others, is refused in the kind's words.
+void require_evaluation(const CoordinateKind& kind, const Cage& cage, std::string_view name) {
+  if (name.empty()) return;
+  for (const SummedBlock& block : kind.blocks)
+    for (const ElementKind element : element_kinds)
+      if (const Formula* formula = find_formula(element, block.kernel))
+        if (EvaluationRegister::instance().find(formula->name, name)) return;
+  std::vector<std::string_view> formulas;
+  for (const Formula* formula : formulas_of(kind, cage)) formulas.push_back(formula->name);
+  throw InputError(why_no_evaluation(kind.name, formulas, name, whole_evaluation_names(kind, cage)));
+}
+
 }  // namespace
 
 CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, CoordinateOptions options)
@@ -69,6 +82,7 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
   }
   if (options.evaluation == quickest) options.evaluation = quickest_evaluation(kind, cage);
   if (find_whole_evaluation(options.evaluation) == nullptr) {
+    require_evaluation(kind, cage, options.evaluation);
     prepared_ = prepare_sum(kind, elements_, options);
     return;
   }

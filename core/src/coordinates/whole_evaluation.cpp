@@ -28,6 +28,13 @@ const WholeEvaluation* find_whole_evaluation(std::string_view name, const Coordi
   return nullptr;
 }
 
+std::vector<std::string_view> whole_evaluation_names(const CoordinateKind& kind, const Cage& cage) {
+  std::vector<std::string_view> names;
+  for (const WholeEvaluation& evaluation : known())
+    if (evaluation.exists(kind, cage)) names.push_back(evaluation.name);
+  return names;
+}
+
 std::string quickest_evaluation(const CoordinateKind& kind, const Cage& cage) {
   for (const WholeEvaluation& evaluation : known())
     if (evaluation.role == Role::Batched && evaluation.exists(kind, cage)) return std::string(evaluation.name);

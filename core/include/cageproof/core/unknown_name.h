@@ -22,6 +22,15 @@ InputError unknown_name(std::string_view what, std::string_view name, const std:
 /// what may have been meant.
 std::string why_no_evaluation(std::string_view formula, std::string_view name);
 
+/// The same of whatever has evaluations. \param subject what messages call it \param formulas whose evaluations it has
+/// \param more names that it has beside them
+std::string why_no_evaluation(std::string_view subject, const std::vector<std::string_view>& formulas,
+                              std::string_view name, const std::vector<std::string_view>& more);
+
+/// The pattern with a stated range that a name with a number belongs to, whatever the number: "gauss-999" to
+/// "gauss-<N>". Empty where there is none.
+std::string_view family_of_number(std::string_view name);
+
 /// States what stands for the placeholder in a pattern of evaluations' names: "gauss-<N>", "N from 1 to 256".
 void state_range(std::string_view pattern, std::string_view range);
 /// What was stated; empty where nothing was.

@@ -38,6 +38,9 @@ const WholeEvaluation* find_whole_evaluation(std::string_view name);
 /// The one of that name that computes the kind in the cage, which the kind accepts, or null.
 const WholeEvaluation* find_whole_evaluation(std::string_view name, const CoordinateKind& kind, const Cage& cage);
 
+/// The names of those that compute the kind in the cage.
+std::vector<std::string_view> whole_evaluation_names(const CoordinateKind& kind, const Cage& cage);
+
 /// Stands for an evaluation's name: of sums over elements, the first evaluation of role batched that computes the kind
 /// in the cage, and the formulas' recommended ones where there is none. Kinds that are made of such sums
 /// (CoordinateKind::made_of_sums) ask for theirs by it, others ignore it.

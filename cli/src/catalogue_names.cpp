@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "catalogue_names.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/validation/check.h"
+#include "cageproof/validation/promise.h"
+
+#include <algorithm>
+
+namespace cageproof::cli {
+
+std::vector<std::string_view> other_checks() {
+  std::vector<std::string_view> names = validation::promised_checks();
+  std::erase_if(names, [](std::string_view name) { return validation::find_check(name) != nullptr; });
+  return names;
+}
+
+std::vector<CoordinateBlock> own_blocks(const CoordinateKind& kind) {
+  return CageCoordinates(embedded_cage(kind.own_dimension == 2 ? "square" : "cube"), kind, {}).blocks();
+}
+
+std::vector<std::string_view> whole_evaluations_of(const CoordinateKind& kind) {
+  std::vector<std::string_view> names;
+  if (!kind.is_sum()) return names;
+  for (const WholeEvaluation& evaluation : whole_evaluations())
+    if (evaluation.exists(kind, embedded_cage("cube")) || evaluation.exists(kind, embedded_cage("square")))
+      names.push_back(evaluation.name);
+  return names;
+}
+
+}  // namespace cageproof::cli
