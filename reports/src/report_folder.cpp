@@ -33,6 +33,8 @@ namespace fs = std::filesystem;
 void require_replaceable(const fs::path& out, const FolderKind& kind) {
   std::error_code error;
   const fs::file_status status = fs::status(out, error);
+  if (status.type() == fs::file_type::not_found && fs::is_symlink(out, error))
+    fail_folder(out, fmt::format("is a link to {}, which does not exist", fs::read_symlink(out, error).string()));
   if (status.type() == fs::file_type::not_found) return;
   if (error) fail_folder(out, error.message());
   if (!fs::is_directory(status)) fail_folder(out, "exists and is no folder");

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -15,7 +14,12 @@ namespace cageproof::reports {
 /// \throws InputError "cannot write <path>: <reason>"
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// Writes a whole file aside and renames it into place: whoever reads it finds the old one or the new one, whole.
+/// What can be known of it before the work whose result is to be written: that its folder exists and may be written to.
+/// \throws InputError as write_file
+void require_writable(const std::filesystem::path& path);
+
+/// Writes a whole file aside and renames it into place: whoever reads it finds the old one or the new one, whole. A
+/// symbolic link stays, and what it leads to is replaced; a device or a pipe is written to.
 /// \throws InputError as write_file
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
