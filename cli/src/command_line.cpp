@@ -95,10 +95,20 @@ Option with_numbers(CLI::Option* option, bool whole) {
   return Option(option, bounds);
 }
 
+// An empty word, as of a shell's variable that is not set, would pass for an option that is not given.
+Option with_words(CLI::Option* option) {
+  option->check(CLI::Validator(
+      [](std::string& text) {
+        return text.empty() ? std::string("'' is empty: give a value, or leave the option out") : "";
+      },
+      ""));
+  return Option(option);
+}
+
 }  // namespace
 
 Option Command::option(const std::string& name, std::string& value, const std::string& description) {
-  return Option(app_->add_option(name, value, description));
+  return with_words(app_->add_option(name, value, description));
 }
 
 Option Command::option(const std::string& name, int& value, const std::string& description) {
@@ -123,7 +133,7 @@ Option Command::option(const std::string& name, double& value, const std::string
 }
 
 Option Command::option(const std::string& name, std::vector<std::string>& values, const std::string& description) {
-  return Option(app_->add_option(name, values, description));
+  return with_words(app_->add_option(name, values, description));
 }
 
 Option Command::option(const std::string& name, std::vector<double>& values, const std::string& description) {
@@ -164,6 +174,7 @@ CommandLine::~CommandLine() = default;
 
 Command CommandLine::command(const std::string& name, const std::string& description) {
   CLI::App* command = app_->add_subcommand(name, description);
+  command->group("Commands");
   // CLI11 hands the program's down.
   command->footer("");
   return {command, &chosen_};
@@ -180,7 +191,7 @@ int CommandLine::run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     // Help and version arrive as exceptions too.
     if (e.get_exit_code() == 0) return app_->exit(e);
-    throw InputError(complaint_of(*app_, e.what()));
+    throw InputError(complaint_of(*app_, e));
   }
   return chosen_();
 }

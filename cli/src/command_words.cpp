@@ -95,6 +95,20 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
 }
 
+// What CLI11 says, where it does not say what would have been right: how often an option was given, and a value that is
+// missing.
+std::string plain_words(const CLI::ParseError& error) {
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
+  const std::string option = text.substr(0, text.find(": "));
+  const std::size_t counts = text.find("required but received ");
+  if (text.find(": At Most 1 ") != text.npos && counts != text.npos)
+    return fmt::format("{} takes one value, once: it was given {} of them", option,
+                       text.substr(text.find_last_of(' ') + 1));
+  if (text.find("1 required ") != text.npos) return fmt::format("{0} needs a value, as {0} VALUE", option);
+  return text;
+}
+
 }  // namespace
 
 std::shared_ptr<CLI::Formatter> help_formatter() { return std::make_shared<HelpFormatter>(); }
@@ -128,7 +142,8 @@ void refuse_unknown_command(const CLI::App& app, std::string_view first) {
       fmt::format("unknown option '{}'{} (see `cageproof --help`)", first, did_you_mean(first, option_names(app))));
 }
 
-std::string complaint_of(const CLI::App& app, const std::string& parsers) {
+std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string parsers = plain_words(error);
   const auto chosen = app.get_subcommands();
   if (chosen.empty()) return parsers + " (see `cageproof --help`)";
   const CLI::App& command = *chosen.front();

@@ -11,6 +11,7 @@
 namespace CLI {
 class App;
 class Formatter;
+class ParseError;
 }  // namespace CLI
 
 namespace cageproof::cli {
@@ -28,7 +29,7 @@ ProgramText text_of(const CLI::App& app);
 void refuse_unknown_command(const CLI::App& app, std::string_view first);
 
 /// What is wrong with the command line: a word that no option takes comes before what is missing, since the one is
-/// often the other misspelt. \param parsers what CLI11 says
-std::string complaint_of(const CLI::App& app, const std::string& parsers);
+/// often the other misspelt. \param error what CLI11 threw
+std::string complaint_of(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace cageproof::cli

@@ -76,8 +76,9 @@ std::string bash_completion(const ProgramText& program) {
   text +=
       "_cageproof() {\n"
       "  local word=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD - 1]} command= i\n"
-      "  # --option=value comes as three words.\n"
+      "  # --option=value comes as three words, or as one where COMP_WORDBREAKS has no =.\n"
       "  if [[ $word == = ]]; then word=; elif [[ $option == = ]]; then option=${COMP_WORDS[COMP_CWORD - 2]}; fi\n"
+      "  if [[ $word == --*=* ]]; then option=${word%%=*}; word=${word#*=}; fi\n"
       "  COMPREPLY=()\n"
       "  for ((i = 1; i < COMP_CWORD; i++)); do\n"
       "    if [[ ${COMP_WORDS[i]} != -* ]]; then command=${COMP_WORDS[i]}; break; fi\n"

@@ -5,6 +5,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
+#include "cageproof/reports/checked_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -112,6 +113,8 @@ void check_coordinate_files(const std::filesystem::path& out,
       throw InputError(fmt::format("{}: is written beside {}, and is the file of {}, too", companion.string(),
                                    out.string(), option));
   }
+  reports::require_writable(out);
+  if (!companion.empty()) reports::require_writable(companion);
   if (companion.empty() || !std::filesystem::is_regular_file(companion)) return;
   const std::string_view mark = extension == ".vtp" ? reports::metadata_array : coordinates_schema;
   if (read_file(companion).find(mark) == std::string::npos)

@@ -25,7 +25,7 @@ struct ExplainOptions {
   std::string formula, evaluation, element, point;
   std::vector<std::string> parameters;
   int order = 0, entry = -1, limit = 15;
-  bool json = false;
+  bool json = false, allow_invalid_quads = false;
 };
 
 // What is said of the entry's tensor and of the entry.
@@ -200,7 +200,10 @@ int run(const ExplainOptions& options) {
   if (!options.evaluation.empty() && evaluation_named(formula.name, options.evaluation).name() != recommended->name())
     throw InputError(fmt::format("{} of {} is not run in counted numbers: {} is", options.evaluation, options.formula,
                                  recommended->name()));
-  const QueryNumbers<double> numbers(query_of(options, formula), formula);
+  const QueryText query = query_of(options, formula);
+  check_allows_invalid_quads(options.allow_invalid_quads, formula);
+  if (!options.allow_invalid_quads) require_valid_quad(query, formula);
+  const QueryNumbers<double> numbers(query, formula);
   const auto entry = options.entry < 0 ? std::nullopt : std::optional<std::size_t>(options.entry);
   const Account account = account_of(formula, numbers.query(options.order), entry);
   ExplainOptions named = options;
@@ -229,6 +232,7 @@ void add_explain(CommandLine& line) {
   command.option("--entry", options->entry, "of that tensor, in eval's order; without, the one with the largest errors")
       .in_range(0, 1 << 20);
   command.option("--limit", options->limit, "lines of the table").in_range(1, 1 << 20).showing_default();
+  command.flag("--allow-invalid-quads", options->allow_invalid_quads, allow_invalid_quads_text);
   command.flag("--json", options->json, "as JSON");
   command.example(
       "cageproof explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[0,1,0]]' --point "

@@ -205,7 +205,7 @@ void add_field(CommandLine& line, const std::string& command_line) {
       command
           .option("--compare", a->compare,
                   "2 to 4 evaluations, as gauss-8,published,closed_form: errors against 50 digits side by side, in 3D")
-          .taking("EVALUATION...")
+          .taking("EVALUATIONS")
           .needs(kind)
           .excludes(evaluation);
   command.option("--points", a->points, "a mesh, whose vertices are compared too (2000 of them, spread evenly)")

@@ -4,6 +4,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/name_pattern.h"
 #include "cageproof/core/scalar_text.h"
+#include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/promise.h"
@@ -186,7 +187,10 @@ int run(Arguments& a) {
                  options.order, regime, worst.error, input_text(*options.formula, worst));
     };
   // A file that cannot be added to is known before the search, not after.
-  if (!a.out.empty()) reports::merge_worst(a.out, {}, options.keep);
+  if (!a.out.empty()) {
+    reports::require_writable(a.out);
+    reports::merge_worst(a.out, {}, options.keep);
+  }
   const std::vector<HuntResult> results = validation::hunt(options);
   bool broken = false;
   std::vector<reports::WorstLine> lines;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <system_error>
 
 namespace {
 
@@ -62,6 +63,9 @@ int main(int argc, char** argv) {
     return code;
   } catch (const InputError& e) {
     return complain(e.what());
+  } catch (const std::system_error& e) {
+    // What the formatting library throws where standard output takes no more.
+    return complain(fmt::format("cannot write to standard output: {}", e.code().message()));
   } catch (const std::exception& e) {
     return complain(fmt::format("unexpected: {}", e.what()));
   }

@@ -37,8 +37,10 @@ const std::vector<ManualSection>& manual_sections() {
         {"128 + n", "ended by signal n: 130 after SIGINT (Ctrl-C), 143 after SIGTERM"}}},
       {"Signals",
        {"SIGINT, SIGTERM, SIGHUP and SIGPIPE end the program by that signal, after it has removed what it was writing: "
-        "no half report, no file aside. What stood in its place stays as it was. The journal of `verify` stays, and "
-        "`verify --resume FOLDER` goes on where it ended."},
+        "no half report, no file aside. What stood in its place stays as it was, with one exception: `verify --out` "
+        "over an "
+        "earlier report of its own replaces that one's journal as soon as it starts, since a run that ends half may be "
+        "gone on with (`verify --resume FOLDER`); the pages stay until the new ones are whole."},
        {}},
       {"Files and folders that are written",
        {"Every file and folder is written beside its place, as .NAME.partial-PID-N@HOST, and renamed into it when it "

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace cageproof::cli {
 namespace {
@@ -35,6 +36,7 @@ void print_group(const reports::BrokenGroup& group) {
 }  // namespace
 
 ExitCode print_verdict(const RunResult& result, const std::string& out) {
+  const std::filesystem::path folder = out;
   std::size_t kept = 0, broken = 0, unpromised = 0;
   for (const ResultRow& row : result.rows) {
     kept += row.verdict == Verdict::Kept;
@@ -44,8 +46,8 @@ ExitCode print_verdict(const RunResult& result, const std::string& out) {
   for (const reports::BrokenGroup& group : reports::broken_groups(result)) print_group(group);
   fmt::print("{}: {} promises kept, {} broken, {} rows not promised\n",
              broken == 0 ? "all promises kept" : "PROMISES BROKEN", kept, broken, unpromised);
-  fmt::print("report: {}/index.html\n", out);
-  if (broken != 0) fmt::print("worst inputs: cageproof replay {}/worst.jsonl\n", out);
+  fmt::print("report: {}\n", (folder / "index.html").string());
+  if (broken != 0) fmt::print("worst inputs: cageproof replay {}\n", (folder / "worst.jsonl").string());
   for (const std::string& note : result.session_notes) fmt::print(stderr, "cageproof: {}\n", note);
   return broken == 0 ? success : promise_broken;
 }

@@ -66,7 +66,7 @@ std::vector<std::string_view> names_of_suites() {
 int print_shard(const validation::VerifyOptions& options, const validation::Verified& done) {
   fmt::print("shard {}/{}: all {} units of work are done, {} of them now\n", options.shard, options.shards, done.units,
              done.measured);
-  fmt::print("journal: {}/journal; `cageproof merge` makes one report of all {} shards\n", options.out.string(),
+  fmt::print("journal: {}; `cageproof merge` makes one report of all {} shards\n", (options.out / "journal").string(),
              options.shards);
   return success;
 }

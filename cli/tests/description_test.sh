@@ -14,7 +14,7 @@ fi
 if command -v mandoc >/dev/null; then mandoc -Tlint -W warning cageproof.1 >warnings || fail "mandoc: $(head -n 3 warnings)"; fi
 grep -q '^\.TH CAGEPROOF 1 ' cageproof.1 || fail 'no title'
 for section in NAME SYNOPSIS COMMANDS 'EXIT STATUS' SIGNALS ENVIRONMENT; do grep -qx "\.SH $section" cageproof.1 || fail "no section $section"; done
-commands=$("$cageproof" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
+commands=$("$cageproof" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
 [ "$(wc -w <<<"$commands")" -ge 16 ] || fail "commands: $commands"
 "$cageproof" completion bash >completion || fail 'completion bash'
 for command in $commands; do

@@ -70,6 +70,18 @@ ln -s own link && keeps own own field --out link
 ln -s nothing dangling
 field --out dangling >stdout 2>stderr && [ ! -d nothing ] && fail 'a field nowhere'
 [ -L dangling ] || fail 'a link is replaced'
+grep -qF 'a link to nothing, which does not exist' stderr || fail "a link to nothing: $(cat stderr)"
+# A file's link stays and is followed, if need be to a file that is not there yet; a pipe is written to.
+printf '0.1 0.1 0.1\n' >linked_point.txt
+coordinates() { "$cageproof" coordinates --cage cube --points linked_point.txt --kind green "$@"; }
+mkdir elsewhere && ln -s elsewhere/table.csv table.csv && coordinates --out table.csv 2>/dev/null || fail 'coordinates through a link'
+[ -L table.csv ] && [ -s elsewhere/table.csv ] && [ -s table.json ] || fail 'a link to a file is replaced'
+"$cageproof" man --out /dev/stdout | cat | grep -q '^.TH CAGEPROOF' || fail 'a manual on standard output'
+coordinates --out nowhere/table.csv >stdout 2>stderr && fail 'coordinates in no folder'
+"$cageproof" hunt --formula triangle.solid_angle --budget 1000000000 --out nowhere/worst.jsonl >>stdout 2>>stderr && fail 'hunt in no folder'
+[ "$(grep -c 'folder nowhere does not exist' stderr)" -eq 2 ] || fail "files in no folder: $(cat stderr)"
+"$cageproof" list >/dev/full 2>stderr && fail 'a full disk'
+grep -q 'cannot write to standard output: No space left on device' stderr || fail "a full disk: $(cat stderr)"
 "$cageproof" coordinates --cage cube --points cube --kind green --out report >stdout 2>stderr && fail 'coordinates over a folder'
 mkdir a.csv
 printf '0.1 0.1 0.1\n' >point.txt

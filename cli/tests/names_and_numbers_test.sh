@@ -25,7 +25,11 @@ refuses_to verify "unknown regime 'fra'" "did you mean 'far'?" -- --regimes 'nea
 refuses_to verify "no regime matches 'nera-*'" -- --regimes 'far,nera-*'
 refuses_to verify "did you mean 'closed_form'?" -- --evaluations gauss-8,closed_frm
 refuses_to verify "'near-*,,far' is no list" -- --regimes 'near-*,,far'
-refuses_to verify "'' is no list" -- --regimes ''
+refuses_to verify "no list" -- --regimes ' '
+refuses_to verify "'' is empty" -- --regimes ''
+refuses_to verify "no formula of 'triangle.*' has an evaluation 'line_form'; quad.mean_value has" -- --formulas 'triangle.*' --evaluations closed_form,line_form
+refuses_to verify 'gauss-<N> takes N from 1 to 256, and here gauss-4, gauss-8, gauss-16' -- --evaluations closed_form,gauss-999
+refuses_to verify 'tessellated-<n> takes n from 1 to 512' -- --evaluations tessellated-3000
 refuses_to verify "did you mean 'quick'?" 'quick, standard, full' -- --suite quik
 refuses_to eval "did you mean 'triangle.solid_angle'?" -- --formula solid_angle --evaluation closed_form
 refuses_to eval 'gauss-<N> takes N from 1 to 256' -- --formula triangle.single_layer --evaluation gauss-300
@@ -46,9 +50,17 @@ refuses_to bench 'derivatives of order 1' -- --formula quad.mean_value --evaluat
 refuses_to list "did you mean 'near-face'?" -- near-fac
 write() { printf '%s\n' "${@:2}" >"$1"; }
 write one.csv '0.1 0.2 0.3'
+refuses_to coordinates "green has no evaluation 'bached'" "did you mean 'batched'?" -- --cage cube --points one.csv --kind green --evaluation bached --out out.csv
+refuses_to field "green has no evaluation 'bached'" "did you mean 'batched'?" -- --cage cube --kind green --evaluation bached --out out
+refuses_to coordinates 'gauss-<N> takes N from 1 to 256' -- --cage cube --points one.csv --kind green --evaluation gauss-999
+refuses_to bench "green has no evaluation 'bached'" "did you mean 'batched'?" -- --kind green --evaluations gauss-4,bached
+for option in out solved data; do refuses_to coordinates "--$option: '' is empty" -- --cage cube --points one.csv --kind green --$option ''; done
+for command in bench hunt; do refuses_to $command "--out: '' is empty" -- --formula triangle.solid_angle --out ''; done
 refuses_to coordinates "did you mean 'nu'" -- --cage cube --points one.csv --kind somigliana --parameter un=0.3
 "$cageproof" list 'near-*,*.solid_angle' >stdout || fail 'list of globs'
 [ "$(grep -c '^[a-z]*\.[a-z_]*$' stdout)" -eq "$(grep -c '^[a-z]*\.solid_angle$' stdout)" ] && grep -qx triangle.solid_angle stdout && grep -q '^regimes: near-face near-plane near-edge near-line near-vertex$' stdout || fail "list of globs: $(cat stdout)"
+"$cageproof" list 'closed_f*,batched' >stdout || fail 'list of evaluations'
+grep -q '^evaluation closed_form of: .*triangle.single_layer' stdout && grep -q '^evaluation batched of: .*green' stdout || fail "list of evaluations: $(cat stdout)"
 "$cageproof" list --json | grep -q '"range": "N from 1 to 256"' || fail 'list --json does not say the range of gauss-<N>'
 
 # The same lists mean the same everywhere.
@@ -67,13 +79,18 @@ grep -qx triangle.single_layer <<<"$subjects" && fail 'verify of lists has what 
 # Evaluations that lack the order are left out of a default with a word.
 bench --formula quad.mean_value --regime near-face --order 1 >stdout || fail "bench --order 1: $(cat stdout)"
 "$cageproof" bench --samples 2 --seconds 0 --formula quad.mean_value --regime near-face --order 1 | grep -q 'left out.*order 1.*riemann' || fail 'nothing says what is left out'
+# What computes all at once is compared with what is summed.
+"$cageproof" bench --kind green --cage cube --evaluations 'gauss-4,bat*' --samples 2 --seconds 0 --csv >whole.csv || fail 'bench of a kind by batched'
+[ "$(cut -d, -f 5 whole.csv | tail -n +2 | sort -u | tr '\n' ' ')" = 'batched gauss-4 ' ] || fail "bench of a kind by batched: $(cat whole.csv)"
 # Rules have nodes, and say how many.
 bench --formula quad.mean_value --regime near-face --evaluations riemann-4,tessellated-5,gauss-8,line-12,adaptive >nodes.csv || fail 'bench of rules'
 awk -F, 'NR > 1 && !($14 > 0) || $5 == "riemann-4" && $14 != 81 || $5 == "tessellated-5" && $14 != 50 || $5 == "gauss-8" && $14 != 64 { exit 1 }' nodes.csv ||
   fail "nodes: $(cut -d, -f 5,14 nodes.csv)"
 "$cageproof" bench --coordinates --cage cube --samples 1 --seconds 0 --evaluations riemann-4 --csv | grep -qF ',1,81,' || fail 'nodes of whole coordinates'
 
-# Numbers.
+# Numbers, and how often.
+refuses_to verify '--samples takes one value, once' -- --samples 3 --samples 4
+refuses_to verify '--samples needs a value' -- --samples
 for bad in nan inf -inf 0x10 '' ' ' -3 3k 1.5 1e99 0 1e400 ++3 +-3 1,000 '1 2'; do
   refuses_to verify --samples "'$bad' is not a whole number from 1 to 100000000" -- --samples "$bad"
 done
