@@ -4,18 +4,16 @@
 #include "cageproof/reports/worst_file.h"
 #include "figure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace cageproof::reports {
 namespace {
 
 std::string file_of(const ResultRow& row) {
-  switch (row.section) {
-    case RowKey::Section::Element: return "worst/" + file_name(row.subject) + ".jsonl";
-    case RowKey::Section::Cage: return "worst/cage." + file_name(row.regime) + ".jsonl";
-    case RowKey::Section::Deformer: break;
-  }
-  return "worst/deformer." + file_name(row.regime) + ".jsonl";
+  const RowHome home = home_of(row);
+  return fmt::format("worst/{}{}.jsonl", home.prefix, file_name(home.name));
 }
 
 // Rows of kept promises are many, and the worst input of each is what is asked for.
@@ -24,6 +22,15 @@ std::size_t count_of(const ResultRow& row) {
 }
 
 }  // namespace
+
+RowHome home_of(const RowKey& row) {
+  switch (row.section) {
+    case RowKey::Section::Element: return {"formulas", "", row.subject};
+    case RowKey::Section::Cage: return {"cages", "cage.", row.regime};
+    case RowKey::Section::Deformer: break;
+  }
+  return {"deformers", "deformer.", row.regime};
+}
 
 WorstPlaces::WorstPlaces(const RunResult& result) {
   std::map<std::string, std::size_t> next;

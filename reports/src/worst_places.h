@@ -10,6 +10,14 @@
 
 namespace cageproof::reports {
 
+/// What a row's cell and worst inputs are filed under: its formula, its cage, or the cage that is deformed.
+struct RowHome {
+  std::string_view folder;  ///< of the pages: "formulas", "cages", "deformers"
+  std::string_view prefix;  ///< of files that all lie in one folder: "", "cage.", "deformer."
+  std::string name;
+};
+RowHome home_of(const RowKey& row);
+
 /// Lines of a file, from 1.
 struct WorstPlace {
   std::string file;       ///< "worst/triangle.double_layer.jsonl", "worst/cage.cube.jsonl", "worst/deformer.cube.jsonl"

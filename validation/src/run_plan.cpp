@@ -391,14 +391,14 @@ class Planner {
                           fmt::format("{}: error of {}", title, scheme->name()), "difference", common));
   }
 
-  // One scene a run, of the first kind that papers print and of a cage that is not convex, or the user's; all of them
+  // One scene a run, of the first kind that papers print and of the suite's cage, or the user's; all of them
   // in suites with time. It takes the place of a slice of the recommended evaluation's rounding noise.
   bool add_scene(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind) {
     const Suite& suite = options_.suite;
     const Comparison comparison{cage, &kind, telling_evaluations(kind, *cage), options_.triangulation};
     if (kind.keeps_quads || comparison.evaluations.size() < 3) return false;
-    const bool all = suite.shown_elements == 0;
-    if (!all && (scenes_ > 0 || !(options_.cage || cage->name() == "l-block"))) return false;
+    const bool all = suite.scene_cage.empty();
+    if (!all && (scenes_ > 0 || !(options_.cage || cage->name() == suite.scene_cage))) return false;
     ++scenes_;
     const auto mesh = options_.mesh ? std::make_shared<const Mesh>(*options_.mesh) : nullptr;
     const auto elements = static_cast<double>(cage->parts(false, options_.triangulation).elements.size());

@@ -31,12 +31,8 @@ std::string cell_class(const ResultRow& row) {
 }
 
 std::string page_of(const RowKey& row) {
-  switch (row.section) {
-    case RowKey::Section::Element: return "formulas/" + file_name(row.subject) + ".html";
-    case RowKey::Section::Cage: return "cages/" + file_name(row.regime) + ".html";
-    case RowKey::Section::Deformer: break;
-  }
-  return "deformers/" + file_name(row.regime) + ".html";
+  const RowHome home = home_of(row);
+  return fmt::format("{}/{}.html", home.folder, file_name(home.name));
 }
 
 std::string cell_id(const RowKey& row) {

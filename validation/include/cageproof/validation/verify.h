@@ -16,19 +16,20 @@ namespace cageproof::validation {
 /// How much a suite does.
 struct Suite {
   std::string_view name;
-  int samples;             ///< of each formula in each regime
-  int integral_samples;    ///< of these, for the multiprecision integral
-  int enclosures;          ///< of each formula in each regime, enclosed rigorously
-  int cage_points;         ///< a cage, off it
-  int truth_points;        ///< of these, against multiprecision
-  int block_points;        ///< a cage and kind, for block errors of evaluations of whole coordinates, at most
-  int block_milliseconds;  ///< that their truths may cost (BlockCampaignOptions)
-  int mesh_points;         ///< of a mesh, at most, for each kind of coordinates; 0: all
-  int slice;               ///< samples a side of the fields of linear reproduction
-  int pairs;               ///< multiprecision evaluations a field of errors may cost
-  int scene_pairs;         ///< and a scene of errors side by side
-  int scene_side;          ///< samples a side of these at most
-  int shown_elements;      ///< embedded cages with more elements get no fields; 0: all get them
+  int samples;                  ///< of each formula in each regime
+  int integral_samples;         ///< of these, for the multiprecision integral
+  int enclosures;               ///< of each formula in each regime, enclosed rigorously
+  int cage_points;              ///< a cage, off it
+  int truth_points;             ///< of these, against multiprecision
+  int block_points;             ///< a cage and kind, for block errors of evaluations of whole coordinates, at most
+  int block_milliseconds;       ///< that their truths may cost (BlockCampaignOptions)
+  int mesh_points;              ///< of a mesh, at most, for each kind of coordinates; 0: all
+  int slice;                    ///< samples a side of the fields of linear reproduction
+  int pairs;                    ///< multiprecision evaluations a field of errors may cost
+  int scene_pairs;              ///< and a scene of errors side by side
+  int scene_side;               ///< samples a side of these at most
+  std::string_view scene_cage;  ///< the embedded cage that has one, which is not convex; empty: all have them
+  int shown_elements;           ///< embedded cages with more elements get no fields; 0: all get them
 };
 
 /// quick is the default, for a verdict in minutes; standard takes some twenty on two cores, full as long as asked.
