@@ -20,8 +20,9 @@ std::string print(const Tally& tally) {
   };
   for (const std::uint64_t count : tally.errors.counts()) add(static_cast<double>(count));
   for (const double x :
-       {tally.errors.max(), static_cast<double>(tally.errors.nonfinite()), static_cast<double>(tally.without_truth),
-        static_cast<double>(tally.declined), tally.max_relative})
+       {tally.errors.max(), static_cast<double>(tally.errors.nonfinite()), static_cast<double>(tally.asked),
+        static_cast<double>(tally.without_truth), static_cast<double>(tally.unreached),
+        static_cast<double>(tally.declined), tally.max_relative, tally.total_loss})
     add(x);
   for (const double x : tally.by_parameter) add(x);
   for (const WorstCase& c : tally.worst.cases()) {
@@ -43,6 +44,9 @@ Tally one(int i) {
   tally.add_to_curve(i % 5, 5, error);
   tally.without_truth = i % 2;
   tally.declined = i % 3;
+  tally.unreached = i % 4;
+  tally.asked = i + 1;
+  tally.total_loss = i % 5 == 0 ? -1 : i % 7;
   return tally;
 }
 
@@ -59,6 +63,9 @@ TEST(tally, merges_in_any_order_to_the_same) {
     if (expected.empty()) expected = print(left);
     EXPECT_EQ(left.without_truth, 6u);
     EXPECT_EQ(left.declined, 12u);
+    EXPECT_EQ(left.unreached, 18u);
+    EXPECT_EQ(left.asked, 78u);
+    EXPECT_EQ(left.total_loss, 6);
     ASSERT_EQ(print(left), expected) << attempt;
   }
 }

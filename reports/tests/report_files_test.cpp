@@ -297,6 +297,26 @@ TEST(ReportFiles, WhatNoResultCouldBreakIsGrey) {
             std::string::npos);
 }
 
+// What was never measured is grey too, and what no result could break has a tile and a figure of its own.
+TEST(ReportFiles, WhatIsGreyIsCounted) {
+  RunResult run = sample_run(1, 1);
+  ResultRow& row = run.rows[0];
+  const std::string page = fmt::format("formulas/{}.html", row.subject), id = "truth.generic.closed_form.double.0";
+  const std::string tile = "ill-posed: no result could break a bound there";
+  EXPECT_EQ(report(run).at("index.html").find(tile), std::string::npos);
+  row.verdict = Verdict::NotPromised;
+  row.total_loss = 64;
+  EXPECT_NE(report(run).at("index.html").find(tile), std::string::npos);
+  EXPECT_EQ(number_of(Json::parse(summary_json(run))["rows"][0]["total_loss"]), std::optional(64.0));
+  row.total_loss = -1;
+  EXPECT_TRUE(Json::parse(summary_json(run))["rows"][0]["total_loss"].is_null());
+  EXPECT_EQ(report(run).at("index.html").find(tile), std::string::npos);
+  row.samples = 0;
+  EXPECT_EQ(cell_of(report(run), page, id)["css"], "ill");
+  row.verdict = Verdict::Broken;
+  EXPECT_NE(cell_of(report(run), page, id)["css"], "ill");
+}
+
 TEST(ReportFiles, PagesAreSmall) {
   for (const auto& [name, text] : report(sample_run(3, 12))) {
     if (name.ends_with(".html")) {

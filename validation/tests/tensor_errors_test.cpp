@@ -41,6 +41,18 @@ TEST(tensor_errors, are_norms_of_finite_tensors) {
   EXPECT_EQ(error({1, inf, 2}, {1, 2, 2}), inf);
 }
 
+TEST(tensor_errors, of_a_result_without_a_right_digit_are_as_large_as_the_truth) {
+  Truth truth = truth_of({1, 2, 2});
+  EXPECT_NEAR(score_of_total_loss(truth, 0, Mp100(u)) * u, 1, 1e-12);
+  EXPECT_NEAR(error({0, 0, 0}, {1, 2, 2}), score_of_total_loss(truth, 0, Mp100(u)), 1e-3);
+  // Rounding the input costs sixteen digits here: nothing could be wrong.
+  truth.conditioned[0] = truth.norm[0] * Mp100("1e16");
+  EXPECT_LT(score_of_total_loss(truth, 0, Mp100(u)), 1);
+  // What is not zero where zero is right is seen, and so is what is finite where no limit exists.
+  EXPECT_EQ(score_of_total_loss(truth_of({0, 0}), 0, Mp100(u)), inf);
+  EXPECT_EQ(score_of_total_loss(truth_of({1, Mp100(inf)}), 0, Mp100(u)), inf);
+}
+
 TEST(tensor_errors, compare_signs_of_infinities_and_what_stands_beside_them) {
   const std::vector<Mp100> truth{Mp100(inf), Mp100(-inf), 3};
   EXPECT_EQ(error({inf, -inf, 3}, truth), 0);

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace cageproof::validation {
 namespace {
 
@@ -59,6 +61,37 @@ TEST(rows, judge_what_their_samples_are) {
   EXPECT_EQ(row.verdict, Verdict::Kept);
   // Where no limit exists there is nothing to keep, and nothing to break.
   EXPECT_EQ(row_of(key("truth", "closed_form", "on-edge"), tally(-1, 3)).verdict, Verdict::NotPromised);
+}
+
+// What a result without one right digit would keep is no promise; it is one where some sample would show the loss.
+TEST(rows, promise_nothing_that_no_result_could_break) {
+  Tally found = tally(3);
+  for (const double loss : {0.0, 12.5, 64.0}) {
+    found.total_loss = loss;
+    const ResultRow row = row_of(key("truth", "closed_form", "on-edge"), found);
+    EXPECT_EQ(row.total_loss, loss);
+    EXPECT_TRUE(row.is_ill_posed()) << loss;
+    EXPECT_EQ(row.verdict, Verdict::NotPromised) << loss;
+    EXPECT_TRUE(row.reason.starts_with("ill-posed here: ")) << row.reason;
+    EXPECT_EQ(*row.bound, 64);
+  }
+  for (const double loss : {-1.0, 64.5, HUGE_VAL}) {
+    found.total_loss = loss;
+    const ResultRow row = row_of(key("truth", "closed_form", "on-edge"), found);
+    EXPECT_FALSE(row.is_ill_posed()) << loss;
+    EXPECT_EQ(row.verdict, Verdict::Kept) << loss;
+  }
+  // Above the bound it is broken all the same, and without a bound there is nothing to be ill-posed about.
+  Tally broken = tally(65);
+  broken.total_loss = 1;
+  EXPECT_EQ(row_of(key("truth", "closed_form", "on-edge"), broken).verdict, Verdict::Broken);
+  EXPECT_FALSE(row_of(key("truth", "gauss-8", "on-edge"), broken).is_ill_posed());
+  // One sample that would show it is enough.
+  found.total_loss = 1;
+  Tally other = tally(2);
+  other.total_loss = 1e15;
+  found.merge(other);
+  EXPECT_EQ(row_of(key("truth", "closed_form", "on-edge"), found).verdict, Verdict::Kept);
 }
 
 TEST(rows, are_broken_by_samples_that_they_lost) {
