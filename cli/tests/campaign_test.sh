@@ -82,6 +82,14 @@ wait_for_lines() {
 
 "$cageproof" verify "${options[@]}" --out alone >alone.txt || fail "a run left alone: $(cat alone.txt)"
 
+# Each field says which run it is of.
+for fact in kind evaluation version seed suite; do
+  for field in alone/fields/octahedron*; do
+    case $field in *.cage.vtp | *.pvsm) continue ;; esac
+    grep -q "<Array type=\"String\" Name=\"${fact}s*\"" "$field" || fail "$field does not say its $fact"
+  done
+done
+
 kills() {
   # Killed after a while, again and again, until a process lives to the end.
   local rounds=0 command

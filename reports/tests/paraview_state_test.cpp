@@ -47,6 +47,7 @@ FieldScene sample_scene(bool with_mesh) {
   scene.cage = {"cage", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}};
   if (!with_mesh) return scene;
   scene.mesh = sample_mesh("mesh", 5);
+  scene.mesh.facts = scene.image.facts;
   scene.mesh.arrays.push_back(scene.mesh.arrays[0]);
   for (int k = 0; k < 2; ++k) scene.mesh.arrays[k].name = scene.compared[k];
   return scene;
@@ -195,6 +196,12 @@ TEST_P(ParaviewState, OpensWhatSaysWhatItIs) {
     auto* fact = vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray(name.c_str()));
     ASSERT_NE(fact, nullptr) << name;
     EXPECT_EQ(fact->GetValue(0), text);
+  }
+  for (Element* proxy : proxies("XMLPolyDataReader")) {
+    const std::string file = values_of(*proxy, "FileName")[0];
+    const auto surface = read<vtkXMLPolyDataReader>(beside(file));
+    for (const auto& [name, text] : scene.image.facts)
+      EXPECT_NE(surface->GetFieldData()->GetAbstractArray(name.c_str()), nullptr) << file << " lacks " << name;
   }
   EXPECT_EQ(image->GetPointData()->GetArray("log10 inside"), nullptr);
   for (const std::string& array : scene.compared) {

@@ -83,6 +83,18 @@ TEST_F(WorstFile, ParametersKeepTheirOrder) {
   EXPECT_EQ(read_worst(write(worst_lines(run)))[0].worst.parameters, run.rows[0].worst[0].parameters);
 }
 
+TEST_F(WorstFile, TheFurthestEntryIsWrittenWhereATensorWasCompared) {
+  RunResult run = sample_run(1, 1);
+  run.rows.resize(1);
+  run.rows[0].worst.resize(1);
+  EXPECT_FALSE(nlohmann::json::parse(worst_lines(run)).contains("furthest"));
+  run.rows[0].worst[0].relative = 0.125;
+  run.rows[0].worst[0].furthest = {4, HUGE_VAL, "2.5000000000000000001e-01"};
+  const nlohmann::json line = nlohmann::json::parse(worst_lines(run));
+  EXPECT_EQ(line["relative"], 0.125);
+  EXPECT_EQ(line["furthest"], (nlohmann::json{{"entry", 4}, {"found", "inf"}, {"truth", "2.5000000000000000001e-01"}}));
+}
+
 TEST_F(WorstFile, RowsWithoutWorstCasesAreLeftOut) {
   RunResult run = sample_run(1, 1);
   for (ResultRow& row : run.rows) row.worst.clear();

@@ -78,6 +78,32 @@ TEST(formula_error_field, shows_an_evaluation_that_is_wrong) {
   EXPECT_GT(*std::ranges::max_element(field.arrays[1].values), 1e-3);
 }
 
+TEST(error_fields, say_what_they_are) {
+  const auto cage = std::make_shared<const Cage>(embedded_cage("cube"));
+  const CoordinateKind& kind = *find_coordinate_kind("green");
+  const auto rule = Triangulation::Fan;
+  for (const FieldPlan& plan :
+       {reproduction_field(cage, kind, "gauss-4", rule, 3), coordinate_error_field(cage, kind, "gauss-4", rule, 3),
+        coordinate_difference_field(cage, kind, "gauss-4", "closed_form", rule, 3)}) {
+    const FieldFacts& facts = plan.field.facts;
+    EXPECT_EQ(facts.at("cage"), "cube") << plan.field.name;
+    EXPECT_EQ(facts.at("kind"), "green") << plan.field.name;
+    EXPECT_EQ(facts.at("evaluation"), "gauss-4") << plan.field.name;
+    EXPECT_EQ(facts.at("triangulation"), "fan") << plan.field.name;
+    EXPECT_FALSE(facts.at("unit of length").empty()) << plan.field.name;
+    EXPECT_EQ(facts.contains("compared with"), plan.field.name.ends_with("difference")) << plan.field.name;
+    EXPECT_EQ(sampled(plan, 1).facts, facts);
+  }
+  const Formula& formula = formula_named("triangle.double_layer");
+  const ElementSlice one = slice_of(formula.element, 3);
+  const FieldFacts facts =
+      formula_error_field({one.corners}, formula, evaluation_named(formula.name, "gauss-4"), 1, one.slice, 0).facts;
+  EXPECT_EQ(facts.at("formula"), "triangle.double_layer");
+  EXPECT_EQ(facts.at("evaluation"), "gauss-4");
+  EXPECT_EQ(facts.at("order"), "1");
+  EXPECT_TRUE(facts.at("truth").ends_with(" in 50 digits"));
+}
+
 TEST(elements_of, are_quads_as_they_are_or_split) {
   const Cage cage = embedded_cage("l-block");  // 8 quads, 4 triangles
   EXPECT_EQ(elements_of(cage, ElementKind::Quad, Triangulation::Shortest).size(), 8u);
