@@ -58,6 +58,18 @@ TEST(unknown_name, says_what_may_have_been_meant) {
   EXPECT_EQ(nearest_name("", known), "");
   EXPECT_EQ(nearest_name("x", {"a", "far"}), "");
   EXPECT_EQ(nearest_name("x", {}), "");
+  // Of two as near the first; a swap of neighbours is one letter off, as one changed, left out or put in is.
+  EXPECT_EQ(nearest_name("gren", {"green", "grin"}), "green");
+  EXPECT_EQ(nearest_name("abdc", {"abcd"}), "abcd");
+  EXPECT_EQ(nearest_name("abxd", {"abcd"}), "abcd");
+  EXPECT_EQ(nearest_name("abd", {"abcd"}), "abcd");
+  EXPECT_EQ(nearest_name("abcxd", {"abcd"}), "abcd");
+  EXPECT_EQ(nearest_name("near-edge", {"near-edgy", "NEAR_EDGE"}), "NEAR_EDGE");
+  // A third of the letters may be off and no more; one always may.
+  EXPECT_EQ(nearest_name("abcdef", {"xycdef"}), "xycdef");
+  EXPECT_EQ(nearest_name("abcdef", {"xyzdef"}), "");
+  EXPECT_EQ(nearest_name("ab", {"axb"}), "axb");
+  EXPECT_EQ(nearest_name("abcde", {"xycde"}), "");
 }
 
 }  // namespace
