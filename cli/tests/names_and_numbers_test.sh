@@ -137,6 +137,16 @@ grep -q '^largest share of a promise: .* in line [0-9]*: segment.winding_angle' 
 sed 's/"bound":[^,}]*/"bound":1e-300/' one/worst.jsonl >broken.jsonl
 "$cageproof" replay broken.jsonl >stdout
 [ $? -eq 1 ] && grep -q '^PROMISES BROKEN: ' stdout || fail "replay of broken promises: $(tail -n 2 stdout)"
+grep -q "^PROMISES BROKEN: .* $(grep -c 'above the promised' stdout) broken, " stdout || fail "replay miscounts broken promises: $(tail -n 2 stdout)"
+# Each case is counted once: kept where it has a bound, not promised where it has none, without error where there is no truth: at an end of the segment.
+grep '"check":"truth"' one/worst.jsonl | grep '"evaluation":"closed_form","scalar":"double"' | grep -v '"order":0' |
+  sed -E 's/("element":\[(\[[^]]*\]).*"point":)\[[^]]*\]/\1\2/' >ends.jsonl
+ends=$(wc -l <ends.jsonl) open=$(grep -c '"bound":null' one/worst.jsonl)
+[ "$ends" -gt 0 ] || fail "no case to move to an end of its segment"
+cat one/worst.jsonl ends.jsonl >moved.jsonl
+"$cageproof" replay moved.jsonl >stdout || fail "replay of what has no truth: $(tail -n 2 stdout)"
+grep -q ": $(wc -l <moved.jsonl) cases of moved.jsonl: $(($(wc -l <one/worst.jsonl) - open)) kept, 0 broken, $open not promised, $ends without error; 0 changed since stored$" stdout ||
+  fail "replay miscounts: $(tail -n 2 stdout)"
 
 [ $failures -eq 0 ] && echo "names and numbers mean the same everywhere"
 exit $failures
