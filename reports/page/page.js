@@ -84,14 +84,17 @@ if (overview) {
     page: row.cells[0].firstElementChild.getAttribute("href"),
     regime: row.cells[1].textContent,
     cells: data.cells[place],
-    shown: [2, 3, 4, 5, 6, 7, 8].map((column) => [row.cells[column].className, row.cells[column].innerHTML]),
+    shown: null,
   }));
   addChoices(form.elements.formula, lines.map((line) => line.formula));
   addChoices(form.elements.regime, lines.map((line) => line.regime));
   addChoices(form.elements.evaluation, data.evaluations);
 
   const showEvaluation = (line, name) => {
+    // What the page came with is kept once it is to be replaced: keeping all of it would take longer than all else here.
+    if (name === "" && line.shown === null) return true;
     const cells = [...line.row.cells].slice(2);
+    if (line.shown === null) line.shown = cells.map((cell) => [cell.className, cell.innerHTML]);
     if (name === "") {
       cells.forEach((cell, i) => ([cell.className, cell.innerHTML] = line.shown[i]));
       return true;
@@ -117,7 +120,7 @@ if (overview) {
     for (const line of lines) {
       const shown = (formula.value === "" || formula.value === line.formula) && (regime.value === "" || regime.value === line.regime) &&
         showEvaluation(line, evaluation.value);
-      line.row.hidden = !shown;
+      if (line.row.hidden === shown) line.row.hidden = !shown;
       count += shown;
     }
     for (const row of overview.rows)

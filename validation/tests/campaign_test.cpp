@@ -106,8 +106,11 @@ TEST(campaign, the_quickest_suite_confirms_derivatives_next_to_the_element) {
     for (const ResultRow& row : run_campaign(options).rows) {
       if (row.check != "truth" || row.scalar != "double") continue;
       ++rows;
-      EXPECT_EQ(row.verdict, Verdict::Kept)
+      // Hessians diverge towards edges: no result could break a promise there, which says so, and is no promise.
+      const bool diverges = row.order == 2 && row.is_ill_posed() && regime != std::string_view("on-face");
+      EXPECT_TRUE(row.verdict == Verdict::Kept || (diverges && row.verdict == Verdict::NotPromised))
           << row.subject << ", " << regime << ", order " << row.order << ": " << row.reason;
+      EXPECT_GT(row.samples, 0U);
     }
     EXPECT_EQ(rows, 3);
   }
