@@ -22,8 +22,8 @@ struct Subject {
   bool has_whole(std::string_view evaluation) const { return std::ranges::find(whole, evaluation) != whole.end(); }
 };
 
-/// One evaluation of each formula, none of those that compute all at once. \throws InputError that names all that are
-/// missing
+/// A row a name, with one evaluation of each formula; the row of a whole evaluation is empty. \throws InputError that
+/// names all that are missing
 std::vector<std::vector<Evaluation>> find_all(const Subject& subject, const WorkPrecisionOptions& options);
 
 /// The names of lists of names and globs, each once; without any, those that are shown: rules coarse to fine, the

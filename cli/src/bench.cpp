@@ -134,7 +134,8 @@ void add_bench(CommandLine& line, const std::string& command_line) {
       .showing_default("generic,near-face");
   command
       .option("--evaluations,--evaluation", a->options.evaluations,
-              "what is compared; without: rules coarse to fine, the recommended evaluation, printed forms")
+              "what is compared, of a kind batched as well; without: rules coarse to fine, the recommended evaluation, "
+              "printed forms")
       .taking("EVALUATIONS");
   command.option("--parameter", a->parameters, "nu=..., pieces=...").taking("NAME=VALUE");
   command.option("--order", a->options.order, "of a formula: 0 value, 1 gradient, 2 Hessian")

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "catalogue_json.h"
+
 #include "catalogue_names.h"
 
 #include "cageproof/core/coordinates.h"
@@ -58,7 +60,7 @@ Json parameter_json(const KindParameter& p) {
 
 }  // namespace
 
-std::string catalogue_text() {
+std::string catalogue_json() {
   Json all = {{"schema", "cageproof-catalogue"}, {"schema_version", 1}, {"formulas", Json::array()}};
   for (const Formula& f : catalogue()) all["formulas"].push_back(formula_json(f));
   for (const CoordinateKind& kind : coordinate_kinds()) {

@@ -23,9 +23,9 @@ std::vector<CoordinateBlock> own_blocks(const CoordinateKind& kind) {
 std::vector<std::string_view> whole_evaluations_of(const CoordinateKind& kind) {
   std::vector<std::string_view> names;
   if (!kind.is_sum()) return names;
-  for (const WholeEvaluation& evaluation : whole_evaluations())
-    if (evaluation.exists(kind, embedded_cage("cube")) || evaluation.exists(kind, embedded_cage("square")))
-      names.push_back(evaluation.name);
+  for (const char* cage : {"cube", "square"})
+    for (const std::string_view name : whole_evaluation_names(kind, embedded_cage(cage)))
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   return names;
 }
 

@@ -75,10 +75,10 @@ std::string bash_completion(const ProgramText& program) {
   text += helpers;
   text +=
       "_cageproof() {\n"
-      "  local word=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD - 1]} command= i\n"
+      "  local word=${COMP_WORDS[COMP_CWORD]} option=${COMP_WORDS[COMP_CWORD - 1]} command= joined= i\n"
       "  # --option=value comes as three words, or as one where COMP_WORDBREAKS has no =.\n"
       "  if [[ $word == = ]]; then word=; elif [[ $option == = ]]; then option=${COMP_WORDS[COMP_CWORD - 2]}; fi\n"
-      "  if [[ $word == --*=* ]]; then option=${word%%=*}; word=${word#*=}; fi\n"
+      "  if [[ $word == --*=* ]]; then option=${word%%=*}; word=${word#*=}; joined=$option=; fi\n"
       "  COMPREPLY=()\n"
       "  for ((i = 1; i < COMP_CWORD; i++)); do\n"
       "    if [[ ${COMP_WORDS[i]} != -* ]]; then command=${COMP_WORDS[i]}; break; fi\n"
@@ -86,7 +86,10 @@ std::string bash_completion(const ProgramText& program) {
       "  case $command in\n";
   text += fmt::format("    '') _cageproof_words '{} {}' ;;\n", fmt::join(commands, " "), names_of(program.options));
   for (const CommandText& command : program.commands) add_command(command, text);
-  return text + "  esac\n}\ncomplete -F _cageproof cageproof\n";
+  return text +
+         "  esac\n"
+         "  for i in \"${!COMPREPLY[@]}\"; do COMPREPLY[i]=$joined${COMPREPLY[i]}; done\n"
+         "}\ncomplete -F _cageproof cageproof\n";
 }
 
 }  // namespace cageproof::cli

@@ -113,8 +113,9 @@ void check_coordinate_files(const std::filesystem::path& out,
       throw InputError(fmt::format("{}: is written beside {}, and is the file of {}, too", companion.string(),
                                    out.string(), option));
   }
-  reports::require_writable(out);
-  if (!companion.empty()) reports::require_writable(companion);
+  std::vector<std::filesystem::path> written{out};
+  if (!companion.empty()) written.push_back(companion);
+  reports::require_writable(written);
   if (companion.empty() || !std::filesystem::is_regular_file(companion)) return;
   const std::string_view mark = extension == ".vtp" ? reports::metadata_array : coordinates_schema;
   if (read_file(companion).find(mark) == std::string::npos)

@@ -75,7 +75,7 @@ nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
 // What was solved must not be written over what is read.
 void check_solved_file(const Arguments& a) {
   if (a.solved.empty()) return;
-  reports::require_writable(a.solved);
+  reports::require_writable({a.solved});
   const auto solved = std::filesystem::weakly_canonical(a.solved);
   for (const auto& [file, option] : {std::pair(a.cage.file, "--cage"), {a.points, "--points"}, {a.data, "--data"}})
     if (!file.empty() && std::filesystem::weakly_canonical(file) == solved)

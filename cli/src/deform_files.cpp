@@ -3,6 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
+#include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/energy_history.h"
 #include "cageproof/reports/mesh_text.h"
 
@@ -31,9 +32,9 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
   if (!a.constraints.empty()) known.emplace_back(a.constraints, "--constraints");
   for (const auto& [option, file] : given_data(a)) known.emplace_back(file, "--" + option);
   for (auto& [path, option] : known) path = std::filesystem::weakly_canonical(path);
+  std::vector<std::filesystem::path> written;
   const auto write = [&](const std::filesystem::path& name, const std::string& option) {
-    if (const auto folder = name.parent_path(); !folder.empty() && !std::filesystem::is_directory(folder))
-      throw InputError(fmt::format("{}: there is no folder {}", name.string(), folder.string()));
+    written.push_back(name);
     const std::filesystem::path path = std::filesystem::weakly_canonical(name);
     for (const auto& [other, its_option] : known)
       if (path == other)
@@ -51,6 +52,7 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
     if (!a.derivatives.empty()) write(numbered(a.derivatives, k), "--derivatives");
   }
   if (!a.energies.empty()) write(a.energies, "--energies");
+  reports::require_writable(written);
 }
 
 }  // namespace

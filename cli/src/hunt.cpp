@@ -13,6 +13,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include <unistd.h>
 
@@ -188,7 +189,9 @@ int run(Arguments& a) {
     };
   // A file that cannot be added to is known before the search, not after.
   if (!a.out.empty()) {
-    reports::require_writable(a.out);
+    reports::require_writable({a.out});
+    if (std::filesystem::exists(a.out) && !std::filesystem::is_regular_file(a.out))
+      throw InputError(fmt::format("--out {}: is no file that cases can be added to", a.out));
     reports::merge_worst(a.out, {}, options.keep);
   }
   const std::vector<HuntResult> results = validation::hunt(options);

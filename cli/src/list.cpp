@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "catalogue_json.h"
 #include "catalogue_names.h"
 #include "commands.h"
 
@@ -6,11 +7,10 @@
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/name_pattern.h"
 #include "cageproof/core/unknown_name.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/evaluation.h"
 #include "cageproof/deformation/constrained.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/hunt.h"
-#include "cageproof/validation/promise.h"
 #include "cageproof/validation/regime.h"
 
 #include <fmt/format.h>
@@ -107,17 +107,25 @@ void print_text(const std::string& asked) {
 std::map<std::string, std::vector<std::string_view>> evaluations_by_name() {
   std::map<std::string, std::vector<std::string_view>> all;
   for (const Formula& f : catalogue())
-    for (const EvaluationFamily* family : EvaluationRegister::instance().families(f.name)) {
-      all[family->pattern].push_back(f.name);
-      for (const std::string& name : family->standard)
-        if (name != family->pattern) all[name].push_back(f.name);
-    }
+    for (const std::string_view name : evaluation_names(f.name)) all[std::string(name)].push_back(f.name);
   for (const CoordinateKind& kind : coordinate_kinds())
     for (const std::string_view name : whole_evaluations_of(kind)) all[std::string(name)].push_back(kind.name);
   return all;
 }
 
-// Of names that were asked for alone: formulas say theirs.
+// The list with its family in the place of each member that has a number of its own: gauss-9 is gauss-<N>.
+std::string with_families(const std::string& asked, const std::vector<std::string>& known) {
+  std::vector<std::string> names = names_in(asked);
+  for (std::string& name : names) {
+    if (std::ranges::find(known, name) != known.end()) continue;
+    const bool exists = std::ranges::any_of(
+        catalogue(), [&](const Formula& f) { return EvaluationRegister::instance().find(f.name, name).has_value(); });
+    if (exists) name = family_of_number(name);
+  }
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
+// Where names are given; without any, each formula lists its own.
 void print_evaluations(const std::string& asked) {
   const auto all = evaluations_by_name();
   for (const auto& [name, owners] : all) {
@@ -164,8 +172,9 @@ void add_list(CommandLine& line) {
   command.example("cageproof list --json");
   command.runs([a] {
     const std::vector<std::string> all = all_names();
+    a->names = with_families(a->names, all);
     require_known("name", a->names, {all.begin(), all.end()});
-    if (a->json) std::cout << catalogue_text();
+    if (a->json) std::cout << catalogue_json();
     else print_text(a->names);
     if (!a->json && a->names != "*") print_evaluations(a->names);
     return success;

@@ -7,7 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <filesystem>
 #include <iostream>
+#include <string_view>
 #include <system_error>
 
 namespace {
@@ -19,7 +22,8 @@ int complain(std::string message) {
   reports::wait_if_ending();
   for (char& c : message)
     if (c == '\n') c = ' ';
-  fmt::print(stderr, "cageproof: {}\n", message);
+  // Not the formatting library's, which throws where standard error takes no more.
+  std::fputs(("cageproof: " + message + "\n").c_str(), stderr);
   return cli::bad_input;
 }
 
@@ -63,9 +67,13 @@ int main(int argc, char** argv) {
     return code;
   } catch (const InputError& e) {
     return complain(e.what());
+  } catch (const std::filesystem::filesystem_error& e) {
+    return complain(fmt::format("{}: {}", e.path1().string(), e.code().message()));
   } catch (const std::system_error& e) {
     // What the formatting library throws where standard output takes no more.
-    return complain(fmt::format("cannot write to standard output: {}", e.code().message()));
+    if (std::string_view(e.what()).starts_with("cannot write to file"))
+      return complain(fmt::format("cannot write to standard output: {}", e.code().message()));
+    return complain(fmt::format("unexpected: {}", e.what()));
   } catch (const std::exception& e) {
     return complain(fmt::format("unexpected: {}", e.what()));
   }

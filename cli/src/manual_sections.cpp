@@ -13,11 +13,13 @@ const std::vector<ManualSection>& manual_sections() {
         "every "
         "command: names and globs with commas between. In a glob * stands for any characters, ? for one, [ab] for one "
         "of these; quote it, or the shell expands it. Each name and glob must be or match something; one that does not "
-        "is refused, with the name that may have been meant. Of what a glob matches, only what exists for the element "
+        "is refused, with the name that may have been meant; an evaluation, to something that a formula asked for has. "
+        "Of what a glob matches, only what exists for the element "
         "and order is taken. Options that may repeat take lists as well.",
         "Families of rules have a number in their names: gauss-<N> with N from 1 to 256, line-<digits>. Any number in "
         "the range that `cageproof list --json` states is a name; globs match those that verification runs."},
-       {{"--regimes 'near-*,far'", "the regimes near-face, near-edge ..., and far"},
+       {{"list 'gauss-*,batched'", "which formulas and kinds of coordinates have these evaluations"},
+        {"--regimes 'near-*,far'", "the regimes near-face, near-edge ..., and far"},
         {"--formulas '*.solid_angle,segment.*'", "the solid angles of all elements, and all formulas of segments"},
         {"--evaluations 'gauss-*,closed_form'", "the Gauss rules that verification runs, and the closed form"}}},
       {"Numbers",
@@ -47,7 +49,10 @@ const std::vector<ManualSection>& manual_sections() {
         "is "
         "whole. What a process that was killed (SIGKILL, power) left there is removed by the next command that writes "
         "to "
-        "the same place; that of a process that lives is left alone.",
+        "the same place; that of a process that lives is left alone. A symbolic link stays: what it leads to is "
+        "replaced, a "
+        "file even where it is not there yet. Pipes, devices and /dev/stdout are written to. Empty values of options "
+        "are refused.",
         "A folder is replaced by the same command alone: what `verify` wrote by verify, merge and report, what `field` "
         "wrote "
         "by field, and so with `bench --out` and `figures`. Every folder holds .cageproof-files, the list of what was "

@@ -48,6 +48,8 @@ completes cageproof --v : --version
 completes cageproof verify --re : --regimes --regime --resume
 completes cageproof verify --suite '' : quick standard full
 completes cageproof verify --suite = st : standard
+completes cageproof coordinates --kind=gr : --kind=green
+completes cageproof field --compare gau,clo : gau,closed_form
 completes cageproof verify --regimes near-f : near-face
 completes cageproof verify --regimes far,near-f : far,near-face
 completes cageproof verify --formulas segment.winding_angle,triangle.sol : segment.winding_angle,triangle.solid_angle

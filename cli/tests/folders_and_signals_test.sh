@@ -77,8 +77,25 @@ coordinates() { "$cageproof" coordinates --cage cube --points linked_point.txt -
 mkdir elsewhere && ln -s elsewhere/table.csv table.csv && coordinates --out table.csv 2>/dev/null || fail 'coordinates through a link'
 [ -L table.csv ] && [ -s elsewhere/table.csv ] && [ -s table.json ] || fail 'a link to a file is replaced'
 "$cageproof" man --out /dev/stdout | cat | grep -q '^.TH CAGEPROOF' || fail 'a manual on standard output'
+{ echo before; "$cageproof" man --out /dev/stdout; echo behind; } >log
+[ "$(sed -n 1p log; tail -n 1 log)" = $'before\nbehind' ] && grep -q '^.TH CAGEPROOF' log || fail 'a manual amid a log'
+[ -z "$(find elsewhere -name '.*.partial-*')" ] || fail 'left beside what a link leads to'
+ln -s round.csv round.csv
+coordinates --out round.csv >stdout 2>stderr && fail 'a link to itself'
+[ -L round.csv ] && grep -q 'Too many levels' stderr || fail "a link to itself: $(cat stderr)"
+ln -s same.csv same.json
+coordinates --out same.csv >stdout 2>stderr && fail 'two results in one file'
+[ ! -e same.csv ] && grep -q 'same file' stderr || fail "two results in one file: $(cat stderr)"
+mkfifo pipe.jsonl
+timeout 20 "$cageproof" hunt --formula triangle.solid_angle --budget 10 --out pipe.jsonl >stdout 2>stderr
+[ $? -eq 2 ] && grep -q 'no file that cases can be added to' stderr || fail "hunt into a pipe: $(cat stderr)"
+mkdir folder.obj
+"$cageproof" deform --cage cube --posed cube --points linked_point.txt --method green --out folder.obj >stdout 2>stderr && fail 'deform into a folder'
+grep -q 'cannot write folder.obj' stderr || fail "deform into a folder: $(cat stderr)"
+"$cageproof" list nonsense 2>/dev/full
+[ $? -eq 2 ] || fail 'a full standard error'
 coordinates --out nowhere/table.csv >stdout 2>stderr && fail 'coordinates in no folder'
-"$cageproof" hunt --formula triangle.solid_angle --budget 1000000000 --out nowhere/worst.jsonl >>stdout 2>>stderr && fail 'hunt in no folder'
+timeout 60 "$cageproof" hunt --formula triangle.solid_angle --budget 1000000000 --out nowhere/worst.jsonl >>stdout 2>>stderr && fail 'hunt in no folder'
 [ "$(grep -c 'folder nowhere does not exist' stderr)" -eq 2 ] || fail "files in no folder: $(cat stderr)"
 "$cageproof" list >/dev/full 2>stderr && fail 'a full disk'
 grep -q 'cannot write to standard output: No space left on device' stderr || fail "a full disk: $(cat stderr)"

@@ -27,9 +27,9 @@ refuses_to verify "did you mean 'closed_form'?" -- --evaluations gauss-8,closed_
 refuses_to verify "'near-*,,far' is no list" -- --regimes 'near-*,,far'
 refuses_to verify "no list" -- --regimes ' '
 refuses_to verify "'' is empty" -- --regimes ''
-refuses_to verify "no formula of 'triangle.*' has an evaluation 'line_form'; quad.mean_value has" -- --formulas 'triangle.*' --evaluations closed_form,line_form
-refuses_to verify 'gauss-<N> takes N from 1 to 256, and here gauss-4, gauss-8, gauss-16' -- --evaluations closed_form,gauss-999
-refuses_to verify 'tessellated-<n> takes n from 1 to 512' -- --evaluations tessellated-3000
+refuses_to verify "no formula of 'triangle.*' has an evaluation 'line_form': quad.mean_value has" -- --formulas 'triangle.*' --evaluations closed_form,line_form
+refuses_to verify 'of gauss-<N>, N from 1 to 256, verification runs gauss-4, gauss-8, gauss-16' -- --evaluations closed_form,gauss-999
+refuses_to verify 'of tessellated-<n>, n from 1 to 512, verification runs tessellated-5' -- --evaluations tessellated-3000
 refuses_to verify "did you mean 'quick'?" 'quick, standard, full' -- --suite quik
 refuses_to eval "did you mean 'triangle.solid_angle'?" -- --formula solid_angle --evaluation closed_form
 refuses_to eval 'gauss-<N> takes N from 1 to 256' -- --formula triangle.single_layer --evaluation gauss-300
@@ -49,7 +49,10 @@ refuses_to bench 'gauss-<N> takes N from 1 to 256' -- --formula triangle.solid_a
 refuses_to bench 'derivatives of order 1' -- --formula quad.mean_value --evaluations 'riemann-*' --order 1
 refuses_to list "did you mean 'near-face'?" -- near-fac
 write() { printf '%s\n' "${@:2}" >"$1"; }
+refuses_to verify "no formula of 'triangle.solid_angle' has an evaluation 'batched'" -- --formulas triangle.solid_angle --evaluations batched
 write one.csv '0.1 0.2 0.3'
+write flat.csv '0.1 0.2'
+refuses_to coordinates 'harmonic, which is made of other coordinates' "'bached'" -- --cage square --points flat.csv --kind harmonic --evaluation bached
 refuses_to coordinates "green has no evaluation 'bached'" "did you mean 'batched'?" -- --cage cube --points one.csv --kind green --evaluation bached --out out.csv
 refuses_to field "green has no evaluation 'bached'" "did you mean 'batched'?" -- --cage cube --kind green --evaluation bached --out out
 refuses_to coordinates 'gauss-<N> takes N from 1 to 256' -- --cage cube --points one.csv --kind green --evaluation gauss-999
@@ -61,6 +64,8 @@ refuses_to coordinates "did you mean 'nu'" -- --cage cube --points one.csv --kin
 [ "$(grep -c '^[a-z]*\.[a-z_]*$' stdout)" -eq "$(grep -c '^[a-z]*\.solid_angle$' stdout)" ] && grep -qx triangle.solid_angle stdout && grep -q '^regimes: near-face near-plane near-edge near-line near-vertex$' stdout || fail "list of globs: $(cat stdout)"
 "$cageproof" list 'closed_f*,batched' >stdout || fail 'list of evaluations'
 grep -q '^evaluation closed_form of: .*triangle.single_layer' stdout && grep -q '^evaluation batched of: .*green' stdout || fail "list of evaluations: $(cat stdout)"
+"$cageproof" list closed_form,gauss-9 >stdout || fail 'list of a rule with a number'
+grep -q '^evaluation gauss-<N>, N from 1 to 256 of: ' stdout && grep -q '^evaluation closed_form of: .*quad.mean_value' stdout || fail "list of a rule with a number, and of an alias: $(cat stdout)"
 "$cageproof" list --json | grep -q '"range": "N from 1 to 256"' || fail 'list --json does not say the range of gauss-<N>'
 
 # The same lists mean the same everywhere.

@@ -42,6 +42,7 @@ grep -q '<aside id="answer"[^>]*hidden' cell && fail "the answer stays hidden"
 has cell 'everywhere: closed_form' 'data-series="gauss-8, double"'
 
 # Of so few samples no quantile is shown. (The script that would show it stands in the page too, with $ for the figure.)
+grep -qF '99.9 % up to $' cell || fail "the words for quantiles have changed, and with them what is looked for here"
 grep -q '99\.9 % up to [^$]' cell && fail "a quantile of eight samples"
 
 # What no result could break is grey, and says so.

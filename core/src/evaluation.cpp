@@ -126,17 +126,29 @@ EvaluationFamily single_family(std::string_view formula, std::string_view name, 
   return family;
 }
 
+std::vector<std::string_view> evaluation_names(std::string_view formula) {
+  std::vector<std::string_view> names;
+  const auto add = [&](std::string_view name) {
+    if (!name.empty() && std::ranges::find(names, name) == names.end()) names.push_back(name);
+  };
+  for (const EvaluationFamily* family : EvaluationRegister::instance().families(formula)) {
+    for (const std::string& name : family->standard) add(name);
+    add(family->pattern);
+    add(family->alias);
+  }
+  return names;
+}
+
 std::string why_no_evaluation(std::string_view subject, const std::vector<std::string_view>& formulas,
                               std::string_view name, const std::vector<std::string_view>& more) {
   const std::string text = fmt::format("{} has no evaluation '{}'", subject, name);
   if (is_glob(name)) return text + ": one name is asked for here, no glob";
   if (name.find(',') != std::string_view::npos) return text + ": one name is asked for here, no list";
   std::vector<std::string_view> known = more;
-  for (const std::string_view formula : formulas)
-    for (const EvaluationFamily* family : EvaluationRegister::instance().families(formula)) {
-      known.push_back(family->pattern);
-      known.insert(known.end(), family->standard.begin(), family->standard.end());
-    }
+  for (const std::string_view formula : formulas) {
+    const auto names = evaluation_names(formula);
+    known.insert(known.end(), names.begin(), names.end());
+  }
   if (const std::string_view family = family_of_number(name); std::ranges::find(known, family) != known.end())
     return fmt::format("{}: {} takes {}", text, family, range_of_pattern(family));
   const std::string_view meant = nearest_name(name, known);

@@ -84,14 +84,14 @@ std::string_view family_of_number(std::string_view name) {
 InputError unknown_name(std::string_view what, std::string_view name, const std::vector<std::string_view>& known) {
   std::string text =
       is_glob(name) ? fmt::format("no {} matches '{}'", what, name) : fmt::format("unknown {} '{}'", what, name);
-  // The nearest name to one with another number would be any of its family.
+  // Members of a family differ by their numbers alone: none is a better guess than another.
   if (const std::string_view family = family_of_number(name); !family.empty()) {
     std::vector<std::string_view> same;
     for (const std::string_view one : known)
       if (family_of_number(one) == family && std::ranges::find(same, one) == same.end()) same.push_back(one);
     if (!same.empty())
-      return InputError(
-          fmt::format("{}: {} takes {}, and here {}", text, family, range_of_pattern(family), fmt::join(same, ", ")));
+      return InputError(fmt::format("{}: of {}, {}, verification runs {}", text, family, range_of_pattern(family),
+                                    fmt::join(same, ", ")));
   }
   const std::string_view meant = nearest_name(name, known);
   if (!meant.empty()) text += fmt::format("; did you mean '{}'?", meant);

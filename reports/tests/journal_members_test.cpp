@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every member of what is found goes through a journal and comes back equal: a unit's line, and the finished journal.
+// What is found, member by member, goes through a journal and comes back equal: a unit's line, and the finished
+// journal.
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/journal.h"
 #include "sample_run.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "run_plan.h"
 
+#include "asked_names.h"
 #include "hull_continuity.h"
 #include "run_report.h"
 
 #include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/input_error.h"
-#include "cageproof/core/unknown_name.h"
 #include "cageproof/core/whole_evaluation.h"
 #include "cageproof/validation/block_campaign.h"
 #include "cageproof/validation/cage_campaign.h"
@@ -26,7 +25,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
 
 namespace cageproof::validation {
 namespace {
@@ -111,43 +109,6 @@ bool names_whole_evaluations_alone(const std::string& pattern) {
     for (const std::string& name : EvaluationRegister::instance().standard(formula.name))
       if (matches_evaluation(pattern, evaluation_named(formula.name, name))) return false;
   return true;
-}
-
-// What verification may run of a formula.
-std::vector<std::string_view> evaluation_names(const Formula& formula) {
-  std::vector<std::string_view> names;
-  for (const EvaluationFamily* family : EvaluationRegister::instance().families(formula.name)) {
-    names.insert(names.end(), family->standard.begin(), family->standard.end());
-    if (family->standard.empty()) names.push_back(family->pattern);
-    if (!family->alias.empty()) names.push_back(family->alias);
-  }
-  return names;
-}
-
-// Each name and glob of the options must mean something, of evaluations to one of the formulas.
-void require_known_names(const VerifyOptions& options) {
-  std::vector<std::string_view> formulas, regime_names{hull_regime, hunted_regime}, all, asked;
-  std::map<std::string_view, std::string_view> found_in;
-  for (const WholeEvaluation& evaluation : whole_evaluations()) asked.push_back(evaluation.name);
-  all = asked;
-  for (const Formula& formula : catalogue()) {
-    formulas.push_back(formula.name);
-    for (const std::string_view name : evaluation_names(formula)) {
-      all.push_back(name);
-      found_in.emplace(name, formula.name);
-      if (matches(options.formulas, formula.name)) asked.push_back(name);
-    }
-  }
-  for (const Regime& regime : regimes()) regime_names.push_back(regime.name);
-  require_known("formula", options.formulas, formulas);
-  require_known("regime", options.regimes, regime_names);
-  for (const std::string& name : names_in(options.evaluations)) {
-    require_known("evaluation", name, all);
-    if (std::ranges::any_of(asked, [&](std::string_view one) { return matches(name, one); })) continue;
-    const auto elsewhere = std::ranges::find_if(all, [&](std::string_view one) { return matches(name, one); });
-    throw InputError(fmt::format("no formula of '{}' has an evaluation '{}'; {} has (see `cageproof list '{}'`)",
-                                 options.formulas, name, found_in.at(*elsewhere), name));
-  }
 }
 
 class Planner {

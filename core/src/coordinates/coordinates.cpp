@@ -77,7 +77,13 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
   elements_ = std::make_shared<const CageElements>(cage, kind.keeps_quads, options.triangulation);
   if (!kind.is_sum()) {
     if (options.evaluation == quickest && !kind.made_of_sums) options.evaluation.clear();
-    prepared_ = kind.prepare(cage, options);
+    try {
+      prepared_ = kind.prepare(cage, options);
+    } catch (const InputError& e) {
+      // It may be refused in the words of what it is made of.
+      if (!kind.made_of_sums || options.evaluation.empty()) throw;
+      throw InputError(fmt::format("{}, which is made of other coordinates: {}", kind.name, e.what()));
+    }
     return;
   }
   if (options.evaluation == quickest) options.evaluation = quickest_evaluation(kind, cage);

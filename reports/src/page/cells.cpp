@@ -2,6 +2,7 @@
 #include "figure.h"
 #include "page_data.h"
 #include "page_template.h"
+#include "worst_places.h"
 
 #include <fmt/format.h>
 

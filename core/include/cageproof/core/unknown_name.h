@@ -18,6 +18,10 @@ std::string_view nearest_name(std::string_view name, const std::vector<std::stri
 /// \param what is named: "formula" \param known all names that there are; empty: only that the catalogue lists them
 InputError unknown_name(std::string_view what, std::string_view name, const std::vector<std::string_view>& known = {});
 
+/// All names that a formula's evaluations have: the members that verification runs, patterns of families, aliases; each
+/// once.
+std::vector<std::string_view> evaluation_names(std::string_view formula);
+
 /// What is to be said where a formula has no evaluation of that name: the numbers that rules of such a name take, or
 /// what may have been meant.
 std::string why_no_evaluation(std::string_view formula, std::string_view name);

@@ -22,7 +22,9 @@ struct WorkPrecisionRow {
   /// Of what WorkPrecision::timed says, all formulas of the subject, one thread: the mean over what was timed, half of
   /// which took no longer than the median, and all but a thousandth no longer than the quantile.
   double nanoseconds = 0, median_nanoseconds = 0, quantile_nanoseconds = 0;
-  std::uint64_t timed = 0;  ///< pairs or points that were timed; below 1000 the quantile is the longest time
+  /// Pairs or points that were timed; below 1000 the quantile is the longest time. Of what computes many points at
+  /// once, pairs by the thousand, whose median and quantile are those of whole calls.
+  std::uint64_t timed = 0;
 };
 
 /// A whole measurement.

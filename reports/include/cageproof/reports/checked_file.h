@@ -14,16 +14,18 @@ namespace cageproof::reports {
 /// \throws InputError "cannot write <path>: <reason>"
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// What can be known of it before the work whose result is to be written: that its folder exists and may be written to.
+/// What can be known of files before the work whose results they are to hold: that their folders exist and may be
+/// written to, that none is a folder itself, and that no two are the same file.
 /// \throws InputError as write_file
-void require_writable(const std::filesystem::path& path);
+void require_writable(const std::vector<std::filesystem::path>& paths);
 
 /// Writes a whole file aside and renames it into place: whoever reads it finds the old one or the new one, whole. A
-/// symbolic link stays, and what it leads to is replaced; a device or a pipe is written to.
-/// \throws InputError as write_file
+/// symbolic link stays, and what it leads to is replaced; a device, a pipe or an open file, as /dev/stdout, is written
+/// to. \throws InputError as write_file
 void replace_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// The same of several: none is renamed into place before all are written. \pre no two are the same file
+/// The same of several: none is renamed into place before all are written, and devices and pipes are written to last.
+/// \throws InputError as well where two are the same file
 void replace_files(const std::vector<std::pair<std::filesystem::path, std::string>>& files);
 
 }  // namespace cageproof::reports

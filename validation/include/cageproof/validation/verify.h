@@ -28,7 +28,7 @@ struct Suite {
   int pairs;                    ///< multiprecision evaluations a field of errors may cost
   int scene_pairs;              ///< and a scene of errors side by side
   int scene_side;               ///< samples a side of these at most
-  std::string_view scene_cage;  ///< the embedded cage that has one, which is not convex; empty: all have them
+  std::string_view scene_cage;  ///< the one embedded cage that gets a scene of errors; empty: every cage gets one
   int shown_elements;           ///< embedded cages with more elements get no fields; 0: all get them
 };
 
