@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
+#include "inputs_outside.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/name_pattern.h"
@@ -7,6 +8,7 @@
 #include "cageproof/benchmarks/coordinate_times.h"
 #include "cageproof/validation/machine_facts.h"
 #include "cageproof/benchmarks/work_precision.h"
+#include "cageproof/validation/hunt.h"
 #include "cageproof/validation/promise.h"
 
 #include <fmt/format.h>
@@ -46,6 +48,10 @@ std::vector<const validation::Regime*> regimes_named(const std::vector<std::stri
   for (const validation::Regime& regime : validation::regimes()) known.push_back(regime.name);
   std::vector<const validation::Regime*> found;
   for (const std::string& list : lists) {
+    for (const std::string& name : names_in(list))
+      if (name == validation::hull_regime || name == validation::hunted_regime)
+        throw InputError(
+            fmt::format("regime '{}': `verify` alone has it; others are {}", name, fmt::join(known, ", ")));
     require_known("regime", list, known);
     for (const std::string& name : names_in(list))
       for (const validation::Regime& regime : validation::regimes())
@@ -93,6 +99,7 @@ WorkPrecision measure(const Arguments& a) {
 
 int run(const Arguments& a) {
   // Before anything is measured: a folder that cannot be written should not cost a wait.
+  require_outside(a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}});
   std::unique_ptr<reports::WorkPrecisionWriter> writer;
   if (!a.out.empty()) writer = std::make_unique<reports::WorkPrecisionWriter>(a.out);
   const std::string started = validation::timestamp();
@@ -119,9 +126,10 @@ void add_bench(CommandLine& line, const std::string& command_line) {
   const Option kind =
       what.option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic_boundary ...").taking("KIND");
   const Option formula = what.option("--formula", a->formula, "one formula of the catalogue").taking("FORMULA");
-  what.flag("--coordinates", a->coordinates,
-            "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1, or quad_mean_value by those "
-            "of --evaluations");
+  const Option coordinates =
+      what.flag("--coordinates", a->coordinates,
+                "whole coordinates in a cage: the kinds and evaluations of [T18] Table 1, or quad_mean_value by those "
+                "of --evaluations");
   a->cage.add_to(command, false).excludes(formula).showing_default("cube");
   command
       .option("--points", a->points,
@@ -131,23 +139,28 @@ void add_bench(CommandLine& line, const std::string& command_line) {
   command.option("--regime,--regimes", a->regimes, "of a formula's samples")
       .taking("REGIMES")
       .excludes(kind)
+      .excludes(coordinates)
       .showing_default("generic,near-face");
   command
       .option("--evaluations,--evaluation", a->options.evaluations,
               "what is compared, of a kind batched as well; without: rules coarse to fine, the recommended evaluation, "
               "printed forms")
       .taking("EVALUATIONS");
-  command.option("--parameter", a->parameters, "nu=..., pieces=...").taking("NAME=VALUE");
+  command.option("--parameter", a->parameters, "nu=..., pieces=...").taking("NAME=VALUE").excludes(coordinates);
   command.option("--order", a->options.order, "of a formula: 0 value, 1 gradient, 2 Hessian")
       .in_range(0, 2)
-      .excludes(kind);
+      .excludes(kind)
+      .excludes(coordinates);
   command.option("--samples", a->options.samples, "a distance or regime").in_range(1, 1000000).showing_default();
   command.option("--seed", a->options.seed, "of all samples").showing_default();
   command
       .flag("--by-parameter", a->options.by_parameter,
             "a formula's errors at each distance (or what else the regime sweeps) by themselves")
-      .excludes(kind);
-  command.flag("--relative", a->options.relative, "a formula's relative instead of conditioned errors").excludes(kind);
+      .excludes(kind)
+      .excludes(coordinates);
+  command.flag("--relative", a->options.relative, "a formula's relative instead of conditioned errors")
+      .excludes(kind)
+      .excludes(coordinates);
   command.option("--timed", a->options.timed, "pairs timed, an evaluation and place, each by itself")
       .in_range(1, 10000000)
       .showing_default();

@@ -3,6 +3,7 @@
 
 #include "command_numbers.h"
 #include "command_words.h"
+#include "value_names.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
@@ -36,6 +37,8 @@ Option& Option::one_of(const std::vector<std::string>& names) {
 
 Option& Option::taking(const std::string& type) {
   option_->type_name(type);
+  // Lists stand between commas, in every command.
+  if (is_list_type(type)) option_->allow_extra_args(false);
   return *this;
 }
 
@@ -141,7 +144,8 @@ Option Command::option(const std::string& name, std::vector<double>& values, con
 }
 
 Option Command::flag(const std::string& name, bool& value, const std::string& description) {
-  return Option(app_->add_flag(name, value, description));
+  CLI::Option* option = app_->add_flag(name, value, description);
+  return Option(option->disable_flag_override());
 }
 
 Command Command::exactly_one_of(const std::string& title) {
@@ -167,6 +171,8 @@ CommandLine::CommandLine(const std::string& description, const std::string& vers
   app_->set_version_flag("--version", version, "print version and commit, and exit");
   app_->set_help_flag("-h,--help", "print this help, and exit");
   app_->formatter(help_formatter());
+  // A command's name behind a command is a value like others.
+  app_->require_subcommand(0, 1);
   app_->footer("`cageproof COMMAND --help` says more of each; `man cageproof` and docs/command_line.md say it all.");
 }
 
@@ -184,6 +190,13 @@ ProgramText CommandLine::describe() const { return text_of(*app_); }
 
 int CommandLine::run(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";
+  // CLI11 would take the next argument for the value.
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word.starts_with("--") && word.find('=') + 1 == word.size())
+      throw InputError(
+          fmt::format("{}: '' is empty: give a value, or leave the option out", word.substr(0, word.size() - 1)));
+  }
   // CLI11 would say that a command is missing.
   refuse_unknown_command(*app_, first);
   try {

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace cageproof::cli {
 namespace {
@@ -101,10 +102,17 @@ std::string plain_words(const CLI::ParseError& error) {
   const std::string text = error.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
   const std::string option = text.substr(0, text.find(": "));
-  const std::size_t counts = text.find("required but received ");
-  if (text.find(": At Most 1 ") != text.npos && counts != text.npos)
-    return fmt::format("{} takes one value, once: it was given {} of them", option,
-                       text.substr(text.find_last_of(' ') + 1));
+  const auto number_behind = [&](std::string_view words) {
+    const std::size_t at = text.find(words);
+    return at == text.npos ? 0 : std::atoi(text.c_str() + at + words.size());
+  };
+  const int received = number_behind("required but received ");
+  for (const std::string_view bound : {": At Most ", ": At least "})
+    if (const int wanted = number_behind(bound); wanted > 0)
+      return wanted == 1 ? fmt::format("{} takes one value, once: it was given {} of them", option, received)
+                         : fmt::format("{} takes {} values: it was given {}", option, wanted, received);
+  if (text.find("disallowed flag override") != text.npos)
+    return fmt::format("{}{} takes no value", text.starts_with("-") ? "" : "--", text.substr(0, text.find(' ')));
   if (text.find("1 required ") != text.npos) return fmt::format("{0} needs a value, as {0} VALUE", option);
   return text;
 }

@@ -150,13 +150,18 @@ void add_coordinates(CommandLine& line) {
               "the kind has it, else as recommended")
       .taking("EVALUATION");
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
-  command.option("--out", a->out,
-                 ".npz (named arrays with the cage, its elements and normals), .csv or .npy (points x columns, and "
-                 "beside it a .json that says what they are), or .vtp (and beside it the cage as .cage.vtp); CSV on "
-                 "standard output if not given");
-  command.option("--data", a->data,
-                 "text, a line of numbers a coordinate: writes the functions that coordinates make of them instead");
-  command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system");
+  command
+      .option("--out", a->out,
+              ".npz (named arrays with the cage, its elements and normals), .csv or .npy (points x columns, and "
+              "beside it a .json that says what they are), or .vtp (and beside it the cage as .cage.vtp); CSV on "
+              "standard output if not given")
+      .taking("FILE");
+  command
+      .option("--data", a->data,
+              "text, a line of numbers a coordinate: writes the functions that coordinates make of them instead")
+      .taking("FILE");
+  command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system")
+      .taking("FILE");
   command.flag("--strict", a->strict,
                "exit with 1 where a point has no finite coordinates, or lies where they sum to zero");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
+#include "inputs_outside.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/name_pattern.h"
+#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/whole_evaluation.h"
 #include "cageproof/reports/report_writer.h"
 #include "cageproof/validation/compared_fields.h"
 #include "cageproof/validation/error_fields.h"
@@ -103,14 +106,29 @@ Shown kind_field(const Arguments& a, RunResult& result) {
 // Vertices of a mesh that are compared with 50 digits at most: seconds to a minute.
 constexpr std::size_t most_vertices = 2000;
 
-// Two to four, each once.
-std::vector<std::string> compared_names(const std::vector<std::string>& lists) {
+// Two to four, each once; of a glob those that verification runs.
+std::vector<std::string> compared_names(const std::vector<std::string>& lists, const CoordinateKind& kind,
+                                        const Cage& cage) {
+  std::vector<std::string_view> known = whole_evaluation_names(kind, cage);
+  const std::vector<const Formula*> formulas = formulas_of(kind, cage);
+  for (const std::string_view name : evaluation_names(formulas.back()->name))
+    if (EvaluationRegister::instance().find(formulas.back()->name, name)) known.push_back(name);
   std::vector<std::string> names;
+  const auto add = [&](std::string_view name) {
+    if (std::ranges::find(names, name) != names.end()) throw InputError(fmt::format("--compare: {} twice", name));
+    names.emplace_back(name);
+  };
   for (const std::string& list : lists)
     for (const std::string& name : names_in(list)) {
-      if (std::ranges::find(names, name) != names.end()) throw InputError(fmt::format("--compare: {} twice", name));
-      names.push_back(name);
+      if (!is_glob(name)) {
+        add(name);
+        continue;
+      }
+      require_known(fmt::format("evaluation of {}", kind.name), name, known);
+      for (const std::string_view one : known)
+        if (matches(name, one)) add(one);
     }
+  for (const std::string& name : names) require_evaluation(kind, cage, name);
   if (names.size() < 2 || names.size() > 4)
     throw InputError(fmt::format("--compare: {} evaluations; 2 to 4 are compared", names.size()));
   return names;
@@ -121,7 +139,7 @@ reports::FieldScene scene_of(const Arguments& a, RunResult& result) {
   const auto cage = std::make_shared<const Cage>(a.cage.load());
   if (!kind.is_sum())
     throw InputError(fmt::format("--compare: {} coordinates are no sums over elements, and have no truth", kind.name));
-  const std::vector<std::string> compare = compared_names(a.compare);
+  const std::vector<std::string> compare = compared_names(a.compare, kind, *cage);
   const validation::Comparison comparison{cage, &kind, compare, a.cage.rule()};
   result.settings = {{"cage", cage->name()}, {"triangulation", a.cage.triangulate}};
   const int side = a.resolution > 0 ? a.resolution : validation::affordable_side(comparison, 200'000, 32);
@@ -146,6 +164,7 @@ std::optional<reports::ColourLimits> limits_of(const Arguments& a) {
 }
 
 int run(const Arguments& a) {
+  require_outside(a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}});
   const auto limits = limits_of(a);
   RunResult result;
   result.version = CAGEPROOF_VERSION;
@@ -196,8 +215,9 @@ void add_field(CommandLine& line, const std::string& command_line) {
   const Option formula =
       what.option("--formula", a->formula, "relative error of a formula of the catalogue").taking("FORMULA");
   Option kind = what.option("--kind", a->kind, "partition of unity of a kind of cage coordinates").taking("KIND");
-  Option evaluation = command.option("--evaluation", a->evaluation,
-                                     "one of its evaluations; of a kind, by default the recommended one");
+  Option evaluation =
+      command.option("--evaluation", a->evaluation, "one of its evaluations; of a kind, by default the recommended one")
+          .taking("EVALUATION");
   command.option("--coordinate", a->coordinate, "BLOCK:INDEX, as lambda:0: the values of that coordinate instead")
       .needs(kind)
       .excludes(evaluation);
@@ -209,6 +229,7 @@ void add_field(CommandLine& line, const std::string& command_line) {
           .needs(kind)
           .excludes(evaluation);
   command.option("--points", a->points, "a mesh, whose vertices are compared too (2000 of them, spread evenly)")
+      .taking("FILE")
       .needs(compare);
   command.option("--order", a->order, "0 value, 1 gradient, 2 Hessian").in_range(0, 2).showing_default().excludes(kind);
   command.option("--parameter", a->parameters, "mu=..., nu=... of a kind").excludes(formula);
@@ -218,7 +239,7 @@ void add_field(CommandLine& line, const std::string& command_line) {
   command.option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
       .values(2)
       .excludes(compare);
-  command.option("--out", a->out, "a folder for the field, its picture and a summary").required();
+  command.option("--out", a->out, "a folder for the field, its picture and a summary").taking("FOLDER").required();
   command.runs([a] { return run(*a); });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
+#include "inputs_outside.h"
 
 #include "cageproof/validation/paper_figures.h"
 
@@ -16,6 +17,7 @@ struct Arguments {
 };
 
 int run(const Arguments& a) {
+  require_outside(a.out, {{a.data, "--data"}});
   reports::require_figure_folder(a.out);
   const validation::PaperFigures figures =
       a.data.empty() ? validation::embedded_figures() : validation::figures_of_data(a.data);

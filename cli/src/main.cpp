@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -62,8 +63,11 @@ int main(int argc, char** argv) {
   reports::end_cleanly_on_signals();
   try {
     const int code = line.run(argc, argv);
+    errno = 0;
     std::cout.flush();
-    if (!std::cout) return complain("cannot write to standard output");
+    if (!std::cout)
+      return complain(fmt::format("cannot write to standard output{}{}", errno != 0 ? ": " : "",
+                                  errno != 0 ? std::generic_category().message(errno) : ""));
     return code;
   } catch (const InputError& e) {
     return complain(e.what());

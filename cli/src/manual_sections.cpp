@@ -35,7 +35,8 @@ const std::vector<ManualSection>& manual_sections() {
          "points without usable coordinates"},
         {"2",
          "the command line or the input is not understood, or a file cannot be read or written: one line on standard "
-         "error says which and why, and nothing is written half or deleted"},
+         "error says which and why, and nothing is written half or deleted; a line that `eval` does not understand is "
+         "answered in its place, with `error`"},
         {"128 + n", "ended by signal n: 130 after SIGINT (Ctrl-C), 143 after SIGTERM"}}},
       {"Signals",
        {"SIGINT, SIGTERM, SIGHUP and SIGPIPE end the program by that signal, after it has removed what it was writing: "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
+#include "inputs_outside.h"
 #include "progress.h"
 
 #include "cageproof/benchmarks/evaluation_times.h"
@@ -86,6 +87,7 @@ int run(Arguments& a) {
   if (a.enclosures >= 0) options.suite.enclosures = a.enclosures;
   options.triangulation = a.cage.rule();
   options.out = a.out;
+  require_outside(a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}});
   if (!a.cage.file.empty()) options.cage = a.cage.load();
   if (!a.points.empty()) {
     if (!options.cage) throw InputError("--points needs --cage");

@@ -93,6 +93,23 @@ awk -F, 'NR > 1 && !($14 > 0) || $5 == "riemann-4" && $14 != 81 || $5 == "tessel
   fail "nodes: $(cut -d, -f 5,14 nodes.csv)"
 "$cageproof" bench --coordinates --cage cube --samples 1 --seconds 0 --evaluations riemann-4 --csv | grep -qF ',1,81,' || fail 'nodes of whole coordinates'
 
+# One name where one is asked for, and no word that would be taken for something else.
+refuses_to eval 'one name is asked for here, no glob' -- --formula 'triangle.*' --evaluation closed_form
+refuses_to coordinates 'one name is asked for here, no list' -- --cage cube --points one.csv --kind green,mean_value
+refuses_to deform 'one name is asked for here, no glob' -- --cage cube --posed cube --points one.csv --method 'gr*' --out out.obj
+refuses_to man "unexpected 'verify'" -- verify
+refuses_to list "unknown name 'figures'" -- figures
+refuses_to coordinates "unexpected 'list'" -- --cage cube --points one.csv --kind green list
+refuses_to man "--out: '' is empty" -- --out= --markdown
+refuses_to man '--markdown takes no value' -- --markdown=xx
+refuses_to bench 'excludes' -- --coordinates --cage cube --order 1
+refuses_to bench "unexpected 'far'" -- --formula triangle.solid_angle --regime generic far
+refuses_to hunt "'hull'" '`verify` alone has it' -- --formula triangle.solid_angle --budget 10 --regime hull
+refuses_to field --colours 'takes 2 values: it was given 1' -- --kind green --cage cube --out out --colours 1
+refuses_to field "green has no evaluation 'gau'" -- --kind green --cage cube --out out --compare gau
+refuses_to field "no evaluation of green matches 'nosuch-*'" -- --kind green --cage cube --out out --compare 'nosuch-*'
+refuses_to field '2 to 4 are compared' -- --kind green --cage cube --out out --compare 'near-sing*'
+
 # Numbers, and how often.
 refuses_to verify '--samples takes one value, once' -- --samples 3 --samples 4
 refuses_to verify '--samples needs a value' -- --samples
@@ -139,6 +156,8 @@ refuses_to replay one/worst.jsonl 'no case in line 99999' -- one/worst.jsonl --l
 "$cageproof" replay one/worst.jsonl >stdout || fail "replay: $(tail -n 2 stdout)"
 grep -q "^all promises kept: $(wc -l <one/worst.jsonl) cases of one/worst.jsonl: .* 0 broken, .* 0 changed since stored$" stdout || fail "replay: $(tail -n 2 stdout)"
 grep -q '^largest share of a promise: .* in line [0-9]*: segment.winding_angle' stdout || fail "replay: $(tail -n 1 stdout)"
+sed '1s/"regime":"far"/"regime":"fra"/' one/worst.jsonl >misspelt.jsonl
+refuses_to replay misspelt.jsonl:1 "unknown regime 'fra'; did you mean 'far'?" -- misspelt.jsonl --line 1
 sed 's/"bound":[^,}]*/"bound":1e-300/' one/worst.jsonl >broken.jsonl
 "$cageproof" replay broken.jsonl >stdout
 [ $? -eq 1 ] && grep -q '^PROMISES BROKEN: ' stdout || fail "replay of broken promises: $(tail -n 2 stdout)"

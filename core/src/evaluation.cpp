@@ -171,7 +171,7 @@ const Formula& formula_named(std::string_view name) {
   if (found == nullptr) {
     std::vector<std::string_view> known;
     for (const Formula& formula : catalogue()) known.push_back(formula.name);
-    throw unknown_name("formula", name, known);
+    throw unknown_single_name("formula", name, known);
   }
   return *found;
 }

@@ -59,6 +59,14 @@ std::string_view nearest_name(std::string_view name, const std::vector<std::stri
   return nearest(name, known, [](std::string_view one) { return one.substr(one.rfind('.') + 1); });
 }
 
+InputError unknown_single_name(std::string_view what, std::string_view name,
+                               const std::vector<std::string_view>& known) {
+  const bool list = name.find(',') != std::string_view::npos;
+  if (!is_glob(name) && !list) return unknown_name(what, name, known);
+  return InputError(
+      fmt::format("unknown {} '{}': one name is asked for here, no {}", what, name, list ? "list" : "glob"));
+}
+
 namespace {
 
 std::map<std::string, std::string, std::less<>>& ranges() {

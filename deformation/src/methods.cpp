@@ -47,7 +47,7 @@ const DeformMethod& deform_method_named(std::string_view name) {
     std::vector<std::string_view> names;
     for (const DeformMethod& method : known()) names.push_back(method.name);
     for (const ConstraintMethod& method : constraint_methods()) names.push_back(method.name);
-    throw unknown_name("deformer", name, names);
+    throw unknown_single_name("deformer", name, names);
   }
   return *found;
 }

@@ -116,6 +116,8 @@ void require_writable(const std::vector<fs::path>& paths) {
     if (fs::status(parent, reason).type() == fs::file_type::not_found)
       throw InputError(
           fmt::format("cannot write {}: the folder {} does not exist", paths[i].string(), parent.string()));
+    if (!target.direct && fs::exists(parent, reason) && !fs::is_directory(parent, reason))
+      throw InputError(fmt::format("cannot write {}: {} is no folder", paths[i].string(), parent.string()));
     if (::access((target.direct ? target.path : parent).c_str(), target.direct ? W_OK : W_OK | X_OK) != 0)
       fail(paths[i]);
   }

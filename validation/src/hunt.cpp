@@ -2,12 +2,14 @@
 #include "cageproof/validation/hunt.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/name_pattern.h"
 #include "cageproof/validation/parallel.h"
 #include "cageproof/validation/promise.h"
 #include "mutations.h"
 #include "search_domain.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +46,10 @@ class Hunter {
   explicit Hunter(const HuntOptions& options) : options_(options), source_(truth_source(*options.formula)) {
     std::vector<std::string_view> known;
     for (const Regime& regime : regimes()) known.push_back(regime.name);
+    for (const std::string& name : names_in(options.regimes))
+      if (name == hull_regime || name == hunted_regime)
+        throw InputError(
+            fmt::format("regime '{}': `verify` alone has it; others are {}", name, fmt::join(known, ", ")));
     require_known("regime", options.regimes, known);
     for (const Regime& regime : regimes())
       if (matches(options.regimes, regime.name) && exists_for(regime, options.formula->element))

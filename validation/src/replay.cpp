@@ -10,6 +10,7 @@
 #include "cageproof/validation/cage_symmetries.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/deformer_campaign.h"
+#include "cageproof/validation/hunt.h"
 #include "cageproof/validation/one_ring.h"
 #include "cageproof/validation/scheme_errors.h"
 
@@ -37,6 +38,12 @@ std::vector<std::string_view> names_of_scalars() {
   return names;
 }
 
+std::vector<std::string_view> names_of_regimes() {
+  std::vector<std::string_view> names{hull_regime, hunted_regime};
+  for (const Regime& regime : regimes()) names.push_back(regime.name);
+  return names;
+}
+
 ElementCase element_case(const RowKey& row, const WorstCase& worst) {
   const Formula& formula = formula_named(row.subject);
   const Evaluation evaluation = evaluation_named(row.subject, row.evaluation);
@@ -44,6 +51,8 @@ ElementCase element_case(const RowKey& row, const WorstCase& worst) {
   if (!scalar) throw unknown_name("scalar", row.scalar, names_of_scalars());
   const Check* check = find_check(row.check);
   if (!check) throw unknown_name("check", row.check, check_names());
+  if (const auto known = names_of_regimes(); std::ranges::find(known, row.regime) == known.end())
+    throw unknown_name("regime", row.regime, known);
   if (static_cast<int>(worst.corners.size()) != formula.corners() ||
       worst.parameters.size() != formula.parameters.size())
     throw InputError(fmt::format("not an input of {}", row.subject));

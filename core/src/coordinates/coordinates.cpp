@@ -56,18 +56,6 @@ std::vector<Result<R>> results_of(std::vector<CoordinateTable<R>> tables, int or
   return results;
 }
 
-// One that no formula of the kind has, on elements of this cage or of others, is refused in the kind's words.
-void require_evaluation(const CoordinateKind& kind, const Cage& cage, std::string_view name) {
-  if (name.empty()) return;
-  for (const SummedBlock& block : kind.blocks)
-    for (const ElementKind element : element_kinds)
-      if (const Formula* formula = find_formula(element, block.kernel))
-        if (EvaluationRegister::instance().find(formula->name, name)) return;
-  std::vector<std::string_view> formulas;
-  for (const Formula* formula : formulas_of(kind, cage)) formulas.push_back(formula->name);
-  throw InputError(why_no_evaluation(kind.name, formulas, name, whole_evaluation_names(kind, cage)));
-}
-
 }  // namespace
 
 CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, CoordinateOptions options)
@@ -81,7 +69,8 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
       prepared_ = kind.prepare(cage, options);
     } catch (const InputError& e) {
       // It may be refused in the words of what it is made of.
-      if (!kind.made_of_sums || options.evaluation.empty()) throw;
+      const std::string quoted = fmt::format("'{}'", options.evaluation);
+      if (options.evaluation.empty() || std::string_view(e.what()).find(quoted) == std::string_view::npos) throw;
       throw InputError(fmt::format("{}, which is made of other coordinates: {}", kind.name, e.what()));
     }
     return;

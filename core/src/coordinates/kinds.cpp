@@ -144,7 +144,7 @@ const CoordinateKind& coordinate_kind_named(std::string_view name) {
   if (found == nullptr) {
     std::vector<std::string_view> known;
     for (const CoordinateKind& kind : coordinate_kinds()) known.push_back(kind.name);
-    throw unknown_name("kind of coordinates", name, known);
+    throw unknown_single_name("kind of coordinates", name, known);
   }
   return *found;
 }

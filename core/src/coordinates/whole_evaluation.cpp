@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/whole_evaluation.h"
 
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/unknown_name.h"
+
 namespace cageproof {
 namespace {
 
@@ -33,6 +36,17 @@ std::vector<std::string_view> whole_evaluation_names(const CoordinateKind& kind,
   for (const WholeEvaluation& evaluation : known())
     if (evaluation.exists(kind, cage)) names.push_back(evaluation.name);
   return names;
+}
+
+void require_evaluation(const CoordinateKind& kind, const Cage& cage, std::string_view name) {
+  if (name.empty() || find_whole_evaluation(name, kind, cage) != nullptr) return;
+  for (const SummedBlock& block : kind.blocks)
+    for (const ElementKind element : element_kinds)
+      if (const Formula* formula = find_formula(element, block.kernel))
+        if (EvaluationRegister::instance().find(formula->name, name)) return;
+  std::vector<std::string_view> formulas;
+  for (const Formula* formula : formulas_of(kind, cage)) formulas.push_back(formula->name);
+  throw InputError(why_no_evaluation(kind.name, formulas, name, whole_evaluation_names(kind, cage)));
 }
 
 std::string quickest_evaluation(const CoordinateKind& kind, const Cage& cage) {

@@ -18,6 +18,10 @@ std::string_view nearest_name(std::string_view name, const std::vector<std::stri
 /// \param what is named: "formula" \param known all names that there are; empty: only that the catalogue lists them
 InputError unknown_name(std::string_view what, std::string_view name, const std::vector<std::string_view>& known = {});
 
+/// The same where one name is asked for, and neither a glob nor a list would do.
+InputError unknown_single_name(std::string_view what, std::string_view name,
+                               const std::vector<std::string_view>& known);
+
 /// All names that a formula's evaluations have: the members that verification runs, patterns of families, aliases; each
 /// once.
 std::vector<std::string_view> evaluation_names(std::string_view formula);

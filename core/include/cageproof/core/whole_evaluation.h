@@ -41,6 +41,10 @@ const WholeEvaluation* find_whole_evaluation(std::string_view name, const Coordi
 /// The names of those that compute the kind in the cage.
 std::vector<std::string_view> whole_evaluation_names(const CoordinateKind& kind, const Cage& cage);
 
+/// Refuses a name that is no whole evaluation of the kind in the cage, and that no formula of the kind has on any
+/// element. \throws InputError in the kind's words
+void require_evaluation(const CoordinateKind& kind, const Cage& cage, std::string_view name);
+
 /// Stands for an evaluation's name: of sums over elements, the first evaluation of role batched that computes the kind
 /// in the cage, and the formulas' recommended ones where there is none. Kinds that are made of such sums
 /// (CoordinateKind::made_of_sums) ask for theirs by it, others ignore it.

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "inputs_outside.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace cageproof::cli {
+
+void require_outside(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& inputs) {
+  std::error_code ignored;
+  const auto place = [&](const std::string& name) {
+    std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, ignored), ignored);
+    return path.has_filename() ? path : path.parent_path();
+  };
+  if (folder.empty()) return;
+  const std::filesystem::path out = place(folder);
+  for (const auto& [name, option] : inputs) {
+    if (name.empty() || !std::filesystem::exists(name, ignored)) continue;
+    const std::filesystem::path input = place(name);
+    if (std::mismatch(out.begin(), out.end(), input.begin(), input.end()).first == out.end())
+      throw InputError(fmt::format("--out {}: the folder holds {}, which {} reads", folder, name, option));
+  }
+}
+
+}  // namespace cageproof::cli
