@@ -193,7 +193,7 @@ refuses large.obj --posed -- "${common[@]}" --method green --out ./large.obj
 refuses same.csv --derivatives -- "${common[@]}" --method green --order 1 --out same.csv --derivatives same.csv
 
 # All files or none, and nobody else's.
-refuses 'no folder' -- "${common[@]}" --method green --order 1 --out fine.csv --derivatives nowhere/fine.csv
+refuses 'the folder nowhere does not exist' -- "${common[@]}" --method green --order 1 --out fine.csv --derivatives nowhere/fine.csv
 printf '{"a": 1}\n' >theirs.json
 refuses theirs.json 'in the way' -- "${common[@]}" --method green --out theirs.csv
 mkdir folder.csv
