@@ -99,7 +99,7 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 // What CLI11 says, where it does not say what would have been right: how often an option was given, and a value that is
 // missing.
 std::string plain_words(const CLI::ParseError& error) {
-  const std::string text = error.what();
+  std::string text = error.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
   const std::string option = text.substr(0, text.find(": "));
   const auto number_behind = [&](std::string_view words) {
