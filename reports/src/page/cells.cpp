@@ -56,9 +56,9 @@ Data error_cell(const ResultRow* row, const std::string& page) {
   return data;
 }
 
-void set_list(Data& data, const std::string& name, Data list) {
+void set_list(Data& data, const std::string& name, const Data& list) {
   data.set("has_" + name, list.is_non_empty_list());
-  data.set(name, std::move(list));
+  data.set(name, list);
 }
 
 std::string anchor(std::string_view kind, std::string_view name) { return fmt::format("{}-{}", kind, file_name(name)); }

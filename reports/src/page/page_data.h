@@ -13,7 +13,7 @@ namespace cageproof::reports {
 using Data = kainjow::mustache::data;
 
 /// A list as a template wants it, with a flag that tells whether it has items: {list: [...], has_list: bool}.
-void set_list(Data& data, const std::string& name, Data list);
+void set_list(Data& data, const std::string& name, const Data& list);
 
 /// What all pages show: version, suite, seed, style, and the way back to the report's folder. \param root "" or "../"
 Data common_data(const RunResult& result, const std::string& root);
