@@ -198,7 +198,7 @@ class SubjectPage {
   const std::string& file() const { return file_; }
 
   std::string text(Json page, Data matrices, const WorstPlaces& places) {
-    set_list(data_, "matrices", std::move(matrices));
+    set_list(data_, "matrices", matrices);
     page.update(rows_json(rows_, places));
     data_.set("json", script_json(page));
     return rendered(kSubjectTemplate, "subject.mustache", data_);
