@@ -3,7 +3,7 @@
 
 #include "cageproof/core/whole_file.h"
 #include "gnuplot.h"
-#include "scratch_folder.h"
+#include "temporary_folder.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ std::string energies_png(std::span<const double> energies, std::string_view titl
   std::string data;
   for (std::size_t i = 0; i < energies.size(); ++i)
     data += fmt::format("{} {}\n", i + 1, energies[i] > 0 ? gnuplot_number(energies[i]) : "NaN");
-  const ScratchFolder folder;
+  const TemporaryFolder folder;
   draw({{.file = "energies.png",
          .width = 640,
          .height = 400,

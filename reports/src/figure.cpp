@@ -18,7 +18,7 @@ std::string short_error(double error) {
   int digits = static_cast<int>(std::ceil(scaled));
   if (digits >= 100) digits = 10, ++exponent;
   if (exponent >= 1 && exponent <= 2) return fmt::format("{}", exponent == 1 ? digits : digits * 10);
-  const std::string mantissa =
+  std::string mantissa =
       digits % 10 == 0 ? fmt::format("{}", digits / 10) : fmt::format("{}.{}", digits / 10, digits % 10);
   if (exponent == 0) return mantissa;
   if (exponent == -1) return digits % 10 == 0 ? fmt::format("0.{}", digits / 10) : fmt::format("0.{}", digits);

@@ -2,7 +2,7 @@
 #include "cageproof/reports/mesh_text.h"
 
 #include "cageproof/core/whole_file.h"
-#include "scratch_folder.h"
+#include "temporary_folder.h"
 
 #include <vtkCellArray.h>
 #include <vtkNew.h>
@@ -39,7 +39,7 @@ template <class Writer>
 std::string written(const Mesh& mesh, const char* name, const auto& set) {
   vtkNew<vtkPolyData> data;
   fill(mesh, *data);
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const std::string file = (scratch.path() / name).string();
   vtkNew<Writer> writer;
   writer->SetInputData(data);

@@ -62,7 +62,7 @@ std::string foreign_entry(const fs::path& folder) {
   const bool listed = fs::is_regular_file(list, ignored);
   const auto known = known_in(listed ? read_file(list) : std::string());
   for (const fs::directory_entry& entry : entries_of(folder)) {
-    const std::string name = name_in(folder, entry);
+    std::string name = name_in(folder, entry);
     if (entry.is_symlink(ignored)) return name;
     const bool deep = entry.is_directory(ignored) && name.find('/') != name.npos;
     if (listed ? !known.contains(name) : deep) return name;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "written_files.h"
 
-#include "scratch_folder.h"
+#include "temporary_folder.h"
 
 #include "cageproof/reports/checked_file.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder_in(const ScratchFolder& scratch) {
+fs::path folder_in(const TemporaryFolder& scratch) {
   fs::path folder = scratch.path() / "report";
   fs::create_directories(folder / "fields");
   write_file(folder / "fields/a.vti", "a");
@@ -21,12 +21,12 @@ fs::path folder_in(const ScratchFolder& scratch) {
 }
 
 TEST(WrittenFiles, ListsFilesAndFoldersInOrder) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   EXPECT_EQ(list_of_files(folder_in(scratch)), "fields\nfields/a.vti\nsummary.json\n");
 }
 
 TEST(WrittenFiles, WhatIsNotListedIsForeign) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const fs::path folder = folder_in(scratch);
   write_file(folder / written_files_name, list_of_files(folder));
   EXPECT_EQ(foreign_entry(folder), "");
@@ -43,7 +43,7 @@ TEST(WrittenFiles, WhatIsNotListedIsForeign) {
 }
 
 TEST(WrittenFiles, LinksAreForeignWhateverTheyAreCalled) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const fs::path folder = folder_in(scratch);
   write_file(folder / written_files_name, list_of_files(folder));
   fs::remove_all(folder / "fields");
@@ -52,7 +52,7 @@ TEST(WrittenFiles, LinksAreForeignWhateverTheyAreCalled) {
 }
 
 TEST(WrittenFiles, WithoutAListFilesInFoldersAreTakenForOurs) {
-  const ScratchFolder scratch;
+  const TemporaryFolder scratch;
   const fs::path folder = folder_in(scratch);
   EXPECT_EQ(foreign_entry(folder), "");
   fs::create_directory(folder / "fields/deeper");

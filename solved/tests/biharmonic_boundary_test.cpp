@@ -35,8 +35,13 @@ TEST(biharmonic_boundary, reproduces_affine_maps_with_normals_as_the_paper_says)
   for (const Shape& shape : shapes())
     for (const double pieces : {1, 2, 3, 4, 16})
       for (const Vec& point : shape.points) {
-        const auto errors = affine_errors(prepared(shape.cage, pieces), point, 0);
-        EXPECT_LT(errors[0], 1e-12) << shape.name << ", " << pieces << " pieces, at " << point.transpose();
+        const CageCoordinates coordinates = prepared(shape.cage, pieces);
+        // A hundredth of a rounding times the condition where that is large: 3e6 for the thin bar in 16 pieces, whose
+        // error depends on the machine's logarithms.
+        double bound = 1e-12;
+        for (const SolvedSystem& s : coordinates.solved()) bound = std::max(bound, 1e-18 * s.condition);
+        const auto errors = affine_errors(coordinates, point, 0);
+        EXPECT_LT(errors[0], bound) << shape.name << ", " << pieces << " pieces, at " << point.transpose();
       }
 }
 

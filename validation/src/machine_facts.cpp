@@ -6,6 +6,7 @@
 #include "cageproof/core/scalar.h"
 #include "cageproof/validation/parallel.h"
 
+#include <Eigen/Core>
 #include <boost/version.hpp>
 #include <fmt/chrono.h>
 #include <tbb/version.h>

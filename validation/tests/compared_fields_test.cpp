@@ -22,9 +22,9 @@ Comparison comparison(std::vector<std::string> evaluations) {
 
 Vec3<double> point_of(const ImageField& field, std::size_t i) {
   const std::size_t nx = field.points[0], ny = field.points[1];
-  return field.origin +
-         field.spacing.cwiseProduct(Vec3<double>(static_cast<double>(i % nx), static_cast<double>(i / nx % ny),
-                                                 static_cast<double>(i / (nx * ny))));
+  const std::size_t x = i % nx, y = i / nx % ny, z = i / (nx * ny);
+  const Vec3<double> step(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+  return field.origin + field.spacing.cwiseProduct(step);
 }
 
 // Green coordinates of the cage by their definition: a single layer a triangle, and of each vertex the double layers of

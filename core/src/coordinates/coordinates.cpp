@@ -69,8 +69,9 @@ CageCoordinates::CageCoordinates(const Cage& cage, const CoordinateKind& kind, C
       prepared_ = kind.prepare(cage, options);
     } catch (const InputError& e) {
       // It may be refused in the words of what it is made of.
-      const std::string quoted = fmt::format("'{}'", options.evaluation);
-      if (options.evaluation.empty() || std::string_view(e.what()).find(quoted) == std::string_view::npos) throw;
+      const std::string_view said = e.what();
+      const bool of_evaluation = said.find(fmt::format("'{}'", options.evaluation)) != std::string_view::npos;
+      if (options.evaluation.empty() || !of_evaluation || said.starts_with(kind.name)) throw;
       throw InputError(fmt::format("{}, which is made of other coordinates: {}", kind.name, e.what()));
     }
     return;

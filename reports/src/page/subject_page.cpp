@@ -197,7 +197,7 @@ class SubjectPage {
   Data& data() { return data_; }
   const std::string& file() const { return file_; }
 
-  std::string text(Json page, Data matrices, const WorstPlaces& places) {
+  std::string text(Json page, const Data& matrices, const WorstPlaces& places) {
     set_list(data_, "matrices", matrices);
     page.update(rows_json(rows_, places));
     data_.set("json", script_json(page));

@@ -20,10 +20,10 @@
 namespace cageproof::reports {
 
 /// A folder of its own, which goes with what is in it; what killed processes left of theirs goes when one is made.
-class ScratchFolder {
+class TemporaryFolder {
  public:
   /// \throws InputError where none can be made
-  ScratchFolder() {
+  TemporaryFolder() {
     const std::filesystem::path like = std::filesystem::temp_directory_path() / "cageproof";
     remove_leftovers(like);
     for (int n = 0; path_.empty(); ++n) {
@@ -35,12 +35,12 @@ class ScratchFolder {
       if (!path_.empty()) note_ = std::make_unique<AsideNote>(path_);
     }
   }
-  ~ScratchFolder() {
+  ~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
   }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   const std::filesystem::path& path() const { return path_; }
 
  private:
