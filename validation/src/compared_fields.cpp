@@ -51,6 +51,7 @@ double error_of(const std::vector<Result<double>>& found, const std::vector<Resu
 
 std::vector<ImageField::Array> arrays_of(const Comparison& comparison) {
   std::vector<ImageField::Array> arrays;
+  arrays.reserve(comparison.evaluations.size());
   for (const std::string& evaluation : comparison.evaluations)
     arrays.push_back({evaluation + ": relative error", "", 1, {}});
   const CageCoordinates coordinates(*comparison.cage, *comparison.kind, "", comparison.rule);
@@ -79,6 +80,7 @@ std::string file_name_of(const Comparison& comparison) {
 
 FieldPlan::Sampler sampler_of(const Comparison& comparison) {
   std::vector<std::shared_ptr<const CageCoordinates>> all;
+  all.reserve(comparison.evaluations.size());
   for (const std::string& evaluation : comparison.evaluations)
     all.push_back(
         std::make_shared<const CageCoordinates>(*comparison.cage, *comparison.kind, evaluation, comparison.rule));

@@ -105,8 +105,9 @@ int furthest_entry(const Result<R>& f, const Truth& truth, int order) {
   const auto& wanted = truth.tensors.of(order);
   int furthest = 0;
   Mp100 largest = -1;
+  const auto widened = [](const R& value) { return Mp100(value); };
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const Mp100 x(found[i]);
+    const Mp100 x = widened(found[i]);
     if (isfinite(x) != isfinite(wanted[i])) return static_cast<int>(i);
     if (!isfinite(x)) continue;
     const Mp100 distance = abs(Mp100(x - wanted[i]));
