@@ -110,7 +110,10 @@ constexpr std::size_t most_vertices = 2000;
 std::vector<std::string> compared_names(const std::vector<std::string>& lists, const CoordinateKind& kind,
                                         const Cage& cage) {
   std::vector<std::string_view> known = whole_evaluation_names(kind, cage);
+  // The last one's, of quads where the kind keeps them; there is none where the kind does not exist on the cage.
   const std::vector<const Formula*> formulas = formulas_of(kind, cage);
+  if (formulas.empty())
+    throw InputError(fmt::format("{}: {} coordinates do not exist on cages of this dimension", cage.name(), kind.name));
   for (const std::string_view name : evaluation_names(formulas.back()->name))
     if (EvaluationRegister::instance().find(formulas.back()->name, name)) known.push_back(name);
   std::vector<std::string> names;

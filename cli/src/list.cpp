@@ -5,9 +5,9 @@
 
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/evaluation.h"
 #include "cageproof/core/name_pattern.h"
 #include "cageproof/core/unknown_name.h"
-#include "cageproof/core/evaluation.h"
 #include "cageproof/deformation/constrained.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/hunt.h"

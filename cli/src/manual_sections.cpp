@@ -7,15 +7,13 @@ const std::vector<ManualSection>& manual_sections() {
   static const std::vector<ManualSection> sections{
       {"Names, globs and lists",
        {"`cageproof list` prints all names of formulas, evaluations, regimes, checks, kinds of coordinates, deformers "
-        "and "
-        "embedded cages.",
+        "and embedded cages.",
         "Options that take several names (values NAMES, FORMULAS, EVALUATIONS, REGIMES, CHECKS) have one grammar, in "
-        "every "
-        "command: names and globs with commas between. In a glob * stands for any characters, ? for one, [ab] for one "
-        "of these; quote it, or the shell expands it. Each name and glob must be or match something; one that does not "
-        "is refused, with the name that may have been meant; an evaluation, to something that a formula asked for has. "
-        "Of what a glob matches, only what exists for the element "
-        "and order is taken. Options that may repeat take lists as well.",
+        "every command: names and globs with commas between. In a glob * stands for any characters, ? for one, [ab] "
+        "for one of these; quote it, or the shell expands it. Each name and glob must be or match something; one that "
+        "does not is refused, with the name that may have been meant; an evaluation, to something that a formula asked "
+        "for has. Of what a glob matches, only what exists for the element and order is taken. Options that may repeat "
+        "take lists as well.",
         "Families of rules have a number in their names: gauss-<N> with N from 1 to 256, line-<digits>. Any number in "
         "the range that `cageproof list --json` states is a name; globs match those that verification runs."},
        {{"list 'gauss-*,batched'", "which formulas and kinds of coordinates have these evaluations"},
@@ -41,40 +39,33 @@ const std::vector<ManualSection>& manual_sections() {
       {"Signals",
        {"SIGINT, SIGTERM, SIGHUP and SIGPIPE end the program by that signal, after it has removed what it was writing: "
         "no half report, no file aside. What stood in its place stays as it was, with one exception: `verify --out` "
-        "over an "
-        "earlier report of its own replaces that one's journal as soon as it starts, since a run that ends half may be "
-        "gone on with (`verify --resume FOLDER`); the pages stay until the new ones are whole."},
+        "over an earlier report of its own replaces that one's journal as soon as it starts, since a run that ends "
+        "half may be gone on with (`verify --resume FOLDER`); the pages stay until the new ones are whole."},
        {}},
       {"Files and folders that are written",
        {"Every file and folder is written beside its place, as .NAME.partial-PID-N@HOST, and renamed into it when it "
-        "is "
-        "whole. What a process that was killed (SIGKILL, power) left there is removed by the next command that writes "
-        "to "
-        "the same place; that of a process that lives is left alone. A symbolic link stays: what it leads to is "
-        "replaced, a "
-        "file even where it is not there yet. Pipes, devices and /dev/stdout are written to. Empty values of options "
-        "are refused.",
+        "is whole. What a process that was killed (SIGKILL, power) left there is removed by the next command that "
+        "writes to the same place; that of a process that lives is left alone. A symbolic link stays: what it leads to "
+        "is replaced, a file even where it is not there yet. Pipes, devices and /dev/stdout are written to. Empty "
+        "values of options are refused.",
         "A folder is replaced by the same command alone: what `verify` wrote by verify, merge and report, what `field` "
-        "wrote "
-        "by field, and so with `bench --out` and `figures`. Every folder holds .cageproof-files, the list of what was "
-        "written; where it holds anything else, or is no such folder, the command refuses, and says what is in the "
-        "way."},
+        "wrote by field, and so with `bench --out` and `figures`. Every folder holds .cageproof-files, the list of "
+        "what was written; where it holds anything else, or is no such folder, the command refuses, and says what is "
+        "in the way."},
        {}},
       {"Output",
        {"Results go to standard output, and progress to standard error when that is a terminal. The same options and "
-        "seed "
-        "give the same results, byte for byte, whatever --jobs is; only what is named environment differs (times, "
+        "seed give the same results, byte for byte, whatever --jobs is; only what is named environment differs (times, "
         "machine, threads, commit)."},
        {}},
       {"Environment",
        {},
        {{"TMPDIR", "where files are put that live as long as the command; default: /tmp"},
         {"CAGEPROOF_SIMD",
-         "plain or avx2: batched coordinates use no wider instructions; default: the widest that the "
-         "processor has"}}},
+         "plain or avx2: batched coordinates use no wider instructions; default: the widest that the processor has"}}},
       {"Completion",
-       {"Installed for bash, zsh and fish in their folders below PREFIX/share. Without an installation: "
-        "`source <(cageproof completion bash)`."},
+       {"Installed for bash, zsh and fish in their folders below PREFIX/share. Without an installation: `source "
+        "<(cageproof completion bash)`."},
        {}}};
   return sections;
 }

@@ -91,7 +91,8 @@ mkdir holds && cp linked_point.txt holds/points.txt
 for command in bench verify; do
   $command --out holds --points holds/points.txt >stdout 2>stderr && fail "$command over its points"
 done
-"$cageproof" field --kind green --cage cube --compare gauss-4,closed_form --resolution 2 --points holds/points.txt --out ./holds/ >stdout 2>stderr && fail 'field over its points'
+"$cageproof" field --kind green --cage cube --compare gauss-4,closed_form --resolution 2 --points holds/points.txt \
+  --out ./holds/ >stdout 2>stderr && fail 'field over its points'
 grep -q 'which --points reads' stderr && [ -s holds/points.txt ] || fail "field over its points: $(cat stderr)"
 mkfifo pipe.jsonl
 timeout 20 "$cageproof" hunt --formula triangle.solid_angle --budget 10 --out pipe.jsonl >stdout 2>stderr

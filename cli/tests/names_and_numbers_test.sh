@@ -53,7 +53,8 @@ refuses_to verify "no formula of 'triangle.solid_angle' has an evaluation 'batch
 write one.csv '0.1 0.2 0.3'
 write flat.csv '0.1 0.2'
 refuses_to coordinates 'harmonic, which is made of other coordinates' "'bached'" -- --cage square --points flat.csv --kind harmonic --evaluation bached
-refuses_to coordinates "green has no evaluation 'bached'" "did you mean 'batched'?" -- --cage cube --points one.csv --kind green --evaluation bached --out out.csv
+refuses_to coordinates "green has no evaluation 'bached'" "did you mean 'batched'?" -- \
+  --cage cube --points one.csv --kind green --evaluation bached --out out.csv
 refuses_to field "green has no evaluation 'bached'" "did you mean 'batched'?" -- --cage cube --kind green --evaluation bached --out out
 refuses_to coordinates 'gauss-<N> takes N from 1 to 256' -- --cage cube --points one.csv --kind green --evaluation gauss-999
 refuses_to bench "green has no evaluation 'bached'" "did you mean 'batched'?" -- --kind green --evaluations gauss-4,bached
@@ -63,9 +64,11 @@ refuses_to coordinates "did you mean 'nu'" -- --cage cube --points one.csv --kin
 "$cageproof" list 'near-*,*.solid_angle' >stdout || fail 'list of globs'
 [ "$(grep -c '^[a-z]*\.[a-z_]*$' stdout)" -eq "$(grep -c '^[a-z]*\.solid_angle$' stdout)" ] && grep -qx triangle.solid_angle stdout && grep -q '^regimes: near-face near-plane near-edge near-line near-vertex$' stdout || fail "list of globs: $(cat stdout)"
 "$cageproof" list 'closed_f*,batched' >stdout || fail 'list of evaluations'
-grep -q '^evaluation closed_form of: .*triangle.single_layer' stdout && grep -q '^evaluation batched of: .*green' stdout || fail "list of evaluations: $(cat stdout)"
+grep -q '^evaluation closed_form of: .*triangle.single_layer' stdout && grep -q '^evaluation batched of: .*green' stdout ||
+  fail "list of evaluations: $(cat stdout)"
 "$cageproof" list closed_form,gauss-9 >stdout || fail 'list of a rule with a number'
-grep -q '^evaluation gauss-<N>, N from 1 to 256 of: ' stdout && grep -q '^evaluation closed_form of: .*quad.mean_value' stdout || fail "list of a rule with a number, and of an alias: $(cat stdout)"
+grep -q '^evaluation gauss-<N>, N from 1 to 256 of: ' stdout && grep -q '^evaluation closed_form of: .*quad.mean_value' stdout ||
+  fail "list of a rule with a number, and of an alias: $(cat stdout)"
 "$cageproof" list --json | grep -q '"range": "N from 1 to 256"' || fail 'list --json does not say the range of gauss-<N>'
 
 # The same lists mean the same everywhere.
