@@ -202,9 +202,10 @@ std::optional<R> cut_between(const SingularPairs<R>& singular, const SingularPai
 
 /// Adds the rules of [lo, hi] for `digits` digits of an integrand with singularities of that order; panels have at most
 /// about `most` nodes.
+/// \param decays whether what is far from the singularity adds less to the integral, as digits_at() says
 template <class R>
 void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, double order, double digits, int most,
-               OuterRules<R>& out) {
+               bool decays, OuterRules<R>& out) {
   double nearest = std::numeric_limits<double>::infinity();
   const SingularPair<R>* dominant = nullptr;
   const R length = hi_v - lo_v;
@@ -224,8 +225,8 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
   }
   if (dominant && nearest < kFarAcross) {
     if (const auto cut = detail::cut_between(singular, *dominant, lo_v, hi_v)) {
-      add_rules(singular, lo_v, *cut, order, digits, most, out);
-      add_rules(singular, *cut, hi_v, order, digits, most, out);
+      add_rules(singular, lo_v, *cut, order, digits, most, decays, out);
+      add_rules(singular, *cut, hi_v, order, digits, most, decays, out);
       return;
     }
   }
@@ -265,7 +266,7 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
     double rho = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < count; ++i) rho = std::min(rho, ellipse_through(lo, hi, images[i]));
     const double nearest_s = lo < 0 && hi > 0 ? 0 : std::min(std::abs(lo), std::abs(hi));
-    const int nodes = nodes_across(rho, (hi - lo) / 2, 2, order, digits_at(nearest_s, digits));
+    const int nodes = nodes_across(rho, (hi - lo) / 2, 2, order, decays ? digits_at(nearest_s, digits) : digits);
     // Singularities on the interval itself have no rule; the panels end somewhere, and say so.
     if (nodes <= most || hi - lo < 1e-4) {
       out.panels.push_back({lo, hi, std::min(nodes, 2 * most)});
@@ -292,10 +293,11 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
 
 /// Replaces what `out` holds by the rules of [0, 1].
 template <class R>
-void find_outer_rules(const SingularPairs<R>& singular, double order, double digits, int most, OuterRules<R>& out) {
+void find_outer_rules(const SingularPairs<R>& singular, double order, double digits, int most, OuterRules<R>& out,
+                      bool decays = true) {
   out.rules.clear();
   out.panels.clear();
-  add_rules(singular, R(0), R(1), order, digits, most, out);
+  add_rules(singular, R(0), R(1), order, digits, most, decays, out);
 }
 
 }  // namespace cageproof::adaptive_qmvc

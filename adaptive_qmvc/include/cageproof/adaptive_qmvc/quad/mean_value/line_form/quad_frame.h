@@ -32,6 +32,30 @@ struct QuadFrame {
   R g00, g01, g10, g11;
   FrameUnit unit;
 
+  QuadFrame() = default;
+  /// The same in another scalar, every number rounded once.
+  template <class From>
+  explicit QuadFrame(const QuadFrame<From>& q)
+      : a(q.a.template cast<R>()),
+        e(q.e.template cast<R>()),
+        e1(q.e1.template cast<R>()),
+        b(q.b.template cast<R>()),
+        b1(q.b1.template cast<R>()),
+        w(q.w.template cast<R>()),
+        n(q.n.template cast<R>()),
+        n_u(q.n_u.template cast<R>()),
+        n_v(q.n_v.template cast<R>()),
+        g00(q.g00),
+        g01(q.g01),
+        g10(q.g10),
+        g11(q.g11),
+        unit(q.unit) {
+    for (int k = 0; k < 4; ++k) {
+      seen[k] = q.seen[k].template cast<R>();
+      normal[k] = q.normal[k].template cast<R>();
+    }
+  }
+
   /// Along the line v: its start, seen from eta, and its direction.
   Vec3<R> start(const R& v) const { return a + v * b; }
   Vec3<R> direction(const R& v) const { return e + v * w; }

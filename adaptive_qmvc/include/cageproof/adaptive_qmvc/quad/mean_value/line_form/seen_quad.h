@@ -6,6 +6,7 @@
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/outer_rule.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -54,6 +55,7 @@ struct SeenRule {
 };
 
 struct SeenQuad {
+  QuadFrame<Mp200> frame;
   FrameUnit unit;
   std::vector<SeenRule> rules;
   bool folded = false;  ///< see is_folded()
@@ -61,6 +63,19 @@ struct SeenQuad {
 
 /// The rules for `digits` digits of an integrand with singularities of that order. What is small next to the point is
 /// computed in 800 digits and rounded once. \pre coordinates are finite and, exactly or not, doubles
-SeenQuad see_in_800_digits(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point, double order, double digits);
+/// \param decays as in add_rules()
+SeenQuad see_in_800_digits(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point, double order, double digits,
+                           bool decays = true);
+
+/// The same in as many digits as W has, of those or of what is not a double.
+template <class W>
+SeenQuad see_in_digits(const std::array<Vec3<W>, 4>& corners, const Vec3<W>& point, double order, double digits,
+                       bool decays);
+
+extern template SeenQuad see_in_digits<Mp50>(const std::array<Vec3<Mp50>, 4>&, const Vec3<Mp50>&, double, double, bool);
+extern template SeenQuad see_in_digits<Mp100>(const std::array<Vec3<Mp100>, 4>&, const Vec3<Mp100>&, double, double,
+                                              bool);
+extern template SeenQuad see_in_digits<Mp800>(const std::array<Vec3<Mp800>, 4>&, const Vec3<Mp800>&, double, double,
+                                              bool);
 
 }  // namespace cageproof::adaptive_qmvc

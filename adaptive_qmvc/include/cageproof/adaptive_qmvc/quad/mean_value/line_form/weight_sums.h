@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <type_traits>
 
@@ -15,7 +16,7 @@ namespace cageproof::adaptive_qmvc {
 
 /// What sizes of sums are held in: numbers with exponents enough for the scalar.
 template <class R>
-using Size = std::conditional_t<is_multiprecision<R>, long double, double>;
+using Size = std::conditional_t<is_multiprecision<R> || std::same_as<R, long double>, long double, double>;
 
 /// The weights' sums over lines: for each corner value, gradient, Hessian (xx, xy, xz, yy, yz, zz).
 template <class R, int Order>

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Points on a quad: whether they are, which limits there are, and the points next to them that limits from inside are
+// computed at.
+#pragma once
+
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_form.h"
+#include "cageproof/adaptive_qmvc/quad/potentials/kernel_terms.h"
+#include "cageproof/core/linear.h"
+#include "cageproof/core/quad_geometry.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace cageproof::adaptive_qmvc {
+
+struct InsideStep {
+  Vec3<Mp200> point;    ///< against the normal, so near that what is missing of a limit is below a double's rounding
+  bool border = false;  ///< whether the point lies on a side
+  bool tiny = false;    ///< whether the step needs more than 100 digits
+  bool exists = true;   ///< false where the normal vanishes
+};
+
+/// \param for_multiprecision whether a limit is wanted to some 35 digits, not to a double's
+template <Scalar R>
+InsideStep step_inside(std::span<const Vec3<R>> corners, const Vec3<R>& point, const BilinearPoint& on,
+                       bool for_multiprecision) {
+  using W = Mp200;
+  std::array<Vec3<W>, 4> x;
+  for (int k = 0; k < 4; ++k) x[k] = convert<W>(corners[k]);
+  const Vec3<W> eta = convert<W>(point);
+  // Rounded parameters: the normal turns by no more.
+  const W u = on.u, v = on.v;
+  const Vec3<W> along = (1 - v) * (x[1] - x[0]) + v * (x[2] - x[3]);
+  const Vec3<W> across = (1 - u) * (x[3] - x[0]) + u * (x[2] - x[1]);
+  const Vec3<W> normal = along.cross(across);
+  W nearest = std::numeric_limits<W>::infinity(), size = 0;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3<W> side = x[(k + 1) % 4] - x[k], to = eta - x[k];
+    const W square = side.dot(side);
+    const W t = square > W(0) ? std::clamp(W(to.dot(side) / square), W(0), W(1)) : W(0);
+    const Vec3<W> off = to - t * side;
+    nearest = std::min(nearest, W(sqrt(W(off.dot(off)))));
+    size = std::max(size, W(sqrt(square)));
+  }
+  const W length = sqrt(W(normal.dot(normal)));
+  InsideStep step;
+  step.exists = length > W(0);
+  if (!step.exists) return step;
+  step.border = nearest == W(0);
+  // In the distance to the border what is missing is that much, times its logarithm.
+  const W height =
+      step.border ? ldexp(size, for_multiprecision ? -140 : -80) : ldexp(nearest, for_multiprecision ? -120 : -70);
+  step.tiny = height < ldexp(size, -100);
+  step.point = eta - (height / length) * normal;
+  return step;
+}
+
+/// Whether a potential's derivatives of an order stay finite, and have one limit, on the quad's border.
+inline bool has_border_limit(Potential potential, int order) {
+  switch (potential) {
+    case Potential::SingleLayer:
+    case Potential::KelvinDisplacement: return order == 0;
+    case Potential::BiharmonicSingleLayer: return true;
+    case Potential::BiharmonicDoubleLayer: return order <= 1;
+    default: return false;
+  }
+}
+
+/// place_on_quad; and, of what is no double, on a side, where products of 200 digits are exact.
+template <Scalar R>
+std::optional<BilinearPoint> place(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
+  auto on = place_on_quad<R>(corners, point);
+  if (!is_multiprecision<R> || on) return on;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3<Mp200> eta = convert<Mp200>(point), a = convert<Mp200>(corners[k]) - eta,
+                      b = convert<Mp200>(corners[(k + 1) % 4]) - eta;
+    const Vec3<Mp200> area = a.cross(b);
+    if (area[0] != 0 || area[1] != 0 || area[2] != 0 || a.dot(b) > 0) continue;
+    const Mp200 square = Vec3<Mp200>(b - a).squaredNorm();
+    const double t = square > 0 ? static_cast<double>(Mp200(-a.dot(b - a) / square)) : 0;
+    constexpr std::array<std::array<double, 2>, 4> start{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    const auto &from = start[k], &to = start[(k + 1) % 4];
+    on.emplace();
+    on->u = from[0] + t * (to[0] - from[0]);
+    on->v = from[1] + t * (to[1] - from[1]);
+    return on;
+  }
+  return on;
+}
+
+}  // namespace cageproof::adaptive_qmvc

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+// potential_form's body, compiled one file a scalar.
+#pragma once
+
+#include "cageproof/adaptive_qmvc/quad/potentials/potential_form.h"
+
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_form.h"
+#include "cageproof/adaptive_qmvc/quad/potentials/potential_sums.h"
+#include "inside_step.h"
+#include "normal_axes.h"
+#include "potential_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cageproof::adaptive_qmvc {
+
+template <class R>
+void fill_nan(const PotentialTask<R>& task, PotentialTensors<R>& tensors) {
+  for (int o = 0; o <= task.order; ++o)
+    tensors.of[o].assign(4 * kernel_tape(task.potential, task.order).entries[o].size(),
+                         std::numeric_limits<R>::quiet_NaN());
+  tensors.cancelled = 1;
+}
+
+template <Scalar R>
+Statement potential_to_digits(std::span<const Vec3<R>> corners, const Vec3<R>& point, const PotentialTask<R>& task,
+                              PotentialTensors<R>& tensors);
+
+/// As potential_to_digits, in another scalar.
+template <class W, Scalar R>
+Statement potential_form_in(std::span<const Vec3<R>> corners, const Vec3<W>& point, const PotentialTask<R>& task,
+                            double digits, PotentialTensors<R>& tensors) {
+  std::array<Vec3<W>, 4> wide_corners;
+  for (int k = 0; k < 4; ++k) wide_corners[k] = convert<W>(corners[k]);
+  PotentialTensors<W> wide;
+  const PotentialTask<W> asked{
+      task.potential, task.order, digits, {W(task.parameters[0]), W(task.parameters[1])}, task.finite_part};
+  const Statement statement = potential_to_digits<W>(wide_corners, point, asked, wide);
+  for (int o = 0; o <= task.order; ++o) {
+    tensors.of[o].resize(wide.of[o].size());
+    std::ranges::transform(wide.of[o], tensors.of[o].begin(), [](const W& x) { return static_cast<R>(x); });
+  }
+  tensors.cancelled = wide.cancelled;
+  return statement;
+}
+
+/// The digits of an integral, relative to the sizes of its terms, that a scalar can be asked for.
+template <class R>
+inline constexpr double kMostDigits = std::same_as<R, Mp200>   ? 185
+                                      : std::same_as<R, Mp100> ? 90
+                                      : std::same_as<R, Mp50>  ? 42
+                                                               : 17;
+
+/// As potential_form, in a scalar that has as many digits more as cancel, and in 50 digits at least.
+/// \param cancelled how many times as large as the result its terms are known to be
+template <Scalar R, class W>
+Statement potential_form_in_more_digits(std::span<const Vec3<R>> corners, const Vec3<W>& point,
+                                        const PotentialTask<R>& task, double cancelled, PotentialTensors<R>& tensors) {
+  for (double asked = task.digits;;) {
+    if (cancelled > kPotentialCancelled[0])
+      asked = std::min(kMostDigits<Mp200>, std::max(asked, task.digits + 1 + std::log10(cancelled)));
+    Statement statement;
+    if (std::max(asked, kMostDigits<W>) <= kMostDigits<Mp50>)
+      statement = potential_form_in<Mp50, R>(corners, convert<Mp50>(point), task, asked, tensors);
+    else if (std::max(asked, kMostDigits<W>) <= kMostDigits<Mp100>)
+      statement = potential_form_in<Mp100, R>(corners, convert<Mp100>(point), task, asked, tensors);
+    else statement = potential_form_in<Mp200, R>(corners, convert<Mp200>(point), task, asked, tensors);
+    cancelled = tensors.cancelled;
+    if (asked >= kMostDigits<Mp200> || cancelled <= kPotentialCancelled[0] ||
+        asked >= task.digits + std::log10(cancelled)) {
+      // What cancels is made good.
+      tensors.cancelled = 1;
+      return statement;
+    }
+  }
+}
+
+/// Adds a rule's part of the potential: with derivatives along the quad moved onto its border where lines are dense.
+template <class R>
+void add_rule(const QuadFrame<R>& q, LocalFrame<R> local, const OuterRule<R>& rule, const R& centre,
+              std::span<const Panel> panels, const PotentialTask<R>& task, PotentialParts<R>& parts,
+              Statement& statement) {
+  const KernelTape& tangential = tangential_tape(task.potential, task.order);
+  const bool turns = !rule.plain && tangential.tangential && has_normal_at(local);
+  const NormalAxes<R> axes = turns ? NormalAxes<R>(local.n, local.e) : NormalAxes<R>();
+  if (turns) turn(local, axes);
+  const LineReferences<R> references =
+      rule.plain ? LineReferences<R>(local) : LineReferences<R>(local, turns ? turned(q, axes) : q);
+  PotentialSums<R> sums(turns ? tangential : kernel_tape(task.potential, task.order), task.digits);
+  statement.nodes += sums.add_lines(references, rule, centre, panels);
+  if (turns) sums.add_border(references, rule);
+  statement.converged = statement.converged && rule.whole;
+  parts.add(sums, axes, rule.plain ? 0 : static_cast<double>(R(rule.last - rule.first)));
+}
+
+/// The potential from rules that were found in more digits, and rounded once.
+template <class R>
+Statement potential_of_seen(const SeenQuad& seen, const PotentialTask<R>& task, PotentialTensors<R>& tensors) {
+  PotentialParts<R> parts(task);
+  Statement statement;
+  const QuadFrame<R> q(seen.frame);
+  for (const SeenRule& rule : seen.rules)
+    add_rule<R>(q, LocalFrame<R>(rule.frame), OuterRule<R>(rule.rule), static_cast<R>(rule.centre), rule.panels, task,
+                parts, statement);
+  parts.put(seen.unit, tensors);
+  return statement;
+}
+
+/// As potential_to_digits, for a point in more digits than R has: differences are taken in those.
+template <class W, Scalar R>
+Statement potential_seen_in(std::span<const Vec3<R>> corners, const Vec3<W>& point, const PotentialTask<R>& task,
+                            PotentialTensors<R>& tensors) {
+  std::array<Vec3<W>, 4> wide;
+  for (int k = 0; k < 4; ++k) wide[k] = corners[k].template cast<W>();
+  return potential_of_seen<R>(see_in_digits<W>(wide, point, task.order + 1, task.digits, false), task, tensors);
+}
+
+/// The limit from inside on the quad: the value at a point that much nearer to the inside that what is missing is below
+/// a double's rounding.
+template <Scalar R>
+Statement potential_on_quad(std::span<const Vec3<R>> corners, const Vec3<R>& point, const BilinearPoint& on,
+                            const PotentialTask<R>& task, PotentialTensors<R>& tensors) {
+  const InsideStep step = step_inside<R>(corners, point, on, is_multiprecision<R>);
+  if (!step.exists) {
+    fill_nan(task, tensors);
+    return {};
+  }
+  // As seen from one inside: what elements of a cage that meet there add up to depends on no direction.
+  const auto has_limit = [&](int o) {
+    return !step.border || has_border_limit(task.potential, o) || (task.finite_part && o == 0);
+  };
+  PotentialTask<R> limited = task;
+  while (limited.order >= 0 && !has_limit(limited.order)) --limited.order;
+  fill_nan(task, tensors);
+  if (limited.order < 0) return {};
+  Statement statement = step.tiny
+                            ? potential_seen_in<Mp800, R>(corners, step.point.template cast<Mp800>(), limited, tensors)
+                            : potential_seen_in<Mp100, R>(corners, convert<Mp100>(step.point), limited, tensors);
+  if (tensors.cancelled > kPotentialCancelled[0])
+    statement = potential_form_in_more_digits<R, Mp200>(corners, step.point, limited, tensors.cancelled, tensors);
+  return statement;
+}
+
+/// As potential_to_digits, for coordinates whose exponents are far apart.
+template <Scalar R>
+Statement potential_of_distant(std::span<const Vec3<R>> corners, const Vec3<R>& point, double order,
+                               const PotentialTask<R>& task, PotentialTensors<R>& tensors) {
+  if (const auto on = place<R>(corners, point)) return potential_on_quad<R>(corners, point, *on, task, tensors);
+  std::array<Vec3<Mp200>, 4> wide;
+  for (int k = 0; k < 4; ++k) wide[k] = convert<Mp200>(corners[k]);
+  const SeenQuad seen = see_in_800_digits(wide, convert<Mp200>(point), order, task.digits, false);
+  if constexpr (is_multiprecision<R>) {
+    return potential_of_seen<R>(seen, task, tensors);
+  } else {
+    // Powers of distances leave a double's range.
+    using L = long double;
+    const PotentialTask<L> long_task{task.potential, task.order, task.digits, {task.parameters[0], task.parameters[1]}};
+    PotentialTensors<L> long_tensors;
+    const Statement statement = potential_of_seen<L>(seen, long_task, long_tensors);
+    tensors.cancelled = long_tensors.cancelled;
+    if (tensors.cancelled > kPotentialCancelled[0])
+      return potential_form_in_more_digits<R, R>(corners, point, task, tensors.cancelled, tensors);
+    for (int o = 0; o <= task.order; ++o) {
+      tensors.of[o].resize(long_tensors.of[o].size());
+      std::ranges::transform(long_tensors.of[o], tensors.of[o].begin(), [](L x) { return static_cast<R>(x); });
+    }
+    return statement;
+  }
+}
+
+/// As potential_form, to the digits that are asked for relative to the sizes of terms.
+template <Scalar R>
+Statement potential_to_digits(std::span<const Vec3<R>> corners, const Vec3<R>& point, const PotentialTask<R>& task,
+                              PotentialTensors<R>& tensors) {
+  Statement statement;
+  // Values of the double layers jump like a constant, and each derivative adds one.
+  const double order = task.order + 1;
+  const Exponents exponents = exponents_of(corners, point);
+  const auto of_distant = [&] { return potential_of_distant<R>(corners, point, order, task, tensors); };
+  if (exponents.finite && (is_multiprecision<R> ? exponents.are_distant() : exponents.are_extreme()))
+    return of_distant();
+  const auto q = quad_frame<R>(corners, point);
+  if (!q) {
+    fill_nan(task, tensors);
+    return statement;
+  }
+  if constexpr (!is_multiprecision<R>)
+    if (exponents.are_distant() && (has_short_side(*q) || is_all_but_in_plane(*q, exponents))) return of_distant();
+  PotentialParts<R> parts(task);
+  const double ends = distance_of_ends(*q);
+  if (const double rho = ellipse_from_distance(*q, ends); rho >= kFarAcross) {
+    const Panel panel = plain_panel(rho, order, task.digits);
+    add_rule<R>(*q, LocalFrame<R>(*q), OuterRule<R>{}, R(0), {&panel, 1}, task, parts, statement);
+  } else {
+    const SingularPairs<R> singular = singular_pairs(*q);
+    if (is_within(1e-12, *q, ends, singular))
+      if (const auto on = place<R>(corners, point)) return potential_on_quad<R>(corners, point, *on, task, tensors);
+    if constexpr (!is_multiprecision<R>)
+      if (is_within(kDoubleHolds, *q, ends, singular)) {
+        if (exponents.are_distant()) return of_distant();
+        return potential_seen_in<Mp100, R>(corners, convert<Mp100>(point), task, tensors);
+      }
+    thread_local OuterRules<R> across;
+    find_outer_rules(singular, order, task.digits, static_cast<int>(3 * task.digits), across, false);
+    for (const OuterRule<R>& rule : across.rules) {
+      const auto local =
+          rule.plain ? LocalFrame<R>(*q) : frame_at<R>(*q, corners, point, std::clamp(rule.centre, rule.lo, rule.hi));
+      add_rule<R>(*q, local, rule, R(rule.centre - local.v0), across.panels_of(rule), task, parts, statement);
+    }
+  }
+  parts.put(q->unit, tensors);
+  return statement;
+}
+
+template <Scalar R>
+Statement potential_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, const PotentialTask<R>& task,
+                         PotentialTensors<R>& tensors) {
+  const Statement statement = potential_to_digits<R>(corners, point, task, tensors);
+  if (tensors.cancelled <= kPotentialCancelled[0]) return statement;
+  return potential_form_in_more_digits<R, R>(corners, point, task, tensors.cancelled, tensors);
+}
+
+extern template Statement potential_to_digits<double>(std::span<const Vec3<double>>, const Vec3<double>&,
+                                                      const PotentialTask<double>&, PotentialTensors<double>&);
+extern template Statement potential_to_digits<Mp50>(std::span<const Vec3<Mp50>>, const Vec3<Mp50>&,
+                                                    const PotentialTask<Mp50>&, PotentialTensors<Mp50>&);
+extern template Statement potential_to_digits<Mp100>(std::span<const Vec3<Mp100>>, const Vec3<Mp100>&,
+                                                     const PotentialTask<Mp100>&, PotentialTensors<Mp100>&);
+extern template Statement potential_to_digits<Mp200>(std::span<const Vec3<Mp200>>, const Vec3<Mp200>&,
+                                                     const PotentialTask<Mp200>&, PotentialTensors<Mp200>&);
+
+}  // namespace cageproof::adaptive_qmvc
+
+#define CAGEPROOF_POTENTIAL_FORM(R)                                                                                   \
+  template cageproof::Statement cageproof::adaptive_qmvc::potential_to_digits<R>(                                     \
+      std::span<const cageproof::Vec3<R>>, const cageproof::Vec3<R>&, const PotentialTask<R>&, PotentialTensors<R>&); \
+  template cageproof::Statement cageproof::adaptive_qmvc::potential_form<R>(                                          \
+      std::span<const cageproof::Vec3<R>>, const cageproof::Vec3<R>&, const PotentialTask<R>&, PotentialTensors<R>&);

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+// The potentials on bilinear quads against the integrals of their kernels as plain sums in two dimensions, against
+// relations that share nothing with them, and in double against 200 digits.
+#include "../src/quad/potentials/potential_parts.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
+#include "quads.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace cageproof::adaptive_qmvc {
+namespace {
+
+using Vec = Vec3<double>;
+using Eigen::Matrix3d;
+
+constexpr std::array kPotentials{Potential::SingleLayer,           Potential::DoubleLayer,
+                                 Potential::BiharmonicSingleLayer, Potential::BiharmonicDoubleLayer,
+                                 Potential::KelvinDisplacement,    Potential::KelvinTraction};
+constexpr double kBeta = 0.375;  // exact, and so are 1 - beta and 1 - 2 beta
+
+const Quad<double> kSquare{Vec(0, 0, 0), Vec(1, 0, 0), Vec(1, 1, 0), Vec(0, 1, 0)};
+const Quad<double> kTwisted{Vec(0, 0, 0), Vec(1, 0, 0.25), Vec(1.125, 1, -0.25), Vec(-0.125, 0.875, 0.25)};
+const Quad<double> kStrong{Vec(0, 0, 0.625), Vec(1, 0, -0.625), Vec(1, 1, 0.625), Vec(0, 1, -0.625)};
+const Quad<double> kDart{Vec(0, 0, 0), Vec(1, 0, 0), Vec(0.25, 0.25, 0), Vec(0, 1, 0)};
+const Quad<double> kLong{Vec(0, 0, 0), Vec(8, 0, 1), Vec(7, 0.5, 0), Vec(0.25, 0.375, 0)};
+
+template <class R>
+PotentialTask<R> task_of(Potential potential, int order, double digits) {
+  PotentialTask<R> task{potential, order, digits};
+  const R sphere = 4 * pi<R>();
+  const bool displacement = potential == Potential::KelvinDisplacement,
+             traction = potential == Potential::KelvinTraction;
+  task.parameters[0] = (displacement ? R(1 - kBeta) : traction ? R(1 - 2 * kBeta) : R(1)) / sphere;
+  task.parameters[1] = (displacement ? R(kBeta) : traction ? R(6 * kBeta) : R(1)) / sphere;
+  return task;
+}
+
+template <class R>
+PotentialTensors<R> found(Potential potential, const Quad<R>& q, const Vec3<R>& eta, int order, double digits) {
+  PotentialTensors<R> tensors;
+  const Statement statement = potential_form<R>(q, eta, task_of<R>(potential, order, digits), tensors);
+  EXPECT_TRUE(statement.converged);
+  return tensors;
+}
+
+// The kernels, times 4 pi, of x = xi - eta and N ([T24] Eq 5, 47, 49).
+template <class R>
+std::vector<R> kernel(Potential potential, const Vec3<R>& x, const Vec3<R>& n) {
+  const R r2 = x.dot(x), r = sqrt(r2), r3 = r * r2, g = n.dot(x);
+  std::vector<R> entries;
+  switch (potential) {
+    case Potential::SingleLayer: return {R(1 / r)};
+    case Potential::DoubleLayer: return {R(g / r3)};
+    case Potential::BiharmonicSingleLayer: return {R(r / 2)};
+    case Potential::BiharmonicDoubleLayer: return {R(-g / (2 * r))};
+    default: break;
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const R same(i == j ? 1 : 0);
+      if (potential == Potential::KelvinDisplacement)
+        entries.push_back(R((1 - kBeta) * same / r + kBeta * x[i] * x[j] / r3));
+      else
+        entries.push_back(
+            R((1 - 2 * kBeta) * (g * same + n[i] * x[j] - x[i] * n[j]) / r3 + 6 * kBeta * g * x[i] * x[j] / (r3 * r2)));
+    }
+  return entries;
+}
+
+// Tensor Gauss rules on cells that are halved until none is larger than half its distance: corner after corner.
+template <class R>
+std::vector<R> plain_integral(Potential potential, const Quad<R>& q, const Vec3<R>& eta) {
+  const auto& rule = gauss_legendre<R>(18);
+  std::vector<R> sums(4 * static_cast<std::size_t>(entries_of(potential)), R(0));
+  const auto at = [&](const R& u, const R& v) {
+    return Vec3<R>(combined<R>(q, {R((1 - u) * (1 - v)), R(u * (1 - v)), R(u * v), R((1 - u) * v)}));
+  };
+  const auto cell = [&](const auto& self, double u, double v, double size) -> void {
+    const Vec3<R> middle = at(R(u + size / 2), R(v + size / 2)) - eta;
+    const double distance = static_cast<double>(R(sqrt(R(middle.dot(middle)))));
+    double diameter = 0;
+    for (const double s : {-.5, .5}) {
+      const Vec3<R> half = at(R(u + size / 2 + s * size), R(v + size / 2 + size / 2)) - eta - middle;
+      diameter = std::max(diameter, 2 * static_cast<double>(R(sqrt(R(half.dot(half))))));
+    }
+    if (diameter > 0.8 * distance) {
+      for (const double du : {0., size / 2})
+        for (const double dv : {0., size / 2}) self(self, u + du, v + dv, size / 2);
+      return;
+    }
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+      for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
+        const R p = u + size * rule.nodes[i], s = v + size * rule.nodes[j];
+        const Vec3<R> along_u = (1 - s) * (q[1] - q[0]) + s * (q[2] - q[3]),
+                      along_v = (1 - p) * (q[3] - q[0]) + p * (q[2] - q[1]);
+        const std::vector<R> entries = kernel<R>(potential, at(p, s) - eta, along_u.cross(along_v));
+        const R weight = size * size * rule.weights[i] * rule.weights[j] / (4 * pi<R>());
+        const std::array<R, 4> hats{R((1 - p) * (1 - s)), R(p * (1 - s)), R(p * s), R((1 - p) * s)};
+        for (std::size_t k = 0; k < 4; ++k)
+          for (std::size_t e = 0; e < entries.size(); ++e)
+            sums[k * entries.size() + e] += weight * hats[k] * entries[e];
+      }
+  };
+  cell(cell, 0, 0, 1);
+  return sums;
+}
+
+template <class A, class B>
+double relative(const std::vector<A>& a, const std::vector<B>& b) {
+  Mp200 difference = 0, size = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Mp200 d = Mp200(a[i]) - Mp200(b[i]);
+    difference += d * d;
+    size += Mp200(b[i]) * Mp200(b[i]);
+  }
+  return static_cast<double>(Mp200(sqrt(Mp200(difference / size))));
+}
+
+Vec inside(const Quad<double>& q, double u, double v, double distance) {
+  return combined(q, basis_at(u, v)) - distance * normal_at(q, u, v).normalized();
+}
+
+// The kernels' derivatives as they are, line by line in 200 digits: no derivative along the quad is moved.
+PotentialTensors<Mp200> plain_lines(Potential potential, const Quad<double>& corners, const Vec3<Mp200>& eta, int order,
+                                    double digits) {
+  using R = Mp200;
+  const Quad<R> wide = convert_quad<R>(corners);
+  const auto q = quad_frame<R>(wide, eta);
+  OuterRules<R> across;
+  find_outer_rules(singular_pairs(*q), order + 1, digits, 300, across, false);
+  const PotentialTask<R> task = task_of<R>(potential, order, digits);
+  PotentialParts<R> parts(task);
+  for (const OuterRule<R>& rule : across.rules) {
+    const auto local =
+        rule.plain ? LocalFrame<R>(*q) : frame_at<R>(*q, wide, eta, std::clamp(rule.centre, rule.lo, rule.hi));
+    PotentialSums<R> sums(kernel_tape(potential, order), digits);
+    sums.add_lines(LineReferences<R>(local, *q), rule, R(rule.centre - local.v0), across.panels_of(rule));
+    parts.add(sums, NormalAxes<R>(), 0);
+  }
+  PotentialTensors<R> tensors;
+  parts.put(q->unit, tensors);
+  return tensors;
+}
+
+TEST(QuadPotentials, are_the_integrals_of_their_kernels) {
+  using R = Mp50;
+  for (const Quad<double>& corners : {kSquare, kTwisted, kDart})
+    for (const double distance : {2.0, -0.25}) {
+      const Quad<R> q = convert_quad<R>(corners);
+      const Vec3<R> eta = convert<R>(inside(corners, 0.375, 0.3125, distance));
+      for (const Potential potential : kPotentials)
+        EXPECT_LT(relative(found<R>(potential, q, eta, 0, 36).of[0], plain_integral<R>(potential, q, eta)), 1e-19)
+            << static_cast<int>(potential) << ' ' << distance;
+    }
+}
+
+// By central differences of the definition.
+TEST(QuadPotentials, have_the_derivatives_of_those_integrals) {
+  using R = Mp50;
+  const R step("1e-6");
+  const Quad<R> q = convert_quad<R>(kTwisted);
+  const Vec3<R> eta = convert<R>(inside(kTwisted, 0.375, 0.3125, 0.5));
+  for (const Potential potential : kPotentials) {
+    const auto moved = [&](int i, int a, int j, int b) {
+      Vec3<R> to = eta;
+      to[i] += a * step;
+      to[j] += b * step;
+      return plain_integral<R>(potential, q, to);
+    };
+    const PotentialTensors<R> form = found<R>(potential, q, eta, 2, 36);
+    const std::vector<R> middle = plain_integral<R>(potential, q, eta);
+    std::vector<R> gradient(3 * middle.size()), hessian(9 * middle.size());
+    for (int i = 0; i < 3; ++i) {
+      const auto after = moved(i, 1, i, 0), before = moved(i, -1, i, 0);
+      for (std::size_t e = 0; e < middle.size(); ++e) {
+        gradient[3 * e + i] = (after[e] - before[e]) / (2 * step);
+        hessian[9 * e + 4 * i] = (after[e] - 2 * middle[e] + before[e]) / (step * step);
+      }
+      for (int j = 0; j < i; ++j) {
+        const auto pp = moved(i, 1, j, 1), pm = moved(i, 1, j, -1), mp = moved(i, -1, j, 1), mm = moved(i, -1, j, -1);
+        for (std::size_t e = 0; e < middle.size(); ++e)
+          hessian[9 * e + 3 * i + j] = hessian[9 * e + 3 * j + i] = (pp[e] - pm[e] - mp[e] + mm[e]) / (4 * step * step);
+      }
+    }
+    EXPECT_LT(relative(form.of[1], gradient), 1e-10) << static_cast<int>(potential);
+    EXPECT_LT(relative(form.of[2], hessian), 1e-9) << static_cast<int>(potential);
+  }
+}
+
+// Derivatives along the quad moved onto its border, in double, against those of the kernels in 200 digits.
+TEST(QuadPotentials, keep_15_digits_in_double_at_all_distances) {
+  for (const Quad<double>& corners : {kSquare, kTwisted, kStrong, kDart})
+    for (const double distance : {3.0, 0.1, 1e-3, 1e-7, 1e-12})
+      for (const Potential potential : kPotentials) {
+        const Vec eta = inside(corners, 0.375, 0.3125, distance);
+        const auto form = found<double>(potential, corners, eta, 2, 17);
+        const auto truth =
+            plain_lines(potential, corners, convert<Mp200>(eta), 2, 22 - 2 * std::log10(std::min(1., distance)));
+        for (int o = 0; o <= 2; ++o)
+          EXPECT_LT(relative(form.of[o], truth.of[o]), 1.5e-14)
+              << static_cast<int>(potential) << ' ' << distance << " order " << o;
+      }
+}
+
+// Beside a quad ten times as long as it is wide, all of whose sides are unequal, the way to a corner.
+TEST(QuadPotentials, keep_their_digits_next_to_a_long_quads_corner) {
+  for (const double distance : {1e-2, 1e-8})
+    for (const Potential potential : kPotentials) {
+      const Vec eta = kLong[2] - distance * Vec(0.25, -0.5, 1);
+      const auto form = found<double>(potential, kLong, eta, 1, 17);
+      const auto truth = plain_lines(potential, kLong, convert<Mp200>(eta), 1, 40);
+      for (int o = 0; o <= 1; ++o)
+        EXPECT_LT(relative(form.of[o], truth.of[o]), 4e-14)
+            << static_cast<int>(potential) << ' ' << distance << " order " << o;
+    }
+}
+
+// 1e-30 sizes inside, where nothing is moved either.
+TEST(QuadPotentials, have_their_limits_from_inside_on_the_quad) {
+  for (const Quad<double>& corners : {kSquare, kTwisted, kDart}) {
+    // A point that doubles hold, and that the dart covers once.
+    const Vec middle = combined(corners, basis_at(0.125, 0.25));
+    ASSERT_TRUE(on_quad(corners, middle));
+    const Vec3<Mp200> near =
+        convert<Mp200>(middle) - Mp200("1e-30") * convert<Mp200>(Vec(normal_at(corners, 0.125, 0.25).normalized()));
+    for (const Potential potential : kPotentials) {
+      const auto form = found<double>(potential, corners, middle, 2, 17);
+      const auto limit = plain_lines(potential, corners, near, 2, 85);
+      for (int o = 0; o <= 2; ++o) {
+        // By symmetry a limit may be zero.
+        double largest = 0, size = 1e-2;
+        for (std::size_t i = 0; i < limit.of[o].size(); ++i) {
+          const auto expected = static_cast<double>(limit.of[o][i]);
+          largest = std::max(largest, std::abs(form.of[o][i] - expected));
+          size = std::max(size, std::abs(expected));
+        }
+        EXPECT_LT(largest, 1e-14 * size) << static_cast<int>(potential) << " order " << o;
+      }
+    }
+  }
+}
+
+TEST(QuadPotentials, have_the_limits_that_there_are_on_the_border) {
+  for (const Vec& point : {Vec(combined(kTwisted, basis_at(0.5, 0))), kTwisted[2]}) {
+    ASSERT_TRUE(on_quad(kTwisted, point));
+    const Vec3<Mp200> near = convert<Mp200>(point) + Mp200("1e-40") * Vec3<Mp200>(3, -2, 1);
+    for (const Potential potential : kPotentials) {
+      const auto form = found<double>(potential, kTwisted, point, 0, 17);
+      if (potential == Potential::DoubleLayer || potential == Potential::KelvinTraction) {
+        // It depends on the direction.
+        EXPECT_TRUE(std::isnan(form.of[0][0]));
+      } else {
+        EXPECT_LT(relative(form.of[0], plain_lines(potential, kTwisted, near, 0, 30).of[0]), 2e-15)
+            << static_cast<int>(potential);
+      }
+    }
+  }
+}
+
+// The Laplacian of the biharmonic layers is the layers, and of these nothing, up to denormal distances and extreme
+// units.
+TEST(QuadPotentials, have_each_others_laplacians) {
+  struct Case {
+    int exponent;
+    double distance;
+  };
+  for (const Case& one : {Case{0, 1e-5}, Case{0, 1e-40}, Case{0, 1e-100}, Case{-300, 0.25}, Case{300, 1e-3}}) {
+    Quad<double> q = kTwisted;
+    for (Vec& corner : q)
+      for (double& x : corner) x = std::ldexp(x, one.exponent);
+    Vec eta = combined(kTwisted, basis_at(0.25, 0.75));
+    for (double& x : eta) x = std::ldexp(x, one.exponent);
+    // Next to corner 0, which is the origin.
+    if (one.distance < 1e-20) eta = one.distance * Vec(0.5, 0.25, -1);
+    else eta[2] -= std::ldexp(one.distance, one.exponent);
+    const auto laplacian = [&](const PotentialTensors<double>& of, std::size_t k) {
+      return of.of[2][9 * k] + of.of[2][9 * k + 4] + of.of[2][9 * k + 8];
+    };
+    const auto psi = found<double>(Potential::SingleLayer, q, eta, 2, 17),
+               phi = found<double>(Potential::DoubleLayer, q, eta, 2, 17),
+               psibar = found<double>(Potential::BiharmonicSingleLayer, q, eta, 2, 17),
+               phibar = found<double>(Potential::BiharmonicDoubleLayer, q, eta, 2, 17);
+    const auto size_of = [](const std::vector<double>& hessians) {
+      double size = 0;
+      for (const double x : hessians) size = std::max(size, std::abs(x));
+      return size;
+    };
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_LE(std::abs(laplacian(psi, k)), 1e-13 * size_of(psi.of[2])) << one.exponent << ' ' << one.distance;
+      EXPECT_LE(std::abs(laplacian(phi, k)), 1e-13 * size_of(phi.of[2])) << one.exponent << ' ' << one.distance;
+      EXPECT_LE(std::abs(laplacian(psibar, k) - psi.of[0][k]), 1e-13 * size_of(psibar.of[2])) << one.exponent;
+      EXPECT_LE(std::abs(laplacian(phibar, k) - phi.of[0][k]), 1e-13 * size_of(phibar.of[2])) << one.exponent;
+    }
+  }
+}
+
+// Sums over corners with positions and normals: logarithms of the sides alone.
+TEST(QuadPotentials, add_up_to_line_integrals_over_the_sides) {
+  using R = Mp100;
+  for (const Quad<double>& corners : {kTwisted, kStrong})
+    for (const double distance : {1.5, -0x1p-20}) {
+      const Quad<R> q = convert_quad<R>(corners);
+      const Vec3<R> eta = convert<R>(inside(corners, 0.25, 0.625, distance));
+      const auto value = [&](Potential potential) { return found<R>(potential, q, eta, 0, 48).of[0]; };
+      const auto phi = value(Potential::DoubleLayer), psi = value(Potential::SingleLayer),
+                 phibar = value(Potential::BiharmonicDoubleLayer), psibar = value(Potential::BiharmonicSingleLayer);
+      Vec3<R> first = Vec3<R>::Zero(), second = Vec3<R>::Zero();
+      for (int k = 0; k < 4; ++k) {
+        const Vec3<R> normal = (q[(k + 1) % 4] - q[k]).cross(q[(k + 3) % 4] - q[k]);
+        first += phi[k] * (q[k] - eta) + psi[k] * normal;
+        second += phibar[k] * (q[k] - eta) + 3 * psibar[k] * normal;
+        // int 1/r and int r along the side, by the textbook's primitives.
+        const Vec3<R> a = q[k] - eta, b = q[(k + 1) % 4] - eta;
+        const R length = sqrt(R((b - a).dot(b - a)));
+        const Vec3<R> unit = (b - a) / length;
+        const R s0 = a.dot(unit), s1 = b.dot(unit), r0 = sqrt(R(a.dot(a))), r1 = sqrt(R(b.dot(b)));
+        const R height2 = a.cross(unit).dot(a.cross(unit));
+        const R logarithm = log(R((r1 + s1) / (r0 + s0)));
+        first -= a.cross(unit) * logarithm / (4 * pi<R>());
+        second -= a.cross(unit) * (s1 * r1 - s0 * r0 + height2 * logarithm) / (16 * pi<R>());
+      }
+      EXPECT_LT(static_cast<double>(R(sqrt(R(first.dot(first))))), 1e-40) << distance;
+      EXPECT_LT(static_cast<double>(R(sqrt(R(second.dot(second))))), 1e-40) << distance;
+    }
+}
+
+}  // namespace
+}  // namespace cageproof::adaptive_qmvc
