@@ -204,6 +204,29 @@ TEST(QuadPotentials, keep_15_digits_in_double_at_all_distances) {
       }
 }
 
+// Integers, zeros, corners that coincide, sides that cross; in the quad's plane, over its corners, on its sides' lines.
+TEST(QuadPotentials, keep_their_digits_at_ordinary_places) {
+  const Quad<double> bow_tie{Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0), Vec(1, 1, 0)};
+  const Quad<double> collapsed{Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 1), Vec(0, 1, 1)};
+  const Quad<double> upright{Vec(0, 0, 0), Vec(2, 0, 0), Vec(2, 0, 2), Vec(0, 0, 2)};
+  const std::array points{Vec(0.5, 0.5, 1), Vec(2, 0.5, 0), Vec(3, 0, 0),  Vec(0, 0, 3),
+                          Vec(0, 0, -1),    Vec(1, 2, 0),   Vec(-1, 0, 0), Vec(0.5, 0.25, -0x1p-20)};
+  for (const Quad<double>& corners : {kSquare, bow_tie, collapsed, upright})
+    for (const Vec& point : points)
+      for (const Potential potential : kPotentials) {
+        ASSERT_FALSE(on_quad(corners, point));
+        const auto form = found<double>(potential, corners, point, 2, 17);
+        const auto truth = plain_lines(potential, corners, convert<Mp200>(point), 2, 40);
+        for (int o = 0; o <= 2; ++o) {
+          const bool is_zero = std::ranges::all_of(truth.of[o], [](const Mp200& x) { return x == 0; });
+          if (is_zero) EXPECT_TRUE(std::ranges::all_of(form.of[o], [](double x) { return x == 0; }));
+          else
+            EXPECT_LT(relative(form.of[o], truth.of[o]), 1.5e-14)
+                << static_cast<int>(potential) << " from " << point.transpose() << " order " << o;
+        }
+      }
+}
+
 // Beside a quad ten times as long as it is wide, all of whose sides are unequal, the way to a corner.
 TEST(QuadPotentials, keep_their_digits_next_to_a_long_quads_corner) {
   for (const double distance : {1e-2, 1e-8})
@@ -257,6 +280,18 @@ TEST(QuadPotentials, have_the_limits_that_there_are_on_the_border) {
       }
     }
   }
+}
+
+// Points that no doubles are, and which lie on a side all the same.
+TEST(QuadPotentials, are_on_the_border_in_multiprecision_too) {
+  using R = Mp100;
+  const Quad<R> q = convert_quad<R>(kTwisted);
+  const Vec3<R> point = q[0] + (R(0.375) + ldexp(R(3), -90)) * (q[1] - q[0]);
+  EXPECT_TRUE(isnan(found<R>(Potential::DoubleLayer, q, point, 0, 36).of[0][0]));
+  const Vec3<Mp200> near = convert<Mp200>(point) + Mp200("1e-40") * Vec3<Mp200>(3, -2, 1);
+  EXPECT_LT(relative(found<R>(Potential::SingleLayer, q, point, 0, 36).of[0],
+                     plain_lines(Potential::SingleLayer, kTwisted, near, 0, 50).of[0]),
+            1e-30);
 }
 
 // The Laplacian of the biharmonic layers is the layers, and of these nothing, up to denormal distances and extreme

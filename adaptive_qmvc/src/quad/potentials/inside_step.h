@@ -16,6 +16,7 @@
 
 namespace cageproof::adaptive_qmvc {
 
+/// What step_inside() finds.
 struct InsideStep {
   Vec3<Mp200> point;    ///< against the normal, so near that what is missing of a limit is below a double's rounding
   bool border = false;  ///< whether the point lies on a side
@@ -23,6 +24,7 @@ struct InsideStep {
   bool exists = true;   ///< false where the normal vanishes
 };
 
+/// The point next to `on`, where `point` lies on the quad.
 /// \param for_multiprecision whether a limit is wanted to some 35 digits, not to a double's
 template <Scalar R>
 InsideStep step_inside(std::span<const Vec3<R>> corners, const Vec3<R>& point, const BilinearPoint& on,
@@ -86,6 +88,8 @@ std::optional<BilinearPoint> place(std::span<const Vec3<R>> corners, const Vec3<
     on.emplace();
     on->u = from[0] + t * (to[0] - from[0]);
     on->v = from[1] + t * (to[1] - from[1]);
+    on->basis[k] = 1 - t;
+    on->basis[(k + 1) % 4] = t;
     return on;
   }
   return on;

@@ -13,6 +13,7 @@ namespace cageproof::adaptive_qmvc {
 /// it loses more than derivatives along the quad do.
 inline constexpr double kShortNormal = 1e-2;
 
+/// Whether the normal at the frame's point is long enough to divide by.
 template <class R>
 bool has_normal_at(const LocalFrame<R>& q) {
   R longest = R(0);
@@ -44,11 +45,13 @@ struct NormalAxes {
   Vec3<R> of(const Vec3<R>& v) const { return axes * v; }
 };
 
+/// Turns a frame's vectors into coordinates along the axes; what is a number stays.
 template <class R>
 void turn(LocalFrame<R>& q, const NormalAxes<R>& to) {
   for (Vec3<R>* v : {&q.a, &q.e, &q.b, &q.w, &q.n, &q.n_u, &q.n_v}) *v = to.of(*v);
 }
 
+/// The same of a quad's frame.
 template <class R>
 QuadFrame<R> turned(QuadFrame<R> q, const NormalAxes<R>& to) {
   for (Vec3<R>* v : {&q.a, &q.e, &q.e1, &q.b, &q.b1, &q.w, &q.n, &q.n_u, &q.n_v}) *v = to.of(*v);

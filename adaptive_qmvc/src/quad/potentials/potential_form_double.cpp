@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "potential_form.h"
+#include "potential_form_body.h"
 
 CAGEPROOF_POTENTIAL_FORM(double)

@@ -27,7 +27,7 @@ SeenQuad see_in_digits(const std::array<Vec3<W>, 4>& corners, const Vec3<W>& poi
   const auto q = quad_frame<W>(corners, point);
   OuterRules<W> across;
   find_outer_rules(singular_pairs(*q), order, digits, static_cast<int>(3 * digits), across, decays);
-  SeenQuad seen{QuadFrame<Mp200>(*q), q->unit, {}, is_folded(*q)};
+  SeenQuad seen{QuadFrame<Mp200>(*q), {}, is_folded(*q)};
   for (const OuterRule<W>& rule : across.rules) {
     const auto frame = rule.plain ? LocalFrame<W>(*q) : frame_about(*q, W(std::clamp(rule.centre, rule.lo, rule.hi)));
     const auto panels = across.panels_of(rule);

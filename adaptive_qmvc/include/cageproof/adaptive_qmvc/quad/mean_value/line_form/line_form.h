@@ -176,7 +176,7 @@ Statement line_form_of_distant(std::span<const Vec3<R>> corners, const Vec3<R>& 
                                         static_cast<R>(rule.centre), rule.panels, digits, sums);
     statement.converged = statement.converged && rule.rule.whole;
   }
-  store<Order>(sums, seen.unit, weights);
+  store<Order>(sums, seen.frame.unit, weights);
   if (seen.folded) weights.cancelled = cancellation<Order>(sums);
   return statement;
 }

@@ -54,9 +54,9 @@ struct SeenRule {
   std::vector<Panel> panels;
 };
 
+/// The quad as the point sees it, and the rules that cover it together.
 struct SeenQuad {
   QuadFrame<Mp200> frame;
-  FrameUnit unit;
   std::vector<SeenRule> rules;
   bool folded = false;  ///< see is_folded()
 };
@@ -67,7 +67,7 @@ struct SeenQuad {
 SeenQuad see_in_800_digits(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point, double order, double digits,
                            bool decays = true);
 
-/// The same in as many digits as W has, of those or of what is not a double.
+/// The same in as many digits as W has, for coordinates that need no more: differences are taken in those.
 template <class W>
 SeenQuad see_in_digits(const std::array<Vec3<W>, 4>& corners, const Vec3<W>& point, double order, double digits,
                        bool decays);

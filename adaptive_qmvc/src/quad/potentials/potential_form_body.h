@@ -35,8 +35,7 @@ Statement potential_form_in(std::span<const Vec3<R>> corners, const Vec3<W>& poi
   std::array<Vec3<W>, 4> wide_corners;
   for (int k = 0; k < 4; ++k) wide_corners[k] = convert<W>(corners[k]);
   PotentialTensors<W> wide;
-  const PotentialTask<W> asked{
-      task.potential, task.order, digits, {W(task.parameters[0]), W(task.parameters[1])}, task.finite_part};
+  const PotentialTask<W> asked{task.potential, task.order, digits, {W(task.parameters[0]), W(task.parameters[1])}};
   const Statement statement = potential_to_digits<W>(wide_corners, point, asked, wide);
   for (int o = 0; o <= task.order; ++o) {
     tensors.of[o].resize(wide.of[o].size());
@@ -104,7 +103,7 @@ Statement potential_of_seen(const SeenQuad& seen, const PotentialTask<R>& task, 
   for (const SeenRule& rule : seen.rules)
     add_rule<R>(q, LocalFrame<R>(rule.frame), OuterRule<R>(rule.rule), static_cast<R>(rule.centre), rule.panels, task,
                 parts, statement);
-  parts.put(seen.unit, tensors);
+  parts.put(seen.frame.unit, tensors);
   return statement;
 }
 
@@ -128,9 +127,7 @@ Statement potential_on_quad(std::span<const Vec3<R>> corners, const Vec3<R>& poi
     return {};
   }
   // As seen from one inside: what elements of a cage that meet there add up to depends on no direction.
-  const auto has_limit = [&](int o) {
-    return !step.border || has_border_limit(task.potential, o) || (task.finite_part && o == 0);
-  };
+  const auto has_limit = [&](int o) { return !step.border || has_border_limit(task.potential, o); };
   PotentialTask<R> limited = task;
   while (limited.order >= 0 && !has_limit(limited.order)) --limited.order;
   fill_nan(task, tensors);
