@@ -68,6 +68,7 @@ std::string catalogue_json() {
     for (const SummedBlock& b : kind.blocks) {
       blocks.push_back({{"label", b.label}, {"kernel", b.kernel}});
       if (b.one_a_corner) blocks.back()["one_a"] = name_of(Owner::Corner);
+      if (b.one_a_normal) blocks.back()["one_a"] = name_of(Owner::Normal);
     }
     if (!kind.is_sum())
       for (const CoordinateBlock& b : own_blocks(kind))
@@ -87,7 +88,10 @@ std::string catalogue_json() {
     all_of_them.back()["parameters"] = std::move(parameters);
   };
   for (const deformation::DeformMethod& method : deformation::deform_methods())
-    add_deformer(method, deformation::parameters_of(method), {{"coordinates", method.kind}, {"takes", "posed cages"}});
+    add_deformer(method, deformation::parameters_of(method),
+                 {{"coordinates", method.kind},
+                  {"keeps_quads", coordinate_kind_named(method.kind).keeps_quads},
+                  {"takes", "posed cages"}});
   for (const deformation::ConstraintMethod& method : deformation::constraint_methods())
     add_deformer(method, method.parameters, {{"takes", method.positions_alone ? "positions" : "constraints"}});
   for (const auto& regime : validation::regimes())

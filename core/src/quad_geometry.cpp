@@ -208,4 +208,46 @@ std::optional<BilinearPoint> on_quad(const Quad<double>& q, const Vec& point) {
   return is_planar(q) ? on_plane_quad(corners, exact::from(point)) : on_twisted_quad(corners, exact::from(point));
 }
 
+namespace {
+
+// From the kernel of Eq 17: within the tetrahedron, and on the side of the quad that 13 is on.
+template <class R>
+SeenTriangles seen_by(const std::array<R, 4>& k) {
+  if (std::ranges::any_of(k, [](const R& x) { return x == R(0); })) return SeenTriangles::Coplanar;
+  const bool positive = k[0] > R(0);
+  const bool within = std::ranges::all_of(k, [&](const R& x) { return (x > R(0)) == positive; });
+  return within && k[1] * k[3] < k[0] * k[2] ? SeenTriangles::Diagonal13 : SeenTriangles::Diagonal02;
+}
+
+}  // namespace
+
+SeenTriangles seen_triangles(const Quad<double>& q, const Vec& point) {
+  if (!finite(q) || !point.allFinite()) return SeenTriangles::Coplanar;
+  Quad<double> near;
+  double largest = 0;
+  for (int i = 0; i < 4; ++i) {
+    near[i] = q[i] - point;
+    largest = std::max(largest, near[i].cwiseAbs().maxCoeff());
+  }
+  if (largest > 1e-40 && largest < 1e40) {
+    // The bounds of surely_off().
+    const auto k = kernel<double>(near);
+    const double cube = largest * largest * largest, bound = 50 * kU * cube;
+    const bool no_zero = std::ranges::all_of(k, [&](double x) { return std::abs(x) > bound; });
+    const bool within = (k[0] > 0) == (k[1] > 0) && (k[1] > 0) == (k[2] > 0) && (k[2] > 0) == (k[3] > 0);
+    if (no_zero && (!within || std::abs(k[0] * k[2] - k[1] * k[3]) > 1400 * kU * cube * cube))
+      return seen_by<double>(k);
+  }
+  std::array<Exact3, 4> a;
+  const Exact3 eta = exact::from(point);
+  for (int i = 0; i < 4; ++i) a[i] = exact::minus(exact::from(q[i]), eta);
+  return seen_by<Rational>(kernel<Rational>(a));
+}
+
+SeenTriangles seen_triangles(const Quad<Mp200>& q, const Vec3<Mp200>& point) {
+  std::array<Vec3<Mp200>, 4> a;
+  for (int i = 0; i < 4; ++i) a[i] = q[i] - point;
+  return seen_by<Mp200>(kernel<Mp200>(a));
+}
+
 }  // namespace cageproof

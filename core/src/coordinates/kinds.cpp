@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/coordinates.h"
 
+#include "cageproof/core/input_error.h"
 #include "cageproof/core/scalar_text.h"
 #include "cageproof/core/unknown_name.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +18,11 @@ namespace {
 double identity_traction(std::span<const double> p, int dimension) {
   const double mu = p[0], nu = p[1];
   return 2 * mu * (1 + (std::isinf(nu) ? -dimension / 2. : dimension * nu / (1 - 2 * nu)));
+}
+
+SummedBlock of_normals(SummedBlock block) {
+  block.one_a_normal = true;
+  return block;
 }
 
 // Sums of catalogue formulas; other rooms add kinds that compute differently.
@@ -48,6 +56,22 @@ std::list<CoordinateKind> summed_kinds() {
        .source = "[T24] Eq 47-49, [C23] Eq 8",
        .blocks = {{"T", "kelvin_traction", Reproduces::Vertices},
                   {"K", "kelvin_displacement", Reproduces::Normals, identity_traction}}},
+      {.name = "quad_green",
+       .source = "[T24] Eq 7 on bilinear faces",
+       .blocks = {phi, of_normals(psi)},
+       .keeps_quads = true},
+      {.name = "quad_biharmonic",
+       .source = "[T24] Eq 1, 3 on bilinear faces",
+       .blocks = {phi,
+                  of_normals(psi),
+                  {"phibar", "biharmonic_double_layer", Reproduces::Nothing},
+                  of_normals({"psibar", "biharmonic_single_layer", Reproduces::Nothing})},
+       .keeps_quads = true},
+      {.name = "quad_somigliana",
+       .source = "[T24] Eq 47-49, [C23] Eq 8 on bilinear faces",
+       .blocks = {{"T", "kelvin_traction", Reproduces::Vertices},
+                  of_normals({"K", "kelvin_displacement", Reproduces::Normals, identity_traction})},
+       .keeps_quads = true},
   };
 }
 
@@ -147,6 +171,16 @@ const CoordinateKind& coordinate_kind_named(std::string_view name) {
     throw unknown_single_name("kind of coordinates", name, known);
   }
   return *found;
+}
+
+const CoordinateKind& keeping_quads(const CoordinateKind& kind) {
+  if (kind.keeps_quads) return kind;
+  if (const CoordinateKind* found = find_coordinate_kind(fmt::format("quad_{}", kind.name))) return *found;
+  std::vector<std::string_view> known;
+  for (const CoordinateKind& k : coordinate_kinds())
+    if (k.keeps_quads && k.name.starts_with("quad_")) known.push_back(k.name.substr(5));
+  throw InputError(
+      fmt::format("{}: the kind has no formulas on bilinear quads; {} have", kind.name, fmt::join(known, ", ")));
 }
 
 }  // namespace cageproof

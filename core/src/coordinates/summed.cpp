@@ -16,9 +16,17 @@ namespace {
 // The evaluations of a kind's blocks on one kind of element; none for kinds of elements that the cage does not have.
 using ElementEvaluations = std::vector<Evaluation>;
 
+// What the area element adds to the degree of quads' formulas without one.
+int degree_of_measure(const SummedBlock& spec, const Formula& formula) {
+  return spec.one_a_normal && formula.by_parameters ? 2 : 0;
+}
+
 CoordinateBlock block_of(const CoordinateKind& kind, const SummedBlock& spec, const Formula& formula,
                          const CageElements& elements, std::span<const double> parameters) {
-  const Owner owner = !formula.shape.per_corner ? Owner::Element : spec.one_a_corner ? Owner::Corner : Owner::Vertex;
+  const Owner owner = spec.one_a_normal           ? Owner::Normal
+                      : !formula.shape.per_corner ? Owner::Element
+                      : spec.one_a_corner         ? Owner::Corner
+                                                  : Owner::Vertex;
   CoordinateBlock block{.label = std::string(spec.label),
                         .owner = owner,
                         .size = static_cast<int>(elements.count(owner)),
@@ -28,7 +36,7 @@ CoordinateBlock block_of(const CoordinateKind& kind, const SummedBlock& spec, co
   // Normalised weights have no unit, and no Laplacian of their own.
   if (kind.normalised) return block;
   const Behaviour behaviour = formula.behaviour(parameters);
-  block.degree = behaviour.degree;
+  block.degree = behaviour.degree + degree_of_measure(spec, formula);
   block.logarithmic = behaviour.logarithmic;
   if (formula.laplacian.kind == Laplacian::Kind::Zero) block.trace.kind = CoordinateBlock::Trace::Kind::Zero;
   if (formula.laplacian.kind != Laplacian::Kind::Formula) return block;
@@ -59,9 +67,10 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
       const Formula& formula = *find_formula(first, spec.kernel);
       blocks_.push_back(block_of(kind, spec, formula, *elements_, parameters_));
       const Behaviour behaviour = formula.behaviour(parameters_);
-      degrees_.push_back(behaviour.degree);
+      degrees_.push_back(behaviour.degree + degree_of_measure(spec, formula));
       homogeneous_ = homogeneous_ && behaviour.logarithmic.factor == 0;
       jumps_.push_back(formula.shape.per_corner ? behaviour.face_jump.number : 0);
+      has_area_elements_ = has_area_elements_ || (blocks_.back().owner == Owner::Normal && has_quads());
     }
   }
 
@@ -87,12 +96,16 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
       on[p] = touching(points[p]);
       any_on = any_on || !on[p].empty();
     }
-    if (!any_on) return sum_off(points, 0, order, tables);
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      if (on[p].empty()) sum_off<R>(points.subspan(p, 1), p, order, tables);
-      else
-        for (std::size_t b = 0; b < blocks_.size(); ++b) sum_on(b, points[p], p, order, on[p], tables[b]);
+    if (!any_on) {
+      sum_off(points, 0, order, tables);
+    } else {
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        if (on[p].empty()) sum_off<R>(points.subspan(p, 1), p, order, tables);
+        else
+          for (std::size_t b = 0; b < blocks_.size(); ++b) sum_on(b, points[p], p, order, on[p], tables[b]);
+      }
     }
+    if (any_on) times_area_elements_on(on, order, tables);
   }
 
   bool fill_limits(std::span<const Touching> places, int order,
@@ -123,10 +136,17 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
           }
         }
     }
+    times_area_elements(points.size(), order, tables);
     return true;
   }
 
  private:
+  bool has_quads() const {
+    for (std::size_t e = 0; e < elements_->count(); ++e)
+      if (!elements_->type(e).flat) return true;
+    return false;
+  }
+
   void add_evaluations(const CoordinateKind& kind, ElementKind element, const std::string& name) {
     ElementEvaluations& found = evaluations_[static_cast<std::size_t>(element)];
     if (!found.empty()) return;
@@ -145,6 +165,31 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
       found.push_back(evaluation ? std::move(*evaluation) : evaluation_named(formula, name));
       max_order_ = std::min(max_order_, found.back().max_order());
     }
+  }
+
+  // Quads' formulas leave the area element out. One point's, in the unit 2^-exponent.
+  template <Scalar R>
+  void times_area_elements_at(std::size_t p, int order, int exponent, std::span<CoordinateTable<R>> tables) const {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      if (blocks_[b].owner != Owner::Normal) continue;
+      for (int o = 0; o <= order; ++o) {
+        const std::size_t size = tables[b].stride[o] / blocks_[b].size;
+        const std::span<R> row = row_of(tables[b], p, o);
+        for (std::size_t i = 0; i < row.size(); ++i)
+          row[i] *= R(elements_->area_element_in(exponent, i / size, Owner::Normal));
+      }
+    }
+  }
+  template <Scalar R>
+  void times_area_elements(std::size_t points, int order, std::span<CoordinateTable<R>> tables) const {
+    for (std::size_t p = 0; p < points; ++p) times_area_elements_at(p, order, 0, tables);
+  }
+  // Of points on the cage alone: others' sums have them.
+  template <Scalar R>
+  void times_area_elements_on(const std::vector<std::vector<Touching>>& on, int order,
+                              std::span<CoordinateTable<R>> tables) const {
+    for (std::size_t p = 0; p < on.size(); ++p)
+      if (!on[p].empty()) times_area_elements_at(p, order, 0, tables);
   }
 
   // Points that are no doubles are taken to lie off the cage: nobody can put them on it.
@@ -186,9 +231,15 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
   template <Scalar R>
   void sum_off(std::span<const Vec3<R>> points, std::size_t first, int order,
                std::span<CoordinateTable<R>> tables) const {
-    if (is_multiprecision<R>) return sum_in_unit(points, first, order, tables, 0);
+    if (is_multiprecision<R> && !has_area_elements_) return sum_in_unit(points, first, order, tables, 0);
     const bool comfortable = std::abs(exponent_) <= kComfortable<R>;
-    sum_in_unit(points, first, order, tables, normalised_ && !comfortable ? -exponent_ : 0);
+    // Without its area element a quad's layer leaves the range that with it it does not.
+    const bool in_own_unit = normalised_ ? !comfortable : has_area_elements_;
+    sum_in_unit(points, first, order, tables, in_own_unit ? -exponent_ : 0);
+    if (has_area_elements_) {
+      for (std::size_t p = 0; p < points.size(); ++p) to_own_unit(first + p, order, tables, -exponent_);
+      return;
+    }
     // Weights grow like 1/distance, and may leave double's range where coordinates, which have no unit, do not. Other
     // elements' parts have infinities of both signs in cages whose own unit is tiny.
     if (!normalised_ && (comfortable || exponent_ > 0 || !homogeneous_)) return;
@@ -249,6 +300,8 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
       }
       Evaluation::together<R>(members, Batch<R>{corners_of(e, storage, exponent), points, order, parameters}, outputs);
     }
+    for (std::size_t p = 0; has_area_elements_ && p < points.size(); ++p)
+      times_area_elements_at(first + p, order, exponent, tables);
     if (!normalised_) return;
     const std::size_t size = blocks_[0].size;
     for (std::size_t p = 0; p < points.size(); ++p) {
@@ -315,6 +368,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     const auto is_number = [](const CoordinateBlock& block) { return block.entries() == 1; };
     if (normalised_ || !std::ranges::all_of(blocks_, is_number)) return false;
     for (std::size_t p = 0; p < places.size(); ++p) put_limit<R>(places[p], p, order, tables);
+    times_area_elements(places.size(), order, tables);
     return true;
   }
 
@@ -322,6 +376,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
   // zero, exactly.
   template <Scalar R>
   void put_limit(const Touching& place, std::size_t p, int order, std::span<CoordinateTable<R>> tables) const {
+    if (!elements_->type(place.element).flat) return put_limit_on_quad(place, p, order, tables);
     const ElementAxes<R> axes(corners_in<R>(place.element));
     const std::vector<Vec3<R>>& flat = axes.corners();
     Vec3<R> in_plane = Vec3<R>::Zero();
@@ -339,6 +394,43 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
         BatchOutput<R> here = output_for(b, p, tables[b]);
         here.slots = elements_->shares_of(e, blocks_[b].owner);
         for (int o = 0; o <= order; ++o) here.put(0, o, part.of(o));
+      }
+    }
+  }
+
+  // A bilinear quad has no plane to see the point in: it is seen in more digits, from so near inside that the limit is
+  // as good as R.
+  template <Scalar R>
+  void put_limit_on_quad(const Touching& place, std::size_t p, int order, std::span<CoordinateTable<R>> tables) const {
+    constexpr bool is_wide = is_multiprecision<R>;
+    using W = std::conditional_t<is_wide, Mp100, Mp50>;
+    const std::vector<Vec3<W>> quad = corners_in<W>(place.element);
+    const W u = W(place.basis[1]) + W(place.basis[2]), v = W(place.basis[2]) + W(place.basis[3]);
+    const Vec3<W> along_u = (1 - v) * (quad[1] - quad[0]) + v * (quad[2] - quad[3]),
+                  along_v = (1 - u) * (quad[3] - quad[0]) + u * (quad[2] - quad[1]);
+    const Vec3<W> on = (1 - u) * quad[0] + u * quad[1] + v * along_v, normal = along_u.cross(along_v);
+    const W size = sqrt(W(along_u.dot(along_u) + along_v.dot(along_v))), area = sqrt(W(normal.dot(normal)));
+    const Vec3<W> inside = on - (size * W(is_wide ? "1e-40" : "1e-25") / area) * normal;
+    const Vec3<R> rounded = convert<R>(on);
+    const std::vector<R> parameters(parameters_.begin(), parameters_.end());
+    const std::vector<W> wide_parameters(parameters_.begin(), parameters_.end());
+    Result<R> part;
+    Result<W> wide;
+    for (std::size_t e = 0; e < elements_->count(); ++e) {
+      const bool own = static_cast<int>(e) == place.element;
+      for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        const Evaluation& evaluation = evaluations_[static_cast<std::size_t>(elements_->type(e).kind)][b];
+        BatchOutput<R> here = output_for(b, p, tables[b]);
+        here.slots = elements_->shares_of(e, blocks_[b].owner);
+        if (own) evaluation(Query<W>{quad, inside, order, wide_parameters}, wide);
+        else evaluation(Query<R>{corners_in<R>(e), rounded, order, parameters}, part);
+        for (int o = 0; o <= order; ++o) {
+          if (own) {
+            part.of(o).resize(wide.of(o).size());
+            std::ranges::transform(wide.of(o), part.of(o).begin(), [](const W& x) { return static_cast<R>(x); });
+          }
+          here.put(0, o, part.of(o));
+        }
       }
     }
   }
@@ -366,7 +458,8 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
   std::vector<CoordinateBlock> blocks_;
   std::vector<double> jumps_;  // of blocks, at faces
   std::vector<int> degrees_;   // of blocks
-  bool homogeneous_ = true;    // whether no block has a logarithm of the unit
+  bool has_area_elements_ = false;
+  bool homogeneous_ = true;  // whether no block has a logarithm of the unit
   int max_order_ = 2;
 };
 

@@ -26,6 +26,9 @@ struct SummedBlock {
   double (*normal_factor)(std::span<const double> parameters, int dimension) = nullptr;
   /// Of kernels with a tensor a corner: whether elements keep theirs, which are added to the vertices' otherwise.
   bool one_a_corner = false;
+  /// Whether there is one a normal (Owner::Normal): of quads one a corner, integrated over du dv, times the area
+  /// element |N_k| there, so that unit normals are what all coordinates multiply; of triangles one.
+  bool one_a_normal = false;
 };
 
 /// One block of prepared coordinates: a coordinate (a number, or a matrix) a vertex, an element, or a corner of one.
@@ -227,7 +230,8 @@ struct CoordinateKind {
 };
 
 /// The kinds that are sums over elements (mean_value, quad_mean_value, green, biharmonic, biharmonic_affine,
-/// somigliana), then those that rooms linked into the program add, by name. Kinds stay where they are.
+/// somigliana, quad_green, quad_biharmonic, quad_somigliana), then those that rooms linked into the program add, by
+/// name. Kinds stay where they are.
 const std::list<CoordinateKind>& coordinate_kinds();
 
 /// Adds a kind at program start: `const RegisterCoordinateKind r{...};` at namespace scope of a .cpp.
@@ -246,6 +250,10 @@ const CoordinateKind* find_coordinate_kind(std::string_view name);
 
 /// The kind of that name. \throws InputError where there is none
 const CoordinateKind& coordinate_kind_named(std::string_view name);
+
+/// The kind that sums the same on a cage's own quads: the kind itself where it keeps them, or the one of its name with
+/// "quad_" before it. \throws InputError where there is none
+const CoordinateKind& keeping_quads(const CoordinateKind& kind);
 
 /// Whether the kind exists on a cage like this one: all its kernels have formulas on the cage's elements.
 bool exists_on(const CoordinateKind& kind, const Cage& cage);

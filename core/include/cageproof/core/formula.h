@@ -69,6 +69,16 @@ struct Logarithm {
   bool height = false;
 };
 
+/// What a double layer's moments and a single layer add up to around the sides of an element in space, seen from the
+/// point, x_k its corners: sum_k f_k x_k + factor sum_k g_k N_k = 1/(weight pi) sum over sides of (x_k cross side)
+/// times the mean of r^power along the side. Of flat elements, g N is the one number times the unit normal.
+struct SideRelation {
+  std::string_view single_layer = {};  ///< g; none where empty
+  double factor = 1;
+  double weight = 4;
+  int power = -1;  ///< -1 or 1
+};
+
 /// What a formula does for given parameters. With the unit of length: f(s element, s point) = s^degree f(element,
 /// point), s > 0, or, of kernels with the logarithm of the distance, s^degree (f(element, point) + log(s) times the
 /// integral of what stands before the logarithm), and derivatives alike. And across the element.
@@ -92,6 +102,10 @@ struct Formula {
   FaceJump face_jump;
   std::vector<Parameter> parameters;
   Logarithm logarithmic = {};
+  /// Integrated over the element's own parameters, u and v in [0, 1], without the area element: of an element in four
+  /// alike parts each adds a quarter.
+  bool by_parameters = false;
+  SideRelation side_relation = {};
   /// Of formulas whose degree, logarithm or jump depends on their parameters; null elsewhere.
   Behaviour (*behaviour_of)(std::span<const double> parameters) = nullptr;
 

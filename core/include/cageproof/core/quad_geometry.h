@@ -32,4 +32,18 @@ struct BilinearPoint {
 /// finite.
 std::optional<BilinearPoint> on_quad(const Quad<double>& q, const Vec3<double>& point);
 
+/// Which two triangles a point sees under the solid angle of a bilinear quad.
+enum class SeenTriangles {
+  Diagonal02,  ///< corners 0 1 2 and 0 2 3
+  Diagonal13,  ///< corners 1 2 3 and 1 3 0
+  Coplanar     ///< the point lies in a plane of three corners, where a triangle may be met on its inside or its outside
+};
+
+/// Between the two pairs of triangles, within the corners' tetrahedron, the quad itself decides: the diagonal is 13
+/// where k_1 k_3 < k_0 k_2 for the point's barycentric coordinates k. Exact for any finite doubles.
+SeenTriangles seen_triangles(const Quad<double>& q, const Vec3<double>& point);
+
+/// The same in multiprecision, rounded.
+SeenTriangles seen_triangles(const Quad<Mp200>& q, const Vec3<Mp200>& point);
+
 }  // namespace cageproof
