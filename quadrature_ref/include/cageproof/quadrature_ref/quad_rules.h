@@ -20,6 +20,14 @@ namespace cageproof::quadrature_ref::quad {
 template <Scalar R>
 void integrate_gauss(const Integrand& integrand, int n, const Batch<R>& batch, const BatchOutput<R>& output);
 
+/// N x N cells in (u, v), the kernel at each one's middle, for a block of points: the Riemann sum that public code
+/// takes for the layers of twisted quads. Its error falls with N^-2 where the cells are smaller than the point's
+/// distance.
+///
+/// \pre 1 <= n <= 512
+template <Scalar R>
+void integrate_midpoint(const Integrand& integrand, int n, const Batch<R>& batch, const BatchOutput<R>& output);
+
 /// The relative tolerance of integrate_adaptive, norm-wise for each derivative order: all is computed in double.
 template <Scalar R>
 double adaptive_tolerance() {
@@ -30,7 +38,9 @@ double adaptive_tolerance() {
 /// nearest point as in integrate_multiprecision; on each two rules, of which the finer one counts and the
 /// difference is the cell's error; cells are bisected until for every derivative order asked the bound (sum of the
 /// differences, and of rounding) is below the tolerance. `converged` is false when kAdaptiveNodeLimit or rounding
-/// prevents that, `stated_digits` comes from the bound in both cases. On the quad nothing converges: NaN.
+/// prevents that, `stated_digits` comes from the bound in both cases. On the quad the point is moved inside, against
+/// the normal, by 1e-16 and by 1e-14 of its distance to the nearest side that it is not on, and both must agree; NaN
+/// for kernels that diverge there, and where the normal vanishes.
 template <Scalar R>
 void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 
@@ -43,9 +53,9 @@ void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Resul
 /// would take more than about a second (five times that for more than 30 digits), as next to reflex and doubled
 /// corners, 12 digits are tried, and else nothing is stated: NaN, `stated_digits` 0, `converged` false.
 ///
-/// On the quad (nearer than 1e-120 of its extent) the weights grow like the inverse distance and no order has a limit:
-/// all entries are NaN, `stated_digits` too, and `converged` is true, as that is certain of mean value weights. (Weakly
-/// singular kernels on quads have limits, which this does not take.)
+/// On the quad (nearer than 1e-120 of its extent) limits from inside are extrapolated, as on a triangle; an order that
+/// has none there is NaN. Mean value weights grow like the inverse distance: all their entries are NaN, `stated_digits`
+/// too, and `converged` is true, as that is certain. So are those of points whose normal vanishes.
 template <Scalar R>
 void integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 

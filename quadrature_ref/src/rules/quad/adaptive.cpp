@@ -2,6 +2,7 @@
 #include "../adaptive.h"
 #include "../converted.h"
 #include "../finish.h"
+#include "inside_quad.h"
 #include "quad_cells.h"
 
 #include "cageproof/quadrature_ref/quad_rules.h"
@@ -138,6 +139,20 @@ bool AdaptiveQuad::refine(const std::vector<PlannedCell>& cells, double toleranc
   }
 }
 
+// Integrates over a quad as seen from off it.
+AdaptiveOutcome integrate_from(const QuadFrame<Mp200>& q, const ClosestPoint& c, const Integrand& integrand,
+                               const KernelTask<double>& task, double tolerance, Result<double>& sums) {
+  const PolarQuadFrame<Mp200> frame = polar_quad_frame(q, c.u, c.v);
+  const PolarQuadFrame<double> rough_frame = convert<double>(frame);
+  AdaptiveQuad sum(rough_frame, integrand, task);
+  const bool converged = sum.refine(quad_cells(convert<Mp50>(frame), kDesign, 2.5), tolerance);
+  sums = sum.sums();
+  Mp200 highest = 0;
+  for (const Mp200& height : q.heights) highest = std::max<Mp200>(highest, abs(height));
+  if (is_lost(integrand.formula, highest, sums, task.order)) return {false, std::numeric_limits<double>::infinity()};
+  return {converged, sum.bound()};
+}
+
 }  // namespace
 
 template <Scalar R>
@@ -147,19 +162,20 @@ void quad::integrate_adaptive(const Integrand& integrand, const Query<R>& query,
   const auto q = quad_frame(exact.query.corners, exact.query.point);
   if (!q) return fill_not_a_number(result);
   const ClosestPoint c = closest_point(*q);
-  if (is_on_quad(*q, c)) return fill_not_a_number(result);
-  const PolarQuadFrame<Mp200> frame = polar_quad_frame(*q, c.u, c.v);
+  const OnQuad inside = inside_quad(*q, c);
+  if (is_on_quad(*q, c) && (integrand.formula.face_jump.diverges || !inside.yes)) return fill_not_a_number(result);
   const ConvertedQuery<double> rough(query);
-  const PolarQuadFrame<double> rough_frame = convert<double>(frame);
-  AdaptiveQuad sum(rough_frame, integrand, integrand.task(rough.query.parameters, query.order));
-  const bool converged = sum.refine(quad_cells(convert<Mp50>(frame), kDesign, 2.5), quad::adaptive_tolerance<R>());
-  AdaptiveOutcome outcome{converged, sum.bound()};
-  Mp200 highest = 0;
-  for (const Mp200& height : q->heights) highest = std::max<Mp200>(highest, abs(height));
-  if (is_lost(integrand.formula, highest, sum.sums(), query.order))
-    outcome = {false, std::numeric_limits<double>::infinity()};
-  finish(integrand, q->exponent, sum.sums(), result);
-  state(outcome, sum.sums().nodes, result);
+  const KernelTask<double> task = integrand.task(rough.query.parameters, query.order);
+  const double tolerance = quad::adaptive_tolerance<R>();
+  const auto integrate_at = [&](const Mp200& inward, Result<double>& sums) {
+    return inward == 0 ? integrate_from(*q, c, integrand, task, tolerance, sums)
+                       : integrate_from(seen_from_inside(*q, inside, inward), {inside.u, inside.v, inward * inward},
+                                        integrand, task, tolerance, sums);
+  };
+  Result<double> sums;
+  const AdaptiveOutcome outcome = integrate_off_or_inside(inside, query.order, tolerance, integrate_at, sums);
+  finish(integrand, q->exponent, sums, result);
+  state(outcome, sums.nodes, result);
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \

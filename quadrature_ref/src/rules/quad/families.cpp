@@ -12,6 +12,12 @@ std::vector<RuleFamily> quad::families() {
                    numbered("gauss-", 1, 256),
                    {"gauss-8", "gauss-32"}};
   gauss.with_blocks([]<Scalar R>(const auto&... given) { integrate_gauss<R>(given...); });
+  RuleFamily midpoint{"midpoint-<N>",
+                      fixed_facts("Riemann sum: the kernel at the middles of N x N cells"),
+                      {"midpoint-10"},
+                      numbered("midpoint-", 1, 512),
+                      {"midpoint-10", "midpoint-100"}};
+  midpoint.with_blocks([]<Scalar R>(const auto&... given) { integrate_midpoint<R>(given...); });
   RuleFamily adaptive{
       "adaptive",
       adaptive_facts("bisection of cells about the nearest point to a relative tolerance, or a refusal"),
@@ -24,7 +30,7 @@ std::vector<RuleFamily> quad::families() {
   multiprecision.with_points([]<Scalar R>(const auto& integrand, const Query<R>& query, Result<R>& result) {
     integrate_multiprecision<R>(integrand, query, result);
   });
-  return {gauss, adaptive, multiprecision};
+  return {gauss, midpoint, adaptive, multiprecision};
 }
 
 }  // namespace cageproof::quadrature_ref

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../converted.h"
+#include "inside_quad.h"
 #include "quad_sum.h"
 
 #include "cageproof/core/quad_geometry.h"
@@ -25,27 +26,57 @@ bool lies_on_quad(const Query<Mp200>& query) {
   return on_quad({rounded(q[0]), rounded(q[1]), rounded(q[2]), rounded(q[3])}, rounded(query.point)).has_value();
 }
 
+// The natural size of an order's tensor: extent^(degree - order) times the measure, of which the degree has part.
+double log10_natural(const Formula& formula, const QuadFrame<Mp200>& q, int order) {
+  Mp200 longest = 0;
+  for (const auto& edge : q.edges) longest = std::max<Mp200>(longest, length(edge));
+  return (formula.degree - order) * log10_magnitude(longest);
+}
+
+Answer integral(const Integrand& integrand, const QuadFrame<Mp200>& q, const ClosestPoint& c, const OnQuad& inside,
+                const Query<Mp200>& query, double digits) {
+  const double budget = digits > kDigitsPromised ? kBudgetForMore : kBudget;
+  if (!inside.yes) {
+    QuadSum sum(integrand, q, c, query, digits + 8, budget);
+    return converge(sum, digits, query.order);
+  }
+  Inside limit{.moved =
+                   [&](const Mp200& inward) {
+                     const ClosestPoint below{inside.u, inside.v, inward * inward};
+                     return std::make_unique<QuadSum>(integrand, seen_from_inside(q, inside, inward), below, query,
+                                                      digits + 8, budget);
+                   },
+               .clearance = inside.clearance,
+               .border = inside.border};
+  for (int order = 0; order <= query.order; ++order)
+    limit.log10_natural[order] = log10_natural(integrand.formula, q, order);
+  return limit_from_inside(limit, digits, query.order);
+}
+
 }  // namespace
 
 template <Scalar R>
 void quad::integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result) {
-  const double digits = digits_wanted<R>();
   integrand.reset(result, query.order);
   const ConvertedQuery<Mp200> exact(query);
   const auto q = quad_frame(exact.query.corners, exact.query.point);
   if (!q) return fill_not_a_number(result);
   const ClosestPoint c = closest_point(*q);
-  if (is_on_quad(*q, c)) {
+  const bool on_quad = is_on_quad(*q, c);
+  // Weights diverge there, and what lies near the quad without lying on it is nearer than sums resolve.
+  const OnQuad inside = on_quad ? inside_quad(*q, c) : OnQuad{};
+  if (on_quad && (integrand.formula.face_jump.diverges || !inside.yes || !lies_on_quad(exact.query))) {
     fill_not_a_number(result);
     result.converged = lies_on_quad(exact.query);
     if (!result.converged) result.stated_digits = 0;
     return;
   }
+  const double digits = digits_wanted<R>();
   for (const double asked : {digits, kDigitsPromised, kFewDigits}) {
     if (asked > digits) continue;
     try {
-      QuadSum sum(integrand, *q, c, exact.query, asked + 8, asked > kDigitsPromised ? kBudgetForMore : kBudget);
-      return set_answer(integrand, q->exponent, converge(sum, asked, query.order), query.order, result);
+      return set_answer(integrand, q->exponent, integral(integrand, *q, c, inside, exact.query, asked), query.order,
+                        result);
     } catch (const TooCostly&) {
     }
   }
