@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Registers the baseline: `tessellated-<n>`, quad mean value weights from triangles in the quad's place ([T18] Section
 // 2.3).
-#include "counted_family.h"
+#include "../bilinear_basis.h"
+#include "../counted_family.h"
 
 #include <limits>
 #include <vector>
 
 namespace cageproof::adaptive_qmvc {
 namespace {
-
-template <class R>
-using Basis = std::array<R, 4>;
-
-/// The basis functions of corners 0..3 ([T18] Eq 3).
-template <class R>
-Basis<R> bilinear_basis(const R& u, const R& v) {
-  return {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
-}
 
 template <Scalar R>
 Vec3<R> surface_point(std::span<const Vec3<R>> q, const Basis<R>& basis) {
@@ -85,7 +77,7 @@ struct Tessellated {
 };
 
 const RegisterEvaluation register_tessellated{
-    counted_family("tessellated", {"tessellated-5"}, {"tessellated-5", "tessellated-40"},
+    counted_family("quad.mean_value", "tessellated", {"tessellated-5"}, {"tessellated-5", "tessellated-40"},
                    "2 n^2 triangles in the quad's place, closed form of each", Tessellated{})};
 
 }  // namespace

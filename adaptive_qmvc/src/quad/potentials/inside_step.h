@@ -60,10 +60,13 @@ InsideStep step_inside(std::span<const Vec3<R>> corners, const Vec3<R>& point, c
   return step;
 }
 
-/// Whether a potential's derivatives of an order stay finite, and have one limit, on the quad's border.
+/// Whether a potential's derivatives of an order stay finite on the quad's border, coming from inside against the
+/// normal there. The double layer's value depends on the direction of approach, and is taken so too, as a triangle's
+/// is.
 inline bool has_border_limit(Potential potential, int order) {
   switch (potential) {
     case Potential::SingleLayer:
+    case Potential::DoubleLayer:
     case Potential::KelvinDisplacement: return order == 0;
     case Potential::BiharmonicSingleLayer: return true;
     case Potential::BiharmonicDoubleLayer: return order <= 1;
@@ -71,18 +74,32 @@ inline bool has_border_limit(Potential potential, int order) {
   }
 }
 
-/// place_on_quad; and, of what is no double, on a side, where products of 200 digits are exact.
+/// Whether the quad and a point on it lie in one plane, exactly as far as 800 digits hold the products of coordinates.
+template <Scalar R>
+bool is_in_plane(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
+  const auto from_point = [&](int k) {
+    return Vec3<Mp800>(convert<Mp200>(corners[k % 4]).template cast<Mp800>() -
+                       convert<Mp200>(point).template cast<Mp800>());
+  };
+  for (int k = 0; k < 4; ++k)
+    if (from_point(k).dot(from_point(k + 1).cross(from_point(k + 3))) != 0) return false;
+  return true;
+}
+
+/// place_on_quad, which decides for doubles; and, of coordinates that are none, on a side, where products of 800 digits
+/// are exact.
 template <Scalar R>
 std::optional<BilinearPoint> place(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
   auto on = place_on_quad<R>(corners, point);
-  if (!is_multiprecision<R> || on) return on;
+  const auto is_double = [](const Vec3<R>& x) { return convert<R>(convert<double>(x)) == x; };
+  if (!is_multiprecision<R> || on || (is_double(point) && std::ranges::all_of(corners, is_double))) return on;
+  const auto wide = [](const Vec3<R>& x) { return Vec3<Mp800>(convert<Mp200>(x).template cast<Mp800>()); };
+  const Vec3<Mp800> eta = wide(point);
   for (int k = 0; k < 4; ++k) {
-    const Vec3<Mp200> eta = convert<Mp200>(point), a = convert<Mp200>(corners[k]) - eta,
-                      b = convert<Mp200>(corners[(k + 1) % 4]) - eta;
-    const Vec3<Mp200> area = a.cross(b);
+    const Vec3<Mp800> a = wide(corners[k]) - eta, b = wide(corners[(k + 1) % 4]) - eta, area = a.cross(b);
     if (area[0] != 0 || area[1] != 0 || area[2] != 0 || a.dot(b) > 0) continue;
-    const Mp200 square = Vec3<Mp200>(b - a).squaredNorm();
-    const double t = square > 0 ? static_cast<double>(Mp200(-a.dot(b - a) / square)) : 0;
+    const Mp800 square = Vec3<Mp800>(b - a).squaredNorm();
+    const double t = square > 0 ? static_cast<double>(Mp800(-a.dot(b - a) / square)) : 0;
     constexpr std::array<std::array<double, 2>, 4> start{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
     const auto &from = start[k], &to = start[(k + 1) % 4];
     on.emplace();

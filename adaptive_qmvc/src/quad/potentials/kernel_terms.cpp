@@ -4,6 +4,7 @@
 #include "line_terms.h"
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -106,6 +107,9 @@ class Numbering {
   std::map<LineTerm, int> integrals_, polynomials_;
 };
 
+// Kernels' factors are halves, and what follows from them by derivatives, or thirds.
+int sixths(double factor) { return static_cast<int>(std::lround(6 * factor)); }
+
 KernelTape numbered(const TapeEntries& entries, bool tangential) {
   KernelTape tape;
   tape.tangential = tangential;
@@ -119,7 +123,7 @@ KernelTape numbered(const TapeEntries& entries, bool tangential) {
         for (int p = 0; p < 2; ++p)
           if (factors[p] != 0)
             parts.push_back(
-                {(term.around ? around : across).integral(plain), p, factors[p], term.around, term.divided});
+                {(term.around ? around : across).integral(plain), p, sixths(factors[p]), term.around, term.divided});
       }
     }
   return tape;

@@ -35,7 +35,8 @@ Statement potential_form_in(std::span<const Vec3<R>> corners, const Vec3<W>& poi
   std::array<Vec3<W>, 4> wide_corners;
   for (int k = 0; k < 4; ++k) wide_corners[k] = convert<W>(corners[k]);
   PotentialTensors<W> wide;
-  const PotentialTask<W> asked{task.potential, task.order, digits, {W(task.parameters[0]), W(task.parameters[1])}};
+  const PotentialTask<W> asked{
+      task.potential, task.order, digits, {W(task.parameters[0]), W(task.parameters[1])}, task.finite_part};
   const Statement statement = potential_to_digits<W>(wide_corners, point, asked, wide);
   for (int o = 0; o <= task.order; ++o) {
     tensors.of[o].resize(wide.of[o].size());
@@ -107,13 +108,52 @@ Statement potential_of_seen(const SeenQuad& seen, const PotentialTask<R>& task, 
   return statement;
 }
 
+/// The same in a scalar N that has the digits asked for, though not R's. \returns nothing where more cancels than N has
+/// digits for
+template <class N, class R>
+std::optional<Statement> potential_of_seen_in(const SeenQuad& seen, const PotentialTask<R>& task,
+                                              PotentialTensors<R>& tensors) {
+  const PotentialTask<N> narrow_task{task.potential,
+                                     task.order,
+                                     task.digits,
+                                     {static_cast<N>(task.parameters[0]), static_cast<N>(task.parameters[1])}};
+  PotentialTensors<N> narrow;
+  const Statement statement = potential_of_seen<N>(seen, narrow_task, narrow);
+  tensors.cancelled = narrow.cancelled;
+  if (!(narrow.cancelled <= kPotentialCancelled[0])) return std::nullopt;
+  for (int o = 0; o <= task.order; ++o) {
+    tensors.of[o].resize(narrow.of[o].size());
+    std::ranges::transform(narrow.of[o], tensors.of[o].begin(), [](const N& x) { return static_cast<R>(x); });
+  }
+  return statement;
+}
+
+/// As potential_of_seen, in the narrowest scalar that has the digits asked for: next to the quad nothing cancels, so
+/// that more are spent in differences of coordinates alone, which stand in the frames.
+/// \param distant whether coordinates' exponents are so far apart that powers of distances may leave a double's range
+template <Scalar R>
+Statement potential_of_seen_to_digits(const SeenQuad& seen, const PotentialTask<R>& task, bool distant,
+                                      PotentialTensors<R>& tensors) {
+  std::optional<Statement> found;
+  if constexpr (is_multiprecision<R>) {
+    if (task.digits <= 15 && !distant) found = potential_of_seen_in<double>(seen, task, tensors);
+    if (!found && task.digits <= 17) found = potential_of_seen_in<long double>(seen, task, tensors);
+    if constexpr (!std::same_as<R, Mp50>)
+      if (!found && task.digits <= kMostDigits<Mp50>) found = potential_of_seen_in<Mp50>(seen, task, tensors);
+    if constexpr (std::same_as<R, Mp200>)
+      if (!found && task.digits <= kMostDigits<Mp100>) found = potential_of_seen_in<Mp100>(seen, task, tensors);
+  }
+  return found ? *found : potential_of_seen<R>(seen, task, tensors);
+}
+
 /// As potential_to_digits, for a point in more digits than R has: differences are taken in those.
 template <class W, Scalar R>
 Statement potential_seen_in(std::span<const Vec3<R>> corners, const Vec3<W>& point, const PotentialTask<R>& task,
                             PotentialTensors<R>& tensors) {
   std::array<Vec3<W>, 4> wide;
   for (int k = 0; k < 4; ++k) wide[k] = corners[k].template cast<W>();
-  return potential_of_seen<R>(see_in_digits<W>(wide, point, task.order + 1, task.digits, false), task, tensors);
+  return potential_of_seen_to_digits<R>(see_in_digits<W>(wide, point, task.order + 1, task.digits, false), task, true,
+                                        tensors);
 }
 
 /// The limit from inside on the quad: the value at a point that much nearer to the inside that what is missing is below
@@ -127,7 +167,9 @@ Statement potential_on_quad(std::span<const Vec3<R>> corners, const Vec3<R>& poi
     return {};
   }
   // As seen from one inside: what elements of a cage that meet there add up to depends on no direction.
-  const auto has_limit = [&](int o) { return !step.border || has_border_limit(task.potential, o); };
+  const auto has_limit = [&](int o) {
+    return !step.border || has_border_limit(task.potential, o) || (task.finite_part && o == 0);
+  };
   PotentialTask<R> limited = task;
   while (limited.order >= 0 && !has_limit(limited.order)) --limited.order;
   fill_nan(task, tensors);
@@ -137,6 +179,9 @@ Statement potential_on_quad(std::span<const Vec3<R>> corners, const Vec3<R>& poi
                             : potential_seen_in<Mp100, R>(corners, convert<Mp100>(step.point), limited, tensors);
   if (tensors.cancelled > kPotentialCancelled[0])
     statement = potential_form_in_more_digits<R, Mp200>(corners, step.point, limited, tensors.cancelled, tensors);
+  // N.x is zero all over the quad, and not as small as the step.
+  if (task.potential == Potential::BiharmonicDoubleLayer && is_in_plane<R>(corners, point))
+    std::ranges::fill(tensors.of[0], R(0));
   return statement;
 }
 
@@ -148,23 +193,10 @@ Statement potential_of_distant(std::span<const Vec3<R>> corners, const Vec3<R>& 
   std::array<Vec3<Mp200>, 4> wide;
   for (int k = 0; k < 4; ++k) wide[k] = convert<Mp200>(corners[k]);
   const SeenQuad seen = see_in_800_digits(wide, convert<Mp200>(point), order, task.digits, false);
-  if constexpr (is_multiprecision<R>) {
-    return potential_of_seen<R>(seen, task, tensors);
-  } else {
-    // Powers of distances leave a double's range.
-    using L = long double;
-    const PotentialTask<L> long_task{task.potential, task.order, task.digits, {task.parameters[0], task.parameters[1]}};
-    PotentialTensors<L> long_tensors;
-    const Statement statement = potential_of_seen<L>(seen, long_task, long_tensors);
-    tensors.cancelled = long_tensors.cancelled;
-    if (tensors.cancelled > kPotentialCancelled[0])
-      return potential_form_in_more_digits<R, R>(corners, point, task, tensors.cancelled, tensors);
-    for (int o = 0; o <= task.order; ++o) {
-      tensors.of[o].resize(long_tensors.of[o].size());
-      std::ranges::transform(long_tensors.of[o], tensors.of[o].begin(), [](L x) { return static_cast<R>(x); });
-    }
-    return statement;
-  }
+  if constexpr (is_multiprecision<R>) return potential_of_seen_to_digits<R>(seen, task, true, tensors);
+  // Powers of distances leave a double's range.
+  else if (const auto found = potential_of_seen_in<long double>(seen, task, tensors)) return *found;
+  return potential_form_in_more_digits<R, R>(corners, point, task, tensors.cancelled, tensors);
 }
 
 /// As potential_form, to the digits that are asked for relative to the sizes of terms.
@@ -199,6 +231,8 @@ Statement potential_to_digits(std::span<const Vec3<R>> corners, const Vec3<R>& p
         if (exponents.are_distant()) return of_distant();
         return potential_seen_in<Mp100, R>(corners, convert<Mp100>(point), task, tensors);
       }
+    if constexpr (is_multiprecision<R>)
+      return potential_of_seen_to_digits<R>(see_frame(*q, singular, order, task.digits, false), task, false, tensors);
     thread_local OuterRules<R> across;
     find_outer_rules(singular, order, task.digits, static_cast<int>(3 * task.digits), across, false);
     for (const OuterRule<R>& rule : across.rules) {
@@ -219,6 +253,13 @@ Statement potential_form(std::span<const Vec3<R>> corners, const Vec3<R>& point,
   return potential_form_in_more_digits<R, R>(corners, point, task, tensors.cancelled, tensors);
 }
 
+extern template Statement potential_of_seen<double>(const SeenQuad&, const PotentialTask<double>&,
+                                                    PotentialTensors<double>&);
+extern template Statement potential_of_seen<long double>(const SeenQuad&, const PotentialTask<long double>&,
+                                                         PotentialTensors<long double>&);
+extern template Statement potential_of_seen<Mp50>(const SeenQuad&, const PotentialTask<Mp50>&, PotentialTensors<Mp50>&);
+extern template Statement potential_of_seen<Mp100>(const SeenQuad&, const PotentialTask<Mp100>&,
+                                                   PotentialTensors<Mp100>&);
 extern template Statement potential_to_digits<double>(std::span<const Vec3<double>>, const Vec3<double>&,
                                                       const PotentialTask<double>&, PotentialTensors<double>&);
 extern template Statement potential_to_digits<Mp50>(std::span<const Vec3<Mp50>>, const Vec3<Mp50>&,
@@ -229,6 +270,10 @@ extern template Statement potential_to_digits<Mp200>(std::span<const Vec3<Mp200>
                                                      const PotentialTask<Mp200>&, PotentialTensors<Mp200>&);
 
 }  // namespace cageproof::adaptive_qmvc
+
+#define CAGEPROOF_POTENTIAL_OF_SEEN(R)                                          \
+  template cageproof::Statement cageproof::adaptive_qmvc::potential_of_seen<R>( \
+      const SeenQuad&, const PotentialTask<R>&, PotentialTensors<R>&);
 
 #define CAGEPROOF_POTENTIAL_FORM(R)                                                                                   \
   template cageproof::Statement cageproof::adaptive_qmvc::potential_to_digits<R>(                                     \

@@ -2,3 +2,5 @@
 #include "potential_form_body.h"
 
 CAGEPROOF_POTENTIAL_FORM(double)
+CAGEPROOF_POTENTIAL_OF_SEEN(double)
+CAGEPROOF_POTENTIAL_OF_SEEN(long double)

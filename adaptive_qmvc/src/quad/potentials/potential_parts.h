@@ -61,7 +61,7 @@ void PotentialParts<R>::add(const PotentialSums<R>& sums, const NormalAxes<R>& a
     for (std::size_t n = 0; n < count; ++n) {
       F size = 0;
       for (const auto& part : tape.entries[o][n]) {
-        R coefficient = task_.parameters[part.parameter] * R(part.factor);
+        R coefficient = task_.parameters[part.parameter] * (R(part.sixths) / R(6));
         if (part.divided) coefficient *= inverse;
         const IntegralSums<R>& from = part.around ? sums.around() : sums.across();
         const auto& of = from.of[part.integral];

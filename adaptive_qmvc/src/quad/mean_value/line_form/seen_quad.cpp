@@ -22,14 +22,12 @@ LocalFrame<W> frame_about(const QuadFrame<W>& q, const W& v) {
 }  // namespace
 
 template <class W>
-SeenQuad see_in_digits(const std::array<Vec3<W>, 4>& corners, const Vec3<W>& point, double order, double digits,
-                       bool decays) {
-  const auto q = quad_frame<W>(corners, point);
+SeenQuad see_frame(const QuadFrame<W>& q, const SingularPairs<W>& singular, double order, double digits, bool decays) {
   OuterRules<W> across;
-  find_outer_rules(singular_pairs(*q), order, digits, static_cast<int>(3 * digits), across, decays);
-  SeenQuad seen{QuadFrame<Mp200>(*q), {}, is_folded(*q)};
+  find_outer_rules(singular, order, digits, static_cast<int>(3 * digits), across, decays);
+  SeenQuad seen{QuadFrame<Mp200>(q), {}, is_folded(q)};
   for (const OuterRule<W>& rule : across.rules) {
-    const auto frame = rule.plain ? LocalFrame<W>(*q) : frame_about(*q, W(std::clamp(rule.centre, rule.lo, rule.hi)));
+    const auto frame = rule.plain ? LocalFrame<W>(q) : frame_about(q, W(std::clamp(rule.centre, rule.lo, rule.hi)));
     const auto panels = across.panels_of(rule);
     seen.rules.push_back({LocalFrame<Mp200>(frame),
                           OuterRule<Mp200>(rule),
@@ -39,9 +37,21 @@ SeenQuad see_in_digits(const std::array<Vec3<W>, 4>& corners, const Vec3<W>& poi
   return seen;
 }
 
-template SeenQuad see_in_digits<Mp50>(const std::array<Vec3<Mp50>, 4>&, const Vec3<Mp50>&, double, double, bool);
-template SeenQuad see_in_digits<Mp100>(const std::array<Vec3<Mp100>, 4>&, const Vec3<Mp100>&, double, double, bool);
-template SeenQuad see_in_digits<Mp800>(const std::array<Vec3<Mp800>, 4>&, const Vec3<Mp800>&, double, double, bool);
+template <class W>
+SeenQuad see_in_digits(const std::array<Vec3<W>, 4>& corners, const Vec3<W>& point, double order, double digits,
+                       bool decays) {
+  const auto q = quad_frame<W>(corners, point);
+  return see_frame(*q, singular_pairs(*q), order, digits, decays);
+}
+
+#define CAGEPROOF_SEE(W)                                                                              \
+  template SeenQuad see_frame<W>(const QuadFrame<W>&, const SingularPairs<W>&, double, double, bool); \
+  template SeenQuad see_in_digits<W>(const std::array<Vec3<W>, 4>&, const Vec3<W>&, double, double, bool);
+CAGEPROOF_SEE(Mp50)
+CAGEPROOF_SEE(Mp100)
+CAGEPROOF_SEE(Mp200)
+CAGEPROOF_SEE(Mp800)
+#undef CAGEPROOF_SEE
 
 SeenQuad see_in_800_digits(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point, double order, double digits,
                            bool decays) {

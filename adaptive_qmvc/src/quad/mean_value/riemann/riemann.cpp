@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Registers the paper's scheme: `riemann-<n>`.
-#include "../counted_family.h"
+#include "../../counted_family.h"
 #include "instances.h"
 
 namespace cageproof::adaptive_qmvc {
@@ -14,7 +14,7 @@ struct Riemann {
 };
 
 const RegisterEvaluation register_riemann{
-    counted_family("riemann", {"riemann-4", "riemann-7", "riemann-10"},
+    counted_family("quad.mean_value", "riemann", {"riemann-4", "riemann-7", "riemann-10"},
                    {"riemann-2", "riemann-4", "riemann-10", "riemann-40", "riemann-160"},
                    "the paper's scheme: Riemann sum of (2n + 1)^2 samples about the projection", Riemann{})};
 

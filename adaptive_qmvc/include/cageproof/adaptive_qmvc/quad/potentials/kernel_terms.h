@@ -52,11 +52,11 @@ struct LineIntegrals {
 /// border.
 struct KernelTape {
   /// A part of an entry of the tensors: a coefficient times the integral. Coefficients are a factor times one of two
-  /// parameters, which depend on the elastic constants.
+  /// parameters, which depend on the elastic constants. Factors are counted in sixths: a third is no double.
   struct Part {
     int integral;
     int parameter;
-    double factor;
+    int sixths;
     bool around;   ///< of `around`, else of `across`
     bool divided;  ///< by the length of the normal at the lines' point
   };

@@ -18,6 +18,7 @@ struct PotentialTask {
   int order = 0;                            ///< highest derivative by the point: 0, 1 or 2
   double digits = 17;                       ///< of the integral, relative to the sizes of its terms: 2 to 90
   std::array<R, 2> parameters{R(1), R(1)};  ///< of the kernel's parts, 1/(4 pi) included: see KernelTape::Part
+  bool finite_part = false;                 ///< Batch::finite_part: on the border, the value just inside
 };
 
 /// A potential's tensors with derivatives: for each order those of the four corners, one after the other, entries_of()

@@ -161,11 +161,11 @@ inline Panel plain_panel(double rho, double order, double digits) {
 template <class F>
 std::complex<F> inverse_sinh(std::complex<F> z) {
   if (z.real() < 0) return -inverse_sinh(-z);
-  // sqrt(z^2 + 1) with a real part >= 0.
+  // sqrt(z^2 + 1) with a real part >= 0; of z = -0 + i y as of i y, the sign is that of y.
   const F x = (z.real() - z.imag()) * (z.real() + z.imag()) + 1, y = 2 * z.real() * z.imag();
   const F size = std::sqrt(x * x + y * y);
   const F re = std::sqrt(std::max(F(0), (size + x) / 2)),
-          im = std::copysign(std::sqrt(std::max(F(0), (size - x) / 2)), y);
+          im = std::copysign(std::sqrt(std::max(F(0), (size - x) / 2)), z.imag());
   const F u = z.real() + re, v = z.imag() + im;
   return {std::log(u * u + v * v) / 2, std::atan2(v, u)};
 }

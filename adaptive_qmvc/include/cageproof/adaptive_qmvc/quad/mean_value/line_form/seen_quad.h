@@ -72,10 +72,17 @@ template <class W>
 SeenQuad see_in_digits(const std::array<Vec3<W>, 4>& corners, const Vec3<W>& point, double order, double digits,
                        bool decays);
 
-extern template SeenQuad see_in_digits<Mp50>(const std::array<Vec3<Mp50>, 4>&, const Vec3<Mp50>&, double, double, bool);
-extern template SeenQuad see_in_digits<Mp100>(const std::array<Vec3<Mp100>, 4>&, const Vec3<Mp100>&, double, double,
-                                              bool);
-extern template SeenQuad see_in_digits<Mp800>(const std::array<Vec3<Mp800>, 4>&, const Vec3<Mp800>&, double, double,
-                                              bool);
+/// The same from a frame and its singularities.
+template <class W>
+SeenQuad see_frame(const QuadFrame<W>& q, const SingularPairs<W>& singular, double order, double digits, bool decays);
+
+#define CAGEPROOF_SEE(W)                                                                                     \
+  extern template SeenQuad see_frame<W>(const QuadFrame<W>&, const SingularPairs<W>&, double, double, bool); \
+  extern template SeenQuad see_in_digits<W>(const std::array<Vec3<W>, 4>&, const Vec3<W>&, double, double, bool);
+CAGEPROOF_SEE(Mp50)
+CAGEPROOF_SEE(Mp100)
+CAGEPROOF_SEE(Mp200)
+CAGEPROOF_SEE(Mp800)
+#undef CAGEPROOF_SEE
 
 }  // namespace cageproof::adaptive_qmvc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Registers evaluations of quad.mean_value whose name ends in a count.
+// Registers evaluations of quads whose name ends in a count.
 #pragma once
 
 #include "cageproof/core/counted_name.h"
@@ -8,17 +8,18 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// The family `<stem>-<n>`, n = 1 ... 512: values alone. `studied`: EvaluationFamily::studied. `weights` is a callable
-/// with `template operator()<R>(batch, n, output)`.
+/// The family `<stem>-<n>`, n = 1 ... 512. `studied`: EvaluationFamily::studied. `weights` is a callable with
+/// `template operator()<R>(batch, n, output)`, for derivatives up to `max_order`.
 template <class Weights>
-EvaluationFamily counted_family(const std::string& stem, std::vector<std::string> standard,
-                                std::vector<std::string> studied, const std::string& description, Weights weights) {
-  const std::string formula = "quad.mean_value";
+EvaluationFamily counted_family(const std::string& formula, const std::string& stem, std::vector<std::string> standard,
+                                std::vector<std::string> studied, const std::string& description, Weights weights,
+                                int max_order = 0) {
   const auto make = [=](std::string_view name) -> std::optional<Evaluation> {
     const auto n = number_after(stem + "-", name);
     if (!n || *n > 512) return std::nullopt;
-    Evaluation made(formula, name,
-                    {.description = description, .role = Role::Scheme, .cost = CostClass::Nodes, .max_order = 0});
+    Evaluation made(
+        formula, name,
+        {.description = description, .role = Role::Scheme, .cost = CostClass::Nodes, .max_order = max_order});
     for (const ScalarKind kind : scalar_kinds)
       with_scalar(kind, [&]<Scalar R>() {
         made.set_batch<R>([weights, n = *n](const Batch<R>& batch, const BatchOutput<R>& output) {

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// Registers the solid angle of a bilinear quad.
+#include "solid_angle.h"
+
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_form.h"
+#include "cageproof/adaptive_qmvc/quad/potentials/potential_form.h"
+#include "cageproof/core/evaluation.h"
+#include "line_rule.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace cageproof::adaptive_qmvc {
+namespace {
+
+// The value: of the two triangles that the point sees under the quad's own solid angle.
+template <Scalar R>
+R value_of(std::span<const Vec3<R>> corners, const Vec3<R>& point, bool other) {
+  static const Evaluation triangle = evaluation_named("triangle.solid_angle", "closed_form");
+  thread_local Result<R> part;
+  R sum = R(0);
+  for (int t = 0; t < 2; ++t) {
+    // 0 1 2 and 0 2 3, or 1 2 3 and 1 3 0.
+    const int first = other ? 1 : 0;
+    const std::array<Vec3<R>, 3> of{corners[first], corners[first + 1 + t], corners[(first + 2 + t) % 4]};
+    triangle(Query<R>{.corners = of, .point = point}, part);
+    sum += part.value[0];
+  }
+  return sum;
+}
+
+template <Scalar R>
+struct SolidAngle {
+  R value;
+  Vec3<R> gradient;
+  Eigen::Matrix<R, 3, 3> hessian;
+};
+
+// Around the sides. False where their parts are many times as large as their sum.
+template <Scalar R>
+bool derive_by_sides(const QuadFrame<R>& q, int order, SolidAngle<R>& result) {
+  using std::ldexp;
+  // Multiprecision has digits to spare.
+  constexpr double kCancel = std::same_as<R, double>  ? 16
+                             : std::same_as<R, Mp50>  ? 1e10
+                             : std::same_as<R, Mp100> ? 1e40
+                                                      : 1e90;
+  constexpr double digits = std::same_as<R, double>  ? 17
+                            : std::same_as<R, Mp50>  ? 48
+                            : std::same_as<R, Mp100> ? 98
+                                                     : 198;
+  const std::array<Vec3<R>, 4> sides{q.e, q.b1, Vec3<R>(-q.e1), Vec3<R>(-q.b)};
+  result.gradient.setZero();
+  result.hessian.setZero();
+  double gradients = 0, hessians = 0;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3<R>&start = q.seen[k], &end = q.seen[(k + 1) % 4];
+    Vec3<R> gradient = Vec3<R>::Zero();
+    Eigen::Matrix<R, 3, 3> hessian = Eigen::Matrix<R, 3, 3>::Zero();
+    const bool turned = end.dot(end) < start.dot(start);
+    add_side_to_solid_angle<R>(turned ? end : start, turned ? Vec3<R>(-sides[k]) : sides[k], order, digits, gradient,
+                               hessian);
+    gradients += static_cast<double>(R(gradient.cwiseAbs().sum()));
+    hessians += static_cast<double>(R(hessian.cwiseAbs().sum()));
+    result.gradient += turned ? Vec3<R>(-gradient) : gradient;
+    result.hessian += turned ? Eigen::Matrix<R, 3, 3>(-hessian) : hessian;
+  }
+  // What overflows keeps nothing.
+  const auto keeps = [](double terms, double sum) { return std::isfinite(terms) && terms <= kCancel * sum; };
+  const bool kept = keeps(gradients, static_cast<double>(R(result.gradient.cwiseAbs().sum()))) &&
+                    (order < 2 || keeps(hessians, static_cast<double>(R(result.hessian.cwiseAbs().sum()))));
+  result.gradient *= ldexp(R(q.unit.sign), -q.unit.exponent);
+  result.hessian *= ldexp(R(q.unit.sign), -2 * q.unit.exponent);
+  return kept;
+}
+
+// As 4 pi times the sum of the double layer's four numbers.
+template <Scalar R>
+void derive_by_lines(std::span<const Vec3<R>> corners, const Vec3<R>& point, int order, SolidAngle<R>& result,
+                     double digits = own_digits<R>()) {
+  const PotentialTask<R> task{Potential::DoubleLayer, order, digits, {R(1), R(1)}};
+  PotentialTensors<R> layers;
+  potential_form<R>(corners, point, task, layers);
+  const auto sum = [&](int o, int i) {
+    const int size = static_cast<int>(layers.of[o].size()) / 4;
+    return R(R(layers.of[o][i] + layers.of[o][size + i]) + R(layers.of[o][2 * size + i] + layers.of[o][3 * size + i]));
+  };
+  result.value = sum(0, 0);
+  for (int i = 0; order >= 1 && i < 3; ++i) result.gradient[i] = sum(1, i);
+  for (int i = 0; order >= 2 && i < 9; ++i) result.hessian(i / 3, i % 3) = sum(2, i);
+  if constexpr (std::same_as<R, double>) {
+    const bool finite = (order < 1 || result.gradient.allFinite()) && (order < 2 || result.hessian.allFinite());
+    if (finite) return;
+    // Corners may be infinite with different signs where their sum's sign is known.
+    std::array<Vec3<Mp100>, 4> wide_corners;
+    for (int k = 0; k < 4; ++k) wide_corners[k] = convert<Mp100>(corners[k]);
+    SolidAngle<Mp100> wide;
+    derive_by_lines<Mp100>(wide_corners, convert<Mp100>(point), order, wide, digits);
+    if (order >= 1) result.gradient = convert<double>(wide.gradient);
+    for (int i = 0; order >= 2 && i < 9; ++i)
+      result.hessian(i / 3, i % 3) = static_cast<double>(wide.hessian(i / 3, i % 3));
+  }
+}
+
+template <Scalar R>
+void solid_angle(std::span<const Vec3<R>> corners, const Vec3<R>& point, int order, SolidAngle<R>& result) {
+  const Exponents exponents = exponents_of(corners, point);
+  const auto q = quad_frame<R>(corners, point);
+  // On the quad limits from inside; where exponents are far apart the lines have the digits and the range.
+  if (!q || exponents.are_extreme() || exponents.are_distant() || place_on_quad<R>(corners, point)) {
+    derive_by_lines<R>(corners, point, order, result);
+    return;
+  }
+  using W = std::conditional_t<std::same_as<R, double>, double, Mp200>;
+  Quad<W> quad;
+  for (int k = 0; k < 4; ++k) quad[k] = convert<W>(corners[k]);
+  const SeenTriangles seen = seen_triangles(quad, convert<W>(point));
+  if (seen == SeenTriangles::Coplanar) {
+    derive_by_lines<R>(corners, point, order, result);
+    return;
+  }
+  result.value = value_of<R>(corners, point, seen == SeenTriangles::Diagonal13);
+  // Of a triangle without area.
+  const bool has_value = result.value - result.value == R(0);
+  if (has_value && (order == 0 || derive_by_sides<R>(*q, order, result))) return;
+  const R value = result.value;
+  derive_by_lines<R>(corners, point, order, result);
+  if (has_value) result.value = value;
+}
+
+/// \param digits of the lines' form, where it is asked for; else the recommended evaluation
+template <Scalar R>
+void batch_of(const Batch<R>& batch, std::optional<double> digits, const BatchOutput<R>& output) {
+  using W = std::conditional_t<std::same_as<R, float>, double, R>;
+  std::array<Vec3<W>, 4> corners;
+  for (int k = 0; k < 4; ++k) corners[k] = convert<W>(batch.corners[k]);
+  SolidAngle<W> result;
+  for (std::size_t p = 0; p < batch.points.size(); ++p) {
+    const Vec3<W> point = convert<W>(batch.points[p]);
+    if (digits) derive_by_lines<W>(corners, point, batch.order, result, *digits);
+    else solid_angle<W>(corners, point, batch.order, result);
+    const R value = static_cast<R>(result.value);
+    output.put(p, 0, {&value, 1});
+    output.state(p, {});
+    if (batch.order < 1) continue;
+    std::array<R, 9> numbers;
+    for (int i = 0; i < 3; ++i) numbers[i] = static_cast<R>(result.gradient[i]);
+    output.put(p, 1, {numbers.data(), 3});
+    if (batch.order < 2) continue;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) numbers[3 * i + j] = static_cast<R>(result.hessian(i, j));
+    output.put(p, 2, numbers);
+  }
+}
+
+void set_solid_angle(Evaluation& made, std::optional<double> digits) {
+  for (const ScalarKind kind : scalar_kinds)
+    with_scalar(kind, [&]<Scalar R>() {
+      made.set_batch<R>(
+          [digits](const Batch<R>& batch, const BatchOutput<R>& output) { batch_of<R>(batch, digits, output); });
+    });
+}
+
+const RegisterEvaluation closed_form{
+    single_family("quad.solid_angle", "closed_form",
+                  {.description = "two triangles, the diagonal by an exact predicate; derivatives around the sides",
+                   .role = Role::Recommended,
+                   .cost = CostClass::Direct,
+                   .substitutes = {"", "", "line-14"}},
+                  true, [](Evaluation& made) { set_solid_angle(made, std::nullopt); })};
+
+const RegisterEvaluation of_digits{
+    line_rule("quad.solid_angle", "4 pi times the double layer's line form to that many digits", &set_solid_angle)};
+
+}  // namespace
+}  // namespace cageproof::adaptive_qmvc
