@@ -74,7 +74,7 @@ class Scaling {
 std::vector<std::string> register_scaling_benchmarks() {
   constexpr int all_points = 16384;
   std::vector<std::string> names;
-  for (const char* name : {"green", "biharmonic", "somigliana", "mean_value", "quad_mean_value"}) {
+  for (const char* name : {"green", "biharmonic", "somigliana", "mean_value", "quad_mean_value", "quad_green"}) {
     const CoordinateKind& kind = coordinate_kind_named(name);
     std::vector<DeformedCage> cages{embedded_deformed_cage(kind.keeps_quads ? "cube" : "icosphere", all_points)};
     // Drawn towards the origin, which is inside: off the faces and not beyond them, as most points of a mesh are.

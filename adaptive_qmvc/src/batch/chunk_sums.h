@@ -4,7 +4,7 @@
 
 #include "geometry.h"
 #include "kernels.h"
-#include "plans.h"
+#include "points_by_plan.h"
 
 #include "cageproof/core/evaluation.h"
 
@@ -33,7 +33,6 @@ class ChunkSums {
 
  private:
   void take(std::span<const Vec3<double>> points);
-  void sort_by_plan(const FaceTables& face);
   void add_alone(std::size_t face, std::span<const Vec3<double>> points);
 
   const Geometry& geometry_;
@@ -42,7 +41,7 @@ class ChunkSums {
   const Plans& plans_;
   std::array<std::optional<Evaluation>, element_kinds.size()> evaluations_;
   std::vector<double> at_, sums_, distances_, whole_;
-  std::vector<int> plan_, order_, first_;  // of points, the points by plan, where each plan's begin
+  PointsByPlan sorted_;
   std::vector<int> left_;
   Chunk chunk_{};
   int points_ = 0;

@@ -22,7 +22,12 @@ QuadTable table_of(const std::array<Vec3<Mp50>, 4>& q, const std::array<int, 4>&
   put(t.e, e);
   put(t.b, b);
   put(t.w, w);
-  put(t.n, Mp50(sign) * e.cross(b));
+  const Vec3<Mp50> n = Mp50(sign) * e.cross(b);
+  put(t.n, n);
+  for (int i = 0; i < 3; ++i) {
+    t.n_high[i] = static_cast<float>(t.n[i]);
+    t.n_rest[i] = static_cast<double>(Mp50(n[i] - t.n_high[i]));
+  }
   put(t.n_u, n_u);
   put(t.n_v, Mp50(sign) * w.cross(b));
   t.twist = static_cast<double>(Mp50(b.dot(n_u)));

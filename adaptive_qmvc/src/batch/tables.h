@@ -10,6 +10,7 @@ namespace cageproof::adaptive_qmvc::batch {
 struct QuadTable {
   double origin[3], e[3], b[3], w[3];
   double n[3], n_u[3], n_v[3];
+  double n_high[3], n_rest[3];  ///< n to twice the digits, the first of which have 24 bits
   double twist;
   int vertex[4];
 };
@@ -23,7 +24,7 @@ struct EdgeTable {
 /// Lines of a quad, at most.
 inline constexpr int kMostLines = 128;
 
-/// A Gauss-Legendre rule on [0, 1].
+/// A Gauss-Legendre rule on [0, 1]. Its arrays are longer by the widest vector, with zeros.
 struct Rule {
   int count;  ///< even along lines
   const double* node;
@@ -47,6 +48,33 @@ struct Pairs {
   int count;
 };
 
+/// Points that see a quad by the same rules, and where the integrals of Phi_k N.x/r^3 and Phi_k/r go, k = 0 .. 3:
+/// those of point p are added to double_layer[vertex[k] * stride + p] and stored in single_layer[4 p + corner[k]].
+struct LayerPairs {
+  Pairs pairs;
+  double* double_layer;
+  double* single_layer;
+  const int* corner;
+  bool close;  ///< Plan::close
+};
+
+/// A quad about the point (u0, v0) of it: xi - eta = a + t e + s b + s t w at (u0 + t, v0 + s). a x e along the line at
+/// s is c0 + s c1 + s^2 c2, and N.x = g00 + s g01 + t (g10 + s g11).
+struct NearQuad {
+  double u0, v0;
+  double a[3], e[3], b[3], w[3];
+  double c0[3], c1[3], c2[3];
+  double g00, g01, g10, g11;
+};
+
+/// Lines of one quad, at steps s, whose count every vector's width divides.
+struct NearLines {
+  const NearQuad* quad;
+  int count;
+  const double* step;
+  const double* weight;
+};
+
 /// The functions of one instruction set.
 struct Kernels {
   const char* name;
@@ -56,6 +84,10 @@ struct Kernels {
   void (*add)(const Pairs&);
   /// Divides the sums of `vertices` columns by all of them together, which are stored.
   void (*normalise)(const Chunk&, int vertices, double* whole);
+  /// Adds the layers of one quad for points that see it from afar.
+  void (*add_layers)(const LayerPairs&);
+  /// Adds the layers of one quad at one point: four numbers of Phi_k N.x/r^3, then four of Phi_k/r.
+  void (*add_near_layers)(const NearLines&, double* to);
 };
 
 }  // namespace cageproof::adaptive_qmvc::batch

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Green coordinates of cages whose quads stay bilinear surfaces, many points at a time.
+#include "layer_sums.h"
+
+#include "cageproof/core/coordinate_tables.h"
+#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/whole_evaluation.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace cageproof::adaptive_qmvc::batch {
+namespace {
+
+constexpr std::string_view kLayersName = "batched";
+
+// Cages beyond this unit, or below one over it, are left to sums: powers of it leave double's range.
+constexpr int kLargestUnit = 240;
+
+// Points whose coordinates are stored together, and sets of data that are multiplied with them together.
+constexpr std::size_t kTile = 8, kGroup = 4;
+using SetGroup = double __attribute__((vector_size(kGroup * sizeof(double))));
+
+class BatchedQuadLayers final : public PreparedCoordinates {
+ public:
+  BatchedQuadLayers(std::shared_ptr<const CageElements> elements, std::shared_ptr<const PreparedCoordinates> summed)
+      : elements_(std::move(elements)), summed_(std::move(summed)), geometry_(*elements_) {
+    if (geometry_.is_sound() && std::abs(geometry_.exponent()) <= kLargestUnit) tables_.emplace(geometry_, *elements_);
+  }
+
+  const std::vector<CoordinateBlock>& blocks() const override { return summed_->blocks(); }
+  int max_order() const override { return summed_->max_order(); }
+  std::string evaluation() const override { return std::string(kLayersName); }
+  bool is_exact_in(ScalarKind scalar) const override { return summed_->is_exact_in(scalar); }
+
+  bool overwrites() const override { return true; }
+  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
+    compute_in_double(points, tables, [&](auto wide, auto in_double) { fill(wide, order, in_double); });
+  }
+  void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
+    if (!computes(order)) {
+      for (CoordinateTable<double>& table : tables)
+        for (std::vector<double>& tensor : table.tensors) std::ranges::fill(tensor, 0.0);
+      return summed_->fill(points, order, tables);
+    }
+    over_points(
+        points,
+        [&](std::size_t p, std::size_t count, const double* row) {
+          // Row by row: tables are written to memory.
+          for (std::size_t i = 0; i < count; ++i)
+            for (CoordinateTable<double>& table : tables) {
+              const std::size_t size = table.stride[0];
+              std::copy_n(row, size, table.tensors[0].data() + (p + i) * size);
+              row += size;
+            }
+        },
+        [&](std::size_t p, const std::vector<CoordinateTable<double>>& own) {
+          for (std::size_t b = 0; b < own.size(); ++b)
+            std::ranges::copy(own[b].tensors[0],
+                              tables[b].tensors[0].begin() + static_cast<std::ptrdiff_t>(p * tables[b].stride[0]));
+        });
+  }
+  void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
+    summed_->fill(points, order, tables);
+  }
+  void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const override {
+    summed_->fill(points, order, tables);
+  }
+
+  bool apply(std::span<const Vec3<double>> points, int order, const CageData& data,
+             AppliedTable& table) const override {
+    if (!computes(order)) return false;
+    const std::size_t vertices = blocks()[0].size, numbers = vertices + blocks()[1].size;
+    // By fours, [group][number][4], of both blocks together.
+    const std::size_t groups = (data.sets + kGroup - 1) / kGroup;
+    std::vector<SetGroup> from(groups * numbers, SetGroup{});
+    for (std::size_t i = 0; i < numbers; ++i)
+      for (int set = 0; set < data.sets; ++set)
+        from[set / kGroup * numbers + i][set % kGroup] =
+            i < vertices ? data.blocks[0][i * data.sets + set] : data.blocks[1][(i - vertices) * data.sets + set];
+    over_points(
+        points,
+        [&](std::size_t p, std::size_t count, const double* row) {
+          for (std::size_t i = 0; i < count; ++i, row += numbers)
+            for (std::size_t g = 0; g < groups; ++g) {
+              SetGroup sum{};
+              for (std::size_t n = 0; n < numbers; ++n) sum += row[n] * from[g * numbers + n];
+              double* const to = table.tensors[0].data() + (p + i) * table.stride[0] + g * kGroup;
+              for (std::size_t set = 0; set < std::min(kGroup, data.sets - g * kGroup); ++set) to[set] = sum[set];
+            }
+        },
+        [&](std::size_t p, const std::vector<CoordinateTable<double>>& own) {
+          const auto to = std::span(table.tensors[0]).subspan(p * table.stride[0], table.stride[0]);
+          std::ranges::fill(to, 0.0);
+          for (std::size_t b = 0; b < own.size(); ++b)
+            add_products(own[b].tensors[0], blocks()[b], data.blocks[b], data.sets, 1, to);
+        });
+    return true;
+  }
+
+  bool fill_limits(std::span<const Touching> places, int order,
+                   std::span<CoordinateTable<double>> tables) const override {
+    return summed_->fill_limits(places, order, tables);
+  }
+  bool fill_limits(std::span<const Touching> places, int order,
+                   std::span<CoordinateTable<Mp50>> tables) const override {
+    return summed_->fill_limits(places, order, tables);
+  }
+  bool fill_terms(std::span<const Vec3<double>> points, int order,
+                  std::span<CoordinateTable<double>> tables) const override {
+    return summed_->fill_terms(points, order, tables);
+  }
+
+ private:
+  bool computes(int order) const { return tables_.has_value() && order == 0; }
+
+  // put: (first point, points, their rows: the first block, then the other). alone: (point, its tables), of what sums
+  // leave out, which replaces what was put.
+  template <class Put, class Alone>
+  void over_points(std::span<const Vec3<double>> points, Put put, Alone alone) const {
+    const std::size_t size = LayerSums::chunk_size(geometry_), count = (points.size() + size - 1) / size;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
+      LayerSums sums(geometry_, *elements_, *tables_);
+      const std::size_t numbers = blocks()[0].size + blocks()[1].size;
+      std::vector<double> rows(kTile * numbers);
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        const std::size_t first = i * size;
+        const auto here = points.subspan(first, std::min(size, points.size() - first));
+        sums.run(here);
+        for (std::size_t p = 0; p < here.size(); p += kTile) {
+          const std::size_t tile = std::min(kTile, here.size() - p);
+          sums.put(p, tile, {rows.data(), numbers}, {rows.data() + blocks()[0].size, numbers});
+          put(first + p, tile, rows.data());
+        }
+        for (const int p : sums.left()) {
+          auto tables = zero_tables<double>(blocks(), 3, 1, 0);
+          summed_->fill(here.subspan(p, 1), 0, tables);
+          alone(first + p, tables);
+        }
+      }
+    });
+  }
+
+  std::shared_ptr<const CageElements> elements_;
+  std::shared_ptr<const PreparedCoordinates> summed_;
+  Geometry geometry_;
+  std::optional<LayerTables> tables_;  // nothing where double's range does not hold them
+};
+
+// Kinds of one double layer a vertex and one single layer a normal.
+bool is_quad_green(const CoordinateKind& kind) {
+  return kind.is_sum() && kind.keeps_quads && !kind.normalised && kind.blocks.size() == 2 &&
+         kind.blocks[0].kernel == "double_layer" && kind.blocks[1].kernel == "single_layer" &&
+         kind.blocks[1].one_a_normal;
+}
+
+const RegisterWholeEvaluation registered_layers{
+    {.name = kLayersName,
+     .description = "lines of all quads for vectors of points that see them alike; one by one next to a quad",
+     .exists = [](const CoordinateKind& kind,
+                  const Cage& cage) { return cage.dimension() == 3 && is_quad_green(kind); },
+     .prepare = [](const CoordinateKind&, std::shared_ptr<const CageElements> elements, const CoordinateOptions&,
+                   std::shared_ptr<const PreparedCoordinates> summed) -> std::shared_ptr<const PreparedCoordinates> {
+       return std::make_shared<BatchedQuadLayers>(std::move(elements), std::move(summed));
+     }}};
+
+}  // namespace
+}  // namespace cageproof::adaptive_qmvc::batch

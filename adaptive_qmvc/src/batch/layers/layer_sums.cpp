@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "layer_sums.h"
+
+#include "../chunk_size.h"
+
+#include "cageproof/core/scalar.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::adaptive_qmvc::batch {
+namespace {
+
+// Cubes of distances beyond 2^300 sizes leave double's range.
+constexpr double kFarthest = 0x1p300;
+
+// Corners of a quad, and of the same one turned (FaceTables).
+constexpr std::array<std::array<int, 4>, 2> kCorners{{{0, 1, 2, 3}, {0, 3, 2, 1}}};
+
+}  // namespace
+
+LayerTables::LayerTables(const Geometry& geometry, const CageElements& elements) {
+  const double layer = 1 / (4 * pi<double>());
+  for (std::size_t f = 0; f < elements.count(); ++f) {
+    const std::span<const int> normals = elements.shares_of(f, Owner::Normal);
+    first.push_back(normals[0]);
+    is_quad.push_back(elements.type(f).kind == ElementKind::Quad ? 1 : 0);
+    const auto& n = geometry.faces()[f].along.n;
+    area.push_back(std::hypot(n[0], n[1], n[2]));
+    // Lengths to the power -1, times areas.
+    if (is_quad[f] != 0)
+      for (const int normal : normals)
+        factor.push_back(std::ldexp(elements.area_element_of(normal, Owner::Normal) * layer, -geometry.exponent()));
+    else factor.push_back(std::ldexp(area[f] * layer, geometry.exponent()));
+  }
+}
+
+std::size_t LayerSums::chunk_size(const Geometry& geometry) {
+  return points_a_chunk(static_cast<std::size_t>(geometry.vertices()) + 4 * geometry.faces().size());
+}
+
+LayerSums::LayerSums(const Geometry& geometry, const CageElements& elements, const LayerTables& tables,
+                     const Kernels& with)
+    : geometry_(geometry),
+      elements_(elements),
+      tables_(tables),
+      kernels_(with),
+      plans_(Plans::of_layers()),
+      sorted_(plans_),
+      near_(with) {
+  for (std::size_t f = 0; f < elements.count(); ++f) {
+    const ElementKind kind = elements.type(f).kind;
+    auto& evaluations = evaluations_[static_cast<std::size_t>(kind)];
+    if (evaluations.empty())
+      for (const std::string_view kernel : {"double_layer", "single_layer"})
+        evaluations.push_back(
+            *EvaluationRegister::instance().with_role(find_formula(kind, kernel)->name, Role::Recommended));
+    auto& scaled = corner_.emplace_back();
+    const std::vector<Vec3<double>> corners = elements.corners(f);
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      for (int i = 0; i < 3; ++i) scaled[k][i] = std::ldexp(corners[k][i], -geometry.exponent());
+  }
+}
+
+void LayerSums::take(std::span<const Vec3<double>> points) {
+  points_ = static_cast<int>(points.size());
+  const std::size_t stride = padded(points.size());
+  at_.resize(3 * stride);
+  double_layer_.assign(stride * geometry_.vertices(), 0.0);
+  single_layer_.resize(4 * stride * geometry_.faces().size());
+  distances_.resize(stride * geometry_.edges().size());
+  is_left_.assign(points.size(), 0);
+  chunk_ = {static_cast<int>(stride), at_.data(), nullptr};
+  for (std::size_t p = 0; p < stride; ++p) {
+    // A chunk that is not full goes on with its last point.
+    const Vec3<double>& point = points[std::min(p, points.size() - 1)];
+    for (int i = 0; i < 3; ++i) at_[i * stride + p] = std::ldexp(point[i], -geometry_.exponent());
+  }
+  for (int p = 0; p < points_; ++p)
+    for (int i = 0; i < 3; ++i)
+      if (!(std::abs(at_[i * stride + p]) < kFarthest)) is_left_[p] = 1;
+}
+
+void LayerSums::add_from_afar(std::size_t f) {
+  const FaceTables& face = geometry_.faces()[f];
+  for (int i = 0; i < plans_.count(); ++i) {
+    const std::span<const int> alike = sorted_.by(i);
+    if (alike.empty()) continue;
+    const Plan& plan = plans_[i];
+    const QuadTable& quad = plan.turned ? face.turned : face.along;
+    kernels_.add_layers({{&chunk_, &quad, plan.across, plan.along, alike.data(), static_cast<int>(alike.size())},
+                         double_layer_.data(),
+                         single_layer_.data() + 4 * f * chunk_.stride,
+                         kCorners[plan.turned ? 1 : 0].data(),
+                         plan.close});
+  }
+}
+
+// In the geometry's unit. False on the face, and where a number is not finite.
+bool LayerSums::add_by_evaluations(std::size_t f, const Vec3<double>& point, QuadLayers& layers) const {
+  const ElementType& type = elements_.type(f);
+  const std::span<const Vec3<double>> corners = std::span(corner_[f]).first(elements_.vertices_of(f).size());
+  if (type.contact(corners, point).contact != Contact::Off) return false;
+  const std::vector<Evaluation>& evaluations = evaluations_[static_cast<std::size_t>(type.kind)];
+  std::array<const Evaluation*, 2> members{&evaluations[0], &evaluations[1]};
+  std::array<double, 4> twofold{}, single{};
+  std::array<BatchOutput<double>, 2> outputs{BatchOutput<double>{.tensors = {twofold.data(), nullptr, nullptr}},
+                                             BatchOutput<double>{.tensors = {single.data(), nullptr, nullptr}}};
+  Evaluation::together<double>(members, Batch<double>{corners, std::span(&point, 1), 0, {}}, outputs);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    layers.twofold[k] += 4 * pi<double>() * twofold[k];
+    layers.single[k] += 4 * pi<double>() * single[k];
+  }
+  const auto is_finite = [](double x) { return std::isfinite(x); };
+  return std::ranges::all_of(twofold, is_finite) && std::ranges::all_of(single, is_finite);
+}
+
+void LayerSums::add_alone(std::size_t f, int p) {
+  const std::size_t stride = chunk_.stride;
+  const Vec3<double> point(at_[p], at_[stride + p], at_[2 * stride + p]);
+  QuadLayers layers;
+  const auto reach = tables_.is_quad[f] != 0 ? near_.add(corner_[f], point, layers) : NearQuadLayers::Reach::Nearer;
+  if (reach == NearQuadLayers::Reach::Touching ||
+      (reach == NearQuadLayers::Reach::Nearer && !add_by_evaluations(f, point, layers))) {
+    is_left_[p] = 1;
+    return;
+  }
+  const std::span<const int> vertices = elements_.vertices_of(f);
+  for (std::size_t k = 0; k < vertices.size(); ++k) double_layer_[vertices[k] * stride + p] += layers.twofold[k];
+  // The formula of triangles has the area element.
+  if (tables_.is_quad[f] == 0) layers.single = {layers.single[0] / tables_.area[f]};
+  std::ranges::copy(layers.single, single_layer_.data() + 4 * (f * stride + p));
+}
+
+void LayerSums::put(std::size_t first, std::size_t count, Rows double_layer, Rows single_layer) const {
+  const std::size_t stride = chunk_.stride;
+  // Points are the inner loops: each column is on a page of its own.
+  for (int v = 0; v < geometry_.vertices(); ++v) {
+    const double* const from = double_layer_.data() + v * stride + first;
+    for (std::size_t p = 0; p < count; ++p)
+      double_layer.first[p * double_layer.stride + v] = from[p] * (1 / (4 * pi<double>()));
+  }
+  for (std::size_t f = 0; f < tables_.first.size(); ++f) {
+    const double* const from = single_layer_.data() + 4 * (f * stride + first);
+    const double* const factor = tables_.factor.data() + tables_.first[f];
+    double* const to = single_layer.first + tables_.first[f];
+    // A triangle's area element is linear, and zero on the side without length (QuadTable): of both corners off it.
+    if (tables_.is_quad[f] == 0)
+      for (std::size_t p = 0; p < count; ++p) to[p * single_layer.stride] = (from[4 * p] + from[4 * p + 1]) * factor[0];
+    else
+      for (std::size_t p = 0; p < count; ++p)
+        for (int k = 0; k < 4; ++k) to[p * single_layer.stride + k] = from[4 * p + k] * factor[k];
+  }
+}
+
+void LayerSums::run(std::span<const Vec3<double>> points) {
+  take(points);
+  const std::vector<EdgeTable>& edges = geometry_.edges();
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    kernels_.distances(chunk_, edges[e], distances_.data() + e * chunk_.stride);
+  for (std::size_t f = 0; f < geometry_.faces().size(); ++f) {
+    sorted_.sort(geometry_.faces()[f], distances_.data(), chunk_.stride, points_);
+    add_from_afar(f);
+    for (const int p : sorted_.by(plans_.none()))
+      if (is_left_[p] == 0) add_alone(f, p);
+  }
+  left_.clear();
+  for (int p = 0; p < points_; ++p)
+    if (is_left_[p] != 0) left_.push_back(p);
+}
+
+}  // namespace cageproof::adaptive_qmvc::batch
