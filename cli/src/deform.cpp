@@ -32,16 +32,25 @@ struct Chosen {
   std::vector<std::string_view> varied;         ///< that these differ in
 };
 
+// Of methods that take posed cages.
+const DeformMethod& method_of(const DeformArguments& a) {
+  const DeformMethod& named = deform_method_named(a.method);
+  return a.keep_quads ? keeping_quads(named) : named;
+}
+
 Chosen chosen_by(const DeformArguments& a) {
   Chosen chosen{a.method, find_constraint_method(a.method), {}, {}, {}};
-  chosen.known = chosen.constrained ? chosen.constrained->parameters : parameters_of(deform_method_named(a.method));
+  if (a.keep_quads && chosen.constrained)
+    throw InputError(fmt::format("--keep-quads: {} has no form on bilinear quads", a.method));
+  if (!chosen.constrained) chosen.name = method_of(a).name;
+  chosen.known = chosen.constrained ? chosen.constrained->parameters : parameters_of(method_of(a));
   if (chosen.constrained) chosen.parameters = {parameters_from(a.parameters, chosen.known, a.method)};
   else chosen.parameters = parameter_sets_from(a.parameters, chosen.known, a.method);
   for (std::size_t i = 0; i < chosen.known.size(); ++i)
     if (std::ranges::any_of(chosen.parameters, [&](const auto& set) { return set[i] != chosen.parameters[0][i]; }))
       chosen.varied.push_back(chosen.known[i].name);
   for (const std::string_view name : chosen.varied)
-    if (decides_coordinates(deform_method_named(a.method), name))
+    if (decides_coordinates(method_of(a), name))
       throw InputError(
           fmt::format("--parameter {}: decides the coordinates of {}, and takes one value", name, a.method));
   if (chosen.constrained ? a.constraints.empty() : a.posed.empty())
@@ -57,7 +66,7 @@ Posing posing_by(const DeformArguments& a, const Chosen& chosen, const Cage& cag
   DeformOptions options{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(),
                         chosen.parameters.front(), chosen.varied};
   if (!chosen.constrained)
-    return posed_by_cages(deform_method_named(a.method), cage, std::move(options), chosen.parameters, a.posed, a.data);
+    return posed_by_cages(method_of(a), cage, std::move(options), chosen.parameters, a.posed, a.data);
   return posed_by_constraints(*chosen.constrained, cage, options, a.constraints, [](int step, double energy) {
     fmt::print(stderr, "step {}: energy {:.6g}\n", step, energy);
   });
@@ -79,7 +88,7 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
     json["parameters"][std::string(chosen.known[i].name)] = value_json(chosen.known[i], map.parameters[i]);
   json["evaluation"] = coordinates.evaluation();
   json["cage"] = a.cage.file;
-  json["triangulation"] = a.cage.triangulate;
+  json["triangulation"] = coordinates.kind().keeps_quads ? "none" : a.cage.triangulate;
   json[chosen.constrained ? "constraints" : "posed_cage"] = map.file;
   for (auto [option, file] : given_data(a)) {
     std::ranges::replace(option, '-', '_');
@@ -172,7 +181,7 @@ void add_deform(CommandLine& line) {
   command
       .option("--normal-derivatives", a->data.normal_derivatives,
               "text, three numbers a line, for polygons two, a line a triangle or segment (neumann=affine: a line a "
-              "corner of each): normal derivatives in place of posed normals")
+              "corner of each), of kept quads a line a corner: normal derivatives in place of posed normals")
       .taking("FILE");
   command.option("--laplacians", a->data.laplacians, "the same, a line a vertex: densities of biharmonic_direct")
       .taking("FILE");
@@ -184,6 +193,9 @@ void add_deform(CommandLine& line) {
       .taking("FILE")
       .required();
   command.option("--method", a->method, names_of_methods()).taking("METHOD").required();
+  command.flag("--keep-quads", a->keep_quads,
+               "quads stay bilinear surfaces: --method green is quad_green then, and so are mean_value, biharmonic_1_3 "
+               "and somigliana");
   command
       .option("--parameter", a->parameters,
               "the method's, NAME=VALUE, or several values for as many maps, NAME=VALUE,VALUE; `list` names them")

@@ -16,6 +16,7 @@ struct DeformArguments {
   std::vector<std::string> posed, parameters;
   DataFiles data;
   int order = 0, jobs = 0;
+  bool keep_quads = false;  ///< in place of the method, the one that does the same on quads
 };
 
 inline constexpr std::string_view deformation_schema = "cageproof-deformation";

@@ -31,14 +31,13 @@ Pose<double> pose_with(const DataFiles& files, const DeformMethod& method, int d
 
 // As many rows as the cage has of what they belong to, in a message that names their file.
 void check_rows(const DataFiles& files, const Pose<double>& pose, const CageCoordinates& coordinates) {
-  const auto check = [&](const std::string& file, std::size_t rows, Owner owner, const char* of) {
+  const auto check = [&](const std::string& file, std::size_t rows, Owner owner, std::string_view of) {
     const std::size_t wanted = coordinates.elements().count(owner);
     if (!file.empty() && rows != wanted)
       throw InputError(fmt::format("{}: {} rows, the cage has {} {}", file, rows, wanted, of));
   };
   const Owner normals = normals_owner(coordinates);
-  const bool affine = normals == Owner::Corner;
-  check(files.normal_derivatives, pose.normal_derivatives.size(), normals, affine ? "corners of elements" : "elements");
+  check(files.normal_derivatives, pose.normal_derivatives.size(), normals, plural_of(normals));
   check(files.laplacians, pose.laplacians.size(), Owner::Vertex, "vertices");
   check(files.laplacian_derivatives, pose.laplacian_derivatives.size(), Owner::Element, "elements");
 }

@@ -137,6 +137,33 @@ refuses biharmonic_1_3 --laplacians -- "${common[@]}" --method biharmonic_1_3 --
 refuses green --laplacian-derivatives -- "${common[@]}" --method green --laplacian-derivatives normals.txt --out out.obj
 refuses ones.txt '8 rows' '12 elements' -- "${common[@]}" --method green --normal-derivatives ones.txt --out out.obj
 
+# Quads that are kept: under the name of the triangulated method or their own, with a normal a corner.
+sed 's/^v 1 1 1$/v 1.5 1 1.25/' large.obj >twisted.obj
+kept=(--cage cube --posed twisted.obj --points mesh.obj)
+for method in green biharmonic_1_3 somigliana mean_value; do
+  "$cageproof" deform "${kept[@]}" --method $method --keep-quads --out kept.csv || fail "$method on quads"
+  grep -q "\"method\": \"quad_$method\"" kept.json || fail "$method on quads by another name: $(cat kept.json)"
+  grep -q '"triangulation": "none"' kept.json || fail "triangulated: $(cat kept.json)"
+  "$cageproof" deform "${kept[@]}" --method quad_$method --out named.csv && cmp -s kept.csv named.csv || fail "quad_$method is another"
+  "$cageproof" deform "${kept[@]}" --method quad_$method --triangulate fan --out named.csv && cmp -s kept.csv named.csv || fail "quad_$method has diagonals"
+  "$cageproof" deform "${kept[@]}" --method $method --out named.csv && cmp -s kept.csv named.csv && fail "$method is not triangulated"
+  "$cageproof" deform "${common[@]}" --method $method --keep-quads $([ $method = biharmonic_1_3 ] && echo --parameter normals=rms) --out kept.csv || fail "$method on quads, twice as large"
+  awk -F, 'NR == 2 {d = ($1 - 0.5) ^ 2 + ($2 - 0.25) ^ 2 + $3 ^ 2; exit !(d < 1e-26)}' kept.csv || fail "$method, not twice as large: $(cat kept.csv)"
+done
+for n in '0 0 -1.5' '0 0 1.5' '0 -0.5 0' '0 0.5 0' '-0.5 0 0' '0.5 0 0'; do yes -- "$n" | head -n 4; done >corner_normals.txt
+awk '$1 == "v" {print $1, $2 / 4, $3 / 4, $4 * 0.75}' large.obj >low.obj
+"$cageproof" deform --cage cube --posed low.obj --points mesh.obj --method green --keep-quads --normal-derivatives corner_normals.txt --out kept.csv || fail "normals of corners"
+awk -F, 'NR == 5 {d = ($1 - 0.125) ^ 2 + ($2 - 0.125) ^ 2 + ($3 - 0.1875) ^ 2; exit !(d < 1e-26)}' kept.csv || fail "quads are not stretched: $(cat kept.csv)"
+refuses corner_normals.txt '24 rows' '12 elements' -- --cage cube --posed low.obj --points mesh.obj --method green --normal-derivatives corner_normals.txt --out kept.csv
+refuses normals.txt '12 rows' '24 corners of quads, and triangles' -- "${kept[@]}" --method green --keep-quads --normal-derivatives normals.txt --out kept.csv
+refuses tp 'bilinear quads' 'biharmonic_1_3, green, mean_value, somigliana' -- "${kept[@]}" --method tp --keep-quads --out kept.csv
+refuses --keep-quads variational -- --cage cube --constraints large.obj --points mesh.obj --method variational --keep-quads --out kept.csv
+refuses square 'polygons have no quads' -- --cage square --posed square --points points.csv --method green --keep-quads --out kept.csv
+sed 's/^v 1 \(.*\)$/v -1 \1/' large.obj >flat.obj
+refuses flat.obj 'the posed quad 0 ' 'has no area' -- --cage cube --posed flat.obj --points mesh.obj --method green --keep-quads --out kept.csv
+"$cageproof" list --json | tr -d ' \n' | grep -q '"name":"quad_green","source":"[^"]*","keeps":"[^"]*","coordinates":"quad_green","keeps_quads":true' || fail "the catalogue does not say that quads are kept"
+"$cageproof" list --json | tr -d ' \n' | grep -q '"coordinates":"green","keeps_quads":false' || fail "the catalogue does not say that quads are split"
+
 # By constraints, without a posed cage: everything turned by a quarter about z.
 cat >turned.json <<'JSON'
 {"schema": "cageproof-constraints", "schema_version": 1,

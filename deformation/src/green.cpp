@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The deformer of Green coordinates (Lipman et al. 2008): f = phi V' + psi N', N' the posed normals, stretched.
+// The deformer of Green coordinates (Lipman et al. 2008): f = phi V' + psi N', N' the posed normals, stretched. On
+// quads that are kept there is one a corner.
 #include "linear_posed.h"
+#include "kept_quads.h"
 #include "posed_orientation.h"
 
 #include "cageproof/deformation/stretch.h"
@@ -20,7 +22,7 @@ class Green final : public Deformer<R> {
 
   const CageCoordinates& coordinates() const override { return coordinates_; }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
-    check_pose(coordinates_.elements(), pose);
+    check_pose(coordinates_.elements(), pose, normals_owner(coordinates_));
     const int d = coordinates_.dimension();
     const auto normals = pose.normal_derivatives.empty()
                              ? stretched_normals(stretch_, coordinates_.elements(), pose.vertices)
@@ -36,24 +38,30 @@ class Green final : public Deformer<R> {
   Stretch stretch_;
 };
 
-template <Scalar R>
+std::string_view kind_of_green(bool keeps_quads) { return keeps_quads ? "quad_green" : "green"; }
+
+template <Scalar R, bool KeepsQuads>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
-  return std::make_shared<Green<R>>(CageCoordinates(cage, coordinate_kind_named("green"),
+  return std::make_shared<Green<R>>(CageCoordinates(cage, coordinate_kind_named(kind_of_green(KeepsQuads)),
                                                     CoordinateOptions{options.evaluation, options.triangulation, {}}),
                                     options.parameters);
 }
 
-const RegisterDeformMethod green{
-    {.name = "green",
-     .source = "Lipman, Levin, Cohen-Or 2008; [T24] Section 2",
-     .keeps = "similarities (stretch=unit: rigid maps)",
-     .kind = "green",
-     .parameters = {{{.name = "stretch", .preset = 0, .lowest = -1, .highest = 4, .whole = true},
-                     "of the posed normals",
-                     stretch_names()}},
-     .takes_normal_derivatives = true,
-     .prepare = prepare<double>,
-     .prepare_in_50_digits = prepare<Mp50>}};
+template <bool KeepsQuads>
+DeformMethod method_of_green() {
+  return {.name = kind_of_green(KeepsQuads),
+          .source = KeepsQuads ? "Thiery, Boubekeur 2022" : "Lipman, Levin, Cohen-Or 2008; [T24] Section 2",
+          .keeps = KeepsQuads ? "similarities (stretch=unit, product: rigid maps)"
+                              : "similarities (stretch=unit: rigid maps)",
+          .kind = kind_of_green(KeepsQuads),
+          .parameters = {stretch_parameter("stretch", "of the posed normals", Stretch::Rms, KeepsQuads)},
+          .takes_normal_derivatives = true,
+          .refuses = KeepsQuads ? why_quads_are_refused : nullptr,
+          .prepare = prepare<double, KeepsQuads>,
+          .prepare_in_50_digits = prepare<Mp50, KeepsQuads>};
+}
+
+const RegisterDeformMethod green{method_of_green<false>()}, quad_green{method_of_green<true>()};
 
 }  // namespace
 }  // namespace cageproof::deformation

@@ -5,6 +5,7 @@
 #include "cageproof/core/unknown_name.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -50,6 +51,19 @@ const DeformMethod& deform_method_named(std::string_view name) {
     throw unknown_single_name("deformer", name, names);
   }
   return *found;
+}
+
+const DeformMethod& keeping_quads(const DeformMethod& method) {
+  if (coordinate_kind_named(method.kind).keeps_quads) return method;
+  constexpr std::string_view prefix = "quad_";
+  std::vector<std::string_view> others;
+  for (const DeformMethod& other : known()) {
+    if (!other.name.starts_with(prefix)) continue;
+    others.push_back(other.name.substr(prefix.size()));
+    if (others.back() == method.name) return other;
+  }
+  throw InputError(fmt::format("{}: there is no such deformer of bilinear quads; there is of {}", method.name,
+                               fmt::join(others, ", ")));
 }
 
 std::vector<KindParameter> parameters_of(const DeformMethod& method) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/deformation/stretch.h"
 
+#include "quad_normals.h"
+
 #include "cageproof/core/input_error.h"
 
 #include <fmt/format.h>
@@ -22,20 +24,21 @@ R length_of(const Vec3<R>& v) {
   return largest * R(sqrt(R(scaled.dot(scaled))));
 }
 
-// The edges from the first corner: one of a segment, two of a triangle.
 template <Scalar R, class Vertices>
-std::array<Vec3<R>, 2> edges_of(const CageElements& rest, const Vertices& vertices, std::size_t element) {
+std::array<Vec3<R>, 2> tangents(const CageElements& rest, const Vertices& vertices, std::size_t element, int corner) {
   const auto corners = rest.vertices_of(element);
-  const Vec3<R> first = convert<R>(vertices[corners[0]]);
-  return {convert<R>(vertices[corners[1]]) - first,
-          corners.size() > 2 ? Vec3<R>(convert<R>(vertices[corners[2]]) - first) : Vec3<R>(R(0), R(0), R(1))};
+  const auto at = [&](int k) { return convert<R>(vertices[corners[k]]); };
+  if (corners.size() == 4) {
+    const Quad<R> q{at(corner), at((corner + 1) % 4), at((corner + 2) % 4), at((corner + 3) % 4)};
+    return {Vec3<R>((2 * (q[1] - q[0]) + (q[2] - q[3])) / R(3)), Vec3<R>((2 * (q[3] - q[0]) + (q[2] - q[1])) / R(3))};
+  }
+  return {at(1) - at(0), corners.size() > 2 ? Vec3<R>(at(2) - at(0)) : Vec3<R>(R(0), R(0), R(1))};
 }
 
-// Outward, as long as the segment, or as twice the triangle's area; of edges over their largest number, so that nothing
-// leaves the range.
+// Outward, of no particular length; of tangents over their largest number, so that nothing leaves the range.
 template <Scalar R>
-Vec3<R> extent(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element) {
-  auto [u, v] = edges_of<R>(rest, vertices, element);
+Vec3<R> extent(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element, int corner) {
+  auto [u, v] = tangents<R>(rest, vertices, element, corner);
   const R of_u = u.cwiseAbs().maxCoeff(), of_v = v.cwiseAbs().maxCoeff();
   if (!(of_u > 0) || !(of_v > 0)) return Vec3<R>::Zero();
   u /= of_u;
@@ -63,6 +66,11 @@ const std::vector<std::string_view>& stretch_names() {
   return names;
 }
 
+const std::vector<std::string_view>& quad_stretch_names() {
+  static const std::vector<std::string_view> names{"rms", "mean", "area", "unit", "product"};
+  return names;
+}
+
 template <Scalar R>
 std::vector<Vec3<R>> vertices_in(const CageElements& rest) {
   std::vector<Vec3<R>> found;
@@ -74,6 +82,11 @@ std::vector<Vec3<R>> vertices_in(const CageElements& rest) {
 Owner normals_owner(const CageCoordinates& coordinates) {
   const auto found = std::ranges::find(coordinates.blocks(), Reproduces::Normals, &CoordinateBlock::reproduces);
   return found == coordinates.blocks().end() ? Owner::Element : found->owner;
+}
+
+std::string_view plural_of(Owner normals) {
+  if (normals == Owner::Corner) return "corners of elements";
+  return normals == Owner::Normal ? "corners of quads, and triangles" : "elements";
 }
 
 template <Scalar R>
@@ -92,57 +105,72 @@ void check_pose(const CageElements& rest, const Pose<R>& pose, Owner normals_of)
     for (std::size_t i = 0; i < rows.size(); ++i)
       if (!is_finite(rows[i])) throw InputError(fmt::format("row {} of the {} is not finite", i, what));
   };
-  check(normals, rest.count(normals_of), "normal derivatives",
-        normals_of == Owner::Corner ? "corners of elements" : "elements");
+  check(normals, rest.count(normals_of), "normal derivatives", plural_of(normals_of));
   check(laplacians, vertices.size(), "Laplacians", "vertices");
   check(derivatives, rest.count(), "normal derivatives of Laplacians", "elements");
 }
 
 template <Scalar R>
-Vec3<R> posed_normal(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element) {
-  const Vec3<R> n = extent(rest, vertices, element);
+std::array<Vec3<R>, 2> tangents_of(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element,
+                                   int corner) {
+  return tangents<R>(rest, vertices, element, corner);
+}
+
+template <Scalar R>
+Vec3<R> posed_normal(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element, int corner) {
+  const Vec3<R> n = extent(rest, vertices, element, corner);
   const R length = length_of(n);
   if (!(length > 0))
-    throw InputError(fmt::format("the posed {} {} (vertices {}) has no {}, and so no normal", rest.type(element).name,
-                                 element, fmt::join(rest.vertices_of(element), ", "),
-                                 rest.dimension() == 2 ? "length" : "area"));
+    throw InputError(fmt::format(
+        "the posed {} {} (vertices {}) has no {}{}, and so no normal", rest.type(element).name, element,
+        fmt::join(rest.vertices_of(element), ", "), rest.dimension() == 2 ? "length" : "area",
+        rest.type(element).flat ? "" : fmt::format(" next to vertex {}", rest.vertices_of(element)[corner])));
   return n / length;
 }
 
 template <Scalar R>
-R stretch_of(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element) {
+R stretch_of(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element,
+             int corner) {
   using std::sqrt;
   if (stretch == Stretch::Unit) return R(1);
-  auto from = edges_of<R>(rest, rest.vertices(), element), to = edges_of<R>(rest, vertices, element);
+  auto from = tangents<R>(rest, rest.vertices(), element, corner), to = tangents<R>(rest, vertices, element, corner);
   if (rest.dimension() == 2) return length_of(to[0]) / length_of(from[0]);
   // In a unit of the rest element's own, so that squares of areas stay in range.
   const R unit = length_of(from[0]);
   for (auto* edges : {&from, &to})
     for (Vec3<R>& edge : *edges) edge /= unit;
   const auto [squares, product] = singular_values_of(from, to);
-  if (stretch == Stretch::Rms) return sqrt(R(squares / 2));
-  if (stretch == Stretch::Mean) return sqrt(R(squares + 2 * product)) / 2;
-  return sqrt(product);
+  switch (stretch) {
+    case Stretch::Rms: return sqrt(R(squares / 2));
+    case Stretch::Mean: return sqrt(R(squares + 2 * product)) / 2;
+    case Stretch::Product: return product;
+    default: return sqrt(product);
+  }
 }
 
 template <Scalar R>
 std::vector<Vec3<R>> stretched_normals(Stretch stretch, const CageElements& rest,
                                        const std::vector<Vec3<R>>& vertices) {
   std::vector<Vec3<R>> normals;
-  normals.reserve(rest.count());
+  normals.reserve(rest.count(Owner::Normal));
   for (std::size_t e = 0; e < rest.count(); ++e) {
+    if (!rest.type(e).flat) {
+      for (Vec3<R>& normal : quad_normals(stretch, rest, vertices, e)) normals.push_back(std::move(normal));
+      continue;
+    }
     const R factor = stretch_of(stretch, rest, vertices, e);
-    if (stretch == Stretch::Area && factor == 0) normals.push_back(Vec3<R>::Zero());
+    if (takes_no_area(stretch) && factor == 0) normals.push_back(Vec3<R>::Zero());
     else normals.push_back(factor * posed_normal(rest, vertices, e));
   }
   return normals;
 }
 
-#define CAGEPROOF_INSTANTIATE(R)                                                                    \
-  template std::vector<Vec3<R>> vertices_in<R>(const CageElements&);                                \
-  template void check_pose<R>(const CageElements&, const Pose<R>&, Owner);                          \
-  template Vec3<R> posed_normal<R>(const CageElements&, const std::vector<Vec3<R>>&, std::size_t);  \
-  template R stretch_of<R>(Stretch, const CageElements&, const std::vector<Vec3<R>>&, std::size_t); \
+#define CAGEPROOF_INSTANTIATE(R)                                                                                      \
+  template std::vector<Vec3<R>> vertices_in<R>(const CageElements&);                                                  \
+  template void check_pose<R>(const CageElements&, const Pose<R>&, Owner);                                            \
+  template std::array<Vec3<R>, 2> tangents_of<R>(const CageElements&, const std::vector<Vec3<R>>&, std::size_t, int); \
+  template Vec3<R> posed_normal<R>(const CageElements&, const std::vector<Vec3<R>>&, std::size_t, int);               \
+  template R stretch_of<R>(Stretch, const CageElements&, const std::vector<Vec3<R>>&, std::size_t, int);              \
   template std::vector<Vec3<R>> stretched_normals<R>(Stretch, const CageElements&, const std::vector<Vec3<R>>&);
 CAGEPROOF_INSTANTIATE(double)
 CAGEPROOF_INSTANTIATE(Mp50)

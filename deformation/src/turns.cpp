@@ -39,18 +39,19 @@ std::pair<Matrix<R>, R> similarity(int d, const std::vector<Vec3<R>>& from, cons
   return {nearest.rotation, R(nearest.signed_values.sum() / size)};
 }
 
-// Of one element: the rotation factor of the map that takes its rest edges to the posed ones and its normal to the
-// posed one.
+// Of an element where a normal is: the rotation factor of the map that takes its rest tangents to the posed ones and
+// its normal to the posed one.
 template <Scalar R>
 Matrix<R> rotation_of(const CageElements& rest, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
-                      std::size_t e) {
+                      const NormalPlace& at) {
   const int d = rest.dimension();
-  const auto corners = rest.vertices_of(e);
   const auto axes = [&](const std::vector<Vec3<R>>& vertices) {
+    const std::array<Vec3<R>, 2> tangents = tangents_of(rest, vertices, at.element, at.corner);
     Matrix<R> found(d, d);
-    for (int k = 0; k + 1 < d; ++k) found.col(k) = in<R>(d, vertices[corners[k + 1]] - vertices[corners[0]]);
+    for (int k = 0; k + 1 < d; ++k) found.col(k) = in<R>(d, tangents[k]);
     // In the plane the normal as long as the edge makes the map a similarity.
-    found.col(d - 1) = in<R>(d, posed_normal(rest, vertices, e)) * (d == 2 ? found.col(0).norm() : R(1));
+    found.col(d - 1) =
+        in<R>(d, posed_normal(rest, vertices, at.element, at.corner)) * (d == 2 ? found.col(0).norm() : R(1));
     return found;
   };
   return rotation_nearest_to<R>(Matrix<R>(axes(posed) * axes(from).inverse())).rotation;
@@ -60,18 +61,26 @@ template <Scalar R>
 Turns<R> global_turns(const CageElements& rest, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
                       std::vector<std::string>& warnings) {
   const auto [rotation, stretch] = similarity(rest.dimension(), from, posed, warnings);
-  return {std::vector<Matrix<R>>(posed.size(), rotation), std::vector<Matrix<R>>(rest.count(), rotation),
-          std::vector<R>(rest.count(), stretch)};
+  const std::size_t normals = rest.count(Owner::Normal);
+  return {std::vector<Matrix<R>>(posed.size(), rotation), std::vector<Matrix<R>>(normals, rotation),
+          std::vector<R>(normals, stretch)};
 }
 
 // \param least singular values up to that are rounding
 template <Scalar R>
-Matrix<R> rotation_or_warning(const Matrix<R>& matrix, std::string_view what, std::size_t index,
-                              std::vector<std::string>& warnings, const R& least = R(0)) {
+Matrix<R> rotation_or_warning(const Matrix<R>& matrix, const std::string& whose, std::vector<std::string>& warnings,
+                              const R& least = R(0)) {
   const NearestRotation<R> nearest = rotation_nearest_to<R>(matrix);
   if (!nearest.is_unique || nearest.signed_values[matrix.rows() - 2] <= least)
-    warnings.push_back(fmt::format("the rotation of {} {} is not unique", what, index));
+    warnings.push_back(fmt::format("the rotation of {} is not unique", whose));
   return nearest.rotation;
+}
+
+std::string name_of_vertex(std::size_t v) { return fmt::format("vertex {}", v); }
+
+std::string name_of_place(const CageElements& rest, const NormalPlace& at) {
+  if (rest.type(at.element).flat) return fmt::format("element {}", at.element);
+  return fmt::format("element {} next to vertex {}", at.element, rest.vertices_of(at.element)[at.corner]);
 }
 
 template <Scalar R>
@@ -82,27 +91,39 @@ Turns<R> local_turns(const CageElements& rest, const std::vector<Vec3<R>>& from,
   found.stretches = std::move(stretches);
   found.of_vertices.assign(posed.size(), Matrix<R>::Zero(d, d));
   std::vector<R> around(posed.size(), R(0));
-  for (std::size_t e = 0; e < rest.count(); ++e) {
-    found.of_elements.push_back(rotation_of(rest, from, posed, e));
-    const R size = measure(rest, from, e);
-    for (const int v : rest.vertices_of(e)) found.of_vertices[v] += size * found.of_elements[e], around[v] += size;
+  for (const NormalPlace& at : normal_places(rest)) {
+    found.of_normals.push_back(rotation_of(rest, from, posed, at));
+    const R size = area_vector(rest, from, at).norm();
+    for (const int v : rest.vertices_of(at.element))
+      found.of_vertices[v] += size * found.of_normals.back(), around[v] += size;
   }
   for (std::size_t v = 0; v < posed.size(); ++v)
     found.of_vertices[v] =
-        rotation_or_warning<R>(found.of_vertices[v], "vertex", v, warnings, 64 * unit_roundoff<R>() * around[v]);
+        rotation_or_warning<R>(found.of_vertices[v], name_of_vertex(v), warnings, 64 * unit_roundoff<R>() * around[v]);
   return found;
 }
 
 }  // namespace
 
+std::vector<NormalPlace> normal_places(const CageElements& elements) {
+  std::vector<NormalPlace> places;
+  places.reserve(elements.count(Owner::Normal));
+  for (std::size_t e = 0; e < elements.count(); ++e)
+    for (std::size_t k = 0; k < elements.shares_of(e, Owner::Normal).size(); ++k)
+      places.push_back({e, static_cast<int>(k)});
+  return places;
+}
+
 template <Scalar R>
-R measure(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element) {
-  using std::sqrt;
-  const auto corners = rest.vertices_of(element);
-  const Vec3<R> u = vertices[corners[1]] - vertices[corners[0]];
-  if (corners.size() == 2) return sqrt(R(u.dot(u)));
-  const Vec3<R> area = u.cross(Vec3<R>(vertices[corners[2]] - vertices[corners[0]]));
-  return sqrt(R(area.dot(area))) / 2;
+Vec3<R> area_vector(const CageElements& rest, const std::vector<Vec3<R>>& vertices, const NormalPlace& place) {
+  const auto corners = rest.vertices_of(place.element);
+  const auto from_corner = [&](int k) -> Vec3<R> {
+    return vertices[corners[(place.corner + k) % corners.size()]] - vertices[corners[place.corner]];
+  };
+  const Vec3<R> u = from_corner(1);
+  if (corners.size() == 2) return {u[1], -u[0], R(0)};
+  const Vec3<R> area = u.cross(from_corner(static_cast<int>(corners.size()) - 1));
+  return area / R(corners.size() == 4 ? 4 : 2);
 }
 
 // Stretches are averaged as numbers; rotations as matrices, whose nearest rotation is taken, as around vertices.
@@ -116,11 +137,12 @@ Turns<R> turns_of(const CageElements& rest, const std::vector<Vec3<R>>& from, co
   const R share(blend), other = 1 - share, least = 64 * unit_roundoff<R>();
   for (std::size_t v = 0; v < posed.size(); ++v)
     local.of_vertices[v] = rotation_or_warning<R>(other * global.of_vertices[v] + share * local.of_vertices[v],
-                                                  "vertex", v, warnings, least);
-  for (std::size_t e = 0; e < rest.count(); ++e) {
-    local.of_elements[e] = rotation_or_warning<R>(other * global.of_elements[e] + share * local.of_elements[e],
-                                                  "element", e, warnings, least);
-    local.stretches[e] = other * global.stretches[e] + share * local.stretches[e];
+                                                  name_of_vertex(v), warnings, least);
+  const std::vector<NormalPlace> places = normal_places(rest);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    local.of_normals[i] = rotation_or_warning<R>(other * global.of_normals[i] + share * local.of_normals[i],
+                                                 name_of_place(rest, places[i]), warnings, least);
+    local.stretches[i] = other * global.stretches[i] + share * local.stretches[i];
   }
   return local;
 }
@@ -133,7 +155,7 @@ std::vector<Matrix<R>> vertex_rotations(const CageElements& rest, const std::vec
 }
 
 #define CAGEPROOF_INSTANTIATE(R)                                                                               \
-  template R measure<R>(const CageElements&, const std::vector<Vec3<R>>&, std::size_t);                        \
+  template Vec3<R> area_vector<R>(const CageElements&, const std::vector<Vec3<R>>&, const NormalPlace&);       \
   template Turns<R> turns_of<R>(const CageElements&, const std::vector<Vec3<R>>&, const std::vector<Vec3<R>>&, \
                                 const std::function<std::vector<R>()>&, double, std::vector<std::string>&);    \
   template std::vector<Matrix<R>> vertex_rotations<R>(const CageElements&, const std::vector<Vec3<R>>&,        \

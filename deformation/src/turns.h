@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a pose turns and stretches vertices and elements ([C23] Section 4.2).
+// How a pose turns and stretches vertices, and elements where their normals are ([C23] Section 4.2).
 #pragma once
 
 #include "cageproof/deformation/deformer.h"
@@ -20,20 +20,30 @@ std::vector<Vec3<R>> over(std::vector<Vec3<R>> points, const R& unit) {
   return points;
 }
 
-/// The area of a triangle whose vertices are elsewhere, or the length of a segment.
-template <Scalar R>
-R measure(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element);
+/// Where a normal (Owner::Normal) is.
+struct NormalPlace {
+  std::size_t element;
+  int corner;  ///< of a quad; 0 of flat elements
+};
 
-/// A rotation a vertex and element, and a stretch an element.
+/// All of them, in the order of their numbers.
+std::vector<NormalPlace> normal_places(const CageElements& elements);
+
+/// The integral of an element's area vector where vertices are elsewhere, a segment's being as long as it; of a quad
+/// with the corner's basis function for u and v, and the normal there: N_k/4, which add up to the whole.
+template <Scalar R>
+Vec3<R> area_vector(const CageElements& rest, const std::vector<Vec3<R>>& vertices, const NormalPlace& place);
+
+/// A rotation a vertex and normal, and a stretch a normal.
 template <Scalar R>
 struct Turns {
-  std::vector<Matrix<R>> of_vertices, of_elements;
+  std::vector<Matrix<R>> of_vertices, of_normals;
   std::vector<R> stretches;
 };
 
-/// Those of one similarity for all (blend 0), of each element and, nearest to the sum of its elements', of each vertex
-/// (blend 1), or between these. \param from, posed in a unit of about the cage's size
-/// \param stretches of elements, asked for where they are needed \param warnings takes rotations that are not unique
+/// Those of one similarity for all (blend 0), of each normal's element there and, nearest to the sum around it weighted
+/// with areas, of each vertex (blend 1), or between these. \param from, posed in a unit of about the cage's size
+/// \param stretches of normals, asked for where they are needed \param warnings takes rotations that are not unique
 template <Scalar R>
 Turns<R> turns_of(const CageElements& rest, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
                   const std::function<std::vector<R>()>& stretches, double blend, std::vector<std::string>& warnings);

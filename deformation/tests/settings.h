@@ -18,6 +18,8 @@ struct Setting {
   std::vector<std::pair<std::string_view, double>> parameters = {};
   bool uses_normals = false;  ///< the posed unit normals, so that elements without any are refused
 
+  /// A quad two of whose corners coincide, or three of which are in line, has an area.
+  bool keeps_quads() const { return coordinate_kind_named(deform_method_named(method).kind).keeps_quads; }
   std::string text() const {
     std::string found(method);
     for (const auto& [name, value] : parameters) found += ' ' + std::string(name) + '=' + std::to_string(value);
@@ -43,6 +45,15 @@ inline const std::vector<Setting>& settings() {
     for (const double variant : {0., 1., 2.})
       for (const double gamma : {0., 1.})
         found.push_back({"somigliana", {{"variant", variant}, {"gamma", gamma}}, variant != 0 || gamma != 0});
+    const double product = 4;
+    for (const double stretch : {0., 1., 2., 3., 4.}) {
+      const bool takes_no_area = stretch == area || stretch == product;
+      found.push_back({"quad_green", {{"stretch", stretch}}, !takes_no_area});
+      found.push_back({"quad_biharmonic_1_3", {{"normals", stretch}}, !takes_no_area});
+    }
+    for (const double variant : {0., 1., 2.})
+      for (const double gamma : {0., 1.})
+        found.push_back({"quad_somigliana", {{"variant", variant}, {"gamma", gamma}}, variant != 0 || gamma != 0});
     found.push_back({"cauchy"});
     for (const double normals : {0., 1., 2.})
       found.push_back({"biharmonic_boundary", {{"normals", normals}}, normals != 1});

@@ -89,7 +89,7 @@ TEST(somigliana_routes, tractions_are_those_of_the_dense_system_and_balanced) {
         const Eigen::VectorXd traction = found.tractions[e].head(d),
                               truth = Mp(route.balanced[e] * route.directions[e]).cast<double>();
         keep_larger(worst, (traction - truth).norm() / std::max(1., largest));
-        keep_larger(turned, (found.of_elements[e] - route.of_elements[e].cast<double>()).norm());
+        keep_larger(turned, (found.of_normals[e] - route.of_elements[e].cast<double>()).norm());
         const auto measure = static_cast<double>(route.measures[e]);
         left += measure * traction;
         whole += measure * std::abs(static_cast<double>(route.tractions[e]));

@@ -102,17 +102,23 @@ DeformerChecks::Prepared<R> DeformerChecks::prepared(const std::string& evaluati
       *variant_.method, *cage_, {.evaluation = evaluation, .triangulation = rule_, .parameters = variant_.parameters});
 }
 
+bool DeformerChecks::has_few_elements() const {
+  const CageElements& elements = deformer_->coordinates().elements();
+  return elements.count() <= few_elements && elements.count(Owner::Normal) <= 2 * few_elements;
+}
+
 bool DeformerChecks::is_prompt_in_50_digits() const {
   const CageCoordinates& coordinates = deformer_->coordinates();
+  // On quads a point takes a tenth of a second, and variants share the coordinates and all that is made of them.
+  if (coordinates.kind().keeps_quads && !variant_.is_default) return false;
   if (!coordinates.is_exact_in(ScalarKind::Digits50) || !coordinates.is_prompt_in(ScalarKind::Digits50)) return false;
-  return deformer_->prepared().systems.empty() ||
-         (variant_.is_default && coordinates.elements().count() <= few_elements);
+  return deformer_->prepared().systems.empty() || (variant_.is_default && has_few_elements());
 }
 
 std::optional<std::string> DeformerChecks::quadrature() const {
   const CoordinateKind& kind = deformer_->coordinates().kind();
-  const bool few = deformer_->coordinates().elements().count() <= few_elements;
-  if (!kind.is_sum() || !few || !variant_.is_default || variant_.method->takes_derivatives_on_cage) return std::nullopt;
+  if (!kind.is_sum() || !has_few_elements() || !variant_.is_default || variant_.method->takes_derivatives_on_cage)
+    return std::nullopt;
   const auto& evaluations = EvaluationRegister::instance();
   const std::vector<const Formula*> formulas = formulas_of(kind, *cage_);
   for (const EvaluationFamily* family : evaluations.families(formulas.front()->name)) {
@@ -194,9 +200,8 @@ std::vector<DeformerChecks::Errors> DeformerChecks::kept(const SpaceMap& map, bo
   const CageElements& elements = deformer_->coordinates().elements();
   const Owner owner = deformation::normals_owner(deformer_->coordinates());
   if (with_normals)
-    for (std::size_t e = 0; e < elements.count(); ++e)
-      for (std::size_t k = 0; k < elements.shares_of(e, owner).size(); ++k)
-        pose.normal_derivatives.push_back(map.linear * elements.normals()[e]);
+    for (std::size_t i = 0; i < elements.count(owner); ++i)
+      pose.normal_derivatives.push_back(map.linear * elements.normal_of(i, owner));
   const auto posed = deformer_->pose(pose);
   const double condition = condition_of(*deformer_, *posed), size = cage_->size();
   const Images<double> images = images_one_by_one(*deformer_, *posed, points, 0);

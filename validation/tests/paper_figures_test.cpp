@@ -86,6 +86,21 @@ TEST(PaperFigures, contents_and_asymmetries_of_known_maps) {
   EXPECT_THROW(asymmetry(flat.mesh.vertices, flat.mesh.vertices), std::invalid_argument);
 }
 
+TEST(PaperFigures, quads_that_are_kept_are_symmetric_and_neither_triangulation_is) {
+  const auto figure = symmetry_figure();
+  const reports::FigureSheet sheet = figure->sheets(all_of(*figure)).at(1);
+  EXPECT_EQ(sheet.name, "quads-kept");
+  for (const std::string method : {"green", "biharmonic_1_3", "somigliana"}) {
+    const auto &first = panel_of(sheet, method + ".first"), &other = panel_of(sheet, method + ".other"),
+               &quads = panel_of(sheet, method + ".quads");
+    EXPECT_LT(measured(quads, "asymmetry over cage size"), 1e-14) << method;
+    for (const auto* panel : {&first, &other}) EXPECT_GT(measured(*panel, "asymmetry over cage size"), 1e-2) << method;
+    EXPECT_NE(first.data.vertices, other.data.vertices) << method;
+    EXPECT_EQ(first.cage_faces.size(), 12U);
+    EXPECT_EQ(quads.cage_faces.size(), 6U);
+  }
+}
+
 TEST(PaperFigures, captions_of_symmetry_are_those_of_images_computed_alone) {
   const auto figure = symmetry_figure();
   const auto found = all_of(*figure);
@@ -212,7 +227,7 @@ TEST(PaperFigures, measured_as_units_of_a_run_are_all_there) {
   std::vector<std::string> names;
   for (const reports::FigureSheet& sheet : sheets_of_run(found.meshes)) names.push_back(sheet.name);
   EXPECT_EQ(names, (std::vector<std::string>{"t24-bend", "t24-twist", "c23-global", "c23-local", "c23-kernels",
-                                             "t18-symmetry", "w12-bar"}));
+                                             "t18-symmetry", "quads-kept", "w12-bar"}));
   const auto before = sheets_of_run(journal.findings.meshes);
   std::size_t number = 0;
   for (const reports::FigureSheet& sheet : sheets_of_run(found.meshes)) {

@@ -24,6 +24,7 @@ std::array<Matrix<R>, 4> normal_slopes(const CageCoordinates& coordinates, const
       const Matrix<R> along = component(tables[b], samples.size(), 1, d, c);
       for (std::size_t s = 0; s < samples.size(); ++s) {
         const auto row = static_cast<Eigen::Index>(s);
+        // Of flat elements, which have one normal each.
         found[b].row(row) += normals[samples[s].element][c] * along.row(row);
       }
     }
@@ -43,7 +44,7 @@ Matrix<R> normals_at(const CageCoordinates& coordinates, const SampledLayers<R>&
     const auto shares = elements.shares_of(element, owner), vertices = elements.vertices_of(element);
     const auto row = static_cast<Eigen::Index>(s);
     for (std::size_t k = 0; k < shares.size(); ++k)
-      found(row, shares[k]) = owner == Owner::Element ? R(1) : layers.hats(row, vertices[k]);
+      found(row, shares[k]) = shares.size() == 1 ? R(1) : layers.hats(row, vertices[k]);
   }
   return found;
 }
@@ -52,7 +53,7 @@ Matrix<R> normals_at(const CageCoordinates& coordinates, const SampledLayers<R>&
 
 KindParameter level_parameter() {
   return {{.name = "level", .preset = 1, .lowest = -1, .highest = 6, .whole = true},
-          "times that elements are split for samples: 4^level a triangle"};
+          "times that elements are split for samples: 4^level a triangle, or a quad that is kept"};
 }
 
 KindParameter neumann_parameter() {

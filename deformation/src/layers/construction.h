@@ -22,7 +22,7 @@ std::vector<KindParameter> weight_parameters(Construction construction);
 template <Scalar R>
 R weight_in(double gamma_d, double unit);
 
-/// \param coordinates of kind `biharmonic`, or `biharmonic_affine`
+/// \param coordinates of kind `biharmonic` or `biharmonic_affine`; (1,3) takes `quad_biharmonic`, too
 /// \param weights gamma_d and gamma_rel of (1,3), the second in place of the first where it is not zero
 /// \throws InputError as checked_limits
 template <Scalar R>

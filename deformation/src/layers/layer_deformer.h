@@ -15,8 +15,14 @@ namespace cageproof::deformation {
 /// What there is a normal derivative for, by the parameter `neumann`: constant (0), affine (1).
 inline Owner normals_by(double neumann) { return neumann == 0 ? Owner::Element : Owner::Corner; }
 
-/// The four layers of a cage. \param normals what there is a normal derivative for: an element, or a corner, between
-/// which they are affine ([T24] Eq 41-43)
+/// The four layers of a cage, its quads kept.
+inline CageCoordinates quad_layers_of(const Cage& cage, const DeformOptions& options) {
+  return {cage, coordinate_kind_named("quad_biharmonic"),
+          CoordinateOptions{options.evaluation, options.triangulation, {}}};
+}
+
+/// The four layers of a triangulated cage. \param normals what there is a normal derivative for: an element, or a
+/// corner, between which they are affine ([T24] Eq 41-43)
 inline CageCoordinates layers_of(const Cage& cage, const DeformOptions& options, Owner normals = Owner::Element) {
   return {cage, coordinate_kind_named(normals == Owner::Corner ? "biharmonic_affine" : "biharmonic"),
           CoordinateOptions{options.evaluation, options.triangulation, {}}};
@@ -32,7 +38,7 @@ class LayerDeformer : public Deformer<R> {
 
  protected:
   Owner normals_of() const { return normals_owner(coordinates_); }
-  /// Posed normals that the method has where the pose prescribes none, a row an element or corner.
+  /// Posed normals that the method has where the pose prescribes none, a row each of normals_of().
   std::vector<Vec3<R>> own_normals(Stretch stretch, const std::vector<Vec3<R>>& vertices,
                                    DeformationReport& report) const {
     const CageElements& elements = coordinates_.elements();
@@ -43,7 +49,7 @@ class LayerDeformer : public Deformer<R> {
   void regularise(Regularisation<R> found) { regularisation_ = std::move(found); }
   const Regularisation<R>& regularisation() const { return regularisation_; }
 
-  /// The pose with these normal derivatives, a row an element or corner.
+  /// The pose with these normal derivatives, a row each of normals_of().
   std::unique_ptr<const Posed<R>> with(const Matrix<R>& vertices, const Matrix<R>& normals,
                                        DeformationReport report) const {
     const Matrix<R> densities = regularisation_.to_vertices * vertices + regularisation_.to_normals * normals;

@@ -10,8 +10,9 @@ namespace cageproof::deformation {
 /// sizes of what solutions are rounded by.
 enum class Account { None, Systems, Terms };
 
-/// (L'; D') = to_vertices V' + to_normals N', in the user's unit of length. Rows: a vertex each, then an element each.
-/// Columns of to_normals: an element each, or a corner each where normal derivatives are affine.
+/// (L'; D') = to_vertices V' + to_normals N', in the user's unit of length. Rows: a vertex each, then an element each,
+/// or a normal each where quads are kept. Columns of to_normals: an element each, a corner each where normal
+/// derivatives are affine, or a normal each.
 template <Scalar R>
 struct Regularisation {
   Matrix<R> to_vertices, to_normals;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// [T24]'s regularised biharmonic deformers with posed normals: (1,3), (1,2) and Weber's construction.
+// [T24]'s regularised biharmonic deformers with posed normals: (1,3), (1,2) and Weber's construction, and (1,3) on
+// quads that are kept.
+#include "../kept_quads.h"
 #include "construction.h"
 #include "layer_deformer.h"
 
@@ -18,7 +20,9 @@ std::size_t place_of_neumann() {
   return kWeights + weight_parameters(C).size();
 }
 
-template <Scalar R, Construction C>
+// \param KeepsQuads whether the layers are those of bilinear quads, whose normal derivatives are bilinear, neither
+// constant nor affine
+template <Scalar R, Construction C, bool KeepsQuads>
 class Regularised final : public LayerDeformer<R> {
  public:
   Regularised(CageCoordinates layers, const std::vector<double>& parameters)
@@ -29,7 +33,7 @@ class Regularised final : public LayerDeformer<R> {
   }
 
   std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& parameters) const override {
-    if (normals_by(parameters[place_of_neumann<C>()]) != this->normals_of()) return nullptr;
+    if (!KeepsQuads && normals_by(parameters[place_of_neumann<C>()]) != this->normals_of()) return nullptr;
     return std::make_shared<Regularised>(this->coordinates(), parameters);
   }
 
@@ -47,38 +51,41 @@ class Regularised final : public LayerDeformer<R> {
   Stretch stretch_;
 };
 
-template <Construction C, Scalar R>
+template <Construction C, bool KeepsQuads, Scalar R>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
-  return std::make_shared<Regularised<R, C>>(
-      layers_of(cage, options, normals_by(options.parameters[place_of_neumann<C>()])), options.parameters);
+  CageCoordinates layers = KeepsQuads ? quad_layers_of(cage, options)
+                                      : layers_of(cage, options, normals_by(options.parameters[place_of_neumann<C>()]));
+  return std::make_shared<Regularised<R, C, KeepsQuads>>(std::move(layers), options.parameters);
 }
 
-std::vector<KindParameter> parameters(Construction construction) {
-  std::vector<KindParameter> all{level_parameter(),
-                                 {{.name = "normals", .preset = 3, .lowest = -1, .highest = 4, .whole = true},
-                                  "how long posed normals are",
-                                  stretch_names()}};
+std::vector<KindParameter> parameters(Construction construction, bool keeps_quads) {
+  std::vector<KindParameter> all{
+      level_parameter(), stretch_parameter("normals", "how long posed normals are", Stretch::Unit, keeps_quads)};
   for (KindParameter& p : weight_parameters(construction)) all.push_back(std::move(p));
-  all.push_back(neumann_parameter());
+  if (!keeps_quads) all.push_back(neumann_parameter());
   return all;
 }
 
-template <Construction C>
+template <Construction C, bool KeepsQuads = false>
 DeformMethod method(std::string_view name, std::string_view source) {
-  return {.name = name,
-          .source = source,
-          .keeps = "rigid maps (normals=rms, mean, area: similarities)",
-          .kind = "biharmonic",
-          .parameters = parameters(C),
-          .coordinate_parameters = {"neumann"},
-          .takes_normal_derivatives = true,
-          .takes_derivatives_on_cage = C == Construction::OneTwo,
-          .prepare = prepare<C, double>,
-          .prepare_in_50_digits = prepare<C, Mp50>};
+  DeformMethod found{.name = name,
+                     .source = source,
+                     .keeps = "rigid maps (normals=rms, mean, area: similarities)",
+                     .kind = KeepsQuads ? "quad_biharmonic" : "biharmonic",
+                     .parameters = parameters(C, KeepsQuads),
+                     .takes_normal_derivatives = true,
+                     .takes_derivatives_on_cage = C == Construction::OneTwo,
+                     .refuses = KeepsQuads ? why_quads_are_refused : nullptr,
+                     .prepare = prepare<C, KeepsQuads, double>,
+                     .prepare_in_50_digits = prepare<C, KeepsQuads, Mp50>};
+  if (!KeepsQuads) found.coordinate_parameters = {"neumann"};
+  return found;
 }
 
 const RegisterDeformMethod one_three_method{
     method<Construction::OneThree>("biharmonic_1_3", "[T24] Section 4.1, Eq 20-30")};
+const RegisterDeformMethod quad_one_three_method{
+    method<Construction::OneThree, true>("quad_biharmonic_1_3", "[T24] Section 4.1, Eq 20-30, on bilinear faces")};
 const RegisterDeformMethod one_two_method{
     method<Construction::OneTwo>("biharmonic_1_2", "[T24] Appendix D.1, after the errata")};
 const RegisterDeformMethod weber_method{

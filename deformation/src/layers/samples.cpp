@@ -51,10 +51,11 @@ double count_of_samples(const CageElements& elements, int level) {
   return count;
 }
 
-// A column an element, of a column an element or corner.
+// A column an element, of affine layers that have one a corner. Of quads that are kept each corner has a density of its
+// own, as it has a normal derivative.
 template <Scalar R>
-Matrix<R> summed_over_corners(const Matrix<R>& columns, const CageElements& elements, Owner owner) {
-  if (owner == Owner::Element) return columns;
+Matrix<R> of_densities(const Matrix<R>& columns, const CageElements& elements, Owner owner) {
+  if (owner != Owner::Corner) return columns;
   Matrix<R> found = Matrix<R>::Zero(columns.rows(), static_cast<Eigen::Index>(elements.count()));
   for (std::size_t e = 0; e < elements.count(); ++e)
     for (const int corner : elements.shares_of(e, owner))
@@ -68,6 +69,18 @@ double unit_of_layers(double size) {
   if (!std::isnormal(unit * unit * unit) || !std::isnormal(1 / unit / unit / unit))
     throw InputError(fmt::format("layers of a cage of size {:.3g} leave the range of double", size));
   return unit;
+}
+
+// Basis functions as limits are taken with them: all but the first are the sample's doubles, and they sum to one in any
+// scalar.
+template <Scalar R>
+std::array<R, 4> basis_in(const Touching& sample, std::size_t corners) {
+  std::array<R, 4> basis{R(1), R(0), R(0), R(0)};
+  for (std::size_t k = 1; k < corners; ++k) {
+    basis[k] = R(sample.basis[k]);
+    basis[0] -= basis[k];
+  }
+  return basis;
 }
 
 }  // namespace
@@ -127,18 +140,15 @@ SampledLayers<R> layers_at(const CageCoordinates& coordinates, int level) {
   found.hats = Matrix<R>::Zero(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(elements.vertices().size()));
   for (std::size_t s = 0; s < count; ++s) {
     const auto corners = elements.vertices_of(found.samples[s].element);
-    // The first is what the others leave of one, in any scalar: limits are taken there.
-    R rest(1);
-    for (std::size_t k = 1; k < corners.size(); ++k)
-      rest -= found.hats(static_cast<Eigen::Index>(s), corners[k]) = R(found.samples[s].basis[k]);
-    found.hats(static_cast<Eigen::Index>(s), corners[0]) = rest;
+    const std::array<R, 4> basis = basis_in<R>(found.samples[s], corners.size());
+    for (std::size_t k = 0; k < corners.size(); ++k) found.hats(static_cast<Eigen::Index>(s), corners[k]) = basis[k];
   }
   const auto tables = checked_limits<R>(coordinates, found.samples, 0);
   found.size = size / found.unit;
   const R unit(found.unit);
   found.phi = component(tables[0], count, 0, 1, 0);
   found.neumann = component(tables[1], count, 0, 1, 0) / unit;
-  found.psi = summed_over_corners(found.neumann, elements, neumann);
+  found.psi = of_densities(found.neumann, elements, neumann);
   found.phibar = component(tables[2], count, 0, 1, 0) / unit / unit;
   found.psibar = component(tables[3], count, 0, 1, 0) / unit / unit / unit;
   return found;

@@ -6,8 +6,9 @@
 
 namespace cageproof::deformation {
 
-/// Points of the cage: each element split in parts so often, by its midpoints, and the parts' centroids. 4^level points
-/// a triangle, strictly within it, in its basis functions, which sum to one.
+/// Points of the cage: each element split in parts so often, by its midpoints, and the parts' centroids; of a quad the
+/// points amid the parts of u and v. 4^level points a triangle or quad, strictly within it, in its basis functions,
+/// which sum to one.
 std::vector<Touching> samples_of(const CageElements& elements, int level);
 
 /// Values of basis functions and layers at samples, a row a sample; limits from inside. Lengths are in a unit of the
@@ -18,14 +19,13 @@ struct SampledLayers {
   double size = 1;  ///< of the cage, in that unit
   std::vector<Touching> samples;
   Matrix<R> hats;                      ///< of vertices: M
-  Matrix<R> phi, psi, phibar, psibar;  ///< a column a vertex, or an element
+  Matrix<R> phi, psi, phibar, psibar;  ///< a column a vertex, or an element; of kept quads a normal (Owner::Normal)
   Matrix<R> neumann;                   ///< what multiplies normal derivatives: psi, or a column a corner
 };
 
 /// Limits of the layers and their derivatives up to an order. Those of phi sum to one, and their derivatives to
-/// nothing, whatever the cage: what does not is no limit. \pre the coordinates are of kind `biharmonic`, or
-/// `biharmonic_affine` \throws
-/// InputError for an evaluation that has no limits on the cage
+/// nothing, whatever the cage: what does not is no limit. \pre the coordinates are of kind `biharmonic`,
+/// `biharmonic_affine` or `quad_biharmonic` \throws InputError for an evaluation that has no limits on the cage
 template <Scalar R>
 std::vector<CoordinateTable<R>> checked_limits(const CageCoordinates& coordinates, std::span<const Touching> samples,
                                                int order);

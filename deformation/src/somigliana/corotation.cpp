@@ -19,24 +19,46 @@ namespace {
 template <Scalar R>
 using Column = Eigen::Matrix<R, Eigen::Dynamic, 1>;
 
-// How much the vertex normals of each element spread: the angle between the two, or the solid angle of the three;
-// positive where the cage is convex.
+// Half the solid angle of three unit vectors.
 template <Scalar R>
-std::vector<R> spreads(const CageElements& rest, const std::vector<Vec3<R>>& vertices) {
-  using std::atan2, std::sqrt;
-  std::vector<Vec3<R>> of_vertices(vertices.size(), Vec3<R>::Zero());
+R half_angle(const Vec3<R>& a, const Vec3<R>& b, const Vec3<R>& c) {
+  using std::atan2;
+  return atan2(R(a.dot(b.cross(c))), R(1 + a.dot(b) + b.dot(c) + c.dot(a)));
+}
+
+// The sum of the normals around each vertex, of unit length.
+template <Scalar R>
+std::vector<Vec3<R>> vertex_normals(const CageElements& rest, const std::vector<Vec3<R>>& vertices) {
+  using std::sqrt;
+  std::vector<Vec3<R>> found(vertices.size(), Vec3<R>::Zero());
   std::vector<R> around(vertices.size(), R(0));
   for (std::size_t e = 0; e < rest.count(); ++e) {
-    const R size = measure(rest, vertices, e);
-    const Vec3<R> weighted = size * posed_normal(rest, vertices, e);
-    for (const int v : rest.vertices_of(e)) of_vertices[v] += weighted, around[v] += size;
+    Vec3<R> weighted = Vec3<R>::Zero();
+    R size = 0;
+    for (std::size_t k = 0; k < rest.shares_of(e, Owner::Normal).size(); ++k) {
+      const Vec3<R> area = area_vector(rest, vertices, {e, static_cast<int>(k)});
+      weighted += area;
+      size += area.norm();
+    }
+    // Refuses an element without area by its name.
+    if (!(size > 0)) posed_normal(rest, vertices, e);
+    for (const int v : rest.vertices_of(e)) found[v] += weighted, around[v] += size;
   }
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    const R length = sqrt(R(of_vertices[v].dot(of_vertices[v])));
+    const R length = sqrt(R(found[v].dot(found[v])));
     if (!(length > 64 * unit_roundoff<R>() * around[v]))
       throw InputError(fmt::format("the normals around vertex {} add up to nothing: it has no spread", v));
-    of_vertices[v] /= length;
+    found[v] /= length;
   }
+  return found;
+}
+
+// How much the vertex normals of each element spread: the angle between the two, or the solid angle of the three or
+// four; positive where the cage is convex. That of four does not hang on the diagonal that it is cut along.
+template <Scalar R>
+std::vector<R> spreads(const CageElements& rest, const std::vector<Vec3<R>>& vertices) {
+  using std::atan2;
+  const std::vector<Vec3<R>> of_vertices = vertex_normals(rest, vertices);
   std::vector<R> found;
   found.reserve(rest.count());
   for (std::size_t e = 0; e < rest.count(); ++e) {
@@ -47,9 +69,20 @@ std::vector<R> spreads(const CageElements& rest, const std::vector<Vec3<R>>& ver
       continue;
     }
     const Vec3<R>& c = of_vertices[corners[2]];
-    found.push_back(2 * atan2(R(a.dot(b.cross(c))), R(1 + a.dot(b) + b.dot(c) + c.dot(a))));
+    R half = half_angle(a, b, c);
+    if (corners.size() == 4) half += half_angle(a, c, of_vertices[corners[3]]);
+    found.push_back(2 * half);
   }
   return found;
+}
+
+// The unit normal that a coordinate multiplies. A quad's coordinate has been multiplied with its area element in
+// double, which is divided by here, so that it cancels in any scalar. \param from in that unit
+template <Scalar R>
+Vec3<R> rest_normal(const CageElements& rest, const std::vector<Vec3<R>>& from, const R& unit, const NormalPlace& at,
+                    std::size_t coordinate) {
+  if (rest.type(at.element).flat) return posed_normal(rest, from, at.element);
+  return 4 * area_vector(rest, from, at) / R(R(rest.area_element_of(coordinate, Owner::Normal)) / unit / unit);
 }
 
 template <Scalar R>
@@ -71,16 +104,17 @@ Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>
   // the user's.
   const R unit(unit_next_to(size_of(rest)));
   const std::vector<Vec3<R>> from = over(vertices_in<R>(rest), unit), posed = over(given, unit);
+  const std::vector<NormalPlace> places = normal_places(rest);
   const auto local_stretches = [&] {
     std::vector<R> found;
-    found.reserve(rest.count());
-    for (std::size_t e = 0; e < rest.count(); ++e) found.push_back(stretch_of(Stretch::Mean, rest, given, e));
+    found.reserve(places.size());
+    for (const NormalPlace& at : places) found.push_back(stretch_of(Stretch::Mean, rest, given, at.element, at.corner));
     return found;
   };
   Corotation<R> found;
   Turns<R> turns = turns_of<R>(rest, from, posed, local_stretches, options.blend, found.warnings);
   found.of_vertices = std::move(turns.of_vertices);
-  found.of_elements = std::move(turns.of_elements);
+  found.of_normals = std::move(turns.of_normals);
   const std::vector<R>& stretches = turns.stretches;
   std::vector<R> bulges(rest.count(), R(0));
   if (options.gamma != 0) {
@@ -93,11 +127,12 @@ Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>
   Matrix<R> sides = Matrix<R>::Zero(d, d);
   Column<R> uneven = Column<R>::Zero(d);
   std::vector<Column<R>> normals;
-  for (std::size_t e = 0; e < rest.count(); ++e) {
-    const Column<R> m = found.of_elements[e] * in<R>(d, posed_normal(rest, from, e));
-    const R eta = stretches[e] * R(exp(R(R(options.gamma) * bulges[e] / ((d == 2 ? 2 : 4) * pi<R>()))));
-    const R s = 2 * (eta + volume * (eta + (d - 1) * stretches[e]));
-    const R area = measure(rest, from, e);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Column<R> m = found.of_normals[i] * in<R>(d, rest_normal(rest, from, unit, places[i], i));
+    const R bulge = bulges[places[i].element];
+    const R eta = stretches[i] * R(exp(R(R(options.gamma) * bulge / ((d == 2 ? 2 : 4) * pi<R>()))));
+    const R s = 2 * (eta + volume * (eta + (d - 1) * stretches[i]));
+    const R area = area_vector(rest, from, places[i]).norm();
     sides += area * m * m.transpose();
     uneven += area * s * m;
     normals.push_back(m);
@@ -111,7 +146,7 @@ Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>
   solver.setThreshold(R(1e-13));
   solver.compute(sides);
   const Column<R> xi = solver.solve(uneven);
-  for (std::size_t e = 0; e < rest.count(); ++e) found.tractions[e].head(d) -= normals[e] * normals[e].dot(xi);
+  for (std::size_t i = 0; i < places.size(); ++i) found.tractions[i].head(d) -= normals[i] * normals[i].dot(xi);
   return found;
 }
 

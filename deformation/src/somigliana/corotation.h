@@ -6,16 +6,17 @@
 
 namespace cageproof::deformation {
 
-/// What the corotational deformer takes from a pose: a rotation a vertex, and a rotation and a traction an element.
+/// What the corotational deformer takes from a pose: a rotation a vertex, and a rotation and a traction a normal
+/// (Owner::Normal), of which a flat element has one, and a quad one a corner.
 template <Scalar R>
 struct Corotation {
-  std::vector<Matrix<R>> of_vertices, of_elements;
+  std::vector<Matrix<R>> of_vertices, of_normals;
   std::vector<Vec3<R>> tractions;  ///< s'_j of Eq 11, already turned: s_j m_j, balanced where asked
   std::vector<std::string> warnings;
 };
 
 struct CorotationOptions {
-  double blend = 0;     ///< from one rotation and stretch for all (0) to those of each vertex and element (1)
+  double blend = 0;     ///< from one rotation and stretch for all (0) to those of each vertex and normal (1)
   double nu = 0.3;      ///< infinite: incompressible beyond, Green's
   double gamma = 0;     ///< of bulging, Eq 14
   bool balance = true;  ///< Eq 15

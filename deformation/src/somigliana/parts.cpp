@@ -14,8 +14,8 @@ constexpr std::array known_nus{-0.75, 0.4375};
 
 class SomiglianaParts final : public CoordinatesIn<SomiglianaParts> {
  public:
-  SomiglianaParts(const Cage& cage, const CoordinateOptions& options)
-      : parts_{with(cage, options, known_nus[0]), with(cage, options, known_nus[1])} {
+  SomiglianaParts(const Cage& cage, std::string_view kind, const CoordinateOptions& options)
+      : parts_{with(cage, kind, options, known_nus[0]), with(cage, kind, options, known_nus[1])} {
     for (std::size_t k = 0; k < parts_.size(); ++k)
       for (CoordinateBlock block : parts_[k].blocks()) {
         block.label += std::to_string(k + 1);
@@ -36,9 +36,9 @@ class SomiglianaParts final : public CoordinatesIn<SomiglianaParts> {
   }
 
  private:
-  static CageCoordinates with(const Cage& cage, CoordinateOptions options, double nu) {
+  static CageCoordinates with(const Cage& cage, std::string_view kind, CoordinateOptions options, double nu) {
     options.parameters = {1, nu};
-    return {cage, coordinate_kind_named("somigliana"), std::move(options)};
+    return {cage, coordinate_kind_named(kind), std::move(options)};
   }
 
   std::array<CageCoordinates, 2> parts_;
@@ -51,19 +51,26 @@ R place_of(double nu) {
   return std::isinf(nu) ? R(0) : R(1 / (1 - R(nu)));
 }
 
-}  // namespace
-
-CageCoordinates somigliana_parts(const Cage& cage, const CoordinateOptions& options) {
-  // Of the deformer alone: users have the coordinates themselves.
+// Of the deformer alone: users have the coordinates themselves.
+template <bool KeepsQuads>
+const CoordinateKind& kind_of_parts() {
   static const CoordinateKind kind{
-      .name = "somigliana_parts",
+      .name = KeepsQuads ? "quad_somigliana_parts" : "somigliana_parts",
       .source = "[C23] Section 5",
+      .keeps_quads = KeepsQuads,
       .own_dimension = 0,
       .prepare = [](const Cage& of, const CoordinateOptions& with) -> std::shared_ptr<const PreparedCoordinates> {
-        return std::make_shared<SomiglianaParts>(of, with);
+        return std::make_shared<SomiglianaParts>(of, KeepsQuads ? "quad_somigliana" : "somigliana", with);
       },
       .made_of_sums = true};
-  return {cage, kind, CoordinateOptions{options.evaluation, options.triangulation, {}}};
+  return kind;
+}
+
+}  // namespace
+
+CageCoordinates somigliana_parts(const Cage& cage, bool keeps_quads, const CoordinateOptions& options) {
+  return {cage, keeps_quads ? kind_of_parts<true>() : kind_of_parts<false>(),
+          CoordinateOptions{options.evaluation, options.triangulation, {}}};
 }
 
 template <Scalar R>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The corotational Somigliana deformer ([C23] Section 4, Eq 11).
+// The corotational Somigliana deformer ([C23] Section 4, Eq 11), of triangulated cages and of quads that are kept.
+#include "../kept_quads.h"
 #include "../posed_orientation.h"
 #include "corotation.h"
 #include "parts.h"
@@ -27,8 +28,8 @@ class SomiglianaPosed final : public Posed<R> {
     report_.warnings = std::move(pose_.warnings);
     for (std::size_t v = 0; v < vertices.size(); ++v)
       turned_vertices_.push_back(pose_.of_vertices[v].transpose() * vertices[v].head(d_));
-    for (std::size_t e = 0; e < pose_.tractions.size(); ++e)
-      turned_tractions_.push_back(pose_.of_elements[e].transpose() * pose_.tractions[e].head(d_));
+    for (std::size_t i = 0; i < pose_.tractions.size(); ++i)
+      turned_tractions_.push_back(pose_.of_normals[i].transpose() * pose_.tractions[i].head(d_));
   }
 
   const DeformationReport& report() const override { return report_; }
@@ -89,8 +90,8 @@ class SomiglianaPosed final : public Posed<R> {
       found.whole += turned * pose_.of_vertices[v].transpose();
       found.image += turned * turned_vertices_[v];
     }
-    for (std::size_t e = 0; e < turned_tractions_.size(); ++e)
-      found.image += pose_.of_elements[e] * (matrix_of(coordinates[1], p, e, order, which) * turned_tractions_[e]);
+    for (std::size_t i = 0; i < turned_tractions_.size(); ++i)
+      found.image += pose_.of_normals[i] * (matrix_of(coordinates[1], p, i, order, which) * turned_tractions_[i]);
     return found;
   }
 
@@ -135,7 +136,7 @@ class Somigliana final : public Deformer<R> {
         {}, {}, {fmt::format("nu is next to its pole 1/2: 1 - 2 nu = {:.1e}, and images lose digits like it", off)}};
   }
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
-    check_pose(coordinates_.elements(), pose);
+    check_pose(coordinates_.elements(), pose, normals_owner(coordinates_));
     Corotation<R> corotation = corotation_of<R>(coordinates_.elements(), pose.vertices, options_);
     warn_of_orientation(coordinates_.elements(), pose.vertices, corotation.warnings);
     return std::make_unique<SomiglianaPosed<R>>(coordinates_.dimension(), pose.vertices, std::move(corotation),
@@ -149,44 +150,55 @@ class Somigliana final : public Deformer<R> {
 };
 
 // A form with a paper's misprint, which may not hang on nu as Kelvin's kernels do.
-bool is_printed(const Cage& cage, const std::string& evaluation) {
+bool is_printed(const CoordinateKind& kind, const Cage& cage, const std::string& evaluation) {
   if (evaluation.empty()) return false;
-  const CoordinateKind& kind = coordinate_kind_named("somigliana");
   return std::ranges::any_of(formulas_of(kind, cage), [&](const Formula* formula) {
     const auto found = EvaluationRegister::instance().find(formula->name, evaluation);
     return found && found->role() == Role::Printed;
   });
 }
 
-template <Scalar R>
+std::string_view kind_of_somigliana(bool keeps_quads) { return keeps_quads ? "quad_somigliana" : "somigliana"; }
+
+template <Scalar R, bool KeepsQuads>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
+  const CoordinateKind& kind = coordinate_kind_named(kind_of_somigliana(KeepsQuads));
   const bool in_parts =
-      std::ranges::find(options.varied, "nu") != options.varied.end() && !is_printed(cage, options.evaluation);
+      std::ranges::find(options.varied, "nu") != options.varied.end() && !is_printed(kind, cage, options.evaluation);
   const CoordinateOptions plain{options.evaluation, options.triangulation, {1, options.parameters[kNu]}};
   return std::make_shared<Somigliana<R>>(
-      in_parts ? somigliana_parts(cage, plain) : CageCoordinates(cage, coordinate_kind_named("somigliana"), plain),
-      in_parts, options.parameters);
+      in_parts ? somigliana_parts(cage, KeepsQuads, plain) : CageCoordinates(cage, kind, plain), in_parts,
+      options.parameters);
 }
 
-const RegisterDeformMethod somigliana{
-    {.name = "somigliana",
-     .source = "[C23] Section 4, Eq 10-15",
-     .keeps = "similarities",
-     .kind = "somigliana",
-     .parameters = {{{.name = "variant", .preset = 0, .lowest = -1, .highest = 3, .whole = true},
-                     "one rotation and stretch for all, or one for each vertex and element, or between these",
-                     {"global", "local", "blend"}},
-                    {{.name = "nu", .preset = 0.3, .lowest = -1, .highest = 0.5, .includes_infinity = true},
-                     "Poisson's ratio"},
-                    {{.name = "gamma", .preset = 0, .lowest = -1e6, .highest = 1e6}, "bulging"},
-                    {{.name = "balance", .preset = 0, .lowest = -1, .highest = 2, .whole = true},
-                     "whether tractions are balanced, Eq 15",
-                     {"on", "off"}},
-                    {{.name = "blend", .preset = 0.5, .lowest = kBelowZero, .highest = 1, .includes_highest = true},
-                     "of variant=blend alone, others ignore it: from global, 0, to local, 1"}},
-     .with_parameters_of_kind = false,
-     .prepare = prepare<double>,
-     .prepare_in_50_digits = prepare<Mp50>}};
+template <bool KeepsQuads>
+DeformMethod method_of_somigliana() {
+  return {
+      .name = kind_of_somigliana(KeepsQuads),
+      .source = KeepsQuads ? "[C23] Section 4, Eq 10-15, on bilinear faces" : "[C23] Section 4, Eq 10-15",
+      .keeps = "similarities",
+      .kind = kind_of_somigliana(KeepsQuads),
+      .parameters = {{{.name = "variant", .preset = 0, .lowest = -1, .highest = 3, .whole = true},
+                      KeepsQuads ? "one rotation and stretch for all, or one for each vertex, triangle and corner of a "
+                                   "quad, or between these"
+                                 : "one rotation and stretch for all, or one for each vertex and element, or between "
+                                   "these",
+                      {"global", "local", "blend"}},
+                     {{.name = "nu", .preset = 0.3, .lowest = -1, .highest = 0.5, .includes_infinity = true},
+                      "Poisson's ratio"},
+                     {{.name = "gamma", .preset = 0, .lowest = -1e6, .highest = 1e6}, "bulging"},
+                     {{.name = "balance", .preset = 0, .lowest = -1, .highest = 2, .whole = true},
+                      "whether tractions are balanced, Eq 15",
+                      {"on", "off"}},
+                     {{.name = "blend", .preset = 0.5, .lowest = kBelowZero, .highest = 1, .includes_highest = true},
+                      "of variant=blend alone, others ignore it: from global, 0, to local, 1"}},
+      .with_parameters_of_kind = false,
+      .refuses = KeepsQuads ? why_quads_are_refused : nullptr,
+      .prepare = prepare<double, KeepsQuads>,
+      .prepare_in_50_digits = prepare<Mp50, KeepsQuads>};
+}
+
+const RegisterDeformMethod somigliana{method_of_somigliana<false>()}, quad_somigliana{method_of_somigliana<true>()};
 
 }  // namespace
 }  // namespace cageproof::deformation

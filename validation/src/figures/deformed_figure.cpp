@@ -117,7 +117,9 @@ class DeformedFigure final : public PaperFigure {
     return fmt::format("figure/{}/{}", sheet.name, panel.file);
   }
 
-  // Panels of one kind of coordinates with the same parameters.
+  const Cage& cage_of(const PanelPlan& panel) const { return panel.cage ? *panel.cage : *plan_.cage; }
+
+  // Panels of one cage and kind of coordinates with the same parameters.
   std::vector<Shown>& group_of(const PanelPlan& panel) {
     std::string key;
     if (const auto* constrained = deformation::find_constraint_method(panel.method)) {
@@ -127,7 +129,7 @@ class DeformedFigure final : public PaperFigure {
       const auto& method = deformation::deform_method_named(panel.method);
       const auto known = parameters_of(method);
       const auto values = parameter_values(known, panel.parameters);
-      key = method.kind;
+      key = fmt::format("{} {}", cage_of(panel).name(), method.kind);
       const auto of_kind = parameters_of(coordinate_kind_named(method.kind));
       for (std::size_t i = 0; i < known.size(); ++i)
         if (decides_coordinates(method, known[i].name) ||
@@ -143,15 +145,15 @@ class DeformedFigure final : public PaperFigure {
   PanelMap map_of(const PanelPlan& panel, Prepared& prepared) const {
     if (const auto* constrained = deformation::find_constraint_method(panel.method)) {
       const auto deformer =
-          deformation::prepare_constrained(*constrained, *plan_.cage, panel.constraints,
+          deformation::prepare_constrained(*constrained, cage_of(panel), panel.constraints,
                                            {.parameters = parameter_values(constrained->parameters, panel.parameters)});
       return {deformer, &deformer->coordinates(), deformer->pose()};
     }
-    auto& deformer = prepared[fmt::format("{} {}", panel.method, parameters_text(panel))];
+    auto& deformer = prepared[fmt::format("{} {} {}", cage_of(panel).name(), panel.method, parameters_text(panel))];
     if (!deformer) {
       const auto& method = deformation::deform_method_named(panel.method);
       deformer = deformation::prepare_deformer<double>(
-          method, *plan_.cage, {.parameters = parameter_values(parameters_of(method), panel.parameters)});
+          method, cage_of(panel), {.parameters = parameter_values(parameters_of(method), panel.parameters)});
     }
     return {deformer, &deformer->coordinates(), deformer->pose({panel.posed})};
   }
@@ -176,9 +178,9 @@ class DeformedFigure final : public PaperFigure {
     panel.data.faces = rest.faces;
     panel.data.segments = rest.segments;
     panel.data.name = plan.file;
-    for (const Face& face : plan_.cage->parts(!plan.shows_diagonals, Triangulation::Shortest).elements)
+    for (const Face& face : cage_of(plan).parts(!plan.shows_diagonals, Triangulation::Shortest).elements)
       panel.cage_faces.emplace_back(face.vertices.begin(), face.vertices.begin() + face.size());
-    panel.facts = {{"cage", plan_.cage->name()}};
+    panel.facts = {{"cage", cage_of(plan).name()}};
     if (plan.method.empty()) {
       for (const auto& position : plan.constraints.positions) panel.marks.push_back(position.at);
       return panel;

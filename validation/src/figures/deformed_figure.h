@@ -24,6 +24,8 @@ struct PanelPlan {
   std::vector<Vec3<double>> posed = {};       ///< the cage's vertices
   deformation::Constraints constraints = {};  ///< of methods that take them instead of a posed cage
   bool shows_diagonals = false;               ///< whether the cage's quads are drawn as triangles
+  /// In place of the figure's: with the same vertices, and other faces. Null for the figure's.
+  std::shared_ptr<const Cage> cage = nullptr;
 };
 
 /// A figure: some panels.

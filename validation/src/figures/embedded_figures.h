@@ -21,7 +21,8 @@ std::string elastic_text(const std::string& variant);
 std::unique_ptr<const PaperFigure> bar_figure();
 /// [C23] Figures 1, 2 and 5: a cube pressed flat.
 std::unique_ptr<const PaperFigure> pressed_figure();
-/// [T18] Figures 1 and 12: quads against their triangulation, in a symmetric pose.
+/// [T18] Figures 1 and 12: quads against their triangulation, in a symmetric pose; deformers with normals, too, and by
+/// either diagonals.
 std::unique_ptr<const PaperFigure> symmetry_figure();
 /// [W12] Figures 1 and 5: a bar of the plane bent.
 std::unique_ptr<const PaperFigure> plane_bar_figure();

@@ -29,8 +29,9 @@ struct DeformationReport {
 template <Scalar R>
 struct Pose {
   std::vector<Vec3<R>> vertices;
-  /// Normal derivatives of each element, or of each corner of each element where they are affine, that the user
-  /// prescribes instead of the method's own; empty for those.
+  /// Normal derivatives that the user prescribes instead of the method's own, one for each of normals_owner(): of each
+  /// element, of each corner of each element where they are affine, or, of quads that are kept, of each corner of a
+  /// quad and each triangle, along the unit normal there; empty for those.
   std::vector<Vec3<R>> normal_derivatives = {};
   /// Of methods that take them: the Laplacian's density at each vertex, and its normal derivative's of each element (L'
   /// and D' of [T24] Eq 19); empty for zeros.
@@ -130,6 +131,10 @@ struct RegisterDeformMethod {
 
 /// The method of that name. \throws InputError where there is none
 const DeformMethod& deform_method_named(std::string_view name);
+
+/// The method that does the same on a cage's own quads: the method itself where its coordinates keep them, or the one
+/// of its name with "quad_" before it. \throws InputError where there is none
+const DeformMethod& keeping_quads(const DeformMethod& method);
 
 /// A method's parameters: its own, then those of its kind of coordinates where users may choose them.
 std::vector<KindParameter> parameters_of(const DeformMethod& method);

@@ -12,36 +12,58 @@
 namespace cageproof::deformation {
 
 /// What multiplies the posed unit normal, of the singular values s1 >= s2 of the linear map from the rest element to
-/// the posed one: sqrt((s1^2 + s2^2)/2) (Lipman et al. 2008), (s1 + s2)/2, sqrt(s1 s2), or one. Of segments the one
-/// singular value, or one.
-enum class Stretch { Rms, Mean, Area, Unit };
+/// the posed one: sqrt((s1^2 + s2^2)/2) (Lipman et al. 2008), (s1 + s2)/2, sqrt(s1 s2), one, or s1 s2. Of segments the
+/// one singular value, or one. On a bilinear quad the singular values differ from point to point, and their mean with a
+/// corner's basis function multiplies the corner's posed normal (quad_normals.h).
+enum class Stretch { Rms, Mean, Area, Unit, Product };
 
-/// Their names, in that order: "rms", "mean", "area", "unit".
+/// The names of the first four, in that order: "rms", "mean", "area", "unit".
 const std::vector<std::string_view>& stretch_names();
+
+/// The names of all five, of deformers that keep quads; the fifth is "product".
+const std::vector<std::string_view>& quad_stretch_names();
 
 /// The rest vertices in another scalar, exactly.
 template <Scalar R>
 std::vector<Vec3<R>> vertices_in(const CageElements& rest);
 
-/// The unit normal of an element whose vertices are elsewhere.
-/// \param owner names the posed cage in messages \throws InputError for an element without length or area
+/// The vectors that span an element whose vertices are elsewhere: of a segment the edge and the axis across the plane,
+/// of a triangle the edges from its first corner. Of a quad its derivatives by u and v, u and v counted from a corner,
+/// at (1/3, 1/3): their means over the quad, weighted with the corner's basis function.
 template <Scalar R>
-Vec3<R> posed_normal(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element);
+std::array<Vec3<R>, 2> tangents_of(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element,
+                                   int corner = 0);
 
+/// The unit normal of an element whose vertices are elsewhere: across its tangents.
+/// \param corner of a quad, next to which the normal is; of no meaning for flat elements
+/// \throws InputError for an element without length or area
 template <Scalar R>
-R stretch_of(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element);
+Vec3<R> posed_normal(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element,
+                     int corner = 0);
 
-/// A row an element: its posed unit normal times its stretch. Elements without area are an error, unless the stretch is
-/// Area, which takes them for zero.
+/// The stretch of the linear map that takes an element's tangents to the posed ones.
+/// \param corner as of posed_normal
+template <Scalar R>
+R stretch_of(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element,
+             int corner = 0);
+
+/// A row a normal (Owner::Normal): of a flat element its posed unit normal times its stretch, of a quad's corner what
+/// quad_normals() says. Elements without area are an error that names them, unless the stretch is Area or Product,
+/// which take them for zero.
 template <Scalar R>
 std::vector<Vec3<R>> stretched_normals(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices);
 
-/// What poses have a normal derivative for: an element, or a corner of one where they are affine.
+/// What poses have a normal derivative for: an element, a corner of one where they are affine, or, where quads are
+/// kept, a normal.
 Owner normals_owner(const CageCoordinates& coordinates);
 
-/// \param normals what there is a normal derivative for: an element, or a corner of one
+/// The owner of normal derivatives in messages, as many: "elements", "corners of elements", "corners of quads, and
+/// triangles".
+std::string_view plural_of(Owner normals);
+
+/// \param normals what there is a normal derivative for: normals_owner()
 /// \throws InputError unless there are as many vertices as the rest cage has, and of other data none, or a row a
-/// vertex, element or corner, all finite; names the row
+/// vertex, element or normal derivative, all finite; names the row
 template <Scalar R>
 void check_pose(const CageElements& rest, const Pose<R>& pose, Owner normals = Owner::Element);
 

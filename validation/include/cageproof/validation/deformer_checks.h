@@ -67,7 +67,8 @@ class DeformerChecks {
   /// mirrored points with the mirrored images, where the deformer's elements are symmetric, too.
   /// keeps_symmetry_of_quads: the same where the quads are, and not the triangles that they are split in.
   /// deformer_truth: images and their derivatives in double with those in 50 digits, where these are prompt: of methods
-  /// that solve systems for the cage on small cages alone, and by default parameters.
+  /// that solve systems for the cage on small cages alone, and by default parameters; of those that keep quads by
+  /// default parameters.
   /// deformer_jacobian: derivatives with central differences of the images and of the Jacobian, in 50 digits where
   /// these are prompt, else in double.
   /// deformer_by_quadrature: images with those that an adaptive rule gives, on small cages, by default parameters.
@@ -84,6 +85,8 @@ class DeformerChecks {
   using Prepared = std::shared_ptr<const deformation::Deformer<R>>;
   template <class R>
   Prepared<R> prepared(const std::string& evaluation) const;
+  /// Few elements and, where quads are kept, few corners of them.
+  bool has_few_elements() const;
   bool is_prompt_in_50_digits() const;
   std::optional<std::string> quadrature() const;
   std::vector<Errors> kept(const SpaceMap& map, bool with_normals, std::span<const Vec3<double>> points) const;
