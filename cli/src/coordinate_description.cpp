@@ -16,6 +16,13 @@ std::string_view data_of(const CoordinateBlock& block) {
     case Reproduces::Vertices: return "posed vertices";
     case Reproduces::TurnedVertices: return "posed vertices, turned by a quarter counter-clockwise: (x, y) -> (-y, x)";
     case Reproduces::Normals:
+      if (block.owner == Owner::Normal)
+        return block.entries() > 1 ? "the map's traction where the normal is: on a triangle, or at a quad's corner; "
+                                     "that of the identity "
+                                     "is the outward unit normal there times normal_factor"
+                                   : "the derivative of the map along the outward unit normal of a triangle, or at a "
+                                     "quad's corner, times "
+                                     "normal_factor";
       if (block.entries() > 1)
         return "the map's traction on the element; that of the identity is the outward unit normal times normal_factor";
       return block.owner == Owner::Corner
@@ -49,6 +56,14 @@ Json block_json(const CageCoordinates& coordinates, std::size_t b) {
   if (block.entries() > 1) json["matrix"] = {block.shape.rows, block.shape.columns};
   json["multiplies"] = data_of(block);
   if (block.reproduces == Reproduces::Normals) json["normal_factor"] = block.normal_factor;
+  // Elements' own stand beside them; a quad that is kept has one a corner.
+  if (block.owner == Owner::Normal) {
+    const CageElements& elements = coordinates.elements();
+    for (int i = 0; i < block.size; ++i) {
+      const Vec3<double> normal = elements.normal_of(i, Owner::Normal);
+      json["normals"].push_back(std::vector<double>(normal.data(), normal.data() + elements.dimension()));
+    }
+  }
   if (Json formulas = formulas_json(coordinates, b); !formulas.empty()) json["formulas"] = std::move(formulas);
   return json;
 }

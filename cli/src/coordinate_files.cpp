@@ -51,16 +51,21 @@ void add_elements(Members& members, const reports::DescribedCage& cage) {
 
 // What each coordinate of a block belongs to, where that is no vertex and no element.
 void add_corners(Members& members, const CoordinateBlock& block, const CageElements& elements) {
-  if (block.owner != Owner::Corner) return;
+  if (block.owner == Owner::Vertex || block.owner == Owner::Element) return;
   std::vector<std::int64_t> element_of, vertex_of;
+  std::vector<Vec3<double>> normals;
   for (int i = 0; i < block.size; ++i) {
     const std::size_t e = elements.element_of(i, block.owner);
     element_of.push_back(static_cast<std::int64_t>(e));
-    vertex_of.push_back(elements.vertices_of(e)[i - elements.shares_of(e, block.owner).front()]);
+    // A flat element's one normal belongs to no vertex.
+    const bool whole = block.owner == Owner::Normal && elements.type(e).flat;
+    vertex_of.push_back(whole ? -1 : elements.vertices_of(e)[i - elements.shares_of(e, block.owner).front()]);
+    normals.push_back(elements.normal_of(i, block.owner));
   }
   const std::size_t count = element_of.size();
   add(members, block.label + "_elements", element_of, {count});
   add(members, block.label + "_vertices", vertex_of, {count});
+  if (block.owner == Owner::Normal) add_vectors(members, block.label + "_normals", normals, elements.dimension());
 }
 
 std::string npz_text(const CoordinateColumns& table, const Mesh& mesh, const reports::DescribedCage& cage,

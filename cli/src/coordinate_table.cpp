@@ -31,10 +31,11 @@ std::string entry_name(int entry, const Shape& shape) {
   return shape.entries() == 1 ? "" : fmt::format("_{}{}", axes[entry / shape.columns], axes[entry % shape.columns]);
 }
 
-// "phi_7" of a vertex or element, "psi_7_2" of an element's corner.
+// "phi_7" of a vertex or element, "psi_7_2" of an element's corner, or of the normal there.
 std::string coordinate_name(const CoordinateBlock& block, const CageElements& elements, int i) {
-  if (block.owner != Owner::Corner) return fmt::format("{}_{}", block.label, i);
+  if (block.owner == Owner::Vertex || block.owner == Owner::Element) return fmt::format("{}_{}", block.label, i);
   const std::size_t element = elements.element_of(i, block.owner);
+  if (block.owner == Owner::Normal && elements.type(element).flat) return fmt::format("{}_{}", block.label, element);
   return fmt::format("{}_{}_{}", block.label, element, i - elements.shares_of(element, block.owner).front());
 }
 

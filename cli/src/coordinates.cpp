@@ -26,7 +26,7 @@ struct Arguments {
   std::string points, kind, evaluation, out, solved, data;
   std::vector<std::string> parameters;
   int order = 0, jobs = 0;
-  bool strict = false;
+  bool strict = false, keep_quads = false;
 };
 
 void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
@@ -84,7 +84,8 @@ void check_solved_file(const Arguments& a) {
 
 int run(const Arguments& a) {
   check_solved_file(a);
-  const CoordinateKind& kind = coordinate_kind_named(a.kind);
+  const CoordinateKind& named = coordinate_kind_named(a.kind);
+  const CoordinateKind& kind = a.keep_quads ? keeping_quads(named) : named;
   if (a.cage.allow_invalid_quads && !kind.keeps_quads)
     throw InputError(fmt::format("--allow-invalid-quads: {} splits quads in triangles", kind.name));
   if (!a.out.empty())
@@ -136,6 +137,9 @@ void add_coordinates(CommandLine& line) {
       .taking("FILE")
       .required();
   command.option("--kind", a->kind, names_of_kinds()).taking("KIND").required();
+  command.flag("--keep-quads", a->keep_quads,
+               "quads stay bilinear surfaces: --kind green is quad_green then, and so are mean_value, biharmonic and "
+               "somigliana");
   command.flag("--allow-invalid-quads", a->cage.allow_invalid_quads,
                "compute with quads that are not valid, of kinds that keep quads");
   command

@@ -44,8 +44,15 @@ struct Coordinates::Prepared {
     for (std::size_t e = 0; e < all.count(); ++e) {
       const auto vertices = all.vertices_of(e);
       const Vec3<double>& normal = all.normals()[e];
-      elements.push_back(
-          {{vertices.begin(), vertices.end()}, faces[e], {normal.data(), normal.data() + all.dimension()}});
+      std::vector<std::vector<double>> normals;
+      for (const int i : all.shares_of(e, Owner::Normal)) {
+        const Vec3<double> one = all.normal_of(i, Owner::Normal);
+        normals.emplace_back(one.data(), one.data() + all.dimension());
+      }
+      elements.push_back({{vertices.begin(), vertices.end()},
+                          faces[e],
+                          {normal.data(), normal.data() + all.dimension()},
+                          std::move(normals)});
     }
   }
 

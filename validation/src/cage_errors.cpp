@@ -45,10 +45,9 @@ Sums sums_of(const CageCoordinates& coordinates, const Cage& cage, const std::ve
       const double* from = &results[b].of(order)[i * width * derivatives + derivative];
       Mat3<double> c = *from * one;
       for (std::size_t e = 0; width > 1 && e < width; ++e) c(e / dim, e % dim) = from[e * derivatives];
-      const Vec3<double> v =
-          vertices ? cage.vertices()[i]
-                   : Vec3<double>(block.normal_factor *
-                                  coordinates.elements().normals()[coordinates.elements().element_of(i, block.owner)]);
+      const Vec3<double> v = vertices
+                                 ? cage.vertices()[i]
+                                 : Vec3<double>(block.normal_factor * coordinates.elements().normal_of(i, block.owner));
       s.positions += c * v;
       s.positions_size += norm_of(c, dim) * v.stableNorm();
       if (!vertices) continue;

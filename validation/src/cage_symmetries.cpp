@@ -43,9 +43,30 @@ auto& of(Owner owner, auto& of_owners) { return of_owners[static_cast<std::size_
 CageSymmetries::Variant CageSymmetries::variant(std::string check, const Cage& cage, const CoordinateKind& kind,
                                                 const std::string& evaluation) const {
   Variant v{std::move(check), {cage, kind, evaluation, Triangulation::Fan}, {}};
-  for (const Owner owner : {Owner::Vertex, Owner::Element, Owner::Corner})
+  for (const Owner owner : {Owner::Vertex, Owner::Element, Owner::Corner, Owner::Normal})
     for (int i = 0; i < static_cast<int>(base_.elements().count(owner)); ++i) of(owner, v.shares).push_back({{i, 1.0}});
   return v;
+}
+
+// What the normals of a part of an element have of the whole's. The part's coordinates have its own area elements,
+// which the whole's are a combination of.
+void CageSymmetries::add_normals_of_part(const CageElements& elements, std::size_t element, const ElementPart& part,
+                                         std::vector<std::vector<Share>>& all) {
+  const auto whole = elements.shares_of(element, Owner::Normal);
+  if (whole.size() == 1) {
+    all.push_back({{whole[0], 1.0}});
+    return;
+  }
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    Vec3<double> area = Vec3<double>::Zero();
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      area +=
+          part[k][i] * elements.area_element_of(whole[i], Owner::Normal) * elements.normal_of(whole[i], Owner::Normal);
+    auto& shares = all.emplace_back();
+    for (std::size_t i = 0; i < whole.size(); ++i)
+      if (part[k][i] != 0)
+        shares.push_back({whole[i], part[k][i] * elements.area_element_of(whole[i], Owner::Normal) / area.norm()});
+  }
 }
 
 CageSymmetries::Subdivision CageSymmetries::subdivision() const {
@@ -90,6 +111,7 @@ CageSymmetries::Subdivision CageSymmetries::subdivision() const {
           if (part[k][i] != 0) shares.push_back({elements.shares_of(e, Owner::Corner)[i], part[k][i]});
       }
       of(Owner::Element, finer.shares).push_back({{static_cast<int>(e), 1.0}});
+      add_normals_of_part(elements, e, part, of(Owner::Normal, finer.shares));
     }
   }
   return finer;
@@ -106,13 +128,16 @@ CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, con
     turned.push_back(turn(v));
   }
   std::vector<Face> permuted = elements.all();
-  std::vector<std::vector<Share>> permuted_corners;
+  std::vector<std::vector<Share>> permuted_corners, permuted_normals;
   bool any_cyclic = false;
   for (std::size_t e = 0; e < elements.count(); ++e) {
     const bool cyclic = sampling_of(elements.type(e).kind).cyclic;
     const auto numbers = elements.shares_of(e, Owner::Corner);
     for (std::size_t k = 0; k < numbers.size(); ++k)
       permuted_corners.push_back({{numbers[cyclic ? (k + 1) % numbers.size() : k], 1.0}});
+    const auto normals = elements.shares_of(e, Owner::Normal);
+    for (std::size_t k = 0; k < normals.size(); ++k)
+      permuted_normals.push_back({{normals[cyclic ? (k + 1) % normals.size() : k], 1.0}});
     if (!cyclic) continue;
     any_cyclic = true;
     const auto corners = std::span(permuted[e].vertices).first(elements.type(e).corners);
@@ -125,6 +150,7 @@ CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, con
   if (any_cyclic) {
     variants_.push_back(variant("cage_corner_permutation", cage.with(cage.vertices(), permuted), kind, evaluation));
     of(Owner::Corner, variants_.back().shares) = std::move(permuted_corners);
+    of(Owner::Normal, variants_.back().shares) = std::move(permuted_normals);
   }
   // Kinds that are not sums over elements may change when elements are subdivided, so the check skips them.
   if (!kind.is_sum()) return;
@@ -158,10 +184,10 @@ CageSymmetries::Added CageSymmetries::added(const Variant& v, std::size_t b, con
   Added sum{std::vector<double>(block.size * width, 0.0), std::vector<double>(block.size * width, 0.0)};
   const CageElements& elements = base_.elements();
   Shape shape = block.shape;
-  shape.per_corner = block.owner != Owner::Element;
   for (std::size_t e = 0; e < elements.count(); ++e) {
-    const std::vector<double> part = logarithmic_part(block.logarithmic, shape, elements.corners(e), point, 0);
     const std::span<const int> slots = elements.shares_of(e, block.owner);
+    shape.per_corner = slots.size() > 1;
+    const std::vector<double> part = logarithmic_part(block.logarithmic, shape, elements.corners(e), point, 0);
     for (std::size_t i = 0; i < part.size(); ++i) {
       const std::size_t to = slots[i / width] * width + i % width;
       const double term = std::log(v.unit) * part[i];

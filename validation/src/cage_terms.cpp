@@ -84,8 +84,7 @@ double CageTerms::weight_of(std::size_t b, int coordinate) const {
   const CoordinateBlock& block = coordinates_.blocks()[b];
   const CageElements& elements = coordinates_.elements();
   if (block.reproduces == Reproduces::Normals)
-    return std::abs(block.normal_factor) *
-           elements.normals()[elements.element_of(coordinate, block.owner)].stableNorm();
+    return std::abs(block.normal_factor) * elements.normal_of(coordinate, block.owner).stableNorm();
   // Blocks of elements that reproduce nothing have no position.
   return block.owner == Owner::Vertex ? elements.vertices()[coordinate].stableNorm() : 0;
 }
@@ -101,6 +100,9 @@ CageTerms::Sums CageTerms::sums_of_terms(const Vec3<double>& point, int order) c
       const CoordinateBlock& block = coordinates_.blocks()[b];
       evaluations[b](Query<double>{corners, point, order, parameters_}, term);
       const std::span<const int> shares = elements.shares_of(e, block.owner);
+      for (int o = 0; o <= order; ++o)
+        for (std::size_t i = 0; block.owner == Owner::Normal && i < term.of(o).size(); ++i)
+          term.of(o)[i] *= elements.area_element_of(shares[i * shares.size() / term.of(o).size()], block.owner);
       for (int o = 0; o <= order; ++o)
         for (std::size_t k = 0; k < shares.size(); ++k)
           sums.add(block, b, o, shares[k], &term.of(o)[k * term.of(o).size() / shares.size()], weight_of(b, shares[k]),

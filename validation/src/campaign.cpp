@@ -20,6 +20,7 @@ struct Part {
   ScalarKind scalar;
   int divisor;  // takes every divisor-th sample
   int end;      // of those below
+  int order;    // the highest that is asked
 };
 
 // A formula in a regime, and all that is asked of it there.
@@ -52,10 +53,26 @@ CampaignOptions affordable(CampaignOptions options, const TruthSource& source) {
   return options;
 }
 
+// The highest order that a check asks. On an element, integrals over elements without closed cuts extrapolate from
+// several distances, which takes a minute of a matrix's Hessians.
+int order_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const Regime& regime,
+              const CampaignOptions& options, const TruthSource& source) {
+  int order = std::min(2, evaluation.max_order());
+  if (check.cost(scalar) != Check::Cost::Multiprecision || !source.is_costly() || !regime.name.starts_with("on-"))
+    return order;
+  const Formula& formula = evaluation.formula();
+  const auto entries = [&](int o) {
+    return static_cast<std::size_t>(formula.components()) * derivative_count(formula.dim(), o);
+  };
+  while (options.integral_entries > 0 && order > 0 && entries(order) > options.integral_entries) --order;
+  return order;
+}
+
 // The samples that a check takes: every divisor-th below end.
 Part part_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const Regime& regime,
-              const CampaignOptions& options) {
-  const auto strided = [&](int divisor, int end) { return Part{&check, evaluation, scalar, divisor, end}; };
+              const CampaignOptions& options, const TruthSource& source) {
+  const int order = order_for(check, evaluation, scalar, regime, options, source);
+  const auto strided = [&](int divisor, int end) { return Part{&check, evaluation, scalar, divisor, end, order}; };
   switch (check.cost(scalar)) {
     case Check::Cost::Enclosure: return strided(wide_stride, wide_stride * options.enclosures);
     case Check::Cost::Multiprecision: {
@@ -88,7 +105,8 @@ Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOption
       if (!matches_evaluation(options.evaluations, evaluation) && check->role() != Check::Role::Gate) continue;
       for (const ScalarKind scalar : scalar_kinds) {
         if (!evaluation.supports(scalar) || !check->applies(formula, evaluation, scalar, regime.name)) continue;
-        plan.parts.push_back(part_for(*check, evaluation, scalar, regime, affordable(options, *plan.source)));
+        plan.parts.push_back(
+            part_for(*check, evaluation, scalar, regime, affordable(options, *plan.source), *plan.source));
       }
     }
   return plan;
@@ -161,9 +179,9 @@ class ElementMeasurement final : public Measurement {
         const Part& part = plan_.parts[p];
         if ((part.scalar == ScalarKind::Float) != single || !takes(part, i)) continue;
         if (!truth) truth = truth_from(*plan_.source, sample, 2);
-        const int order = std::min(2, part.evaluation.max_order());
         record(part, plan_, sample, *truth,
-               part.check->measure({*plan_.formula, part.evaluation, part.scalar, sample, order, *truth}), tallies[p]);
+               part.check->measure({*plan_.formula, part.evaluation, part.scalar, sample, part.order, *truth}),
+               tallies[p]);
       }
     }
   }

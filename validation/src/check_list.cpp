@@ -22,6 +22,7 @@ const std::vector<std::unique_ptr<Check>>& checks() {
     add_limit_check(list);
     add_symmetry_checks(list);
     add_identity_checks(list);
+    add_side_relation_check(list);
     return list;
   }();
   return all;

@@ -11,11 +11,12 @@ namespace cageproof::validation {
 
 using CheckList = std::vector<std::unique_ptr<Check>>;
 
-void add_truth_checks(CheckList& list);     // truth, relative, integral, stated_error
-void add_enclosure_check(CheckList& list);  // enclosure
-void add_limit_check(CheckList& list);      // limit
-void add_symmetry_checks(CheckList& list);  // scaling, rigid_motion, corner_permutation, orientation_flip
-void add_identity_checks(CheckList& list);  // laplacian, subdivision, gradient_by_differences, face_jump
+void add_truth_checks(CheckList& list);         // truth, relative, integral, stated_error
+void add_enclosure_check(CheckList& list);      // enclosure
+void add_limit_check(CheckList& list);          // limit
+void add_symmetry_checks(CheckList& list);      // scaling, rigid_motion, corner_permutation, orientation_flip
+void add_identity_checks(CheckList& list);      // laplacian, subdivision, gradient_by_differences, face_jump
+void add_side_relation_check(CheckList& list);  // side_relation
 
 /// Within a check, `Role` is the check's own.
 inline bool is_recommended(const Evaluation& evaluation) { return evaluation.role() == Role::Recommended; }

@@ -82,7 +82,10 @@ class SubdivisionCheck final : public Check {
     const TruthSource source = truth_source(in.formula);
     std::array<Mp100, 3> yardstick = in.truth.conditioned;
     std::array<bool, 3> exists = in.truth.exists, required = in.truth.required;
-    for (const ElementPart& part : type_of(in.formula.element).parts) {
+    const auto parts = type_of(in.formula.element).parts;
+    // Of the parameters each part has as much as another.
+    const double share = in.formula.by_parameters ? 1.0 / static_cast<double>(parts.size()) : 1;
+    for (const ElementPart& part : parts) {
       Sample sub = in.sample;
       for (int j = 0; j < in.formula.corners(); ++j) {
         sub.corners[j].setZero();
@@ -92,10 +95,10 @@ class SubdivisionCheck final : public Check {
       const Truth truth = truth_from(source, sub, in.order);
       const Result<double> f = evaluate<double>(in.evaluation, sub, in.order);
       for (int o = 0; o <= in.order; ++o) {
-        yardstick[o] += truth.conditioned[o];
+        yardstick[o] += share * truth.conditioned[o];
         exists[o] = exists[o] && truth.exists[o];
         required[o] = required[o] && truth.required[o];
-        add_part(in.formula, part, f.of(o), sum.of(o));
+        add_part(in.formula, part, share, f.of(o), sum.of(o));
       }
     }
     std::array<Finding, 3> findings;
@@ -110,16 +113,16 @@ class SubdivisionCheck final : public Check {
   }
 
  private:
-  static void add_part(const Formula& formula, const ElementPart& part, const std::vector<double>& f,
+  static void add_part(const Formula& formula, const ElementPart& part, double share, const std::vector<double>& f,
                        std::vector<double>& sum) {
     if (!formula.shape.per_corner) {
-      for (std::size_t i = 0; i < f.size(); ++i) sum[i] += f[i];
+      for (std::size_t i = 0; i < f.size(); ++i) sum[i] += share * f[i];
       return;
     }
     const std::size_t corners = formula.corners(), block = f.size() / corners;
     for (std::size_t k = 0; k < corners; ++k)
       for (std::size_t j = 0; j < corners; ++j)
-        for (std::size_t i = 0; i < block; ++i) sum[k * block + i] += part[j][k] * f[j * block + i];
+        for (std::size_t i = 0; i < block; ++i) sum[k * block + i] += share * part[j][k] * f[j * block + i];
   }
 };
 

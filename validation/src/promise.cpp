@@ -28,7 +28,8 @@ constexpr std::string_view deformer_reason =
     "exact but for roundings: 1e-16 of the size, a thousand times or by the condition of what is solved";
 constexpr std::string_view least_energy =
     "steps end where rounding hides the energy's slope, and a minimum is as far off as the root of that";
-constexpr std::string_view unit_normals = "unit normals do not grow with the cage";
+constexpr std::string_view unit_normals =
+    "unit normals do not grow with the cage, products of both stretches grow with its square";
 
 // Whole coordinates computed at once, and both.
 constexpr std::string_view batched = "batched";
@@ -87,16 +88,18 @@ constexpr std::array table{
     Row{"truth", "*", "adaptive", "*", "*", 0, 2, none,
         "integrates until its own tolerance is met, and says how many digits it stands behind: stated_error holds it "
         "to that, whatever their number"},
-    Row{"truth", "quad.mean_value", "line-*", "*", "*", 0, 2, none,
+    Row{"truth", "quad.*", "line-*", "*", "*", 0, 2, none,
         "the line form for as many digits as its name says, where these are enough: which it keeps is what the report "
         "is for"},
-    Row{"truth", "quad.mean_value", "@(riemann-*|tessellated-*)", "*", "*", 0, 2, none,
+    Row{"truth", "quad.*", "@(riemann-*|tessellated-*|midpoint-*)", "*", "*", 0, 2, none,
         "a scheme that approximates the quad by its grid: its error next to it, and of derivatives, is what the report "
         "is for"},
     Row{"truth", "*", "*", "*", "*", 0, 2, none,
         "a quadrature rule of fixed size: its error is what the report is for"},
     // Properties: two evaluations, each within the promise of `truth`.
     Row{"subdivision", "*", recommended, "double", "*", 0, 2, 320, "five evaluations within 64 each"},
+    Row{"side_relation", "*", recommended, "double", "*", 0, 0, 64, "each layer within 64, in units of both together"},
+    Row{"side_relation", "*", "accurate", "double", "*", 0, 0, 256, "each layer within 256"},
     Row{"laplacian", "*", recommended, "double", "*", 0, 2, 192, "three second derivatives within 64 each"},
     Row{"scaling", "*", recommended, "double", "*", 0, 2, 128, "two evaluations within 64 each"},
     Row{"rigid_motion", "*", recommended, "double", "*", 0, 2, 128, "two evaluations within 64 each"},
@@ -224,7 +227,7 @@ constexpr std::array table{
         "each term of the sums to a few roundings, normalised ones by the quotient rule"},
     Row{"linear_reproduction", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity"},
     Row{"partition_of_unity", "quad_mean_value", "*", "double", "*", 0, 0, 64, "normalised sums"},
-    Row{"linear_reproduction", "quad_mean_value", "gauss-*", "double", "*", 0, 0, none,
+    Row{"linear_reproduction", "quad_mean_value", "@(gauss-*|midpoint-*)", "double", "*", 0, 0, none,
         "a fixed rule misses the mean vector of a near quad"},
     Row{"linear_reproduction", "quad_mean_value", "*", "double", "*", 0, 0, 64,
         "weights that keep a quad's mean vector, Eq 17 of [T18]"},
@@ -266,19 +269,22 @@ constexpr std::array table{
         "derivatives of w/W cancel next to the cage by the quotient rule, where weights grow like 1/h and w/W stays "
         "bounded: the unit holds one rounding of each weight's derivatives for that; oblique thin walls and flat "
         "tetrahedra take 29 of them"},
+    Row{"cage_block_error", "quad_green", batched, "double", "*", 1, 2, none,
+        "derivatives are sums of elements, which cancel next to an edge where faces go on in one plane"},
     Row{"cage_block_error", "*", batched, "double", "*", 0, 2, 64,
         "a few roundings of the point and the corners in the cage's own frame, wherever the point is"},
     // Deformers, in cage sizes: what each keeps, as formulas/deformation.md, Section 1, states it.
     Row{"keeps_rigid", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
-    Row{"keeps_scale", "green", "stretch=unit", "double", "*", 0, 0, none, unit_normals},
-    Row{"keeps_scale", "biharmonic_*", "@(normals=unit|neumann=affine)", "double", "*", 0, 0, none, unit_normals},
+    Row{"keeps_scale", "?(quad_)green", "stretch=@(unit|product)", "double", "*", 0, 0, none, unit_normals},
+    Row{"keeps_scale", "?(quad_)biharmonic_*", "@(normals=@(unit|product)|neumann=affine)", "double", "*", 0, 0, none,
+        unit_normals},
     Row{"keeps_scale", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
-    Row{"keeps_mirror", "@(green|cauchy|biharmonic_*|somigliana)", "*", "double", "*", 0, 0, none,
+    Row{"keeps_mirror", "@(?(quad_)@(green|somigliana|biharmonic_*)|cauchy)", "*", "double", "*", 0, 0, none,
         "the posed normals of a mirror image point inward"},
     Row{"keeps_mirror", "@(ahap|aaap|tp)", "alignment=nonnegative", "double", "*", 0, 0, none,
         "the posed normals of a mirror image point inward, and no negative stretch turns them"},
     Row{"keeps_mirror", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
-    Row{"keeps_linear", "@(green|cauchy|biharmonic_*|somigliana)", "*", "double", "*", 0, 0, none,
+    Row{"keeps_linear", "@(?(quad_)@(green|somigliana|biharmonic_*)|cauchy)", "*", "double", "*", 0, 0, none,
         "posed normals are not the images of normals, unless the map is a similarity"},
     Row{"keeps_linear", "@(ahap|aaap|tp)", "alignment=@(hard|soft|nonnegative)", "double", "*", 0, 0, none,
         "normal derivatives that are held to the posed normals are not those of the map"},

@@ -60,6 +60,14 @@ const Formula& formula_of_kept_faces(const CoordinateKind& kind, const Cage& cag
   return *find_formula(face->kind(), kind.blocks.front().kernel);
 }
 
+// Whether all of a kind's formulas on the faces that it keeps have an evaluation of that name.
+bool is_evaluation_of(const std::string& name, const CoordinateKind& kind, const Cage& cage) {
+  const ElementKind element = formula_of_kept_faces(kind, cage).element;
+  return std::ranges::all_of(kind.blocks, [&](const SummedBlock& block) {
+    return EvaluationRegister::instance().find(find_formula(element, block.kernel)->name, name).has_value();
+  });
+}
+
 // Tells inputs apart that have the same name: FNV-1a of their numbers.
 class Fingerprint {
  public:
@@ -172,6 +180,8 @@ class Planner {
   bool is_asked(const CoordinateKind& kind, const Cage& cage) const {
     if (!exists_on(kind, cage) || !is_affordable(kind, cage, cage_options())) return false;
     if (!kind.is_sum()) return options_.formulas == "*";
+    // Of triangles and segments the layers that keep quads are those that do not.
+    if (kind.keeps_quads && !kind.normalised && !cage.has_quads()) return false;
     return std::ranges::any_of(formulas_of(kind, cage),
                                [&](const Formula* formula) { return matches(options_.formulas, formula->name); });
   }
@@ -184,6 +194,7 @@ class Planner {
     campaign.seed = options_.seed;
     campaign.samples = options_.suite.samples;
     campaign.integral_samples = options_.suite.integral_samples;
+    campaign.integral_entries = options_.suite.integral_entries;
     campaign.enclosures = options_.suite.enclosures;
     return campaign;
   }
@@ -281,6 +292,10 @@ class Planner {
     for (const CoordinateKind& kind : coordinate_kinds()) {
       if (!kind.is_sum() || !kind.keeps_quads || !cage->has_quads() || !exists(kind)) continue;
       for (const Evaluation& evaluation : other_evaluations(formula_of_kept_faces(kind, *cage))) {
+        if (!is_evaluation_of(evaluation.name(), kind, *cage)) continue;
+        // Integrals of layers take several times as long as those of weights: suites with time ask for them.
+        const bool costly = evaluation.cost() == CostClass::Multiprecision && !kind.normalised;
+        if (costly && options_.suite.shown_elements != 0) continue;
         CageCampaignOptions campaign = cage_options();
         campaign.evaluation = evaluation.name();
         campaign.kinds = kind.name;
@@ -347,7 +362,7 @@ class Planner {
                           title + ": closed form against truth", "relative error", common));
     if (!kind.keeps_quads || !cage->has_quads()) return;
     const auto scheme = EvaluationRegister::instance().with_role(formula_of_kept_faces(kind, *cage).name, Role::Scheme);
-    if (!scheme) return;
+    if (!scheme || !is_evaluation_of(scheme->name(), kind, *cage)) return;
     add(field_measurement(coordinate_difference_field(cage, kind, scheme->name(), "", rule, resolution), fields_++,
                           fmt::format("{}: error of {}", title, scheme->name()), "difference", common));
   }

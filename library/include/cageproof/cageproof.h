@@ -43,13 +43,15 @@ struct Options {
 
 /// Coordinates that belong together: one for each vertex, element, or corner of an element.
 struct Block {
-  std::string label;   ///< "phi", "psi", "lambda" ...
-  std::string one_a;   ///< "vertex", "element" or "corner" (of elements, element by element)
+  std::string label;  ///< "phi", "psi", "lambda" ...
+  std::string
+      one_a;  ///< "vertex", "element", "corner" (of elements, element by element), or "normal" (Element::normals)
   std::size_t count;   ///< coordinates
   int rows, columns;   ///< of each; 1 and 1 for numbers
   std::size_t offset;  ///< where its first number stands in a point's row of values
   /// What it multiplies where a linear map is reproduced: "vertices", "turned vertices" (by a quarter
-  /// counter-clockwise), "normals" (of elements, unit and outward, times `normal_factor`), or "nothing".
+  /// counter-clockwise), "normals" (unit and outward, of elements, or Element::normals one after the other where there
+  /// is one a normal; times `normal_factor`), or "nothing".
   std::string reproduces;
   double normal_factor;
 };
@@ -59,6 +61,9 @@ struct Element {
   std::vector<int> vertices;   ///< of the cage, in its orientation
   int face;                    ///< of the cage, that it is or is part of
   std::vector<double> normal;  ///< unit, outward; of a quad along its area vector
+  /// What coordinates of blocks with one a "normal" multiply, element by element: the element's, or, of a quad, that of
+  /// the bilinear surface at each corner, in the order of `vertices`.
+  std::vector<std::vector<double>> normals;
 };
 
 /// Coordinates of one kind in one cage. Safe from any thread; copies share what was prepared.

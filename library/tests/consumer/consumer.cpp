@@ -74,6 +74,22 @@ int main() {
     if (kind == std::string("biharmonic_affine")) expect(c.blocks()[1].one_a == "corner", "one a corner");
     else expect(off_identity(cube, c, 1) < 1e-12, kind);
   }
+  // Of quads that are kept, one a corner of each, along the bilinear surface's normals there.
+  const Coordinates kept(bar, "quad_green");
+  const std::vector<double> within{0.1, 0.05, 0.2};
+  std::vector<double> kept_values(kept.row());
+  kept.evaluate(within, kept_values);
+  expect(kept.blocks()[1].one_a == "normal", "one a normal");
+  double at[3] = {0, 0, 0};
+  for (std::size_t v = 0; v < bar.vertices.size(); ++v) at[v % 3] += kept_values[v / 3] * bar.vertices[v];
+  std::size_t column = kept.blocks()[1].offset;
+  for (const Element& element : kept.elements())
+    for (const std::vector<double>& normal : element.normals) {
+      for (std::size_t i = 0; i < 3; ++i) at[i] += kept_values[column] * normal[i];
+      ++column;
+    }
+  expect(column == kept_values.size(), "a normal for each");
+  for (std::size_t i = 0; i < 3; ++i) expect(std::abs(at[i] - within[i]) < 1e-14, "quads that are kept");
   expect(Coordinates(cube, "green").evaluation() == "batched", "batched evaluation is kept");
   expect(Coordinates(cube, "green").elements().size() == 12, "quads are split");
   expect(Coordinates(bar, "somigliana", {.parameters = {{"nu", "0.3"}}}).blocks()[0].columns == 3, "matrices");

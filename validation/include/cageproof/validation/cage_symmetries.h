@@ -30,8 +30,8 @@ class CageSymmetries {
     int coordinate;
     double weight;
   };
-  /// Of each coordinate of a variant, by owner: one a vertex, an element, or a corner.
-  using Shares = std::array<std::vector<std::vector<Share>>, 3>;
+  /// Of each coordinate of a variant, by owner: one a vertex, an element, a corner, or a normal.
+  using Shares = std::array<std::vector<std::vector<Share>>, 4>;
   struct Variant {
     std::string check;
     CageCoordinates coordinates;
@@ -47,6 +47,8 @@ class CageSymmetries {
   };
   Variant variant(std::string check, const Cage& cage, const CoordinateKind& kind, const std::string& evaluation) const;
   Subdivision subdivision() const;
+  static void add_normals_of_part(const CageElements& elements, std::size_t element, const ElementPart& part,
+                                  std::vector<std::vector<Share>>& all);
   std::vector<double> folded(const Variant& v, std::size_t block, const Result<double>& found,
                              const Vec3<double>& point) const;
 
