@@ -240,6 +240,33 @@ TEST(QuadPotentials, keep_their_digits_next_to_a_long_quads_corner) {
     }
 }
 
+// Beside a side that is longer than its opposite one lines are counted from, however the corners are numbered; sums are
+// two triangles' solid angle. Points lie on either side of the side's line, where that changes by a turn.
+TEST(QuadPotentials, have_the_solid_angle_beside_a_longer_side) {
+  const Evaluation solid_angle = evaluation_named("quad.solid_angle", "closed_form");
+  RandomStream random(7, "beside", 0);
+  for (const Quad<double>& corners :
+       {Quad<double>{Vec(0, 0, 0), Vec(3, 0, 0), Vec(2, 1, 0), Vec(1, 1, 0)},
+        Quad<double>{Vec(-4, 0, 0), Vec(4, 0, 0), Vec(1, 1, 0), Vec(-1, 1, 0)},
+        Quad<double>{Vec(-1.5, 0, 0), Vec(1.5, 0, 0), Vec(1, 1, 0.25), Vec(-0.5, 1, -0.25)}})
+    for (const double distance : {1e-9, 1e-12, 1e-15, 1e-20, 1e-40})
+      for (int i = 0; i < 12; ++i)
+        for (int first = 0; first < 4; ++first) {
+          const double turn = random.uniform(0, 2 * std::numbers::pi), t = random.uniform(0.1, 0.9);
+          const Vec point(corners[0][0] + t * (corners[1][0] - corners[0][0]), distance * std::cos(turn),
+                          distance * std::sin(turn));
+          Quad<double> q;
+          for (int k = 0; k < 4; ++k) q[k] = corners[(k + first) % 4];
+          const auto form = found<double>(Potential::DoubleLayer, q, point, 0, 17);
+          const Quad<Mp100> wide = convert_quad<Mp100>(q);
+          Result<Mp100> expected;
+          solid_angle(Query<Mp100>{.corners = wide, .point = convert<Mp100>(point)}, expected);
+          EXPECT_NEAR(form.of[0][0] + form.of[0][1] + form.of[0][2] + form.of[0][3],
+                      static_cast<double>(Mp100(expected.value[0] / (4 * pi<Mp100>()))), 1e-15)
+              << distance << " " << i << " " << first;
+        }
+}
+
 // 1e-30 sizes inside, where nothing is moved either.
 TEST(QuadPotentials, have_their_limits_from_inside_on_the_quad) {
   for (const Quad<double>& corners : {kSquare, kTwisted, kDart}) {

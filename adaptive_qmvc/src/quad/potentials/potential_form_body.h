@@ -90,7 +90,7 @@ void add_rule(const QuadFrame<R>& q, LocalFrame<R> local, const OuterRule<R>& ru
       rule.plain ? LineReferences<R>(local) : LineReferences<R>(local, turns ? turned(q, axes) : q);
   PotentialSums<R> sums(turns ? tangential : kernel_tape(task.potential, task.order), task.digits);
   statement.nodes += sums.add_lines(references, rule, centre, panels);
-  if (turns) sums.add_border(references, rule);
+  if (turns) sums.add_border(references, rule, centre);
   statement.converged = statement.converged && rule.whole;
   parts.add(sums, axes, rule.plain ? 0 : static_cast<double>(R(rule.last - rule.first)));
 }

@@ -47,8 +47,8 @@ class PotentialSums {
   std::size_t add_lines(const LineReferences<R>& references, const OuterRule<R>& rule, const R& centre,
                         std::span<const Panel> panels);
 
-  /// Adds the border of the part of the quad that the rule is for.
-  void add_border(const LineReferences<R>& references, const OuterRule<R>& rule);
+  /// Adds the border of the part of the quad that the rule is for. \param centre as in add_lines
+  void add_border(const LineReferences<R>& references, const OuterRule<R>& rule, const R& centre);
 
  private:
   static constexpr int kTerms = 7;  // of a polynomial: as many as its degree, and one
@@ -261,10 +261,10 @@ void PotentialSums<R>::add_vertical_side(const LocalFrame<R>& q, const R& from, 
 }
 
 template <class R>
-void PotentialSums<R>::add_border(const LineReferences<R>& references, const OuterRule<R>& rule) {
+void PotentialSums<R>::add_border(const LineReferences<R>& references, const OuterRule<R>& rule, const R& centre) {
   if (tape_.around.integrals.empty()) return;
   const LocalFrame<R>& q = references.base();
-  const R from = rule.lo - q.v0, to = rule.hi - q.v0;
+  const R from = centre + rule.to_lo, to = centre + rule.to_hi;
   add_horizontal_side(references, from, 1);
   add_horizontal_side(references, to, -1);
   add_vertical_side(q, from, to, true);
@@ -305,8 +305,8 @@ std::size_t PotentialSums<R>::add_lines(const LineReferences<R>& references, con
         add_line(references, R(lo + (hi - lo) * gauss.nodes[i] - v0), R((hi - lo) * gauss.weights[i]));
       continue;
     }
-    const R from = first ? R(rule.lo - rule.centre) : R(rule.width * sinh(R(panel.lo)));
-    const R to = last ? R(rule.hi - rule.centre) : R(rule.width * sinh(R(panel.hi)));
+    const R from = first ? rule.to_lo : R(rule.width * sinh(R(panel.lo)));
+    const R to = last ? rule.to_hi : R(rule.width * sinh(R(panel.hi)));
     const Stretch stretch = stretch_of(rule.width, from, to);
     // Around the centre the panel is one in s itself.
     const bool around = stretch.span == R(0);

@@ -53,7 +53,10 @@ template <class R>
 struct OuterRule {
   bool plain = true;
   R centre = R(0), width = R(1);
-  R lo = R(0), hi = R(1);          ///< its part of [0, 1]
+  R lo = R(0), hi = R(1);  ///< its part of [0, 1]
+  /// Steps from the centre to both ends: once all are rounded to another scalar, the ends less the centre are not
+  /// these.
+  R to_lo = R(0), to_hi = R(1);
   R first = R(0), last = R(1);     ///< s (or v) at both ends of its part; the outermost panels end there exactly
   bool whole = true;               ///< no panel has fewer nodes than its bound asks for
   std::size_t begin = 0, end = 0;  ///< its panels among those of OuterRules
@@ -67,6 +70,8 @@ struct OuterRule {
         width(r.width),
         lo(r.lo),
         hi(r.hi),
+        to_lo(r.to_lo),
+        to_hi(r.to_hi),
         first(r.first),
         last(r.last),
         whole(r.whole),
@@ -237,13 +242,15 @@ void add_rules(const SingularPairs<R>& singular, const R& lo_v, const R& hi_v, d
   if (!dominant || nearest >= kFarAcross) {
     out.panels.push_back(plain_panel(nearest, order, digits));
     rule.end = out.panels.size();
-    rule.first = lo_v;
-    rule.last = hi_v;
+    rule.first = rule.to_lo = lo_v;
+    rule.last = rule.to_hi = hi_v;
     return;
   }
   using std::asinh;
   rule.plain = false;
   rule.centre = dominant->centre;
+  rule.to_lo = lo_v - rule.centre;
+  rule.to_hi = hi_v - rule.centre;
   // Beside the interval, a map as sharp as the singularity would only stretch rounding errors.
   using F = Width<R>;
   const F outside = detail::distance_of_pair<R>({dominant->centre, 0}, lo_v, hi_v);
