@@ -53,18 +53,20 @@ CampaignOptions affordable(CampaignOptions options, const TruthSource& source) {
   return options;
 }
 
-// The highest order that a check asks. On an element, integrals over elements without closed cuts extrapolate from
-// several distances, which takes a minute of a matrix's Hessians.
+// The highest order that a check asks, where truths are costly. On an element such integrals extrapolate from several
+// distances, which takes a minute of a matrix's Hessians; next to one they take seconds, and `generic` asks.
 int order_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const Regime& regime,
               const CampaignOptions& options, const TruthSource& source) {
   int order = std::min(2, evaluation.max_order());
-  if (check.cost(scalar) != Check::Cost::Multiprecision || !source.is_costly() || !regime.name.starts_with("on-"))
-    return order;
+  const bool on_element = regime.name.starts_with("on-");
+  if (check.cost(scalar) != Check::Cost::Multiprecision || !source.is_costly()) return order;
+  if (!on_element && regime.parameters.empty()) return order;
+  const std::size_t most = on_element ? options.integral_entries : 9 * options.integral_entries;
   const Formula& formula = evaluation.formula();
   const auto entries = [&](int o) {
     return static_cast<std::size_t>(formula.components()) * derivative_count(formula.dim(), o);
   };
-  while (options.integral_entries > 0 && order > 0 && entries(order) > options.integral_entries) --order;
+  while (most > 0 && order > 0 && entries(order) > most) --order;
   return order;
 }
 
@@ -89,6 +91,9 @@ Part part_for(const Check& check, const Evaluation& evaluation, ScalarKind scala
     case Check::Cost::Truths: return strided(std::max(wide_stride, options.quadrature_divisor), options.samples);
     case Check::Cost::Evaluations: break;
   }
+  // Samples rounded to float have truths of their own.
+  constexpr int costly_stride = 3;
+  if (scalar == ScalarKind::Float && source.is_costly()) return strided(costly_stride, options.samples);
   const bool every = takes_every_sample(evaluation) && scalar != ScalarKind::Float;
   return strided(every ? 1 : options.quadrature_divisor, options.samples);
 }
