@@ -73,7 +73,7 @@ Session session_of(const VerifyOptions& options) {
 
 const std::vector<Suite>& suites() {
   static const std::vector<Suite> all{
-      {"quick", 20, 2, 12, 1, 16, 2, 120, 1200, 1000, 20, 300, 80'000, 24, "l-block", 50},
+      {"quick", 20, 2, 4, 1, 16, 2, 120, 1200, 1000, 20, 300, 80'000, 24, "l-block", 50},
       {"standard", 400, 4, 0, 3, 240, 8, 600, 20000, 20000, 120, 40000, 400'000, 32, "", 0},
       {"full", 100000, 32, 0, 1000, 4000, 64, 24000, 2000000, 0, 240, 400000, 4'000'000, 64, "", 0},
   };
