@@ -51,6 +51,7 @@ Vec3<Mp100> around_sides(const SideRelation& relation, std::span<const Vec3<doub
 // What each of the single layer's numbers is times: of a flat element its unit normal.
 std::vector<Vec3<Mp100>> normals_of(const Formula& single, const std::vector<Vec3<Mp100>>& x) {
   std::vector<Vec3<Mp100>> normals;
+  normals.reserve(single.tensors());
   const std::size_t count = x.size();
   for (int k = 0; k < single.tensors(); ++k)
     normals.push_back((x[(k + 1) % count] - x[k]).cross(x[(k + count - 1) % count] - x[k]));
@@ -95,6 +96,7 @@ class SideRelationCheck final : public Check {
     findings[0] = relation_finding_for(of_single, 0);
     if (findings[0].status != Finding::Status::Measured) return findings;
     std::vector<Vec3<Mp100>> x;
+    x.reserve(in.sample.corners.size());
     const Vec3<Mp100> point = convert<Mp100>(in.sample.point);
     for (const Vec3<double>& corner : in.sample.corners) x.push_back(convert<Mp100>(corner) - point);
     const Moments positions(evaluate<double>(in.evaluation, in.sample, 0).value, x);
