@@ -18,6 +18,7 @@ using Eigen::Matrix3d;
 // A cube of integers, one whose faces are all twisted, and one of those with a face in two triangles.
 std::vector<Cage> cages() {
   std::vector<Vec> integers, twisted;
+  integers.reserve(8);
   for (int i = 0; i < 8; ++i) integers.emplace_back(i & 1, (i >> 1) & 1, (i >> 2) & 1);
   twisted = integers;
   for (int i = 0; i < 8; ++i) twisted[i] += Vec(0.03125 * (i % 3), -0.046875 * (i % 4), 0.0390625 * ((i * i) % 5));

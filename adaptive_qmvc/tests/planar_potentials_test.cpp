@@ -28,6 +28,7 @@ Result<Mp100> evaluated(const std::string& formula, const std::vector<Vec3<Mp100
                         int order) {
   const Evaluation evaluation = *EvaluationRegister::instance().with_role(formula, Role::Recommended);
   std::vector<Mp100> parameters;
+  parameters.reserve(evaluation.formula().parameters.size());
   for (const Parameter& p : evaluation.formula().parameters) parameters.emplace_back(p.name == "nu" ? 0.25 : 1);
   Result<Mp100> result;
   evaluation(Query<Mp100>{corners, convert<Mp100>(point), order, parameters}, result);
@@ -47,6 +48,7 @@ void add_moments(const std::vector<Mp100>& tensors, const std::vector<Vec3<Mp100
 
 std::vector<Vec3<Mp100>> corners_of(const Quad<double>& q, std::initializer_list<int> which) {
   std::vector<Vec3<Mp100>> corners;
+  corners.reserve(which.size());
   for (const int k : which) corners.push_back(convert<Mp100>(q[k]));
   return corners;
 }

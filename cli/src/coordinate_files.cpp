@@ -54,6 +54,9 @@ void add_corners(Members& members, const CoordinateBlock& block, const CageEleme
   if (block.owner == Owner::Vertex || block.owner == Owner::Element) return;
   std::vector<std::int64_t> element_of, vertex_of;
   std::vector<Vec3<double>> normals;
+  element_of.reserve(block.size);
+  vertex_of.reserve(block.size);
+  normals.reserve(block.size);
   for (int i = 0; i < block.size; ++i) {
     const std::size_t e = elements.element_of(i, block.owner);
     element_of.push_back(static_cast<std::int64_t>(e));

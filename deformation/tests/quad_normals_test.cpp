@@ -71,6 +71,7 @@ TEST(quad_normals, have_all_digits_in_50) {
   const Case c = twisted_cube();
   const CageElements elements = kept(c.cage);
   std::vector<Wide> posed;
+  posed.reserve(c.posed.size());
   for (const Vec& v : c.posed) posed.push_back(convert<Mp50>(v));
   for (const Stretch stretch : {Stretch::Rms, Stretch::Area}) {
     const auto found = stretched_normals(stretch, elements, posed);

@@ -56,6 +56,7 @@ void quad::integrate_gauss(const Integrand& integrand, int n, const Batch<R>& ba
 template <Scalar R>
 void quad::integrate_midpoint(const Integrand& integrand, int n, const Batch<R>& batch, const BatchOutput<R>& output) {
   std::vector<R> nodes;
+  nodes.reserve(n);
   for (int i = 0; i < n; ++i) nodes.push_back(R(2 * i + 1) / R(2 * n));
   const std::vector<R> weights(n, R(1) / R(n));
   integrate_product<R>(integrand, {nodes, weights}, batch, output);

@@ -18,8 +18,8 @@ struct CampaignOptions {
   int samples = 1000;          ///< for each formula and regime, in double
   int quadrature_divisor = 7;  ///< rules, schemes and float take every n-th of them; prime to every sweep's length
   int integral_samples = 4;    ///< for each formula and regime, for the multiprecision integral
-  /// Numbers of an order's tensor, at most, that such an integral is asked for at points on an element, where truths are
-  /// costly, and nine times as many where a distance is swept; 0: any. Values are always asked.
+  /// Numbers of an order's tensor, at most, that such an integral is asked for at points on an element, where truths
+  /// are costly, and nine times as many where a distance is swept; 0: any. Values are always asked.
   std::size_t integral_entries = 0;
   /// For each formula and regime, enclosed rigorously; not limited by `samples`. 1000 is a proof run: 40 minutes on two
   /// free cores.
