@@ -64,7 +64,7 @@ struct SeenLine {
 /// Of lines that may end or pass next to points.
 struct CloseLines {
   static constexpr int at_once = 1;
-  template <int n>
+  template <int N>
   void find(const LayerLines& lines, int j, const SeenLine* seen, LineLayers* to) const {
     const Three& start = seen->start;
     const Lanes x = splat(lines.direction[0][j]), y = splat(lines.direction[1][j]), z = splat(lines.direction[2][j]);
@@ -80,28 +80,28 @@ struct CloseLines {
 /// line.
 struct DistantLines {
   static constexpr int at_once = 2;
-  template <int n>
+  template <int N>
   void find(const LayerLines& lines, int j, const SeenLine* seen, LineLayers* to) const {
-    Lanes middle[n], square0[n], square1[n], p0[n], p1[n], sum[n], y2[n], cube[n];
-    Logarithm log[n];
-    for (int i = 0; i < n; ++i) {
+    Lanes middle[N], square0[N], square1[N], p0[N], p1[N], sum[N], y2[N], cube[N];
+    Logarithm log[N];
+    for (int i = 0; i < N; ++i) {
       const Three& x = seen[i].start;
       const Three end{x.x + lines.side[0][j + i], x.y + lines.side[1][j + i], x.z + lines.side[2][j + i]};
       square0[i] = dot(x, x);
       square1[i] = dot(end, end);
     }
-    for (int i = 0; i < n; ++i) p0[i] = reciprocal_root(square0[i]), p1[i] = reciprocal_root(square1[i]);
-    for (int i = 0; i < n; ++i) sum[i] = square0[i] * p0[i] + square1[i] * p1[i];
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < N; ++i) p0[i] = reciprocal_root(square0[i]), p1[i] = reciprocal_root(square1[i]);
+    for (int i = 0; i < N; ++i) sum[i] = square0[i] * p0[i] + square1[i] * p1[i];
+    for (int i = 0; i < N; ++i) {
       const Lanes sum2 = sum[i] * sum[i], left = sum2 - lines.square[j + i], over = 1 / (sum2 * left);
       y2[i] = lines.square[j + i] * (left * over);
       cube[i] = (sum[i] * (p0[i] * p1[i])) * (lines.twice[j + i] * (sum2 * over));
     }
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < N; ++i) {
       const double length = lines.length[j + i];
       log[i] = logarithm(sum[i] + length, sum[i] - length, splat(length), sum[i], y2[i] * (sum[i] * lines.over[j + i]));
     }
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < N; ++i) {
       const Three& x = seen[i].start;
       middle[i] = lines.direction[0][j + i] * x.x + lines.direction[1][j + i] * x.y + lines.direction[2][j + i] * x.z +
                   lines.half[j + i];
@@ -159,15 +159,15 @@ void add_layers_of(const LayerPairs& to, const Layers& layers) {
     const Lanes g10 = dot(quad.n_u, a), g1 = dot(quad.n_v, a) + 0.5 * quad.twist;
     const Lanes g0 = (pairs.across->count <= kLinesFromAfar ? height_over(quad, point) : dot(quad.n, a)) + 0.5 * g10;
     Lanes single[4] = {}, twofold[4] = {};  // of 1 and w on the left, of w and 1 on the right
-    const auto add = [&]<int n>(int j) {
-      SeenLine seen[n];
-      LineLayers f[n];
-      for (int i = 0; i < n; ++i)
+    const auto add = [&]<int N>(int j) {
+      SeenLine seen[N];
+      LineLayers f[N];
+      for (int i = 0; i < N; ++i)
         seen[i] = {{a.x + lines.step[0][j + i], a.y + lines.step[1][j + i], a.z + lines.step[2][j + i]},
                    g0 + pairs.across->node[j + i] * g1,
                    (g10 + lines.twist[j + i]) * lines.over[j + i]};
-      layers.template find<n>(lines, j, seen, f);
-      for (int i = 0; i < n; ++i) {
+      layers.template find<N>(lines, j, seen, f);
+      for (int i = 0; i < N; ++i) {
         single[0] += lines.left[j + i] * f[i].single;
         single[1] += lines.left_w[j + i] * f[i].single_w;
         single[2] += lines.right_w[j + i] * f[i].single_w;

@@ -19,8 +19,8 @@ constexpr double own_digits() {
 }
 
 /// The line form to as many digits as the name says, 2 to 90. \param set sets an evaluation's functions for that many
-inline EvaluationFamily line_rule(std::string_view formula, std::string description,
-                                  std::function<void(Evaluation&, std::optional<double>)> set) {
+inline EvaluationFamily line_rule(std::string_view formula, const std::string& description,
+                                  const std::function<void(Evaluation&, std::optional<double>)>& set) {
   const auto make = [formula, description, set](std::string_view name) -> std::optional<Evaluation> {
     const auto digits = number_after("line-", name);
     if (!digits || *digits < 2 || *digits > 90) return std::nullopt;
