@@ -18,7 +18,8 @@ namespace {
 // The value: of the two triangles that the point sees under the quad's own solid angle.
 template <Scalar R>
 R value_of(std::span<const Vec3<R>> corners, const Vec3<R>& point, bool other) {
-  static const Evaluation triangle = evaluation_named("triangle.solid_angle", "closed_form");
+  static const Evaluation triangle =
+      *EvaluationRegister::instance().with_role("triangle.solid_angle", Role::Recommended);
   thread_local Result<R> part;
   R sum = R(0);
   for (int t = 0; t < 2; ++t) {
