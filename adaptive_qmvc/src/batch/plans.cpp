@@ -23,7 +23,6 @@ constexpr PlanRules kMeanValues{
     .line_cost = 25,
     .node_cost = 7.5,
     .elementary_cost = 150,
-    .least_elementary = 0,
     .most_distant = 0};
 
 // Of 1/r and N.x/r^3, whose integrals along lines are always taken from elementary functions.
@@ -34,7 +33,6 @@ constexpr PlanRules kLayers{.digits = 13,
                             .line_cost = 1,
                             .node_cost = 1,
                             .elementary_cost = 1,
-                            .least_elementary = 0,
                             .most_distant = 64};
 
 int nodes_for(double axis, double order, double digits) {
@@ -101,12 +99,9 @@ Plans::Plans(const PlanRules& rules) {
       if (v < kClasses && u < kClasses) {
         if (rules.along > 0) offer(false, v, along[u], false), offer(true, u, along[v], false);
       }
-      const auto is_elementary = [&](int lines) {
-        return lines == kClasses || nodes_of[lines] >= rules.least_elementary;
-      };
       const auto is_close = [&](int lines) { return lines == kClasses || nodes_of[lines] > rules.most_distant; };
-      if (v < kClasses && is_elementary(u)) offer(false, v, 0, is_close(u));
-      if (u < kClasses && is_elementary(v)) offer(true, u, 0, is_close(v));
+      if (v < kClasses) offer(false, v, 0, is_close(u));
+      if (u < kClasses) offer(true, u, 0, is_close(v));
       if (best.across == nullptr) continue;
       const auto same = std::ranges::find_if(plans_, [&](const Plan& plan) {
         return plan.turned == best.turned && plan.across == best.across && plan.along == best.along &&

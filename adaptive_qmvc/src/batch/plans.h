@@ -27,8 +27,6 @@ struct PlanRules {
   std::array<int, 20> nodes;  ///< lines across a quad, rising
   /// About how many cycles a line takes, a node on it, and a line whose integral is elementary.
   double line_cost, node_cost, elementary_cost;
-  /// Where fewer lines than these are enough that way, a line's integral is not taken from elementary functions.
-  int least_elementary;
   /// As many lines or fewer are enough for points whose distances from both ends of a line that way add up to 1.05 of
   /// its lengths or more; zero where no plan asks.
   int most_distant;
