@@ -4,7 +4,9 @@
 namespace cageproof::quadrature_ref {
 
 OnQuad inside_quad(const QuadFrame<Mp200>& q, const ClosestPoint& c) {
-  OnQuad on{.u = c.u, .v = c.v};
+  OnQuad on;
+  on.u = c.u;
+  on.v = c.v;
   if (!is_on_quad(q, c)) return on;
   // Newton's method may find a point of a side a rounding away from it.
   const Mp200 rounding = pow(Mp200(10), -120);
