@@ -19,7 +19,8 @@ namespace cageproof::adaptive_qmvc::batch::CAGEPROOF_SIMD {
 inline Lanes reciprocal_root(const Lanes& a) {
 #if defined(__AVX512F__)
   // Fourteen bits, and three terms of the binomial series of what is left: its fourth is below a rounding.
-  const Lanes guess = (Lanes)_mm512_rsqrt14_pd((__m512d)a);
+  // With all lanes masked in: GCC takes the plain form's unused source for an uninitialised one.
+  const Lanes guess = (Lanes)_mm512_maskz_rsqrt14_pd(0xff, (__m512d)a);
   const Lanes left = 1 - (a * guess) * guess;
   return guess + guess * (left * (0.5 + left * (0.375 + left * 0.3125)));
 #else

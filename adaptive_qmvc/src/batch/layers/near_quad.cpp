@@ -61,7 +61,9 @@ void put_space(double (&to)[3], const Vec3<double>& from) { std::copy_n(from.dat
 
 NearQuad near_quad(const LocalFrame<double>& q) {
   const LineArea<double> area(q.a, q.e, q.w, q.n, q.n_v);
-  NearQuad near{.u0 = q.u0, .v0 = q.v0, .g00 = q.g00, .g01 = q.g01, .g10 = q.g10, .g11 = q.g11};
+  NearQuad near{};
+  near.u0 = q.u0, near.v0 = q.v0;
+  near.g00 = q.g00, near.g01 = q.g01, near.g10 = q.g10, near.g11 = q.g11;
   put_space(near.a, q.a), put_space(near.e, q.e), put_space(near.b, q.b), put_space(near.w, q.w);
   put_space(near.c0, area.c0), put_space(near.c1, area.c1), put_space(near.c2, area.c2);
   return near;
