@@ -3,6 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/validation/parallel.h"
+#include "cageproof/validation/promise.h"
 
 #include <fmt/format.h>
 
@@ -47,10 +48,10 @@ std::vector<Result<double>> found_among(const CageCoordinates& coordinates, cons
   return found;
 }
 
-BlockFinding finding_at(const CageCoordinates& coordinates, const BlockTruths& truths, const CageSample& sample) {
+BlockFinding finding_at(const CageCoordinates& coordinates, const BlockTruths& truths, const CageSample& sample,
+                        int order) {
   BlockFinding finding;
   finding.is_on_cage = !coordinates.elements().touching(sample.point).empty();
-  const int order = coordinates.max_order();
   const auto truth = truths.at(sample.point, order);
   finding.truth_reached = truth.has_value();
   if (!truth) return finding;
@@ -97,7 +98,7 @@ class BlockMeasurement final : public Measurement {
     const BlockFinding found = setup.errors->at(sample);
     RowKey key{RowKey::Section::Cage, std::string(kind_.name), coordinates.evaluation(),  "double",
                cage_->name(),         block_error_check,       std::string(sample.place), 0};
-    for (int o = 0; o <= coordinates.max_order(); ++o) {
+    for (int o = 0; o <= setup.errors->order(); ++o) {
       key.order = o;
       Tally& tally = findings.rows[key];
       tally.unit = "block";
@@ -120,6 +121,13 @@ class BlockMeasurement final : public Measurement {
 
 }  // namespace
 
+int block_order(const CoordinateKind& kind, const CageCoordinates& coordinates) {
+  const std::string evaluation = coordinates.evaluation();
+  for (int order = coordinates.max_order(); order >= 0; --order)
+    if (promise_for({block_error_check, kind.name, evaluation, "double", "*", order}).bound) return order;
+  return coordinates.max_order();
+}
+
 int block_points(const CoordinateKind& kind, const Cage& cage, const BlockCampaignOptions& options) {
   const CageElements elements(cage, kind.keeps_quads, options.triangulation);
   // Milliseconds that the truth of an element takes.
@@ -140,10 +148,11 @@ BlockErrors::BlockErrors(const Cage& cage, const CoordinateKind& kind, std::stri
       evaluation_(std::move(evaluation)),
       rule_(rule),
       coordinates_(cage, kind, evaluation_, rule),
-      truths_(cage, kind, rule) {}
+      truths_(cage, kind, rule),
+      order_(block_order(kind, coordinates_)) {}
 
 BlockFinding BlockErrors::at(const CageSample& sample) const {
-  if (sample.frame.is_own()) return finding_at(coordinates_, truths_, sample);
+  if (sample.frame.is_own()) return finding_at(coordinates_, truths_, sample, order_);
   std::optional<Cage> there;
   try {
     there = framed(cage_, sample.frame);
@@ -152,7 +161,7 @@ BlockFinding BlockErrors::at(const CageSample& sample) const {
     // Far from the origin rounding may have flattened a face.
     return {.is_input = false};
   }
-  return finding_at({*there, kind_, evaluation_, rule_}, {*there, kind_, rule_}, sample);
+  return finding_at({*there, kind_, evaluation_, rule_}, {*there, kind_, rule_}, sample, order_);
 }
 
 std::unique_ptr<const Measurement> block_measurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,

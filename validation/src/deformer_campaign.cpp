@@ -159,8 +159,8 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
     std::vector<DeformerVariant> variants = variants_of(method);
     // All are asked on small cages, elsewhere every second and the default; of quads that are kept, whose layers take
     // several times as long, on the smallest alone.
-    const bool few =
-        method.name.starts_with("quad_") ? cage->faces().size() > 6 : !is_small(*cage, options.triangulation);
+    const bool few = coordinate_kind_named(method.kind).keeps_quads ? cage->faces().size() > 6
+                                                                    : !is_small(*cage, options.triangulation);
     if (variants.size() > 2 && few) {
       std::size_t index = 0;
       std::erase_if(variants, [&](const DeformerVariant& v) { return index++ % 2 == 1 && !v.is_default; });

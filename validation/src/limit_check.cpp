@@ -28,8 +28,11 @@ class LimitCheck final : public Check {
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     std::array<Finding, 3> findings;
     if (!in.truth.on_element) return findings;
-    const Result<Mp200> on = evaluate<Mp200>(in.evaluation, in.sample, in.order);
-    const Result<Mp200> farther = inside(in, Mp200("1e-40")), nearer = inside(in, Mp200("1e-60"));
+    // Where more digits take longer, as many as the bound asks.
+    const std::string& digits = in.evaluation.substitutes().confirmations;
+    const Evaluation form = digits.empty() ? in.evaluation : evaluation_named(in.formula.name, digits);
+    const Result<Mp200> on = evaluate<Mp200>(form, in.sample, in.order);
+    const Result<Mp200> farther = inside(in, form, Mp200("1e-40")), nearer = inside(in, form, Mp200("1e-60"));
     for (int o = 0; o <= in.order; ++o) {
       const auto no_limit = [](const Mp200& x) { return static_cast<bool>(isnan(x)); };
       if (std::ranges::all_of(on.of(o), no_limit)) {
@@ -46,7 +49,7 @@ class LimitCheck final : public Check {
 
  private:
   // The tensors a little below the point, in sizes of the element.
-  static Result<Mp200> inside(const CheckInput& in, const Mp200& depth) {
+  static Result<Mp200> inside(const CheckInput& in, const Evaluation& form, const Mp200& depth) {
     QueryOf<Mp200> input(in.sample, in.order);
     const ExactShape& shape = sampling_of(in.formula.element).exact;
     std::vector<Vec3<Mp100>> corners;
@@ -57,7 +60,7 @@ class LimitCheck final : public Check {
     for (int axis = 0; axis < in.formula.dim(); ++axis)
       input.coordinate(input.point_vertex(), axis) -= step * normal[axis];
     Result<Mp200> result;
-    in.evaluation(input.query(), result);
+    form(input.query(), result);
     return result;
   }
 

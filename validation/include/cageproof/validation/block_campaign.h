@@ -32,7 +32,11 @@ struct BlockFinding {
   std::array<CageError, 3> errors = {};
 };
 
-/// Errors of an evaluation at a sample: alone and in a block of points, the worse. Coordinates of the cage's own frame
+/// The highest order of the coordinates that the table promises a block error of: the one that is asked for, since
+/// truths of higher ones cost several times as much. All that there are where it promises none.
+int block_order(const CoordinateKind& kind, const CageCoordinates& coordinates);
+
+/// Errors of an evaluation at a sample, up to block_order: alone and in a block of points, the worse. Coordinates of the cage's own frame
 /// are prepared once.
 class BlockErrors {
  public:
@@ -40,6 +44,7 @@ class BlockErrors {
   BlockErrors(const Cage& cage, const CoordinateKind& kind, std::string evaluation, Triangulation rule);
   BlockFinding at(const CageSample& sample) const;
   const CageCoordinates& coordinates() const { return coordinates_; }
+  int order() const { return order_; }
 
  private:
   Cage cage_;
@@ -48,6 +53,7 @@ class BlockErrors {
   Triangulation rule_;
   CageCoordinates coordinates_;
   BlockTruths truths_;
+  int order_;
 };
 
 /// The kind's rows on the cage, one a place and order. \pre the evaluation computes the kind in the cage
