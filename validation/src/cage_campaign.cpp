@@ -189,9 +189,11 @@ class CageMeasurement final : public Measurement {
 
   Setup set_up() const {
     const CageCampaignOptions& o = options_;
+    // Prepared once: some kinds solve large systems.
+    const CageCoordinates recommended(*cage_, kind_, CoordinateOptions{.triangulation = o.triangulation});
     Setup setup{{*cage_, o.triangulation, kind_.keeps_quads},
-                {*cage_, kind_, o.evaluation, o.triangulation},
-                {*cage_, kind_, o.triangulation, o.evaluation},
+                o.evaluation.empty() ? recommended : CageCoordinates(*cage_, kind_, o.evaluation, o.triangulation),
+                {*cage_, recommended, o.evaluation},
                 {},
                 {},
                 0,
@@ -210,8 +212,8 @@ class CageMeasurement final : public Measurement {
     // Matrices of nine numbers in multiprecision cost as much as a quarter of the points does for single ones.
     const int truth_points = setup.coordinates.blocks()[0].entries() == 1 ? o.truth_points : (o.truth_points + 3) / 4;
     setup.stride = std::max<std::size_t>(1, setup.off.size() / std::max(1, truth_points)) | 1;
-    setup.reference.emplace(*cage_, kind_, CoordinateOptions{.triangulation = o.triangulation});
-    setup.symmetries.emplace(*cage_, kind_, o.evaluation, o.triangulation);
+    setup.reference.emplace(recommended);
+    setup.symmetries.emplace(*cage_, o.evaluation, setup.coordinates, setup.terms);
     setup.approximated = approximated_by(*cage_, kind_, o.triangulation);
     return setup;
   }

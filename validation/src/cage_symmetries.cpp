@@ -119,7 +119,11 @@ CageSymmetries::Subdivision CageSymmetries::subdivision() const {
 
 CageSymmetries::CageSymmetries(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
                                Triangulation rule)
-    : size_(cage.size()), base_(cage, kind, evaluation, rule), terms_(cage, kind, rule, evaluation) {
+    : CageSymmetries(cage, evaluation, {cage, kind, evaluation, rule}, {cage, kind, rule, evaluation}) {}
+
+CageSymmetries::CageSymmetries(const Cage& cage, const std::string& evaluation, CageCoordinates base, CageTerms terms)
+    : size_(cage.size()), base_(std::move(base)), terms_(std::move(terms)) {
+  const CoordinateKind& kind = base_.kind();
   const Turn turn(cage.dimension());
   const CageElements& elements = base_.elements();
   std::vector<Vec3<double>> scaled, turned;

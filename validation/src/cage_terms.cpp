@@ -62,8 +62,11 @@ struct CageTerms::Sums {
 };
 
 CageTerms::CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation rule, std::string_view judged)
-    : moved_(find_whole_evaluation(judged) != nullptr ? cage.size() : 0),
-      coordinates_(cage, kind, CoordinateOptions{.triangulation = rule}) {
+    : CageTerms(cage, CageCoordinates(cage, kind, CoordinateOptions{.triangulation = rule}), judged) {}
+
+CageTerms::CageTerms(const Cage& cage, CageCoordinates coordinates, std::string_view judged)
+    : moved_(find_whole_evaluation(judged) != nullptr ? cage.size() : 0), coordinates_(std::move(coordinates)) {
+  const CoordinateKind& kind = coordinates_.kind();
   for (const Parameter& p : parameters_of(kind)) parameters_.push_back(p.preset);
   if (!kind.is_sum()) return;
   const auto& known = EvaluationRegister::instance();

@@ -20,10 +20,14 @@ constexpr double depth = 2e-2;
 
 bool is_small(const Cage& cage, Triangulation rule) { return cage.parts(false, rule).elements.size() <= few_elements; }
 
+// A method prepared with its defaults, which its variants share.
+using Prepared = Lazy<std::shared_ptr<const deformation::Deformer<double>>>;
+
 class DeformerMeasurement final : public Measurement {
  public:
-  DeformerMeasurement(std::shared_ptr<const Cage> cage, DeformerVariant variant, const DeformerCampaignOptions& options)
-      : cage_(std::move(cage)), variant_(std::move(variant)), options_(options) {}
+  DeformerMeasurement(std::shared_ptr<const Cage> cage, DeformerVariant variant, const DeformerCampaignOptions& options,
+                      std::shared_ptr<const Prepared> prepared)
+      : cage_(std::move(cage)), variant_(std::move(variant)), options_(options), prepared_(std::move(prepared)) {}
 
   std::string name() const override {
     return fmt::format("{}, deformer {}, {}", cage_->name(), variant_.method->name, variant_.name);
@@ -31,7 +35,7 @@ class DeformerMeasurement final : public Measurement {
   int blocks() const override { return 1; }
 
   Findings measure(int) const override {
-    const DeformerChecks checks(cage_, variant_, options_.triangulation);
+    const DeformerChecks checks(cage_, variant_, options_.triangulation, prepared_->get().get());
     const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
     Findings findings;
     for (const DeformerChecks::Question& question : checks.questions()) {
@@ -70,6 +74,7 @@ class DeformerMeasurement final : public Measurement {
   std::shared_ptr<const Cage> cage_;
   DeformerVariant variant_;
   DeformerCampaignOptions options_;
+  std::shared_ptr<const Prepared> prepared_;
 };
 
 // A method that takes constraints. Questions of energies have one answer each.
@@ -165,8 +170,11 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
       std::size_t index = 0;
       std::erase_if(variants, [&](const DeformerVariant& v) { return index++ % 2 == 1 && !v.is_default; });
     }
+    const auto prepared = std::make_shared<const Prepared>([cage, &method, rule = options.triangulation] {
+      return deformation::prepare_deformer<double>(method, *cage, {.evaluation = {}, .triangulation = rule});
+    });
     for (DeformerVariant& variant : variants)
-      measurements.push_back(std::make_unique<DeformerMeasurement>(cage, std::move(variant), options));
+      measurements.push_back(std::make_unique<DeformerMeasurement>(cage, std::move(variant), options, prepared));
   }
   add_constrained(cage, options, measurements);
   return measurements;

@@ -88,13 +88,17 @@ DeformerVariant variant_named(const deformation::DeformMethod& method, std::stri
   throw unknown_name(fmt::format("variant of {}", method.name), name);
 }
 
-DeformerChecks::DeformerChecks(std::shared_ptr<const Cage> cage, DeformerVariant variant, Triangulation rule)
+DeformerChecks::DeformerChecks(std::shared_ptr<const Cage> cage, DeformerVariant variant, Triangulation rule,
+                               const Deformer<double>* like)
     : cage_(std::move(cage)),
       variant_(std::move(variant)),
       rule_(rule),
-      deformer_(prepared<double>("")),
+      deformer_(like != nullptr ? like->with_parameters(variant_.parameters) : nullptr),
       in_50_digits_([this] { return prepared<Mp50>(""); }),
-      prior_(prior_of(*cage_, deformer_->coordinates().kind(), rule)) {}
+      prior_() {
+  if (!deformer_) deformer_ = prepared<double>("");
+  prior_ = prior_of(*cage_, deformer_->coordinates().kind(), rule);
+}
 
 template <class R>
 DeformerChecks::Prepared<R> DeformerChecks::prepared(const std::string& evaluation) const {

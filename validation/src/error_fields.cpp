@@ -46,16 +46,14 @@ std::string file_name(const Cage& cage) {
   return name;
 }
 
-std::string name_of_field(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation,
-                          Triangulation rule, const char* what) {
-  return fmt::format("{}.{}.{}.{}", file_name(cage), kind.name,
-                     CageCoordinates(cage, kind, evaluation, rule).evaluation(), what);
+std::string name_of_field(const Cage& cage, const CageCoordinates& coordinates, const char* what) {
+  return fmt::format("{}.{}.{}.{}", file_name(cage), coordinates.kind().name, coordinates.evaluation(), what);
 }
 
-FieldFacts facts_of(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation, Triangulation rule) {
+FieldFacts facts_of(const Cage& cage, const CageCoordinates& coordinates, Triangulation rule) {
   return {{"cage", cage.name()},
-          {"kind", std::string(kind.name)},
-          {"evaluation", CageCoordinates(cage, kind, evaluation, rule).evaluation()},
+          {"kind", std::string(coordinates.kind().name)},
+          {"evaluation", coordinates.evaluation()},
           {"triangulation", std::string(name_of(rule))},
           {"unit of length", "that of the cage"}};
 }
@@ -146,14 +144,14 @@ std::unique_ptr<const Measurement> field_measurement(FieldPlan plan, int place, 
 FieldPlan reproduction_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
                              const std::string& evaluation, Triangulation rule, int resolution,
                              const std::vector<double>& parameters) {
+  // Prepared once: some kinds solve large systems.
+  const auto coordinates =
+      std::make_shared<const CageCoordinates>(*cage, kind, CoordinateOptions{evaluation, rule, parameters});
   FieldPlan plan;
-  plan.field =
-      empty_field(slice_through(*cage, resolution), name_of_field(*cage, kind, evaluation, rule, "reproduction"));
-  plan.field.facts = facts_of(*cage, kind, evaluation, rule);
+  plan.field = empty_field(slice_through(*cage, resolution), name_of_field(*cage, *coordinates, "reproduction"));
+  plan.field.facts = facts_of(*cage, *coordinates, rule);
   plan.field.arrays = {{"partition of unity", "1", 1, {}}, {"linear reproduction", "cage sizes", 1, {}}};
   plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
-    const auto coordinates =
-        std::make_shared<const CageCoordinates>(*cage, kind, CoordinateOptions{evaluation, rule, parameters});
     const auto locator = std::make_shared<const CageLocator>(*cage, rule, kind.keeps_quads);
     return [=, &kind](const Vec3<double>& p, std::span<double> values) {
       const Place place = locator->place(p);
@@ -168,12 +166,12 @@ FieldPlan reproduction_field(const std::shared_ptr<const Cage>& cage, const Coor
 
 FieldPlan coordinate_error_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
                                  const std::string& evaluation, Triangulation rule, int resolution) {
+  const auto coordinates = std::make_shared<const CageCoordinates>(*cage, kind, evaluation, rule);
   FieldPlan plan;
-  plan.field = empty_field(slice_through(*cage, resolution), name_of_field(*cage, kind, evaluation, rule, "error"));
-  plan.field.facts = facts_of(*cage, kind, evaluation, rule);
+  plan.field = empty_field(slice_through(*cage, resolution), name_of_field(*cage, *coordinates, "error"));
+  plan.field.facts = facts_of(*cage, *coordinates, rule);
   plan.field.arrays = {{"relative error", "1", 1, {}}};
   plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
-    const auto coordinates = std::make_shared<const CageCoordinates>(*cage, kind, evaluation, rule);
     const auto reference =
         std::make_shared<const CageCoordinates>(*cage, kind, CoordinateOptions{.triangulation = rule});
     return [=](const Vec3<double>& p, std::span<double> values) {
@@ -186,14 +184,13 @@ FieldPlan coordinate_error_field(const std::shared_ptr<const Cage>& cage, const 
 FieldPlan coordinate_difference_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
                                       const std::string& evaluation, const std::string& other, Triangulation rule,
                                       int resolution) {
+  const auto first = std::make_shared<const CageCoordinates>(*cage, kind, evaluation, rule);
   FieldPlan plan;
-  plan.field =
-      empty_field(slice_through(*cage, resolution), name_of_field(*cage, kind, evaluation, rule, "difference"));
-  plan.field.facts = facts_of(*cage, kind, evaluation, rule);
+  plan.field = empty_field(slice_through(*cage, resolution), name_of_field(*cage, *first, "difference"));
+  plan.field.facts = facts_of(*cage, *first, rule);
   plan.field.facts["compared with"] = other.empty() ? "recommended" : other;
   plan.field.arrays = {{"difference", "1", 1, {}}};
   plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
-    const auto first = std::make_shared<const CageCoordinates>(*cage, kind, evaluation, rule);
     const auto second = std::make_shared<const CageCoordinates>(*cage, kind, other, rule);
     return [=](const Vec3<double>& p, std::span<double> values) {
       const auto a = first->at<double>(p, 0), b = second->at<double>(p, 0);
@@ -212,14 +209,14 @@ FieldPlan coordinate_difference_field(const std::shared_ptr<const Cage>& cage, c
 FieldPlan coordinate_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
                            const std::string& label, int index, int resolution) {
   const auto rule = Triangulation::Shortest;
+  const auto coordinates = std::make_shared<const CageCoordinates>(*cage, kind, "", rule);
   FieldPlan plan;
   const std::string name = fmt::format("{}_{}", label, index);
   plan.field =
       empty_field(slice_through(*cage, resolution), fmt::format("{}.{}.{}", file_name(*cage), kind.name, name));
-  plan.field.facts = facts_of(*cage, kind, "", rule);
+  plan.field.facts = facts_of(*cage, *coordinates, rule);
   plan.field.arrays = {{name, "", 1, {}, true}};
   plan.prepare = [=, &kind]() -> FieldPlan::Sampler {
-    const auto coordinates = std::make_shared<const CageCoordinates>(*cage, kind, "", rule);
     const auto& blocks = coordinates->blocks();
     const auto block = std::ranges::find(blocks, label, &CoordinateBlock::label);
     if (block == blocks.end()) throw InputError(fmt::format("{} coordinates have no block {}", kind.name, label));

@@ -20,21 +20,36 @@ std::size_t place_of_neumann() {
   return kWeights + weight_parameters(C).size();
 }
 
+// What decides the regularisation.
+template <Construction C>
+std::vector<double> construction_of(const std::vector<double>& parameters) {
+  std::vector<double> found{parameters[kLevel]};
+  const auto weights = std::span(parameters).subspan(kWeights, weight_parameters(C).size());
+  found.insert(found.end(), weights.begin(), weights.end());
+  return found;
+}
+
 // \param KeepsQuads whether the layers are those of bilinear quads, whose normal derivatives are bilinear, neither
 // constant nor affine
 template <Scalar R, Construction C, bool KeepsQuads>
 class Regularised final : public LayerDeformer<R> {
  public:
   Regularised(CageCoordinates layers, const std::vector<double>& parameters)
-      : LayerDeformer<R>(std::move(layers)), stretch_(static_cast<Stretch>(static_cast<int>(parameters[kNormals]))) {
+      : LayerDeformer<R>(std::move(layers)),
+        stretch_(stretch_by(parameters)),
+        construction_(construction_of<C>(parameters)) {
     this->regularise(regularisation_by<R>(C, this->coordinates(), static_cast<int>(parameters[kLevel]),
-                                          std::span(parameters).subspan(kWeights, weight_parameters(C).size()),
-                                          Account::Systems));
+                                          std::span(construction_).subspan(1), Account::Systems));
   }
 
   std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& parameters) const override {
     if (!KeepsQuads && normals_by(parameters[place_of_neumann<C>()]) != this->normals_of()) return nullptr;
-    return std::make_shared<Regularised>(this->coordinates(), parameters);
+    if (construction_of<C>(parameters) != construction_)
+      return std::make_shared<Regularised>(this->coordinates(), parameters);
+    // Posed normals alone are others.
+    auto same = std::make_shared<Regularised>(*this);
+    same->stretch_ = stretch_by(parameters);
+    return same;
   }
 
   std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
@@ -48,7 +63,12 @@ class Regularised final : public LayerDeformer<R> {
   }
 
  private:
+  static Stretch stretch_by(const std::vector<double>& parameters) {
+    return static_cast<Stretch>(static_cast<int>(parameters[kNormals]));
+  }
+
   Stretch stretch_;
+  std::vector<double> construction_;
 };
 
 template <Construction C, bool KeepsQuads, Scalar R>

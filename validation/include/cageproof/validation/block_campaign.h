@@ -36,8 +36,8 @@ struct BlockFinding {
 /// truths of higher ones cost several times as much. All that there are where it promises none.
 int block_order(const CoordinateKind& kind, const CageCoordinates& coordinates);
 
-/// Errors of an evaluation at a sample, up to block_order: alone and in a block of points, the worse. Coordinates of the cage's own frame
-/// are prepared once.
+/// Errors of an evaluation at a sample, up to block_order: alone and in a block of points, the worse. Coordinates of
+/// the cage's own frame are prepared once.
 class BlockErrors {
  public:
   /// \throws InputError as CageCoordinates

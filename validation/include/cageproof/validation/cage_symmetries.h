@@ -14,6 +14,8 @@ namespace cageproof::validation {
 class CageSymmetries {
  public:
   CageSymmetries(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation, Triangulation rule);
+  /// \param base the cage's coordinates by that evaluation \param terms those that they are judged by
+  CageSymmetries(const Cage& cage, const std::string& evaluation, CageCoordinates base, CageTerms terms);
 
   /// By check (cage_scaling, cage_rigid_motion, cage_corner_permutation, cage_subdivision for sums over faces): the
   /// largest difference over the blocks, in roundings of the block's terms, with those that a logarithm adds in another

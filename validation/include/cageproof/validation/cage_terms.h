@@ -44,6 +44,8 @@ class CageTerms {
   /// The terms are those of the recommended evaluation.
   /// \param judged the evaluation that is counted in them
   CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation rule, std::string_view judged = {});
+  /// \param coordinates those of the cage by recommended evaluations
+  CageTerms(const Cage& cage, CageCoordinates coordinates, std::string_view judged = {});
   /// \pre the point lies off the cage, or the kind is no sum; order <= CageCoordinates::max_order()
   TermSizes at(const Vec3<double>& point, int order) const;
 

@@ -58,8 +58,10 @@ class DeformerChecks {
   /// Errors by order; NaN where there is no image.
   using Errors = std::array<DeformerError, 3>;
 
-  /// \throws InputError for a cage that the method refuses
-  DeformerChecks(std::shared_ptr<const Cage> cage, DeformerVariant variant, Triangulation rule);
+  /// \param like the method prepared for the same cage with other parameters, whose coordinates are taken where they
+  /// serve; null for none \throws InputError for a cage that the method refuses
+  DeformerChecks(std::shared_ptr<const Cage> cage, DeformerVariant variant, Triangulation rule,
+                 const deformation::Deformer<double>* like = nullptr);
 
   /// keeps_rigid, keeps_scale, keeps_mirror, keeps_linear: images with those of the map that poses the cage, in double.
   /// keeps_linear_with_normals, of methods that take normal derivatives: the same with those of the map.
