@@ -62,14 +62,19 @@ bool drawable(const ResultCurve& curve) {
   return std::ranges::any_of(curve.parameters, [](double p) { return p > 0 && std::isfinite(p); });
 }
 
+// \param curves of one subject, regime and check
 std::set<double> bounds(const RunResult& result, const Curves& curves, int order) {
+  const ResultCurve& one = *curves.front();
   std::set<double> found;
-  for (const ResultRow& row : result.rows)
+  for (const ResultRow& row : result.rows) {
+    if (!row.bound || row.order != order || row.subject != one.subject || row.regime != one.regime ||
+        row.check != one.check)
+      continue;
     for (const ResultCurve* curve : curves)
-      if (row.bound && row.order == order && curve->order == order && row.subject == curve->subject &&
-          row.regime == curve->regime && row.check == curve->check && row.evaluation == curve->evaluation &&
-          row.scalar == curve->scalar && *row.bound > 0 && std::isfinite(*row.bound))
+      if (curve->order == order && row.evaluation == curve->evaluation && row.scalar == curve->scalar &&
+          *row.bound > 0 && std::isfinite(*row.bound))
         found.insert(*row.bound);
+  }
   return found;
 }
 
