@@ -211,5 +211,26 @@ TEST(block_error, counts_in_units_of_a_moved_point) {
   EXPECT_GT(unit, hessian + 0.1 * cube.size() * third);
 }
 
+// What is promised is asked, and no more: truths of derivatives that nothing is promised of cost several times as much.
+TEST(block_error, asks_the_orders_that_are_promised) {
+  const Cage cube = embedded_cage("cube");
+  const std::vector<std::pair<std::string, int>> highest{
+      {"green", 2}, {"mean_value", 2}, {"quad_mean_value", 2}, {"quad_green", 0}};
+  for (const auto& [name, order] : highest) {
+    const CoordinateKind& kind = coordinate_kind_named(name);
+    const CageCoordinates batched(cube, kind, "batched", Triangulation::Shortest);
+    ASSERT_EQ(batched.max_order(), 2);
+    EXPECT_EQ(block_order(kind, batched), order) << name;
+    BlockCampaignOptions options{.evaluation = "batched"};
+    options.points = 4;
+    std::set<int> asked;
+    const auto measurement = block_measurement(std::make_shared<const Cage>(cube), kind, options);
+    for (int block = 0; block < measurement->blocks(); ++block)
+      for (const auto& [key, tally] : measurement->measure(block).rows)
+        if (tally.asked > 0) asked.insert(key.order);
+    EXPECT_EQ(asked.size(), static_cast<std::size_t>(order + 1)) << name;
+  }
+}
+
 }  // namespace
 }  // namespace cageproof::validation
