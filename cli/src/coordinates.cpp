@@ -100,6 +100,11 @@ int run(const Arguments& a) {
   const CageCoordinates coordinates(
       cage, kind,
       CoordinateOptions{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(), parameters});
+  for (const CoordinateBlock& block : coordinates.blocks())
+    if (block.reproduces == Reproduces::Normals && !std::isfinite(block.normal_factor))
+      warn(fmt::format(
+          "{} with these parameters: normals have no finite normal_factor, and positions are not reproduced",
+          kind.name));
   const BoundaryData data = a.data.empty() ? BoundaryData() : read_boundary_data(a.data, coordinates);
   tell_solved(coordinates);
   if (!a.solved.empty()) reports::replace_file(a.solved, solved_json(coordinates).dump(2) + '\n');

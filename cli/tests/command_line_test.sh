@@ -331,7 +331,7 @@ arrowheads --kind mean_value >/dev/null || fail "mean_value on arrowheads"
 refuses arrowheads.obj 'face 0' 'folds over' --allow-invalid-quads -- arrowheads --kind quad_mean_value
 refuses --allow-invalid-quads mean_value -- arrowheads --kind mean_value --allow-invalid-quads
 arrowheads --kind quad_mean_value --allow-invalid-quads >"$work/stdout" 2>"$work/stderr" || fail "--allow-invalid-quads"
-[ "$(grep -c 'warning: .*face [01]: .*folds over' "$work/stderr")" -eq 2 ] || fail "no warning of invalid quads: $(cat "$work/stderr")"
+[ "$(grep -c 'warning: .*face [01] (line [0-9]*): .*folds over' "$work/stderr")" -eq 2 ] || fail "no warning of invalid quads: $(cat "$work/stderr")"
 refuses bowtie.obj face bow-tie -- "$cageproof" coordinates --cage "$work/bowtie.obj" --points "$work/three.csv" --kind quad_mean_value
 refuses nonsense -- "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind spherical_mean_value --evaluation nonsense
 # eval says the same of the same quads, goes on after them, and takes the same flag.

@@ -115,7 +115,10 @@ std::vector<std::string> invalid_quads(const Cage& cage) {
   std::vector<std::string> faults;
   for (std::size_t f = 0; f < cage.faces().size(); ++f) {
     if (cage.faces()[f].size() != 4) continue;
-    if (const auto reason = invalid_because(cage.quad(f))) faults.push_back(fmt::format("face {}: {}", f, *reason));
+    const auto reason = invalid_because(cage.quad(f));
+    if (!reason) continue;
+    const std::string line = f < cage.face_lines().size() ? fmt::format(" (line {})", cage.face_lines()[f]) : "";
+    faults.push_back(fmt::format("face {}{}: {}", f, line, *reason));
   }
   return faults;
 }

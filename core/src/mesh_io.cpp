@@ -109,10 +109,13 @@ Cage read_cage(const std::filesystem::path& path, CageOptions options) {
   if (mesh.faces.empty()) FileLine{path}.fail("no faces, and no polylines");
   std::vector<Face> faces;
   for (const std::vector<int>& polygon : mesh.faces) {
-    if (polygon.size() != 3 && polygon.size() != 4)
+    if (polygon.size() != 3 && polygon.size() != 4) {
+      const std::size_t f = faces.size();
+      const std::string line = f < mesh.face_lines.size() ? fmt::format(" (line {})", mesh.face_lines[f]) : "";
       FileLine{path}.fail(
-          fmt::format("face {}: {} corners, a cage's faces have 3 or 4 (faces and vertices counted from 0)",
-                      faces.size(), polygon.size()));
+          fmt::format("face {}{}: {} corners, a cage's faces have 3 or 4 (faces and vertices counted from 0)", f, line,
+                      polygon.size()));
+    }
     std::ranges::copy(polygon, faces.emplace_back().vertices.begin());
   }
   options.face_lines = std::move(mesh.face_lines);

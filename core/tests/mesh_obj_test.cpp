@@ -162,7 +162,7 @@ TEST(obj_reads, big_meshes_in_about_a_second) {
 TEST(read_cage, rejects_polygons_naming_the_face) {
   const TemporaryFolder folder;
   const auto path = folder.write("five.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3\nf 1 2 3 4 5\n");
-  expect_parts(input_error_of([&] { read_cage(path); }), {"five.obj: face 1: 5 corners", "3 or 4"});
+  expect_parts(input_error_of([&] { read_cage(path); }), {"five.obj: face 1 (line ", "): 5 corners", "3 or 4"});
 }
 
 TEST(read_cage, names_file_and_face_of_invalid_cages) {

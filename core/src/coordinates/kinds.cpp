@@ -124,7 +124,7 @@ std::string why_refused(const CoordinateKind& kind, const Cage& cage) {
     if (std::string reason = kind.refuses(cage); !reason.empty()) return reason;
   if (!kind.keeps_quads || cage.allows_invalid_quads()) return {};
   const std::vector<std::string> faults = invalid_quads(cage);
-  return faults.empty() ? std::string() : faults.front();
+  return faults.empty() ? "" : faults.front() + " (faces counted from 0, corners within the face)";
 }
 
 std::vector<const Formula*> formulas_of(const CoordinateKind& kind, const Cage& cage) {

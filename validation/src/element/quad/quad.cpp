@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bilinear quads in space.
+#include "../triangle/triangle.h"
 #include "patch.h"
 #include "regimes.h"
 
@@ -116,6 +117,12 @@ Vec across(Corners q, const Vec& edge) { return edge.cross((q[2] - q[0]).cross(q
 double distance(Corners q, const Vec& point, double enough) { return distance_to_quad(point, quad_of(q), enough); }
 
 int crossings(Corners q, const Vec& origin, const Vec& direction) {
+  // Every ray meets the line across a side without length. What is left of such a quad is a triangle.
+  for (int k = 0; k < 4; ++k)
+    if (q[k] == q[(k + 1) % 4]) {
+      const std::array<Vec, 3> rest{q[k], q[(k + 2) % 4], q[(k + 3) % 4]};
+      return triangle_sampling().locator.crossings(rest, origin, direction);
+    }
   return crossings_of_quad(origin, direction, quad_of(q));
 }
 
