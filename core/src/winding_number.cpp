@@ -13,8 +13,18 @@ namespace {
 // What a ray says of one triangle: a signed crossing or none, or nothing where it meets the border.
 using Crossing = std::optional<int>;
 
+// Whether the corners lie on no one line, which they do where all their shadows along axes do.
+bool has_area(const Triangle<double>& t) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto shadow = [&](const Vec3<double>& v) { return Vec3<double>(v[axis], v[(axis + 1) % 3], 0); };
+    if (side_of_line({shadow(t[0]), shadow(t[1])}, shadow(t[2])) != 0) return true;
+  }
+  return false;
+}
+
+// Triangles without area have no plane, and edges that others have.
 bool lies_on(const Triangle<double>& t, const Vec3<double>& point) {
-  if (side_of_plane(t, point) != 0) return false;
+  if (side_of_plane(t, point) != 0 || !has_area(t)) return false;
   for (int edge = 0; edge < 3; ++edge)
     if (side_of_edge(t, edge, point) < 0) return false;
   return true;
