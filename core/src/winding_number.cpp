@@ -22,7 +22,7 @@ bool has_area(const Triangle<double>& t) {
   return false;
 }
 
-// Triangles without area have no plane, and edges that others have.
+// Triangles without area have no plane, and edges that others have; no ray meets their inside.
 bool lies_on(const Triangle<double>& t, const Vec3<double>& point) {
   if (side_of_plane(t, point) != 0 || !has_area(t)) return false;
   for (int edge = 0; edge < 3; ++edge)
@@ -71,6 +71,7 @@ std::optional<int> winding_number(std::span<const Triangle<double>> triangles, c
     bool clear = true;
     for (const Triangle<double>& t : triangles) {
       const Crossing found = crossing(t, point, through);
+      if (!found && !has_area(t)) continue;
       clear = found.has_value();
       if (!clear) break;
       winding += *found;
