@@ -28,10 +28,10 @@ class LimitCheck final : public Check {
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     std::array<Finding, 3> findings;
     if (!in.truth.on_element) return findings;
-    // Where more digits take longer, as many as the bound asks.
+    const Result<Mp200> on = evaluate<Mp200>(in.evaluation, in.sample, in.order);
+    // Next to the element as many digits as the bound asks, where more take longer.
     const std::string& digits = in.evaluation.substitutes().confirmations;
     const Evaluation form = digits.empty() ? in.evaluation : evaluation_named(in.formula.name, digits);
-    const Result<Mp200> on = evaluate<Mp200>(form, in.sample, in.order);
     const Result<Mp200> farther = inside(in, form, Mp200("1e-40")), nearer = inside(in, form, Mp200("1e-60"));
     for (int o = 0; o <= in.order; ++o) {
       const auto no_limit = [](const Mp200& x) { return static_cast<bool>(isnan(x)); };
