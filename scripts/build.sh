@@ -36,7 +36,7 @@ fail() {
 
 # Clang takes two thirds of GCC's time, but for sanitizers, with which it takes longer; so CI compiles everything with both. A folder keeps the
 # compiler that it was first configured with; CC and CXX name others.
-if [[ $preset != asan && -z ${CC-} && -z ${CXX-} ]] && command -v clang-16 >/dev/null && command -v clang++-16 >/dev/null; then
+if [[ $preset != [at]san && -z ${CC-} && -z ${CXX-} ]] && command -v clang-16 >/dev/null && command -v clang++-16 >/dev/null; then
   export CC=clang-16 CXX=clang++-16
 fi
 

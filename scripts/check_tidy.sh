@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# scripts/check_tidy.sh [BASE]: clang-tidy over the C++ sources that commits since BASE changed, the last ones first, for at most six minutes; says which it did
-# not reach. BASE: the branch's start off origin/main; on origin/main itself, ten commits back. Exit 0: nothing found; 1: something; 2: it cannot run.
+# scripts/check_tidy.sh [--minutes N] [--all | BASE]: clang-tidy over the C++ files that commits since BASE changed, the last ones first; --all: over all sources.
+# A header is checked with a source that includes it. BASE: the branch's start off origin/main; on origin/main itself, ten commits back.
+# --minutes: stops then, and fails when it did not reach all files. Exit 0: all were looked at, nothing found; 1: something was found, or a file not reached;
+# 2: it cannot run.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -10,21 +12,59 @@ tidy=$(command -v clang-tidy-16) || {
   echo "clang-tidy-16 is missing: scripts/ensure_packages.sh installs it" >&2
   exit 2
 }
-base=${1-}
-if [[ -z $base ]]; then
-  base=$(git merge-base HEAD origin/main 2>/dev/null || true)
-  if [[ -z $base || $base == $(git rev-parse HEAD) ]]; then base=$(git rev-list --first-parent -n 11 HEAD | tail -n 1); fi
-fi
-git rev-parse --verify --quiet "$base^{commit}" >/dev/null || {
-  echo "$base is no commit" >&2
-  exit 2
+limit=0 base='' all=''
+while (($#)); do
+  case $1 in
+    --minutes) limit=${2?--minutes takes a number}m && shift ;;
+    --all) all=yes ;;
+    *) base=$1 ;;
+  esac
+  shift
+done
+
+# Sources compiled for other processors, or against the installed library, have no command here.
+has_command() { [[ -f $1 && $1 != scripts/* && $1 != docs/* && $1 != */tests/consumer/* ]]; }
+
+# The source that a changed file is checked with: itself, or for a header the source of its name, or any that includes it.
+source_of() {
+  local file=$1
+  if [[ $file == *.h ]]; then
+    local name included
+    name=$(basename "$file" .h)
+    included=${file##*/include/}
+    [[ $included != "$file" ]] || included=$(basename "$file")
+    file=$(git ls-files -- "*/$name.cpp" | head -n 1)
+    if [[ -z $file ]] || ! grep -q "$included\"" "$file"; then file=$(git grep -l -F "$included\"" -- '*.cpp' ':!scripts' ':!docs' | head -n 1 || true); fi
+    # Headers that only other headers include are checked with these.
+    if [[ -z $file ]]; then
+      local header
+      header=$(git grep -l -F "$included\"" -- '*.h' | head -n 1 || true)
+      [[ -n $header && ${2-0} -lt 4 ]] || return 0
+      source_of "$header" $((${2-0} + 1))
+      return
+    fi
+  fi
+  if has_command "$file"; then printf '%s\n' "$file"; fi
 }
-mapfile -t files < <(git log --format= --name-only --diff-filter=d "$base..HEAD" -- '*.cpp' | awk '!seen[$0]++' | while read -r file; do
-  # What is compiled for other processors, or against the installed library, has no command here.
-  [[ ! -f $file || $file == scripts/* || $file == docs/* || $file == */tests/consumer/* ]] || printf '%s\n' "$file"
-done)
+
+if [[ -n $all ]]; then
+  since='the first commit'
+  changed=$(git ls-files -- '*.cpp' '*.h')
+else
+  if [[ -z $base ]]; then
+    base=$(git merge-base HEAD origin/main 2>/dev/null || true)
+    if [[ -z $base || $base == $(git rev-parse HEAD) ]]; then base=$(git rev-list --first-parent -n 11 HEAD | tail -n 1); fi
+  fi
+  git rev-parse --verify --quiet "$base^{commit}" >/dev/null || {
+    echo "$base is no commit" >&2
+    exit 2
+  }
+  since=$base
+  changed=$(git log --format= --name-only --diff-filter=d "$base..HEAD" -- '*.cpp' '*.h' | awk '!seen[$0]++')
+fi
+mapfile -t files < <(for file in $changed; do if [[ -f $file ]]; then source_of "$file"; fi; done | awk '!seen[$0]++')
 ((${#files[@]})) || {
-  echo "clang-tidy: no source was changed by the commits since $base"
+  echo "clang-tidy: no C++ file was changed by the commits since $since"
   exit 0
 }
 
@@ -39,10 +79,10 @@ cmake -S . -B "$work/commands" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COM
 : >"$work/clean"
 : >"$work/found"
 # shellcheck disable=SC2016  # expanded by the inner shell
-printf '%s\n' "${files[@]}" | timeout 360 xargs -P "$(nproc)" -n 1 bash -c \
+printf '%s\n' "${files[@]}" | timeout "$limit" xargs -P "$(nproc)" -n 1 bash -c \
   'if "$0" --quiet -p "$1/commands" "$2" 2>/dev/null; then echo "$2" >>"$1/clean"; else echo "$2" >>"$1/found"; fi' "$tidy" "$work" || true
 mapfile -t missed < <(printf '%s\n' "${files[@]}" | grep --invert-match --line-regexp --fixed-strings --file="$work/clean" --file="$work/found" || true)
-printf 'clang-tidy: %s of %s changed sources are clean, %s are not, %s were not reached\n' \
+printf 'clang-tidy: %s of %s sources are clean, %s are not, %s were not reached\n' \
   "$(wc -l <"$work/clean")" "${#files[@]}" "$(wc -l <"$work/found")" "${#missed[@]}"
-((${#missed[@]} == 0)) || printf '  not reached: %s\n' "${missed[@]}"
-[[ ! -s $work/found ]] || exit 1
+((${#missed[@]} == 0)) || printf '  error: not reached: %s\n' "${missed[@]}"
+[[ ! -s $work/found ]] && ((${#missed[@]} == 0))

@@ -70,6 +70,12 @@ A line.
 END
 expect failing 1 'failing.md:4: exit code 2, not 0'
 
+page first_line <<'END'
+    cageproof no-such-command
+    true
+END
+expect first_line 1 'first_line.md:1: exit code 2, not 0: cageproof no-such-command'
+
 page stale <<'END'
     cageproof --version
     echo 17
@@ -113,12 +119,13 @@ expect misspelt 1 "no mark is 'long, very'"
 
 page links <<'END'
 # A heading, `twice`
-[there](#a-heading-twice) [not there](#another), [page](no_such_page.md), `docs/no_such_page.md`, `core/src/no_such_source.cpp`
+[there](#a-heading-twice) [not there](#another), [page](no_such_page.md), `docs/no_such_page.md`, `core/src/no_such_source.cpp`, `library/no_such_header.h`
 END
 expect links 1 'has no heading #another' --links
 expect links 1 'no file no_such_page.md' --links
 expect links 1 'no file `docs/no_such_page.md`' --links
 expect links 1 'no file `core/src/no_such_source.cpp`' --links
+expect links 1 'no file `library/no_such_header.h`' --links
 grep -q 'heading #a-heading-twice' "$work/said" && { echo 'FAILED: a heading that exists is not found'; failures=$((failures + 1)); }
 
 page excerpt <<'END'

@@ -3,12 +3,12 @@
 
 import re
 import unicodedata
+from functools import cache
 from pathlib import Path
 
 from docs_checks.page import code, shown_name
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
-ROOMS = "core closed_form quadrature_ref adaptive_qmvc solved deformation reports validation benchmarks cli scripts docs plugins cmake".split()
 NAMED = re.compile(r"`([\w./-]+?)(?::\d+)?`")
 
 
@@ -58,13 +58,21 @@ def broken(page: Path, root: Path) -> list[str]:
             elif heading and heading not in anchors(file):
                 found.append(f"{where}:{number}: {name or where} has no heading #{heading}; it has {', '.join(sorted(anchors(file)))}")
         for name in NAMED.findall(line):
-            if is_ours(name) and not exists(name, page, root):
+            if is_ours(name, root) and not exists(name, page, root):
                 found.append(f"{where}:{number}: no file `{name}`")
     return found
 
 
-def is_ours(name: str) -> bool:
-    """Files of the project begin with a room, or are pages. Others are the user's (my_...), of a report, or written with dots for a part of their name."""
+def is_ours(name: str, root: Path) -> bool:
+    """Files of the project begin with one of its folders, or are pages. Others are the user's (my_...), of a report, or written with dots for a part of their name."""
     if "my_" in name or "..." in name:
         return False
-    return (name.split("/")[0] in ROOMS and "/" in name) or (name.endswith(".md") and "/" not in name and name != "summary.md")
+    first, separator, _ = name.partition("/")
+    return bool(separator and first in folders(root)) or (name.endswith(".md") and not separator and name != "summary.md")
+
+
+@cache
+def folders(root: Path) -> frozenset[str]:
+    """The project's own folders: those at its top that are neither hidden nor made by a build or a run (.gitignore)."""
+    made = {line.strip("/\n") for line in (root / ".gitignore").read_text().splitlines()}
+    return frozenset(path.name for path in root.iterdir() if path.is_dir() and not path.name.startswith(".") and path.name not in made)

@@ -39,7 +39,9 @@ def run_block(block: Block, folder: Path, environment: dict[str, str], limit: fl
     failed_at.write_text(str(block.line))
     # The shell counts the page's lines: what it says of line n is said of the page.
     preamble = f"set -eE -o pipefail; trap 'printf %s \"$LINENO\" >{failed_at}' ERR"
-    script.write_text("\n" * (block.line - 2) + preamble + "\n" + block.text if block.line > 1 else block.text)
+    # On the first line nothing stands before the block, so the preamble shares that line.
+    before = "\n" * (block.line - 2) + preamble + "\n" if block.line > 1 else preamble + "; "
+    script.write_text(before + block.text)
     process = subprocess.Popen(["bash", script], cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True, errors="replace", start_new_session=True)
     try:

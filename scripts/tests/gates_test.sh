@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Gates fail where they cannot look: a formatter that fails, a program that does not run, a file that clang-tidy did not reach.
+set -u
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+# expect CODE WORD COMMAND...
+expect() {
+  local code=$1 word=$2
+  shift 2
+  "$@" >"$work/said" 2>&1 </dev/null
+  local got=$?
+  if [ $got -ne "$code" ] || { [ -n "$word" ] && ! grep -qF -- "$word" "$work/said"; }; then
+    echo "FAILED: exit $got, not $code, or no '$word': $* : $(head -n 5 "$work/said")"
+    failures=$((failures + 1))
+  fi
+}
+
+# A project of one header and one source, with the gates' scripts.
+mkdir -p "$work/project/scripts" "$work/project/core/src"
+cd "$work/project" || exit 2
+cp "$root/scripts/check_format.sh" "$root/scripts/check_tidy.sh" scripts
+cp "$root/.clang-format" .clang-format
+printf 'int one();\n' >core/src/one.h
+printf '#include "one.h"\n\nint one() { return 1; }\n' >core/src/one.cpp
+printf 'cmake_minimum_required(VERSION 3.25)\nproject(one CXX)\nset(CMAKE_EXPORT_COMPILE_COMMANDS ON)\nadd_library(one core/src/one.cpp)\n' >CMakeLists.txt
+printf 'Checks: "-*,modernize-use-nullptr"\nWarningsAsErrors: "*"\nHeaderFilterRegex: "core/"\n' >.clang-tidy
+git init -q .
+commit() { git add -A && git -c user.name=test -c user.email=test@example.org commit -qm "$1"; }
+commit first
+
+expect 0 '' scripts/check_format.sh
+printf 'int  two ( );\n' >core/src/two.h
+commit unformatted
+expect 1 core/src/two.h scripts/check_format.sh
+git rm -q core/src/two.h && commit formatted
+echo 'NoSuchKey: 1' >>.clang-format
+expect 2 'clang-format failed' scripts/check_format.sh
+git checkout -q .clang-format
+
+# A commit of a header alone is looked at, with a source that includes it.
+if command -v clang-tidy-16 >/dev/null; then
+  printf 'int one();\ninline char* none() { return 0; }\n' >core/src/one.h
+  commit header
+  expect 1 '0 of 1 sources are clean, 1 are not' scripts/check_tidy.sh HEAD~1
+  expect 1 '1 were not reached' scripts/check_tidy.sh --minutes 0.00001 HEAD~1
+  printf 'int one();\ninline char* none() { return nullptr; }\n' >core/src/one.h
+  commit mended
+  expect 0 '1 of 1 sources are clean' scripts/check_tidy.sh HEAD~1
+fi
+
+expect 2 'names no formula' "$root/scripts/hunt_all" 10 "$work/hunt" /bin/false
+expect 2 'names no formula' "$root/scripts/hunt_all" 10 "$work/hunt" /bin/true
+
+[ $failures -eq 0 ] && echo 'Gates fail where they cannot look.'
+exit $((failures > 0))
