@@ -11,13 +11,18 @@ target_compile_options(cageproof_flags INTERFACE
   -Wno-overlength-strings
   # Error-free transformations need each operation rounded on its own.
   -ffp-contract=off)
-if(CAGEPROOF_SANITIZE)
+if(CAGEPROOF_SANITIZE STREQUAL address)
   # Null and misaligned members are checked at every access, which doubles the build; a null one faults under the address sanitizer anyway.
   target_compile_options(cageproof_flags INTERFACE -fsanitize=address,undefined -fno-sanitize=null,alignment -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   # Indices of the standard library's arrays, which the sanitizers do not see where there is memory behind them.
   target_compile_definitions(cageproof_flags INTERFACE _GLIBCXX_ASSERTIONS)
   target_link_options(cageproof_flags INTERFACE -fsanitize=address,undefined)
+elseif(CAGEPROOF_SANITIZE STREQUAL thread)
+  target_compile_options(cageproof_flags INTERFACE -fsanitize=thread)
+  target_link_options(cageproof_flags INTERFACE -fsanitize=thread)
+elseif(CAGEPROOF_SANITIZE)
+  message(FATAL_ERROR "CAGEPROOF_SANITIZE is '${CAGEPROOF_SANITIZE}': address or thread")
 endif()
 
 # cageproof_room(NAME LINK libs... [PRECOMPILE <header>...] [HEADERS_OF target]): the room's src/**.cpp as an object library, so that rows which
@@ -42,16 +47,17 @@ function(cageproof_room name)
   endif()
 endfunction()
 
-# cageproof_tests(NAME LINK rooms... [HEADERS_OF target]): every tests/*.cpp of the room in one GoogleTest binary.
+# cageproof_tests(NAME LINK rooms... [HEADERS_OF target] [LABELS label...]): every tests/*.cpp of the room in one GoogleTest program, and a test of CTest per
+# suite. Tests labelled `memory` also run under the address sanitizer, and `threads` under the thread sanitizer.
 function(cageproof_tests name)
-  cmake_parse_arguments(ARG "" "HEADERS_OF" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "HEADERS_OF" "LINK;LABELS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*.cpp)
   if(NOT sources)
     return()
   endif()
-  add_executable(${name}_tests ${sources})
+  add_executable(${name}_tests ${sources} ${PROJECT_SOURCE_DIR}/cmake/test_main.cpp)
   set_target_properties(${name}_tests PROPERTIES UNITY_BUILD OFF)
-  target_link_libraries(${name}_tests PRIVATE ${ARG_LINK} cageproof_flags GTest::gtest GTest::gtest_main)
+  target_link_libraries(${name}_tests PRIVATE ${ARG_LINK} cageproof_flags GTest::gtest)
   if(ARG_HEADERS_OF)
     target_precompile_headers(${name}_tests REUSE_FROM ${ARG_HEADERS_OF})
   else()
@@ -59,5 +65,13 @@ function(cageproof_tests name)
   endif()
   target_compile_definitions(${name}_tests PRIVATE
     CAGEPROOF_SHARED_DATA="${CMAKE_SOURCE_DIR}/../shared/data")
-  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 900)
+  set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
+  add_custom_command(TARGET ${name}_tests POST_BUILD BYPRODUCTS ${suites} COMMENT ""
+    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}_tests> -DPREFIX=${name} "-DLABEL=${ARG_LABELS}" -DTIMEOUT=900 -DOUT=${suites}
+      -P ${PROJECT_SOURCE_DIR}/cmake/discover_suites.cmake)
+  # A program that is not built has not run its tests.
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${name}_tests.cmake
+    "if(EXISTS [==[${suites}]==])\n  include([==[${suites}]==])\nelse()\n  add_test([==[${name}_tests.NOT_BUILT]==] [==[${name}_tests.NOT_BUILT]==])\n"
+    "  set_tests_properties([==[${name}_tests.NOT_BUILT]==] PROPERTIES LABELS [==[${ARG_LABELS}]==])\nendif()\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}_tests.cmake)
 endfunction()

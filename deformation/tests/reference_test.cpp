@@ -51,7 +51,7 @@ TEST(reference, bar) {
                      {"somigliana", {kLocal, 0.3, 1, 0, 0.5}, {0.191459179493, 0.000441563165946, 0.275120272947}}});
 }
 
-TEST(reference, spiky_box) {
+TEST(shared_data, spiky_box) {
   const auto c = spiky_box();
   if (!c) GTEST_SKIP() << "the data are not next to the project";
   expect_all(*c, {{"green", {0}, {0.66831336201, -0.423548257204, 0.872861867237}},
@@ -64,7 +64,7 @@ TEST(reference, spiky_box) {
                   {"somigliana", {kLocal, 0.3, 1, 0, 0.5}, {1.02469779443, 1.27437549133, 0.529233445354}}});
 }
 
-TEST(reference, fire_hydrant) {
+TEST(shared_data, fire_hydrant) {
   const auto c = real("FireHydrant", {0});
   if (!c) GTEST_SKIP() << "the data are not next to the project";
   expect_all(*c, {{"green", {0}, {-0.469386674968, 0.74408627766, -0.784463394111}},
