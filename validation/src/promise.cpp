@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/promise.h"
 
+#include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace cageproof::validation {
 namespace {
@@ -94,8 +96,10 @@ constexpr std::array table{
     Row{"truth", "quad.*", "@(riemann-*|tessellated-*|midpoint-*)", "*", "*", 0, 2, none,
         "a scheme that approximates the quad by its grid: its error next to it, and of derivatives, is what the report "
         "is for"},
-    Row{"truth", "*", "*", "*", "*", 0, 2, none,
+    Row{"truth", "*", "@(gauss-*|three-quad-*|near-singular-*)", "*", "*", 0, 2, none,
         "a quadrature rule of fixed size: its error is what the report is for"},
+    Row{"truth", "segment.*", "offset-*", "*", "*", 0, 2, none,
+        "the closed form at a point moved off the boundary: what the move costs is what the report is for"},
     // Properties: two evaluations, each within the promise of `truth`.
     Row{"subdivision", "*", recommended, "double", "*", 0, 2, 320, "five evaluations within 64 each"},
     Row{"side_relation", "*", recommended, "double", "*", 0, 0, 64, "each layer within 64, in units of both together"},
@@ -343,8 +347,19 @@ Promise promise_for(const PromiseKey& key) {
     if (matches(row.check, key.check) && is_one_of(row.subject, key.subject) &&
         is_one_of(row.evaluation, key.evaluation) && matches(row.scalar, key.scalar) &&
         is_one_of(row.regime, key.regime) && row.lowest_order <= key.order && key.order <= row.highest_order)
-      return {row.bound, row.reason};
+      return {row.bound, row.reason, true};
   return {std::nullopt, "stated as found"};
+}
+
+void require_row(const PromiseKey& key, std::optional<Role> role) {
+  const bool relied_on = role == Role::Recommended || role == Role::Stated || role == Role::Batched;
+  const auto known = promised_checks();
+  const bool known_check = std::ranges::find(known, key.check) != known.end();
+  if ((known_check && !relied_on) || promise_for(key).in_table) return;
+  throw std::logic_error(fmt::format(
+      "the table of promises has no row for the check '{}' of {}, evaluation '{}', in {}, {}, order {}: add "
+      "one to validation/src/promise.cpp, with a bound or with the reason why there is none",
+      key.check, key.subject, key.evaluation, key.scalar, key.regime, key.order));
 }
 
 }  // namespace cageproof::validation

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/verdicts.h"
 
+#include "cageproof/core/whole_evaluation.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/regime.h"
@@ -23,6 +24,24 @@ bool may_decline(const RowKey& row) {
   const auto evaluation = EvaluationRegister::instance().find(row.subject, row.evaluation);
   return evaluation && evaluation->role() != cageproof::Role::Recommended &&
          evaluation->role() != cageproof::Role::Stated;
+}
+
+// What the row's evaluation is: of a single element's row by its formula, of a cage's by the formulas that its kind
+// sums.
+std::optional<Role> role_of(const RowKey& row) {
+  const auto& known = EvaluationRegister::instance();
+  if (row.section == RowKey::Section::Element) {
+    const auto evaluation = known.find(row.subject, row.evaluation);
+    return evaluation ? std::optional(evaluation->role()) : std::nullopt;
+  }
+  if (row.section == RowKey::Section::Deformer) return std::nullopt;
+  if (const WholeEvaluation* whole = find_whole_evaluation(row.evaluation)) return whole->role;
+  const CoordinateKind* kind = find_coordinate_kind(row.subject);
+  if (kind == nullptr || !kind->is_sum()) return std::nullopt;
+  for (const ElementKind element : element_kinds)
+    if (const Formula* formula = find_formula(element, kind->blocks.front().kernel))
+      if (const auto evaluation = known.find(formula->name, row.evaluation)) return evaluation->role();
+  return std::nullopt;
 }
 
 // Where the samples went.
@@ -94,7 +113,9 @@ std::uint64_t lost_samples(const ResultRow& row) {
 }
 
 void judge(ResultRow& row) {
-  const Promise promise = promise_for({row.check, row.subject, row.evaluation, row.scalar, row.regime, row.order});
+  const PromiseKey key{row.check, row.subject, row.evaluation, row.scalar, row.regime, row.order};
+  require_row(key, role_of(row));
+  const Promise promise = promise_for(key);
   row.bound = promise.bound;
   row.reason = promise.reason;
   row.verdict = !row.bound || row.samples == 0 ? Verdict::NotPromised

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What the table of promises says of evaluations that nobody relies on: enough to tell another formula.
+// The table of promises: whole for what people rely on, and for other evaluations enough to tell another formula.
 #include "cageproof/validation/promise.h"
+#include "cageproof/validation/check.h"
+#include "cageproof/validation/regime.h"
 #include "cageproof/validation/truth.h"
+#include "cageproof/validation/verdicts.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +51,60 @@ TEST(promises, stay_away_from_weak_spots) {
   EXPECT_FALSE(bound("triangle.double_layer", "gauss-16", "near-face"));
   EXPECT_FALSE(bound("quad.mean_value", "riemann-10", "near-vertex"));
   EXPECT_EQ(bound("triangle.double_layer", "closed_form", "near-edge"), 64);
+}
+
+// A forgotten bound would look like a decision to promise nothing.
+TEST(promises, are_made_or_declined_for_every_check_of_what_people_rely_on) {
+  int asked = 0;
+  for (const Formula& formula : catalogue())
+    for (const std::string& name : EvaluationRegister::instance().standard(formula.name)) {
+      const Evaluation evaluation = evaluation_named(formula.name, name);
+      if (evaluation.role() != Role::Recommended && evaluation.role() != Role::Stated) continue;
+      for (const auto& check : checks())
+        for (const Regime& regime : regimes())
+          for (const ScalarKind scalar : scalar_kinds) {
+            if (!exists_for(regime, formula.element) || !evaluation.supports(scalar) ||
+                !check->applies(formula, evaluation, scalar, regime.name))
+              continue;
+            ++asked;
+            // Which orders a check asks, its findings say; verdicts ask for the row of each.
+            bool in_table = false;
+            for (int order = 0; order < 3; ++order)
+              in_table = in_table ||
+                         promise_for({check->name(), formula.name, name, name_of(scalar), regime.name, order}).in_table;
+            EXPECT_TRUE(in_table) << check->name() << ' ' << formula.name << ' ' << name << ' ' << name_of(scalar)
+                                  << ' ' << regime.name;
+          }
+    }
+  EXPECT_GT(asked, 1000);
+}
+
+TEST(promises, are_missed_where_the_table_has_no_row) {
+  const auto truth_of = [](std::string_view evaluation) {
+    return PromiseKey{"truth", "triangle.single_layer", evaluation, "double", "generic", 0};
+  };
+  for (const Role role : {Role::Recommended, Role::Stated, Role::Batched})
+    EXPECT_THROW(require_row(truth_of("novel_form"), role), std::logic_error) << name_of(role);
+  EXPECT_NO_THROW(require_row(truth_of("novel_form"), Role::Foreign));
+  EXPECT_NO_THROW(require_row(truth_of("gauss-12"), Role::Rule));
+  EXPECT_THROW(require_row({"novel_check", "green", "batched", "double", "cube", 0}, std::nullopt), std::logic_error);
+}
+
+// The name decides nothing: what the program's own register says of an evaluation does.
+TEST(promises, stop_a_verdict_without_a_row) {
+  ResultRow row;
+  row.section = RowKey::Section::Cage;
+  row.subject = "green";
+  row.evaluation = "batched";
+  row.scalar = "double";
+  row.regime = "cube";
+  row.check = "cage_truth";
+  EXPECT_NO_THROW(judge(row));
+  row.check = "novel_check";
+  EXPECT_THROW(judge(row), std::logic_error);
+  row.check = "cage_truth";
+  row.scalar = "mp50";
+  EXPECT_THROW(judge(row), std::logic_error);
 }
 
 }  // namespace

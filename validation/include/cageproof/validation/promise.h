@@ -16,6 +16,7 @@ namespace cageproof::validation {
 struct Promise {
   std::optional<double> bound;  ///< in the check's unit; nothing: not promised
   std::string_view reason;      ///< why the bound is what it is, or why there is none
+  bool in_table = false;        ///< a row of the table says so; without one, nothing is promised
 };
 
 /// What identifies a row of results.
@@ -26,6 +27,11 @@ struct PromiseKey {
 
 /// The first row of the table that matches; a row with no bound for anything that none does.
 Promise promise_for(const PromiseKey& key);
+
+/// Every check needs a row, and so does every evaluation that people rely on (recommended, stated or batched): without
+/// one a forgotten bound would look like a decision to promise nothing. \param role of the evaluation, where it has one
+/// \throws std::logic_error that names the missing row
+void require_row(const PromiseKey& key, std::optional<Role> role);
 
 /// The checks of the table, in its order, each once: those of elements and those of whole cages.
 std::vector<std::string_view> promised_checks();
