@@ -34,9 +34,15 @@ fail() {
   exit 2
 }
 
-# Clang takes two thirds of GCC's time, but for sanitizers, with which it takes longer; so CI compiles everything with both. A folder keeps the
-# compiler that it was first configured with; CC and CXX name others.
-if [[ $preset != [at]san && -z ${CC-} && -z ${CXX-} ]] && command -v clang-16 >/dev/null && command -v clang++-16 >/dev/null; then
+# Clang takes two thirds of GCC's time, also with the address sanitizer, where its runtime is there. The thread sanitizer is GCC's, so that CI compiles the
+# program with both. A folder keeps the compiler that it was first configured with; CC and CXX name others.
+clang_serves() {
+  case $preset in
+    tsan) false ;;
+    asan) [[ -e $(clang++-16 -print-file-name=libclang_rt.asan-x86_64.a 2>/dev/null) || -e $(clang++-16 -print-file-name=libclang_rt.asan.a 2>/dev/null) ]] ;;
+  esac
+}
+if [[ -z ${CC-} && -z ${CXX-} ]] && command -v clang-16 >/dev/null && command -v clang++-16 >/dev/null && clang_serves; then
   export CC=clang-16 CXX=clang++-16
 fi
 

@@ -45,6 +45,7 @@ LIST
 helpful() {
   cat <<'LIST'
 clang-16                 compiles all this in two thirds of the time that g++ takes
+libclang-rt-16-dev       the sanitizers' runtime for clang-16
 clang-tidy-16            what CI asks of changed sources
 LIST
 }
