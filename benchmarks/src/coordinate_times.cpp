@@ -2,7 +2,7 @@
 #include "cageproof/benchmarks/coordinate_times.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/parallel.h"
 #include "point_times.h"
 #include "summarise.h"
 

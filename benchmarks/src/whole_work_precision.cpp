@@ -4,7 +4,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/name_pattern.h"
 #include "cageproof/validation/cage_campaign.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/parallel.h"
 #include "cageproof/validation/scheme_errors.h"
 #include "point_times.h"
 #include "summarise.h"

@@ -4,7 +4,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_evaluation.h"
 #include "cageproof/validation/cage_campaign.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/parallel.h"
 #include "cageproof/validation/truth.h"
 #include "asked_evaluations.h"
 #include "pair_times.h"

@@ -3,7 +3,7 @@
 
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/cage_points.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/parallel.h"
 
 #include <fmt/format.h>
 
@@ -77,7 +77,7 @@ CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cag
   sum.points = points.size();
   sum.reproduces = reproduces_points(coordinates);
   std::mutex adding;
-  validation::for_each_parallel((points.size() + kTogether - 1) / kTogether, jobs, [&](std::size_t part) {
+  for_each_parallel((points.size() + kTogether - 1) / kTogether, jobs, [&](std::size_t part) {
     CoordinateSummary mine;
     for (std::size_t p = part * kTogether; p < std::min(points.size(), (part + 1) * kTogether); ++p) {
       const bool on = !coordinates.elements().touching(points[p]).empty();

@@ -4,7 +4,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/scalar_text.h"
 #include "cageproof/reports/vtk_text.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/parallel.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -72,7 +72,7 @@ CoordinateColumns coordinate_columns(const CageCoordinates& coordinates, const s
   // Blocks of points share what evaluations prepare for an element.
   constexpr std::size_t together = 64;
   std::atomic<std::size_t> done = 0;
-  validation::for_each_parallel((points.size() + together - 1) / together, jobs, [&](std::size_t part) {
+  for_each_parallel((points.size() + together - 1) / together, jobs, [&](std::size_t part) {
     const std::size_t first = part * together, count = std::min(together, points.size() - first);
     const auto found = coordinates.at<double>(std::span(points).subspan(first, count), order);
     for (std::size_t p = 0; p < count; ++p) {

@@ -3,7 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/deformation/inside.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/parallel.h"
 
 #include <fmt/format.h>
 
@@ -82,7 +82,7 @@ std::vector<Deformed> deform(const CageCoordinates& coordinates, const Cage& cag
   std::vector<char> missing(points);
   std::vector<std::size_t> beyond(points);  // a map whose image is not finite, from 1 on
   constexpr std::size_t together = 128;
-  validation::for_each_parallel((points + together - 1) / together, jobs, [&](std::size_t block) {
+  for_each_parallel((points + together - 1) / together, jobs, [&](std::size_t block) {
     const std::size_t first = block * together, count = std::min(together, points - first);
     const auto tables = coordinates.at<double>(std::span(mesh.vertices).subspan(first, count), order);
     for (std::size_t p = 0; p < count; ++p)

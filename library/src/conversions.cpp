@@ -3,13 +3,10 @@
 
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/mesh_io.h"
+#include "cageproof/core/parallel.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 
@@ -118,12 +115,9 @@ void check_size(std::size_t given, std::size_t wanted, std::string_view what) {
 void for_blocks(std::size_t points, int threads, const std::function<void(std::size_t, std::size_t)>& task) {
   // Blocks of points share what evaluations prepare for an element.
   constexpr std::size_t together = 64;
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, (points + together - 1) / together, [&](std::size_t block) {
-      const std::size_t first = block * together;
-      task(first, std::min(together, points - first));
-    });
+  for_each_parallel((points + together - 1) / together, threads, [&](std::size_t block) {
+    const std::size_t first = block * together;
+    task(first, std::min(together, points - first));
   });
 }
 

@@ -2,7 +2,7 @@
 #include "cageproof/validation/block_campaign.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/lazy.h"
 #include "cageproof/validation/promise.h"
 
 #include <fmt/format.h>

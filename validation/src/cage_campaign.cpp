@@ -5,7 +5,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/random_stream.h"
 #include "cageproof/validation/cage_symmetries.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/lazy.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/scheme_errors.h"
 #include "cageproof/validation/verdicts.h"

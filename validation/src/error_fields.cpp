@@ -3,7 +3,8 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/validation/cage_campaign.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/lazy.h"
+#include "cageproof/core/parallel.h"
 #include "cageproof/validation/truth.h"
 #include "element/element_sampling.h"
 

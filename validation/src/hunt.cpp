@@ -3,7 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/name_pattern.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/parallel.h"
 #include "cageproof/validation/promise.h"
 #include "mutations.h"
 #include "search_domain.h"

@@ -4,7 +4,7 @@
 #include "build_id.h"
 #include "cageproof/core/build_facts.h"
 #include "cageproof/core/scalar.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/parallel.h"
 
 #include <Eigen/Core>
 #include <boost/version.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/measurement.h"
 
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/parallel.h"
 
 #include <algorithm>
 #include <mutex>

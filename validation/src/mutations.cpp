@@ -231,31 +231,31 @@ void change_parameter(const Formula& formula, Sample& s, RandomStream& random) {
   }
 }
 
-constexpr std::array all{Mutation{"step by size", step_by_size},
-                         Mutation{"step by itself", step_by_itself},
-                         Mutation{"one ulp", one_ulp},
-                         Mutation{"snap coordinate", snap_coordinate},
-                         Mutation{"tiny coordinate", tiny_coordinate},
-                         Mutation{"round coordinate", round_coordinate},
-                         Mutation{"flatten", flatten},
-                         Mutation{"align", align},
-                         Mutation{"round all", round_all},
-                         Mutation{"along edge", along_edge},
-                         Mutation{"across edge", across_edge},
-                         Mutation{"off surface", off_surface},
-                         Mutation{"scale distance", scale_distance},
-                         Mutation{"onto feature", onto_feature},
-                         Mutation{"foot to origin", foot_to_origin},
-                         Mutation{"shift all", shift_all},
-                         Mutation{"scale all", scale_all},
-                         Mutation{"change aspect", change_aspect},
-                         Mutation{"turn over", turn_over},
-                         Mutation{"point anew", point_anew},
-                         Mutation{"change parameter", change_parameter}};
+constexpr std::array all_mutations{Mutation{"step by size", step_by_size},
+                                   Mutation{"step by itself", step_by_itself},
+                                   Mutation{"one ulp", one_ulp},
+                                   Mutation{"snap coordinate", snap_coordinate},
+                                   Mutation{"tiny coordinate", tiny_coordinate},
+                                   Mutation{"round coordinate", round_coordinate},
+                                   Mutation{"flatten", flatten},
+                                   Mutation{"align", align},
+                                   Mutation{"round all", round_all},
+                                   Mutation{"along edge", along_edge},
+                                   Mutation{"across edge", across_edge},
+                                   Mutation{"off surface", off_surface},
+                                   Mutation{"scale distance", scale_distance},
+                                   Mutation{"onto feature", onto_feature},
+                                   Mutation{"foot to origin", foot_to_origin},
+                                   Mutation{"shift all", shift_all},
+                                   Mutation{"scale all", scale_all},
+                                   Mutation{"change aspect", change_aspect},
+                                   Mutation{"turn over", turn_over},
+                                   Mutation{"point anew", point_anew},
+                                   Mutation{"change parameter", change_parameter}};
 
 }  // namespace
 
-std::span<const Mutation> mutations() { return all; }
+std::span<const Mutation> mutations() { return all_mutations; }
 
 void mutate(const Mutation& mutation, const Formula& formula, Sample& sample, RandomStream& random) {
   double largest = 0;

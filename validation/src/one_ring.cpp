@@ -2,7 +2,7 @@
 #include "cageproof/validation/one_ring.h"
 
 #include "cageproof/validation/cage_points.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/lazy.h"
 #include "cageproof/validation/truth.h"
 #include "cageproof/validation/verdicts.h"
 

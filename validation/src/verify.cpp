@@ -7,7 +7,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/run_folder.h"
 #include "cageproof/validation/machine_facts.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/parallel.h"
 
 #include <fmt/format.h>
 

@@ -2,13 +2,10 @@
 // Units of work: the same whoever takes them, few whatever the samples, dealt out evenly.
 #include "cageproof/validation/campaign.h"
 #include "cageproof/validation/measurement.h"
-#include "cageproof/validation/parallel.h"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <set>
-#include <stdexcept>
 
 namespace cageproof::validation {
 namespace {
@@ -97,26 +94,6 @@ TEST(units, do_not_change_what_is_found) {
     for (std::size_t i = 0; i < tally.worst.cases().size(); ++i)
       EXPECT_EQ(tally.worst.cases()[i].sample, other.worst.cases().at(i).sample);
   }
-}
-
-TEST(for_each_parallel, runs_each_once_and_ends_at_an_exception) {
-  std::vector<std::atomic<int>> seen(500);
-  for_each_parallel(seen.size(), 4, [&](std::size_t i) { ++seen[i]; });
-  for (const auto& count : seen) EXPECT_EQ(count, 1);
-  std::atomic<int> begun{0};
-  EXPECT_THROW(for_each_parallel(1000000, 4,
-                                 [&](std::size_t) {
-                                   if (++begun >= 10) throw std::runtime_error("enough");
-                                 }),
-               std::runtime_error);
-  EXPECT_LT(begun, 100);
-}
-
-TEST(lazy, makes_its_value_once) {
-  int made = 0;
-  const Lazy<int> value([&] { return ++made; });
-  EXPECT_EQ(made, 0);
-  EXPECT_EQ(value.get() + value.get(), 2);
 }
 
 }  // namespace

@@ -4,10 +4,8 @@
 
 #include "cageproof/core/coordinate_tables.h"
 #include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/parallel.h"
 #include "cageproof/core/whole_evaluation.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -207,9 +205,9 @@ class BatchedCoordinates final : public PreparedCoordinates {
   void over_blocks(std::span<const Vec3<double>> points, int order, Put put, Alone alone) const {
     const Request request = request_for(order);
     const std::size_t lanes = kernels().lanes, count = (points.size() + lanes - 1) / lanes;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, kChunk), [&](const auto& range) {
+    for_ranges_parallel(count, kChunk, [&](std::size_t begin, std::size_t end) {
       typename Shape::Runner runner(geometry_, *elements_, request);
-      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      for (std::size_t i = begin; i < end; ++i) {
         const std::size_t first = i * lanes;
         const auto here = points.subspan(first, std::min(lanes, points.size() - first));
         const unsigned left = runner.run(here);

@@ -5,7 +5,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/parallel.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

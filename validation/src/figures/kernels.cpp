@@ -4,7 +4,6 @@
 
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/winding_number.h"
-#include "cageproof/validation/parallel.h"
 
 #include <fmt/format.h>
 

@@ -4,10 +4,8 @@
 
 #include "cageproof/core/coordinate_tables.h"
 #include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/parallel.h"
 #include "cageproof/core/whole_evaluation.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -121,11 +119,11 @@ class BatchedQuadLayers final : public PreparedCoordinates {
   template <class Put, class Alone>
   void over_points(std::span<const Vec3<double>> points, Put put, Alone alone) const {
     const std::size_t size = LayerSums::chunk_size(geometry_), count = (points.size() + size - 1) / size;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
+    for_ranges_parallel(count, 1, [&](std::size_t begin, std::size_t end) {
       LayerSums sums(geometry_, *elements_, *tables_);
       const std::size_t numbers = blocks()[0].size + blocks()[1].size;
       std::vector<double> rows(kTile * numbers);
-      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      for (std::size_t i = begin; i < end; ++i) {
         const std::size_t first = i * size;
         const auto here = points.subspan(first, std::min(size, points.size() - first));
         sums.run(here);

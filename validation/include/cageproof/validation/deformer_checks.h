@@ -7,7 +7,7 @@
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/deformer_poses.h"
 #include "cageproof/validation/mirror_symmetry.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/lazy.h"
 
 #include <array>
 #include <limits>
