@@ -193,12 +193,12 @@ struct PlaceMaker {
   bool (*make)(const Draw& draw, CageSample& sample);
 };
 
-constexpr std::array places{PlaceMaker{"near-edge", near_edge},     PlaceMaker{"near-face", near_face},
-                            PlaceMaker{"near-vertex", near_vertex}, PlaceMaker{"on-face", on_face},
-                            PlaceMaker{"on-edge", on_edge},         PlaceMaker{"on-vertex", on_vertex},
-                            PlaceMaker{"inside", inside},           PlaceMaker{"outside", outside},
-                            PlaceMaker{"aligned", aligned},         PlaceMaker{"far", far},
-                            PlaceMaker{"offset", offset},           PlaceMaker{"scaled", scaled}};
+constexpr std::array place_makers{PlaceMaker{"near-edge", near_edge},     PlaceMaker{"near-face", near_face},
+                                  PlaceMaker{"near-vertex", near_vertex}, PlaceMaker{"on-face", on_face},
+                                  PlaceMaker{"on-edge", on_edge},         PlaceMaker{"on-vertex", on_vertex},
+                                  PlaceMaker{"inside", inside},           PlaceMaker{"outside", outside},
+                                  PlaceMaker{"aligned", aligned},         PlaceMaker{"far", far},
+                                  PlaceMaker{"offset", offset},           PlaceMaker{"scaled", scaled}};
 
 // Which place sample i has: each once, then those with sweeps more often.
 constexpr std::array<int, 24> schedule{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 0, 1, 9, 0, 1, 2, 8, 0, 10};
@@ -220,8 +220,8 @@ Cage framed(const Cage& cage, const CageFrame& frame) {
 
 std::vector<std::string_view> cage_places() {
   std::vector<std::string_view> names;
-  names.reserve(places.size());
-  for (const PlaceMaker& place : places) names.push_back(place.name);
+  names.reserve(place_makers.size());
+  for (const PlaceMaker& place : place_makers) names.push_back(place.name);
   return names;
 }
 
@@ -237,8 +237,8 @@ std::vector<CageSample> cage_samples(const CageCoordinates& coordinates, const C
     low = low.cwiseMin(v);
     high = high.cwiseMax(v);
   }
-  std::array<int, places.size()> turns{};
-  for (std::size_t p = 0; p < places.size(); ++p) turns[p] = first_turn(cage, static_cast<int>(p));
+  std::array<int, place_makers.size()> turns{};
+  for (std::size_t p = 0; p < place_makers.size(); ++p) turns[p] = first_turn(cage, static_cast<int>(p));
   // Cages that are asked for few samples are asked for other places of other kinds.
   const auto begin = static_cast<std::size_t>(
       RandomStream(0, fmt::format("cage regimes/{}/{}", cage.name(), coordinates.kind().name), 0).below(12));
@@ -246,12 +246,12 @@ std::vector<CageSample> cage_samples(const CageCoordinates& coordinates, const C
   samples.reserve(count);
   for (int i = 0; i < count; ++i) {
     const auto turn = static_cast<std::size_t>(i);
-    const int place =
-        turn < places.size() ? static_cast<int>((turn + begin) % places.size()) : schedule[turn % schedule.size()];
-    RandomStream random(seed, fmt::format("cage regimes/{}/{}", cage.name(), places[place].name), i);
-    CageSample sample{.place = places[place].name, .index = static_cast<std::uint64_t>(i)};
+    const int place = turn < place_makers.size() ? static_cast<int>((turn + begin) % place_makers.size())
+                                                 : schedule[turn % schedule.size()];
+    RandomStream random(seed, fmt::format("cage regimes/{}/{}", cage.name(), place_makers[place].name), i);
+    CageSample sample{.place = place_makers[place].name, .index = static_cast<std::uint64_t>(i)};
     const Draw draw{elements, edges, locator, off, on, low, high, cage.size(), turns[place]++, random};
-    if (places[place].make(draw, sample)) samples.push_back(sample);
+    if (place_makers[place].make(draw, sample)) samples.push_back(sample);
   }
   return samples;
 }

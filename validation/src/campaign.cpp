@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/campaign.h"
 
+#include "element_questions.h"
+
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/scalar_text.h"
 #include "cageproof/validation/promise.h"
 
 #include <fmt/format.h>
@@ -13,14 +14,11 @@
 namespace cageproof::validation {
 namespace {
 
-// One check of one evaluation in one scalar: a job's smallest part.
+// A question of a job, and the samples that it is asked at.
 struct Part {
-  const Check* check;
-  Evaluation evaluation;
-  ScalarKind scalar;
+  ElementQuestion question;
   int divisor;  // takes every divisor-th sample
   int end;      // of those below
-  int order;    // the highest that is asked
 };
 
 // A formula in a regime, and all that is asked of it there.
@@ -70,11 +68,14 @@ int order_for(const Check& check, const Evaluation& evaluation, ScalarKind scala
   return order;
 }
 
-// The samples that a check takes: every divisor-th below end.
-Part part_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const Regime& regime,
-              const CampaignOptions& options, const TruthSource& source) {
-  const int order = order_for(check, evaluation, scalar, regime, options, source);
-  const auto strided = [&](int divisor, int end) { return Part{&check, evaluation, scalar, divisor, end, order}; };
+// The question of a check in a regime and the samples that it takes, every divisor-th below end; nothing where it is
+// not asked.
+std::optional<Part> part_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const Regime& regime,
+                             const CampaignOptions& options, const TruthSource& source) {
+  auto question = element_question(check, evaluation, scalar, regime.name,
+                                   order_for(check, evaluation, scalar, regime, options, source));
+  if (!question) return std::nullopt;
+  const auto strided = [&](int divisor, int end) { return Part{std::move(*question), divisor, end}; };
   switch (check.cost(scalar)) {
     case Check::Cost::Enclosure: return strided(wide_stride, wide_stride * options.enclosures);
     case Check::Cost::Multiprecision: {
@@ -108,41 +109,11 @@ Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOption
       // The gate is asked for whatever else is: without it there is no truth.
       const Evaluation evaluation = *evaluations.find(formula.name, name);
       if (!matches_evaluation(options.evaluations, evaluation) && check->role() != Check::Role::Gate) continue;
-      for (const ScalarKind scalar : scalar_kinds) {
-        if (!evaluation.supports(scalar) || !check->applies(formula, evaluation, scalar, regime.name)) continue;
-        plan.parts.push_back(
-            part_for(*check, evaluation, scalar, regime, affordable(options, *plan.source), *plan.source));
-      }
+      for (const ScalarKind scalar : scalar_kinds)
+        if (auto part = part_for(*check, evaluation, scalar, regime, affordable(options, *plan.source), *plan.source))
+          plan.parts.push_back(std::move(*part));
     }
   return plan;
-}
-
-// Where a result is furthest from the truth.
-FurthestEntry furthest_of(const Finding& finding, const Truth& truth, int order) {
-  if (finding.entry < 0) return {};
-  // Enough to see where a double differs.
-  constexpr int digits = 20;
-  const Mp100& wanted = truth.tensors.of(order)[static_cast<std::size_t>(finding.entry)];
-  return {finding.entry, finding.found, format_digits(wanted, digits)};
-}
-
-void record(const Part& part, const Plan& plan, const Sample& sample, const Truth& truth,
-            const std::array<Finding, 3>& findings, std::array<Tally, 3>& tallies) {
-  for (int o = 0; o < 3; ++o) {
-    const Finding& finding = findings[o];
-    Tally& tally = tallies[o];
-    if (!counted(finding.status, tally)) continue;
-    tally.total_loss = std::max(tally.total_loss, finding.total_loss);
-    tally.add(finding.error, finding.relative, sample.index, [&](double error) {
-      WorstCase worst{error, sample.parameter, sample.index, sample.corners, sample.point, sample.parameters};
-      worst.relative = finding.relative;
-      worst.furthest = furthest_of(finding, truth, o);
-      return worst;
-    });
-    const std::size_t decades = plan.regime->parameters.size();
-    if (decades > 0 && part.check->role() == Check::Role::Truth)
-      tally.add_to_curve(sample.index % decades, decades, finding.error);
-  }
 }
 
 // A formula in a regime; sample i of all its parts is made, and its truth found, once.
@@ -158,48 +129,26 @@ class ElementMeasurement final : public Measurement {
   int blocks() const override { return std::max(1, (end_ + block_size_ - 1) / block_size_); }
 
   Findings measure(int block) const override {
-    std::vector<std::array<Tally, 3>> tallies(plan_.parts.size());
-    for (int i = block * block_size_; i < std::min(end_, (block + 1) * block_size_); ++i) measure_sample(i, tallies);
     Findings findings;
-    for (std::size_t p = 0; p < plan_.parts.size(); ++p)
-      for (int o = 0; o < 3; ++o) {
-        Tally& tally = tallies[p][o];
-        if (tally.empty()) continue;
-        tally.unit = plan_.parts[p].check->unit();
-        findings.rows[key_of(plan_.parts[p], o)].merge(tally);
-      }
+    for (int i = block * block_size_; i < std::min(end_, (block + 1) * block_size_); ++i)
+      measure_sample(i, findings.rows);
     return findings;
   }
 
  private:
   static bool takes(const Part& part, int i) { return i % part.divisor == 0 && i < part.end; }
 
-  void measure_sample(int i, std::vector<std::array<Tally, 3>>& tallies) const {
+  void measure_sample(int i, std::map<RowKey, Tally>& rows) const {
     if (std::ranges::none_of(plan_.parts, [&](const Part& part) { return takes(part, i); })) return;
     const Sample exact = make_sample(*plan_.formula, *plan_.regime, seed_, i);
     for (const bool single : {false, true}) {
-      std::optional<Truth> truth;
-      const Sample sample = single ? rounded_to(ScalarKind::Float, exact) : exact;
-      for (std::size_t p = 0; p < plan_.parts.size(); ++p) {
-        const Part& part = plan_.parts[p];
-        if ((part.scalar == ScalarKind::Float) != single || !takes(part, i)) continue;
-        if (!truth) truth = truth_from(*plan_.source, sample, 2);
-        record(part, plan_, sample, *truth,
-               part.check->measure({*plan_.formula, part.evaluation, part.scalar, sample, part.order, *truth}),
-               tallies[p]);
+      const ElementAt at(*plan_.source, single ? rounded_to(ScalarKind::Float, exact) : exact);
+      for (const Part& part : plan_.parts) {
+        if ((part.question.scalar == ScalarKind::Float) != single || !takes(part, i)) continue;
+        const bool has_curve = part.question.check->role() == Check::Role::Truth;
+        record(part.question, at, rows, has_curve ? plan_.regime->parameters.size() : 0);
       }
     }
-  }
-
-  RowKey key_of(const Part& part, int order) const {
-    RowKey key;
-    key.subject = plan_.formula->name;
-    key.evaluation = part.evaluation.name();
-    key.scalar = name_of(part.scalar);
-    key.regime = plan_.regime->name;
-    key.check = part.check->name();
-    key.order = order;
-    return key;
   }
 
   Plan plan_;
@@ -226,7 +175,7 @@ Measurements element_measurements(const CampaignOptions& options) {
     for (const Regime* regime : matching(regimes(), options.regimes, "regime", name_of_row)) {
       Plan plan = plan_for(*formula, *regime, options);
       for (const Part& part : plan.parts)
-        any_part = any_part || matches_evaluation(options.evaluations, part.evaluation);
+        any_part = any_part || matches_evaluation(options.evaluations, part.question.evaluation);
       if (plan.parts.empty()) continue;
       measurements.push_back(std::make_unique<ElementMeasurement>(std::move(plan), options.seed));
     }

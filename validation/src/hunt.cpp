@@ -5,6 +5,7 @@
 #include "cageproof/core/name_pattern.h"
 #include "cageproof/core/parallel.h"
 #include "cageproof/validation/promise.h"
+#include "element_questions.h"
 #include "mutations.h"
 #include "search_domain.h"
 
@@ -57,11 +58,13 @@ class Hunter {
     if (regimes_.empty())
       throw InputError(fmt::format("no regime of a {} matches '{}'; see `cageproof list`",
                                    name_of(options.formula->element), options.regimes));
-    for (const auto& [evaluation, check] : options.objectives)
-      if (!evaluation.supports(options.scalar) || options.order > evaluation.max_order() ||
-          !check->applies(*options.formula, evaluation, options.scalar, hunted_regime))
+    for (const auto& [evaluation, check] : options.objectives) {
+      auto question = element_question(*check, evaluation, options.scalar, hunted_regime, options.order);
+      if (!question || options.order > evaluation.max_order())
         throw InputError(fmt::format("the check '{}' is not asked of {} in {} at order {}", check->name(),
                                      evaluation.name(), name_of(options.scalar), options.order));
+      questions_.push_back(std::move(*question));
+    }
     if (options.objectives.empty()) throw InputError("nothing to hunt for");
     largest_told_.assign(options.objectives.size(), -1);
   }
@@ -107,11 +110,9 @@ class Hunter {
   void measure(Start& place, std::vector<Counts>& counts) {
     place.errors.assign(options_.objectives.size(), -1);
     if (!in_search_domain(*options_.formula, place.sample)) return;
-    const Truth truth = truth_from(source_, place.sample, options_.order);
-    for (std::size_t k = 0; k < options_.objectives.size(); ++k) {
-      const auto& [evaluation, check] = options_.objectives[k];
-      const Finding finding = check->measure(
-          {*options_.formula, evaluation, options_.scalar, place.sample, options_.order, truth})[options_.order];
+    const ElementAt at(source_, place.sample, options_.order);
+    for (std::size_t k = 0; k < questions_.size(); ++k) {
+      const Finding finding = questions_[k].ask(at)[options_.order];
       ++counts[k].evaluations;
       counts[k].without_truth += finding.status == Finding::Status::NoTruth;
       counts[k].declined += finding.status == Finding::Status::Declined;
@@ -241,6 +242,7 @@ class Hunter {
 
   const HuntOptions& options_;
   TruthSource source_;
+  std::vector<ElementQuestion> questions_;  // one an objective
   std::vector<const Regime*> regimes_;
   std::mutex mutex_;
   std::vector<double> largest_told_;

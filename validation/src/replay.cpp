@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/replay.h"
 
+#include "element_questions.h"
+
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/mesh_io.h"
@@ -8,7 +10,6 @@
 #include "cageproof/validation/block_campaign.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/cage_symmetries.h"
-#include "cageproof/validation/check.h"
 #include "cageproof/validation/deformer_campaign.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/one_ring.h"
@@ -22,60 +23,31 @@
 namespace cageproof::validation {
 namespace {
 
-// An element's case with all that its names stand for.
-struct ElementCase {
-  const Formula* formula;
-  Evaluation evaluation;
-  ScalarKind scalar;
-  const Check* check;
-  int order;  // that the evaluation is asked for
-};
-
-std::vector<std::string_view> names_of_scalars() {
-  std::vector<std::string_view> names;
-  names.reserve(scalar_kinds.size());
-  for (const ScalarKind kind : scalar_kinds) names.push_back(name_of(kind));
-  return names;
-}
-
-std::vector<std::string_view> names_of_regimes() {
-  std::vector<std::string_view> names{hull_regime, hunted_regime};
-  for (const Regime& regime : regimes()) names.push_back(regime.name);
-  return names;
-}
-
-ElementCase element_case(const RowKey& row, const WorstCase& worst) {
-  const Formula& formula = formula_named(row.subject);
-  const Evaluation evaluation = evaluation_named(row.subject, row.evaluation);
-  const auto scalar = scalar_named(row.scalar);
-  if (!scalar) throw unknown_name("scalar", row.scalar, names_of_scalars());
-  const Check* check = find_check(row.check);
-  if (!check) throw unknown_name("check", row.check, check_names());
-  if (const auto known = names_of_regimes(); std::ranges::find(known, row.regime) == known.end())
-    throw unknown_name("regime", row.regime, known);
+void require_input_of(const Formula& formula, const WorstCase& worst) {
   if (static_cast<int>(worst.corners.size()) != formula.corners() ||
       worst.parameters.size() != formula.parameters.size())
-    throw InputError(fmt::format("not an input of {}", row.subject));
+    throw InputError(fmt::format("not an input of {}", formula.name));
   for (const auto& v : worst.corners)
     if (!v.allFinite()) throw InputError("a corner is not finite");
   if (!worst.point.allFinite()) throw InputError("the point is not finite");
   for (int c = formula.dim(); c < 3; ++c)
     if (worst.point[c] != 0 || std::ranges::any_of(worst.corners, [&](const auto& v) { return v[c] != 0; }))
       throw InputError("not in the plane");
-  if (!evaluation.supports(*scalar) || !check->applies(formula, evaluation, *scalar, row.regime))
-    throw InputError(
-        fmt::format("the check '{}' is not asked of {} in {}, {}", row.check, row.evaluation, row.scalar, row.regime));
-  const int order = std::min(worst.asked, evaluation.max_order());
-  if (row.order < 0 || row.order > order)
-    throw InputError(fmt::format("{} was not asked for order {}", row.evaluation, row.order));
-  return {&formula, evaluation, *scalar, check, order};
+}
+
+ElementQuestion question_of(const RowKey& row, const WorstCase& worst) {
+  ElementQuestion question = element_question(row, worst.asked);
+  require_input_of(question.evaluation.formula(), worst);
+  return question;
 }
 
 Finding replay_element(const RowKey& row, const WorstCase& worst) {
-  const ElementCase c = element_case(row, worst);
-  const Sample sample{worst.corners, worst.point, worst.parameters, worst.parameter, worst.sample};
-  const Truth truth = truth_from(truth_source(*c.formula), sample, worst.asked);
-  return c.check->measure({*c.formula, c.evaluation, c.scalar, sample, c.order, truth})[row.order];
+  const ElementQuestion question = question_of(row, worst);
+  const TruthSource source = truth_source(question.evaluation.formula());
+  // A campaign's truths have all orders, a hunt's those that it asks for.
+  const int order = row.regime == hunted_regime ? worst.asked : 2;
+  return question.ask(
+      {source, {worst.corners, worst.point, worst.parameters, worst.parameter, worst.sample}, order})[row.order];
 }
 
 // Of checks that promise relative errors.
@@ -157,6 +129,6 @@ Finding replay(const RowKey& row, const WorstCase& worst, Triangulation rule) {
   return finding(error.roundings, error.relative);
 }
 
-void require_replayable(const RowKey& row, const WorstCase& worst) { element_case(row, worst); }
+void require_replayable(const RowKey& row, const WorstCase& worst) { question_of(row, worst); }
 
 }  // namespace cageproof::validation

@@ -26,6 +26,28 @@ RowKey key_of(const WorstLine& line) {
   return key;
 }
 
+// A stored input, which stays as it was stored.
+struct StoredAt {
+  const WorstLine& line;
+
+  std::uint64_t number() const { return line.worst.sample; }
+  WorstCase case_of(const Finding&, int) const { return line.worst; }
+};
+
+// The case's question, asked at the order of its row alone.
+Question<StoredAt> question_of(const StoredAt& stored) {
+  const WorstLine& line = stored.line;
+  Question<StoredAt> question{key_of(line), std::string(find_check(line.check)->unit()), {}, line.worst.asked};
+  question.ask = [key = question.key](const StoredAt& at) {
+    std::array<Finding, 3> found;
+    found[key.order] = replay(key, at.line.worst, Triangulation::Shortest);
+    // Inputs that were searched for say nothing of how well-posed others are.
+    found[key.order].total_loss = -1;
+    return found;
+  };
+  return question;
+}
+
 class StoredMeasurement final : public Measurement {
  public:
   explicit StoredMeasurement(std::vector<WorstLine> lines) : lines_(std::move(lines)) {}
@@ -36,22 +58,14 @@ class StoredMeasurement final : public Measurement {
   Findings measure(int block) const override {
     Findings findings;
     // By turns: the cases of one formula cost alike and stand together.
-    for (std::size_t i = block; i < lines_.size(); i += blocks()) add(lines_[i], findings.rows[key_of(lines_[i])]);
+    for (std::size_t i = block; i < lines_.size(); i += blocks()) {
+      const StoredAt at{lines_[i]};
+      record(question_of(at), at, findings.rows);
+    }
     return findings;
   }
 
  private:
-  static void add(const WorstLine& line, Tally& tally) {
-    tally.unit = find_check(line.check)->unit();
-    const Finding finding = replay(key_of(line), line.worst, Triangulation::Shortest);
-    if (!counted(finding.status, tally)) return;
-    tally.add(finding.error, finding.relative, line.worst.sample, [&](double error) {
-      WorstCase found = line.worst;
-      found.error = error;
-      return found;
-    });
-  }
-
   std::vector<WorstLine> lines_;
 };
 

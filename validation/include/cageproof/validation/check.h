@@ -2,7 +2,7 @@
 // Checks: what can be asked of one evaluation at one sample. Each knows the catalogue's data, and no formula.
 #pragma once
 
-#include "cageproof/core/tally.h"
+#include "cageproof/validation/question.h"
 #include "cageproof/validation/truth.h"
 
 #include <memory>
@@ -18,23 +18,6 @@ struct CheckInput {
   const Sample& sample;
   int order;           ///< highest order to look at
   const Truth& truth;  ///< of the sample
-};
-
-/// What a check finds at one order.
-struct Finding {
-  enum class Status {
-    Measured,
-    NoTruth,    ///< no limit exists, or the sample is no input in this scalar
-    Unreached,  ///< a limit exists, and its truth was not reached
-    Declined,   ///< the evaluation said that it could not meet its tolerance
-    Unasked,    ///< the check says nothing of this order
-  } status = Status::Unasked;
-  double error = 0;     ///< in the check's unit
-  double relative = 0;  ///< plain relative error, for the check `truth`
-  /// For the check `truth`: the error that a result without one right digit would have had; negative: not known.
-  double total_loss = -1;
-  int entry = -1;    ///< of the check `truth`: which entry of the tensor is furthest from the truth
-  double found = 0;  ///< and what the evaluation gave there
 };
 
 /// One check. Stateless.
@@ -69,9 +52,6 @@ class Check {
                        std::string_view regime) const = 0;
   virtual std::array<Finding, 3> measure(const CheckInput& input) const = 0;
 };
-
-/// Counts a sample that was put to a row. \return whether it was measured, so that its error is to be added
-bool counted(Finding::Status status, Tally& tally);
 
 /// All checks of single elements, in report order: `truth` first.
 const std::vector<std::unique_ptr<Check>>& checks();

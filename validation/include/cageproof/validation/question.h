@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// A question: one thing that is asked of a subject (an element, a cage, a deformer) at an input. A measurement is
+// inputs times questions, recorded here; `replay` and `hunt` take the same question from the subject's factory.
+#pragma once
+
+#include "cageproof/core/tally.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+namespace cageproof::validation {
+
+/// What a question finds at one order.
+struct Finding {
+  enum class Status {
+    Measured,
+    NoTruth,    ///< no limit exists, or the sample is no input in this scalar
+    Unreached,  ///< a limit exists, and its truth was not reached
+    Declined,   ///< the evaluation said that it could not meet its tolerance
+    Unasked,    ///< the question says nothing of this order
+  } status = Status::Unasked;
+  double error = 0;     ///< in the question's unit
+  double relative = 0;  ///< plain relative error, for the check `truth`
+  /// For the check `truth`: the error that a result without one right digit would have had; negative: not known.
+  double total_loss = -1;
+  int entry = -1;    ///< of the check `truth`: which entry of the tensor is furthest from the truth
+  double found = 0;  ///< and what the evaluation gave there
+};
+
+/// Counts a sample that was put to a row. \return whether it was measured, so that its error is to be added
+bool counted(Finding::Status status, Tally& tally);
+
+/// \tparam At an input, with what several questions share there, which is computed when first asked for:
+///   `number()` is the sample's, `case_of(finding, order)` the input as it is stored.
+template <class At>
+struct Question {
+  RowKey key;                                            ///< of its rows, but for the order
+  std::string unit;                                      ///< of its errors
+  std::function<std::array<Finding, 3>(const At&)> ask;  ///< by order; safe from any thread
+  int asked = 2;  ///< the highest derivative that results are taken with, as cases store it; less is taken of less
+  /// Whether the answer is the same at every input, so that the first alone is asked.
+  bool once = false;
+};
+
+/// Adds what a question finds at an input to its rows, and to a curve of that many points, if any.
+template <class At>
+void record(const Question<At>& question, const At& at, std::map<RowKey, Tally>& rows, std::size_t curve = 0) {
+  const std::array<Finding, 3> found = question.ask(at);
+  RowKey key = question.key;
+  for (int o = 0; o < 3; ++o) {
+    if (found[o].status == Finding::Status::Unasked) continue;
+    key.order = o;
+    Tally& tally = rows[key];
+    tally.unit = question.unit;
+    if (!counted(found[o].status, tally)) continue;
+    tally.total_loss = std::max(tally.total_loss, found[o].total_loss);
+    tally.add(found[o].error, found[o].relative, at.number(), [&](double error) {
+      WorstCase worst = at.case_of(found[o], o);
+      worst.error = error;
+      worst.asked = question.asked;
+      return worst;
+    });
+    if (curve > 0) tally.add_to_curve(at.number() % curve, curve, found[o].error);
+  }
+}
+
+/// The question that a row's figures answer, or null.
+template <class Q>
+const Q* find_question(const std::vector<Q>& questions, RowKey row) {
+  for (const Q& question : questions) {
+    row.order = question.key.order;
+    if (question.key == row) return &question;
+  }
+  return nullptr;
+}
+
+/// An input that is a point of space alone.
+struct PointAt {
+  Vec3<double> point;
+  std::uint64_t index = 0;
+
+  std::uint64_t number() const { return index; }
+  WorstCase case_of(const Finding& finding, int /*order*/) const { return {finding.error, 0, index, {}, point, {}}; }
+};
+
+}  // namespace cageproof::validation
