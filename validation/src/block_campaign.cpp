@@ -48,18 +48,25 @@ std::vector<Result<double>> found_among(const CageCoordinates& coordinates, cons
   return found;
 }
 
-BlockFinding finding_at(const CageCoordinates& coordinates, const BlockTruths& truths, const CageSample& sample,
-                        int order) {
-  BlockFinding finding;
-  finding.is_on_cage = !coordinates.elements().touching(sample.point).empty();
+std::array<Finding, 3> findings_at(const CageCoordinates& coordinates, const BlockTruths& truths,
+                                   const CageSample& sample, int order) {
+  std::array<Finding, 3> found;
   const auto truth = truths.at(sample.point, order);
-  finding.truth_reached = truth.has_value();
-  if (!truth) return finding;
-  finding.errors = block_errors(coordinates.at<double>(sample.point, order), *truth);
-  const auto in_block = block_errors(found_among(coordinates, sample, order), *truth);
-  for (int o = 0; o <= order; ++o)
-    if (in_block[o].roundings > finding.errors[o].roundings) finding.errors[o] = in_block[o];
-  return finding;
+  std::array<CageError, 3> errors;
+  if (truth) {
+    errors = block_errors(coordinates.at<double>(sample.point, order), *truth);
+    const auto in_block = block_errors(found_among(coordinates, sample, order), *truth);
+    for (int o = 0; o <= order; ++o)
+      if (in_block[o].roundings > errors[o].roundings) errors[o] = in_block[o];
+  }
+  // On the cage derivatives may not exist.
+  const bool may_lack = truth && !coordinates.elements().touching(sample.point).empty();
+  for (int o = 0; o <= order; ++o) {
+    if (!std::isnan(errors[o].roundings))
+      found[o] = {Finding::Status::Measured, errors[o].roundings, errors[o].relative};
+    else found[o].status = may_lack && o > 0 ? Finding::Status::NoTruth : Finding::Status::Unreached;
+  }
+  return found;
 }
 
 class BlockMeasurement final : public Measurement {
@@ -81,7 +88,10 @@ class BlockMeasurement final : public Measurement {
   Findings measure(int block) const override {
     const Setup& setup = setup_.get();
     Findings findings;
-    for (std::size_t i = block; i < setup.samples.size(); i += blocks()) add(setup, setup.samples[i], findings);
+    for (std::size_t i = block; i < setup.samples.size(); i += blocks()) {
+      const BlockAt at{setup.samples[i]};
+      record(setup.errors->question(at.sample.place), at, findings.rows);
+    }
     return findings;
   }
 
@@ -92,26 +102,6 @@ class BlockMeasurement final : public Measurement {
   };
 
   int count() const { return block_points(kind_, *cage_, options_); }
-
-  void add(const Setup& setup, const CageSample& sample, Findings& findings) const {
-    const CageCoordinates& coordinates = setup.errors->coordinates();
-    const BlockFinding found = setup.errors->at(sample);
-    RowKey key{RowKey::Section::Cage, std::string(kind_.name), coordinates.evaluation(),  "double",
-               cage_->name(),         block_error_check,       std::string(sample.place), 0};
-    for (int o = 0; o <= setup.errors->order(); ++o) {
-      key.order = o;
-      Tally& tally = findings.rows[key];
-      tally.unit = "block";
-      ++tally.asked;
-      const CageError& error = found.errors[o];
-      // On the cage derivatives may not exist.
-      const bool none =
-          !found.is_input || (std::isnan(error.roundings) && found.truth_reached && found.is_on_cage && o > 0);
-      if (none) ++tally.without_truth;
-      else if (std::isnan(error.roundings)) ++tally.unreached;
-      else tally.add(error.roundings, error.relative, sample.index, [&](double e) { return block_case(sample, e); });
-    }
-  }
 
   std::shared_ptr<const Cage> cage_;
   const CoordinateKind& kind_;
@@ -151,17 +141,28 @@ BlockErrors::BlockErrors(const Cage& cage, const CoordinateKind& kind, std::stri
       truths_(cage, kind, rule),
       order_(block_order(kind, coordinates_)) {}
 
-BlockFinding BlockErrors::at(const CageSample& sample) const {
-  if (sample.frame.is_own()) return finding_at(coordinates_, truths_, sample, order_);
+std::array<Finding, 3> BlockErrors::at(const CageSample& sample) const {
+  if (sample.frame.is_own()) return findings_at(coordinates_, truths_, sample, order_);
+  std::array<Finding, 3> none;
+  std::fill_n(none.begin(), order_ + 1, Finding{Finding::Status::NoTruth});
   std::optional<Cage> there;
   try {
     there = framed(cage_, sample.frame);
-    if (!accepts(kind_, *there)) return {.is_input = false};
+    if (!accepts(kind_, *there)) return none;
   } catch (const InputError&) {
     // Far from the origin rounding may have flattened a face.
-    return {.is_input = false};
+    return none;
   }
-  return finding_at({*there, kind_, evaluation_, rule_}, {*there, kind_, rule_}, sample, order_);
+  return findings_at({*there, kind_, evaluation_, rule_}, {*there, kind_, rule_}, sample, order_);
+}
+
+Question<BlockAt> BlockErrors::question(std::string_view place) const {
+  Question<BlockAt> question;
+  question.key = {RowKey::Section::Cage, std::string(kind_.name), coordinates_.evaluation(), "double",
+                  cage_.name(),          block_error_check,       std::string(place),        0};
+  question.unit = "block";
+  question.ask = [this](const BlockAt& asked) { return at(asked.sample); };
+  return question;
 }
 
 std::unique_ptr<const Measurement> block_measurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
@@ -169,9 +170,11 @@ std::unique_ptr<const Measurement> block_measurement(std::shared_ptr<const Cage>
   return std::make_unique<BlockMeasurement>(std::move(cage), kind, options);
 }
 
-WorstCase block_case(const CageSample& sample, double error) {
+WorstCase BlockAt::case_of(const Finding& finding, int /*order*/) const {
   const Vec3<double>& shift = sample.frame.shift;
-  return {error, sample.parameter, sample.index, {}, sample.point, {sample.frame.unit, shift[0], shift[1], shift[2]}};
+  return {finding.error, sample.parameter,
+          sample.index,  {},
+          sample.point,  {sample.frame.unit, shift[0], shift[1], shift[2]}};
 }
 
 CageSample block_sample(const WorstCase& worst) {

@@ -163,6 +163,15 @@ CageSymmetries::CageSymmetries(const Cage& cage, const std::string& evaluation, 
   variants_.back().shares = std::move(finer.shares);
 }
 
+std::vector<std::string> CageSymmetries::checks_of(const CageCoordinates& coordinates) {
+  const CageElements& elements = coordinates.elements();
+  std::vector<std::string> checks{"cage_scaling", "cage_rigid_motion"};
+  for (std::size_t e = 0; e < elements.count() && checks.size() == 2; ++e)
+    if (sampling_of(elements.type(e).kind).cyclic) checks.emplace_back("cage_corner_permutation");
+  if (coordinates.kind().is_sum()) checks.emplace_back("cage_subdivision");
+  return checks;
+}
+
 // A variant's coordinates as the base's should be: without the turn and the unit, shares added where they belong.
 std::vector<double> CageSymmetries::folded(const Variant& v, std::size_t b, const Result<double>& found,
                                            const Vec3<double>& point) const {

@@ -2,7 +2,6 @@
 #include "cageproof/validation/one_ring.h"
 
 #include "cageproof/validation/cage_points.h"
-#include "cageproof/core/lazy.h"
 #include "cageproof/validation/truth.h"
 #include "cageproof/validation/verdicts.h"
 
@@ -17,10 +16,6 @@ namespace {
 const std::string formula_name(one_ring_formula);
 constexpr double clearance = 2e-2;  // in cage sizes
 
-struct Errors {
-  std::array<double, 3> own{}, sum{};
-};
-
 using Tensor = std::vector<Mp100>;
 
 double relative(const Tensor& a, const Tensor& b, const Mp100& size) {
@@ -33,9 +28,9 @@ Tensor widened(const std::vector<double>& tensor) { return {tensor.begin(), tens
 
 // Errors of sums are relative to the terms that were added up, which cancel where a cage has thin walls. All in units
 // of the cage's size, since whose derivatives an evaluation gives is no question of its exponent range.
-Errors ring_errors_at(const Cage& cage, const std::vector<std::array<int, 3>>& triangles, const Evaluation& evaluation,
-                      const Evaluation& reference, const Vec3<double>& point) {
-  Errors errors;
+OneRingErrors ring_errors_at(const Cage& cage, const std::vector<std::array<int, 3>>& triangles,
+                             const Evaluation& evaluation, const Evaluation& reference, const Vec3<double>& point) {
+  OneRingErrors errors;
   const double scale = std::ldexp(1., -std::ilogb(cage.size()));
   std::array<Tensor, 3> sum, truth_sum;
   std::array<Mp100, 3> of_terms{};
@@ -62,8 +57,6 @@ Errors ring_errors_at(const Cage& cage, const std::vector<std::array<int, 3>>& t
   return errors;
 }
 
-Evaluation reference_evaluation() { return truth_source(formula_named(formula_name)).evaluation; }
-
 Evaluation chosen(const OneRingOptions& options) {
   if (options.evaluation.empty()) return *EvaluationRegister::instance().with_role(formula_name, Role::Recommended);
   return evaluation_named(formula_name, options.evaluation);
@@ -82,40 +75,29 @@ class OneRingMeasurement final : public Measurement {
  public:
   OneRingMeasurement(std::shared_ptr<const Cage> cage, const OneRingOptions& options)
       : cage_(std::move(cage)),
-        evaluation_(chosen(options)),
-        reference_(reference_evaluation()),
-        triangles_(cage_->triangulate(options.triangulation).triangles),
+        ring_(cage_, options),
         blocks_(block_count(options.points, 4)),
         points_([this, options] { return points_for(*cage_, options); }) {}
 
-  std::string name() const override { return fmt::format("{}, one ring, {}", cage_->name(), evaluation_.name()); }
+  std::string name() const override {
+    return fmt::format("{}, one ring, {}", cage_->name(), ring_.evaluation().name());
+  }
   int blocks() const override { return blocks_; }
 
   Findings measure(int block) const override {
     const std::vector<CagePoint>& points = points_.get();
     Findings findings;
+    const auto questions = ring_.questions();
     for (std::size_t i = block; i < points.size(); i += blocks_) {
-      const Errors errors = ring_errors_at(*cage_, triangles_, evaluation_, reference_, points[i].point);
-      for (int o = 1; o < 3; ++o) {
-        add(findings, "own_derivative", o, errors.own[o], points[i]);
-        add(findings, "one_ring_sum", o, errors.sum[o], points[i]);
-      }
+      const OneRingAt at = ring_.at(points[i].point, points[i].index);
+      for (const auto& question : questions) record(question, at, findings.rows);
     }
     return findings;
   }
 
  private:
-  void add(Findings& findings, const char* check, int order, double error, const CagePoint& p) const {
-    Tally& tally = findings.rows[{RowKey::Section::Cage, formula_name, evaluation_.name(), "double", cage_->name(),
-                                  check, "off", order}];
-    tally.unit = "relative";
-    ++tally.asked;
-    tally.add(error, error, p.index, [&](double e) { return WorstCase{e, 0, p.index, {}, p.point, {}}; });
-  }
-
   std::shared_ptr<const Cage> cage_;
-  Evaluation evaluation_, reference_;
-  std::vector<std::array<int, 3>> triangles_;
+  OneRing ring_;
   int blocks_;
   Lazy<std::vector<CagePoint>> points_;
 };
@@ -124,11 +106,32 @@ class OneRingMeasurement final : public Measurement {
 
 bool one_ring_exists_on(const Cage& cage) { return cage.dimension() == formula_named(formula_name).dim(); }
 
-double one_ring_error_at(const Cage& cage, const OneRingOptions& options, std::string_view check, int order,
-                         const Vec3<double>& point) {
-  const Errors errors = ring_errors_at(cage, cage.triangulate(options.triangulation).triangles, chosen(options),
-                                       reference_evaluation(), point);
-  return check == "own_derivative" ? errors.own[order] : errors.sum[order];
+OneRing::OneRing(std::shared_ptr<const Cage> cage, const OneRingOptions& options)
+    : cage_(std::move(cage)),
+      evaluation_(chosen(options)),
+      reference_(truth_source(formula_named(formula_name)).evaluation),
+      triangles_(cage_->triangulate(options.triangulation).triangles) {}
+
+std::vector<Question<OneRingAt>> OneRing::questions() const {
+  const auto question = [&](const char* check, std::array<double, 3> OneRingErrors::*errors) {
+    Question<OneRingAt> made;
+    made.key = {RowKey::Section::Cage, formula_name, evaluation_.name(), "double", cage_->name(), check, "off", 0};
+    made.unit = "relative";
+    made.ask = [errors](const OneRingAt& at) {
+      std::array<Finding, 3> found;
+      for (int o = 1; o < 3; ++o) {
+        const double error = (at.errors().*errors)[o];
+        found[o] = {Finding::Status::Measured, error, error};
+      }
+      return found;
+    };
+    return made;
+  };
+  return {question("own_derivative", &OneRingErrors::own), question("one_ring_sum", &OneRingErrors::sum)};
+}
+
+OneRingAt OneRing::at(const Vec3<double>& point, std::uint64_t index) const {
+  return {point, index, [this, point] { return ring_errors_at(*cage_, triangles_, evaluation_, reference_, point); }};
 }
 
 std::unique_ptr<const Measurement> one_ring_measurement(std::shared_ptr<const Cage> cage,

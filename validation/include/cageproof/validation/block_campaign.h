@@ -5,6 +5,7 @@
 #include "cageproof/validation/block_error.h"
 #include "cageproof/validation/cage_regimes.h"
 #include "cageproof/validation/measurement.h"
+#include "cageproof/validation/question.h"
 
 namespace cageproof::validation {
 
@@ -24,12 +25,13 @@ struct BlockCampaignOptions {
 /// How many points of a cage a kind is asked at.
 int block_points(const CoordinateKind& kind, const Cage& cage, const BlockCampaignOptions& options);
 
-/// What was found at a sample: by order, with NaN where no limit exists.
-struct BlockFinding {
-  bool is_input = true;       ///< whether rounding left a cage of the frame
-  bool is_on_cage = false;    ///< derivatives need not exist there
-  bool truth_reached = true;  ///< whether two precisions agreed
-  std::array<CageError, 3> errors = {};
+/// A sample of a cage.
+struct BlockAt {
+  CageSample sample;
+
+  std::uint64_t number() const { return sample.index; }
+  /// Its point, and its frame as the parameters (unit, then shift).
+  WorstCase case_of(const Finding& finding, int order) const;
 };
 
 /// The highest order of the coordinates that the table promises a block error of: the one that is asked for, since
@@ -42,11 +44,12 @@ class BlockErrors {
  public:
   /// \throws InputError as CageCoordinates
   BlockErrors(const Cage& cage, const CoordinateKind& kind, std::string evaluation, Triangulation rule);
-  BlockFinding at(const CageSample& sample) const;
   const CageCoordinates& coordinates() const { return coordinates_; }
-  int order() const { return order_; }
+  /// What is asked at a place. \param place as CageSample::place; valid while this object lives
+  Question<BlockAt> question(std::string_view place) const;
 
  private:
+  std::array<Finding, 3> at(const CageSample& sample) const;
   Cage cage_;
   const CoordinateKind& kind_;
   std::string evaluation_;
@@ -59,9 +62,6 @@ class BlockErrors {
 /// The kind's rows on the cage, one a place and order. \pre the evaluation computes the kind in the cage
 std::unique_ptr<const Measurement> block_measurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
                                                      const BlockCampaignOptions& options);
-
-/// The input of a worst case: its point, and its frame as the parameters (unit, then shift).
-WorstCase block_case(const CageSample& sample, double error);
 
 /// The sample that a worst case was made of. \throws InputError when it has other parameters
 CageSample block_sample(const WorstCase& worst);

@@ -6,6 +6,8 @@
 #include "cageproof/validation/cage_terms.h"
 
 #include <map>
+#include <string>
+#include <vector>
 
 namespace cageproof::validation {
 
@@ -16,6 +18,9 @@ class CageSymmetries {
   CageSymmetries(const Cage& cage, const CoordinateKind& kind, const std::string& evaluation, Triangulation rule);
   /// \param base the cage's coordinates by that evaluation \param terms those that they are judged by
   CageSymmetries(const Cage& cage, const std::string& evaluation, CageCoordinates base, CageTerms terms);
+
+  /// The checks that errors_at() answers of coordinates, without preparing any.
+  static std::vector<std::string> checks_of(const CageCoordinates& coordinates);
 
   /// By check (cage_scaling, cage_rigid_motion, cage_corner_permutation, cage_subdivision for sums over faces): the
   /// largest difference over the blocks, in roundings of the block's terms, with those that a logarithm adds in another

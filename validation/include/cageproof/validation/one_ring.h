@@ -3,7 +3,10 @@
 #pragma once
 
 #include "cageproof/core/cage.h"
+#include "cageproof/core/evaluation.h"
 #include "cageproof/validation/measurement.h"
+#include "cageproof/validation/parallel.h"
+#include "cageproof/validation/question.h"
 
 namespace cageproof::validation {
 
@@ -21,6 +24,40 @@ struct OneRingOptions {
   int jobs = 0;     ///< threads; 0: all cores
 };
 
+/// By order, relative and norm-wise.
+struct OneRingErrors {
+  std::array<double, 3> own{};  ///< of the worst triangle
+  std::array<double, 3> sum{};  ///< of the sums over the triangles around each vertex
+};
+
+/// A point, and the errors there, which are found when first asked for.
+class OneRingAt : public PointAt {
+ public:
+  OneRingAt(const Vec3<double>& point, std::uint64_t index, std::function<OneRingErrors()> find)
+      : PointAt{point, index}, errors_(std::move(find)) {}
+  const OneRingErrors& errors() const { return errors_.get(); }
+
+ private:
+  Lazy<OneRingErrors> errors_;
+};
+
+/// An evaluation of the formula on a cage's triangles. Safe from any thread.
+class OneRing {
+ public:
+  /// \throws InputError when there is no evaluation of that name
+  OneRing(std::shared_ptr<const Cage> cage, const OneRingOptions& options);
+  const Evaluation& evaluation() const { return evaluation_; }
+  /// What is asked of its derivatives: `own_derivative` and `one_ring_sum`.
+  std::vector<Question<OneRingAt>> questions() const;
+  /// A point to ask at; valid while this object lives.
+  OneRingAt at(const Vec3<double>& point, std::uint64_t index) const;
+
+ private:
+  std::shared_ptr<const Cage> cage_;
+  Evaluation evaluation_, reference_;
+  std::vector<std::array<int, 3>> triangles_;
+};
+
 /// For the derivatives of triangle.double_layer against the closed form's truth: `own_derivative`, the worst
 /// triangle, and `one_ring_sum`, the sums over the triangles around each vertex; both norm-wise. An evaluation that
 /// keeps the first has the gradients of phi_t^k; one that keeps the second alone has a form like P x d/(2|t|), which
@@ -30,9 +67,5 @@ std::unique_ptr<const Measurement> one_ring_measurement(std::shared_ptr<const Ca
 
 /// Measures and judges them. \throws InputError as one_ring_measurement
 std::vector<ResultRow> run_one_ring_check(const Cage& cage, const OneRingOptions& options);
-
-/// The error of one such row at one point. \param check "own_derivative" or "one_ring_sum"
-double one_ring_error_at(const Cage& cage, const OneRingOptions& options, std::string_view check, int order,
-                         const Vec3<double>& point);
 
 }  // namespace cageproof::validation
