@@ -4,7 +4,7 @@
 
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/cage_symmetries.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/lazy.h"
 #include "cageproof/validation/question.h"
 
 #include <map>

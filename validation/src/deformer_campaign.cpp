@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/deformer_campaign.h"
 
-#include "cageproof/core/input_error.h"
 #include "cageproof/core/random_stream.h"
 #include "cageproof/validation/constrained_checks.h"
 #include "cageproof/validation/promise.h"
@@ -10,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace cageproof::validation {
 namespace {
@@ -38,13 +36,10 @@ class DeformerMeasurement final : public Measurement {
     const DeformerChecks checks(cage_, variant_, options_.triangulation, prepared_->get().get());
     const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
     Findings findings;
-    for (const DeformerChecks::Question& question : checks.questions()) {
-      const bool costly = question.pose == bent_pose;
-      const auto asked = std::span(points).first(std::min<std::size_t>(points.size(), costly ? few() : points.size()));
-      const auto errors = checks.ask(question, asked);
-      for (std::size_t p = 0; p < asked.size(); ++p)
-        for (int o = question.lowest_order; o <= question.highest_order; ++o)
-          add(findings.rows[key_of(question, o)], errors[p][o], asked[p], p, checks);
+    for (const Question<PointAt>& question : checks.questions()) {
+      const bool costly = question.key.place == bent_pose;
+      const std::size_t count = std::min<std::size_t>(points.size(), costly ? few() : points.size());
+      for (std::size_t p = 0; p < count; ++p) record(question, {points[p], p}, findings.rows);
     }
     return findings;
   }
@@ -52,32 +47,13 @@ class DeformerMeasurement final : public Measurement {
  private:
   int few() const { return is_small(*cage_, options_.triangulation) ? options_.few_points : 1; }
 
-  RowKey key_of(const DeformerChecks::Question& question, int order) const {
-    return {RowKey::Section::Deformer,
-            std::string(variant_.method->name),
-            variant_.name,
-            std::string(name_of(question.scalar)),
-            cage_->name(),
-            question.check,
-            question.pose,
-            order};
-  }
-
-  static void add(Tally& tally, const DeformerError& error, const Vec3<double>& point, std::size_t index,
-                  const DeformerChecks& checks) {
-    tally.unit = "cage sizes";
-    ++tally.asked;
-    if (std::isnan(error.error)) ++(checks.may_be_missing(point) ? tally.without_truth : tally.unreached);
-    else tally.add(error.error, error.plain, index, [&](double e) { return WorstCase{e, 0, index, {}, point, {}, 2}; });
-  }
-
   std::shared_ptr<const Cage> cage_;
   DeformerVariant variant_;
   DeformerCampaignOptions options_;
   std::shared_ptr<const Prepared> prepared_;
 };
 
-// A method that takes constraints. Questions of energies have one answer each.
+// A method that takes constraints.
 class ConstrainedMeasurement final : public Measurement {
  public:
   ConstrainedMeasurement(std::shared_ptr<const Cage> cage, ConstrainedVariant variant,
@@ -93,18 +69,9 @@ class ConstrainedMeasurement final : public Measurement {
     const ConstrainedChecks checks(cage_, variant_, options_.triangulation);
     const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
     Findings findings;
-    for (const ConstrainedChecks::Question& question : checks.questions()) {
-      Tally& tally =
-          findings.rows[{RowKey::Section::Deformer, std::string(variant_.method->name), variant_.name,
-                         std::string(name_of(ScalarKind::Double)), cage_->name(), question.check, question.pose, 0}];
-      tally.unit = question.check.starts_with("constrained") ? "cage sizes" : "energies";
-      const std::vector<DeformerError> errors = checks.ask(question, points);
-      for (std::size_t p = 0; p < errors.size(); ++p) {
-        ++tally.asked;
-        tally.add(errors[p].error, errors[p].plain, p,
-                  [&](double e) { return WorstCase{e, 0, p, {}, points[p], {}, 2}; });
-      }
-    }
+    for (const Question<PointAt>& question : checks.questions())
+      for (std::size_t p = 0; p < (question.once ? 1 : points.size()); ++p)
+        record(question, {points[p], p}, findings.rows);
     return findings;
   }
 
@@ -183,27 +150,6 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
 std::vector<ResultRow> run_deformer_campaign(const Cage& cage, const DeformerCampaignOptions& options) {
   return judged(measure_all(deformer_measurements(std::make_shared<const Cage>(cage), options), options.jobs).rows)
       .rows;
-}
-
-DeformerError deformer_error_at(const Cage& cage, const RowKey& row, const Vec3<double>& point, Triangulation rule) {
-  const auto not_asked = [&] {
-    return InputError(fmt::format("the check '{}' is not asked of {} posed '{}' in {}, order {}", row.check,
-                                  row.subject, row.place, row.scalar, row.order));
-  };
-  if (const auto* method = deformation::find_constraint_method(row.subject)) {
-    const ConstrainedChecks checks(std::make_shared<const Cage>(cage), variant_named(*method, row.evaluation), rule);
-    for (const ConstrainedChecks::Question& question : checks.questions())
-      if (question.check == row.check && question.pose == row.place && row.order == 0)
-        return checks.ask(question, std::span(&point, 1)).front();
-    throw not_asked();
-  }
-  const DeformerChecks checks(std::make_shared<const Cage>(cage),
-                              variant_named(deformation::deform_method_named(row.subject), row.evaluation), rule);
-  for (const DeformerChecks::Question& question : checks.questions())
-    if (question.check == row.check && question.pose == row.place && name_of(question.scalar) == row.scalar &&
-        question.lowest_order <= row.order && row.order <= question.highest_order)
-      return checks.ask(question, std::span(&point, 1)).front()[row.order];
-  throw not_asked();
 }
 
 }  // namespace cageproof::validation

@@ -41,18 +41,23 @@ double condition_of(const Deformer<R>& deformer, const Posed<R>& posed) {
   return worst;
 }
 
-// Each point by itself, so that a case of one point is what it was among others: products of larger matrices sum in
-// another order.
+// Made when first asked for, by a question that may be copied.
+template <class Make>
+auto lazily(Make make) {
+  return std::make_shared<const Lazy<std::invoke_result_t<Make>>>(std::move(make));
+}
+
+// Each point by itself: products of larger matrices sum in another order.
 template <class R>
-Images<R> images_one_by_one(const Deformer<R>& deformer, const Posed<R>& posed, std::span<const Vec3<R>> points,
-                            int order) {
-  Images<R> all;
-  for (const Vec3<R>& point : points) {
-    const Images<R> one = deformer.images(posed, std::span(&point, 1), order);
-    for (int o = 0; o <= order; ++o)
-      all.tensors[o].insert(all.tensors[o].end(), one.tensors[o].begin(), one.tensors[o].end());
-  }
-  return all;
+Images<R> images_at(const Deformer<R>& deformer, const Posed<R>& posed, const Vec3<R>& point, int order) {
+  return deformer.images(posed, std::span(&point, 1), order);
+}
+
+Vec3<double> image_at(const Deformer<double>& deformer, const Posed<double>& posed, const Vec3<double>& point, int d) {
+  const Images<double> images = images_at(deformer, posed, point, 0);
+  Vec3<double> image = Vec3<double>::Zero();
+  for (int c = 0; c < d; ++c) image[c] = images.tensors[0][c];
+  return image;
 }
 
 }  // namespace
@@ -137,142 +142,148 @@ std::optional<std::string> DeformerChecks::quadrature() const {
   return std::nullopt;
 }
 
-std::vector<DeformerChecks::Question> DeformerChecks::questions() const {
-  std::vector<Question> all;
-  const std::string bent_name(bent_pose);
-  for (const SpaceMap& map : space_maps(cage_->dimension()))
-    all.push_back({std::string(map.check), std::string(map.pose), ScalarKind::Double, 0, 0});
-  if (variant_.method->takes_normal_derivatives)
-    all.push_back({"keeps_linear_with_normals", "linear", ScalarKind::Double, 0, 0});
+Question<PointAt> DeformerChecks::question(std::string_view check, std::string_view pose, ScalarKind scalar, int lowest,
+                                           int highest, Ask ask) const {
+  Question<PointAt> question;
+  question.key = {RowKey::Section::Deformer,
+                  std::string(variant_.method->name),
+                  variant_.name,
+                  std::string(name_of(scalar)),
+                  cage_->name(),
+                  std::string(check),
+                  std::string(pose),
+                  0};
+  question.unit = "cage sizes";
+  question.ask = [this, lowest, highest, ask = std::move(ask)](const PointAt& at) {
+    const Errors errors = ask(at.point);
+    std::array<Finding, 3> found;
+    for (int o = lowest; o <= highest; ++o) {
+      if (!std::isnan(errors[o].error)) found[o] = {Finding::Status::Measured, errors[o].error, errors[o].plain};
+      else found[o].status = may_be_missing(prior_, at.point) ? Finding::Status::NoTruth : Finding::Status::Unreached;
+    }
+    return found;
+  };
+  return question;
+}
+
+std::vector<Question<PointAt>> DeformerChecks::questions() const {
+  std::vector<Question<PointAt>> all;
+  constexpr ScalarKind in_double = ScalarKind::Double;
+  for (const SpaceMap& map : space_maps(cage_->dimension())) {
+    all.push_back(question(map.check, map.pose, in_double, 0, 0, kept(map, false)));
+    if (variant_.method->takes_normal_derivatives && map.pose == "linear")
+      all.push_back(question("keeps_linear_with_normals", map.pose, in_double, 0, 0, kept(map, true)));
+  }
   const CageElements faces(*cage_, true, rule_);
   for (int axis = 0; axis < cage_->dimension(); ++axis) {
     const auto mirror = mirror_symmetry(cage_->vertices(), axis);
     if (!mirror || !keeps(*mirror, faces)) continue;
     const bool whole = keeps(*mirror, deformer_->coordinates().elements());
-    all.push_back({whole ? "keeps_symmetry" : "keeps_symmetry_of_quads", std::string(symmetric_poses[axis]),
-                   ScalarKind::Double, 0, 0});
+    all.push_back(question(whole ? "keeps_symmetry" : "keeps_symmetry_of_quads", symmetric_poses[axis], in_double, 0, 0,
+                           mirrored(*mirror)));
   }
   const int highest = deformer_->max_order();
   const bool prompt = is_prompt_in_50_digits();
-  if (prompt) all.push_back({"deformer_truth", bent_name, ScalarKind::Double, 0, highest});
+  if (prompt) all.push_back(question("deformer_truth", bent_pose, in_double, 0, highest, compared_with_truth(highest)));
   if (highest > 0)
-    all.push_back({"deformer_jacobian", bent_name, prompt ? ScalarKind::Digits50 : ScalarKind::Double, 1, highest});
-  if (quadrature()) all.push_back({"deformer_by_quadrature", bent_name, ScalarKind::Double, 0, 0});
+    all.push_back(question("deformer_jacobian", bent_pose, prompt ? ScalarKind::Digits50 : in_double, 1, highest,
+                           prompt ? differences<Mp50>() : differences<double>()));
+  if (quadrature())
+    all.push_back(question("deformer_by_quadrature", bent_pose, in_double, 0, 0, compared_with_quadrature()));
   return all;
 }
 
-std::vector<DeformerChecks::Errors> DeformerChecks::ask(const Question& question,
-                                                        std::span<const Vec3<double>> points) const {
-  for (const SpaceMap& map : space_maps(cage_->dimension())) {
-    if (map.pose != question.pose) continue;
-    if (map.check == question.check) return kept(map, false, points);
-    if (question.check == "keeps_linear_with_normals") return kept(map, true, points);
-  }
-  if (const auto pose = std::ranges::find(symmetric_poses, question.pose); pose != symmetric_poses.end())
-    return mirrored(mirror_symmetry(cage_->vertices(), static_cast<int>(pose - symmetric_poses.begin())).value(),
-                    points);
-  if (question.check == "deformer_jacobian")
-    return question.scalar == ScalarKind::Double ? differences<double>(*deformer_, points)
-                                                 : differences<Mp50>(*in_50_digits_.get(), points);
-  const bool truth = question.check == "deformer_truth";
-  if (!truth && question.check != "deformer_by_quadrature") throw unknown_name("check", question.check);
-  const std::vector<Vec3<double>> vertices = bent(*cage_);
-  const auto posed = deformer_->pose({vertices});
-  const double condition = condition_of(*deformer_, *posed);
-  const int order = question.highest_order;
-  const Images<double> found = images_one_by_one(*deformer_, *posed, points, order);
-  Images<Mp50> expected;
-  if (truth) {
-    const Deformer<Mp50>& exact = *in_50_digits_.get();
-    expected = exact.images(*exact.pose({in<Mp50>(vertices)}), in<Mp50>({points.begin(), points.end()}), order);
-  } else {
-    const Prepared<double> other = prepared<double>(quadrature().value());
-    const Images<double> images = images_one_by_one(*other, *other->pose({vertices}), points, order);
-    for (int o = 0; o <= order; ++o)
-      for (const double x : images.tensors[o]) expected.tensors[o].emplace_back(x);
-  }
-  return compared(found, expected, points.size(), order, condition);
-}
-
-bool DeformerChecks::may_be_missing(const Vec3<double>& point) const {
-  return validation::may_be_missing(prior_, point);
-}
-
-std::vector<DeformerChecks::Errors> DeformerChecks::kept(const SpaceMap& map, bool with_normals,
-                                                         std::span<const Vec3<double>> points) const {
-  deformation::Pose<double> pose{posed_by(map, *cage_)};
-  const CageElements& elements = deformer_->coordinates().elements();
-  const Owner owner = deformation::normals_owner(deformer_->coordinates());
-  if (with_normals)
-    for (std::size_t i = 0; i < elements.count(owner); ++i)
-      pose.normal_derivatives.push_back(map.linear * elements.normal_of(i, owner));
-  const auto posed = deformer_->pose(pose);
-  const double condition = condition_of(*deformer_, *posed), size = cage_->size();
-  const Images<double> images = images_one_by_one(*deformer_, *posed, points, 0);
-  const int d = cage_->dimension();
-  std::vector<Errors> errors(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const Vec3<double> expected = map(points[p], size);
+DeformerChecks::Ask DeformerChecks::kept(const SpaceMap& map, bool with_normals) const {
+  const auto posed = lazily([this, map, with_normals] {
+    deformation::Pose<double> pose{posed_by(map, *cage_)};
+    const CageElements& elements = deformer_->coordinates().elements();
+    const Owner owner = deformation::normals_owner(deformer_->coordinates());
+    if (with_normals)
+      for (std::size_t i = 0; i < elements.count(owner); ++i)
+        pose.normal_derivatives.push_back(map.linear * elements.normal_of(i, owner));
+    return deformer_->pose(pose);
+  });
+  return [this, map, posed](const Vec3<double>& point) {
+    const double size = cage_->size();
+    const int d = cage_->dimension();
+    const Vec3<double> image = image_at(*deformer_, *posed->get(), point, d), expected = map(point, size);
     Vec3<double> difference = Vec3<double>::Zero();
-    for (int c = 0; c < d; ++c) difference[c] = images.tensors[0][p * d + c] - expected[c];
-    errors[p][0] = error_over_condition(difference.norm() / size, condition);
-  }
-  return errors;
+    for (int c = 0; c < d; ++c) difference[c] = image[c] - expected[c];
+    return Errors{error_over_condition(difference.norm() / size, condition_of(*deformer_, *posed->get()))};
+  };
 }
 
-std::vector<DeformerChecks::Errors> DeformerChecks::mirrored(const MirrorSymmetry& mirror,
-                                                             std::span<const Vec3<double>> points) const {
-  const auto posed = deformer_->pose({made_symmetric(mirror, bent(*cage_))});
-  const double condition = condition_of(*deformer_, *posed);
-  const int d = cage_->dimension();
-  std::vector<Errors> errors(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const std::array<Vec3<double>, 2> both{points[p], mirror(points[p])};
-    const Images<double> images = images_one_by_one<double>(*deformer_, *posed, both, 0);
-    std::array<Vec3<double>, 2> at{Vec3<double>::Zero(), Vec3<double>::Zero()};
-    for (std::size_t k = 0; k < 2; ++k)
-      for (int c = 0; c < d; ++c) at[k][c] = images.tensors[0][k * d + c];
-    errors[p][0] = error_over_condition((at[1] - mirror(at[0])).norm() / cage_->size(), condition);
-  }
-  return errors;
+DeformerChecks::Ask DeformerChecks::mirrored(const MirrorSymmetry& mirror) const {
+  const auto posed = lazily([this, mirror] { return deformer_->pose({made_symmetric(mirror, bent(*cage_))}); });
+  return [this, mirror, posed](const Vec3<double>& point) {
+    const int d = cage_->dimension();
+    const Vec3<double> here = image_at(*deformer_, *posed->get(), point, d),
+                       there = image_at(*deformer_, *posed->get(), mirror(point), d);
+    return Errors{
+        error_over_condition((there - mirror(here)).norm() / cage_->size(), condition_of(*deformer_, *posed->get()))};
+  };
 }
 
-std::vector<DeformerChecks::Errors> DeformerChecks::compared(const Images<double>& images, const Images<Mp50>& with,
-                                                             std::size_t points, int order, double condition) const {
-  std::vector<Errors> errors(points);
+DeformerChecks::Ask DeformerChecks::compared_with_truth(int order) const {
+  const auto posed = lazily([this] { return deformer_->pose({bent(*cage_)}); });
+  const auto exact = lazily([this] { return in_50_digits_.get()->pose({in<Mp50>(bent(*cage_))}); });
+  return [this, order, posed, exact](const Vec3<double>& point) {
+    return compared(images_at(*deformer_, *posed->get(), point, order),
+                    images_at(*in_50_digits_.get(), *exact->get(), convert<Mp50>(point), order), order,
+                    condition_of(*deformer_, *posed->get()));
+  };
+}
+
+DeformerChecks::Ask DeformerChecks::compared_with_quadrature() const {
+  const auto posed = lazily([this] { return deformer_->pose({bent(*cage_)}); });
+  const auto other = lazily([this] { return prepared<double>(quadrature().value()); });
+  const auto other_posed = lazily([this, other] { return other->get()->pose({bent(*cage_)}); });
+  return [this, posed, other, other_posed](const Vec3<double>& point) {
+    Images<Mp50> expected;
+    const Images<double> integrated = images_at(*other->get(), *other_posed->get(), point, 0);
+    for (const double x : integrated.tensors[0]) expected.tensors[0].emplace_back(x);
+    return compared(images_at(*deformer_, *posed->get(), point, 0), expected, 0,
+                    condition_of(*deformer_, *posed->get()));
+  };
+}
+
+DeformerChecks::Errors DeformerChecks::compared(const Images<double>& images, const Images<Mp50>& with, int order,
+                                                double condition) const {
+  Errors errors;
   for (int o = 0; o <= order; ++o) {
-    const std::size_t width = images.tensors[o].size() / std::max<std::size_t>(1, points);
-    for (std::size_t p = 0; p < points; ++p) {
-      Mp50 sum = 0;
-      for (std::size_t i = p * width; i < (p + 1) * width; ++i) {
-        const Mp50 difference = Mp50(images.tensors[o][i]) - with.tensors[o][i];
-        sum += difference * difference;
-      }
-      errors[p][o] =
-          error_over_condition(std::sqrt(static_cast<double>(sum)) * std::pow(cage_->size(), o - 1), condition);
+    Mp50 sum = 0;
+    for (std::size_t i = 0; i < images.tensors[o].size(); ++i) {
+      const Mp50 difference = Mp50(images.tensors[o][i]) - with.tensors[o][i];
+      sum += difference * difference;
     }
+    errors[o] = error_over_condition(std::sqrt(static_cast<double>(sum)) * std::pow(cage_->size(), o - 1), condition);
   }
   return errors;
 }
 
 template <class R>
-std::vector<DeformerChecks::Errors> DeformerChecks::differences(const Deformer<R>& deformer,
-                                                                std::span<const Vec3<double>> points) const {
-  using std::sqrt;
-  const int d = cage_->dimension(), highest = deformer_->max_order();
-  const auto posed = deformer.pose({in<R>(bent(*cage_))});
-  // The truncation error is the step squared, the rounding error one rounding over the step.
-  const R step = R(cage_->size()) * (is_multiprecision<R> ? R(1e-16) : R(0x1p-17));
-  std::vector<Errors> errors(points.size());
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const Vec3<R> point = convert<R>(points[p]);
+const Deformer<R>& DeformerChecks::deformer_in() const {
+  if constexpr (is_multiprecision<R>) return *in_50_digits_.get();
+  else return *deformer_;
+}
+
+template <class R>
+DeformerChecks::Ask DeformerChecks::differences() const {
+  const auto posed = lazily([this] { return deformer_in<R>().pose({in<R>(bent(*cage_))}); });
+  return [this, posed](const Vec3<double>& at) {
+    using std::sqrt;
+    const int d = cage_->dimension(), highest = deformer_->max_order();
+    // The truncation error is the step squared, the rounding error one rounding over the step.
+    const R step = R(cage_->size()) * (is_multiprecision<R> ? R(1e-16) : R(0x1p-17));
+    const Vec3<R> point = convert<R>(at);
     std::vector<Vec3<R>> asked{point};
     for (int a = 0; a < d; ++a)
       for (const int sign : {1, -1}) {
         asked.push_back(point);
         asked.back()[a] += sign * step;
       }
-    const Images<R> images = deformer.images(*posed, asked, highest);
+    const Images<R> images = deformer_in<R>().images(*posed->get(), asked, highest);
+    Errors errors;
     for (int o = 1; o <= highest; ++o) {
       const std::size_t below = images.tensors[o - 1].size() / asked.size();
       R sum = 0;
@@ -282,10 +293,10 @@ std::vector<DeformerChecks::Errors> DeformerChecks::differences(const Deformer<R
           const R difference = images.tensors[o][i * d + a] - (up[i] - down[i]) / (2 * step);
           sum += difference * difference;
         }
-      errors[p][o] = error_over_condition(static_cast<double>(R(sqrt(sum))) * std::pow(cage_->size(), o - 1), 1);
+      errors[o] = error_over_condition(static_cast<double>(R(sqrt(sum))) * std::pow(cage_->size(), o - 1), 1);
     }
-  }
-  return errors;
+    return errors;
+  };
 }
 
 }  // namespace cageproof::validation

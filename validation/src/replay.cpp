@@ -9,7 +9,7 @@
 #include "cageproof/core/mesh_io.h"
 #include "cageproof/core/whole_evaluation.h"
 #include "cageproof/validation/block_campaign.h"
-#include "cageproof/validation/deformer_campaign.h"
+#include "cageproof/validation/constrained_checks.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/one_ring.h"
 
@@ -81,18 +81,22 @@ Finding replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rul
                 CageAt(subject, worst.point, worst.sample, row.place, order));
 }
 
+Finding replay_deformer(const RowKey& row, const WorstCase& worst, Triangulation rule) {
+  const auto cage = std::make_shared<const Cage>(cage_of(row, worst));
+  const PointAt at{worst.point, worst.sample};
+  if (const auto* method = deformation::find_constraint_method(row.subject))
+    return answer(ConstrainedChecks(cage, variant_named(*method, row.evaluation), rule).questions(), row, at);
+  return answer(DeformerChecks(cage, variant_named(deformation::deform_method_named(row.subject), row.evaluation), rule)
+                    .questions(),
+                row, at);
+}
+
 }  // namespace
 
 Finding replay(const RowKey& row, const WorstCase& worst, Triangulation rule) {
   if (row.order < 0 || row.order > 2) throw InputError(fmt::format("unknown order {}", row.order));
   if (row.section == RowKey::Section::Element) return replay_element(row, worst);
-  const auto finding = [](double error, double relative) {
-    return Finding{std::isnan(error) ? Finding::Status::NoTruth : Finding::Status::Measured, error, relative};
-  };
-  if (row.section == RowKey::Section::Deformer) {
-    const DeformerError error = deformer_error_at(cage_of(row, worst), row, worst.point, rule);
-    return finding(error.error, error.plain);
-  }
+  if (row.section == RowKey::Section::Deformer) return replay_deformer(row, worst, rule);
   return replay_cage(row, worst, rule);
 }
 

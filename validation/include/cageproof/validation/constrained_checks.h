@@ -36,10 +36,6 @@ struct ConstrainedProblem;
 /// from it by up to a twentieth of the size; their places depend on the cage alone. Safe from any thread.
 class ConstrainedChecks {
  public:
-  struct Question {
-    std::string check, pose;
-  };
-
   /// \pre can_be_asked
   ConstrainedChecks(std::shared_ptr<const Cage> cage, ConstrainedVariant variant, Triangulation rule);
 
@@ -50,16 +46,21 @@ class ConstrainedChecks {
   /// constrained_unit: images with those of the cage that is ten times as large, weights adapted; not of biharmonic
   /// maps of the plane, which are others in other units.
   /// constrained_motion: images with those of the cage and its constraints turned.
-  std::vector<Question> questions() const;
-
-  /// At each point, what is found there; questions about energies have one answer, at the first point.
-  std::vector<DeformerError> ask(const Question& question, std::span<const Vec3<double>> points) const;
+  /// A question's place is its pose; what it needs is solved when it is first asked, and an energy is asked for at one
+  /// point alone. Valid while this lives.
+  std::vector<Question<PointAt>> questions() const;
 
  private:
+  using Ask = std::function<DeformerError(const Vec3<double>&)>;
+
+  Question<PointAt> question(std::string_view check, std::string_view pose, Ask ask) const;
+  Question<PointAt> energy(std::string_view check, std::string_view pose,
+                           double (ConstrainedChecks::*find)(std::string_view) const) const;
   ConstrainedProblem problem(std::string_view pose) const;
-  std::vector<DeformerError> moved(const ConstrainedProblem& here, const SpaceMap& map, double length,
-                                   std::span<const Vec3<double>> points) const;
-  DeformerError flatness(const ConstrainedProblem& problem) const;
+  double largest_rise(std::string_view pose) const;
+  double what_is_left(std::string_view pose) const;
+  double flatness(std::string_view pose) const;
+  Ask moved(std::string_view pose, const SpaceMap& map, double length) const;
 
   std::shared_ptr<const Cage> cage_;
   ConstrainedVariant variant_;

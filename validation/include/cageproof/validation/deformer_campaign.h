@@ -32,7 +32,4 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
 /// Measures and judges them.
 std::vector<ResultRow> run_deformer_campaign(const Cage& cage, const DeformerCampaignOptions& options);
 
-/// What a row's check finds at a point. \throws InputError for a name that is unknown, or a check that is not asked
-DeformerError deformer_error_at(const Cage& cage, const RowKey& row, const Vec3<double>& point, Triangulation rule);
-
 }  // namespace cageproof::validation

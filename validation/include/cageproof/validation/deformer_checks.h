@@ -8,6 +8,7 @@
 #include "cageproof/validation/deformer_poses.h"
 #include "cageproof/validation/mirror_symmetry.h"
 #include "cageproof/core/lazy.h"
+#include "cageproof/validation/question.h"
 
 #include <array>
 #include <limits>
@@ -49,15 +50,6 @@ DeformerError error_over_condition(double plain, double condition);
 /// A deformer and its questions. Safe from any thread.
 class DeformerChecks {
  public:
-  /// One of them; rows of results have its names.
-  struct Question {
-    std::string check, pose;
-    ScalarKind scalar;
-    int lowest_order, highest_order;
-  };
-  /// Errors by order; NaN where there is no image.
-  using Errors = std::array<DeformerError, 3>;
-
   /// \param like the method prepared for the same cage with other parameters, whose coordinates are taken where they
   /// serve; null for none \throws InputError for a cage that the method refuses
   DeformerChecks(std::shared_ptr<const Cage> cage, DeformerVariant variant, Triangulation rule,
@@ -74,15 +66,14 @@ class DeformerChecks {
   /// deformer_jacobian: derivatives with central differences of the images and of the Jacobian, in 50 digits where
   /// these are prompt, else in double.
   /// deformer_by_quadrature: images with those that an adaptive rule gives, on small cages, by default parameters.
-  std::vector<Question> questions() const;
-
-  /// At each point, what a question finds there.
-  std::vector<Errors> ask(const Question& question, std::span<const Vec3<double>> points) const;
-
-  /// Whether a point may have no image, as it may have no coordinates.
-  bool may_be_missing(const Vec3<double>& point) const;
+  /// A question's place is its pose, which is solved for when the question is first asked. Valid while this lives.
+  std::vector<Question<PointAt>> questions() const;
 
  private:
+  /// Errors by order; NaN where there is no image.
+  using Errors = std::array<DeformerError, 3>;
+  /// Of a point.
+  using Ask = std::function<Errors(const Vec3<double>&)>;
   template <class R>
   using Prepared = std::shared_ptr<const deformation::Deformer<R>>;
   template <class R>
@@ -91,12 +82,18 @@ class DeformerChecks {
   bool has_few_elements() const;
   bool is_prompt_in_50_digits() const;
   std::optional<std::string> quadrature() const;
-  std::vector<Errors> kept(const SpaceMap& map, bool with_normals, std::span<const Vec3<double>> points) const;
-  std::vector<Errors> mirrored(const MirrorSymmetry& mirror, std::span<const Vec3<double>> points) const;
-  std::vector<Errors> compared(const deformation::Images<double>& images, const deformation::Images<Mp50>& with,
-                               std::size_t points, int order, double condition) const;
+  Question<PointAt> question(std::string_view check, std::string_view pose, ScalarKind scalar, int lowest, int highest,
+                             Ask ask) const;
+  Ask kept(const SpaceMap& map, bool with_normals) const;
+  Ask mirrored(const MirrorSymmetry& mirror) const;
+  Ask compared_with_truth(int order) const;
+  Ask compared_with_quadrature() const;
   template <class R>
-  std::vector<Errors> differences(const deformation::Deformer<R>& deformer, std::span<const Vec3<double>> points) const;
+  Ask differences() const;
+  template <class R>
+  const deformation::Deformer<R>& deformer_in() const;
+  Errors compared(const deformation::Images<double>& images, const deformation::Images<Mp50>& with, int order,
+                  double condition) const;
 
   std::shared_ptr<const Cage> cage_;
   DeformerVariant variant_;

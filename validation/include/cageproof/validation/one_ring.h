@@ -5,7 +5,7 @@
 #include "cageproof/core/cage.h"
 #include "cageproof/core/evaluation.h"
 #include "cageproof/validation/measurement.h"
-#include "cageproof/validation/parallel.h"
+#include "cageproof/core/lazy.h"
 #include "cageproof/validation/question.h"
 
 namespace cageproof::validation {

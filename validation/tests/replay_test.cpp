@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Every stored worst case replays to the bits that were stored.
+#include "cageproof/validation/replay.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/validation/block_campaign.h"
+#include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/campaign.h"
+#include "cageproof/validation/deformer_campaign.h"
+#include "cageproof/validation/one_ring.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <set>
+
+namespace cageproof::validation {
+namespace {
+
+std::string text_of(const RowKey& row) {
+  return row.subject + ' ' + row.evaluation + ' ' + row.scalar + ' ' + row.regime + ' ' + row.check + ' ' + row.place +
+         " order " + std::to_string(row.order);
+}
+
+// \return the checks that had a case
+std::set<std::string> expect_the_same_again(Measurements measurements) {
+  std::set<std::string> checks;
+  for (const auto& [row, tally] : measure_all(measurements, 1).rows)
+    for (const WorstCase& worst : tally.worst.cases()) {
+      checks.insert(row.check);
+      try {
+        Finding again = replay(row, worst, Triangulation::Shortest);
+        EXPECT_EQ(again.status, Finding::Status::Measured) << text_of(row) << ", point " << worst.sample;
+        // Tallies count what is not a number as infinite.
+        if (std::isnan(again.error)) again.error = HUGE_VAL;
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(again.error), std::bit_cast<std::uint64_t>(worst.error))
+            << text_of(row) << ", point " << worst.sample << ": " << again.error << ", stored " << worst.error;
+      } catch (const InputError& e) {
+        ADD_FAILURE() << text_of(row) << ": " << e.what();
+      }
+    }
+  return checks;
+}
+
+Measurements only(std::unique_ptr<const Measurement> one) {
+  Measurements all;
+  all.push_back(std::move(one));
+  return all;
+}
+
+std::shared_ptr<const Cage> cage_named(std::string_view name) {
+  return std::make_shared<const Cage>(embedded_cage(name));
+}
+
+CageCampaignOptions few_points() {
+  CageCampaignOptions options;
+  options.points = 12;
+  options.truth_points = 2;
+  options.on_points = 12;
+  return options;
+}
+
+// Inside, outside, nearer to a face than the promise reaches, and on it.
+std::shared_ptr<const Mesh> mesh_in_the_cube() {
+  auto mesh = std::make_shared<Mesh>();
+  mesh->vertices = {{0.1, 0.2, -0.3}, {0.31, -0.07, 0.44}, {1.7, 0.2, 0.1}, {0.25, 0.125, 0.9999999}, {0.01, 0, 0}};
+  return mesh;
+}
+
+TEST(replayed, elements_are_what_was_measured) {
+  CampaignOptions options;
+  options.samples = 3;
+  options.quadrature_divisor = 2;
+  options.integral_samples = 2;
+  options.integral_entries = 1;
+  for (const char* formula : {"segment.double_layer", "triangle.double_layer"}) {
+    options.formulas = formula;
+    const auto checks = expect_the_same_again(element_measurements(options));
+    for (const char* check : {"truth", "integral", "limit", "scaling", "enclosure"})
+      EXPECT_TRUE(checks.contains(check)) << formula << ' ' << check;
+  }
+}
+
+// Costly integrals are asked for fewer orders than their evaluations have.
+TEST(replayed, elements_with_costly_truths_are_what_was_measured) {
+  CampaignOptions options;
+  options.formulas = "quad.single_layer";
+  options.regimes = "on-face";
+  options.evaluations = "line_form";
+  options.samples = options.integral_samples = 2;
+  options.integral_entries = 1;
+  EXPECT_TRUE(expect_the_same_again(element_measurements(options)).contains("integral"));
+}
+
+TEST(replayed, cages_are_what_was_measured) {
+  for (const char* cage : {"square", "cube"}) {
+    const auto checks = expect_the_same_again(cage_measurements(cage_named(cage), few_points()));
+    for (const char* check :
+         {"partition_of_unity", "zero_outside", "linear_reproduction", "cage_laplacian", "cage_truth", "cage_scaling",
+          "cage_subdivision", "cage_differences", "limit_from_inside"})
+      EXPECT_TRUE(checks.contains(check)) << cage << ' ' << check;
+  }
+}
+
+TEST(replayed, relations_alone_are_what_was_measured) {
+  CageCampaignOptions options = few_points();
+  options.kinds = "green";
+  options.properties_alone = true;
+  options.evaluation = "gauss-4";
+  expect_the_same_again(cage_measurements(cage_named("cube"), options));
+}
+
+TEST(replayed, whole_coordinates_are_what_was_measured) {
+  const auto cage = cage_named("cube");
+  CageCampaignOptions options = few_points();
+  options.kinds = "green";
+  options.evaluation = quickest_evaluation(coordinate_kind_named("green"), *cage);
+  ASSERT_FALSE(options.evaluation.empty());
+  expect_the_same_again(cage_measurements(cage, options));
+  const BlockCampaignOptions block{.evaluation = options.evaluation, .points = 24};
+  EXPECT_EQ(expect_the_same_again(only(block_measurement(cage, coordinate_kind_named("green"), block))).size(), 1);
+}
+
+TEST(replayed, meshes_are_what_was_measured) {
+  const auto cage = cage_named("cube");
+  const auto mesh = mesh_in_the_cube();
+  for (const CoordinateKind& kind : coordinate_kinds())
+    if (accepts(kind, *cage) && is_affordable(kind, *cage, {}))
+      expect_the_same_again(only(mesh_measurement(cage, kind, mesh, "mesh", 0, {})));
+}
+
+TEST(replayed, one_ring_is_what_was_measured) {
+  EXPECT_EQ(expect_the_same_again(only(one_ring_measurement(cage_named("cube"), {.points = 2}))).size(), 2);
+}
+
+TEST(replayed, deformers_and_constrained_methods_are_what_was_measured) {
+  DeformerCampaignOptions options;
+  options.points = 2;
+  options.few_points = 1;
+  for (const char* cage : {"square", "cube"}) {
+    // Methods on quads take a second a case.
+    if (cage_named(cage)->dimension() == 3) options.methods = "green,mean_value,biharmonic_1_3,somigliana,variational*";
+    const auto checks = expect_the_same_again(deformer_measurements(cage_named(cage), options));
+    for (const char* check : {"keeps_rigid", "keeps_symmetry", "deformer_truth", "deformer_jacobian",
+                              "deformer_by_quadrature", "energy_falls", "constrained_motion"})
+      EXPECT_TRUE(checks.contains(check)) << cage << ' ' << check;
+  }
+}
+
+TEST(replayed, what_was_never_asked_is_refused) {
+  const RowKey row{RowKey::Section::Cage, "green", "closed_form", "double", "cube", "zero_outside", "inside", 0};
+  EXPECT_THROW(replay(row, {}, Triangulation::Shortest), InputError);
+}
+
+}  // namespace
+}  // namespace cageproof::validation
