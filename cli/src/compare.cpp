@@ -29,7 +29,7 @@ std::string summary_of(const fs::path& path) {
 
 int run(const Arguments& a) {
   const reports::Renamed renamed = a.names.empty() ? reports::Renamed() : reports::read_renamed(a.names);
-  const reports::Comparison found =
+  const reports::Differences found =
       reports::compare_summaries(summary_of(a.before), summary_of(a.after), renamed, a.before, a.after);
   for (const std::string& line : found.differing) fmt::print("differs: {}\n", line);
   for (const std::string& line : found.gone) fmt::print("only in {}: {}\n", a.before, line);

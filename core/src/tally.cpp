@@ -20,6 +20,7 @@ void Tally::merge(const Tally& other) {
   if (unit.empty()) unit = other.unit;
   if (!other.unit.empty() && unit != other.unit)
     throw std::invalid_argument("tallies in '" + unit + "' and '" + other.unit + "' do not merge");
+  if (role.empty()) role = other.role;
   errors.merge(other.errors);
   worst.merge(other.worst);
   asked += other.asked;

@@ -33,7 +33,7 @@ function commandsOf(row) {
 }
 
 function meaningOf(row) {
-  if (row.loss) return `ill-posed here: a result without a right digit would score at most ${row.loss}, which the bound of ${row.bound} allows`;
+  if (row.ill_posed) return `ill-posed here: a result without a right digit would score at most ${row.total_loss}, which the bound of ${row.bound} allows`;
   if (row.verdict === "not promised") return "not promised";
   return row.verdict === "kept" ? "promise kept" : "promise broken";
 }
@@ -140,9 +140,9 @@ const lines = page.rows.map((row) => {
   line.append(element("th", row.check, {scope: "row"}), element("td", whereOf(row)), element("td", `${row.evaluation ? row.evaluation + ", " : ""}${row.scalar}`), element("td", orderNames[row.order]));
   const figure = element("td", null, {class: `n ${row.css}`});
   figure.append(element("a", row.text, {href: `#${row.id}`}));
-  line.append(figure, element("td", row.unit), element("td", row.bound, {class: "n"}), element("td", row.loss ? "ill-posed here" : row.verdict), element("td", page.reasons[row.reason], {class: "reason"}));
-  for (const text of [row.relative, row.p999, row.median, row.samples.toLocaleString("en"), row.nonfinite, row.without_truth, row.declined]) line.append(element("td", text ?? "", {class: "n"}));
-  return {line, row, verdict: row.loss ? "ill-posed here" : row.verdict, where: whereOf(row), evaluation: line.cells[2].textContent};
+  line.append(figure, element("td", row.unit), element("td", row.bound, {class: "n"}), element("td", row.ill_posed ? "ill-posed here" : row.verdict), element("td", page.reasons[row.reason], {class: "reason"}));
+  for (const text of [row.max_relative, row.total_loss, row.p999, row.median, row.asked, row.samples, row.nonfinite, row.without_truth, row.unreached, row.declined]) line.append(element("td", text?.toLocaleString("en") ?? "", {class: "n"}));
+  return {line, row, verdict: row.ill_posed ? "ill-posed here" : row.verdict, where: whereOf(row), evaluation: line.cells[2].textContent};
 });
 const filters = document.querySelector('[data-filters="all"]');
 addChoices(filters.elements.check, lines.map((line) => line.row.check));
@@ -254,7 +254,7 @@ function drawCurves(details) {
       const group = panel.append("g").attr("data-series", name);
       group.append("path").attr("fill", "none").attr("stroke", style.colour).attr("stroke-width", 1.4).attr("stroke-dasharray", style.dash)
         .attr("d", d3.line().defined((point) => Number.isFinite(point.error)).x((point) => x(point.at)).y(place)(points));
-      const marks = group.selectAll("a").data(points).join("a").attr("href", `#${["truth" === curve.check ? "truth" : curve.check, fileName(curve.regime), fileName(curve.evaluation), curve.scalar, order].join(".")}`).attr("tabindex", -1);
+      const marks = group.selectAll("a").data(points).join("a").attr("href", `#${curve.cell}`).attr("tabindex", -1);
       marks.append("path").attr("d", (point) => d3.symbol(Number.isFinite(point.error) ? style.mark : d3.symbolTriangle, 30)()).attr("transform", (point) => `translate(${x(point.at)},${place(point)})`)
         .attr("fill", (point) => (Number.isFinite(point.error) ? style.colour : "#d62728")).append("title").text((point) => `${name}: ${point.error === Infinity ? "not finite" : point.error} at ${point.at}`);
       tipOn(marks, (point) => `${name}, ${title}: ${point.error === Infinity ? "not finite" : point.error} at ${details.dataset.axis} ${point.at}`);

@@ -16,12 +16,6 @@ function compareCells(a, b) {
   return a.localeCompare(b, "en", {numeric: true});
 }
 
-// The name as a file name and a part of ids, as the program makes it.
-function fileName(name) {
-  const plain = name.replace(/[^A-Za-z0-9._-]/g, "-");
-  return plain === "" || plain.startsWith(".") ? "_" + plain : plain;
-}
-
 function sortable(table) {
   const heads = [...table.tHead.rows[0].cells];
   heads.forEach((head, column) => {
@@ -103,12 +97,11 @@ if (overview) {
     if (!orders) return false;
     cells.forEach((cell) => ((cell.textContent = ""), (cell.className = "")));
     cells[0].textContent = name;
-    const [evaluation, scalar] = name.split(/, (?=[^,]*$)/);
-    orders.forEach(([text, css], order) => {
+    orders.forEach(([text, css, id], order) => {
       if (text === undefined) return;
       const link = document.createElement("a");
       link.textContent = text;
-      link.href = `${line.page}#truth.${fileName(line.regime)}.${fileName(evaluation)}.${scalar}.${order}`;
+      link.href = `${line.page}#${id}`;
       cells[order + 1].className = css;
       cells[order + 1].append(link);
     });

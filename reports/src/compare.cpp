@@ -3,12 +3,13 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
-#include "json_value.h"
+#include "row_members.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <compare>
 
 namespace cageproof::reports {
 namespace {
@@ -19,12 +20,15 @@ struct List {
   std::vector<const char*> key, figures;
 };
 
+std::vector<const char*> names_of(std::initializer_list<RowMember::Kind> kinds) {
+  std::vector<const char*> names;
+  for (const RowMember& member : row_members())
+    if (std::ranges::find(kinds, member.kind) != kinds.end()) names.push_back(member.name);
+  return names;
+}
+
 const std::array lists{
-    List{"rows",
-         "row",
-         {"section", "subject", "evaluation", "scalar", "regime", "check", "place", "order"},
-         {"unit", "samples", "nonfinite", "without_truth", "declined", "max", "p999", "median", "max_relative", "bound",
-          "verdict", "histogram"}},
+    List{"rows", "row", names_of({RowMember::Kind::Key}), names_of({RowMember::Kind::Figure, RowMember::Kind::Count})},
     List{"curves",
          "curve",
          {"subject", "evaluation", "scalar", "regime", "check", "order"},
@@ -77,9 +81,16 @@ std::map<std::string, const Json*> entries(const Json& summary, const List& list
   return found;
 }
 
-std::string differences(const Json& before, const Json& after, const List& list) {
+int version_of(const Json& summary) {
+  const auto version = summary.find("schema_version");
+  return version != summary.end() && version->is_number_integer() ? version->get<int>() : 1;
+}
+
+// What the earlier schema does not know is not compared. \param age of the first's schema against the second's
+std::string differences(const Json& before, const Json& after, const List& list, std::strong_ordering age) {
   std::string text;
   for (const char* figure : list.figures) {
+    if ((age < 0 && !before.contains(figure)) || (age > 0 && !after.contains(figure))) continue;
     const Json a = before.contains(figure) ? before[figure] : Json(),
                b = after.contains(figure) ? after[figure] : Json();
     if (a != b) text.append(fmt::format("{} {} {} -> {}", text.empty() ? "" : ",", figure, text_of(a), text_of(b)));
@@ -101,10 +112,11 @@ Renamed read_renamed(const std::filesystem::path& path) {
   return renamed;
 }
 
-Comparison compare_summaries(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
-                             std::string_view old_name, std::string_view new_name) {
+Differences compare_summaries(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
+                              std::string_view old_name, std::string_view new_name) {
   const Json before = parsed(old_text, old_name), after = parsed(new_text, new_name);
-  Comparison result;
+  const std::strong_ordering age = version_of(before) <=> version_of(after);
+  Differences result;
   for (const List& list : lists) {
     const auto old_entries = entries(before, list, renamed), new_entries = entries(after, list, {});
     for (const auto& [name, entry] : old_entries) {
@@ -113,7 +125,7 @@ Comparison compare_summaries(std::string_view old_text, std::string_view new_tex
         result.gone.push_back(name);
         continue;
       }
-      const std::string text = differences(*entry, *other->second, list);
+      const std::string text = differences(*entry, *other->second, list, age);
       if (text.empty()) ++result.equal;
       else result.differing.push_back(fmt::format("{}:{}", name, text));
     }

@@ -48,7 +48,7 @@ class Styles {
   // Recommended evaluations look alike, whatever their names.
   static constexpr std::string_view leading = name_of(Role::Recommended);
   static std::string key_of(const ResultCurve& curve) {
-    return is_recommended(curve.subject, curve.evaluation) ? std::string(leading) : curve.evaluation;
+    return curve.role == leading ? std::string(leading) : curve.evaluation;
   }
   static std::size_t index(const std::vector<std::string>& names, const std::string& name) {
     return std::ranges::find(names, name) - names.begin();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "digest.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/role.h"
 #include "figure.h"
 
 #include <fmt/format.h>
@@ -25,9 +25,11 @@ const ResultRow* ErrorTable::at(const std::string& regime, const Column& column,
   return nullptr;
 }
 
-bool is_recommended(const std::string& formula, const std::string& evaluation) {
-  const auto found = EvaluationRegister::instance().find(formula, evaluation);
-  return found && found->role() == Role::Recommended;
+std::string role_of(const RunResult& result, const std::string& formula, const std::string& evaluation) {
+  const auto row = std::ranges::find_if(result.rows, [&](const ResultRow& r) {
+    return r.section == Section::Element && r.evaluation == evaluation && r.subject == formula;
+  });
+  return row == result.rows.end() ? std::string() : row->role;
 }
 
 std::string verdict_line(const RunResult& result) {
@@ -77,7 +79,7 @@ ErrorTable truth_table(const RunResult& result, const std::string& subject) {
   table.regimes = distinct(table.rows, [](const ResultRow* row) -> const std::string& { return row->regime; });
   // What users run comes first.
   std::ranges::stable_partition(table.columns, [&](const Column& column) {
-    return column.scalar == "double" && is_recommended(subject, column.evaluation);
+    return column.scalar == "double" && role_of(result, subject, column.evaluation) == name_of(Role::Recommended);
   });
   return table;
 }

@@ -26,8 +26,9 @@ struct ErrorTable {
   const ResultRow* at(const std::string& regime, const Column& column, int order) const;
 };
 
-/// Whether an evaluation is a formula's recommended one: what users run, which every table and picture shows first.
-bool is_recommended(const std::string& formula, const std::string& evaluation);
+/// The role of a formula's evaluation, as its rows have it; empty where there is none. What users run, the recommended
+/// one, every table and picture shows first.
+std::string role_of(const RunResult& result, const std::string& formula, const std::string& evaluation);
 
 using Rows = std::vector<const ResultRow*>;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "findings_json.h"
 
+#include "row_members.h"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -97,24 +99,10 @@ WorstCase case_of(const Json& json) {
   return c;
 }
 
-RowKey key_of(const Json& json) {
-  const auto text = [&](std::size_t i) { return json.at(i).get<std::string>(); };
-  const std::string name = text(0);
-  const auto section = std::ranges::find(sections, name, [](RowKey::Section s) { return name_of(s); });
-  if (section == sections.end()) throw std::invalid_argument("no section: " + name);
-  return {*section, text(1), text(2), text(3), text(4), text(5), text(6), small(json.at(7))};
-}
-
 Tally tally_of(const Json& row) {
   Tally tally;
-  tally.unit = row.at("unit").get<std::string>();
+  static_cast<RowFigures&>(tally) = figures_of(row);
   tally.errors = histogram_of(row);
-  tally.asked = count_at(row, "asked");
-  tally.without_truth = count_at(row, "without_truth");
-  tally.unreached = count_at(row, "unreached");
-  tally.declined = count_at(row, "declined");
-  if (row.contains("max_relative")) tally.max_relative = number(row["max_relative"]);
-  if (row.contains("total_loss")) tally.total_loss = number(row["total_loss"]);
   tally.by_parameter = numbers(list(row, "by_parameter"));
   for (const Json& c : list(row, "worst")) tally.worst.add(case_of(c));
   return tally;
@@ -211,18 +199,11 @@ ErratumRow erratum_of(const Json& json) {
 }  // namespace
 
 Json row_json(const RowKey& key, const Tally& tally) {
-  Json json{{"key", Json::array({name_of(key.section), key.subject, key.evaluation, key.scalar, key.regime, key.check,
-                                 key.place, key.order})},
-            {"unit", tally.unit}};
+  Json json{{"key", key_json(key)}};
+  add_figures(json, tally);
   if (tally.errors.count() > 0)
     json.update({{"max", json_number(tally.errors.max())}, {"counts", json_of(tally.errors)}});
   if (tally.errors.nonfinite() > 0) json["nonfinite"] = tally.errors.nonfinite();
-  if (tally.asked > 0) json["asked"] = tally.asked;
-  if (tally.without_truth > 0) json["without_truth"] = tally.without_truth;
-  if (tally.unreached > 0) json["unreached"] = tally.unreached;
-  if (tally.declined > 0) json["declined"] = tally.declined;
-  if (tally.max_relative > 0) json["max_relative"] = json_number(tally.max_relative);
-  if (tally.total_loss >= 0) json["total_loss"] = json_number(tally.total_loss);
   if (!tally.by_parameter.empty()) json["by_parameter"] = json_of(tally.by_parameter);
   for (const WorstCase& c : tally.worst.cases()) json["worst"].push_back(json_of(c));
   return json;

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "csv_field.h"
+#include "row_members.h"
 #include "tables.h"
 
-#include <fmt/format.h>
-
 namespace cageproof::reports {
+
 std::string results_csv(const RunResult& result) {
-  std::string csv =
-      "section,subject,evaluation,scalar,regime,check,place,order,unit,samples,nonfinite,without_truth,declined,"
-      "max,p999,median,max_relative,bound,verdict,reason\n";
+  std::vector<const RowMember*> columns;
+  for (const RowMember& member : row_members())
+    if (std::string_view(member.name) != "histogram") columns.push_back(&member);
+  std::string csv;
+  for (const RowMember* column : columns) csv.append(csv.empty() ? "" : ",").append(column->name);
+  csv += '\n';
   for (const ResultRow& row : result.rows)
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cageproof::name_of(row.section),
-                       csv_field(row.subject), csv_field(row.evaluation), csv_field(row.scalar), csv_field(row.regime),
-                       csv_field(row.check), csv_field(row.place), row.order, csv_field(row.unit), row.samples,
-                       row.nonfinite, row.without_truth, row.declined, row.max, row.p999, row.median, row.max_relative,
-                       row.bound ? fmt::format("{}", *row.bound) : "", cageproof::name_of(row.verdict),
-                       csv_field(row.reason));
+    for (const RowMember* column : columns)
+      csv.append(member_field(row, *column)).append(column == columns.back() ? "\n" : ",");
   return csv;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/summary.h"
 
-#include "json_value.h"
+#include "row_members.h"
 #include "worst_places.h"
 
 #include <algorithm>
@@ -13,15 +13,6 @@ Json numbers(const std::vector<double>& values) {
   Json json = Json::array();
   for (const double value : values) json.push_back(json_number(value));
   return json;
-}
-
-// Most bins are empty: the counts from the first to the last that is not.
-Json histogram(const std::vector<std::uint64_t>& counts) {
-  const auto used = [](std::uint64_t count) { return count != 0; };
-  const auto first = std::ranges::find_if(counts, used);
-  const auto last = std::find_if(counts.rbegin(), counts.rend(), used).base();
-  if (first == counts.end()) return {{"first", 0}, {"counts", Json::array()}};
-  return {{"first", first - counts.begin()}, {"counts", std::vector<std::uint64_t>(first, last)}};
 }
 
 // All that may differ between runs with the same findings.
@@ -43,33 +34,11 @@ Json environment(const RunResult& result) {
   return {{"sessions", sessions}, {"notes", result.session_notes}};
 }
 
-Json row(const ResultRow& row, const WorstPlace& worst) {
-  Json json{{"section", name_of(row.section)},
-            {"subject", row.subject},
-            {"evaluation", row.evaluation},
-            {"scalar", row.scalar},
-            {"regime", row.regime},
-            {"check", row.check},
-            {"place", row.place},
-            {"order", row.order},
-            {"unit", row.unit},
-            {"samples", row.samples},
-            {"nonfinite", row.nonfinite},
-            {"asked", row.asked},
-            {"without_truth", row.without_truth},
-            {"unreached", row.unreached},
-            {"declined", row.declined},
-            {"max", json_number(row.max)},
-            {"p999", json_number(row.p999)},
-            {"median", json_number(row.median)},
-            {"max_relative", json_number(row.max_relative)},
-            {"total_loss", row.total_loss < 0 ? Json() : json_number(row.total_loss)},
-            {"bound", row.bound ? json_number(*row.bound) : Json()},
-            {"reason", row.reason},
-            {"verdict", cageproof::name_of(row.verdict)},
-            {"histogram", histogram(row.histogram)},
-            {"worst_file", worst.file},
-            {"worst_lines", Json::array()}};
+Json row_json(const ResultRow& row, const WorstPlace& worst) {
+  Json json = Json::object();
+  for (const RowMember& member : row_members()) json[member.name] = member_json(row, member);
+  json["worst_file"] = worst.file;
+  json["worst_lines"] = Json::array();
   for (std::size_t i = 0; i < worst.count; ++i) json["worst_lines"].push_back(worst.first + i);
   return json;
 }
@@ -94,7 +63,7 @@ Json erratum_json(const ErratumRow& row) {
 std::string summary_json(const RunResult& result, std::string_view schema) {
   const auto count = [&](Verdict verdict) { return std::ranges::count(result.rows, verdict, &ResultRow::verdict); };
   Json json{{"schema", schema},
-            {"schema_version", 2},
+            {"schema_version", summary_schema_version},
             {"all_kept", result.all_kept()},
             {"promises",
              {{"kept", count(Verdict::Kept)},
@@ -116,7 +85,7 @@ std::string summary_json(const RunResult& result, std::string_view schema) {
             {"fields", Json::array()},
             {"errata", Json::array()}};
   const WorstPlaces worst(result);
-  for (const ResultRow& r : result.rows) json["rows"].push_back(row(r, worst.of(r)));
+  for (const ResultRow& r : result.rows) json["rows"].push_back(row_json(r, worst.of(r)));
   for (const ResultCurve& curve : result.curves)
     json["curves"].push_back({{"subject", curve.subject},
                               {"evaluation", curve.evaluation},

@@ -15,7 +15,7 @@
 namespace cageproof::reports {
 namespace {
 
-Comparison compared(const RunResult& before, const RunResult& after, const Renamed& renamed = {}) {
+Differences compared(const RunResult& before, const RunResult& after, const Renamed& renamed = {}) {
   return compare_summaries(summary_json(before), summary_json(after), renamed);
 }
 
@@ -27,7 +27,7 @@ TEST(Compare, FindsReportsEqualThatDifferInOrderReasonsAndEnvironment) {
   after.rows[0].reason = "another";
   after.rows[0].worst.clear();
   after.sessions.clear();
-  const Comparison found = compared(before, after);
+  const Differences found = compared(before, after);
   EXPECT_TRUE(found.same());
   EXPECT_EQ(found.equal, before.rows.size() + before.curves.size() + before.errata.size());
 }
@@ -38,7 +38,7 @@ TEST(Compare, NamesEveryFigureThatDiffers) {
   const auto difference = [&](auto change) {
     RunResult after = before;
     change(after.rows[0]);
-    const Comparison found = compared(before, after);
+    const Differences found = compared(before, after);
     EXPECT_EQ(found.gone.size() + found.added.size(), 0u);
     EXPECT_EQ(found.differing.size(), 1u);
     return found.differing.empty() ? "" : found.differing[0];
@@ -50,6 +50,10 @@ TEST(Compare, NamesEveryFigureThatDiffers) {
   expect(difference([](ResultRow& row) { row.nonfinite = 7; }), "nonfinite ");
   expect(difference([](ResultRow& row) { row.without_truth = 7; }), "without_truth 0 -> 7");
   expect(difference([](ResultRow& row) { row.declined = 7; }), "declined 0 -> 7");
+  // Samples that are lost.
+  expect(difference([](ResultRow& row) { row.asked = 7; }), "asked 0 -> 7");
+  expect(difference([](ResultRow& row) { row.unreached = 7; }), "unreached 0 -> 7");
+  expect(difference([](ResultRow& row) { row.total_loss = 7; }), "total_loss null -> 7.0");
   expect(difference([](ResultRow& row) { row.max = HUGE_VAL; }), "-> inf");
   expect(difference([](ResultRow& row) { row.p999 = std::nextafter(row.p999, 0); }), "p999 ");
   expect(difference([](ResultRow& row) { row.median = 7; }), "median ");
@@ -68,7 +72,7 @@ TEST(Compare, NamesRowsThatOneReportLacks) {
   const RunResult before = sample_run(1, 1);
   RunResult after = before;
   after.rows[0].check = "another";
-  const Comparison found = compared(before, after);
+  const Differences found = compared(before, after);
   ASSERT_EQ(found.gone.size(), 1u);
   ASSERT_EQ(found.added.size(), 1u);
   EXPECT_NE(found.gone[0].find(" truth "), std::string::npos);
@@ -100,6 +104,18 @@ TEST(Compare, ReadsTheFirstSchema) {
   old["run"] = old["environment"]["sessions"][0];
   old.erase("environment");
   EXPECT_TRUE(compare_summaries(dump(old), summary_json(run), {}).same());
+}
+
+// A program of before says nothing of what it did not know; one of today that leaves it out has lost it.
+TEST(Compare, LeavesOutWhatAnEarlierSchemaLacks) {
+  RunResult run = sample_run(1, 1);
+  for (ResultRow& row : run.rows) row.asked = 9;
+  Json old = Json::parse(summary_json(run));
+  for (Json& row : old["rows"]) row.erase("asked");
+  EXPECT_FALSE(compare_summaries(dump(old), summary_json(run), {}).same());
+  old["schema_version"] = 2;
+  EXPECT_TRUE(compare_summaries(dump(old), summary_json(run), {}).same());
+  EXPECT_TRUE(compare_summaries(summary_json(run), dump(old), {}).same());
 }
 
 TEST(Compare, RefusesWhatIsNoSummary) {

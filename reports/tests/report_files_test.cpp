@@ -88,7 +88,7 @@ TEST(ReportFiles, SummaryJsonHoldsEveryFigure) {
   run.notes.push_back("bytes \xff that are no text");
   const Json json = Json::parse(summary_json(run));
   EXPECT_EQ(json["schema"], "cageproof-summary");
-  EXPECT_EQ(json["schema_version"], 2);
+  EXPECT_EQ(json["schema_version"], summary_schema_version);
   EXPECT_EQ(json["all_kept"], false);
   EXPECT_EQ(json["seed"], run.seed);
   EXPECT_EQ(json["environment"]["sessions"][0]["seconds"], run.sessions[0].seconds);
@@ -131,17 +131,17 @@ TEST(ReportFiles, CsvQuotesWhatMustBe) {
   EXPECT_NE(csv.find(",inf,0.1,"), std::string::npos);
   EXPECT_TRUE(csv.ends_with(",\"a \"\"quoted\"\" reason\nof two lines\"\n"));
   const std::string header = csv.substr(0, csv.find('\n'));
-  EXPECT_EQ(std::ranges::count(header, ','), 19);
+  EXPECT_EQ(std::ranges::count(header, ','), 23);
   run.rows[0].reason = run.rows[0].regime = "plain";
   const std::string plain = results_csv(run);
-  EXPECT_EQ(std::ranges::count(plain, ','), 38);
+  EXPECT_EQ(std::ranges::count(plain, ','), 46);
   EXPECT_EQ(plain.find('"'), std::string::npos);
 }
 
 TEST(ReportFiles, DeformersHaveATableOfTheirOwn) {
   RunResult run = sample_run(1, 1);
   const std::string csv = results_csv(run);
-  EXPECT_NE(csv.find("\ndeformer,green,stretch=rms,double,square,keeps_rigid,rotation,0,cage sizes,"),
+  EXPECT_NE(csv.find("\ndeformer,green,stretch=rms,double,square,keeps_rigid,rotation,0,,cage sizes,"),
             std::string::npos);
   const auto files = report(run);
   const std::string &page = files.at("index.html"), &text = files.at("summary.md");
@@ -288,11 +288,12 @@ TEST(ReportFiles, WhatNoResultCouldBreakIsGrey) {
   row.total_loss = 63;
   const std::string page = fmt::format("formulas/{}.html", row.subject), id = "truth.generic.closed_form.double.0";
   EXPECT_EQ(cell_of(report(run), page, id)["css"], "ill");
-  EXPECT_EQ(cell_of(report(run), page, id)["loss"], "63");
+  EXPECT_EQ(cell_of(report(run), page, id)["total_loss"], "63");
+  EXPECT_EQ(cell_of(report(run), page, id)["ill_posed"], true);
   row.total_loss = 65;
   row.verdict = Verdict::Kept;
   EXPECT_EQ(cell_of(report(run), page, id)["css"], "e0");
-  EXPECT_FALSE(cell_of(report(run), page, id).contains("loss"));
+  EXPECT_FALSE(cell_of(report(run), page, id).contains("ill_posed"));
   EXPECT_NE(cell_of(report(run), page, "truth.generic.gauss-8.double.0")["css"].get<std::string>().find("open"),
             std::string::npos);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sample_run.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/formula.h"
 #include "cageproof/core/random_stream.h"
+#include "cageproof/core/role.h"
 #include "cageproof/core/whole_file.h"
 
 #include <fmt/format.h>
@@ -14,14 +15,6 @@
 
 namespace cageproof::reports {
 namespace {
-
-// What reports know of evaluations is their role; the rooms that compute are not linked in here.
-[[maybe_unused]] const bool registered = [] {
-  for (const Formula& formula : catalogue())
-    EvaluationRegister::instance().add(single_family(
-        formula.name, "closed_form", {.description = "", .role = Role::Recommended}, true, [](Evaluation&) {}));
-  return true;
-}();
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -84,6 +77,7 @@ void add_check(RunResult& run, const Formula& formula, const char* evaluation, i
   row.regime = regime.name;
   row.check = "truth";
   row.order = order;
+  row.role = curve.role = name_of(index == 0 ? Role::Recommended : Role::Rule);
   row.unit = "conditioned";
   row.samples = 20000 + histogram.count();
   row.nonfinite = histogram.nonfinite();

@@ -19,11 +19,9 @@ bool has_role(const RowKey& row, Check::Role role) {
 
 // Whether an evaluation may say that it could not meet its tolerance. The gate and the proofs name the recommended one,
 // but what declines there is the integral or the enclosure.
-bool may_decline(const RowKey& row) {
+bool may_decline(const ResultRow& row) {
   if (has_role(row, Check::Role::Gate) || has_role(row, Check::Role::Proof)) return true;
-  const auto evaluation = EvaluationRegister::instance().find(row.subject, row.evaluation);
-  return evaluation && evaluation->role() != cageproof::Role::Recommended &&
-         evaluation->role() != cageproof::Role::Stated;
+  return !row.role.empty() && row.role != name_of(Role::Recommended) && row.role != name_of(Role::Stated);
 }
 
 // What the row's evaluation is: of a single element's row by its formula, of a cage's by the formulas that its kind
@@ -92,11 +90,11 @@ void withdraw_unproven(Judged& result) {
 }
 
 // Nothing where the row is none that curves are drawn of.
-std::optional<ResultCurve> curve_of(const RowKey& key, const Tally& tally) {
-  const Regime* regime = find_regime(key.regime);
+std::optional<ResultCurve> curve_of(const ResultRow& row, const Tally& tally) {
+  const Regime* regime = find_regime(row.regime);
   if (tally.by_parameter.empty() || !regime || regime->parameters.size() < tally.by_parameter.size())
     return std::nullopt;
-  ResultCurve curve{key, std::string(regime->parameter_name), {}, {}};
+  ResultCurve curve{row, std::string(regime->parameter_name), {}, {}, row.role};
   for (std::size_t i = 0; i < tally.by_parameter.size(); ++i)
     if (tally.by_parameter[i] >= 0) {
       curve.parameters.push_back(regime->parameters[i]);
@@ -136,21 +134,22 @@ void judge(ResultRow& row) {
   row.verdict = Verdict::Broken;
 }
 
+std::string role_of(const RowKey& key) {
+  const auto evaluation = EvaluationRegister::instance().find(key.subject, key.evaluation);
+  return evaluation ? std::string(name_of(evaluation->role())) : std::string();
+}
+
 ResultRow row_of(const RowKey& key, const Tally& tally) {
   ResultRow row;
   static_cast<RowKey&>(row) = key;
-  row.unit = tally.unit;
+  static_cast<RowFigures&>(row) = tally;
+  // Journals of earlier programs hold no roles.
+  if (row.role.empty()) row.role = role_of(key);
   row.samples = tally.errors.count();
   row.nonfinite = tally.errors.nonfinite();
-  row.asked = tally.asked;
-  row.without_truth = tally.without_truth;
-  row.unreached = tally.unreached;
-  row.declined = tally.declined;
   row.max = tally.errors.max();
   row.p999 = tally.errors.p999();
   row.median = tally.errors.median();
-  row.max_relative = tally.max_relative;
-  row.total_loss = tally.total_loss;
   row.worst = tally.worst.cases();
   row.histogram.assign(tally.errors.counts().begin(), tally.errors.counts().end());
   row.is_foundation = has_role(row, Check::Role::Gate) || has_role(row, Check::Role::Proof);

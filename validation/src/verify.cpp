@@ -2,6 +2,7 @@
 #include "cageproof/validation/verify.h"
 
 #include "run_plan.h"
+#include "cageproof/validation/verdicts.h"
 #include "run_report.h"
 
 #include "cageproof/core/input_error.h"
@@ -31,6 +32,7 @@ class Recorder {
     journal_.sessions.push_back(session);
   }
   void add(std::size_t unit, Findings found) {
+    for (auto& [key, tally] : found.rows) tally.role = role_of(key);
     {
       const std::scoped_lock lock(mutex_);
       found.drop_unwanted(journal_.findings);

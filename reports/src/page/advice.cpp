@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "advice.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/role.h"
 #include "digest.h"
 #include "figure.h"
 #include "page_data.h"
@@ -21,11 +21,6 @@ bool is_values(const RowKey& row, const std::string& formula, const std::string&
          row.scalar == "double" && row.check == "truth" && row.order == 0;
 }
 
-bool is_rule(const std::string& formula, const std::string& evaluation) {
-  const auto found = EvaluationRegister::instance().find(formula, evaluation);
-  return found && found->role() == Role::Rule;
-}
-
 struct Choice {
   std::string evaluation;
   double reach, nanoseconds;
@@ -35,7 +30,7 @@ struct Choice {
 std::vector<Choice> rules(const RunResult& result, const std::string& formula) {
   std::vector<Choice> found;
   for (const EvaluationTime& time : times_of(result))
-    if (time.formula == formula && time.order == 0 && is_rule(formula, time.evaluation))
+    if (time.formula == formula && time.order == 0 && role_of(result, formula, time.evaluation) == name_of(Role::Rule))
       if (const auto reach = reach_of(result, formula, time.evaluation))
         found.push_back({time.evaluation, *reach, time.nanoseconds});
   std::ranges::stable_sort(found, {}, &Choice::nanoseconds);
@@ -44,7 +39,8 @@ std::vector<Choice> rules(const RunResult& result, const std::string& formula) {
 
 std::string recommended(const RunResult& result, const std::string& formula) {
   for (const EvaluationTime& time : times_of(result))
-    if (time.formula == formula && is_recommended(formula, time.evaluation)) return time.evaluation;
+    if (time.formula == formula && role_of(result, formula, time.evaluation) == name_of(Role::Recommended))
+      return time.evaluation;
   return "";
 }
 

@@ -39,7 +39,7 @@ Data line_of(const std::string& formula, const std::string& regime, const ErrorT
   return line;
 }
 
-// Cells of every evaluation, by the number of its column: text and class of each order.
+// Cells of every evaluation, by the number of its column: text, class and id of each order.
 Json cells_of(const ErrorTable& table, const std::string& regime, const std::vector<std::string>& evaluations) {
   Json cells = Json::object();
   for (const Column& column : table.columns) {
@@ -48,7 +48,7 @@ Json cells_of(const ErrorTable& table, const std::string& regime, const std::vec
     for (int order = 0; order < 3; ++order) {
       const ResultRow* row = table.at(regime, column, order);
       any = any || row;
-      if (row) orders.push_back(Json::array({cell_text(*row), cell_class(*row)}));
+      if (row) orders.push_back(Json::array({cell_text(*row), cell_class(*row), cell_id(*row)}));
       else orders.push_back(Json::array());
     }
     const auto number = std::ranges::find(evaluations, name_of(column)) - evaluations.begin();

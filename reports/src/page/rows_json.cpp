@@ -5,6 +5,7 @@
 #include "cageproof/core/scalar_text.h"
 #include "figure.h"
 #include "page_data.h"
+#include "row_members.h"
 
 #include <fmt/format.h>
 
@@ -54,33 +55,26 @@ std::size_t index_in(std::vector<std::string>& texts, const std::string& text) {
   return texts.size() - 1;
 }
 
+// Figures as they are read, the largest error as it is: scripts sort and draw by it.
+Json page_value(const ResultRow& row, const RowMember& member) {
+  const std::string_view name = member.name;
+  const Json value = member_json(row, member);
+  if (!value.is_number_float() || name == "max") return value;
+  return name == "bound" ? short_number(value.get<double>()) : short_error(value.get<double>());
+}
+
 Json row_json(const ResultRow& row, const WorstPlace& place, std::vector<std::string>& reasons) {
-  Json json{{"id", cell_id(row)},
-            {"css", cell_class(row)},
-            {"subject", row.subject},
-            {"evaluation", row.evaluation},
-            {"scalar", row.scalar},
-            {"regime", row.regime},
-            {"check", row.check},
-            {"order", row.order},
-            {"unit", row.unit},
-            {"max", json_number(row.max)},
-            {"text", cell_text(row)},
-            {"samples", row.samples},
-            {"verdict", name_of(row.verdict)},
-            {"reason", index_in(reasons, row.reason)}};
-  if (!row.place.empty()) json["place"] = row.place;
-  if (row.max_relative > 0) json["relative"] = short_error(row.max_relative);
-  if (row.samples >= kEnoughForQuantiles) {
-    json["p999"] = short_error(row.p999);
-    json["median"] = short_error(row.median);
+  Json json{{"id", cell_id(row)}, {"css", cell_class(row)}, {"text", cell_text(row)}};
+  for (const RowMember& member : row_members()) {
+    const std::string_view name = member.name;
+    if (name == "histogram") continue;
+    if ((name == "p999" || name == "median") && row.samples < kEnoughForQuantiles) continue;
+    Json value = name == "reason" ? Json(index_in(reasons, row.reason)) : page_value(row, member);
+    if (value.is_null() || value == "") continue;
+    if (member.kind == RowMember::Kind::Count && value == 0) continue;
+    json[member.name] = std::move(value);
   }
-  if (row.bound) json["bound"] = short_number(*row.bound);
-  if (row.is_ill_posed()) json["loss"] = short_error(row.total_loss);
-  for (const auto& [name, count] :
-       {std::pair("nonfinite", row.nonfinite), std::pair("without_truth", row.without_truth),
-        std::pair("unreached", row.unreached), std::pair("declined", row.declined)})
-    if (count > 0) json[name] = count;
+  if (row.is_ill_posed()) json["ill_posed"] = true;
   if (row.check == "enclosure") json["certified"] = true;
   if (place.count > 0) {
     json["file"] = place.file;
@@ -129,7 +123,8 @@ Json curves_json(const RunResult& result, const std::string& subject) {
                                                                   : curve.errors[i]));
     }
     if (parameters.empty()) continue;
-    list.push_back({{"regime", curve.regime},
+    list.push_back({{"cell", cell_id(curve)},
+                    {"regime", curve.regime},
                     {"check", curve.check},
                     {"evaluation", curve.evaluation},
                     {"scalar", curve.scalar},

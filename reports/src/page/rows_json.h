@@ -12,7 +12,7 @@ namespace cageproof::reports {
 /// samples on: below, they would only repeat the largest.
 Json rows_json(const Rows& rows, const WorstPlaces& places);
 
-/// Curves of a formula: regime, check, evaluation, scalar, order, parameters, errors, bound.
+/// Curves of a formula: the id of the cell, regime, check, evaluation, scalar, order, parameters, errors, bound.
 Json curves_json(const RunResult& result, const std::string& subject);
 
 /// Which entry of a formula's tensor an index is: "corner 1, row y, column x, d/dx d/dz".

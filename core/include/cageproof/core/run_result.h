@@ -17,19 +17,12 @@ enum class Verdict { Kept, Broken, NotPromised };
 std::string_view name_of(Verdict verdict);
 
 /// One line of the results: a row key and the figures of its tally, judged.
-struct ResultRow : RowKey {
-  std::string unit;  ///< of max, p999, median and bound: "conditioned", "relative", "absolute"
-  std::uint64_t samples = 0;
-  std::uint64_t nonfinite = 0;      ///< results that are not finite where the truth is
-  std::uint64_t asked = 0;          ///< samples that were put to the row: measured, or one of the following
-  std::uint64_t without_truth = 0;  ///< samples where no truth exists (the limit diverges): not counted as errors
-  std::uint64_t unreached = 0;      ///< samples where a limit exists, and no truth or figure was reached
-  std::uint64_t declined = 0;       ///< samples where an evaluation with a tolerance said that it could not meet it
-  double max = 0;
+struct ResultRow : RowKey, RowFigures {
+  std::uint64_t samples = 0;    ///< that were measured
+  std::uint64_t nonfinite = 0;  ///< results that are not finite where the truth is
+  double max = 0;               ///< this and what follows in the row's unit
   double p999 = 0;
   double median = 0;
-  double max_relative = 0;  ///< largest plain relative error, norm-wise
-  double total_loss = -1;   ///< Tally::total_loss
   std::optional<double> bound;
   std::string reason;  ///< why the bound is what it is, or why nothing is promised
   Verdict verdict = Verdict::NotPromised;
@@ -46,6 +39,7 @@ struct ResultCurve : RowKey {
   std::string parameter_name;      ///< "distance / size", "aspect" ...
   std::vector<double> parameters;  ///< rising or falling, one a decade
   std::vector<double> errors;      ///< largest found, in conditioned units; infinite where a result was not finite
+  std::string role = {};           ///< of the evaluation, as in RowFigures
 };
 
 /// Where the run's files about one field lie, relative to the report's folder.

@@ -36,11 +36,10 @@ inline constexpr std::array sections{RowKey::Section::Element, RowKey::Section::
 /// "element", "cage", "deformer".
 std::string_view name_of(RowKey::Section section);
 
-/// What has been found of one row. Memory is bounded, whatever the number of samples.
-struct Tally {
-  std::string unit;  ///< of the errors: "conditioned", "relative" ...
-  ErrorHistogram errors;
-  WorstCases worst;
+/// What a tally says and its row of results repeats.
+struct RowFigures {
+  std::string unit;                 ///< of the errors: "conditioned", "relative" ...
+  std::string role;                 ///< of the evaluation: "recommended", "rule" ...; empty where it has none
   std::uint64_t asked = 0;          ///< samples that were put to the row: measured, or one of the following
   std::uint64_t without_truth = 0;  ///< samples where no truth exists: the limit diverges, or the input is none
   std::uint64_t unreached = 0;      ///< samples where a limit exists, and no truth or figure was reached
@@ -49,6 +48,12 @@ struct Tally {
   /// The largest error, of all samples, that a result without one right digit would have had; negative where it is not
   /// known. A bound above it says nothing but that results are finite.
   double total_loss = -1;
+};
+
+/// What has been found of one row. Memory is bounded, whatever the number of samples.
+struct Tally : RowFigures {
+  ErrorHistogram errors;
+  WorstCases worst;
   /// Largest error by index of the regime's parameter; negative where nothing was measured. Empty: no curve is drawn.
   std::vector<double> by_parameter;
 

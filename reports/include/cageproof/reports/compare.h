@@ -20,7 +20,7 @@ using Renamed = std::map<std::string, std::string>;
 /// \throws InputError naming the file when it is anything else
 Renamed read_renamed(const std::filesystem::path& path);
 
-struct Comparison {
+struct Differences {
   std::size_t equal = 0;               ///< rows, curves, fields and errata with the same figures and verdicts
   std::vector<std::string> differing;  ///< a line each: what, and every figure that differs as "old -> new"
   std::vector<std::string> gone;       ///< what only the old report has, a line each
@@ -32,8 +32,8 @@ struct Comparison {
 /// scalar, regime, check, place and order; order in the file, reasons, worst inputs, file names and environments are
 /// not looked at. Numbers must be equal as doubles. \param old_name, new_name what messages call them \throws
 /// InputError for text that is no such summary
-Comparison compare_summaries(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
-                             std::string_view old_name = "the old report",
-                             std::string_view new_name = "the new report");
+Differences compare_summaries(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
+                              std::string_view old_name = "the old report",
+                              std::string_view new_name = "the new report");
 
 }  // namespace cageproof::reports

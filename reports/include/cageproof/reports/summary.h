@@ -8,7 +8,10 @@
 
 namespace cageproof::reports {
 
-/// summary.json: every figure, "schema_version" 2. \param schema what the file is: "cageproof-summary" of a
+/// "schema_version" of summary.json. Since 3 rows have the role of their evaluation.
+inline constexpr int summary_schema_version = 3;
+
+/// summary.json: every figure. \param schema what the file is: "cageproof-summary" of a
 /// verification, "cageproof-field" of a field
 std::string summary_json(const RunResult& result, std::string_view schema = "cageproof-summary");
 

@@ -6,6 +6,9 @@
 
 namespace cageproof::validation {
 
+/// The role of a row's evaluation by the program's register, as RowFigures has it.
+std::string role_of(const RowKey& key);
+
 /// The row of a tally: its figures, and bound, reason and verdict from the table of promises.
 ResultRow row_of(const RowKey& key, const Tally& tally);
 
