@@ -196,13 +196,27 @@ std::string journal_text(const Journal& journal) {
   return text + dump(Json{{"units", units}}) + "\n";
 }
 
-JournalWriter::JournalWriter(const fs::path& path)
-    : path_(path), file_(::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC)) {
-  if (file_ < 0) fail_journal(path_, std::generic_category().message(errno));
-  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    ::close(file_);
-    throw InputError(fmt::format("{}: another process writes to it", path_.string()));
-  }
+namespace {
+
+// A file that this process alone writes to.
+int locked_file(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
+  if (file < 0) fail_journal(path, std::generic_category().message(errno));
+  int locked = 0;
+  do locked = ::flock(file, LOCK_EX | LOCK_NB);
+  while (locked != 0 && errno == EINTR);
+  if (locked == 0) return file;
+  const int reason = errno;
+  ::close(file);
+  if (reason == EWOULDBLOCK) throw InputError(fmt::format("{}: another process writes to it", path.string()));
+  fail_journal(path, fmt::format("it cannot be locked against a second process that writes to it ({}); choose a folder "
+                                 "on a file system that has locks",
+                                 std::generic_category().message(reason)));
+}
+
+}  // namespace
+
+JournalWriter::JournalWriter(const fs::path& path) : path_(path), file_(locked_file(path)) {
   // The end of the last line that is whole.
   const std::string text = read_file(path_);
   std::size_t end = text.rfind('\n') + 1;

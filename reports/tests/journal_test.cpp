@@ -11,8 +11,22 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <sys/file.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <cmath>
 #include <limits>
+
+// What the next locks fail with; 0: they are asked of the system. It stands in for the C library's function.
+static int failing_lock = 0;
+
+extern "C" int flock(int file, int operation) noexcept {
+  if (failing_lock == 0) return static_cast<int>(::syscall(SYS_flock, file, operation));
+  errno = failing_lock;
+  return -1;
+}
 
 namespace cageproof::reports {
 namespace {
@@ -181,6 +195,25 @@ TEST_F(Journals, HaveOneWriter) {
   written(path(), {});
   const JournalWriter writer(path());
   EXPECT_THROW(JournalWriter second(path()), InputError);
+}
+
+TEST_F(Journals, WithoutALockAreNotWritten) {
+  const std::string text = written(path(), {0});
+  for (const int error : {ENOLCK, EOPNOTSUPP, EINVAL}) {
+    failing_lock = error;
+    try {
+      const JournalWriter writer(path());
+      ADD_FAILURE() << "written without a lock: " << error;
+    } catch (const InputError& refused) {
+      const std::string message = refused.what();
+      for (const std::string& part : {path().string(), std::string("cannot be locked"),
+                                      std::generic_category().message(error), std::string("choose a folder")})
+        EXPECT_NE(message.find(part), std::string::npos) << message;
+    }
+    failing_lock = 0;
+  }
+  EXPECT_EQ(read_file(path()), text);
+  JournalWriter(path()).add(1, found(1), 1);
 }
 
 TEST_F(Journals, OnAFullDiskEndWithAWholeLineOrATornOne) {

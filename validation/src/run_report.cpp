@@ -87,17 +87,17 @@ void require_finished(const Journal& journal, const std::filesystem::path& folde
 
 std::vector<std::string> session_notes(const std::vector<Session>& sessions) {
   std::vector<std::string> notes;
-  const auto compare = [&](const char* fact, const char* meaning) {
+  const auto compare = [&](const char* fact, const char* many, const char* meaning) {
     std::set<std::string> values;
     for (const Session& session : sessions)
       if (const auto found = session.machine.find(fact); found != session.machine.end()) values.insert(found->second);
     if (values.size() > 1)
-      notes.push_back(fmt::format("the run's parts were measured with {} different {} ({}): {}", values.size(), fact,
+      notes.push_back(fmt::format("the run's parts were measured with {} different {} ({}): {}", values.size(), many,
                                   fmt::join(values, " | "), meaning));
   };
-  compare(elementary_functions,
+  compare(elementary_functions, "elementary functions",
           "the C library picks them by processor; last digits may differ from those of a run on one kind");
-  compare(program_build, "figures of different programs may stand side by side");
+  compare(program_build, "builds of the program", "figures of different programs may stand side by side");
   return notes;
 }
 

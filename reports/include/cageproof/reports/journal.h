@@ -62,7 +62,7 @@ std::string journal_text(const Journal& journal);
 class JournalWriter {
  public:
   /// Opens it, and cuts off a torn last line.
-  /// \throws InputError when it cannot be written, or another process writes to it
+  /// \throws InputError when it cannot be written or locked, or another process writes to it
   explicit JournalWriter(const std::filesystem::path& path);
   ~JournalWriter();
   JournalWriter(const JournalWriter&) = delete;
