@@ -2,9 +2,10 @@
 #include "commands.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/compare.h"
 #include "cageproof/reports/journal.h"
+#include "cageproof/reports/packed_file.h"
+#include "cageproof/reports/summary.h"
 #include "cageproof/validation/verify.h"
 
 #include <fmt/format.h>
@@ -18,13 +19,15 @@ struct Arguments {
   std::string before, after, names;
 };
 
-// A report's folder, its summary.json, or a journal, which is judged now.
+// A report's folder, its summary.json.gz, or a journal, which is judged now.
 std::string summary_of(const fs::path& path) {
   std::error_code ignored;
   fs::path file = path;
   if (fs::is_directory(path, ignored))
-    file = fs::exists(path / "summary.json", ignored) ? path / "summary.json" : path / reports::journal_file;
-  return reports::find_journal_header(file) ? validation::summary_of_journal(file) : read_file(file);
+    for (const std::string_view name :
+         {std::string_view(reports::summary_file), std::string_view("summary.json"), reports::journal_file})
+      if (file = path / name; fs::exists(file, ignored)) break;
+  return reports::find_journal_header(file) ? validation::summary_of_journal(file) : reports::read_packed(file);
 }
 
 int run(const Arguments& a) {

@@ -6,6 +6,7 @@
 #include "cageproof/core/mesh_io.h"
 #include "cageproof/core/scalar_text.h"
 #include "cageproof/core/whole_file.h"
+#include "cageproof/reports/packed_file.h"
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/replay.h"
 
@@ -71,7 +72,7 @@ struct Arguments {
 
 // The lines asked for. A report's worst.jsonl is empty where nothing fell short.
 std::vector<reports::WorstLine> lines_of(const Arguments& asked) {
-  std::vector<reports::WorstLine> lines = reports::parse_worst(read_file(asked.file), asked.file);
+  std::vector<reports::WorstLine> lines = reports::parse_worst(reports::read_packed(asked.file), asked.file);
   if (asked.line == 0) return lines;
   std::erase_if(lines, [&](const reports::WorstLine& line) { return line.number != asked.line; });
   if (lines.empty()) throw InputError(fmt::format("{}: no case in line {}", asked.file, asked.line));
@@ -113,7 +114,7 @@ void add_replay(CommandLine& line) {
       .required();
   command.option("--line", asked->line, "the case of this line alone, from 1").in_range(1, 1000000000);
   command.example("cageproof replay report/worst.jsonl");
-  command.example("cageproof replay report/worst/triangle.double_layer.jsonl --line 12");
+  command.example("cageproof replay report/worst/triangle.double_layer.jsonl.gz --line 12");
   command.runs([asked] { return run(*asked); });
 }
 

@@ -37,10 +37,10 @@ options=(--suite quick --formulas triangle.double_layer --regimes 'near-*' --sam
 # A report's file without what may differ.
 without_environment() {
   case $1 in
-    */summary.json) sed 's/"environment":{.*},"notes":/"notes":/' "$1" ;;
+    */summary.json.gz) zcat "$1" | sed 's/"environment":{.*},"notes":/"notes":/' ;;
     */summary.md) sed '/^## Environment$/,$d' "$1" ;;
     *.html) sed '/^<section class="environment">$/,/^<\/section>$/d' "$1" ;;
-    */journal) sed '1s/"environment":{.*$//' "$1" ;;
+    */journal) zcat "$1" | sed '1s/"environment":{.*$//' ;;
     *) cat "$1" ;;
   esac
 }
@@ -110,7 +110,7 @@ kills() {
     rounds=$((rounds + 1))
     [ $code -eq 137 ] || break
     # Killed between its last rename and its end: the report is whole, and says what its copy says that is drawn anew.
-    if [ -e killed/summary.json ]; then
+    if [ -e killed/summary.json.gz ]; then
       same alone killed
       cp -r killed drawn
       "$cageproof" report drawn >killed.txt
@@ -148,7 +148,7 @@ kills() {
   refuses resume out -- "$cageproof" verify --resume resumed --out resumed
   refuses nowhere 'no journal' -- "$cageproof" verify --resume nowhere
   refuses 'no journal' -- "$cageproof" verify --resume .
-  sed -i '1s/"version":"[^"]*"/"version":"0.0.9"/' resumed/journal
+  zcat alone/journal | sed '1s/"version":"[^"]*"/"version":"0.0.9"/' >resumed/journal
   refuses 'version 0.0.9, now' -- "$cageproof" verify --resume resumed
   cp -r alone moved
   sed -i.bak 's/^v 1 0 0$/v 1 0 0.5/' octahedron.obj
@@ -156,11 +156,11 @@ kills() {
   mv octahedron.obj.bak octahedron.obj
 
   # One figure that differs, and names that changed.
-  sed 's/"without_truth":0/"without_truth":5/' alone/summary.json >other.json
+  zcat alone/summary.json.gz | sed 's/"without_truth":0/"without_truth":5/' >other.json
   "$cageproof" compare alone other.json >compared.txt
   [ $? -eq 1 ] || fail "compare does not exit with 1"
   grep -q 'differs: row: element triangle.double_layer.* without_truth 0 -> 5' compared.txt || fail "compare: $(tail -n 3 compared.txt)"
-  sed 's/"check":"truth"/"check":"verity"/g' alone/summary.json >renamed.json
+  zcat alone/summary.json.gz | sed 's/"check":"truth"/"check":"verity"/g' >renamed.json
   "$cageproof" compare alone renamed.json >/dev/null && fail "compare finds a new name equal"
   echo '{"truth": "verity"}' >names.json
   "$cageproof" compare alone renamed.json --names names.json >compared.txt || fail "compare --names: $(tail -n 3 compared.txt)"
@@ -214,8 +214,8 @@ SH
   else
     "$cageproof" merge part0 plain part2 part3 --out mixed >/dev/null 2>stderr
     grep -q '2 different elementary functions' stderr || fail "merge does not say that processors differ: $(cat stderr)"
-    for file in summary.json summary.md index.html; do
-      grep -q '2 different elementary functions' mixed/$file || fail "$file does not say that processors differ"
+    for file in summary.json.gz summary.md index.html; do
+      zgrep -q '2 different elementary functions' mixed/$file || fail "$file does not say that processors differ"
     done
   fi
 }

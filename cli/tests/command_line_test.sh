@@ -139,7 +139,7 @@ refuses flat.csv:1 'three coordinates' -- verify_cage cube --points "$work/flat.
 "$cageproof" field --kind biharmonic --cage "$work/ring.svg" --evaluation closed_form --resolution 8 --out "$work/flat_field" >/dev/null || fail "field in a polygon"
 "$cageproof" verify --suite quick --formulas segment.double_layer --regimes near-face --cage "$work/ring.svg" --points "$work/flat.csv" --out "$work/flat_report" >"$work/stdout" ||
   fail "verify of a polygon: $(cat "$work/stdout")"
-cat "$work"/flat_report/worst/*.jsonl >"$work/flat_worst.jsonl"
+zcat "$work"/flat_report/worst/*.jsonl.gz >"$work/flat_worst.jsonl"
 grep -q 'ring.svg' "$work/flat_worst.jsonl" || fail "no worst case in a polygon"
 "$cageproof" replay "$work/flat_worst.jsonl" >"$work/stdout" || fail "replay in a polygon: $(tail -n 3 "$work/stdout")"
 
@@ -188,7 +188,7 @@ fi
 (ulimit -f 40; trap '' XFSZ
  "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out "$work/out" >/dev/null 2>"$work/stderr")
 [ $? -eq 2 ] || fail "a file that cannot be written is not exit 2: $(cat "$work/stderr")"
-[ ! -e "$work/out/index.html" ] && [ ! -e "$work/out/summary.json" ] || fail "half a report"
+[ ! -e "$work/out/index.html" ] && [ ! -e "$work/out/summary.json.gz" ] || fail "half a report"
 rm -rf "$work/out" # the journal, with which the run would go on
 
 # eval goes on after a bad line, says which, and exits 2.
@@ -352,12 +352,12 @@ refuses --allow-invalid-quads triangle.solid_angle -- "$cageproof" eval --formul
 # verify, its report, and replay.
 "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes 'near-face' --cage cube --out "$work/report" >"$work/stdout"
 [ $? -eq 0 ] || fail "verify: $(cat "$work/stdout")"
-for file in summary.json summary.md results.csv worst.jsonl worst index.html formulas/triangle.solid_angle.html fields pictures; do
+for file in summary.json.gz summary.md results.csv.gz worst.jsonl worst index.html formulas/triangle.solid_angle.html fields pictures; do
   [ -e "$work/report/$file" ] || fail "no $file"
 done
 [ ! -s "$work/report/worst.jsonl" ] || fail "worst.jsonl holds what is kept"
 "$cageproof" replay "$work/report/worst.jsonl" >"$work/stdout" || fail "replay of no case: $(cat "$work/stdout")"
-cat "$work"/report/worst/*.jsonl >"$work/worst.jsonl"
+zcat "$work"/report/worst/*.jsonl.gz >"$work/worst.jsonl"
 "$cageproof" replay "$work/worst.jsonl" >"$work/stdout" || fail "replay: $(tail -n 3 "$work/stdout")"
 [ "$(grep -c ': error ' "$work/stdout")" -eq "$(wc -l <"$work/worst.jsonl")" ] || fail "replay: a line a case"
 awk '/: error / { if (!match($0, /: error [^ ]+/)) exit 1; e = substr($0, RSTART + 8, RLENGTH - 8); if (!match($0, /stored [^)]+/)) exit 1

@@ -32,11 +32,11 @@ for formula in triangle.my_potential triangle.inverse_square; do
   "$cageproof" verify --formulas "$formula" --suite quick --samples 14 --cage cube --regimes 'near-*' --out "$work/$formula" >"$work/stdout" 2>&1 ||
     fail "verify $formula: $(tail -5 "$work/stdout")"
   grep -q "$formula" "$work/$formula/index.html" || fail "$formula is not on the page"
-  grep -q "$formula" "$work/$formula/results.csv" || fail "$formula is not in the results"
+  zgrep -q "$formula" "$work/$formula/results.csv.gz" || fail "$formula is not in the results"
   "$cageproof" bench --formula "$formula" --regime generic --evaluations gauss-8 --samples 4 --csv >"$work/bench" 2>&1 || fail "bench $formula: $(cat "$work/bench")"
 done
-grep -q ',kept,' "$work/triangle.my_potential/results.csv" || fail 'no promise of my_potential is kept'
-grep 'triangle.my_potential,closed_form,double,near-edge,truth' "$work/triangle.my_potential/results.csv" | grep -q kept || fail 'the closed form of my_potential is not judged'
-grep 'triangle.inverse_square,gauss-8,double,near-edge,truth' "$work/triangle.inverse_square/results.csv" >/dev/null || fail 'inverse_square is not measured against its integral'
-grep -q 'inverse_square: no recommended evaluation' "$work/triangle.inverse_square/summary.json" || fail 'nothing says that the integral is the truth'
+zgrep -q ',kept,' "$work/triangle.my_potential/results.csv.gz" || fail 'no promise of my_potential is kept'
+zgrep 'triangle.my_potential,closed_form,double,near-edge,truth' "$work/triangle.my_potential/results.csv.gz" | grep -q kept || fail 'the closed form of my_potential is not judged'
+zgrep 'triangle.inverse_square,gauss-8,double,near-edge,truth' "$work/triangle.inverse_square/results.csv.gz" >/dev/null || fail 'inverse_square is not measured against its integral'
+zgrep -q 'inverse_square: no recommended evaluation' "$work/triangle.inverse_square/summary.json.gz" || fail 'nothing says that the integral is the truth'
 echo passed

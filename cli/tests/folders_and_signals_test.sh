@@ -7,7 +7,7 @@
 state_of() { (cd "$1" && find . -type f -print0 | sort -z | xargs -0 sha256sum; find . -printf '%p %y %l\n' | sort); }
 names_in() { (cd "$1" && find . -type f | sort); }
 # A field's files, and the contents of those in which no time and no command line stand.
-field_in() { (names_in "$1" && cd "$1" && sha256sum fields/* results.csv worst.jsonl); }
+field_in() { (names_in "$1" && cd "$1" && sha256sum fields/* results.csv.gz worst.jsonl); }
 verify() { "$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far --cage square "$@"; }
 field() { "$cageproof" field --formula triangle.single_layer --evaluation gauss-4 --resolution 4 "$@"; }
 bench() { "$cageproof" bench --formula segment.winding_angle --regime far --evaluations closed_form --samples 1 --seconds 0 "$@"; }
@@ -124,7 +124,7 @@ for n in 1 2; do
   bench --out bench >/dev/null || fail "bench again $n"
 done
 ln -s field to_field && field --out to_field >/dev/null || fail 'field through a link'
-[ -L to_field ] && [ -e field/summary.json ] || fail 'a link to a field is replaced'
+[ -L to_field ] && [ -e field/summary.json.gz ] || fail 'a link to a field is replaced'
 verify --out begun >/dev/null || fail 'verify over a run that was begun'
 # As versions without a list left it.
 rm report/.cageproof-files && "$cageproof" report report >/dev/null || fail 'report over one without a list'

@@ -78,7 +78,7 @@ bench --formula triangle.solid_angle --regimes near-face --regimes far --evaluat
 [ "$(cut -d, -f 3-14 a.csv)" = "$(cut -d, -f 3-14 b.csv)" ] && [ "$(wc -l <a.csv)" -eq 5 ] || fail "lists differ from repeated options: $(cat a.csv b.csv)"
 verify --suite quick --formulas 'triangle.solid_*,segment.winding_angle' --regimes near-face,far --evaluations 'gauss-8,clos*' --samples 1e1 --cage cube --out run >stdout ||
   fail "verify of lists: $(cat stdout)"
-subjects=$(cut -d, -f 2 run/results.csv | sort -u)
+subjects=$(zcat run/results.csv.gz | cut -d, -f 2 | sort -u)
 for name in triangle.solid_angle segment.winding_angle; do grep -qx $name <<<"$subjects" || fail "verify of lists leaves out $name"; done
 grep -qx triangle.single_layer <<<"$subjects" && fail 'verify of lists has what was not asked for'
 "$cageproof" hunt --formula triangle.solid_angle --evaluation 'gauss-4,clos*' --check 'tr*' --budget 2e1 --regime 'near-*,far' >stdout 2>/dev/null || fail 'hunt of lists'
@@ -139,11 +139,11 @@ far --samples 2 --seed 1000 >b.csv || fail '1000'
 
 # What a session records is what was used.
 "$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far --cage square --jobs 1 --out one >/dev/null || fail 'verify --jobs 1'
-grep -qF '"threads":"1"' one/summary.json || fail 'threads that were used'
+zgrep -qF '"threads":"1"' one/summary.json.gz || fail 'threads that were used'
 commit=$("$cageproof" --version | sed -n 's/^cageproof [0-9.]* (commit \(.*\))$/\1/p')
 [ -n "$commit" ] || fail "--version: $("$cageproof" --version)"
-grep -qF "\"commit\":\"$commit\"" one/summary.json || fail "the commit $commit is not recorded"
-grep -qF '"flags":"' one/summary.json || fail 'no flags'
+zgrep -qF "\"commit\":\"$commit\"" one/summary.json.gz || fail "the commit $commit is not recorded"
+zgrep -qF '"flags":"' one/summary.json.gz || fail 'no flags'
 
 # What is read is never written over.
 printf '0.5,0.5\n' >inside.csv
@@ -152,7 +152,7 @@ refuses_to coordinates inside.csv '--solved is the file of --points' -- --cage s
 
 # replay ends with a summary, of a file, or of a line of it.
 "$cageproof" replay one/worst.jsonl >stdout && grep -q 'is empty' stdout || fail "replay of what fell short, which is nothing: $(cat stdout)"
-cat one/worst/*.jsonl >one/worst.jsonl
+zcat one/worst/*.jsonl.gz >one/worst.jsonl
 refuses_to replay one/worst.jsonl 'no case in line 99999' -- one/worst.jsonl --line 99999
 "$cageproof" replay one/worst.jsonl --line 2 >stdout || fail "replay of one line: $(cat stdout)"
 [ "$(grep -c ': error ' stdout)" -le 1 ] && grep -q ': 1 cases of' stdout || fail "not one line: $(cat stdout)"

@@ -35,7 +35,7 @@ has filtered 'of gauss-8, double' 'href="formulas/triangle.double_layer.html#tru
 # A cell that the address names answers: worst input, truth, reason, lines to copy.
 page=report/formulas/triangle.double_layer.html
 opened "$page#truth.near-edge.closed_form.double.2" cell
-has cell 'furthest entry' 'digits right' 'backward stable' 'class="chosen' 'cageproof replay worst/triangle.double_layer.jsonl --line' \
+has cell 'furthest entry' 'digits right' 'backward stable' 'class="chosen' 'cageproof replay worst/triangle.double_layer.jsonl.gz --line' \
   'cageproof eval --formula triangle.double_layer --evaluation closed_form --order 2 --scalar double' 'promise kept'
 grep -q '<aside id="answer"[^>]*hidden' cell && fail "the answer stays hidden"
 [ "$(grep -o '<svg viewBox' cell | wc -l)" -ge 2 ] || fail "no curves or no times"

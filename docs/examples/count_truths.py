@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""count_truths.py REPORT/summary.json: at how many inputs formulas were compared with the integral itself, and at how many with what stands in for it."""
+"""count_truths.py REPORT/summary.json.gz: at how many inputs formulas were compared with the integral itself, and at how many with what stands in for it."""
+import gzip
 import json
 import sys
 
 inputs, integrated, comparisons = {}, {}, 0
-for row in json.load(open(sys.argv[1]))["rows"]:
+for row in json.load(gzip.open(sys.argv[1]))["rows"]:
     if row["section"] != "element":
         continue
     place = row["subject"], row["regime"]

@@ -10,9 +10,9 @@ const bytesOf = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
 const floatsOf = (text) => new Float32Array(bytesOf(text).buffer);
 const wholeNumbersOf = (text) => new Uint32Array(bytesOf(text).buffer);
 
-// The library is kept as zlib's bytes: a third of its text.
+// The library is kept packed: a third of its text.
 async function load() {
-  const stream = new Blob([bytesOf(byId('vtk').textContent)]).stream().pipeThrough(new DecompressionStream('deflate'));
+  const stream = new Blob([bytesOf(byId('vtk').textContent)]).stream().pipeThrough(new DecompressionStream('gzip'));
   const script = document.createElement('script');
   script.textContent = await new Response(stream).text();
   document.head.append(script);

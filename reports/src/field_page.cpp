@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "field_page.h"
 
+#include "cageproof/reports/packed_file.h"
 #include "cageproof/reports/vtk_text.h"
+#include "base64.h"
 #include "colours.h"
 #include "field_page_template.h"
 #include "page/page_data.h"
 #include "palette.h"
 
 #include <nlohmann/json.hpp>
-
-#include <vtkNew.h>
-#include <vtkZLibDataCompressor.h>
-#include <vtksys/Base64.h>
 
 #include <stdexcept>
 
@@ -20,32 +18,16 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string base64(const unsigned char* bytes, std::size_t count) {
-  std::string text(count / 3 * 4 + 8, '\0');
-  text.resize(vtksysBase64_Encode(bytes, count, reinterpret_cast<unsigned char*>(text.data()), 0));
-  return text;
-}
-
 template <class T>
-std::string base64(const std::vector<T>& values) {
-  return base64(reinterpret_cast<const unsigned char*>(values.data()), values.size() * sizeof(T));
-}
-
-std::string compressed(std::string_view text) {
-  vtkNew<vtkZLibDataCompressor> zlib;
-  zlib->SetCompressionLevel(9);
-  std::vector<unsigned char> bytes(zlib->GetMaximumCompressionSpace(text.size()));
-  bytes.resize(
-      zlib->Compress(reinterpret_cast<const unsigned char*>(text.data()), text.size(), bytes.data(), bytes.size()));
-  if (bytes.empty()) throw std::runtime_error("zlib could not compress the page's script");
-  return base64(bytes);
+std::string base64_of(const std::vector<T>& values) {
+  return base64({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
 }
 
 std::string coordinates(const std::vector<Vec3<double>>& points) {
   std::vector<float> numbers;
   for (const Vec3<double>& p : points)
     for (int c = 0; c < 3; ++c) numbers.push_back(static_cast<float>(p[c]));
-  return base64(numbers);
+  return base64_of(numbers);
 }
 
 // As VTK lists cells: the number of corners, then these.
@@ -56,7 +38,7 @@ std::string cells(const Cells& all) {
     numbers.push_back(static_cast<std::uint32_t>(cell.size()));
     for (const int v : cell) numbers.push_back(static_cast<std::uint32_t>(v));
   }
-  return base64(numbers);
+  return base64_of(numbers);
 }
 
 Json logarithms(const std::vector<ImageField::Array>& arrays, const std::vector<std::string>& compared,
@@ -66,7 +48,7 @@ Json logarithms(const std::vector<ImageField::Array>& arrays, const std::vector<
     std::vector<float> numbers;
     for (const double value : array_named(arrays, name, samples).values)
       numbers.push_back(static_cast<float>(floored_log10(value)));
-    all.push_back(base64(numbers));
+    all.push_back(base64_of(numbers));
   }
   return all;
 }
@@ -141,7 +123,7 @@ std::string field_page(const FieldScene& scene, const std::string& picture, cons
   data.set("script", kFieldScript);
   data.set("vtk_version", kVtkJsVersion);
   data.set("vtk_licence", kVtkJsLicence);
-  data.set("vtk", compressed(kVtkJs));
+  data.set("vtk", base64(packed(kVtkJs)));
   kainjow::mustache::mustache sheet(kFieldTemplate);
   if (!sheet.is_valid()) throw std::logic_error("field.mustache: " + sheet.error_message());
   return sheet.render(data);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/whole_file.h"
 #include "cageproof/reports/journal.h"
+#include "cageproof/reports/packed_file.h"
+#include "cageproof/reports/summary.h"
 #include "report_folder.h"
 
 #include <nlohmann/json.hpp>
@@ -13,8 +14,13 @@ namespace fs = std::filesystem;
 bool states_schema(const fs::path& file, std::string_view schema) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return false;
-  const auto json = nlohmann::json::parse(read_file(file), nullptr, false);
+  const auto json = nlohmann::json::parse(read_packed(file), nullptr, false);
   return json.is_object() && json.contains("schema") && json["schema"] == schema;
+}
+
+// Or one of an earlier program, whose files were plain.
+bool has_summary(const fs::path& folder, std::string_view schema) {
+  return states_schema(folder / summary_file, schema) || states_schema(folder / "summary.json", schema);
 }
 
 // Whether it has a journal, of a shard or of a whole run.
@@ -28,12 +34,11 @@ bool has_journal(const fs::path& folder, bool shard) {
 const FolderKind& report_kind() {
   static const FolderKind kind{
       "a verification report",
-      {journal_file, "summary.json", "summary.md", "results.csv", "worst.jsonl", "worst", "index.html", "pictures.html",
-       "field.html", "formulas", "cages", "deformers", "fields", "pictures", "figures"},
+      {journal_file, summary_file, "summary.md", "results.csv.gz", "summary.json", "results.csv", "worst.jsonl",
+       "worst", "index.html", "pictures.html", "field.html", "formulas", "cages", "deformers", "fields", "pictures",
+       "figures"},
       {"fields", "pictures"},
-      [](const fs::path& folder) {
-        return has_journal(folder, false) || states_schema(folder / "summary.json", "cageproof-summary");
-      }};
+      [](const fs::path& folder) { return has_journal(folder, false) || has_summary(folder, "cageproof-summary"); }};
   return kind;
 }
 
@@ -44,12 +49,11 @@ const FolderKind& shard_kind() {
 }
 
 const FolderKind& field_kind() {
-  static const FolderKind kind{
-      "an error field",
-      {"summary.json", "summary.md", "results.csv", "worst.jsonl", "index.html", "pictures.html", "field.html",
-       "fields", "pictures"},
-      {"fields", "pictures"},
-      [](const fs::path& folder) { return states_schema(folder / "summary.json", "cageproof-field"); }};
+  static const FolderKind kind{"an error field",
+                               {summary_file, "summary.md", "results.csv.gz", "summary.json", "results.csv",
+                                "worst.jsonl", "index.html", "pictures.html", "field.html", "fields", "pictures"},
+                               {"fields", "pictures"},
+                               [](const fs::path& folder) { return has_summary(folder, "cageproof-field"); }};
   return kind;
 }
 

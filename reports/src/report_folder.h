@@ -20,7 +20,7 @@ struct FolderKind {
   bool (*holds)(const std::filesystem::path&);  ///< whether the folder says that it is of this kind
 };
 
-/// journal, summary.json, summary.md, results.csv, worst.jsonl, index.html, fields/, pictures/, figures/; or the
+/// journal, summary.json.gz, summary.md, results.csv.gz, worst.jsonl, index.html, fields/, pictures/, figures/; or the
 /// journal alone.
 const FolderKind& report_kind();
 

@@ -4,6 +4,7 @@
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/journal.h"
+#include "cageproof/reports/packed_file.h"
 #include "cageproof/reports/summary.h"
 #include "colours.h"
 #include "curve_picture.h"
@@ -127,10 +128,10 @@ void ReportWriter::write_figure(FigureSheet sheet) {
 
 void ReportWriter::write(const RunResult& result) {
   const std::filesystem::path& folder = state_->folder.path();
-  write_file(folder / "summary.json",
-             summary_json(result, state_->kind == Kind::Field ? "cageproof-field" : "cageproof-summary"));
+  write_file(folder / summary_file,
+             packed(summary_json(result, state_->kind == Kind::Field ? "cageproof-field" : "cageproof-summary")));
   write_file(folder / "summary.md", summary_markdown(result, state_->figures));
-  write_file(folder / "results.csv", results_csv(result));
+  write_file(folder / "results.csv.gz", packed(results_csv(result)));
   write_files(folder, worst_files(result));
   const std::vector<CurvePicture> curves = curve_pictures(result);
   std::vector<Picture> pictures = std::move(state_->pictures);
@@ -140,7 +141,9 @@ void ReportWriter::write(const RunResult& result) {
   if (!state_->figures.empty()) write_file(folder / "figures/figures.json", figures_json(state_->figures));
 }
 
-void ReportWriter::write_journal(std::string_view text) { write_file(state_->folder.path() / journal_file, text); }
+void ReportWriter::write_journal(std::string_view text) {
+  write_file(state_->folder.path() / journal_file, packed(text));
+}
 
 void ReportWriter::commit() { state_->folder.commit(); }
 

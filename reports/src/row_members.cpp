@@ -68,7 +68,7 @@ template <class Owner, class What>
 void for_each_of(What what) {
   for (const RowMember& member : row_members())
     std::visit(
-        [&]<class Value, class Class>(Value Class::* pointer) {
+        [&]<class Value, class Class>(Value Class::*pointer) {
           if constexpr (std::is_same_v<Class, Owner>) what(member.name, pointer);
         },
         member.pointer);

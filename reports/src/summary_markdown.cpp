@@ -63,7 +63,7 @@ std::string broken(const RunResult& result) {
                   grouped(row.asked - std::min(row.asked, row.samples + row.without_truth))});
   }
   if (rows.size() > kMostBroken)
-    text += fmt::format("\n... and {} more: results.csv has them all.\n", grouped(rows.size() - kMostBroken));
+    text += fmt::format("\n... and {} more: results.csv.gz has them all.\n", grouped(rows.size() - kMostBroken));
   return text + "\nTheir worst inputs: worst.jsonl; `cageproof replay worst.jsonl` runs them again.\n";
 }
 

@@ -87,7 +87,11 @@ template <class Writer, class Data>
 std::string text_of(Data& data) {
   vtkNew<Writer> writer;
   writer->SetInputData(&data);
-  writer->SetDataModeToBinary();
+  // The bytes as they are, after the text that says what they are.
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(9);
   writer->WriteToOutputStringOn();
   if (!writer->Write()) throw std::runtime_error("VTK could not write a field into memory");
   return writer->GetOutputString();

@@ -4,7 +4,7 @@
 #include "cageproof/core/formula.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/scalar_text.h"
-#include "cageproof/core/whole_file.h"
+#include "cageproof/reports/packed_file.h"
 #include "json_value.h"
 
 #include <fmt/format.h>
@@ -207,7 +207,7 @@ std::vector<WorstLine> parse_worst(std::string_view text, std::string_view name)
 }
 
 std::vector<WorstLine> read_worst(const std::filesystem::path& path) {
-  std::vector<WorstLine> lines = parse_worst(read_file(path), path.string());
+  std::vector<WorstLine> lines = parse_worst(read_packed(path), path.string());
   if (lines.empty()) throw InputError(fmt::format("{}: holds no worst cases", path.string()));
   return lines;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "worst_places.h"
 
+#include "cageproof/reports/packed_file.h"
 #include "cageproof/reports/worst_file.h"
 #include "figure.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 std::string file_of(const ResultRow& row) {
   const RowHome home = home_of(row);
-  return fmt::format("worst/{}{}.jsonl", home.prefix, file_name(home.name));
+  return fmt::format("worst/{}{}.jsonl.gz", home.prefix, file_name(home.name));
 }
 
 // Rows of kept promises are many, and the worst input of each is what is asked for.
@@ -50,6 +51,8 @@ std::map<std::string, std::string> worst_files(const RunResult& result) {
     if (row.verdict == Verdict::Broken) files["worst.jsonl"] += lines;
     if (!lines.empty()) files[file_of(row)] += lines;
   }
+  for (auto& [name, lines] : files)
+    if (name.ends_with(".gz")) lines = packed(lines);
   return files;
 }
 

@@ -21,7 +21,8 @@ RowHome home_of(const RowKey& row);
 
 /// Lines of a file, from 1.
 struct WorstPlace {
-  std::string file;       ///< "worst/triangle.double_layer.jsonl", "worst/cage.cube.jsonl", "worst/deformer.cube.jsonl"
+  std::string
+      file;  ///< "worst/triangle.double_layer.jsonl.gz", "worst/cage.cube.jsonl.gz", "worst/deformer.cube.jsonl.gz"
   std::size_t first = 0;  ///< line
   std::size_t count = 0;  ///< of a kept promise the worst input alone, of a broken one all that are known
 };

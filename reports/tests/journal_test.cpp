@@ -5,6 +5,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/checked_file.h"
+#include "cageproof/reports/packed_file.h"
 #include "sample_run.h"
 #include "small_disk.h"
 
@@ -167,6 +168,21 @@ TEST_F(Journals, AreTheSameTextWhenFinished) {
   // Cut at the end of a line it holds findings of units that it does not name.
   write_file(path(), text.substr(0, text.rfind('\n', text.size() - 2) + 1));
   EXPECT_NE(message_of(path()).find("cut off"), std::string::npos);
+}
+
+// A finished journal is packed, and can be gone on with all the same.
+TEST_F(Journals, ThatArePackedReadAndGoOn) {
+  written(path(), {0, 1});
+  const std::string text = journal_text(read_journal(path()));
+  write_file(path(), packed(text));
+  EXPECT_EQ(find_journal_header(path()), header());
+  EXPECT_EQ(journal_text(read_journal(path())), text);
+  JournalWriter(path()).add_session(session("later"));
+  EXPECT_TRUE(read_file(path()).starts_with(text));
+  ASSERT_EQ(read_journal(path()).sessions.size(), 2u);
+  const std::string whole = packed(text);
+  write_file(path(), whole.substr(0, whole.size() / 2));
+  EXPECT_NE(message_of(path()).find("damaged or cut off"), std::string::npos);
 }
 
 TEST_F(Journals, ThatAreDamagedAreNamedByTheirLine) {

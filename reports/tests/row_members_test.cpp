@@ -68,7 +68,9 @@ void expect_golden(const std::string& name, const std::string& text) {
   EXPECT_EQ(text + "\n", golden.str()) << name;
 }
 
-TEST(RowMembers, SummaryIsAsItWas) { expect_golden("row.summary.json", dump(Json::parse(summary_json(one_row()))["rows"][0])); }
+TEST(RowMembers, SummaryIsAsItWas) {
+  expect_golden("row.summary.json", dump(Json::parse(summary_json(one_row()))["rows"][0]));
+}
 
 TEST(RowMembers, TableIsAsItWas) {
   std::string csv = results_csv(one_row());

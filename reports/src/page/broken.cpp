@@ -8,7 +8,7 @@
 namespace cageproof::reports {
 namespace {
 
-// More would be read by nobody, and results.csv has them all.
+// More would be read by nobody, and results.csv.gz has them all.
 constexpr std::size_t kMostRows = 60;
 // What is seen without unfolding anything.
 constexpr std::size_t kFirstRows = 12;

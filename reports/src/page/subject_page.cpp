@@ -2,7 +2,9 @@
 #include "subject_page.h"
 
 #include "cageproof/core/formula.h"
+#include "cageproof/reports/packed_file.h"
 #include "advice.h"
+#include "base64.h"
 #include "figure.h"
 #include "page_template.h"
 #include "rows_json.h"
@@ -200,7 +202,7 @@ class SubjectPage {
   std::string text(Json page, const Data& matrices, const WorstPlaces& places) {
     set_list(data_, "matrices", matrices);
     page.update(rows_json(rows_, places));
-    data_.set("json", script_json(page));
+    data_.set("cells", base64(packed(dump(page))));
     return rendered(kSubjectTemplate, "subject.mustache", data_);
   }
 
@@ -231,12 +233,13 @@ void add_formula(std::map<std::string, std::string>& pages, const RunResult& res
     data.set("element", std::string(name_of(formula->element)));
   }
   data.set("what", "formula");
+  data.set("draws", true);
+  pages["formulas/d3.min.js"] = kD3Script;
   Data matrices{Data::type::list};
   add_matrix(matrices, truth_matrix(table, page.file()), "Regime", "Digits lost", true);
   add_matrix(matrices, relations_matrix(result, subject, page.file()), "Check", "Unit", false);
   set_list(data, "pictures", pictures_of(subject, table, curves));
   const Json times = times_json(result, subject);
-  data.set("d3", kD3Script);
   data.set("advice", advice(result, subject));
   set_list(data, "times", times_table(result, subject));
   data.set("times_json", script_json(times));

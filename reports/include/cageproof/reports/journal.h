@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The journal of a run: what was found, as text, one JSON object a line. A header says which run it is; then a line is
 // appended for each unit of work that ends. A process that dies leaves whole lines and at most one torn one, which is
-// dropped on reading.
+// dropped on reading. A finished journal is packed (packed_file.h).
 #pragma once
 
 #include "cageproof/core/findings.h"

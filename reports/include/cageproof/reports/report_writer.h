@@ -30,12 +30,12 @@ FieldEntry unwritten_entry(const std::vector<ImageField::Array>& arrays, const s
 /// A report folder, written aside (`.NAME.partial-...` next to it) and renamed into place: a run that dies leaves no
 /// half report, and an earlier report stays whole until the new one replaces it in one step.
 ///
-/// The folder holds summary.json, summary.md, results.csv, worst.jsonl (inputs of what fell short), worst/ (those of
-/// every row, a file a formula or cage), index.html, pictures.html, a page a formula, cage and deformed cage
+/// The folder holds summary.json.gz, summary.md, results.csv.gz, worst.jsonl (inputs of what fell short), worst/ (those
+/// of every row, a file a formula or cage), index.html, pictures.html, a page a formula, cage and deformed cage
 /// (formulas/, cages/, deformers/), fields/ and pictures/; that of a verification its journal too, and where figures
 /// were written figures/ with figures.json. Apart from RunResult::sessions and session_notes (object "environment" of
-/// summary.json; section "Environment", the last, of summary.md; sections of the class "environment" of pages), every
-/// byte is a function of the other results.
+/// summary.json.gz; section "Environment", the last, of summary.md; sections of the class "environment" of pages),
+/// every byte is a function of the other results.
 class ReportWriter {
  public:
   /// What the folder is, by which it is known again: one kind never replaces the other.

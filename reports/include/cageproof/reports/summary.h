@@ -8,7 +8,11 @@
 
 namespace cageproof::reports {
 
-/// "schema_version" of summary.json. Since 3 rows have the role of their evaluation.
+/// The summary's name within a report's folder. It is packed (packed_file.h); up to schema 2 it was "summary.json",
+/// plain.
+inline constexpr const char* summary_file = "summary.json.gz";
+
+/// "schema_version" of the summary. Since 3 rows have the role of their evaluation.
 inline constexpr int summary_schema_version = 3;
 
 /// summary.json: every figure. \param schema what the file is: "cageproof-summary" of a

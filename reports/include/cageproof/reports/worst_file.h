@@ -34,7 +34,7 @@ WorstLine worst_line_of(const ResultRow& row, const WorstCase& worst, const RunR
 /// One case as worst_lines writes it, without the line's end.
 std::string worst_line(const WorstLine& line);
 
-/// Reads a worst.jsonl; blank lines are skipped, unknown keys ignored.
+/// Reads a worst.jsonl, packed or not; blank lines are skipped, unknown keys ignored.
 /// \throws InputError naming file and line: missing or empty file, malformed JSON, missing key, wrong type, bad number
 std::vector<WorstLine> read_worst(const std::filesystem::path& path);
 

@@ -84,7 +84,7 @@ RunResult report_again(const std::filesystem::path& folder);
 /// be written
 RunResult merge_shards(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& out);
 
-/// The text of summary.json for a journal, finished or not.
+/// The text of summary.json.gz for a journal, finished or not.
 /// \throws InputError when it cannot be read
 std::string summary_of_journal(const std::filesystem::path& journal);
 
