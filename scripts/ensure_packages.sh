@@ -29,6 +29,7 @@ libtbb-dev               uses all cores (oneTBB)
 librandom123-dev         counter-based random numbers: the same samples for any number of threads
 libxtensor-dev           writes NumPy's .npy
 libarchive-dev           writes ZIP files: NumPy's .npz
+zlib1g-dev               packs what is long in a report
 libkainjow-mustache-dev  template of the report's page
 libgd-dev                small PNGs inside the report's page
 libcairo2-dev            draws the papers' figures, without a display
