@@ -19,7 +19,7 @@ namespace {
 
 struct Arguments {
   CageArguments cage;
-  std::string points, suite = "quick", out = "report", resume, shard = "0/1";
+  std::string points, suite = "quick", out = "report", resume, shard = "0/1", timings;
   validation::VerifyOptions options;
   int samples = 0, enclosures = -1;
   std::optional<Command> command;  // knows which options are given
@@ -87,6 +87,7 @@ int run(Arguments& a) {
   if (a.enclosures >= 0) options.suite.enclosures = a.enclosures;
   options.triangulation = a.cage.rule();
   options.out = a.out;
+  options.timings = a.timings;
   require_outside(a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}});
   if (!a.cage.file.empty()) options.cage = a.cage.load();
   if (!a.points.empty()) {
@@ -146,6 +147,10 @@ void add_verify(CommandLine& line, const std::string& command_line) {
               "folder of a run to go on with; options that are not given are that run's, others must agree with it")
       .taking("FOLDER")
       .excludes(out);
+  command
+      .option("--timings", a->timings,
+              "a CSV table of what each unit of work took of the processor, the costliest first")
+      .taking("FILE");
   command.example("cageproof verify --suite quick --out report");
   command.example("cageproof verify --formulas 'triangle.*' --regimes 'near-*,far' --evaluations closed_form,gauss-8");
   command.example("cageproof verify --cage my-cage.obj --points my-mesh.obj --out my-report");

@@ -39,6 +39,20 @@ std::vector<std::size_t> units_of_shard(const std::vector<Unit>& units, int shar
   return dealt;
 }
 
+UnitsOfWork::UnitsOfWork(Measurements measurements, std::vector<Unit> units, const std::vector<std::size_t>& open)
+    : measurements_(std::move(measurements)), units_(std::move(units)), left_(measurements_.size()) {
+  for (const std::size_t unit : open) ++left_[units_[unit].measurement];
+  for (std::size_t m = 0; m < left_.size(); ++m)
+    if (left_[m] == 0) measurements_[m].reset();
+}
+
+Findings UnitsOfWork::measure(std::size_t unit) {
+  const auto [measurement, block] = units_[unit];
+  Findings found = measurements_[measurement]->measure(block);
+  if (--left_[measurement] == 0) measurements_[measurement].reset();
+  return found;
+}
+
 int block_count(std::size_t samples, std::size_t few) {
   return static_cast<int>(std::clamp<std::size_t>(samples / few, 1, Measurement::most_blocks));
 }

@@ -4,6 +4,7 @@
 #include "run_plan.h"
 #include "cageproof/validation/verdicts.h"
 #include "run_report.h"
+#include "timings.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/run_folder.h"
@@ -86,6 +87,7 @@ Verified verify(const VerifyOptions& options) {
   RunPlan plan = plan_run(options);
   const std::vector<std::size_t> own = units_of_shard(plan.units, options.shard, options.shards);
   plan.header.shard_units = own.size();
+  Timings timings(options.timings);
   const Session session = session_of(options);
   Journal journal{plan.header, {}, std::vector<bool>(plan.units.size()), {}};
   std::filesystem::path path;
@@ -105,12 +107,16 @@ Verified verify(const VerifyOptions& options) {
   {
     Recorder recorder(path, journal);
     if (options.resume) recorder.add_session(session);
+    UnitsOfWork work(std::move(plan.measurements), std::move(plan.units), open);
     std::atomic<std::size_t> done{own.size() - open.size()};
     for_each_parallel(open.size(), options.jobs, [&](std::size_t i) {
-      const Unit& unit = plan.units[open[i]];
-      recorder.add(open[i], plan.measurements[unit.measurement]->measure(unit.block));
+      const std::string name = work.name(open[i]);
+      const double start = thread_seconds();
+      recorder.add(open[i], work.measure(open[i]));
+      timings.add(name, work.block(open[i]), thread_seconds() - start);
       if (options.progress) options.progress(++done, own.size());
     });
+    timings.write();
     result.seconds = recorder.seconds();
     if (options.shards == 1) result.report = write_report(options.out, journal);
   }

@@ -60,6 +60,54 @@ TEST(units, add_up_once_each) {
   EXPECT_EQ(measure_all(measurements, 3).rows[{}].without_truth, (1ULL << 16) - 1);
 }
 
+// Counts those that exist.
+class Counted final : public Measurement {
+ public:
+  Counted(int blocks, std::atomic<int>& alive) : blocks_(blocks), alive_(alive) { ++alive_; }
+  ~Counted() override { --alive_; }
+  std::string name() const override { return "counted"; }
+  int blocks() const override { return blocks_; }
+  Findings measure(int block) const override {
+    Findings findings;
+    findings.rows[{}].asked = 1ULL << block;
+    return findings;
+  }
+
+ private:
+  int blocks_;
+  std::atomic<int>& alive_;
+};
+
+TEST(units, let_go_of_a_measurement_when_its_last_block_is_done) {
+  std::atomic<int> alive{0};
+  Measurements measurements;
+  for (const int blocks : {3, 1, 2}) measurements.push_back(std::make_unique<Counted>(blocks, alive));
+  const std::vector<Unit> units = units_of(measurements);
+  ASSERT_EQ(units.size(), 6u);
+  // The last measurement's second block is another's to measure.
+  UnitsOfWork work(std::move(measurements), units, {0, 1, 2, 3, 4});
+  EXPECT_EQ(alive, 3);
+  EXPECT_EQ(work.measure(2).rows[{}].asked, 4u);
+  EXPECT_EQ(work.measure(0).rows[{}].asked, 1u);
+  EXPECT_EQ(alive, 3);
+  EXPECT_EQ(work.measure(1).rows[{}].asked, 2u);
+  EXPECT_EQ(alive, 2);
+  work.measure(4);
+  EXPECT_EQ(alive, 1);
+  EXPECT_EQ(work.name(3), "counted");
+  work.measure(3);
+  EXPECT_EQ(alive, 0);
+}
+
+TEST(units, that_nobody_measures_are_let_go_at_once) {
+  std::atomic<int> alive{0};
+  Measurements measurements;
+  for (int i = 0; i < 3; ++i) measurements.push_back(std::make_unique<Counted>(1, alive));
+  const std::vector<Unit> units = units_of(measurements);
+  const UnitsOfWork work(std::move(measurements), units, {1});
+  EXPECT_EQ(alive, 1);
+}
+
 TEST(units, are_few_whatever_the_samples) {
   CampaignOptions options;
   options.formulas = "triangle.solid_angle";

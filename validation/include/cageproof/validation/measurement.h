@@ -5,6 +5,7 @@
 
 #include "cageproof/core/findings.h"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 
@@ -40,6 +41,24 @@ std::vector<Unit> units_of(const Measurements& measurements);
 /// together all. First blocks, which hold the samples that costly checks take, are dealt out evenly, and so is every
 /// measurement's rest; they also come first.
 std::vector<std::size_t> units_of_shard(const std::vector<Unit>& units, int shard, int shards);
+
+/// Measures units of work, and lets go of each measurement, with all that it prepared for its blocks, when the last of
+/// its units that are to be measured is done. Safe from several threads.
+class UnitsOfWork {
+ public:
+  /// \param open the numbers of the units that are to be measured, each once
+  UnitsOfWork(Measurements measurements, std::vector<Unit> units, const std::vector<std::size_t>& open);
+  /// Measurement::name() of a unit. \pre it is open and not measured yet
+  std::string name(std::size_t unit) const { return measurements_[units_[unit].measurement]->name(); }
+  int block(std::size_t unit) const { return units_[unit].block; }
+  /// \pre it is open and not measured yet
+  Findings measure(std::size_t unit);
+
+ private:
+  Measurements measurements_;
+  std::vector<Unit> units_;
+  std::vector<std::atomic<int>> left_;  // open units, by measurement
+};
 
 /// How many blocks `samples` are worth: one for each `few`, at least one, at most Measurement::most_blocks.
 int block_count(std::size_t samples, std::size_t few);

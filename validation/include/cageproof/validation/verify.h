@@ -48,6 +48,8 @@ struct VerifyOptions {
   int shard = 0, shards = 1;  ///< measure part `shard` of `shards` alone, and make no report
   bool resume = false;        ///< `out` holds the journal of this run, to go on with
   std::filesystem::path out;
+  /// Where the processor time of each unit of work goes, the costliest first (timings.h); empty: nowhere.
+  std::filesystem::path timings;
   std::string command_line;
   /// Takes the times of evaluations whose formulas and names match these globs, before anything is measured. Null:
   /// the report has none.
