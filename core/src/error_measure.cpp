@@ -17,17 +17,28 @@ void ErrorHistogram::add(double error) {
   max_ = std::max(max_, error);
   if (std::isinf(error)) {
     ++nonfinite_;
-    ++counts_.back();
-    return;
+    return add_to(bin_count + 1, 1);
   }
   const double position = (std::log10(error) - lowest_decade) * bins_per_decade;
-  if (!(position >= 0)) ++counts_.front();
-  else if (position >= bin_count) ++counts_.back();
-  else ++counts_[static_cast<std::size_t>(position) + 1];
+  if (!(position >= 0)) add_to(0, 1);
+  else if (position >= bin_count) add_to(bin_count + 1, 1);
+  else add_to(static_cast<std::size_t>(position) + 1, 1);
+}
+
+void ErrorHistogram::add_to(std::size_t place, std::uint64_t count) {
+  const auto at = std::ranges::lower_bound(filled_, place, {}, &std::pair<std::size_t, std::uint64_t>::first);
+  if (at != filled_.end() && at->first == place) at->second += count;
+  else filled_.insert(at, {place, count});
+}
+
+std::array<std::uint64_t, ErrorHistogram::bin_count + 2> ErrorHistogram::counts() const {
+  std::array<std::uint64_t, bin_count + 2> counts{};
+  for (const auto& [place, count] : filled_) counts[place] = count;
+  return counts;
 }
 
 void ErrorHistogram::merge(const ErrorHistogram& other) {
-  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
+  for (const auto& [place, count] : other.filled_) add_to(place, count);
   count_ += other.count_;
   nonfinite_ += other.nonfinite_;
   max_ = std::max(max_, other.max_);
@@ -37,9 +48,11 @@ double ErrorHistogram::quantile(double q) const {
   if (count_ == 0) return 0;
   const auto wanted = static_cast<std::uint64_t>(std::ceil(q * static_cast<double>(count_)));
   std::uint64_t seen = 0;
-  for (std::size_t i = 0; i + 1 < counts_.size(); ++i) {
-    seen += counts_[i];
-    if (seen >= wanted) return std::min(max_, std::pow(10.0, lowest_decade + static_cast<double>(i) / bins_per_decade));
+  for (const auto& [place, count] : filled_) {
+    if (place > bin_count) break;
+    seen += count;
+    if (seen >= wanted)
+      return std::min(max_, std::pow(10.0, lowest_decade + static_cast<double>(place) / bins_per_decade));
   }
   return max_;
 }
@@ -47,7 +60,8 @@ double ErrorHistogram::quantile(double q) const {
 ErrorHistogram ErrorHistogram::restored(const std::array<std::uint64_t, bin_count + 2>& counts, std::uint64_t nonfinite,
                                         double max) {
   ErrorHistogram histogram;
-  histogram.counts_ = counts;
+  for (std::size_t place = 0; place < counts.size(); ++place)
+    if (counts[place] > 0) histogram.filled_.emplace_back(place, counts[place]);
   histogram.count_ = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
   histogram.nonfinite_ = nonfinite;
   histogram.max_ = max;

@@ -41,7 +41,7 @@ TEST(error_histogram, counts_every_error_once_in_its_bin) {
   ErrorHistogram h;
   // Zero and below, the first bin, the middle of the decade from 1, the last bin, above, infinite.
   for (const double error : {0.0, 9e-7, 1.1e-6, 3.0, 0.95e24, 2e24, kInfinity}) h.add(error);
-  const auto& counts = h.counts();
+  const auto counts = h.counts();
   EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}), 7u);
   EXPECT_EQ(counts.front(), 2u);
   EXPECT_EQ(counts[1], 1u);

@@ -58,11 +58,10 @@ Json json_of(const Vec3<double>& v) { return Json::array({json_number(v[0]), jso
 // Histograms: most bins are empty, so that bin and count follow each other.
 Json json_of(const ErrorHistogram& errors) {
   Json json = Json::array();
-  for (std::size_t bin = 0; bin < errors.counts().size(); ++bin)
-    if (errors.counts()[bin] > 0) {
-      json.push_back(bin);
-      json.push_back(errors.counts()[bin]);
-    }
+  for (const auto& [bin, count] : errors.filled()) {
+    json.push_back(bin);
+    json.push_back(count);
+  }
   return json;
 }
 

@@ -201,7 +201,8 @@ std::string journal_text(const Journal& journal) {
     for (const Json& item : list) text += dump(Json{{name, Json::array({item})}}) + "\n";
   Json units = Json::array();
   if (journal.header.units > 0) units.push_back(Json::array({std::size_t{0}, journal.header.units - 1}));
-  return text + dump(Json{{"units", units}}) + "\n";
+  text += dump(Json{{"units", units}}) + "\n";
+  return text;
 }
 
 namespace {

@@ -85,7 +85,8 @@ void add_check(RunResult& run, const Formula& formula, const char* evaluation, i
   row.p999 = histogram.p999();
   row.median = histogram.median();
   row.max_relative = row.max * 1.1e-16;
-  row.histogram.assign(histogram.counts().begin(), histogram.counts().end());
+  const auto counts = histogram.counts();
+  row.histogram.assign(counts.begin(), counts.end());
   if (index == 0) {
     row.bound = 64;
     row.reason = "backward stable";

@@ -141,6 +141,8 @@ RunResult result_of(const Journal& journal) {
 
 RunResult write_report(const std::filesystem::path& out, const Journal& journal) {
   reports::ReportWriter writer(out);
+  // First: its text is the largest thing that a run holds, and rows are not there yet.
+  writer.write_journal(reports::journal_text(journal));
   RunResult result = result_of(journal);
   const std::map<int, FieldPart> fields = fields_with_facts(journal);
   std::map<std::string, std::vector<const FieldPart*>> scenes;
@@ -154,7 +156,6 @@ RunResult write_report(const std::filesystem::path& out, const Journal& journal)
   }
   for (reports::FigureSheet& sheet : sheets_of_run(journal.findings.meshes)) writer.write_figure(std::move(sheet));
   writer.write(result);
-  writer.write_journal(reports::journal_text(journal));
   writer.commit();
   return result;
 }

@@ -151,7 +151,8 @@ ResultRow row_of(const RowKey& key, const Tally& tally) {
   row.p999 = tally.errors.p999();
   row.median = tally.errors.median();
   row.worst = tally.worst.cases();
-  row.histogram.assign(tally.errors.counts().begin(), tally.errors.counts().end());
+  const auto counts = tally.errors.counts();
+  row.histogram.assign(counts.begin(), counts.end());
   row.is_foundation = has_role(row, Check::Role::Gate) || has_role(row, Check::Role::Proof);
   judge(row);
   return row;

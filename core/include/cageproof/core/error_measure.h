@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cageproof {
@@ -34,15 +35,19 @@ class ErrorHistogram {
   double quantile(double q) const;
   double median() const { return quantile(0.5); }
   double p999() const { return quantile(0.999); }
+  /// The counts that are not zero, by place in counts(), rising: a row's errors fall into a few bins, and a run has
+  /// tens of thousands of rows.
+  const std::vector<std::pair<std::size_t, std::uint64_t>>& filled() const { return filled_; }
   /// counts()[0]: below 1e-6; [1 .. bin_count]: the bins; [bin_count + 1]: above 1e24 and infinite.
-  const std::array<std::uint64_t, bin_count + 2>& counts() const { return counts_; }
+  std::array<std::uint64_t, bin_count + 2> counts() const;
   /// The histogram that had these counts(), nonfinite() and max().
   /// \throws std::invalid_argument when there is none
   static ErrorHistogram restored(const std::array<std::uint64_t, bin_count + 2>& counts, std::uint64_t nonfinite,
                                  double max);
 
  private:
-  std::array<std::uint64_t, bin_count + 2> counts_{};
+  void add_to(std::size_t place, std::uint64_t count);
+  std::vector<std::pair<std::size_t, std::uint64_t>> filled_;
   std::uint64_t count_ = 0;
   std::uint64_t nonfinite_ = 0;
   double max_ = 0;
