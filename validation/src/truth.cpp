@@ -124,8 +124,7 @@ void add_border_conditioning(const Evaluation& reference, const Sample& sample, 
 // How far a point may go until a value's change is no longer as its gradient says: |f'|/|f''|, or, where the gradient
 // vanishes, sqrt(|f|/|f''|). Not |f|/|f'|, which is nothing in a plane where f vanishes. The input's extent where f is
 // linear.
-Mp50 reach_of(const Evaluation& rough, const Sample& sample) {
-  const Result<Mp50> base = evaluate<Mp50>(rough, sample, 2);
+Mp50 reach_of(const Result<Mp50>& base, const Sample& sample) {
   std::array<Mp50, 3> size;
   for (int o = 0; o <= 2; ++o) {
     size[o] = 0;
@@ -144,9 +143,10 @@ Mp50 reach_of(const Evaluation& rough, const Sample& sample) {
 void add_rough_conditioning(const Evaluation& rough, const Sample& sample, int order, Truth& truth) {
   QueryOf<Mp50> input(sample, order);
   QueryOf<Mp100> wide_input(sample, order);
-  Result<Mp50> base, moved;
-  rough(input.query(), base);
-  const Mp50 reach = reach_of(rough, sample);
+  Result<Mp50> moved;
+  const Result<Mp50> bent = evaluate<Mp50>(rough, sample, 2);
+  const Result<Mp50> base = order == 2 ? bent : evaluate<Mp50>(rough, sample, order);
+  const Mp50 reach = reach_of(bent, sample);
   for_each_coordinate(rough.formula(), input, [&](int vertex, int axis) {
     Mp50& x = input.coordinate(vertex, axis);
     const Mp50 original = x;
