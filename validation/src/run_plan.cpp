@@ -294,7 +294,7 @@ class Planner {
       for (const Evaluation& evaluation : other_evaluations(formula_of_kept_faces(kind, *cage))) {
         if (!is_evaluation_of(evaluation.name(), kind, *cage)) continue;
         // Integrals of layers take several times as long as those of weights: suites with time ask for them.
-        const bool costly = evaluation.cost() == CostClass::Multiprecision && !kind.normalised;
+        const bool costly = evaluation.cost() >= CostClass::Adaptive && !kind.normalised;
         if (costly && options_.suite.shown_elements != 0) continue;
         CageCampaignOptions campaign = cage_options();
         campaign.evaluation = evaluation.name();
@@ -304,10 +304,11 @@ class Planner {
         add(cage_measurements(cage, campaign));
       }
     }
-    // Other ways to prepare a kind that is no sum, against the recommended one; on larger cages it takes its time.
+    // Other ways to prepare a kind that is no sum, against the recommended one, which promise nothing: a user's cage is
+    // asked, and embedded ones by suites with time.
     for (const CoordinateKind& kind : coordinate_kinds())
       for (const std::string_view evaluation : kind.other_evaluations) {
-        if (!exists(kind) || !is_shown(*cage)) continue;
+        if (!exists(kind) || (!options_.cage && options_.suite.shown_elements != 0)) continue;
         CageCampaignOptions campaign = cage_options();
         campaign.evaluation = evaluation;
         campaign.kinds = kind.name;
@@ -320,7 +321,7 @@ class Planner {
         add(one_ring_measurement(
             cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed}));
     if (is_shown(*cage)) add(outline_measurement(cage));
-    bool left_out = false;
+    bool left_out = false, quads_left_out = false;
     for (const CoordinateKind& kind : coordinate_kinds()) {
       if (options_.cage && exists_on(kind, *cage) && !is_affordable(kind, *cage, cage_options()))
         plan_.header.notes.push_back(
@@ -330,6 +331,7 @@ class Planner {
       if (accepts(kind, *cage)) {
         if (is_shown(*cage)) add_fields(cage, kind);
         else left_out = true;
+        quads_left_out = quads_left_out || (is_shown(*cage) && !shows_truth(kind, *cage));
       } else {
         plan_.header.notes.push_back(
             fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, why_refused(kind, *cage)));
@@ -337,6 +339,16 @@ class Planner {
     }
     if (left_out)
       plan_.header.notes.push_back(fmt::format("{}: its error fields are drawn by longer suites", cage->name()));
+    if (quads_left_out)
+      plan_.header.notes.push_back(
+          fmt::format("{}: error fields of coordinates that keep its quads are drawn by longer suites", cage->name()));
+  }
+
+  // Whether a field shows a kind against its truth. Truths of quads take so long that suites in a hurry, on cages that
+  // nobody asked for, had six points a side.
+  bool shows_truth(const CoordinateKind& kind, const Cage& cage) const {
+    return options_.cage || options_.suite.shown_elements == 0 || !kind.is_sum() || !kind.keeps_quads ||
+           !cage.has_quads();
   }
 
   // Fields show where errors sit, and promise nothing: those of larger embedded cages are for suites with time.
@@ -358,8 +370,9 @@ class Planner {
     const auto elements = cage->parts(false, rule).elements.size();
     const double pairs = static_cast<double>(elements * kind.blocks.size()) * (kind.keeps_quads ? quad_cost : 1);
     const int side = std::clamp(static_cast<int>(std::sqrt(options_.suite.pairs / pairs)), 6, resolution);
-    add(field_measurement(coordinate_error_field(cage, kind, "", rule, side), fields_++,
-                          title + ": closed form against truth", "relative error", common));
+    if (shows_truth(kind, *cage))
+      add(field_measurement(coordinate_error_field(cage, kind, "", rule, side), fields_++,
+                            title + ": closed form against truth", "relative error", common));
     if (!kind.keeps_quads || !cage->has_quads()) return;
     const auto scheme = EvaluationRegister::instance().with_role(formula_of_kept_faces(kind, *cage).name, Role::Scheme);
     if (!scheme || !is_evaluation_of(scheme->name(), kind, *cage)) return;

@@ -2,6 +2,8 @@
 // What a run measures, from its options alone: which cages get error fields.
 #include "run_plan.h"
 
+#include "cageproof/core/embedded_cages.h"
+
 #include <gtest/gtest.h>
 
 namespace cageproof::validation {
@@ -33,6 +35,36 @@ TEST(RunPlan, quick_leaves_out_the_fields_of_larger_embedded_cages_and_says_so) 
     EXPECT_GT(fields_of(standard, cage), 0) << cage;
     EXPECT_EQ(notes_on(standard, cage), 0) << cage;
   }
+}
+
+int measured(const RunPlan& plan, const std::string& part) {
+  return static_cast<int>(std::ranges::count_if(
+      plan.measurements, [&](const auto& measurement) { return measurement->name().find(part) != std::string::npos; }));
+}
+
+// What promises nothing and is slow by nature.
+TEST(RunPlan, quick_leaves_slow_rows_and_fields_without_promise_to_standard_and_to_users_cages) {
+  VerifyOptions options;
+  options.suite = suites().front();
+  const RunPlan quick = plan_run(options);
+  options.suite = suites()[1];
+  const RunPlan standard = plan_run(options);
+  const std::vector<std::string> slow{"cube, quad_green, adaptive", "field cube.quad_green.line_form.error",
+                                      "star, biharmonic_boundary, offset-1e-6"};
+  for (const std::string& part : slow) {
+    EXPECT_EQ(measured(quick, part), 0) << part;
+    EXPECT_EQ(measured(standard, part), 1) << part;
+  }
+  // Promised, or quick.
+  for (const char* part : {"cube, quad_mean_value, adaptive", "cube, quad_mean_value, multiprecision",
+                           "field cube.green.closed_form.error", "star, biharmonic_boundary, "})
+    EXPECT_GE(measured(quick, part), 1) << part;
+  EXPECT_EQ(std::ranges::count(quick.header.notes,
+                               "cube: error fields of coordinates that keep its quads are drawn by longer suites"),
+            1);
+  options.suite = suites().front();
+  options.cage = embedded_cage("star");
+  EXPECT_EQ(measured(plan_run(options), "star, biharmonic_boundary, offset-1e-6"), 1);
 }
 
 }  // namespace
