@@ -140,6 +140,9 @@ kills() {
   diff -r torn again || fail "report of a finished journal is another"
   "$cageproof" compare alone again >/dev/null || fail "compare: the same run differs"
 
+  # Rows have the roles of their evaluations, which the report does not look up.
+  zcat alone/journal | grep -q '"closed_form",.*"role":"recommended"' || fail "the journal has no roles"
+
   # What cannot be resumed.
   cp -r alone resumed
   refuses 'samples 40, now 41' 'seed 1, now 9' -- "$cageproof" verify --resume resumed --samples 41 --seed 9

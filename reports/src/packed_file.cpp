@@ -23,7 +23,8 @@ gzFile stream_of(void* file) { return static_cast<gzFile>(file); }
 std::string packed(std::string_view text) {
   constexpr int gzip_header = 16, memory = 9;
   z_stream stream{};
-  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + gzip_header, memory, Z_DEFAULT_STRATEGY) != Z_OK)
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + gzip_header, memory, Z_DEFAULT_STRATEGY) !=
+      Z_OK)
     throw std::runtime_error("zlib cannot begin");
   std::string bytes(deflateBound(&stream, text.size()), '\0');
   stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(text.data()));  // zlib does not change it
@@ -60,7 +61,8 @@ void LineFile::fill() {
   int error = Z_OK;
   gzerror(stream_of(file_), &error);
   if (count < 0 || error != Z_OK) {
-    const std::string reason = error == Z_ERRNO ? std::generic_category().message(errno) : "it is packed, and damaged or cut off";
+    const std::string reason =
+        error == Z_ERRNO ? std::generic_category().message(errno) : "it is packed, and damaged or cut off";
     throw InputError(fmt::format("cannot read {}: {}", path_.string(), reason));
   }
   rest_.resize(size + static_cast<std::size_t>(count));

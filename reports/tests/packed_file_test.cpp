@@ -25,12 +25,14 @@ class PackedFile : public ::testing::Test {
 // Longer than what is read at once, with lines that are longer, empty, and without an end.
 std::string long_text() {
   std::string text;
-  for (int i = 0; i < 40'000; ++i) text += std::to_string(i * 2654435761U) + (i % 7 == 0 ? "\n\n" : i == 9 ? std::string(200'000, 'x') : " ");
+  for (int i = 0; i < 40'000; ++i)
+    text += std::to_string(i * 2654435761U) + (i % 7 == 0 ? "\n\n" : i == 9 ? std::string(200'000, 'x') : " ");
   return text + "end";
 }
 
 TEST_F(PackedFile, ComesBack) {
-  for (const std::string& text : {std::string(), std::string("\n"), std::string("one line"), long_text(), long_text() + "\n"}) {
+  for (const std::string& text :
+       {std::string(), std::string("\n"), std::string("one line"), long_text(), long_text() + "\n"}) {
     EXPECT_EQ(read_packed(put(packed(text))), text);
     EXPECT_EQ(read_packed(put(text)), text) << "not packed";
   }
@@ -58,7 +60,8 @@ TEST_F(PackedFile, ThatIsDamagedIsRefused) {
       read_packed(put(bad));
       ADD_FAILURE() << bad.size();
     } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find("text: it is packed, and damaged or cut off"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("text: it is packed, and damaged or cut off"), std::string::npos)
+          << error.what();
     }
   EXPECT_THROW(read_packed(put("").parent_path()), InputError);
   EXPECT_THROW(read_packed(put("").parent_path() / "none"), InputError);

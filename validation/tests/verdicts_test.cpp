@@ -94,6 +94,18 @@ TEST(rows, promise_nothing_that_no_result_could_break) {
   EXPECT_EQ(row_of(key("truth", "closed_form", "on-edge"), found).verdict, Verdict::Kept);
 }
 
+// A journal says what an evaluation was when it was measured; only one that does not say is looked up.
+TEST(rows, have_the_role_that_their_tally_has) {
+  Tally found = tally(3);
+  EXPECT_EQ(row_of(key("truth", "closed_form", "on-edge"), found).role, "recommended");
+  found.role = "rule";
+  found.declined = 2;
+  found.asked += 2;
+  const ResultRow row = row_of(key("truth", "closed_form", "on-edge"), found);
+  EXPECT_EQ(row.role, "rule");
+  EXPECT_EQ(lost_samples(row), 0u) << "a rule may decline";
+}
+
 TEST(rows, are_broken_by_samples_that_they_lost) {
   Tally unreached = tally(3), declined = tally(3), vanished = tally(3);
   unreached.unreached = declined.declined = 2;
