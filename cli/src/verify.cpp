@@ -19,7 +19,7 @@ namespace {
 
 struct Arguments {
   CageArguments cage;
-  std::string points, suite = "quick", out = "report", resume, shard = "0/1", timings;
+  std::string points, suite = "quick", out = "report", resume, shard = "0/1", timings, truth_cache;
   validation::VerifyOptions options;
   int samples = 0, enclosures = -1;
   std::optional<Command> command;  // knows which options are given
@@ -88,6 +88,8 @@ int run(Arguments& a) {
   options.triangulation = a.cage.rule();
   options.out = a.out;
   options.timings = a.timings;
+  if (a.truth_cache.empty()) options.truth_cache = validation::default_truth_cache();
+  else if (a.truth_cache != "off") options.truth_cache = a.truth_cache;
   require_outside(a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}});
   if (!a.cage.file.empty()) options.cage = a.cage.load();
   if (!a.points.empty()) {
@@ -101,6 +103,9 @@ int run(Arguments& a) {
   const validation::Verified done = validation::verify(options);
   progress.clear();
   progress.say(fmt::format("measured in {:.1f} s", done.seconds));
+  if (done.truths_taken > 0)
+    progress.say(fmt::format("{} of {} truths of elements were there from earlier runs, in {}", done.truths_taken,
+                             done.truths_taken + done.truths_made, options.truth_cache.string()));
   return done.report ? print_verdict(*done.report, a.out) : print_shard(options, done);
 }
 
@@ -151,6 +156,12 @@ void add_verify(CommandLine& line, const std::string& command_line) {
       .option("--timings", a->timings,
               "a CSV table of what each unit of work took of the processor, the costliest first")
       .taking("FILE");
+  command
+      .option("--truth-cache", a->truth_cache,
+              "folder that keeps truths of elements between runs of the same program, at most 512 MB; one in a hundred "
+              "is checked, and the report is the same without; `off`: none; default: $CAGEPROOF_TRUTH_CACHE, "
+              "$XDG_CACHE_HOME/cageproof or ~/.cache/cageproof")
+      .taking("FOLDER");
   command.example("cageproof verify --suite quick --out report");
   command.example("cageproof verify --formulas 'triangle.*' --regimes 'near-*,far' --evaluations closed_form,gauss-8");
   command.example("cageproof verify --cage my-cage.obj --points my-mesh.obj --out my-report");

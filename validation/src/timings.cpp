@@ -25,7 +25,8 @@ Timings::Timings(std::filesystem::path path) : path_(std::move(path)) {
 
 void Timings::require(bool written) const {
   if (!written)
-    throw InputError(fmt::format("{}: cannot be written; name a file in a folder that you may write to", path_.string()));
+    throw InputError(
+        fmt::format("{}: cannot be written; name a file in a folder that you may write to", path_.string()));
 }
 
 void Timings::add(std::string measurement, int block, double seconds) {

@@ -3,6 +3,7 @@
 
 #include "element/element_sampling.h"
 #include "required_limits.h"
+#include "truth_cache.h"
 
 #include "cageproof/core/input_error.h"
 
@@ -210,30 +211,7 @@ Confirmation confirmed_in(const Evaluation& evaluation, const Sample& sample, in
   return confirmation;
 }
 
-}  // namespace
-
-Mp100 norm(const std::vector<Mp100>& tensor) {
-  Mp100 sum = 0;
-  for (const Mp100& x : tensor) sum += x * x;
-  return sqrt(sum);
-}
-
-Contact contact_of(ElementKind element, const Sample& sample) {
-  return type_of(element).contact(sample.corners, sample.point).contact;
-}
-
-TruthSource truth_source(const Formula& formula) {
-  auto found = find_truth_source(formula);
-  if (!found)
-    throw InputError(fmt::format(
-        "{} has neither a recommended evaluation in multiprecision nor the integral: nothing gives its truth",
-        formula.name));
-  return std::move(*found);
-}
-
-bool has_truth_source(const Formula& formula) { return find_truth_source(formula).has_value(); }
-
-Truth truth_from(const TruthSource& source, const Sample& sample, int order) {
+Truth computed_truth(const TruthSource& source, const Sample& sample, int order) {
   Truth truth;
   truth.required = limits_that_must_exist(source.evaluation.formula(), sample);
   truth.tensors = evaluate<Mp100>(source.values, sample, order);
@@ -260,6 +238,35 @@ Truth truth_from(const TruthSource& source, const Sample& sample, int order) {
   if (source.rough_yardstick) add_rough_conditioning(source.yardstick, sample, order, truth);
   else add_conditioning(source.values, sample, order, truth);
   return truth;
+}
+
+}  // namespace
+
+Mp100 norm(const std::vector<Mp100>& tensor) {
+  Mp100 sum = 0;
+  for (const Mp100& x : tensor) sum += x * x;
+  return sqrt(sum);
+}
+
+Contact contact_of(ElementKind element, const Sample& sample) {
+  return type_of(element).contact(sample.corners, sample.point).contact;
+}
+
+TruthSource truth_source(const Formula& formula) {
+  auto found = find_truth_source(formula);
+  if (!found)
+    throw InputError(fmt::format(
+        "{} has neither a recommended evaluation in multiprecision nor the integral: nothing gives its truth",
+        formula.name));
+  return std::move(*found);
+}
+
+bool has_truth_source(const Formula& formula) { return find_truth_source(formula).has_value(); }
+
+Truth truth_from(const TruthSource& source, const Sample& sample, int order) {
+  const auto make = [&] { return computed_truth(source, sample, order); };
+  TruthCache* const cache = truth_cache();
+  return cache == nullptr ? make() : cache->get(question_of(source, sample, order), make);
 }
 
 }  // namespace cageproof::validation

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/verify.h"
 
+#include "build_id.h"
 #include "run_plan.h"
 #include "cageproof/validation/verdicts.h"
 #include "run_report.h"
 #include "timings.h"
+#include "truth_cache.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/run_folder.h"
@@ -15,7 +17,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <mutex>
+#include <optional>
 
 namespace cageproof::validation {
 namespace {
@@ -83,11 +87,26 @@ const std::vector<Suite>& suites() {
   return all;
 }
 
+std::filesystem::path default_truth_cache() {
+  const auto set = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return std::string(value == nullptr ? "" : value);
+  };
+  if (const std::string given = set("CAGEPROOF_TRUTH_CACHE"); !given.empty()) return given == "off" ? "" : given;
+  if (const std::string caches = set("XDG_CACHE_HOME"); !caches.empty())
+    return std::filesystem::path(caches) / "cageproof";
+  if (const std::string home = set("HOME"); !home.empty()) return std::filesystem::path(home) / ".cache" / "cageproof";
+  return {};
+}
+
 Verified verify(const VerifyOptions& options) {
   RunPlan plan = plan_run(options);
   const std::vector<std::size_t> own = units_of_shard(plan.units, options.shard, options.shards);
   plan.header.shard_units = own.size();
   Timings timings(options.timings);
+  std::optional<TruthCache> truths;
+  if (!options.truth_cache.empty() && build_id() != "unknown") truths.emplace(options.truth_cache, build_id());
+  const CachedTruths cached(truths ? &*truths : nullptr);
   const Session session = session_of(options);
   Journal journal{plan.header, {}, std::vector<bool>(plan.units.size()), {}};
   std::filesystem::path path;
@@ -117,6 +136,10 @@ Verified verify(const VerifyOptions& options) {
       if (options.progress) options.progress(++done, own.size());
     });
     timings.write();
+    if (truths) {
+      result.truths_taken = truths->taken();
+      result.truths_made = truths->made();
+    }
     result.seconds = recorder.seconds();
     if (options.shards == 1) result.report = write_report(options.out, journal);
   }

@@ -50,6 +50,8 @@ struct VerifyOptions {
   std::filesystem::path out;
   /// Where the processor time of each unit of work goes, the costliest first (timings.h); empty: nowhere.
   std::filesystem::path timings;
+  /// The folder of truths that are kept between runs (truth_cache.h); empty: none. The report is the same without.
+  std::filesystem::path truth_cache;
   std::string command_line;
   /// Takes the times of evaluations whose formulas and names match these globs, before anything is measured. Null:
   /// the report has none.
@@ -64,8 +66,14 @@ struct Verified {
   std::size_t units = 0;                   ///< of the run or shard
   std::size_t measured = 0;                ///< of these, by this process
   double seconds = 0;                      ///< of this process, without drawing
+  std::size_t truths_taken = 0;            ///< of elements, from the folder that keeps them
+  std::size_t truths_made = 0;             ///< that the folder did not have, or that were made again to check it
   std::vector<std::string> session_notes;  ///< RunResult::session_notes
 };
+
+/// Where truths are kept unless a user says otherwise: $CAGEPROOF_TRUTH_CACHE, $XDG_CACHE_HOME/cageproof or
+/// ~/.cache/cageproof. Empty where the first is `off`, or none is set.
+std::filesystem::path default_truth_cache();
 
 /// Measures into `out`/journal; of a whole run, makes the report.
 /// \throws InputError for patterns that match nothing, reports that cannot be written, and runs that cannot be resumed:
