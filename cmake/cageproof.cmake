@@ -27,17 +27,43 @@ elseif(CAGEPROOF_SANITIZE)
   message(FATAL_ERROR "CAGEPROOF_SANITIZE is '${CAGEPROOF_SANITIZE}': address or thread")
 endif()
 
-# cageproof_room(NAME LINK libs... [PRECOMPILE <header>...] [HEADERS_OF target]): the room's src/**.cpp as an object library, so that rows which
-# register themselves are kept. PRECOMPILE: what most of its files include besides vectors and evaluations.
-# HEADERS_OF, here and below: takes that target's precompiled headers, which must have the same definitions, instead of its own.
+# ccache, where it is installed, takes from its store what was compiled before from the same text. It learns from the compiler what a source includes;
+# a precompiled header must hold no time, or it would be another one each time.
+find_program(CCACHE ccache)
+if(CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL Clang AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-Xclang -fno-pch-timestamp>")
+endif()
+
+# cageproof_room(NAME LINK libs... [PRECOMPILE <header>...] [HEADERS_OF target] [BATCH n | BY_FOLDER] [INSTANCES regex]): the room's
+# src/**.cpp as an object library, so that rows which register themselves are kept. PRECOMPILE: what most of its files include besides
+# vectors and evaluations. HEADERS_OF: takes that target's precompiled headers, which must have the same definitions,
+# instead of its own. Of a unity build: BATCH files are compiled at once, or BY_FOLDER those of each folder, which instantiate the same
+# templates. INSTANCES: files that instantiate what others declare extern; beside them others would instantiate it again, for inlining.
 function(cageproof_room name)
-  cmake_parse_arguments(ARG "" "HEADERS_OF" "LINK;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "BY_FOLDER" "HEADERS_OF;BATCH;INSTANCES" "LINK;PRECOMPILE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
   add_library(cageproof_${name} OBJECT ${sources})
   # The files of an element's kind say the same things of different kinds, in the same words.
   set(of_kinds ${sources})
   list(FILTER of_kinds INCLUDE REGEX "/src/element/")
   set_source_files_properties(${of_kinds} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  if(ARG_INSTANCES)
+    set(instances ${sources})
+    list(FILTER instances INCLUDE REGEX "${ARG_INSTANCES}")
+    set_source_files_properties(${instances} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
+  if(ARG_BATCH)
+    set_target_properties(cageproof_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE ${ARG_BATCH})
+  elseif(ARG_BY_FOLDER)
+    foreach(source ${sources})
+      cmake_path(GET source PARENT_PATH folder)
+      cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+      string(MAKE_C_IDENTIFIER ${folder} group)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    endforeach()
+    set_target_properties(cageproof_${name} PROPERTIES UNITY_BUILD_MODE GROUP)
+  endif()
   target_include_directories(cageproof_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>)
   target_link_libraries(cageproof_${name} PUBLIC ${ARG_LINK} PRIVATE cageproof_flags)
@@ -49,10 +75,10 @@ function(cageproof_room name)
   endif()
 endfunction()
 
-# cageproof_tests(NAME LINK rooms... [HEADERS_OF target] [LABELS label...]): every tests/*.cpp of the room in one GoogleTest program, and a test of CTest per
+# cageproof_tests(NAME LINK rooms... [LABELS label...]): every tests/*.cpp of the room in one GoogleTest program, and a test of CTest per
 # suite. Tests labelled `memory` also run under the address sanitizer, and `threads` under the thread sanitizer.
 function(cageproof_tests name)
-  cmake_parse_arguments(ARG "" "HEADERS_OF" "LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "LINK;LABELS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*.cpp)
   if(NOT sources)
     return()
@@ -60,11 +86,7 @@ function(cageproof_tests name)
   add_executable(${name}_tests ${sources} ${PROJECT_SOURCE_DIR}/cmake/test_main.cpp)
   set_target_properties(${name}_tests PROPERTIES UNITY_BUILD OFF)
   target_link_libraries(${name}_tests PRIVATE ${ARG_LINK} cageproof_flags GTest::gtest)
-  if(ARG_HEADERS_OF)
-    target_precompile_headers(${name}_tests REUSE_FROM ${ARG_HEADERS_OF})
-  else()
-    target_precompile_headers(${name}_tests PRIVATE <cageproof/core/linear.h> <gtest/gtest.h>)
-  endif()
+  target_precompile_headers(${name}_tests PRIVATE <cageproof/core/linear.h> <gtest/gtest.h>)
   target_compile_definitions(${name}_tests PRIVATE
     CAGEPROOF_SHARED_DATA="${CMAKE_SOURCE_DIR}/../shared/data")
   set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)

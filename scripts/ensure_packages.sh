@@ -48,6 +48,7 @@ helpful() {
 clang-16                 compiles all this in two thirds of the time that g++ takes
 libclang-rt-16-dev       the sanitizers' runtime for clang-16
 clang-tidy-16            what CI asks of changed sources
+ccache                   keeps what was compiled, for the next time
 LIST
 }
 

@@ -40,7 +40,7 @@ LeastSquares<R>::LeastSquares(const Matrix<R>& matrix) {
   // Between the condition of systems that are singular but for rounding, 1e15 and more, and of those that are not.
   factors->of_matrix.setThreshold(R(1e-13));
   factors->unit = unit_of(matrix);
-  factors->of_matrix.compute(matrix / factors->unit);
+  factors->of_matrix.compute(Matrix<R>(matrix / factors->unit));
   factors_ = std::move(factors);
 }
 
@@ -58,13 +58,19 @@ int LeastSquares<R>::rank() const {
 
 template <Scalar R>
 Matrix<R> LeastSquares<R>::inverse() const {
-  return factors_->of_matrix.pseudoInverse() / factors_->unit;
+  const Matrix<R> identity = Matrix<R>::Identity(factors_->of_matrix.rows(), factors_->of_matrix.rows());
+  Matrix<R> inverse = factors_->of_matrix.solve(identity);
+  inverse /= factors_->unit;
+  return inverse;
 }
 
 template <Scalar R>
 Matrix<R> LeastSquares<R>::solve(const Matrix<R>& right) const {
   const R unit = unit_of(right);
-  return factors_->of_matrix.solve(right / unit) * R(unit / factors_->unit);
+  const Matrix<R> in_units = right / unit;
+  Matrix<R> solution = factors_->of_matrix.solve(in_units);
+  solution *= R(unit / factors_->unit);
+  return solution;
 }
 
 template <Scalar R>
@@ -75,9 +81,9 @@ SolvedSystem describe(std::string name, const Matrix<R>& matrix, int rank, const
                             solution.template cast<double>());
   } else {
     // The triangle of a QR factorisation has the matrix's singular values, and is as small as they are many.
-    const Matrix<double> triangle = Eigen::HouseholderQR<Matrix<double>>(matrix / unit_of(matrix))
-                                        .matrixQR()
-                                        .topRows(std::min(matrix.rows(), matrix.cols()));
+    const Matrix<double> in_units = matrix / unit_of(matrix);
+    const Matrix<double> triangle =
+        Eigen::HouseholderQR<Matrix<double>>(in_units).matrixQR().topRows(std::min(matrix.rows(), matrix.cols()));
     const Matrix<double> upper = triangle.template triangularView<Eigen::Upper>();
     const Eigen::VectorXd values = Eigen::BDCSVD<Matrix<double>>(upper).singularValues();
     const double least = values[values.size() - 1];

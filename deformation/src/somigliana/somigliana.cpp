@@ -161,7 +161,7 @@ bool is_printed(const CoordinateKind& kind, const Cage& cage, const std::string&
 std::string_view kind_of_somigliana(bool keeps_quads) { return keeps_quads ? "quad_somigliana" : "somigliana"; }
 
 template <Scalar R, bool KeepsQuads>
-std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
+std::shared_ptr<const Deformer<R>> prepare_somigliana(const Cage& cage, const DeformOptions& options) {
   const CoordinateKind& kind = coordinate_kind_named(kind_of_somigliana(KeepsQuads));
   const bool in_parts =
       std::ranges::find(options.varied, "nu") != options.varied.end() && !is_printed(kind, cage, options.evaluation);
@@ -194,8 +194,8 @@ DeformMethod method_of_somigliana() {
                       "of variant=blend alone, others ignore it: from global, 0, to local, 1"}},
       .with_parameters_of_kind = false,
       .refuses = KeepsQuads ? why_quads_are_refused : nullptr,
-      .prepare = prepare<double, KeepsQuads>,
-      .prepare_in_50_digits = prepare<Mp50, KeepsQuads>};
+      .prepare = prepare_somigliana<double, KeepsQuads>,
+      .prepare_in_50_digits = prepare_somigliana<Mp50, KeepsQuads>};
 }
 
 const RegisterDeformMethod somigliana{method_of_somigliana<false>()}, quad_somigliana{method_of_somigliana<true>()};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#define CAGEPROOF_MOMENTS_HERE
-#include "shared_instances.h"
+#include "cageproof/closed_form/triangle/engine/shared_instances.h"
 
 namespace cageproof::closed_form::triangle {
 CAGEPROOF_MOMENTS(, Tracked<Mp200>)

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../../joint.h"
-#include "shared_instances.h"
+#include "cageproof/closed_form/triangle/engine/shared_instances.h"
 
 #include <cmath>
 

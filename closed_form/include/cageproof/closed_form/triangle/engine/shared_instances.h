@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The moments' instantiations, compiled once for all formulas.
+// The moments' instantiations, compiled once for all formulas: who links `closed_form` includes this beside a form, and
+// compiles none of them again.
 #pragma once
 
 #include "cageproof/closed_form/triangle/engine/closed_form.h"
@@ -27,7 +28,6 @@
   prefix template class HatMoments<R, 4, 3, SquareSums<R>>;
 
 namespace cageproof::closed_form::triangle {
-#ifndef CAGEPROOF_MOMENTS_HERE
 CAGEPROOF_MOMENTS(extern, double)
 CAGEPROOF_MOMENTS(extern, Mp100)
 CAGEPROOF_MOMENTS(extern, Mp200)
@@ -36,5 +36,4 @@ CAGEPROOF_FAR_MOMENTS(extern, Mp200)
 CAGEPROOF_MOMENTS(extern, Tracked<double>)
 CAGEPROOF_MOMENTS(extern, Tracked<DoubleDouble>)
 CAGEPROOF_MOMENTS(extern, Tracked<Mp200>)
-#endif
 }  // namespace cageproof::closed_form::triangle
