@@ -2,11 +2,11 @@
 #include "cageproof/core/face_crossings.h"
 
 #include "face_pieces.h"
+#include "meeting_boxes.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Segment_3.h>
 #include <CGAL/Triangle_3.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
 #include <algorithm>
@@ -24,25 +24,24 @@ struct Piece {
   std::array<int, 3> vertices;
 };
 
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Piece*>;
-
 class Soup {
  public:
   Soup(const std::vector<Vec3<double>>& vertices, const std::vector<Face>& faces) {
     points_.reserve(vertices.size());
     for (const Vec3<double>& v : vertices) points_.emplace_back(v[0], v[1], v[2]);
     for (std::size_t f = 0; f < faces.size(); ++f)
-      for (const auto& piece : all_pieces_of(vertices, faces[f])) pieces_.push_back({static_cast<int>(f), piece});
+      for (const auto& piece : all_pieces_of(vertices, faces[f])) {
+        pieces_.push_back({static_cast<int>(f), piece});
+        Eigen::AlignedBox3d& box = boxes_.emplace_back();
+        for (const int v : piece) box.extend(vertices[v]);
+      }
   }
 
   std::vector<FaceCrossing> crossings() const {
-    std::vector<Box> boxes;
-    boxes.reserve(pieces_.size());
-    for (const Piece& piece : pieces_) boxes.emplace_back(triangle(piece).bbox(), &piece);
     std::set<std::pair<int, int>> found;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-      const auto pair = std::minmax(a.handle()->face, b.handle()->face);
-      if (pair.first != pair.second && !found.contains(pair) && meet(*a.handle(), *b.handle())) found.insert(pair);
+    for_meeting_boxes(boxes_, [&](int a, int b) {
+      const auto pair = std::minmax(pieces_[a].face, pieces_[b].face);
+      if (pair.first != pair.second && !found.contains(pair) && meet(pieces_[a], pieces_[b])) found.insert(pair);
     });
     std::vector<FaceCrossing> result;
     result.reserve(found.size());
@@ -85,6 +84,7 @@ class Soup {
 
   std::vector<Point> points_;
   std::vector<Piece> pieces_;
+  std::vector<Eigen::AlignedBox3d> boxes_;  ///< of the pieces
 };
 
 }  // namespace

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "segment_contacts.h"
 
+#include "meeting_boxes.h"
+
 #include "cageproof/core/orientation.h"
-
-#include <CGAL/box_intersection_d.h>
-
-#include <algorithm>
 
 namespace cageproof {
 namespace {
 
 using How = SegmentContact::How;
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Face*>;
 
 class Pairs {
  public:
@@ -68,30 +65,22 @@ class Pairs {
   const std::vector<Vec3<double>>& vertices_;
 };
 
-Box box_of(const std::vector<Vec3<double>>& vertices, const Face& segment) {
-  const Vec3<double>&p = vertices[segment.vertices[0]], &q = vertices[segment.vertices[1]];
-  const Vec3<double> low = p.cwiseMin(q), high = p.cwiseMax(q);
-  return {{low[0], low[1], high[0], high[1]}, &segment};
-}
-
 }  // namespace
 
 std::optional<SegmentContact> first_contact(const std::vector<Vec3<double>>& vertices,
                                             const std::vector<Face>& segments) {
   const Pairs pairs(vertices);
-  std::vector<Box> boxes;
+  std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(segments.size());
-  for (const Face& segment : segments) boxes.push_back(box_of(vertices, segment));
+  for (const Face& segment : segments)
+    boxes.emplace_back(vertices[segment.vertices[0]]).extend(vertices[segment.vertices[1]]);
   std::optional<SegmentContact> found;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    const auto [first, second] =
-        std::minmax({static_cast<int>(a.handle() - segments.data()), static_cast<int>(b.handle() - segments.data())});
-    if (found && std::pair{found->first, found->second} <= std::pair{first, second}) return;
-    auto contact = pairs.contact(segments[first], segments[second]);
-    if (!contact) return;
-    contact->first = first;
-    contact->second = second;
-    found = contact;
+  for_meeting_boxes(boxes, [&](int first, int second) {
+    if (found) return;
+    found = pairs.contact(segments[first], segments[second]);
+    if (!found) return;
+    found->first = first;
+    found->second = second;
   });
   return found;
 }
