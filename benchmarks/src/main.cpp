@@ -8,6 +8,7 @@
 #include "pairs.h"
 #include "yardstick.h"
 
+#include "cageproof/closed_form/batch/instruction_set.h"
 #include "cageproof/core/mesh_io.h"
 
 #include <CLI/CLI.hpp>
@@ -71,6 +72,7 @@ int main(int argc, char** argv) {
   std::vector<std::shared_ptr<const DeformedCage>> cages;
   try {
     app.parse(count, arguments.data());
+    cageproof::closed_form::batch::instruction_set();
     given = cage_of(files);
     if (!files.data.empty()) cages = cages_in(files.data);
   } catch (const std::exception& error) {

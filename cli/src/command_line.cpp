@@ -5,6 +5,7 @@
 #include "command_words.h"
 #include "value_names.h"
 
+#include "cageproof/closed_form/batch/instruction_set.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
 
@@ -206,6 +207,8 @@ int CommandLine::run(int argc, char** argv) {
     if (e.get_exit_code() == 0) return app_->exit(e);
     throw InputError(complaint_of(*app_, e));
   }
+  // A misspelt one must not be found after hours, or never.
+  closed_form::batch::instruction_set();
   return chosen_();
 }
 

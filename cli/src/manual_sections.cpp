@@ -62,7 +62,9 @@ const std::vector<ManualSection>& manual_sections() {
        {},
        {{"TMPDIR", "where files are put that live as long as the command; default: /tmp"},
         {"CAGEPROOF_SIMD",
-         "plain or avx2: batched coordinates use no wider instructions; default: the widest that the processor has"}}},
+         "the instruction set of batched coordinates: plain, avx2 or avx512; default: the widest that the processor "
+         "has. "
+         "Another name, or a set that the processor lacks, is refused"}}},
       {"Completion",
        {"Installed for bash, zsh and fish in their folders below PREFIX/share. Without an installation: `source "
         "<(cageproof completion bash)`."},

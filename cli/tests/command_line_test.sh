@@ -148,6 +148,10 @@ write points.csv '0.1,0.2,0.3' '0.1,0.2'
 refuses points.csv:2 -- verify_cage cube --points "$work/points.csv"
 refuses --cage -- "$cageproof" verify --points "$work/points.csv" --out "$work/out"
 refuses nonsense -- "$cageproof" verify --formulas nonsense --out "$work/out"
+refuses "CAGEPROOF_SIMD: 'axv2'" plain -- env CAGEPROOF_SIMD=axv2 "$cageproof" list
+refuses "CAGEPROOF_SIMD: 'axv2'" plain -- env CAGEPROOF_SIMD=axv2 "$cageproof" verify --formulas triangle.solid_angle --regimes generic --samples 1 --out "$work/out"
+CAGEPROOF_SIMD=plain "$cageproof" list >"$work/stdout" || fail "CAGEPROOF_SIMD=plain is refused"
+CAGEPROOF_SIMD= "$cageproof" list >"$work/stdout" || fail "an empty CAGEPROOF_SIMD is refused"
 refuses nonsense -- "$cageproof" verify --evaluations nonsense --out "$work/out"
 refuses nonsense -- "$cageproof" verify --regimes nonsense --out "$work/out"
 refuses suite -- "$cageproof" verify --suite nonsense --out "$work/out"

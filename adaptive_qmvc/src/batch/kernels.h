@@ -6,7 +6,7 @@
 
 namespace cageproof::adaptive_qmvc::batch {
 
-/// Of the widest instruction set that this machine has, or that CAGEPROOF_SIMD names.
+/// Of closed_form::batch::instruction_set(). \throws InputError as that does
 const Kernels& kernels();
 
 #if defined(__x86_64__)

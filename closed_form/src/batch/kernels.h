@@ -6,8 +6,7 @@
 
 namespace cageproof::closed_form::batch {
 
-/// The widest instruction set that this machine has, or the one that the environment variable CAGEPROOF_SIMD names
-/// (plain, avx2, avx512) where the machine has that.
+/// Of instruction_set(). \throws InputError as that does
 const Kernels& kernels();
 
 #if defined(__x86_64__)

@@ -2,12 +2,19 @@
 // The instruction sets that vectors of points are compiled for (lanes.h), and the one to use.
 #pragma once
 
+#include <string_view>
+
 namespace cageproof::closed_form::batch {
 
+/// From the narrowest to the widest; a machine that has one has those before it.
 enum class InstructionSet { Plain, Avx2, Avx512 };
 
-/// The widest instruction set that this machine has, or the one that the environment variable CAGEPROOF_SIMD names
-/// (plain, avx2, avx512) where the machine has that.
+/// The set that a name means on a machine whose widest set is known; that one where the name is empty.
+/// \throws InputError for another name than plain, avx2 and avx512, and for a set that the machine lacks
+InstructionSet named_instruction_set(std::string_view name, InstructionSet widest);
+
+/// The set that the environment variable CAGEPROOF_SIMD names, or the widest of this machine where it is not set.
+/// \throws InputError as above
 InstructionSet instruction_set();
 
 }  // namespace cageproof::closed_form::batch
