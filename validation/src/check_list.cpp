@@ -5,15 +5,6 @@
 
 namespace cageproof::validation {
 
-bool counted(Finding::Status status, Tally& tally) {
-  if (status == Finding::Status::Unasked) return false;
-  ++tally.asked;
-  tally.without_truth += status == Finding::Status::NoTruth;
-  tally.unreached += status == Finding::Status::Unreached;
-  tally.declined += status == Finding::Status::Declined;
-  return status == Finding::Status::Measured;
-}
-
 const std::vector<std::unique_ptr<Check>>& checks() {
   static const CheckList all = [] {
     CheckList list;

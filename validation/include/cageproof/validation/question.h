@@ -28,8 +28,15 @@ struct Finding {
   double found = 0;  ///< and what the evaluation gave there
 };
 
-/// Counts a sample that was put to a row. \return whether it was measured, so that its error is to be added
-bool counted(Finding::Status status, Tally& tally);
+/// Counts a sample that was put to a row. \pre it was asked \return whether it was measured, so that its error is to be
+/// added
+inline bool counted(Finding::Status status, Tally& tally) {
+  ++tally.asked;
+  tally.without_truth += status == Finding::Status::NoTruth;
+  tally.unreached += status == Finding::Status::Unreached;
+  tally.declined += status == Finding::Status::Declined;
+  return status == Finding::Status::Measured;
+}
 
 /// \tparam At an input, with what several questions share there, which is computed when first asked for:
 ///   `number()` is the sample's, `case_of(finding, order)` the input as it is stored.
@@ -38,7 +45,8 @@ struct Question {
   RowKey key;                                            ///< of its rows, but for the order
   std::string unit;                                      ///< of its errors
   std::function<std::array<Finding, 3>(const At&)> ask;  ///< by order; safe from any thread
-  int asked = 2;  ///< the highest derivative that results are taken with, as cases store it; less is taken of less
+  /// The highest derivative that results are taken with, as cases store it; 2 where it is all that there are.
+  int asked = 2;
   /// Whether the answer is the same at every input, so that the first alone is asked.
   bool once = false;
 };
@@ -65,11 +73,13 @@ void record(const Question<At>& question, const At& at, std::map<RowKey, Tally>&
   }
 }
 
-/// The question that a row's figures answer, or null.
+/// The question that a row's figures answer, or null. \param questions to the row's subject by its evaluation, which
+/// may have another name there
 template <class Q>
 const Q* find_question(const std::vector<Q>& questions, RowKey row) {
   for (const Q& question : questions) {
     row.order = question.key.order;
+    row.evaluation = question.key.evaluation;
     if (question.key == row) return &question;
   }
   return nullptr;
