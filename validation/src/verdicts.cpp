@@ -26,7 +26,7 @@ bool may_decline(const ResultRow& row) {
 
 // What the row's evaluation is: of a single element's row by its formula, of a cage's by the formulas that its kind
 // sums.
-std::optional<Role> role_of(const RowKey& row) {
+std::optional<Role> registered_role(const RowKey& row) {
   const auto& known = EvaluationRegister::instance();
   if (row.section == RowKey::Section::Element) {
     const auto evaluation = known.find(row.subject, row.evaluation);
@@ -112,7 +112,9 @@ std::uint64_t lost_samples(const ResultRow& row) {
 
 void judge(ResultRow& row) {
   const PromiseKey key{row.check, row.subject, row.evaluation, row.scalar, row.regime, row.order};
-  require_row(key, role_of(row));
+  // Rows that are read from a journal say what their evaluation is, which this program may not have.
+  const auto stored = std::ranges::find_if(roles, [&](const Role role) { return name_of(role) == row.role; });
+  require_row(key, stored != roles.end() ? std::optional(*stored) : registered_role(row));
   const Promise promise = promise_for(key);
   row.bound = promise.bound;
   row.reason = promise.reason;
@@ -135,8 +137,8 @@ void judge(ResultRow& row) {
 }
 
 std::string role_of(const RowKey& key) {
-  const auto evaluation = EvaluationRegister::instance().find(key.subject, key.evaluation);
-  return evaluation ? std::string(name_of(evaluation->role())) : std::string();
+  const auto role = registered_role(key);
+  return role ? std::string(name_of(*role)) : std::string();
 }
 
 ResultRow row_of(const RowKey& key, const Tally& tally) {
