@@ -206,8 +206,8 @@ class Planner {
     campaign.points = options_.suite.cage_points;
     campaign.truth_points = options_.suite.truth_points;
     campaign.mesh_points = options_.suite.mesh_points;
-    // Suites that show large cages have the time.
-    if (options_.suite.shown_elements == 0) campaign.solved_elements = 50;
+    // Suites with time solve on larger cages.
+    if (!options_.suite.has_time_limit) campaign.solved_elements = 50;
     return campaign;
   }
 
@@ -277,7 +277,7 @@ class Planner {
 
   void add_extreme_batched() {
     // Walls of a rounding's thickness take hundreds of digits an element: suites with time ask for block errors there.
-    if (options_.suite.shown_elements != 0) return;
+    if (options_.suite.has_time_limit) return;
     BlockCampaignOptions block = block_options();
     block.points = block.milliseconds = 0;  // the least
     for (const auto name : extreme_cage_names())
@@ -295,7 +295,7 @@ class Planner {
         if (!is_evaluation_of(evaluation.name(), kind, *cage)) continue;
         // Integrals of layers take several times as long as those of weights: suites with time ask for them.
         const bool costly = evaluation.cost() >= CostClass::Adaptive && !kind.normalised;
-        if (costly && options_.suite.shown_elements != 0) continue;
+        if (costly && options_.suite.has_time_limit) continue;
         CageCampaignOptions campaign = cage_options();
         campaign.evaluation = evaluation.name();
         campaign.kinds = kind.name;
@@ -308,7 +308,7 @@ class Planner {
     // asked, and embedded ones by suites with time.
     for (const CoordinateKind& kind : coordinate_kinds())
       for (const std::string_view evaluation : kind.other_evaluations) {
-        if (!exists(kind) || (!options_.cage && options_.suite.shown_elements != 0)) continue;
+        if (!exists(kind) || (!options_.cage && options_.suite.has_time_limit)) continue;
         CageCampaignOptions campaign = cage_options();
         campaign.evaluation = evaluation;
         campaign.kinds = kind.name;
@@ -347,8 +347,7 @@ class Planner {
   // Whether a field shows a kind against its truth. Truths of quads take so long that suites in a hurry, on cages that
   // nobody asked for, had six points a side.
   bool shows_truth(const CoordinateKind& kind, const Cage& cage) const {
-    return options_.cage || options_.suite.shown_elements == 0 || !kind.is_sum() || !kind.keeps_quads ||
-           !cage.has_quads();
+    return options_.cage || !options_.suite.has_time_limit || !kind.is_sum() || !kind.keeps_quads || !cage.has_quads();
   }
 
   // Fields show where errors sit, and promise nothing: those of larger embedded cages are for suites with time.

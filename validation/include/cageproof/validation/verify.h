@@ -31,6 +31,7 @@ struct Suite {
   int scene_side;               ///< samples a side of these at most
   std::string_view scene_cage;  ///< the one embedded cage that gets a scene of errors; empty: every cage gets one
   int shown_elements;           ///< embedded cages with more elements get no fields; 0: all get them
+  bool has_time_limit;          ///< a verdict in minutes: what takes its time and is not judged there is left out
 };
 
 /// quick is the default, for a verdict in minutes; standard takes some twenty on two cores, full as long as asked.
