@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The main function of every test program. Exit code 77, which CTest lists as skipped, says that all tests asked for were skipped; a filter that matches no
-// test is an error, because a suite that has been renamed would pass else.
+// The main function of every test program. Exit code 77, which CTest lists as skipped, says that all tests asked for
+// were skipped; a filter that matches no test is an error, because a suite that has been renamed would pass else.
 #include <gtest/gtest.h>
 
 #include <cstdio>

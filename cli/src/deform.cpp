@@ -62,6 +62,12 @@ Chosen chosen_by(const DeformArguments& a) {
   return chosen;
 }
 
+void require_order(const DeformArguments& a, int highest) {
+  if (a.order > highest)
+    throw InputError(fmt::format("--order {}: {}{}{} has derivatives only up to order {}", a.order, a.method,
+                                 a.evaluation.empty() ? "" : " by ", a.evaluation, highest));
+}
+
 Posing posing_by(const DeformArguments& a, const Chosen& chosen, const Cage& cage) {
   DeformOptions options{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(),
                         chosen.parameters.front(), chosen.varied};
@@ -124,10 +130,12 @@ int run(const DeformArguments& a) {
   check_names(a, chosen.constrained ? 1 : a.posed.size() * chosen.parameters.size());
   const Cage cage = a.cage.load();
   const Mesh mesh = load_points(a.points, cage.dimension());
+  // Solving takes its time: what can be refused before is.
+  const std::string_view kind = chosen.constrained ? chosen.constrained->kind : method_of(a).kind;
+  if (!kind.empty()) require_order(a, highest_order(coordinate_kind_named(kind), cage, a.evaluation));
   const Posing posing = posing_by(a, chosen, cage);
   const CageCoordinates& coordinates = *posing.coordinates;
-  if (a.order > posing.max_order)
-    throw InputError(fmt::format("{} has derivatives up to order {} alone", a.method, posing.max_order));
+  require_order(a, posing.max_order);
   const OutsidePolicy outside = a.outside == "rest"  ? OutsidePolicy::Rest
                                 : a.outside == "nan" ? OutsidePolicy::Nan
                                                      : OutsidePolicy::Error;

@@ -55,6 +55,9 @@ for map in 1:0.0:0.0 2:0.0:1.0 3:0.25:0.0 4:0.25:1.0; do
   grep -q 'large.obj' "swept_$((n + 4)).json" || fail "the pose of map $((n + 4))"
 done
 mv bent.obj pulled_far.obj
+
+# An order that coordinates do not have is refused before the pose is read, or anything is solved.
+refuses 'order 1' 'quad_mean_value by riemann-4' 'order 0' -- --cage cube --posed nowhere.obj --points mesh.obj --method quad_mean_value --evaluation riemann-4 --order 1 --out o.csv
 "$cageproof" deform "${common[@]}" --method ahap --parameter alignment=hard,free --out 'swept_{n}.csv' || fail "a sweep of names"
 grep -q '"alignment": "free"' swept_2.json || fail "no alignment: $(cat swept_2.json)"
 rm -f swept_* alone.*

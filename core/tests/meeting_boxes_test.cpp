@@ -21,7 +21,7 @@ Pairs pairs_of(const std::vector<Eigen::AlignedBox3d>& boxes) {
 TEST(MeetingBoxes, one_by_one_and_in_order) {
   // Corners on a coarse grid, so that many boxes touch, are flat, or the same.
   std::mt19937_64 random(7);
-  const auto coordinate = [&] { return 0.25 * static_cast<double>(random() % 24); };
+  const auto coordinate = [&] { return 0.25 * static_cast<double>(random() % 16); };
   std::vector<Eigen::AlignedBox3d> boxes(300);
   for (auto& box : boxes) {
     const Eigen::Vector3d low(coordinate(), coordinate(), coordinate());

@@ -80,7 +80,8 @@ std::uintmax_t make_room(const fs::path& folder, const fs::path& own) {
 
 void add(std::string& text, const std::vector<Mp100>& numbers) {
   text += fmt::format("{}", numbers.size());
-  for (const Mp100& x : numbers) text += (isnan(x) ? " nan" : signbit(x) ? " -" : " ") + (isnan(x) ? "" : format_scalar(Mp100(abs(x))));
+  for (const Mp100& x : numbers)
+    text += (isnan(x) ? " nan" : signbit(x) ? " -" : " ") + (isnan(x) ? "" : format_scalar(Mp100(abs(x))));
   text += "\n";
 }
 
@@ -142,8 +143,8 @@ TruthCache::TruthCache(const fs::path& folder, const std::string& version, unsig
   std::error_code failed;
   fs::create_directories(folder_, failed);
   if (failed)
-    throw InputError(fmt::format("{}: {}; name another folder with --truth-cache, or `off`", folder_.string(),
-                                 failed.message()));
+    throw InputError(
+        fmt::format("{}: {}; name another folder with --truth-cache, or `off`", folder_.string(), failed.message()));
   bytes_ = make_room(folder, folder_);
 }
 
@@ -190,10 +191,11 @@ Truth TruthCache::get(const std::string& question, const std::function<Truth()>&
   ++made_;
   const std::string found = text_of(made);
   if (kept && *text != found)
-    throw InputError(fmt::format(
-        "{}: the truth that is kept there is not the one that this program computes ({}); delete the folder {}, and ask "
-        "why: the same program gives the same truth",
-        path.string(), question, folder_.string()));
+    throw InputError(
+        fmt::format("{}: the truth that is kept there is not the one that this program computes ({}); delete the "
+                    "folder {}, and ask "
+                    "why: the same program gives the same truth",
+                    path.string(), question, folder_.string()));
   if (!kept) keep(path, framed(question, found));
   return made;
 }

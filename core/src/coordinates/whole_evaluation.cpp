@@ -4,6 +4,8 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
 
+#include <algorithm>
+
 namespace cageproof {
 namespace {
 
@@ -47,6 +49,14 @@ void require_evaluation(const CoordinateKind& kind, const Cage& cage, std::strin
   std::vector<std::string_view> formulas;
   for (const Formula* formula : formulas_of(kind, cage)) formulas.push_back(formula->name);
   throw InputError(why_no_evaluation(kind.name, formulas, name, whole_evaluation_names(kind, cage)));
+}
+
+int highest_order(const CoordinateKind& kind, const Cage& cage, std::string_view evaluation) {
+  int order = 2;
+  for (const Formula* formula : formulas_of(kind, cage))
+    if (const auto found = EvaluationRegister::instance().find(formula->name, evaluation))
+      order = std::min(order, found->max_order());
+  return order;
 }
 
 std::string quickest_evaluation(const CoordinateKind& kind, const Cage& cage) {

@@ -45,6 +45,10 @@ std::vector<std::string_view> whole_evaluation_names(const CoordinateKind& kind,
 /// element. \throws InputError in the kind's words
 void require_evaluation(const CoordinateKind& kind, const Cage& cage, std::string_view name);
 
+/// The highest derivative that the kind's coordinates can have in the cage by an evaluation, before anything is
+/// prepared: that of the formulas that have the evaluation; 2 where none has.
+int highest_order(const CoordinateKind& kind, const Cage& cage, std::string_view evaluation);
+
 /// Stands for an evaluation's name: of sums over elements, the first evaluation of role batched that computes the kind
 /// in the cage, and the formulas' recommended ones where there is none. Kinds that are made of such sums
 /// (CoordinateKind::made_of_sums) ask for theirs by it, others ignore it.
