@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cageproof/core/box.h"
 #include "cageproof/core/random_stream.h"
 #include "cageproof/benchmarks/work_precision.h"
 
@@ -30,8 +31,7 @@ void add_point(PointGroup& group, const CageLocator& locator, double least, std:
 }  // namespace
 
 std::vector<PointGroup> groups_inside(const Cage& cage, const CageLocator& locator, std::uint64_t seed, int count) {
-  Vec low = cage.vertices().front(), high = low;
-  for (const Vec& v : cage.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  const auto [low, high] = box_of(cage.vertices());
   std::vector<PointGroup> groups{{"interior", interior_distance, {}}};
   for (int decade = 1; decade <= 4; ++decade)
     groups.push_back({fmt::format("1e-{}", decade), std::pow(10.0, -decade), {}});

@@ -5,6 +5,7 @@
 #include "cageproof/core/name_pattern.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/core/parallel.h"
+#include "cageproof/validation/cage_errors.h"
 #include "cageproof/validation/scheme_errors.h"
 #include "point_times.h"
 #include "summarise.h"

@@ -5,6 +5,7 @@
 #include "cageproof/core/whole_evaluation.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/core/parallel.h"
+#include "cageproof/validation/cage_errors.h"
 #include "cageproof/validation/truth.h"
 #include "asked_evaluations.h"
 #include "pair_times.h"

@@ -2,6 +2,7 @@
 #include "coordinate_summary.h"
 
 #include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/cage_errors.h"
 #include "cageproof/validation/cage_points.h"
 #include "cageproof/core/parallel.h"
 

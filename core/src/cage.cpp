@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cageproof/core/box.h"
 #include "cageproof/core/cage.h"
 
 #include "cageproof/core/element.h"
@@ -151,11 +152,7 @@ bool Cage::has_quads() const {
 }
 
 double Cage::size() const {
-  Vec3<double> low = vertices_.front(), high = low;
-  for (const Vec3<double>& v : vertices_) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
+  const auto [low, high] = box_of(vertices_);
   return (high - low).stableNorm();
 }
 

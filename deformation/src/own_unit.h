@@ -2,6 +2,7 @@
 // Units of length that are a cage's own.
 #pragma once
 
+#include "cageproof/core/box.h"
 #include "cageproof/core/cage_elements.h"
 
 #include <cmath>
@@ -10,8 +11,7 @@ namespace cageproof::deformation {
 
 /// The diagonal of the rest vertices' box.
 inline double size_of(const CageElements& elements) {
-  Vec3<double> low = elements.vertices()[0], high = low;
-  for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  const auto [low, high] = box_of(elements.vertices());
   return (high - low).stableNorm();
 }
 

@@ -2,6 +2,8 @@
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/mesh_io.h"
 #include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/cage_errors.h"
+#include "cages/inside_limit.h"
 #include "cageproof/validation/cage_symmetries.h"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #include "cageproof/validation/cage_terms.h"
 
 #include "cageproof/core/embedded_cages.h"
+#include "cageproof/validation/cage_errors.h"
 #include "cageproof/validation/cage_campaign.h"
 
 #include <gtest/gtest.h>

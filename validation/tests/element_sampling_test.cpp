@@ -7,7 +7,7 @@
 #include "cageproof/core/quad_geometry.h"
 #include "cageproof/validation/regime.h"
 #include "cageproof/validation/truth.h"
-#include "turn.h"
+#include "checks/turn.h"
 
 #include <gtest/gtest.h>
 

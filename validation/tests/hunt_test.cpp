@@ -4,8 +4,8 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/worst_file.h"
-#include "mutations.h"
-#include "search_domain.h"
+#include "sampling/mutations.h"
+#include "sampling/search_domain.h"
 
 #include <gtest/gtest.h>
 

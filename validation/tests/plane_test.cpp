@@ -6,6 +6,7 @@
 #include "cageproof/validation/cage_points.h"
 #include "cageproof/validation/cage_symmetries.h"
 #include "cageproof/validation/check.h"
+#include "cageproof/validation/cage_errors.h"
 #include "cageproof/validation/regime.h"
 
 #include <gtest/gtest.h>

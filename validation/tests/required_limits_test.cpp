@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where a limit must exist, against where the reference integral finds one: it takes limits by itself.
-#include "required_limits.h"
+#include "truth/required_limits.h"
 
 #include "cageproof/core/evaluation.h"
 

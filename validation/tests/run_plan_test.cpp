@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a run measures, from its options alone: which cages get error fields.
-#include "run_plan.h"
+#include "run/run_plan.h"
 
 #include "cageproof/core/embedded_cages.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a report says of runs whose parts were measured differently.
-#include "run_report.h"
+#include "run/run_report.h"
 
 #include "cageproof/validation/machine_facts.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The table of what units of work took of the processor.
-#include "timings.h"
+#include "run/timings.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Truths kept on disk: found again exactly, made again where they are damaged or of another program, and checked.
-#include "truth_cache.h"
+#include "truth/truth_cache.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/validation/verify.h"

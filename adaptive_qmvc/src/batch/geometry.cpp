@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry.h"
 
+#include "cageproof/core/box.h"
 #include "cageproof/core/mp.h"
 
 #include <algorithm>
@@ -38,8 +39,7 @@ QuadTable table_of(const std::array<Vec3<Mp50>, 4>& q, const std::array<int, 4>&
 }  // namespace
 
 void Geometry::find_unit(const CageElements& elements) {
-  Vec3<double> low = elements.vertices().front(), high = low;
-  for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  const auto [low, high] = box_of(elements.vertices());
   const double size = (high / 2 - low / 2).cwiseAbs().maxCoeff();
   sound_ = size > 0 && std::isfinite(size);
   if (!sound_) return;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cageproof/core/box.h"
 #include "geometry.h"
 
 #include <algorithm>
@@ -58,8 +59,7 @@ EdgeTable<To> converted(const EdgeTable<Mp200>& from, Convert convert) {
 }  // namespace
 
 void Geometry::find_unit(const CageElements& elements) {
-  Vec3<double> low = elements.vertices().front(), high = low;
-  for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  const auto [low, high] = box_of(elements.vertices());
   const double size = (high / 2 - low / 2).cwiseAbs().maxCoeff();
   sound_ = size > 0 && std::isfinite(size);
   if (!sound_) return;

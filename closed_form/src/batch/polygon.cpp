@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polygon.h"
 
+#include "cageproof/core/box.h"
 #include "cageproof/core/mp.h"
 
 #include <cmath>
@@ -28,8 +29,7 @@ SideTable side_between(int from, int to, const std::vector<double>& vertex) {
 }  // namespace
 
 Polygon::Polygon(const CageElements& elements) {
-  Vec3<double> low = elements.vertices().front(), high = low;
-  for (const Vec3<double>& v : elements.vertices()) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  const auto [low, high] = box_of(elements.vertices());
   const double size = (high / 2 - low / 2).cwiseAbs().maxCoeff();
   sound_ = size > 0 && std::isfinite(size);
   if (!sound_) return;

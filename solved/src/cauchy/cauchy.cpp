@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cauchy coordinates: Green coordinates of the plane as complex numbers (Weber, Ben-Chen, Gotsman 2009; [W12] Section
 // 5.2 after the errata).
+#include "cageproof/core/box.h"
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/coordinates_in_double.h"
 
@@ -107,11 +108,7 @@ class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates> {
  private:
   // Of the largest extent: in a unit of that size logarithms are no larger than need be.
   static int exponent_of(const Cage& cage) {
-    Vec3<double> low = cage.vertices().front(), high = low;
-    for (const Vec3<double>& v : cage.vertices()) {
-      low = low.cwiseMin(v);
-      high = high.cwiseMax(v);
-    }
+    const auto [low, high] = box_of(cage.vertices());
     return std::ilogb((high - low).maxCoeff());
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polygon_frame.h"
 
+#include "cageproof/core/box.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/linear.h"
 #include "cageproof/core/orientation.h"
@@ -50,11 +51,7 @@ PolygonFrame::PolygonFrame(const Cage& cage) {
     throw InputError(fmt::format("{}: {}", cage.name(), reason));
   faces_ = first_polygon(cage);
   const auto& vertices = cage.vertices();
-  Vec3<double> low = vertices.front(), high = low;
-  for (const Vec3<double>& v : vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
+  const auto [low, high] = box_of(vertices);
   centre_ = low / 2 + high / 2;
   largest_ = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
   std::frexp(cage.size(), &exponent_);

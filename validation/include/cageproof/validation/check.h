@@ -24,7 +24,7 @@ struct CheckInput {
 class Check {
  public:
   /// What a campaign does with its findings.
-  enum class Role {
+  enum class Use {
     Property,
     Truth,  ///< the error that curves are drawn of
     Gate,   ///< where it is not kept, nothing measured against the truth counts
@@ -42,7 +42,7 @@ class Check {
   /// "conditioned" (units of u times the conditioned denominator) or "relative".
   virtual std::string_view unit() const { return "conditioned"; }
   virtual std::string_view description() const = 0;
-  virtual Role role() const { return Role::Property; }
+  virtual Use use() const { return Use::Property; }
   /// In this scalar.
   virtual Cost cost(ScalarKind scalar) const {
     return scalar == ScalarKind::Float || scalar == ScalarKind::Double ? Cost::Evaluations : Cost::Multiprecision;

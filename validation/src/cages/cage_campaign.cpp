@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/cage_campaign.h"
+
+#include "cages/cage_questions.h"
+
+#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/lazy.h"
+#include "cageproof/validation/verdicts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace cageproof::validation {
+namespace {
+
+// Kinds that the cage's quads rule out are left out; verify says so.
+std::vector<const CoordinateKind*> kinds_matching(const CageCampaignOptions& options, const Cage& cage) {
+  std::vector<const CoordinateKind*> found;
+  for (const CoordinateKind& kind : coordinate_kinds())
+    if (matches(options.kinds, kind.name) && is_affordable(kind, cage, options) && accepts(kind, cage))
+      found.push_back(&kind);
+  if (found.empty())
+    throw InputError(fmt::format("no kind of coordinates matches '{}' and accepts {}", options.kinds, cage.name()));
+  return found;
+}
+
+// Every n-th, so that at most so many are left.
+void keep_evenly(std::vector<CagePoint>& points, int most) {
+  const std::size_t step = std::max<std::size_t>(1, (points.size() + most - 1) / most);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); i += step) points[kept++] = points[i];
+  points.resize(kept);
+}
+
+// The relations of one kind of coordinates, by one evaluation, on a cage.
+class CageMeasurement final : public Measurement {
+ public:
+  CageMeasurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind, const CageCampaignOptions& options)
+      : cage_(std::move(cage)), kind_(kind), options_(options), setup_([this] { return set_up(); }) {}
+
+  std::string name() const override {
+    return fmt::format("{}, {}, {}", cage_->name(), kind_.name, options_.evaluation);
+  }
+
+  int blocks() const override {
+    std::size_t on = options_.properties_alone ? 0 : cage_->vertices().size() + 3 * cage_->faces().size();
+    if (options_.on_points > 0) on = std::min<std::size_t>(on, options_.on_points);
+    return block_count(options_.points + on / 4, 10);
+  }
+
+  Findings measure(int block) const override {
+    const Setup& setup = setup_.get();
+    Findings findings;
+    // By turns, so that each block has its share of the points that cost most.
+    for (std::size_t i = block; i < setup.off.size(); i += blocks()) {
+      const CagePoint& p = setup.off[i];
+      if (p.place == Place::TooClose) continue;
+      const CageAt at(*setup.subject, p.point, p.index, name_of(p.place), setup.order);
+      for (const CageQuestion& question : setup.questions.at(p.place))
+        if (takes(setup, question.cost, i)) record(question, at, findings.rows);
+    }
+    if (block == 0)
+      for (const CageQuestion& question : setup.questions.at(Place::OnFace))
+        if (question.once)
+          record(question, {*setup.subject, cage_->vertices().front(), 0, question.key.place, 0, true}, findings.rows);
+    for (std::size_t i = block; i < setup.on.size(); i += blocks()) {
+      const CagePoint& p = setup.on[i];
+      const CageAt at(*setup.subject, p.point, p.index, name_of(p.place), 0, p.exact);
+      for (const CageQuestion& question : setup.questions.at(p.place))
+        if (!question.once) record(question, at, findings.rows);
+    }
+    return findings;
+  }
+
+ private:
+  struct Setup {
+    std::shared_ptr<const CageSubject> subject;
+    std::vector<CagePoint> off, on;
+    int order = 0;
+    std::size_t stride = 1;
+    std::map<Place, std::vector<CageQuestion>> questions;
+  };
+
+  Setup set_up() const {
+    const CageCampaignOptions& o = options_;
+    Setup setup;
+    setup.subject = std::make_shared<const CageSubject>(cage_, kind_, o.evaluation, o.triangulation);
+    const CageCoordinates& coordinates = setup.subject->coordinates();
+    setup.off = points_off(*cage_, setup.subject->locator(), o.seed, o.points);
+    if (kind_.inside_alone) std::erase_if(setup.off, [](const CagePoint& p) { return p.place == Place::Outside; });
+    if (!o.properties_alone) {
+      setup.on = points_on(coordinates, *cage_);
+      if (o.on_points > 0) keep_evenly(setup.on, o.on_points);
+      setup.order = coordinates.max_order();
+    }
+    // Every n-th point meets the truth, so that both ways of drawing points are seen.
+    // Matrices of nine numbers in multiprecision cost as much as a quarter of the points does for single ones.
+    const int truth_points = coordinates.blocks()[0].entries() == 1 ? o.truth_points : (o.truth_points + 3) / 4;
+    setup.stride = std::max<std::size_t>(1, setup.off.size() / std::max(1, truth_points)) | 1;
+    for (const Place place : {Place::Inside, Place::Outside, Place::OnFace, Place::OnEdge, Place::OnVertex}) {
+      std::vector<CageQuestion>& questions = setup.questions[place];
+      questions = cage_questions(*setup.subject, name_of(place), order_at(name_of(place), coordinates, setup.order));
+    }
+    return setup;
+  }
+
+  // Whether questions of that cost are asked at a point off the cage.
+  bool takes(const Setup& setup, CageQuestion::Cost cost, std::size_t i) const {
+    if (cost == CageQuestion::Cost::Relation || options_.properties_alone) return cost == CageQuestion::Cost::Relation;
+    if (cost == CageQuestion::Cost::Point) return true;
+    if (i % setup.stride != 0) return false;
+    // Seven sums in 100 digits: a quarter of these points.
+    return cost == CageQuestion::Cost::Truth || (options_.differences && i / setup.stride % 4 == 0);
+  }
+
+  std::shared_ptr<const Cage> cage_;
+  const CoordinateKind& kind_;
+  CageCampaignOptions options_;
+  Lazy<Setup> setup_;
+};
+
+// Vertices and faces, which fields on the mesh share.
+class MeshShape final : public Measurement {
+ public:
+  explicit MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
+  std::string name() const override { return "the mesh itself"; }
+  int blocks() const override { return 1; }
+  Findings measure(int) const override {
+    Findings findings;
+    findings.meshes[mesh_measured] = {mesh_measured, mesh_->vertices, mesh_->faces, {}};
+    return findings;
+  }
+
+ private:
+  std::shared_ptr<const Mesh> mesh_;
+};
+
+// Partition of unity and linear reproduction at a mesh's points, kept by point; as users of meshes compute them.
+class MeshMeasurement final : public Measurement {
+ public:
+  MeshMeasurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind, std::shared_ptr<const Mesh> mesh,
+                  const std::string& mesh_name, int place, const CageCampaignOptions& options)
+      : cage_(std::move(cage)), kind_(kind), mesh_(std::move(mesh)), place_(place), options_(options), subject_([this] {
+          return std::make_shared<const CageSubject>(
+              cage_, kind_, options_.evaluation.empty() ? std::string(quickest) : options_.evaluation,
+              options_.triangulation);
+        }) {
+    if (options.mesh_points > 0)
+      stride_ = std::max<std::size_t>(1, (mesh_->vertices.size() + options.mesh_points - 1) / options.mesh_points);
+    empty_.title = fmt::format("{} in {}, {} coordinates: linear reproduction", mesh_name, cage_->name(), kind.name);
+    empty_.shown = fmt::format("{}: linear reproduction", kind.name);
+    empty_.mesh = mesh_measured;
+    empty_.samples = mesh_->vertices.size();
+    empty_.image.name = fmt::format("mesh.{}", kind.name);
+    empty_.image.arrays = {{fmt::format("{}: partition of unity", kind.name), "1", 1, {}},
+                           {empty_.shown, "cage sizes", 1, {}}};
+  }
+
+  std::string name() const override { return fmt::format("mesh in {}, {}", cage_->name(), kind_.name); }
+  int blocks() const override { return block_count(mesh_->vertices.size(), 500); }
+
+  Findings measure(int block) const override {
+    const CageSubject& subject = *subject_.get();
+    const std::vector<CageQuestion> questions = cage_questions(subject, mesh_place, 0);
+    Findings findings;
+    FieldPart part = empty_;
+    part.first = block_begin(part.samples, block, blocks());
+    for (std::size_t i = part.first; i < block_begin(part.samples, block + 1, blocks()); ++i) {
+      if (i % stride_ != 0) {
+        for (auto& array : part.image.arrays) array.values.push_back(NAN);
+        continue;
+      }
+      const CageAt at(subject, mesh_->vertices[i], i, mesh_place, 0);
+      for (const CageQuestion& question : questions) record(question, at, findings.rows);
+      part.image.arrays[0].values.push_back(at.errors().partition[0].relative);
+      part.image.arrays[1].values.push_back(at.errors().reproduction[0].relative);
+    }
+    findings.fields.emplace(std::pair(place_, part.first), std::move(part));
+    return findings;
+  }
+
+ private:
+  std::shared_ptr<const Cage> cage_;
+  const CoordinateKind& kind_;
+  std::shared_ptr<const Mesh> mesh_;
+  int place_;
+  CageCampaignOptions options_;
+  FieldPart empty_;
+  std::size_t stride_ = 1;  // takes every n-th point, so that what is measured is spread evenly
+  Lazy<std::shared_ptr<const CageSubject>> subject_;
+};
+
+}  // namespace
+
+bool is_affordable(const CoordinateKind& kind, const Cage& cage, const CageCampaignOptions& options) {
+  if (!kind.solves_on_samples) return true;
+  return static_cast<int>(cage.parts(false, options.triangulation).elements.size()) <= options.solved_elements;
+}
+
+Measurements cage_measurements(const std::shared_ptr<const Cage>& cage, const CageCampaignOptions& options) {
+  Measurements measurements;
+  for (const CoordinateKind* kind : kinds_matching(options, *cage))
+    measurements.push_back(std::make_unique<CageMeasurement>(cage, *kind, options));
+  return measurements;
+}
+
+std::unique_ptr<const Measurement> mesh_shape(std::shared_ptr<const Mesh> mesh) {
+  return std::make_unique<MeshShape>(std::move(mesh));
+}
+
+std::unique_ptr<const Measurement> mesh_measurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
+                                                    std::shared_ptr<const Mesh> mesh, const std::string& mesh_name,
+                                                    int place, const CageCampaignOptions& options) {
+  return std::make_unique<MeshMeasurement>(std::move(cage), kind, std::move(mesh), mesh_name, place, options);
+}
+
+std::vector<ResultRow> run_cage_campaign(const Cage& cage, const CageCampaignOptions& options) {
+  return judged(measure_all(cage_measurements(std::make_shared<const Cage>(cage), options), options.jobs).rows).rows;
+}
+
+}  // namespace cageproof::validation

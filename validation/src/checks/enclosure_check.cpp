@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The check that is a proof at each sample: the truth against a rigorous enclosure of the integral.
+#include "checks/check_makers.h"
+
+namespace cageproof::validation {
+namespace {
+
+/// The recommended evaluation in multiprecision, that is the truth, lies in the enclosure of the defining integral.
+class EnclosureCheck final : public Check {
+ public:
+  std::string_view name() const override { return "enclosure"; }
+  std::string_view unit() const override { return "of the radius"; }
+  std::string_view description() const override {
+    return "recommended evaluation in multiprecision: distance from the middle of a rigorous enclosure of the integral";
+  }
+  Use use() const override { return Use::Proof; }
+  Cost cost(ScalarKind) const override { return Cost::Enclosure; }
+  bool applies(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar,
+               std::string_view) const override {
+    return is_recommended(evaluation) && scalar == ScalarKind::Digits100 &&
+           EvaluationRegister::instance().with_role(formula.name, Role::Enclosure);
+  }
+  std::array<Finding, 3> measure(const CheckInput& in) const override {
+    const auto certified = EvaluationRegister::instance().with_role(in.formula.name, Role::Enclosure);
+    const Result<Mp100> ball = evaluate<Mp100>(*certified, in.sample, in.order);
+    const Result<Mp100> closed = evaluate<Mp100>(in.evaluation, in.sample, in.order);
+    std::array<Finding, 3> findings;
+    for (int o = 0; o <= in.order; ++o) {
+      findings[o] = finding_for(in.truth, o);
+      if (findings[o].status != Finding::Status::Measured) continue;
+      if (!is_narrow(ball, o)) findings[o].status = Finding::Status::Declined;
+      else findings[o].error = distance_over_radius(closed.of(o), ball, o);
+    }
+    return findings;
+  }
+
+ private:
+  // A wide ball holds whatever is asked of it.
+  static bool is_narrow(const Result<Mp100>& ball, int order) {
+    static const Mp100 width("1e-30");
+    const Mp100 radius = norm(ball.radius_of(order));
+    return isfinite(radius) && radius <= width * norm(ball.of(order));
+  }
+
+  static double distance_over_radius(const std::vector<Mp100>& closed, const Result<Mp100>& ball, int order) {
+    static const Mp100 rounding("1e-60");  // of the closed form, in 100 digits
+    const Mp100 slack = rounding * norm(closed);
+    double largest = 0;
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+      const Mp100 distance = abs(Mp100(closed[i] - ball.of(order)[i])), radius = ball.radius_of(order)[i] + slack;
+      if (distance == 0) continue;
+      const Mp100 ratio = distance / radius;
+      if (!isfinite(ratio)) return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, static_cast<double>(ratio));
+    }
+    return largest;
+  }
+};
+
+}  // namespace
+
+void add_enclosure_check(CheckList& list) { list.push_back(std::make_unique<EnclosureCheck>()); }
+
+}  // namespace cageproof::validation

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/constrained_checks.h"
+
+#include "deformers/constrained_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+using deformation::Images;
+
+constexpr int few_steps = 40, many_steps = 400;
+constexpr double larger = 10;
+
+}  // namespace
+
+ConstrainedChecks::ConstrainedChecks(std::shared_ptr<const Cage> cage, ConstrainedVariant variant, Triangulation rule)
+    : cage_(std::move(cage)),
+      variant_(std::move(variant)),
+      rule_(rule),
+      places_(places_for(*variant_.method, *cage_, rule)) {}
+
+ConstrainedProblem ConstrainedChecks::problem(std::string_view pose) const {
+  return constrained_problem(*variant_.method, *cage_, places_, pose, rule_);
+}
+
+Question<PointAt> ConstrainedChecks::question(std::string_view check, std::string_view pose, Ask ask) const {
+  Question<PointAt> question;
+  question.key = {RowKey::Section::Deformer,
+                  std::string(variant_.method->name),
+                  variant_.name,
+                  std::string(name_of(ScalarKind::Double)),
+                  cage_->name(),
+                  std::string(check),
+                  std::string(pose),
+                  0};
+  question.unit = "cage sizes";
+  question.ask = [ask = std::move(ask)](const PointAt& at) {
+    const DeformerError error = ask(at.point);
+    return std::array<Finding, 3>{Finding{Finding::Status::Measured, error.error, error.plain}};
+  };
+  return question;
+}
+
+Question<PointAt> ConstrainedChecks::energy(std::string_view check, std::string_view pose,
+                                            double (ConstrainedChecks::*find)(std::string_view) const) const {
+  Question<PointAt> asked = question(check, pose, [this, pose, find](const Vec3<double>&) {
+    const double found = (this->*find)(pose);
+    return DeformerError{found, found};
+  });
+  asked.unit = "energies";
+  asked.once = true;
+  return asked;
+}
+
+std::vector<Question<PointAt>> ConstrainedChecks::questions() const {
+  std::vector<Question<PointAt>> all{energy("energy_falls", bent_pose, &ConstrainedChecks::largest_rise),
+                                     energy("rigid_energy", rigid_pose, &ConstrainedChecks::what_is_left)};
+  if (!variant_.method->positions_alone)
+    all.push_back(energy("energy_is_flat", bent_pose, &ConstrainedChecks::flatness));
+  // In the plane biharmonic layers have logarithms, times what no layer is: maps in other units are others.
+  const bool has_biharmonic_logarithms =
+      cage_->dimension() == 2 && problem(bent_pose).prepared(variant_, rule_, 1)->coordinates().blocks().size() > 2;
+  if (!has_biharmonic_logarithms)
+    all.push_back(question("constrained_unit", bent_pose, moved(bent_pose, SpaceMap{}, larger)));
+  all.push_back(question("constrained_motion", bent_pose, moved(bent_pose, turn(cage_->dimension()), 1)));
+  return all;
+}
+
+double ConstrainedChecks::largest_rise(std::string_view pose) const {
+  const auto posed = problem(pose).prepared(variant_, rule_, few_steps)->pose();
+  const deformation::DeformationReport& report = posed->report();
+  const std::vector<double>& fallen = report.merits.empty() ? report.energies : report.merits;
+  double worst = 0;
+  for (std::size_t k = 1; k < fallen.size(); ++k) {
+    // Where nothing is left, nothing falls.
+    const double rise = fallen[k] == fallen[k - 1] ? 0 : fallen[k] / fallen[k - 1] - 1;
+    if (!(rise <= worst)) worst = rise;
+  }
+  return worst;
+}
+
+double ConstrainedChecks::what_is_left(std::string_view pose) const {
+  const double energy = problem(pose).prepared(variant_, rule_, many_steps)->pose()->report().energies.back();
+  // Positions have the unit of an area, second derivatives that of one over it.
+  const double size = cage_->size();
+  return variant_.method->positions_alone ? energy * size * size : energy / size / size;
+}
+
+ConstrainedChecks::Ask ConstrainedChecks::moved(std::string_view pose, const SpaceMap& map, double length) const {
+  // A problem's solution, and how well it is determined.
+  struct Solved {
+    std::shared_ptr<const deformation::ConstrainedDeformer<double>> model;
+    std::unique_ptr<const deformation::Posed<double>> posed;
+  };
+  const auto solved = [this](const ConstrainedProblem& asked) {
+    Solved found{asked.prepared(variant_, rule_, few_steps), {}};
+    found.posed = found.model->pose();
+    return found;
+  };
+  const auto both = std::make_shared<const Lazy<std::array<Solved, 2>>>([this, solved, pose, map, length] {
+    const ConstrainedProblem here = problem(pose);
+    return std::array{solved(here), solved(here.under(map, length))};
+  });
+  return [this, both, map, length](const Vec3<double>& point) {
+    const auto& [here, there] = both->get();
+    const double size = cage_->size();
+    const int d = cage_->dimension();
+    double condition = 1;
+    for (const auto& report : {here.model->prepared(), here.posed->report()})
+      for (const SolvedSystem& system : report.systems)
+        if (!system.is_singular()) condition = std::max(condition, system.condition);
+    const Vec3<double> to = length * map(point, size);
+    const Images<double> a = here.model->images(*here.posed, std::span(&point, 1), 0),
+                         b = there.model->images(*there.posed, std::span(&to, 1), 0);
+    Vec3<double> image = Vec3<double>::Zero(), difference = Vec3<double>::Zero();
+    for (int c = 0; c < d; ++c) image[c] = a.tensors[0][c];
+    const Vec3<double> expected = map(image, size);
+    for (int c = 0; c < d; ++c) difference[c] = b.tensors[0][c] / length - expected[c];
+    return error_over_condition(difference.norm() / size, condition);
+  };
+}
+
+// Half the gradient of the energy in the coefficients, in a unit in which the cage's size is one, by loops over
+// constraints: in the first step rotations are those nearest to the identity.
+double ConstrainedChecks::flatness(std::string_view pose) const {
+  const ConstrainedProblem asked = problem(pose);
+  const auto model = asked.prepared(variant_, rule_, 1);
+  const auto posed = model->pose();
+  const CageCoordinates& coordinates = model->coordinates();
+  const int d = cage_->dimension();
+  const double size = cage_->size();
+  double after = 0, before = 0;
+  std::vector<Eigen::MatrixXd> of_map, of_rest;
+  for (const CoordinateBlock& block : coordinates.blocks()) {
+    of_map.emplace_back(Eigen::MatrixXd::Zero(block.size, d));
+    of_rest.emplace_back(of_map.back());
+  }
+  // Column c of target and identity: derivatives of component c.
+  const auto add = [&](const Vec3<double>& at, int order, double weight, const Eigen::MatrixXd& target,
+                       const Eigen::MatrixXd& identity) {
+    const auto width = static_cast<Eigen::Index>(derivative_count(d, order));
+    const Images<double> images = model->images(*posed, std::span(&at, 1), order);
+    const Eigen::MatrixXd found = Eigen::Map<const Eigen::MatrixXd>(images.tensors[order].data(), width, d);
+    const auto tables = coordinates.at<double>(std::span(&at, 1), order);
+    for (std::size_t b = 0; b < tables.size(); ++b) {
+      const Eigen::Map<const Eigen::MatrixXd> rows(tables[b].tensors[order].data(), width, of_map[b].rows());
+      of_map[b] += weight * rows.transpose() * (found - target);
+      of_rest[b] += weight * rows.transpose() * (identity - target);
+    }
+  };
+  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(d, d), none = Eigen::MatrixXd::Zero(d * d, d);
+  const double first = of_jacobians * size * size, second = of_hessians * std::pow(size, 4);
+  for (const auto& [at, to] : asked.constraints.positions)
+    add(at, 0, 1, to.head(d).transpose(), at.head(d).transpose());
+  for (const auto& [at, jacobian] : asked.constraints.orientations)
+    add(at, 1, first, jacobian.topLeftCorner(d, d).transpose(), unit);
+  for (const Vec3<double>& at : asked.constraints.rotations) add(at, 1, first, unit, unit);
+  for (const Vec3<double>& at : asked.constraints.hessians) add(at, 2, second, none, none);
+  for (std::size_t b = 0; b < of_map.size(); ++b) {
+    const double length = std::pow(size, -2 * coordinates.blocks()[b].degree);
+    after += length * of_map[b].squaredNorm();
+    before += length * of_rest[b].squaredNorm();
+  }
+  return std::sqrt(after / before);
+}
+
+}  // namespace cageproof::validation

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/deformer_campaign.h"
+
+#include "cageproof/core/box.h"
+#include "cageproof/core/random_stream.h"
+#include "cageproof/validation/constrained_checks.h"
+#include "cageproof/validation/promise.h"
+#include "cageproof/validation/verdicts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cageproof::validation {
+namespace {
+
+// How far inside points lie, in cage sizes: next to the cage second derivatives of layers grow without bound.
+constexpr double depth = 2e-2;
+
+bool is_small(const Cage& cage, Triangulation rule) { return cage.parts(false, rule).elements.size() <= few_elements; }
+
+// A method prepared with its defaults, which its variants share.
+using Prepared = Lazy<std::shared_ptr<const deformation::Deformer<double>>>;
+
+class DeformerMeasurement final : public Measurement {
+ public:
+  DeformerMeasurement(std::shared_ptr<const Cage> cage, DeformerVariant variant, const DeformerCampaignOptions& options,
+                      std::shared_ptr<const Prepared> prepared)
+      : cage_(std::move(cage)), variant_(std::move(variant)), options_(options), prepared_(std::move(prepared)) {}
+
+  std::string name() const override {
+    return fmt::format("{}, deformer {}, {}", cage_->name(), variant_.method->name, variant_.name);
+  }
+  int blocks() const override { return 1; }
+
+  Findings measure(int) const override {
+    const DeformerChecks checks(cage_, variant_, options_.triangulation, prepared_->get().get());
+    const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
+    Findings findings;
+    for (const Question<PointAt>& question : checks.questions()) {
+      const bool costly = question.key.place == bent_pose;
+      const std::size_t count = std::min<std::size_t>(points.size(), costly ? few() : points.size());
+      for (std::size_t p = 0; p < count; ++p) record(question, {points[p], p}, findings.rows);
+    }
+    return findings;
+  }
+
+ private:
+  int few() const { return is_small(*cage_, options_.triangulation) ? options_.few_points : 1; }
+
+  std::shared_ptr<const Cage> cage_;
+  DeformerVariant variant_;
+  DeformerCampaignOptions options_;
+  std::shared_ptr<const Prepared> prepared_;
+};
+
+// A method that takes constraints.
+class ConstrainedMeasurement final : public Measurement {
+ public:
+  ConstrainedMeasurement(std::shared_ptr<const Cage> cage, ConstrainedVariant variant,
+                         const DeformerCampaignOptions& options)
+      : cage_(std::move(cage)), variant_(std::move(variant)), options_(options) {}
+
+  std::string name() const override {
+    return fmt::format("{}, deformer {}, {}", cage_->name(), variant_.method->name, variant_.name);
+  }
+  int blocks() const override { return 1; }
+
+  Findings measure(int) const override {
+    const ConstrainedChecks checks(cage_, variant_, options_.triangulation);
+    const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
+    Findings findings;
+    for (const Question<PointAt>& question : checks.questions())
+      for (std::size_t p = 0; p < (question.once ? 1 : points.size()); ++p)
+        record(question, {points[p], p}, findings.rows);
+    return findings;
+  }
+
+ private:
+  std::shared_ptr<const Cage> cage_;
+  ConstrainedVariant variant_;
+  DeformerCampaignOptions options_;
+};
+
+// Of small cages, whose constraints determine their maps.
+void add_constrained(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options,
+                     Measurements& measurements) {
+  if (!is_small(*cage, options.triangulation)) return;
+  for (const deformation::ConstraintMethod& method : deformation::constraint_methods()) {
+    if (!matches(options.methods, method.name) || !can_be_asked(method, *cage, options.triangulation)) continue;
+    for (ConstrainedVariant& variant : variants_of(method))
+      measurements.push_back(std::make_unique<ConstrainedMeasurement>(cage, std::move(variant), options));
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string_view>& deformer_cage_names() {
+  static const std::vector<std::string_view> names{"cube", "l-block", "twisted-bar", "square", "l-shape"};
+  return names;
+}
+
+std::vector<Vec3<double>> interior_points(const Cage& cage, Triangulation rule, std::uint64_t seed, int count) {
+  const auto [low, high] = box_of(cage.vertices());
+  const CageLocator locator(cage, rule);
+  std::vector<Vec3<double>> points;
+  for (int i = 0; i < count; ++i) {
+    RandomStream random(seed, fmt::format("deformer/{}", cage.name()), i);
+    // Thin cages have no points so deep.
+    constexpr int tries = 20000;
+    bool found = false;
+    for (int t = 0; t < tries && !found; ++t) {
+      Vec3<double> p = Vec3<double>::Zero();
+      for (int c = 0; c < cage.dimension(); ++c) p[c] = random.uniform(low[c], high[c]);
+      found = locator.distance(p) >= depth * cage.size() && locator.inside(p);
+      if (found) points.push_back(p);
+    }
+    if (!found) break;
+  }
+  return points;
+}
+
+Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options) {
+  Measurements measurements;
+  if (interior_points(*cage, options.triangulation, options.seed, 1).empty()) return measurements;
+  for (const deformation::DeformMethod& method : deformation::deform_methods()) {
+    if (!matches(options.methods, method.name) || !deformation::why_refused(method, *cage).empty()) continue;
+    std::vector<DeformerVariant> variants = variants_of(method);
+    // All are asked on small cages, elsewhere every second and the default; of quads that are kept, whose layers take
+    // several times as long, on the smallest alone.
+    const bool few = coordinate_kind_named(method.kind).keeps_quads ? cage->faces().size() > 6
+                                                                    : !is_small(*cage, options.triangulation);
+    if (variants.size() > 2 && few) {
+      std::size_t index = 0;
+      std::erase_if(variants, [&](const DeformerVariant& v) { return index++ % 2 == 1 && !v.is_default; });
+    }
+    const auto prepared = std::make_shared<const Prepared>([cage, &method, rule = options.triangulation] {
+      return deformation::prepare_deformer<double>(method, *cage, {.evaluation = {}, .triangulation = rule});
+    });
+    for (DeformerVariant& variant : variants)
+      measurements.push_back(std::make_unique<DeformerMeasurement>(cage, std::move(variant), options, prepared));
+  }
+  add_constrained(cage, options, measurements);
+  return measurements;
+}
+
+std::vector<ResultRow> run_deformer_campaign(const Cage& cage, const DeformerCampaignOptions& options) {
+  return judged(measure_all(deformer_measurements(std::make_shared<const Cage>(cage), options), options.jobs).rows)
+      .rows;
+}
+
+}  // namespace cageproof::validation

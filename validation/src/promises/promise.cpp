@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/promise.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace cageproof::validation {
+namespace {
+
+struct Row {
+  std::string_view check, subject, evaluation, scalar, regime;
+  int lowest_order, highest_order;
+  std::optional<double> bound;
+  std::string_view reason;
+};
+
+constexpr std::optional<double> none = std::nullopt;
+
+// The names that recommended evaluations have, and kinds of coordinates that are no sums.
+constexpr std::string_view recommended = "@(closed_form|line_form|recommended)";
+
+// Of deformers: what holds exactly, 1e-13 of the size, or 1e-16 times the condition of the systems that are solved
+// where that is above 1e3, which the figures are divided by.
+constexpr double exact_map = 1e-13;
+constexpr std::string_view deformer_reason =
+    "exact but for roundings: 1e-16 of the size, a thousand times or by the condition of what is solved";
+constexpr std::string_view least_energy =
+    "steps end where rounding hides the energy's slope, and a minimum is as far off as the root of that";
+constexpr std::string_view unit_normals =
+    "unit normals do not grow with the cage, products of both stretches grow with its square";
+
+// Whole coordinates computed at once, and both.
+constexpr std::string_view batched = "batched";
+constexpr std::string_view of_cages = "@(closed_form|line_form|recommended|batched)";
+
+// First match wins. Bounds of conditioned rows are in units of the rounding error times conditioning.
+constexpr std::array table{
+    // The gate: the closed form in multiprecision against the integral.
+    Row{"integral", "*", "*", "*", "*", 0, 2, 1e-30, "30 digits, wherever the integral reaches them"},
+    Row{"enclosure", "*", "*", "*", "*", 0, 2, 1, "the enclosure is a proof: the integral lies in it"},
+    Row{"limit", "*", "*", "*", "*", 0, 2, 1e-30,
+        "1e-60 sizes inside, what is missing of the limit is r log r over the distance to the next vertex: 1e-17 where "
+        "the point is an ulp off one"},
+    // An evaluation with a tolerance.
+    Row{"stated_error", "*", "*", "*", "*", 0, 2, 1,
+        "d digits are a bound of 10^-d on the relative error, and a bound leaves no slack: the truth is good to 30 "
+        "digits, "
+        "fourteen more than are ever stated in double"},
+    // The forms we stand behind.
+    Row{"truth", "*", recommended, "double", "*", 0, 2, 64, "backward stable: a few roundings times conditioning"},
+    Row{"truth", "*", recommended, "float", "*", 0, 2, 64, "computed in double and rounded"},
+    Row{"truth", "*", "accurate", "double", "*", 0, 2, 256, "what is small relatively is so with conditioning"},
+    Row{"truth", "*", "accurate", "float", "*", 0, 2, 256, "computed in double and rounded"},
+    Row{"relative", "*", "accurate", "float", "*", 0, 2, 256, "computed in double and rounded"},
+    Row{"relative", "*", "accurate", "double", "*", 0, 2, 256,
+        "accepted at a running error bound of 128 units, which is itself rounded; else computed with more digits"},
+    // Printed forms away from their weak spots, which are the lines of edges, thin triangles, and far away.
+    Row{"truth", "segment.*", "published", "float", "offset", 0, 2, none,
+        "in float points far from the origin round onto ends, of whose limits [W12] Appendix A says nothing"},
+    Row{"truth", "*", "published", "*", "@(generic|offset)", 0, 2, 1e8,
+        "half of double's digits, and enough to tell another formula: logarithms and angles cancel by the square of "
+        "the distance to an edge's line, and of a million points within one size hardly any is nearer than 1e-3, which "
+        "takes six "
+        "digits of rounding, times a hundred terms"},
+    Row{"truth", "*", "published", "*", "*", 0, 2, none,
+        "as the paper prints it, after the errata: nothing is stabilised"},
+    // Rules of fixed size far away, from ten sizes on: n points integrate polynomials of degree 2n - 1, and the
+    // kernel's expansion about the element has a remainder of (size/distance)^2n.
+    Row{"truth", "*", "gauss-4", "double", "far", 0, 2, 1e8,
+        "its rate: 10^-8 of the truth at ten sizes, in units of 1e-16"},
+    Row{"truth", "*", "three-quad-75", "double", "far", 0, 2, 1e6,
+        "its rate: 10^-10 of the truth at ten sizes, by five points a direction, in units of 1e-16"},
+    Row{"truth", "*", "@(gauss-8|gauss-16|three-quad-300|near-singular-16)", "double", "far", 0, 2, 64,
+        "its rate is below rounding at ten sizes: 10^-16 by eight points a direction, and less"},
+    Row{"truth", "*", "near-singular-*", "double", "generic", 0, 2, 1e4,
+        "made for points next to the element: twelve digits within one size"},
+    // Schemes of order n^-2, by the twist of the quad, whose corner is lifted by less than its size.
+    Row{"truth", "quad.mean_value", "riemann-4", "double", "@(generic|far|scaled)", 0, 0, 6.25e-2 * 0x1p53,
+        "its order: 1/n^2 of the truth, in units of 2^-53"},
+    Row{"truth", "quad.mean_value", "riemann-7", "double", "@(generic|far|scaled)", 0, 0, 2.05e-2 * 0x1p53,
+        "its order: 1/n^2 of the truth, in units of 2^-53"},
+    Row{"truth", "quad.mean_value", "riemann-10", "double", "@(generic|far|scaled)", 0, 0, 1e-2 * 0x1p53,
+        "its order: 1/n^2 of the truth, in units of 2^-53"},
+    Row{"truth", "quad.mean_value", "tessellated-5", "double", "@(generic|far|scaled)", 0, 0, 8e-2 * 0x1p53,
+        "its order: 2/n^2 of the truth, two triangles a cell, in units of 2^-53"},
+    Row{"truth", "*", "adaptive", "*", "*", 0, 2, none,
+        "integrates until its own tolerance is met, and says how many digits it stands behind: stated_error holds it "
+        "to that, whatever their number"},
+    Row{"truth", "quad.*", "line-*", "*", "*", 0, 2, none,
+        "the line form for as many digits as its name says, where these are enough: which it keeps is what the report "
+        "is for"},
+    Row{"truth", "quad.*", "@(riemann-*|tessellated-*|midpoint-*)", "*", "*", 0, 2, none,
+        "a scheme that approximates the quad by its grid: its error next to it, and of derivatives, is what the report "
+        "is for"},
+    Row{"truth", "*", "@(gauss-*|three-quad-*|near-singular-*)", "*", "*", 0, 2, none,
+        "a quadrature rule of fixed size: its error is what the report is for"},
+    Row{"truth", "segment.*", "offset-*", "*", "*", 0, 2, none,
+        "the closed form at a point moved off the boundary: what the move costs is what the report is for"},
+    // Properties: two evaluations, each within the promise of `truth`.
+    Row{"subdivision", "*", recommended, "double", "*", 0, 2, 320, "five evaluations within 64 each"},
+    Row{"side_relation", "*", recommended, "double", "*", 0, 0, 64, "each layer within 64, in units of both together"},
+    Row{"side_relation", "*", "accurate", "double", "*", 0, 0, 256, "each layer within 256"},
+    Row{"laplacian", "*", recommended, "double", "*", 0, 2, 192, "three second derivatives within 64 each"},
+    Row{"scaling", "*", recommended, "double", "*", 0, 2, 128, "two evaluations within 64 each"},
+    Row{"rigid_motion", "*", recommended, "double", "*", 0, 2, 128, "two evaluations within 64 each"},
+    Row{"corner_permutation", "*", recommended, "double", "*", 0, 2, 128, "two evaluations within 64 each"},
+    Row{"orientation_flip", "*", recommended, "double", "*", 0, 2, 128, "two evaluations within 64 each"},
+    Row{"subdivision", "*", "accurate", "double", "*", 0, 2, 1280, "five evaluations within 256 each"},
+    Row{"laplacian", "*", "accurate", "double", "*", 0, 2, 768, "three second derivatives within 256 each"},
+    Row{"scaling", "*", "accurate", "double", "*", 0, 2, 512, "two evaluations within 256 each"},
+    Row{"rigid_motion", "*", "accurate", "double", "*", 0, 2, 512, "two evaluations within 256 each"},
+    Row{"corner_permutation", "*", "accurate", "double", "*", 0, 2, 512, "two evaluations within 256 each"},
+    Row{"orientation_flip", "*", "accurate", "double", "*", 0, 2, 512, "two evaluations within 256 each"},
+    Row{"gradient_by_differences", "*", "*", "mp200", "*", 1, 2, 1e-30,
+        "central differences of step 1e-40 sizes are good to 1e-48 at 1e-16 sizes from a singularity; 200 digits leave "
+        "room for "
+        "what cancels far away"},
+    Row{"face_jump", "*", "*", "mp100", "*", 0, 0, 1e-30, "two points 1e-40 sizes off the face"},
+    // Whose derivatives an evaluation gives.
+    Row{"own_derivative", "*", "curl-form", "*", "*", 1, 2, none,
+        "P x d/(2|t|) is not the gradient of one triangle's coordinate: only its sums over a closed cage are "
+        "gradients"},
+    Row{"own_derivative", "*", "*", "double", "*", 1, 2, 1e-9,
+        "2e-2 sizes off the cage; a form that is right in sums alone misses by its size"},
+    Row{"one_ring_sum", "*", "*", "double", "*", 1, 2, 1e-9,
+        "2e-2 sizes off the cage, norm-wise over its vertices, in the norms of the terms"},
+    // Across the hull of a twisted quad.
+    Row{"hull_jump", "*", "riemann-*", "*", "*", 1, 1, none,
+        "the projection behind it is continuous across the hull, its derivative is not ([T18] Lemma 3.4)"},
+    Row{"hull_jump", "*", "*", "*", "*", 0, 1, 1e-6, "limits extrapolated from 2e-6 sizes"},
+    // Cages, at points at least 1e-6 of their size away, and on them. Errors of sums are counted in roundings of their
+    // terms, as those of elements are in roundings times conditioning: the sides of a thin wall cancel, and what is
+    // left of a sum is off by as much as its terms are.
+    // Least squares on the boundary, whose tolerances are 1e-10 and 1e-9 of the data.
+    Row{"boundary_residual", "*_goursat", "*", "double", "@(square|l-shape)", 0, 0, 1e-10, "the solver's tolerance"},
+    Row{"boundary_residual", "*_goursat", "*", "double", "@(square|l-shape)", 1, 1, 1e-9, "the solver's tolerance"},
+    Row{"boundary_residual", "*_goursat", "*", "double", "star", 0, 0, 1e-9,
+        "its ten corners take all functions that a second of solving allows: 20 exponents each leave 2e-10 of the "
+        "data, as found"},
+    Row{"boundary_residual", "*_goursat", "*", "double", "star", 1, 1, 1e-7, "as its values, a corner's size 1e-2"},
+    Row{"boundary_residual", "*_goursat", "*", "double", "thin-bar", 0, 0, 2e-6,
+        "the layers at its ends are as wide as the bar, which degree 160 resolves to six digits; 1.05e-6 as found"},
+    Row{"boundary_residual", "*_goursat", "*", "double", "thin-bar", 1, 1, 1e-4, "as its values, over a bar's width"},
+    Row{"boundary_residual", "*_goursat", "*", "double", "*", 0, 1, none,
+        "as far as the functions go that a second of solving allows: the row states it"},
+    // Sums of coordinates solve for the sum of their data; constants and linear functions are in the basis.
+    Row{"partition_of_unity", "*_goursat", "*", "double", "@(square|l-shape)", 0, 0, 1e-9 * 0x1p53,
+        "ten residuals of 1e-10, in units of 2^-53: a bound by the maximum principle where harmonic; biharmonic "
+        "functions have none, and are held to the same"},
+    Row{"partition_of_unity", "*_goursat", "*", "double", "star", 0, 0, 1e-9 * 0x1p53,
+        "one residual of 1e-9, in units of 2^-53"},
+    Row{"partition_of_unity", "*_goursat", "*", "double", "thin-bar", 0, 0, 1e-6 * 0x1p53,
+        "its residual, in units of 2^-53"},
+    Row{"partition_of_unity", "*_goursat", "*", "double", "*", 0, 2, none,
+        "next to the cage, and where residuals are stated as found, no bound of theirs is one of derivatives"},
+    Row{"linear_reproduction", "*_goursat", "*", "double", "@(square|l-shape|star)", 0, 0, 1e-9 * 0x1p53,
+        "as the partition of unity"},
+    Row{"linear_reproduction", "*_goursat", "*", "double", "thin-bar", 0, 0, 1e-6 * 0x1p53,
+        "as the partition of unity"},
+    Row{"linear_reproduction", "*_goursat", "*", "double", "*", 0, 2, none, "as the partition of unity"},
+    Row{"limit_from_inside", "*_goursat", "*", "double", "@(square|l-shape|star)", 0, 0, 1e-6,
+        "1e-11 sizes inside a corner values differ by that to the power of the corner's first exponent, 0.6 in a "
+        "notch"},
+    Row{"limit_from_inside", "*_goursat", "*", "double", "*", 0, 2, none,
+        "the data on the cage, and what solutions make of them inside: boundary_residual"},
+    Row{"cage_scaling", "*_goursat", "*", "double", "*", 0, 0, 0, "by powers of two nothing changes but exponents"},
+    Row{"cage_rigid_motion", "*_goursat", "*", "double", "*", 0, 0, none,
+        "two solutions, each as far from the truth as its boundary_residual; next to the cage more than beta's size"},
+    Row{"cage_laplacian", "harmonic_goursat", "*", "double", "*", 2, 2, 64,
+        "each function is harmonic, and its Hessian is written with opposite numbers"},
+    Row{"cage_differences", "*_goursat", "*", "*", "*", 1, 2, 1e-30,
+        "central differences of step 1e-30 sizes in 100 digits are good to 1e-48 at 1e-6 sizes from the cage"},
+    Row{"partition_of_unity", "maximum_entropy", "*", "double", "*", 1, 2, none,
+        "the entropy's matrix becomes singular where few vertices carry the weight, and derivatives divide by it"},
+    Row{"linear_reproduction", "maximum_entropy", "*", "double", "*", 1, 2, none,
+        "the entropy's matrix becomes singular where few vertices carry the weight, and derivatives divide by it"},
+    Row{"cage_truth", "maximum_entropy", "*", "double", "*", 1, 2, none,
+        "the entropy's matrix becomes singular where few vertices carry the weight, and derivatives divide by it"},
+    Row{"partition_of_unity", "spherical_mean_value", "*", "*", "*", 1, 2, none,
+        "next to a face the quotient rule cancels what the diverging weights share, and no terms are known to count it "
+        "in"},
+    Row{"linear_reproduction", "spherical_mean_value", "*", "*", "*", 1, 2, none,
+        "next to a face the quotient rule cancels what the diverging weights share, and no terms are known to count it "
+        "in"},
+    Row{"cage_truth", "spherical_mean_value", "*", "*", "*", 1, 2, none,
+        "next to a face the quotient rule cancels what the diverging weights share, and no terms are known to count it "
+        "in"},
+    Row{"linear_reproduction", "spherical_mean_value", "*", "double", "wedge-*", 0, 0, none,
+        "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
+        "terms are known to count it in"},
+    Row{"cage_truth", "spherical_mean_value", "*", "double", "wedge-*", 0, 0, none,
+        "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
+        "terms are known to count it in"},
+    Row{"cage_rigid_motion", "spherical_mean_value", "*", "double", "wedge-*", 0, 0, none,
+        "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
+        "terms are known to count it in"},
+    Row{"cage_corner_permutation", "spherical_mean_value", "*", "double", "wedge-*", 0, 0, none,
+        "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
+        "terms are known to count it in"},
+    Row{"cage_truth", "spherical_mean_value", "*", "double", "crack-*", 0, 0, none,
+        "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
+        "terms are known to count it in"},
+    Row{"cage_rigid_motion", "spherical_mean_value", "*", "double", "crack-*", 0, 0, none,
+        "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
+        "terms are known to count it in"},
+    Row{"cage_corner_permutation", "spherical_mean_value", "*", "double", "crack-*", 0, 0, none,
+        "how a face's mean vector is shared out among corners that are seen nearly in a plane is ill-posed, and no "
+        "terms are known to count it in"},
+    Row{"scheme_error", "*", "*", "double", "*", 0, 2, none,
+        "the scheme's own distance from what it approximates: the Laplacian is singular at corners, and the scheme "
+        "takes it for linear on pieces"},
+    Row{"boundary_data", "*", "*", "double", "*", 0, 1, none,
+        "Eq 7 of [W12] holds in the limit of many pieces, of normal derivatives next to corners not even there"},
+    Row{"cage_truth", "@(*_boundary|harmonic)", recommended, "double", "*", 0, 2, 16384,
+        "the systems that are solved enlarge the roundings of their matrices by their condition: 1e2 ... 1e4 with four "
+        "pieces an edge, the most in thin bars"},
+    Row{"cage_truth", "regularised_*", recommended, "double", "*", 0, 2, 16384,
+        "as of solved kinds: their terms are what columns are rounded by, and truth sees what is common to all, the "
+        "roundings of matrices times the condition, 1e2 ... 1e4 on cages of a dozen elements, the most in thin bars"},
+    Row{"partition_of_unity", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, 16384,
+        "as their truth: what the systems' solutions are rounded by is summed next to the boundary with derivatives "
+        "that grow there"},
+    Row{"linear_reproduction", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, 16384,
+        "as their truth: what the systems' solutions are rounded by is summed next to the boundary with derivatives "
+        "that grow there"},
+    Row{"partition_of_unity", "*", of_cages, "double", "*", 0, 2, 64,
+        "each term of the sums to a few roundings, normalised ones by the quotient rule"},
+    Row{"linear_reproduction", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity"},
+    Row{"partition_of_unity", "quad_mean_value", "*", "double", "*", 0, 0, 64, "normalised sums"},
+    Row{"linear_reproduction", "quad_mean_value", "@(gauss-*|midpoint-*)", "double", "*", 0, 0, none,
+        "a fixed rule misses the mean vector of a near quad"},
+    Row{"linear_reproduction", "quad_mean_value", "*", "double", "*", 0, 0, 64,
+        "weights that keep a quad's mean vector, Eq 17 of [T18]"},
+    Row{"zero_outside", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity"},
+    Row{"limit_from_inside", "*", of_cages, "double", "*", 0, 0, 1e-6,
+        "1e-11 sizes inside, coordinates differ by that times their gradient, which small faces and a logarithm "
+        "enlarge"},
+    Row{"limit_from_inside", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, none,
+        "derivatives have a logarithm at the ends of each piece of an edge, which may lie next to the point"},
+    Row{"limit_from_inside", "regularised_*", recommended, "double", "*", 1, 2, 1e-8,
+        "as of the layers, times densities, which the systems make up to 1e2 times the data"},
+    Row{"limit_from_inside", "*", of_cages, "double", "*", 1, 2, 1e-10,
+        "1e-11 sizes inside, derivatives differ by that over a power of the distance to the next edge, which the "
+        "figure is multiplied with, times a number of order ten"},
+    Row{"cage_scaling", "regularised_weber", recommended, "double",
+        "@(cube|icosphere|torus|l-block|twisted-bar|thin-box|spiky-box)", 0, 0, 64,
+        "as the partition of unity, norm-wise over a block: in space each of its equations has one unit"},
+    Row{"cage_scaling", "regularised_weber", recommended, "double", "*", 0, 0, none,
+        "promised on the embedded cages of space; in the plane the layers' logarithm has the unit's"},
+    Row{"cage_scaling", "regularised_*", recommended, "double", "*", 0, 0, none,
+        "values are weighed against Laplacians or normal derivatives, which change with the unit by other powers: "
+        "gamma_d goes with its fourth"},
+    Row{"cage_scaling", "*", of_cages, "double", "*", 0, 0, 64, "as the partition of unity, norm-wise over a block"},
+    Row{"cage_rigid_motion", "*", of_cages, "double", "*", 0, 0, 64,
+        "as the partition of unity, norm-wise over a block"},
+    Row{"cage_corner_permutation", "*", of_cages, "double", "*", 0, 0, 64,
+        "as the partition of unity, norm-wise over a block"},
+    Row{"cage_subdivision", "*", of_cages, "double", "*", 0, 0, 64,
+        "as the partition of unity, norm-wise over a block"},
+    Row{"cage_differences", "*", recommended, "*", "*", 1, 2, 1e-30,
+        "central differences of step 1e-30 sizes in 100 digits are good to 1e-48 at 1e-6 sizes from the cage"},
+    Row{"cage_laplacian", "*", of_cages, "double", "*", 2, 2, 64, "as the partition of unity, norm-wise over a block"},
+    Row{"cage_truth", "*", batched, "double", "*", 2, 2, none,
+        "what a moved point costs a Hessian is a third derivative, which terms do not have: cage_block_error is the "
+        "promise"},
+    Row{"cage_truth", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity, norm-wise over a block"},
+    // Whole cages at once, in units of what rounding the cage in its own frame costs.
+    Row{"cage_block_error", "@(mean_value|quad_mean_value)", batched, "double", "*", 1, 2, 32,
+        "derivatives of w/W cancel next to the cage by the quotient rule, where weights grow like 1/h and w/W stays "
+        "bounded: the unit holds one rounding of each weight's derivatives for that; oblique thin walls and flat "
+        "tetrahedra take 29 of them"},
+    Row{"cage_block_error", "quad_green", batched, "double", "*", 1, 2, none,
+        "derivatives are sums of elements, which cancel next to an edge where faces go on in one plane"},
+    Row{"cage_block_error", "*", batched, "double", "*", 0, 2, 64,
+        "a few roundings of the point and the corners in the cage's own frame, wherever the point is"},
+    // Deformers, in cage sizes: what each keeps, as formulas/deformation.md, Section 1, states it.
+    Row{"keeps_rigid", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_scale", "?(quad_)green", "stretch=@(unit|product)", "double", "*", 0, 0, none, unit_normals},
+    Row{"keeps_scale", "?(quad_)biharmonic_*", "@(normals=@(unit|product)|neumann=affine)", "double", "*", 0, 0, none,
+        unit_normals},
+    Row{"keeps_scale", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_mirror", "@(?(quad_)@(green|somigliana|biharmonic_*)|cauchy)", "*", "double", "*", 0, 0, none,
+        "the posed normals of a mirror image point inward"},
+    Row{"keeps_mirror", "@(ahap|aaap|tp)", "alignment=nonnegative", "double", "*", 0, 0, none,
+        "the posed normals of a mirror image point inward, and no negative stretch turns them"},
+    Row{"keeps_mirror", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_linear", "@(?(quad_)@(green|somigliana|biharmonic_*)|cauchy)", "*", "double", "*", 0, 0, none,
+        "posed normals are not the images of normals, unless the map is a similarity"},
+    Row{"keeps_linear", "@(ahap|aaap|tp)", "alignment=@(hard|soft|nonnegative)", "double", "*", 0, 0, none,
+        "normal derivatives that are held to the posed normals are not those of the map"},
+    Row{"keeps_linear", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_symmetry", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_symmetry_of_quads", "*", "*", "double", "*", 0, 0, none,
+        "the triangles that quads are split in are not symmetric"},
+    Row{"keeps_linear_with_normals", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"deformer_truth", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"deformer_truth", "*", "*", "double", "*", 1, 1, 10 * exact_map,
+        "as images; 2e-2 sizes inside, each derivative loses a digit to the cage's nearness"},
+    Row{"deformer_truth", "*", "*", "double", "*", 2, 2, 100 * exact_map,
+        "as images; 2e-2 sizes inside, each derivative loses a digit to the cage's nearness"},
+    Row{"deformer_jacobian", "*", "*", "double", "*", 1, 2, none, "differences in double have few digits"},
+    Row{"deformer_jacobian", "*", "*", "*", "*", 1, 2, 1e-25,
+        "central differences of step 1e-16 sizes in 50 digits, 2e-2 sizes inside"},
+    Row{"deformer_by_quadrature", "*", "*", "double", "*", 0, 0, 1e-12,
+        "the adaptive rule's tolerance on each coordinate"},
+    // Deformers by constraints: energies over those before, or in a unit in which the cage's size is one; images in
+    // cage sizes.
+    Row{"energy_falls", "*", "*", "double", "*", 0, 0, 1e-12,
+        "every half step is a minimum, and no step is taken that raises a merit: roundings of sums"},
+    Row{"rigid_energy", "*", "*", "double", "*", 0, 0, 1e-24,
+        "a rigid motion has none: squares of roundings, 1e-13 with the constraints' condition"},
+    Row{"energy_is_flat", "*", "*", "double", "*", 0, 0, 1e-11,
+        "a global step solves for the gradient's zero: roundings times the condition of the rows, 1e4 and less"},
+    Row{"constrained_unit", "thickness", "*", "double", "*", 0, 0, 1e-8, least_energy},
+    Row{"constrained_motion", "thickness", "*", "double", "*", 0, 0, 1e-8, least_energy},
+    Row{"constrained_unit", "*", "*", "double", "*", 0, 0, 1e-12, deformer_reason},
+    Row{"constrained_motion", "*", "*", "double", "*", 0, 0, 1e-12, deformer_reason},
+};
+
+// A glob, which may hold alternatives: @(a|b).
+bool is_one_of(std::string_view pattern, std::string_view text) {
+  return fnmatch(std::string(pattern).c_str(), std::string(text).c_str(), FNM_EXTMATCH) == 0;
+}
+
+}  // namespace
+
+std::vector<std::string_view> promised_checks() {
+  std::vector<std::string_view> names;
+  for (const Row& row : table)
+    if (std::ranges::find(names, row.check) == names.end()) names.push_back(row.check);
+  return names;
+}
+
+bool matches_evaluation(std::string_view pattern, const Evaluation& evaluation) {
+  if (matches(pattern, evaluation.name())) return true;
+  for (const EvaluationFamily* family : EvaluationRegister::instance().families(evaluation.formula().name))
+    if (!family->alias.empty() && family->pattern == evaluation.name() && matches(pattern, family->alias)) return true;
+  return false;
+}
+
+Promise promise_for(const PromiseKey& key) {
+  for (const Row& row : table)
+    if (matches(row.check, key.check) && is_one_of(row.subject, key.subject) &&
+        is_one_of(row.evaluation, key.evaluation) && matches(row.scalar, key.scalar) &&
+        is_one_of(row.regime, key.regime) && row.lowest_order <= key.order && key.order <= row.highest_order)
+      return {row.bound, row.reason, true};
+  return {std::nullopt, "stated as found"};
+}
+
+void require_row(const PromiseKey& key, std::optional<Role> role) {
+  const bool relied_on = role == Role::Recommended || role == Role::Stated || role == Role::Batched;
+  const auto known = promised_checks();
+  const bool known_check = std::ranges::find(known, key.check) != known.end();
+  if ((known_check && !relied_on) || promise_for(key).in_table) return;
+  throw std::logic_error(fmt::format(
+      "the table of promises has no row for the check '{}' of {}, evaluation '{}', in {}, {}, order {}: add "
+      "one to validation/src/promises/promise.cpp, with a bound or with the reason why there is none",
+      key.check, key.subject, key.evaluation, key.scalar, key.regime, key.order));
+}
+
+}  // namespace cageproof::validation

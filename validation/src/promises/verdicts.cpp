@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/verdicts.h"
+
+#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/validation/check.h"
+#include "cageproof/validation/promise.h"
+#include "cageproof/validation/regime.h"
+#include "run/report_order.h"
+
+#include <fmt/format.h>
+
+namespace cageproof::validation {
+namespace {
+
+bool has_use(const RowKey& row, Check::Use use) {
+  const Check* check = find_check(row.check);
+  return check && check->use() == use;
+}
+
+// Whether an evaluation may say that it could not meet its tolerance. The gate and the proofs name the recommended one,
+// but what declines there is the integral or the enclosure.
+bool may_decline(const ResultRow& row) {
+  if (has_use(row, Check::Use::Gate) || has_use(row, Check::Use::Proof)) return true;
+  return !row.role.empty() && row.role != name_of(Role::Recommended) && row.role != name_of(Role::Stated);
+}
+
+// What the row's evaluation is: of a single element's row by its formula, of a cage's by the formulas that its kind
+// sums.
+std::optional<Role> registered_role(const RowKey& row) {
+  const auto& known = EvaluationRegister::instance();
+  if (row.section == RowKey::Section::Element) {
+    const auto evaluation = known.find(row.subject, row.evaluation);
+    return evaluation ? std::optional(evaluation->role()) : std::nullopt;
+  }
+  if (row.section == RowKey::Section::Deformer) return std::nullopt;
+  if (const WholeEvaluation* whole = find_whole_evaluation(row.evaluation)) return whole->role;
+  const CoordinateKind* kind = find_coordinate_kind(row.subject);
+  if (kind == nullptr || !kind->is_sum()) return std::nullopt;
+  for (const ElementKind element : element_kinds)
+    if (const Formula* formula = find_formula(element, kind->blocks.front().kernel))
+      if (const auto evaluation = known.find(formula->name, row.evaluation)) return evaluation->role();
+  return std::nullopt;
+}
+
+// Where the samples went.
+std::string loss(const ResultRow& row) {
+  std::vector<std::string> parts;
+  if (row.unreached > 0) parts.push_back(fmt::format("{} had no truth or figure though a limit exists", row.unreached));
+  if (row.declined > 0 && !may_decline(row)) parts.push_back(fmt::format("{} were declined", row.declined));
+  const std::uint64_t known = row.samples + row.without_truth + row.unreached + row.declined;
+  if (row.asked > known) parts.push_back(fmt::format("{} were not heard of", row.asked - known));
+  return fmt::format("{} of {} samples are lost: {}", lost_samples(row), row.asked, fmt::join(parts, ", "));
+}
+
+// So many samples of a regime have one with a limit among them. Runs of fewer leave the regime unproven, and with it
+// unpromised; they do not break it.
+constexpr std::uint64_t enough_asked = 4;
+
+// Where the closed form in multiprecision has not agreed with the integral, nothing that was measured against it
+// counts: the gate's own row is broken for all of them.
+void withdraw_unproven(Judged& result) {
+  const auto same_place = [](const RowKey& a, const RowKey& b) {
+    return a.subject == b.subject && a.regime == b.regime && a.order == b.order;
+  };
+  for (ResultRow& gate : result.rows) {
+    if (!has_use(gate, Check::Use::Gate) || gate.verdict == Verdict::Kept) continue;
+    std::size_t promised = 0;
+    for (ResultRow& row : result.rows) {
+      if (has_use(row, Check::Use::Gate) || has_use(row, Check::Use::Proof) || !same_place(row, gate)) continue;
+      promised += row.verdict != Verdict::NotPromised;
+      row.verdict = Verdict::NotPromised;
+      row.reason = "the truth is not confirmed by the integral here";
+    }
+    if (gate.verdict == Verdict::Broken) {
+      result.notes.push_back(
+          fmt::format("{}, {}, order {}: the closed form in multiprecision is not the integral; nothing measured "
+                      "against it counts",
+                      gate.subject, gate.regime, gate.order));
+    } else if (promised > 0 && gate.without_truth == gate.asked && gate.asked < enough_asked) {
+      gate.reason =
+          fmt::format("none of {} samples has a limit that the integral could confirm; more samples would", gate.asked);
+    } else if (promised > 0) {
+      gate.verdict = Verdict::Broken;
+      gate.reason = fmt::format(
+          "the integral confirmed the truth on none of {} samples ({} without a limit, {} declined), and {} promised "
+          "rows rest on it",
+          gate.asked, gate.without_truth, gate.declined, promised);
+    }
+  }
+}
+
+// Nothing where the row is none that curves are drawn of.
+std::optional<ResultCurve> curve_of(const ResultRow& row, const Tally& tally) {
+  const Regime* regime = find_regime(row.regime);
+  if (tally.by_parameter.empty() || !regime || regime->parameters.size() < tally.by_parameter.size())
+    return std::nullopt;
+  ResultCurve curve{row, std::string(regime->parameter_name), {}, {}, row.role};
+  for (std::size_t i = 0; i < tally.by_parameter.size(); ++i)
+    if (tally.by_parameter[i] >= 0) {
+      curve.parameters.push_back(regime->parameters[i]);
+      curve.errors.push_back(tally.by_parameter[i]);
+    }
+  return curve;
+}
+
+}  // namespace
+
+std::uint64_t lost_samples(const ResultRow& row) {
+  const std::uint64_t excused = row.samples + row.without_truth + (may_decline(row) ? row.declined : 0);
+  return row.asked > excused ? row.asked - excused : 0;
+}
+
+void judge(ResultRow& row) {
+  const PromiseKey key{row.check, row.subject, row.evaluation, row.scalar, row.regime, row.order};
+  // Rows that are read from a journal say what their evaluation is, which this program may not have.
+  const auto stored = std::ranges::find_if(roles, [&](const Role role) { return name_of(role) == row.role; });
+  require_row(key, stored != roles.end() ? std::optional(*stored) : registered_role(row));
+  const Promise promise = promise_for(key);
+  row.bound = promise.bound;
+  row.reason = promise.reason;
+  row.verdict = !row.bound || row.samples == 0 ? Verdict::NotPromised
+                : row.max <= *row.bound        ? Verdict::Kept
+                                               : Verdict::Broken;
+  if (!row.bound) return;
+  // What any result would keep is no promise. That results are finite where the truth is was looked at all the same.
+  if (row.verdict == Verdict::Kept && row.is_ill_posed()) {
+    row.verdict = Verdict::NotPromised;
+    row.reason = fmt::format(
+        "ill-posed here: a result without one right digit would score {:.2g} at most, within the bound of {:.2g}",
+        row.total_loss, *row.bound);
+  }
+  // A row that measured nothing keeps no promise, and breaks none where there was nothing to measure.
+  if (row.samples == 0) row.reason = "no sample had a truth, or a statement, to be measured against";
+  if (lost_samples(row) == 0) return;
+  row.reason = row.verdict == Verdict::Broken ? fmt::format("{}; {}", row.reason, loss(row)) : loss(row);
+  row.verdict = Verdict::Broken;
+}
+
+std::string role_of(const RowKey& key) {
+  const auto role = registered_role(key);
+  return role ? std::string(name_of(*role)) : std::string();
+}
+
+ResultRow row_of(const RowKey& key, const Tally& tally) {
+  ResultRow row;
+  static_cast<RowKey&>(row) = key;
+  static_cast<RowFigures&>(row) = tally;
+  // Journals of earlier programs hold no roles.
+  if (row.role.empty()) row.role = role_of(key);
+  row.samples = tally.errors.count();
+  row.nonfinite = tally.errors.nonfinite();
+  row.max = tally.errors.max();
+  row.p999 = tally.errors.p999();
+  row.median = tally.errors.median();
+  row.worst = tally.worst.cases();
+  const auto counts = tally.errors.counts();
+  row.histogram.assign(counts.begin(), counts.end());
+  row.is_foundation = has_use(row, Check::Use::Gate) || has_use(row, Check::Use::Proof);
+  judge(row);
+  return row;
+}
+
+Judged judged(const std::map<RowKey, Tally>& tallies) {
+  Judged result;
+  for (const auto& [key, tally] : tallies)
+    if (!tally.empty()) result.rows.push_back(row_of(key, tally));
+  sort_for_report(result.rows);
+  withdraw_unproven(result);
+  for (const ResultRow& row : result.rows)
+    if (auto curve = curve_of(row, tallies.at(row))) result.curves.push_back(std::move(*curve));
+  return result;
+}
+
+}  // namespace cageproof::validation

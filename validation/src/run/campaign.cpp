@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/campaign.h"
+
+#include "checks/element_questions.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/validation/promise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+// A question of a job, and the samples that it is asked at.
+struct Part {
+  ElementQuestion question;
+  int divisor;  // takes every divisor-th sample
+  int end;      // of those below
+};
+
+// A formula in a regime, and all that is asked of it there.
+struct Plan {
+  const Formula* formula;
+  const Regime* regime;
+  std::optional<TruthSource> source;  // none where nothing is asked
+  std::vector<Part> parts;
+};
+
+// Whether an evaluation is one that people rely on, and quick enough to be asked at every sample: no rule or scheme,
+// whose errors are known to be large, and nothing adaptive.
+bool takes_every_sample(const Evaluation& evaluation) {
+  const Role role = evaluation.role();
+  return role != Role::Rule && role != Role::Scheme && evaluation.cost() < CostClass::Adaptive;
+}
+
+// Steps through all decades of a sweep, whose lengths seven does not divide.
+constexpr int wide_stride = 7;
+
+// At most n, at least one: steps over what lies exactly on an element and what lies a rounding off it by turns.
+constexpr int largest_odd(int n) { return n < 2 ? 1 : n - (n % 2 == 0 ? 1 : 0); }
+
+// Where truths are integrals themselves, a quarter of the samples; then whatever else is measured against them costs
+// little.
+CampaignOptions affordable(CampaignOptions options, const TruthSource& source) {
+  if (!source.is_costly()) return options;
+  options.samples = (options.samples + 3) / 4;
+  options.quadrature_divisor = 1;
+  return options;
+}
+
+// The highest order that a check asks, where truths are costly. On an element such integrals extrapolate from several
+// distances, which takes a minute of a matrix's Hessians; next to one they take seconds, and `generic` asks.
+int order_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const Regime& regime,
+              const CampaignOptions& options, const TruthSource& source) {
+  int order = std::min(2, evaluation.max_order());
+  const bool on_element = regime.name.starts_with("on-");
+  if (check.cost(scalar) != Check::Cost::Multiprecision || !source.is_costly()) return order;
+  if (!on_element && regime.parameters.empty()) return order;
+  const std::size_t most = on_element ? options.integral_entries : 9 * options.integral_entries;
+  const Formula& formula = evaluation.formula();
+  const auto entries = [&](int o) {
+    return static_cast<std::size_t>(formula.components()) * derivative_count(formula.dim(), o);
+  };
+  while (most > 0 && order > 0 && entries(order) > most) --order;
+  return order;
+}
+
+// The question of a check in a regime and the samples that it takes, every divisor-th below end; nothing where it is
+// not asked.
+std::optional<Part> part_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const Regime& regime,
+                             const CampaignOptions& options, const TruthSource& source) {
+  auto question = element_question(check, evaluation, scalar, regime.name,
+                                   order_for(check, evaluation, scalar, regime, options, source));
+  if (!question) return std::nullopt;
+  const auto strided = [&](int divisor, int end) { return Part{std::move(*question), divisor, end}; };
+  switch (check.cost(scalar)) {
+    case Check::Cost::Enclosure: return strided(wide_stride, wide_stride * options.enclosures);
+    case Check::Cost::Multiprecision: {
+      // Several are asked for so that they spread over a sweep's decades; half of them do where nothing is swept.
+      // Points on an element lie exactly on it and a rounding off it by turns, and only the latter have all
+      // derivatives: one of each, or no derivative would be confirmed.
+      const int integrals = regime.parameters.empty()
+                                ? std::max(std::min(2, options.integral_samples), (options.integral_samples + 1) / 2)
+                                : options.integral_samples;
+      const bool none_swept = regime.parameters.empty();
+      const int stride = none_swept ? std::min(wide_stride, largest_odd(options.samples - 1)) : wide_stride;
+      return strided(stride, std::min(options.samples, stride * integrals));
+    }
+    case Check::Cost::Truths: return strided(std::max(wide_stride, options.quadrature_divisor), options.samples);
+    case Check::Cost::Evaluations: break;
+  }
+  // Samples rounded to float have truths of their own.
+  constexpr int costly_stride = 3;
+  if (scalar == ScalarKind::Float && source.is_costly()) return strided(costly_stride, options.samples);
+  const bool every = takes_every_sample(evaluation) && scalar != ScalarKind::Float;
+  return strided(every ? 1 : options.quadrature_divisor, options.samples);
+}
+
+Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOptions& options) {
+  Plan plan{&formula, &regime, {}, {}};
+  auto& evaluations = EvaluationRegister::instance();
+  if (!has_truth_source(formula) || !exists_for(regime, formula.element)) return plan;
+  plan.source = truth_source(formula);
+  for (const auto& check : checks())
+    for (const std::string& name : evaluations.standard(formula.name)) {
+      // The gate is asked for whatever else is: without it there is no truth.
+      const Evaluation evaluation = *evaluations.find(formula.name, name);
+      if (!matches_evaluation(options.evaluations, evaluation) && check->use() != Check::Use::Gate) continue;
+      for (const ScalarKind scalar : scalar_kinds)
+        if (auto part = part_for(*check, evaluation, scalar, regime, affordable(options, *plan.source), *plan.source))
+          plan.parts.push_back(std::move(*part));
+    }
+  return plan;
+}
+
+// A formula in a regime; sample i of all its parts is made, and its truth found, once.
+class ElementMeasurement final : public Measurement {
+ public:
+  ElementMeasurement(Plan plan, std::uint64_t seed) : plan_(std::move(plan)), seed_(seed) {
+    for (const Part& part : plan_.parts) end_ = std::max(end_, part.end);
+    // Costly checks take few samples, the first ones: blocks of less would leave a thread alone with them.
+    constexpr int least = 16;
+    block_size_ = std::max(least, ((end_ + most_blocks - 1) / most_blocks + least - 1) / least * least);
+  }
+  std::string name() const override { return fmt::format("{}, {}", plan_.formula->name, plan_.regime->name); }
+  int blocks() const override { return std::max(1, (end_ + block_size_ - 1) / block_size_); }
+
+  Findings measure(int block) const override {
+    Findings findings;
+    for (int i = block * block_size_; i < std::min(end_, (block + 1) * block_size_); ++i)
+      measure_sample(i, findings.rows);
+    return findings;
+  }
+
+ private:
+  static bool takes(const Part& part, int i) { return i % part.divisor == 0 && i < part.end; }
+
+  void measure_sample(int i, std::map<RowKey, Tally>& rows) const {
+    if (std::ranges::none_of(plan_.parts, [&](const Part& part) { return takes(part, i); })) return;
+    const Sample exact = make_sample(*plan_.formula, *plan_.regime, seed_, i);
+    for (const bool single : {false, true}) {
+      const ElementAt at(*plan_.source, single ? rounded_to(ScalarKind::Float, exact) : exact);
+      for (const Part& part : plan_.parts) {
+        if ((part.question.scalar == ScalarKind::Float) != single || !takes(part, i)) continue;
+        const bool has_curve = part.question.check->use() == Check::Use::Truth;
+        record(part.question, at, rows, has_curve ? plan_.regime->parameters.size() : 0);
+      }
+    }
+  }
+
+  Plan plan_;
+  std::uint64_t seed_;
+  int end_ = 0, block_size_ = 0;
+};
+
+template <class Range, class Name>
+auto matching(const Range& range, const std::string& pattern, std::string_view what, Name name) {
+  std::vector<const std::ranges::range_value_t<Range>*> found;
+  for (const auto& item : range)
+    if (matches(pattern, name(item))) found.push_back(&item);
+  if (found.empty()) throw InputError(fmt::format("no {} matches '{}'; see `cageproof list`", what, pattern));
+  return found;
+}
+
+}  // namespace
+
+Measurements element_measurements(const CampaignOptions& options) {
+  Measurements measurements;
+  bool any_part = false;
+  const auto name_of_row = [](const auto& row) { return row.name; };
+  for (const Formula* formula : matching(catalogue(), options.formulas, "formula", name_of_row))
+    for (const Regime* regime : matching(regimes(), options.regimes, "regime", name_of_row)) {
+      Plan plan = plan_for(*formula, *regime, options);
+      for (const Part& part : plan.parts)
+        any_part = any_part || matches_evaluation(options.evaluations, part.question.evaluation);
+      if (plan.parts.empty()) continue;
+      measurements.push_back(std::make_unique<ElementMeasurement>(std::move(plan), options.seed));
+    }
+  if (!any_part) throw InputError(fmt::format("no evaluation matches '{}'; see `cageproof list`", options.evaluations));
+  return measurements;
+}
+
+std::vector<std::string> notes_on_truth(const std::string& formulas) {
+  std::vector<std::string> notes;
+  for (const Formula& formula : catalogue())
+    if (matches(formulas, formula.name) && has_truth_source(formula) && truth_source(formula).is_integral)
+      notes.push_back(fmt::format(
+          "{}: no recommended evaluation; the truth is the integral in 100 digits, confirmed to 30 by the one in 50",
+          formula.name));
+  return notes;
+}
+
+Judged run_campaign(const CampaignOptions& options) {
+  Judged found = judged(measure_all(element_measurements(options), options.jobs, options.progress).rows);
+  for (std::string& note : notes_on_truth(options.formulas)) found.notes.push_back(std::move(note));
+  return found;
+}
+
+}  // namespace cageproof::validation

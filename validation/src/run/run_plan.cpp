@@ -1,0 +1,494 @@
+// SPDX-License-Identifier: MIT
+#include "run/run_plan.h"
+
+#include "run/asked_names.h"
+#include "checks/hull_continuity.h"
+#include "run/run_report.h"
+
+#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/validation/block_campaign.h"
+#include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/campaign.h"
+#include "cageproof/validation/compared_fields.h"
+#include "cageproof/validation/deformer_campaign.h"
+#include "cageproof/validation/errata.h"
+#include "cageproof/validation/error_fields.h"
+#include "cageproof/validation/hunt.h"
+#include "cageproof/validation/one_ring.h"
+#include "cageproof/validation/paper_figures.h"
+#include "cageproof/validation/promise.h"
+#include "cageproof/validation/stored_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace cageproof::validation {
+namespace {
+
+// A quad's integral in multiprecision costs as much as that many triangles'.
+constexpr double quad_cost = 30;
+
+// At how many points of a cage a kind's other evaluations are asked for its relations: integrals take their time.
+int affordable_points(const Evaluation& evaluation, int points) {
+  switch (evaluation.cost()) {
+    case CostClass::Multiprecision: return std::min(points, 4);
+    case CostClass::Adaptive: return std::min(points, 20);
+    case CostClass::Nodes: return evaluation.role() == Role::Rule ? std::min(points, 40) : points;
+    case CostClass::Direct: break;
+  }
+  return points;
+}
+
+// Every standard evaluation of a formula but the recommended one, and those that checks alone ask for.
+std::vector<Evaluation> other_evaluations(const Formula& formula) {
+  std::vector<Evaluation> found;
+  for (const EvaluationFamily* family : EvaluationRegister::instance().families(formula.name)) {
+    if (family->role == Role::Recommended) continue;
+    if (family->standard.empty()) found.push_back(family->example());
+    for (const std::string& name : family->standard) found.push_back(evaluation_named(formula.name, name));
+  }
+  return found;
+}
+
+// A kind's first formula on those of the cage's faces that a triangulation would cut. \pre the cage has such faces
+const Formula& formula_of_kept_faces(const CoordinateKind& kind, const Cage& cage) {
+  const auto face = std::ranges::find_if(cage.faces(), [](const Face& f) { return !type_of(f.kind()).splits.empty(); });
+  return *find_formula(face->kind(), kind.blocks.front().kernel);
+}
+
+// Whether all of a kind's formulas on the faces that it keeps have an evaluation of that name.
+bool is_evaluation_of(const std::string& name, const CoordinateKind& kind, const Cage& cage) {
+  const ElementKind element = formula_of_kept_faces(kind, cage).element;
+  return std::ranges::all_of(kind.blocks, [&](const SummedBlock& block) {
+    return EvaluationRegister::instance().find(find_formula(element, block.kernel)->name, name).has_value();
+  });
+}
+
+// Tells inputs apart that have the same name: FNV-1a of their numbers.
+class Fingerprint {
+ public:
+  void add(std::uint64_t word) {
+    hash_ = (hash_ ^ word) * 1099511628211U;
+    hash_ ^= hash_ >> 32;
+  }
+  void add(const std::vector<Vec3<double>>& points) {
+    add(points.size());
+    for (const auto& p : points)
+      for (int c = 0; c < 3; ++c) add(std::bit_cast<std::uint64_t>(p[c]));
+  }
+  void add(std::string_view text) {
+    add(text.size());
+    for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  }
+  std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  std::uint64_t hash_ = 14695981039346656037U;
+};
+
+std::string fingerprint(const Cage& cage) {
+  Fingerprint print;
+  print.add(cage.vertices());
+  for (const Face& face : cage.faces())
+    for (const int v : face.vertices) print.add(static_cast<std::uint64_t>(v) + 1);
+  return print.text();
+}
+
+std::string fingerprint(const Mesh& mesh) {
+  Fingerprint print;
+  print.add(mesh.vertices);
+  for (const auto& face : mesh.faces) {
+    print.add(face.size());
+    for (const int v : face) print.add(static_cast<std::uint64_t>(v));
+  }
+  return print.text();
+}
+
+// Whether a pattern names evaluations of whole coordinates, and none of a formula.
+bool names_whole_evaluations_alone(const std::string& pattern) {
+  const bool whole = std::ranges::any_of(
+      whole_evaluations(), [&](const WholeEvaluation& evaluation) { return matches(pattern, evaluation.name); });
+  if (!whole) return false;
+  for (const Formula& formula : catalogue())
+    for (const std::string& name : EvaluationRegister::instance().standard(formula.name))
+      if (matches_evaluation(pattern, evaluation_named(formula.name, name))) return false;
+  return true;
+}
+
+class Planner {
+ public:
+  explicit Planner(const VerifyOptions& options) : options_(options) {}
+
+  RunPlan plan() {
+    require_known_names(options_);
+    if (names_whole_evaluations_alone(options_.evaluations)) return plan_of_whole_evaluations();
+    if (std::ranges::any_of(regimes(), [&](const Regime& one) { return matches(options_.regimes, one.name); }))
+      add(element_measurements(campaign_options()));
+    auto stored = stored_measurement(stored_worst_cases(), stored_cases_file, options_.formulas, options_.evaluations);
+    if (stored.measurement) add(std::move(stored.measurement));
+    if (matches(options_.formulas, hull_formula) && matches(options_.regimes, hull_regime))
+      add(hull_measurements(options_.evaluations, options_.seed));
+    if (options_.cage) {
+      const auto cage = std::make_shared<const Cage>(*options_.cage);
+      if (auto warning = crossing_warning(*cage)) plan_.header.notes.push_back(std::move(*warning));
+      add_cage(cage);
+      if (std::ranges::none_of(coordinate_kinds(), [&](const CoordinateKind& kind) { return is_asked(kind, *cage); }))
+        plan_.header.notes.push_back(
+            fmt::format("{}: not judged, no coordinates on it sum the formulas asked for", cage->name()));
+      if (options_.mesh) add_mesh(cage);
+      add_deformers(cage);
+    } else {
+      for (const auto name : embedded_cage_names()) add_cage(std::make_shared<const Cage>(embedded_cage(name)));
+      add_figure_three();
+      for (const auto name : extreme_cage_names())
+        add_recommended(std::make_shared<const Cage>(embedded_cage(name)), extreme_cage_options());
+      add_extreme_batched();
+      for (const auto name : deformer_cage_names()) add_deformers(std::make_shared<const Cage>(embedded_cage(name)));
+    }
+    // Figures show whole kinds of coordinates, on cages of their own.
+    if (!options_.cage && options_.formulas == "*" && options_.evaluations == "*" && options_.regimes == "*")
+      add(figure_measurements());
+    add(errata_measurement({.formulas = options_.formulas, .seed = options_.seed}));
+    for (std::string& note : notes_on_truth(options_.formulas)) plan_.header.notes.push_back(std::move(note));
+    plan_.units = units_of(plan_.measurements);
+    set_header(stored.cases);
+    return std::move(plan_);
+  }
+
+ private:
+  void add(std::unique_ptr<const Measurement> measurement) { plan_.measurements.push_back(std::move(measurement)); }
+  void add(Measurements measurements) {
+    for (auto& measurement : measurements) add(std::move(measurement));
+  }
+
+  // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
+  void add_deformers(const std::shared_ptr<const Cage>& cage) {
+    if (options_.formulas != "*") return;
+    Measurements found = deformer_measurements(cage, {.triangulation = options_.triangulation, .seed = options_.seed});
+    if (found.empty())
+      plan_.header.notes.push_back(fmt::format(
+          "{}: deformers are not judged, no point is found 2e-2 of its size and more inside", cage->name()));
+    add(std::move(found));
+  }
+
+  // Whether the kind exists on such a cage and sums a formula that is asked for; kinds that compute otherwise are asked
+  // with all formulas alone.
+  bool is_asked(const CoordinateKind& kind, const Cage& cage) const {
+    if (!exists_on(kind, cage) || !is_affordable(kind, cage, cage_options())) return false;
+    if (!kind.is_sum()) return options_.formulas == "*";
+    // Of triangles and segments the layers that keep quads are those that do not.
+    if (kind.keeps_quads && !kind.normalised && !cage.has_quads()) return false;
+    return std::ranges::any_of(formulas_of(kind, cage),
+                               [&](const Formula* formula) { return matches(options_.formulas, formula->name); });
+  }
+
+  CampaignOptions campaign_options() const {
+    CampaignOptions campaign;
+    campaign.formulas = options_.formulas;
+    campaign.evaluations = options_.evaluations;
+    campaign.regimes = options_.regimes;
+    campaign.seed = options_.seed;
+    campaign.samples = options_.suite.samples;
+    campaign.integral_samples = options_.suite.integral_samples;
+    campaign.integral_entries = options_.suite.integral_entries;
+    campaign.enclosures = options_.suite.enclosures;
+    return campaign;
+  }
+
+  CageCampaignOptions cage_options() const {
+    CageCampaignOptions campaign;
+    campaign.triangulation = options_.triangulation;
+    campaign.seed = options_.seed;
+    campaign.points = options_.suite.cage_points;
+    campaign.truth_points = options_.suite.truth_points;
+    campaign.mesh_points = options_.suite.mesh_points;
+    // Suites with time solve on larger cages.
+    if (!options_.suite.has_time_limit) campaign.solved_elements = 50;
+    return campaign;
+  }
+
+  // There are many of them, each for one thing: twelve points have one at each distance, and as many anywhere.
+  CageCampaignOptions extreme_cage_options() const {
+    CageCampaignOptions campaign = cage_options();
+    campaign.points = std::max(12, campaign.points / 16);
+    campaign.truth_points = std::min(campaign.truth_points, 1);
+    campaign.on_points = 8;
+    campaign.differences = false;
+    // Between walls that are as good as one, densities are as good as undetermined.
+    campaign.solved_elements = 0;
+    // Elements as thin as these need hundreds of digits for their derivatives: suites with time ask for them.
+    campaign.properties_alone = options_.suite.truth_points < 4;
+    return campaign;
+  }
+
+  // Every kind's recommended coordinates.
+  void add_recommended(const std::shared_ptr<const Cage>& cage, CageCampaignOptions campaign) {
+    for (const CoordinateKind& kind : coordinate_kinds()) {
+      if (!is_asked(kind, *cage) || !accepts(kind, *cage) || !is_affordable(kind, *cage, campaign)) continue;
+      campaign.kinds = kind.name;
+      add(cage_measurements(cage, campaign));
+    }
+  }
+
+  // Of whole coordinates: block errors, and the cage's properties.
+  void add_batched(const std::shared_ptr<const Cage>& cage, const BlockCampaignOptions& block,
+                   CageCampaignOptions campaign) {
+    for (const WholeEvaluation& evaluation : whole_evaluations())
+      for (const CoordinateKind& kind : coordinate_kinds()) {
+        if (evaluation.role != Role::Batched || !matches(options_.evaluations, evaluation.name)) continue;
+        if (!kind.is_sum() || !is_asked(kind, *cage) || !accepts(kind, *cage) || !evaluation.exists(kind, *cage))
+          continue;
+        BlockCampaignOptions options = block;
+        options.evaluation = evaluation.name;
+        add(block_measurement(cage, kind, options));
+        campaign.evaluation = evaluation.name;
+        campaign.kinds = kind.name;
+        // In multiprecision it is the sum of formulas, whose derivatives are asked for already.
+        campaign.differences = false;
+        add(cage_measurements(cage, campaign));
+      }
+  }
+
+  BlockCampaignOptions block_options() const {
+    return {.evaluation = {},
+            .triangulation = options_.triangulation,
+            .seed = options_.seed,
+            .points = options_.suite.block_points,
+            .milliseconds = options_.suite.block_milliseconds};
+  }
+
+  // What a run is that asks for nothing else.
+  RunPlan plan_of_whole_evaluations() {
+    if (options_.cage) {
+      add_batched(std::make_shared<const Cage>(*options_.cage), block_options(), cage_options());
+    } else {
+      for (const auto name : embedded_cage_names())
+        add_batched(std::make_shared<const Cage>(embedded_cage(name)), block_options(), cage_options());
+      add_extreme_batched();
+    }
+    plan_.units = units_of(plan_.measurements);
+    set_header(0);
+    return std::move(plan_);
+  }
+
+  void add_extreme_batched() {
+    // Walls of a rounding's thickness take hundreds of digits an element: suites with time ask for block errors there.
+    if (options_.suite.has_time_limit) return;
+    BlockCampaignOptions block = block_options();
+    block.points = block.milliseconds = 0;  // the least
+    for (const auto name : extreme_cage_names())
+      add_batched(std::make_shared<const Cage>(embedded_cage(name)), block, extreme_cage_options());
+  }
+
+  void add_cage(const std::shared_ptr<const Cage>& cage) {
+    const auto exists = [&](const CoordinateKind& kind) { return is_asked(kind, *cage) && accepts(kind, *cage); };
+    add_recommended(cage, cage_options());
+    add_batched(cage, block_options(), cage_options());
+    // Whatever a quad's weights are computed with, they must keep the cage's own relations.
+    for (const CoordinateKind& kind : coordinate_kinds()) {
+      if (!kind.is_sum() || !kind.keeps_quads || !cage->has_quads() || !exists(kind)) continue;
+      for (const Evaluation& evaluation : other_evaluations(formula_of_kept_faces(kind, *cage))) {
+        if (!is_evaluation_of(evaluation.name(), kind, *cage)) continue;
+        // Integrals of layers take several times as long as those of weights: suites with time ask for them.
+        const bool costly = evaluation.cost() >= CostClass::Adaptive && !kind.normalised;
+        if (costly && options_.suite.has_time_limit) continue;
+        CageCampaignOptions campaign = cage_options();
+        campaign.evaluation = evaluation.name();
+        campaign.kinds = kind.name;
+        campaign.points = affordable_points(evaluation, campaign.points);
+        campaign.properties_alone = true;
+        add(cage_measurements(cage, campaign));
+      }
+    }
+    // Other ways to prepare a kind that is no sum, against the recommended one, which promise nothing: a user's cage is
+    // asked, and embedded ones by suites with time.
+    for (const CoordinateKind& kind : coordinate_kinds())
+      for (const std::string_view evaluation : kind.other_evaluations) {
+        if (!exists(kind) || (!options_.cage && options_.suite.has_time_limit)) continue;
+        CageCampaignOptions campaign = cage_options();
+        campaign.evaluation = evaluation;
+        campaign.kinds = kind.name;
+        campaign.points = std::min(campaign.points, 40);
+        campaign.differences = false;
+        add(cage_measurements(cage, campaign));
+      }
+    if (one_ring_exists_on(*cage) && matches(options_.formulas, one_ring_formula))
+      for (const std::string& evaluation : {std::string(), OneRingOptions{}.evaluation})
+        add(one_ring_measurement(
+            cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed}));
+    if (is_shown(*cage)) add(outline_measurement(cage));
+    bool left_out = false, quads_left_out = false;
+    for (const CoordinateKind& kind : coordinate_kinds()) {
+      if (options_.cage && exists_on(kind, *cage) && !is_affordable(kind, *cage, cage_options()))
+        plan_.header.notes.push_back(
+            fmt::format("{}: {} is not judged, the cage has more than {} elements, on which solving takes its time",
+                        cage->name(), kind.name, cage_options().solved_elements));
+      if (!is_asked(kind, *cage)) continue;
+      if (accepts(kind, *cage)) {
+        if (is_shown(*cage)) add_fields(cage, kind);
+        else left_out = true;
+        quads_left_out = quads_left_out || (is_shown(*cage) && !shows_truth(kind, *cage));
+      } else {
+        plan_.header.notes.push_back(
+            fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, why_refused(kind, *cage)));
+      }
+    }
+    if (left_out)
+      plan_.header.notes.push_back(fmt::format("{}: its error fields are drawn by longer suites", cage->name()));
+    if (quads_left_out)
+      plan_.header.notes.push_back(
+          fmt::format("{}: error fields of coordinates that keep its quads are drawn by longer suites", cage->name()));
+  }
+
+  // Whether a field shows a kind against its truth. Truths of quads take so long that suites in a hurry, on cages that
+  // nobody asked for, had six points a side.
+  bool shows_truth(const CoordinateKind& kind, const Cage& cage) const {
+    return options_.cage || !options_.suite.has_time_limit || !kind.is_sum() || !kind.keeps_quads || !cage.has_quads();
+  }
+
+  // Fields show where errors sit, and promise nothing: those of larger embedded cages are for suites with time.
+  bool is_shown(const Cage& cage) const {
+    const std::size_t most = options_.suite.shown_elements;
+    return options_.cage || most == 0 || cage.parts(false, options_.triangulation).elements.size() <= most;
+  }
+
+  void add_fields(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind) {
+    const Triangulation rule = options_.triangulation;
+    const int resolution = options_.suite.slice;
+    const auto title = fmt::format("{}, {} coordinates", cage->name(), kind.name);
+    FieldPart common;
+    common.cage = outline_name(*cage);
+    add(field_measurement(reproduction_field(cage, kind, "", rule, resolution), fields_++,
+                          title + ": linear reproduction", "linear reproduction", common));
+    if (!kind.is_sum()) return;  // no truth to compare with
+    if (add_scene(cage, kind)) return;
+    const auto elements = cage->parts(false, rule).elements.size();
+    const double pairs = static_cast<double>(elements * kind.blocks.size()) * (kind.keeps_quads ? quad_cost : 1);
+    const int side = std::clamp(static_cast<int>(std::sqrt(options_.suite.pairs / pairs)), 6, resolution);
+    if (shows_truth(kind, *cage))
+      add(field_measurement(coordinate_error_field(cage, kind, "", rule, side), fields_++,
+                            title + ": closed form against truth", "relative error", common));
+    if (!kind.keeps_quads || !cage->has_quads()) return;
+    const auto scheme = EvaluationRegister::instance().with_role(formula_of_kept_faces(kind, *cage).name, Role::Scheme);
+    if (!scheme || !is_evaluation_of(scheme->name(), kind, *cage)) return;
+    add(field_measurement(coordinate_difference_field(cage, kind, scheme->name(), "", rule, resolution), fields_++,
+                          fmt::format("{}: error of {}", title, scheme->name()), "difference", common));
+  }
+
+  // One scene a run, of the first kind that papers print and of the suite's cage, or the user's; all of them
+  // in suites with time. It takes the place of a slice of the recommended evaluation's rounding noise.
+  bool add_scene(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind) {
+    const Suite& suite = options_.suite;
+    const Comparison comparison{cage, &kind, telling_evaluations(kind, *cage), options_.triangulation};
+    if (kind.keeps_quads || comparison.evaluations.size() < 3) return false;
+    const bool all = suite.scene_cage.empty();
+    if (!all && (scenes_ > 0 || !(options_.cage || cage->name() == suite.scene_cage))) return false;
+    ++scenes_;
+    const auto mesh = options_.mesh ? std::make_shared<const Mesh>(*options_.mesh) : nullptr;
+    const auto elements = static_cast<double>(cage->parts(false, options_.triangulation).elements.size());
+    const auto points =
+        static_cast<std::size_t>(suite.scene_pairs / (elements * static_cast<double>(kind.blocks.size())));
+    add(scene_measurements(comparison, affordable_side(comparison, suite.scene_pairs, suite.scene_side), mesh,
+                           std::max<std::size_t>(100, points), fields_));
+    fields_ += mesh ? 2 : 1;
+    return true;
+  }
+
+  // [W12] Figure 3: the coordinates of a vertex and an edge themselves, for kinds from mean value to biharmonic.
+  void add_figure_three() {
+    struct Shown {
+      std::string_view kind, label;
+    };
+    static constexpr std::array shown{Shown{"mean_value", "lambda"},         Shown{"harmonic", "lambda"},
+                                      Shown{"biharmonic_boundary", "alpha"}, Shown{"biharmonic_goursat", "alpha"},
+                                      Shown{"biharmonic_boundary", "beta"},  Shown{"biharmonic_goursat", "beta"}};
+    constexpr int index = 3;  // the reentrant corner, and the edge from it
+    const int side = std::max(options_.suite.slice, 48);
+    const auto cage = std::make_shared<const Cage>(embedded_cage("l-shape"));
+    FieldPart common;
+    common.cage = outline_name(*cage);
+    for (const Shown& one : shown) {
+      const CoordinateKind* kind = find_coordinate_kind(one.kind);
+      if (kind == nullptr || !is_asked(*kind, *cage)) continue;
+      add(field_measurement(
+          coordinate_field(cage, *kind, std::string(one.label), index, side), fields_++,
+          fmt::format("{}, {} coordinates: {}_{} itself ([W12] Figure 3)", cage->name(), kind->name, one.label, index),
+          fmt::format("{}_{}", one.label, index), common));
+    }
+  }
+
+  void add_mesh(const std::shared_ptr<const Cage>& cage) {
+    const auto mesh = std::make_shared<const Mesh>(*options_.mesh);
+    plan_.measurements.push_back(mesh_shape(mesh));
+    for (const CoordinateKind& kind : coordinate_kinds())
+      if (is_asked(kind, *cage) && accepts(kind, *cage))
+        add(mesh_measurement(cage, kind, mesh, options_.mesh_name, fields_++, cage_options()));
+  }
+
+  // Options are named as on the command line, where they have a name there.
+  void set_header(std::size_t stored_cases) {
+    const Suite& suite = options_.suite;
+    const auto text = [](const auto& x) { return fmt::format("{}", x); };
+    auto& header = plan_.header;
+    header.version = CAGEPROOF_VERSION;
+    header.options = {
+        {"formulas", options_.formulas},
+        {"evaluations", options_.evaluations},
+        {"regimes", options_.regimes},
+        {"suite", std::string(suite.name)},
+        {"samples", text(suite.samples)},
+        {"enclosures", text(suite.enclosures)},
+        {"seed", text(options_.seed)},
+        {"triangulate", std::string(name_of(options_.triangulation))},
+        {"integral samples", text(suite.integral_samples)},
+        {"points of a cage", text(suite.cage_points)},
+        {"truths of a cage", text(suite.truth_points)},
+        {"block errors of a cage",
+         fmt::format("{} points, {} ms a kind", suite.block_points, suite.block_milliseconds)},
+        {"points of a mesh", text(suite.mesh_points)},
+        {"fields",
+         fmt::format("{} samples a side, {} truths, {} side by side{}", suite.slice, suite.pairs, suite.scene_pairs,
+                     suite.shown_elements > 0
+                         ? fmt::format(", of embedded cages with at most {} elements", suite.shown_elements)
+                         : "")},
+        {"cage", options_.cage ? options_.cage->name() : ""},
+        {"points", options_.mesh ? options_.mesh_name : ""}};
+    if (options_.cage) header.options["the cage's content"] = fingerprint(*options_.cage);
+    if (options_.mesh) header.options["the points' content"] = fingerprint(*options_.mesh);
+    // What one program makes of the options another may not, though it calls itself the same.
+    Fingerprint work;
+    for (const Unit& unit : plan_.units)
+      work.add(fmt::format("{} {}", plan_.measurements[unit.measurement]->name(), unit.block));
+    work.add(stored_worst_cases());
+    header.options[work_option] = fmt::format("{} units, {}", plan_.units.size(), work.text());
+    header.settings = {
+        {"triangulation", std::string(name_of(options_.triangulation))},
+        {"samples", text(suite.samples)},
+        {"integral samples", text(suite.integral_samples)},
+        {"enclosures", text(suite.enclosures)},
+        {"formulas", options_.formulas},
+        {"evaluations", options_.evaluations},
+        {"regimes", options_.regimes},
+        {"stored worst cases", fmt::format("{}, replayed in the rows of the regime 'hunted'", stored_cases)}};
+    if (options_.cage) header.settings["cage"] = options_.cage->name();
+    if (options_.mesh) header.settings["points"] = options_.mesh_name;
+    header.units = plan_.units.size();
+    header.shard = options_.shard;
+    header.shards = options_.shards;
+  }
+
+  const VerifyOptions& options_;
+  RunPlan plan_;
+  int fields_ = 0;
+  int scenes_ = 0;
+};
+
+}  // namespace
+
+RunPlan plan_run(const VerifyOptions& options) { return Planner(options).plan(); }
+
+}  // namespace cageproof::validation

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "run/run_report.h"
+
+#include "cageproof/core/input_error.h"
+#include "cageproof/reports/report_writer.h"
+#include "cageproof/reports/run_folder.h"
+#include "cageproof/reports/summary.h"
+#include "cageproof/validation/compared_fields.h"
+#include "cageproof/validation/machine_facts.h"
+#include "cageproof/validation/paper_figures.h"
+#include "cageproof/validation/verdicts.h"
+#include "cageproof/validation/verify.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace cageproof::validation {
+namespace {
+
+using reports::Journal;
+
+reports::ColourScale scale_of(const FieldPart& part) {
+  for (const ImageField::Array& array : part.image.arrays)
+    if (array.name == part.shown && array.linear) return reports::ColourScale::Linear;
+  return reports::ColourScale::Log10;
+}
+
+MeshField mesh_field(const FieldPart& part, const Findings& findings) {
+  const auto mesh = findings.meshes.find(part.mesh);
+  if (mesh == findings.meshes.end()) throw InputError(fmt::format("the journal has no mesh '{}'", part.mesh));
+  MeshField field = mesh->second;
+  field.name = part.image.name;
+  field.arrays = part.image.arrays;
+  field.facts = part.image.facts;
+  return field;
+}
+
+FieldEntry write_field(reports::ReportWriter& writer, const FieldPart& part, const Findings& findings) {
+  const auto cage = findings.meshes.find(part.cage);
+  const MeshField* outline = cage == findings.meshes.end() ? nullptr : &cage->second;
+  if (part.mesh.empty())
+    return writer.write_image(part.image, part.title, part.shown, scale_of(part), std::nullopt, outline);
+  return writer.write_mesh(mesh_field(part, findings), part.title, part.shown, scale_of(part));
+}
+
+// The parts of one scene: an image, and maybe a mesh.
+std::vector<FieldEntry> write_scene(reports::ReportWriter& writer, const std::vector<const FieldPart*>& parts,
+                                    const Findings& findings) {
+  reports::FieldScene scene;
+  for (const FieldPart* part : parts) {
+    if (!part->mesh.empty()) {
+      scene.mesh = mesh_field(*part, findings);
+      continue;
+    }
+    const auto cage = findings.meshes.find(part->cage);
+    if (cage == findings.meshes.end()) throw InputError(fmt::format("the journal has no mesh '{}'", part->cage));
+    scene.title = part->title;
+    scene.explanation = scene_explanation;
+    scene.compared = part->compared;
+    scene.image = part->image;
+    scene.cage = cage->second;
+  }
+  return writer.write_scene(scene);
+}
+
+std::map<int, FieldPart> fields_with_facts(const Journal& journal) {
+  std::map<int, FieldPart> fields = whole_fields(journal.findings);
+  for (auto& [place, part] : fields) {
+    part.image.facts["version"] = journal.header.version;
+    part.image.facts["seed"] = journal.header.options.at("seed");
+    part.image.facts["suite"] = journal.header.options.at("suite");
+  }
+  return fields;
+}
+
+void require_finished(const Journal& journal, const std::filesystem::path& folder) {
+  const auto& header = journal.header;
+  if (journal.units_done() == header.shard_units) return;
+  throw InputError(fmt::format(
+      "{}: {} is not finished, {} of its {} units of work are done; `cageproof verify --resume {}` goes on with it",
+      folder.string(), header.shards > 1 ? fmt::format("shard {}/{}", header.shard, header.shards) : "the run",
+      journal.units_done(), header.shard_units, folder.string()));
+}
+
+}  // namespace
+
+std::vector<std::string> session_notes(const std::vector<Session>& sessions) {
+  std::vector<std::string> notes;
+  const auto compare = [&](const char* fact, const char* many, const char* meaning) {
+    std::set<std::string> values;
+    for (const Session& session : sessions)
+      if (const auto found = session.machine.find(fact); found != session.machine.end()) values.insert(found->second);
+    if (values.size() > 1)
+      notes.push_back(fmt::format("the run's parts were measured with {} different {} ({}): {}", values.size(), many,
+                                  fmt::join(values, " | "), meaning));
+  };
+  compare(elementary_functions, "elementary functions",
+          "the C library picks them by processor; last digits may differ from those of a run on one kind");
+  compare(program_build, "builds of the program", "figures of different programs may stand side by side");
+  return notes;
+}
+
+std::string difference_of_runs(const reports::JournalHeader& before, const reports::JournalHeader& now) {
+  std::vector<std::string> differences;
+  const auto compare = [&](const std::string& what, const std::string& a, const std::string& b) {
+    const auto shown = [](const std::string& text) { return text.empty() ? std::string("none") : text; };
+    if (a != b) differences.push_back(fmt::format("{} {}, now {}", what, shown(a), shown(b)));
+  };
+  compare("version", before.version, now.version);
+  std::map<std::string, std::string> names = before.options;
+  names.insert(now.options.begin(), now.options.end());
+  const auto value = [](const reports::JournalHeader& header, const std::string& name) {
+    const auto found = header.options.find(name);
+    return found == header.options.end() ? std::string() : found->second;
+  };
+  for (const auto& [name, any] : names)
+    if (name != work_option) compare(name, value(before, name), value(now, name));
+  // Other options are other work; alone it tells that one program takes them otherwise than another.
+  if (differences.empty()) compare(work_option, value(before, work_option), value(now, work_option));
+  compare("number of shards", fmt::format("{}", before.shards), fmt::format("{}", now.shards));
+  return fmt::format("{}", fmt::join(differences, "; "));
+}
+
+RunResult result_of(const Journal& journal) {
+  RunResult result;
+  result.version = journal.header.version;
+  result.suite = journal.header.options.at("suite");
+  result.seed = std::stoull(journal.header.options.at("seed"));
+  result.settings = journal.header.settings;
+  result.sessions = journal.sessions;
+  result.session_notes = session_notes(journal.sessions);
+  Judged found = judged(journal.findings.rows);
+  result.rows = std::move(found.rows);
+  result.curves = std::move(found.curves);
+  result.notes = std::move(found.notes);
+  result.notes.insert(result.notes.end(), journal.header.notes.begin(), journal.header.notes.end());
+  for (const auto& [place, row] : journal.findings.errata) result.errata.push_back(row);
+  return result;
+}
+
+RunResult write_report(const std::filesystem::path& out, const Journal& journal) {
+  reports::ReportWriter writer(out);
+  // First: its text is the largest thing that a run holds, and rows are not there yet.
+  writer.write_journal(reports::journal_text(journal));
+  RunResult result = result_of(journal);
+  const std::map<int, FieldPart> fields = fields_with_facts(journal);
+  std::map<std::string, std::vector<const FieldPart*>> scenes;
+  for (const auto& [place, part] : fields)
+    if (!part.scene.empty()) scenes[part.scene].push_back(&part);
+  for (const auto& [place, part] : fields) {
+    if (part.scene.empty()) result.fields.push_back(write_field(writer, part, journal.findings));
+    else if (scenes[part.scene].front() == &part)
+      for (FieldEntry& entry : write_scene(writer, scenes[part.scene], journal.findings))
+        result.fields.push_back(std::move(entry));
+  }
+  for (reports::FigureSheet& sheet : sheets_of_run(journal.findings.meshes)) writer.write_figure(std::move(sheet));
+  writer.write(result);
+  writer.commit();
+  return result;
+}
+
+RunResult report_again(const std::filesystem::path& folder) {
+  const Journal journal = reports::read_journal(reports::journal_in(folder));
+  if (journal.header.shards > 1)
+    throw InputError(fmt::format("{}: shard {}/{} of a run; `cageproof merge` makes one report of all shards",
+                                 folder.string(), journal.header.shard, journal.header.shards));
+  require_finished(journal, folder);
+  return write_report(folder, journal);
+}
+
+RunResult merge_shards(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& out) {
+  Journal whole;
+  std::map<int, std::string> taken;
+  for (const std::filesystem::path& part : parts) {
+    Journal journal = reports::read_journal(reports::journal_in(part));
+    if (taken.empty()) whole.header = journal.header;
+    const auto difference = difference_of_runs(whole.header, journal.header);
+    if (!difference.empty())
+      throw InputError(
+          fmt::format("{} and {} are of different runs: {}", parts.front().string(), part.string(), difference));
+    const auto [at, fresh] = taken.try_emplace(journal.header.shard, part.string());
+    if (!fresh)
+      throw InputError(fmt::format("{} and {} are both shard {}/{}", at->second, part.string(), journal.header.shard,
+                                   journal.header.shards));
+    require_finished(journal, part);
+    whole.done.resize(journal.done.size());
+    for (std::size_t unit = 0; unit < journal.done.size(); ++unit) {
+      if (journal.done[unit] && whole.done[unit])
+        throw InputError(fmt::format("{}: unit {} is in another shard too", part.string(), unit));
+      whole.done[unit] = whole.done[unit] || journal.done[unit];
+    }
+    whole.findings.merge(std::move(journal.findings));
+    whole.sessions.insert(whole.sessions.end(), journal.sessions.begin(), journal.sessions.end());
+  }
+  std::vector<std::string> missing;
+  for (int shard = 0; shard < whole.header.shards; ++shard)
+    if (!taken.contains(shard)) missing.push_back(fmt::format("{}/{}", shard, whole.header.shards));
+  if (!missing.empty()) throw InputError(fmt::format("missing: shard {}", fmt::join(missing, ", ")));
+  whole.header.shard = 0;
+  whole.header.shards = 1;
+  whole.header.shard_units = whole.header.units;
+  require_finished(whole, out);
+  return write_report(out, whole);
+}
+
+std::string summary_of_journal(const std::filesystem::path& journal) {
+  const Journal read = reports::read_journal(journal);
+  RunResult result = result_of(read);
+  for (const auto& [place, part] : whole_fields(read.findings))
+    result.fields.push_back(reports::unwritten_entry(part.image.arrays, part.title, part.shown, scale_of(part)));
+  return reports::summary_json(result);
+}
+
+}  // namespace cageproof::validation

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "cageproof/validation/truth.h"
+
+#include "element/element_sampling.h"
+#include "truth/required_limits.h"
+#include "truth/truth_cache.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace cageproof::validation {
+namespace {
+
+bool all_finite(const std::vector<Mp100>& tensor) {
+  for (const Mp100& x : tensor)
+    if (!isfinite(x)) return false;
+  return true;
+}
+
+template <Scalar R>
+std::vector<Mp100> widened(const std::vector<R>& tensor) {
+  std::vector<Mp100> wide;
+  wide.reserve(tensor.size());
+  for (const R& x : tensor) wide.push_back(static_cast<Mp100>(x));
+  return wide;
+}
+
+std::vector<Mp100> difference(std::vector<Mp100> a, const std::vector<Mp100>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+  return a;
+}
+
+// Whether entries are infinite, with the same signs, or have no limit in both tensors alike.
+bool same_limits(const std::vector<Mp100>& a, const std::vector<Mp100>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (isnan(a[i]) != isnan(b[i]) || isfinite(a[i]) != isfinite(b[i]) || (isinf(a[i]) && a[i] != b[i])) return false;
+  return true;
+}
+
+// The entries that are finite in both.
+std::array<std::vector<Mp100>, 2> finite_entries(const std::vector<Mp100>& a, const std::vector<Mp100>& b) {
+  std::array<std::vector<Mp100>, 2> finite;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (isfinite(a[i]) && isfinite(b[i])) {
+      finite[0].push_back(a[i]);
+      finite[1].push_back(b[i]);
+    }
+  return finite;
+}
+
+// Relative step of the one-sided differences: their error, 1e-30 over the distance to a singularity, leaves 13 digits
+// at 1e-16.
+const Mp100& step() {
+  static const Mp100 h("1e-30");
+  return h;
+}
+
+// Calls `f(vertex, axis)` for each coordinate of the input that is not zero.
+template <Scalar R, class F>
+void for_each_coordinate(const Formula& formula, QueryOf<R>& input, F&& f) {
+  for (int vertex = 0; vertex <= input.point_vertex(); ++vertex)
+    for (int axis = 0; axis < formula.dim(); ++axis)
+      if (input.coordinate(vertex, axis) != 0) f(vertex, axis);
+}
+
+// On a face the function may jump: only moves that keep to its inner side are its own change.
+bool leaves_the_inner_side(const Formula& formula, const Query<Mp100>& query) {
+  return sampling_of(formula.element).exact.height(query.corners, query.point) > 0;
+}
+
+void add_conditioning(const Evaluation& reference, const Sample& sample, int order, Truth& truth) {
+  QueryOf<Mp100> input(sample, order);
+  Result<Mp100> moved;
+  for_each_coordinate(reference.formula(), input, [&](int vertex, int axis) {
+    Mp100& x = input.coordinate(vertex, axis);
+    const Mp100 original = x;
+    x = original * (1 + step());
+    if (truth.on_element && leaves_the_inner_side(reference.formula(), input.query())) x = original * (1 - step());
+    reference(input.query(), moved);
+    x = original;
+    for (int o = 0; o <= order; ++o)
+      if (truth.exists[o] && all_finite(moved.of(o)))
+        truth.conditioned[o] += norm(difference(moved.of(o), truth.tensors.of(o))) / step();
+  });
+}
+
+// On the border most moves of a single coordinate lead off the element, or to where no limit is. Those that keep the
+// point on the border: of a corner that is the point, together with it, of corners whose edges it is not on, and
+// scaling an axis as a whole. All are exact in 100 digits by a factor that has few bits.
+void add_border_conditioning(const Evaluation& reference, const Sample& sample, int order, Truth& truth) {
+  const Formula& formula = reference.formula();
+  const Mp100 relative = ldexp(Mp100(1), -100), factor = 1 + relative;
+  const auto add = [&](const QueryOf<Mp100>& input) {
+    Result<Mp100> moved;
+    reference(input.query(), moved);
+    for (int o = 0; o <= order; ++o) {
+      if (!truth.exists[o] && !truth.partial[o]) continue;
+      const auto [found, expected] = finite_entries(moved.of(o), truth.tensors.of(o));
+      truth.conditioned[o] += norm(difference(found, expected)) / relative;
+    }
+  };
+  const auto basis = type_of(formula.element).contact(sample.corners, sample.point).basis;
+  for (int axis = 0; axis < formula.dim(); ++axis) {
+    QueryOf<Mp100> scaled(sample, order);
+    const int point = scaled.point_vertex();
+    for (int vertex = 0; vertex <= point; ++vertex) scaled.coordinate(vertex, axis) *= factor;
+    add(scaled);
+    for (int vertex = 0; vertex < point; ++vertex) {
+      const bool is_point = sample.corners[vertex] == sample.point;
+      if (sample.corners[vertex][axis] == 0 || (!is_point && basis[vertex] != 0)) continue;
+      QueryOf<Mp100> moved(sample, order);
+      moved.coordinate(vertex, axis) *= factor;
+      if (is_point) moved.coordinate(point, axis) *= factor;
+      add(moved);
+    }
+  }
+}
+
+// How far a point may go until a value's change is no longer as its gradient says: |f'|/|f''|, or, where the gradient
+// vanishes, sqrt(|f|/|f''|). Not |f|/|f'|, which is nothing in a plane where f vanishes. The input's extent where f is
+// linear.
+Mp50 reach_of(const Result<Mp50>& base, const Sample& sample) {
+  std::array<Mp50, 3> size;
+  for (int o = 0; o <= 2; ++o) {
+    size[o] = 0;
+    for (const Mp50& x : base.of(o)) size[o] += x * x;
+    size[o] = sqrt(size[o]);
+  }
+  const Mp50 reach = std::max<Mp50>(size[1] / size[2], sqrt(Mp50(size[0] / size[2])));
+  if (isfinite(reach) && reach > 0) return reach;
+  double extent = sample.point.cwiseAbs().maxCoeff();
+  for (const Vec3<double>& corner : sample.corners) extent = std::max(extent, corner.cwiseAbs().maxCoeff());
+  return extent;
+}
+
+// As add_conditioning, from an evaluation in 50 digits that is right to twelve: steps are 1e-6 of what it takes to
+// change a tensor.
+void add_rough_conditioning(const Evaluation& rough, const Sample& sample, int order, Truth& truth) {
+  QueryOf<Mp50> input(sample, order);
+  QueryOf<Mp100> wide_input(sample, order);
+  Result<Mp50> moved;
+  const Result<Mp50> bent = evaluate<Mp50>(rough, sample, 2);
+  const Result<Mp50> base = order == 2 ? bent : evaluate<Mp50>(rough, sample, order);
+  const Mp50 reach = reach_of(bent, sample);
+  for_each_coordinate(rough.formula(), input, [&](int vertex, int axis) {
+    Mp50& x = input.coordinate(vertex, axis);
+    const Mp50 original = x;
+    Mp50 relative = Mp50("1e-6") * std::min<Mp50>(1, reach / abs(x));
+    if (truth.on_element) {
+      Mp100& wide = wide_input.coordinate(vertex, axis);
+      const Mp100 wide_original = wide;
+      wide = wide_original * (1 + Mp100(relative));
+      if (leaves_the_inner_side(rough.formula(), wide_input.query())) relative = -relative;
+      wide = wide_original;
+    }
+    x = original * (1 + relative);
+    rough(input.query(), moved);
+    x = original;
+    for (int o = 0; o <= order; ++o) {
+      std::vector<Mp50> change = moved.of(o);
+      for (std::size_t i = 0; i < change.size(); ++i) change[i] -= base.of(o)[i];
+      const std::vector<Mp100> wide = widened(change);
+      if (truth.exists[o] && all_finite(wide)) truth.conditioned[o] += norm(wide) / Mp100(abs(relative));
+    }
+  });
+}
+
+// The evaluation of that name, or the given one where there is no name.
+Evaluation named_or(const Evaluation& evaluation, const std::string& name) {
+  return name.empty() ? evaluation : evaluation_named(evaluation.formula().name, name);
+}
+
+std::optional<TruthSource> find_truth_source(const Formula& formula) {
+  auto& known = EvaluationRegister::instance();
+  const auto recommended = known.with_role(formula.name, Role::Recommended);
+  if (recommended && recommended->supports<Mp100>() && recommended->supports<Mp200>()) {
+    const auto& substitutes = recommended->substitutes();
+    return TruthSource{.evaluation = *recommended,
+                       .values = named_or(*recommended, substitutes.truths),
+                       .confirmation = named_or(*recommended, substitutes.confirmations),
+                       .yardstick = named_or(*recommended, substitutes.yardsticks),
+                       .rough_yardstick = !substitutes.yardsticks.empty()};
+  }
+  const auto integral = known.with_role(formula.name, Role::Integral);
+  if (!integral) return std::nullopt;
+  return TruthSource{.evaluation = *integral,
+                     .values = *integral,
+                     .confirmation = *integral,
+                     .yardstick = *integral,
+                     .rough_yardstick = true,
+                     .is_integral = true};
+}
+
+// What the truth's tensors must agree with, and whether it stands behind them.
+struct Confirmation {
+  std::array<std::vector<Mp100>, 3> tensors;
+  bool converged = false;
+};
+
+template <Scalar R>
+Confirmation confirmed_in(const Evaluation& evaluation, const Sample& sample, int order) {
+  const Result<R> found = evaluate<R>(evaluation, sample, order);
+  Confirmation confirmation{{}, found.converged};
+  for (int o = 0; o <= order; ++o) confirmation.tensors[o] = widened(found.of(o));
+  return confirmation;
+}
+
+Truth computed_truth(const TruthSource& source, const Sample& sample, int order) {
+  Truth truth;
+  truth.required = limits_that_must_exist(source.evaluation.formula(), sample);
+  truth.tensors = evaluate<Mp100>(source.values, sample, order);
+  const Confirmation confirmation = source.is_integral ? confirmed_in<Mp50>(source.confirmation, sample, order)
+                                                       : confirmed_in<Mp200>(source.confirmation, sample, order);
+  const Contact contact = contact_of(source.evaluation.formula().element, sample);
+  truth.on_element = contact != Contact::Off;
+  if (!truth.tensors.converged || !confirmation.converged) return truth;
+  const bool on_input = truth.on_element && is_input(source.evaluation.formula(), sample);
+  static const Mp100 agreement("1e-30");
+  for (int o = 0; o <= order; ++o) {
+    const std::vector<Mp100>& confirmed = confirmation.tensors[o];
+    const bool limits = all_finite(truth.tensors.of(o)) && all_finite(confirmed);
+    const auto [found, expected] = finite_entries(truth.tensors.of(o), confirmed);
+    truth.norm[o] = truth.conditioned[o] = norm(expected);
+    const bool agrees = norm(difference(found, expected)) <= agreement * truth.norm[o];
+    truth.exists[o] = limits && agrees;
+    truth.partial[o] = on_input && !limits && agrees && same_limits(truth.tensors.of(o), confirmed);
+  }
+  if (contact == Contact::Border) {
+    if (!source.rough_yardstick) add_border_conditioning(source.values, sample, order, truth);
+    return truth;
+  }
+  if (source.rough_yardstick) add_rough_conditioning(source.yardstick, sample, order, truth);
+  else add_conditioning(source.values, sample, order, truth);
+  return truth;
+}
+
+}  // namespace
+
+Mp100 norm(const std::vector<Mp100>& tensor) {
+  Mp100 sum = 0;
+  for (const Mp100& x : tensor) sum += x * x;
+  return sqrt(sum);
+}
+
+Contact contact_of(ElementKind element, const Sample& sample) {
+  return type_of(element).contact(sample.corners, sample.point).contact;
+}
+
+TruthSource truth_source(const Formula& formula) {
+  auto found = find_truth_source(formula);
+  if (!found)
+    throw InputError(fmt::format(
+        "{} has neither a recommended evaluation in multiprecision nor the integral: nothing gives its truth",
+        formula.name));
+  return std::move(*found);
+}
+
+bool has_truth_source(const Formula& formula) { return find_truth_source(formula).has_value(); }
+
+Truth truth_from(const TruthSource& source, const Sample& sample, int order) {
+  const auto make = [&] { return computed_truth(source, sample, order); };
+  TruthCache* const cache = truth_cache();
+  return cache == nullptr ? make() : cache->get(question_of(source, sample, order), make);
+}
+
+}  // namespace cageproof::validation
