@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs every mutant against what reaches it, the quickest first, until something fails."""
+"""Asks both detectors of every mutant: of each what reaches the mutant, the quickest first, until something fails."""
 
 import json
 import threading
@@ -8,36 +8,34 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from mutants import detectors, verification
+from mutants.accounting import CAUGHT, MISSED, OPEN, UNREACHED, Answers, chosen, lines_of
 
-# Detectors run in portions of at most so many seconds (without a mutant): all mutants' cheap ones come before any one's dear ones.
-# Before the units of work are timed, which takes longest, the tests catch what they catch in one that is short.
-EARLY, PORTIONS = [2], [20, 100, 10**9]
-
-
-def lines_of(path: Path) -> list:
-    return [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
+# What a detector has is run in portions of at most so many seconds (without a mutant): all mutants' cheap ones come before any one's dear ones. A portion of
+# units of work is planned and judged once, which costs a second: they are not asked one by one.
+PORTIONS = [5, 20, 100, 10**9]
 
 
 class Campaign:
-    def __init__(self, folder: Path, build: Path, jobs: int, until: float, say):
-        """\\param until the time at which nothing more is begun"""
+    grace = 20  # seconds that a portion has beyond five times its time
+
+    def __init__(self, folder: Path, build: Path, jobs: int, until: float, say, rooms=(), sample=None):
+        """\\param until the time at which nothing more is begun \\param rooms, sample which mutants are asked about, as in accounting.chosen"""
         self.folder, self.build, self.jobs, self.until, self.say = folder, build, jobs, until, say
-        self.mutants = lines_of(folder / "mutants.jsonl")
+        self.mutants = chosen(lines_of(folder / "mutants.jsonl"), set(rooms), sample, 1)
         self.verification = verification.Verification(build / "bin/cageproof", folder / "verify")
         self.lock = threading.Lock()
         self.results, self.known = folder / "results.jsonl", folder / "detectors.jsonl"
 
     def run(self) -> None:
         self.time_detectors(detectors.tests(self.build), "tests")
-        self.try_all(EARLY, whole=False)
-        units = self.verification.units()
-        self.time_detectors(units, "units of work")
+        self.ask_all("tests")
+        self.time_detectors(self.verification.units(), "units of work")
         if self.is_over():
             return
         if not (self.folder / "verify/whole").exists():
             self.verification.check()
         self.verification.read()
-        self.try_all(PORTIONS, whole=True)
+        self.ask_all("verify")
 
     def is_over(self) -> bool:
         if time.time() <= self.until:
@@ -69,7 +67,7 @@ class Campaign:
             list(pool.map(work, todo))
         for record in lines_of(self.known):
             if record["fails"]:
-                self.say(f"left out, it fails without mutants: {record['id']}: {record['fails'][-200:]}")
+                self.say(f"left out, without mutants it fails or is skipped: {record['id']}: {record['fails'][-200:]}")
 
     def portion(self, open_ones: list, limit: float) -> list:
         """The quickest of them, at least one, that take no longer than the limit together."""
@@ -81,71 +79,55 @@ class Campaign:
             spent += detector.seconds
         return found
 
-    def try_all(self, limits: list, whole: bool) -> None:
-        """Rounds of ever larger portions. \\param whole whether all detectors are known, not the tests alone, so that what none reaches is unreached"""
-        known = [detectors.Detector.of(r) for r in lines_of(self.known) if not r["fails"] and (whole or not r["is_unit"])]
-        tried, outcomes = {m["number"]: set() for m in self.mutants}, {}
-        for result in lines_of(self.results):
-            tried[result["number"]] |= set(result["tried"])
-            outcomes[result["number"]] = result["outcome"]
-        reaching = {m["number"]: [d for d in known if m["number"] in d.reached] for m in self.mutants}
-        left = {number for number, of_number in reaching.items() if any(d.id not in tried[number] for d in of_number)}
-        # Tests that are new may catch what survived those that there were.
-        finished = {
-            number
-            for number, outcome in outcomes.items()
-            if outcome.startswith("caught") or outcome == "constant" or (outcome != "open" and number not in left)
-        }
-        if whole and not self.is_over():
-            for mutant in self.mutants:
-                number = mutant["number"]
-                if number in finished or number in left:
-                    continue
-                never = "constant" if mutant["may_be_constant"] else "unreached"
-                outcome = "survived" if reaching[number] else never
-                self.write(self.results, {"number": number, "outcome": outcome, "how": "", "tried": []})
-                finished.add(number)
+    def ask_all(self, detector: str) -> None:
+        """Asks one of both detectors, all of which is timed, of every mutant, in rounds of ever larger portions."""
+        if self.is_over():
+            return
+        parts = [detectors.Detector.of(r) for r in lines_of(self.known) if not r["fails"]]
+        parts = [part for part in parts if part.kind == detector]
+        answers = Answers(lines_of(self.results))
+        reaching = {m["number"]: [part for part in parts if m["number"] in part.reached] for m in self.mutants}
 
-        def work(number, limit):
+        def untried(number: int) -> list:
+            return [part for part in reaching[number] if part.id not in answers.tried.get((number, detector), ())]
+
+        def answer(number: int, given: str, how="", portion=(), seconds=0.0) -> None:
+            result = {"number": number, "detector": detector, "answer": given, "how": how, "seconds": seconds}
+            result["tried"] = [part.id for part in portion]
+            self.write(self.results, result)
+            answers.add(result)
+
+        def work(number: int, limit: float) -> None:
             if time.time() > self.until:
                 return
-            portion = self.portion([d for d in reaching[number] if d.id not in tried[number]], limit)
-            if not whole and sum(d.seconds for d in portion) > limit:
-                return
             start = time.monotonic()
-            caught = self.try_portion(number, portion)
-            tried[number] |= {d.id for d in portion}
-            outcome = f"caught by {caught[0]}" if caught else "open"
-            if not caught and whole and len(tried[number] & {d.id for d in reaching[number]}) == len(reaching[number]):
-                outcome = "survived"
-            result = {"number": number, "outcome": outcome, "how": caught[1] if caught else ""}
-            result |= {"seconds": round(time.monotonic() - start, 1), "tried": [d.id for d in portion]}
-            self.write(self.results, result)
-            if outcome != "open":
-                finished.add(number)
+            left = untried(number)
+            portion = self.portion(left, limit)
+            how = self.try_portion(number, portion)
+            given = CAUGHT if how else MISSED if len(portion) == len(left) else OPEN
+            answer(number, given, how, portion, round(time.monotonic() - start, 1))
 
-        for limit in limits:
-            todo = [
-                number
-                for number, of_number in reaching.items()
-                if number not in finished and any(d.id not in tried[number] for d in of_number)
-            ]
-            self.say(f"portions of {limit} s: {len(todo)} mutants are not caught yet")
+        for number, of_number in reaching.items():
+            if not of_number and answers.of(number, detector) == OPEN:
+                answer(number, UNREACHED)
+        for limit in PORTIONS:
+            # Tests that are new may catch what those that there were missed.
+            todo = [number for number in reaching if answers.of(number, detector) != CAUGHT and untried(number)]
+            self.say(f"{detector}, portions of {limit} s: {len(todo)} mutants are not caught yet")
             with ThreadPoolExecutor(self.jobs) as pool:
                 list(pool.map(lambda number: work(number, limit), todo))
             if self.is_over():
                 return
 
-    def try_portion(self, number: int, portion: list):
-        """(what failed, how) or nothing."""
+    def try_portion(self, number: int, portion: list) -> str:
+        """How some of a portion failed; nothing where all passed."""
         slot = self.slot()
         environment = {"CAGEPROOF_MUTANT": str(number), "TMPDIR": str(slot)}
         groups = {}
         for detector in portion:
             groups.setdefault("verify" if detector.is_unit else detector.binary or detector.id, []).append(detector)
-        # Units of work last: planning and judging costs a second more.
-        for name, group in sorted(groups.items(), key=lambda g: (g[0] == "verify", sum(d.seconds for d in g[1]))):
-            limit = 20 + 5 * sum(d.seconds for d in group)
+        for name, group in sorted(groups.items(), key=lambda g: sum(d.seconds for d in g[1])):
+            limit = self.grace + 5 * sum(d.seconds for d in group)
             if name == "verify":
                 code, text = self.verification.try_units([d.place for d in group], slot, limit, environment)
             elif group[0].binary:
@@ -154,9 +136,9 @@ class Campaign:
                 code, text = detectors.run(command, group[0].folder, limit, environment)
             else:
                 code, text = detectors.run(group[0].command, group[0].folder, limit, environment)
-            if code != 0:
-                return ("verify" if name == "verify" else "tests"), how(name, code, text)
-        return None
+            if code not in (0, detectors.SKIPPED):
+                return how(name, code, text)
+        return ""
 
 
 def how(name: str, code, text: str) -> str:

@@ -10,6 +10,7 @@ import time
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
+SKIPPED = 77  # the exit code of a test that is skipped (cmake/test_main.cpp)
 MEMORY = 12 << 30  # bytes; a mutant may ask for all there is
 
 
@@ -25,13 +26,17 @@ class Detector:
     place: int = 0  # of the unit
     seconds: float = 0.0
     reached: list = field(default_factory=list)  # the mutants' numbers
-    fails: str = ""  # what it says when it fails without mutants
+    fails: str = ""  # what it says when it fails, or is skipped, without mutants
 
     @staticmethod
     def of(record: dict) -> "Detector":
         found = Detector(**record)
         found.reached = set(found.reached)
         return found
+
+    @property
+    def kind(self) -> str:
+        return "verify" if self.is_unit else "tests"
 
     @property
     def filter(self) -> str:
@@ -60,6 +65,7 @@ def run(command, folder, limit, environment):
     except ProcessLookupError:
         pass
     process.wait()
+    process.stdout.close()
     return code, output.decode(errors="replace")
 
 

@@ -1,18 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Which files carry mutants: those that a promised result is computed with."""
+"""Which files carry mutants: those that a promised result is computed with, and those that judge and show results."""
 
 import fnmatch
 import subprocess
 from pathlib import Path
 
-# Every file of these.
-INCLUDED = [
+# Every file of these rooms, whose agreement is the proof, and of what they stand on: most mutants are drawn there.
+PROOF = [
     "closed_form/include/*",
     "closed_form/src/*",
     "adaptive_qmvc/include/*",
     "adaptive_qmvc/src/*",
-    "solved/include/*",
-    "solved/src/*",
     "quadrature_ref/include/*",
     "quadrature_ref/src/*",
     "core/include/*",
@@ -20,8 +18,13 @@ INCLUDED = [
     "core/readers/*",
 ]
 
-# But not these, and not `validation`, `reports`, `benchmarks` and `cli`: they judge results, or show them, and compute none. A mutant there asks whether
-# the judge is right, which the tests of those rooms ask with judgements that are known.
+# Rooms that judge results and show them.
+JUDGES = ("validation", "reports", "cli")
+
+# Every file of these has mutants too, drawn apart from the former.
+BEYOND = [f"{room}/{part}/*" for room in (*JUDGES, "deformation", "solved") for part in ("include", "src")]
+
+# But not these.
 EXCLUDED = {
     "core/*/error_measure.*": "the judge's yardstick",
     "core/*/findings.*": "what the judge counts in",
@@ -36,8 +39,8 @@ EXCLUDED = {
 }
 
 
-def mutated_files(root: Path) -> list[str]:
-    """The files in scope, as paths relative to the project's root, in alphabetical order."""
+def mutated_files(root: Path, patterns: list[str], rooms: set[str]) -> list[str]:
+    """The files that PROOF or BEYOND name, as paths relative to the project's root, in alphabetical order. \\param rooms the only ones; empty: all"""
     tracked = subprocess.run(
         ["git", "ls-files", "*.h", "*.cpp"], cwd=root, check=True, capture_output=True, text=True
     ).stdout.split()
@@ -45,4 +48,5 @@ def mutated_files(root: Path) -> list[str]:
     def matches(path: str, patterns) -> bool:
         return any(fnmatch.fnmatch(path, pattern) for pattern in patterns)
 
-    return sorted(path for path in tracked if matches(path, INCLUDED) and not matches(path, EXCLUDED))
+    inside = [path for path in tracked if not rooms or path.split("/")[0] in rooms]
+    return sorted(path for path in inside if matches(path, patterns) and not matches(path, EXCLUDED))
