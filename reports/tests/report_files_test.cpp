@@ -160,6 +160,20 @@ TEST(ReportFiles, CsvQuotesWhatMustBe) {
   EXPECT_EQ(plain.find('"'), std::string::npos);
 }
 
+// The line of a regime where the evaluation that the overview shows has no rows.
+TEST(ReportFiles, OverviewLeavesFiguresThatAreNotThereEmpty) {
+  RunResult run = sample_run(1, 2);
+  std::erase_if(run.rows, [](const ResultRow& row) {
+    return row.section == RowKey::Section::Element && row.regime == "near-face" && row.evaluation == "closed_form" &&
+           row.scalar == "double";
+  });
+  const std::string page = report(run).at("index.html");
+  const auto line = page.find("<td>near-face</td><td>closed_form, double</td>");
+  ASSERT_NE(line, std::string::npos);
+  const std::string cells = page.substr(line, page.find("</tr>", line) - line);
+  EXPECT_TRUE(cells.ends_with("<td class=\"n\"></td><td class=\"n\"></td>")) << cells;
+}
+
 TEST(ReportFiles, DeformersHaveATableOfTheirOwn) {
   RunResult run = sample_run(1, 1);
   const std::string csv = results_csv(run);
