@@ -3,6 +3,7 @@
 """everything_test.py CAGEPROOF [deform] [coordinates] [verify]: one small call of all that the program can do: a deformation by every method, coordinates of every
 kind in every order, and a verification with every formula, regime and check. The sanitizers run it, because a path that no test takes has no memory errors to show."""
 
+import gzip
 import json
 import os
 import subprocess
@@ -82,7 +83,7 @@ def verify(program: str, listed: dict, failures: Failures) -> None:
         # A sample is too few for promises to be kept; only a run that ends is asked for.
         if ended.returncode not in (0, 1):
             return failures.say(f"verify {' '.join(options)} ends with exit code {ended.returncode}: {ended.stderr.strip()[-4000:]}")
-        rows += json.loads(Path("report/summary.json").read_text())["rows"]
+        rows += json.loads(gzip.decompress(Path("report/summary.json.gz").read_bytes()))["rows"]
     for what, known, seen in (
         ("formula", {f["name"] for f in listed["formulas"]}, {row["subject"] for row in rows}),
         ("regime", {r["name"] for r in listed["regimes"]}, {row["regime"] for row in rows}),

@@ -13,7 +13,7 @@
 namespace cageproof::validation {
 namespace {
 
-constexpr double scale = 0x1p10;  // a power of two, so that the scaled input is exact
+constexpr double kScale = 0x1p10;  // a power of two, so that the scaled input is exact
 
 // \param least what the difference is divided by at least, squared
 template <Scalar R>
@@ -129,7 +129,7 @@ CageSymmetries::CageSymmetries(const Cage& cage, const std::string& evaluation, 
   const CageElements& elements = base_.elements();
   std::vector<Vec3<double>> scaled, turned;
   for (const auto& v : cage.vertices()) {
-    scaled.push_back(scale * v);
+    scaled.push_back(kScale * v);
     turned.push_back(turn(v));
   }
   std::vector<Face> permuted = elements.all();
@@ -149,7 +149,7 @@ CageSymmetries::CageSymmetries(const Cage& cage, const std::string& evaluation, 
     std::ranges::rotate(corners, corners.begin() + 1);
   }
   variants_.push_back(variant("cage_scaling", cage.with(scaled, elements.all()), kind, evaluation));
-  variants_.back().unit = scale;
+  variants_.back().unit = kScale;
   variants_.push_back(variant("cage_rigid_motion", cage.with(turned, elements.all()), kind, evaluation));
   variants_.back().turned = true;
   if (any_cyclic) {

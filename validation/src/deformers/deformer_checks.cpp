@@ -3,6 +3,7 @@
 
 #include "cageproof/core/unknown_name.h"
 #include "cageproof/deformation/stretch.h"
+#include "cageproof/validation/cage_errors.h"
 
 #include <fmt/format.h>
 

@@ -4,6 +4,7 @@
 #include "cageproof/core/box.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/validation/cage_campaign.h"
+#include "cageproof/validation/cage_points.h"
 #include "cageproof/core/lazy.h"
 #include "cageproof/core/parallel.h"
 
