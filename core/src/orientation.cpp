@@ -23,8 +23,10 @@ int side_of_plane(const Triangle<double>& t, const Vec3<double>& point) {
 }
 
 int side_of_edge(const Triangle<double>& t, int edge, const Vec3<double>& point) {
-  return static_cast<int>(CGAL::coplanar_orientation(as_point(t[edge]), as_point(t[(edge + 1) % 3]),
-                                                     as_point(t[(edge + 2) % 3]), as_point(point)));
+  const auto from = as_point(t[edge]), to = as_point(t[(edge + 1) % 3]), opposite = as_point(t[(edge + 2) % 3]);
+  // CGAL asks for a third corner off the edge's line.
+  if (CGAL::collinear(from, to, opposite)) return 0;
+  return static_cast<int>(CGAL::coplanar_orientation(from, to, opposite, as_point(point)));
 }
 
 }  // namespace cageproof

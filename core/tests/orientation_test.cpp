@@ -45,6 +45,14 @@ TEST(side_of_plane, positive_where_the_normal_points_in_any_unit) {
   }
 }
 
+TEST(side_of_edge, a_triangle_without_area_has_no_sides) {
+  for (const Triangle<double>& t : {Triangle<double>{Vec(0, 0, 0), Vec(1, 1, 1), Vec(3, 3, 3)},
+                                    Triangle<double>{Vec(1, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0)}})
+    for (int edge = 0; edge < 3; ++edge)
+      for (const Vec& point : {Vec(2, 2, 2), Vec(0.25, 0.5, 1), Vec(1, 0, 0)})
+        EXPECT_EQ(side_of_edge(t, edge, point), 0);
+}
+
 TEST(side_of_edge, inside_on_the_line_and_beyond) {
   const Triangle<double> t{Vec(0, 0, 1), Vec(1, 0, 1), Vec(0, 1, 1)};
   EXPECT_EQ(side_of_edge(t, 0, Vec(0.25, 1e-300, 1)), 1);

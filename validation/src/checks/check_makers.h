@@ -44,6 +44,13 @@ inline Finding finding_for(const Truth& truth, int order) {
   return finding;
 }
 
+/// The findings, up to an order, at a sample that is no input.
+inline std::array<Finding, 3> without_truth(int order) {
+  std::array<Finding, 3> findings;
+  for (int o = 0; o <= order; ++o) findings[o].status = Finding::Status::NoTruth;
+  return findings;
+}
+
 /// Whether a tensor of this size has all of R's digits: neither beyond its range nor next to its smallest numbers.
 template <Scalar R>
 bool representable(const Mp100& size) {

@@ -57,6 +57,7 @@ class TruthCheck final : public Check {
            (scalar == ScalarKind::Float && (role == Role::Recommended || role == Role::Printed));
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
+    if (!is_finite(in.sample)) return without_truth(in.order);
     return with_scalar(in.scalar, [&]<Scalar R>() {
       const Result<R> f = evaluate<R>(in.evaluation, in.sample, in.order);
       const Mp100 u = roundoff_of(in.scalar);
@@ -89,6 +90,7 @@ class RelativeCheck final : public Check {
     return is_stated_in(scalar, evaluation) || (hunted && scalar == ScalarKind::Double);
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
+    if (!is_finite(in.sample)) return without_truth(in.order);
     return with_scalar(in.scalar, [&]<Scalar R>() {
       const Result<R> f = evaluate<R>(in.evaluation, in.sample, in.order);
       std::array<Finding, 3> findings;
@@ -174,6 +176,7 @@ class StatedErrorCheck final : public Check {
     return is_stated_in(scalar, evaluation) || (evaluation.states_error() && scalar == ScalarKind::Double);
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
+    if (!is_finite(in.sample)) return without_truth(in.order);
     return with_scalar(in.scalar, [&]<Scalar R>() {
       const Result<R> f = evaluate<R>(in.evaluation, in.sample, in.order);
       std::array<Finding, 3> findings;

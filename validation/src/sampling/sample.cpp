@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/sample.h"
 
+#include <algorithm>
+
 namespace cageproof::validation {
 
 Sample rounded_to(ScalarKind scalar, Sample sample) {
@@ -15,6 +17,10 @@ Sample rounded_to(ScalarKind scalar, Sample sample) {
   for (int c = 0; c < 3; ++c) round(sample.point[c]);
   for (double& p : sample.parameters) round(p);
   return sample;
+}
+
+bool is_finite(const Sample& sample) {
+  return sample.point.allFinite() && std::ranges::all_of(sample.corners, [](const auto& v) { return v.allFinite(); });
 }
 
 }  // namespace cageproof::validation

@@ -211,13 +211,8 @@ Confirmation confirmed_in(const Evaluation& evaluation, const Sample& sample, in
   return confirmation;
 }
 
-bool is_finite(const Sample& sample) {
-  return sample.point.allFinite() && std::ranges::all_of(sample.corners, [](const auto& v) { return v.allFinite(); });
-}
-
 Truth computed_truth(const TruthSource& source, const Sample& sample, int order) {
   Truth truth;
-  // What rounds to infinity in a narrow scalar is no input, and exact predicates must not see it.
   if (!is_finite(sample)) return truth;
   truth.required = limits_that_must_exist(source.evaluation.formula(), sample);
   truth.tensors = evaluate<Mp100>(source.values, sample, order);

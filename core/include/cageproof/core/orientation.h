@@ -15,7 +15,7 @@ int side_of_line(const Segment<double>& s, const Vec3<double>& point);
 int side_of_plane(const Triangle<double>& t, const Vec3<double>& point);
 
 /// For a point in the triangle's plane: +1 on the triangle's side of the line through corners `edge` and `edge` + 1, -1
-/// on the other, 0 on it. \pre side_of_plane(t, point) == 0 and the triangle's area is not zero
+/// on the other, 0 on it, and 0 for a triangle without area, which has no sides. \pre side_of_plane(t, point) == 0
 int side_of_edge(const Triangle<double>& t, int edge, const Vec3<double>& point);
 
 }  // namespace cageproof

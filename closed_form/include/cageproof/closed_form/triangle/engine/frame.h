@@ -85,11 +85,12 @@ struct Frame {
   }
 };
 
-/// The power of two just above x > 0; one for multiprecision, whose exponents do not overflow.
+/// The power of two just above x > 0, infinite where x is not finite; one for multiprecision, whose exponents do not
+/// overflow.
 template <Scalar R>
 R unit_of(const R& x) {
   if constexpr (is_multiprecision<R>) return R(1);
-  else return std::ldexp(R(1), std::ilogb(x) + 1);
+  else return std::isfinite(x) ? std::ldexp(R(1), std::ilogb(x) + 1) : std::numeric_limits<R>::infinity();
 }
 
 /// Products of geometry are formed in double-double, good to 2^-104 of their terms; below this multiple of the terms
