@@ -17,7 +17,7 @@ part() {
   printf '== %s took %s s\n' "$name" $((SECONDS - start))
 }
 
-# What failed is said again at the end, since the end is what is read first.
+# Says the failures again at the end, because the end is read first.
 finish() {
   local i
   ((${#failed[@]})) || exit 0

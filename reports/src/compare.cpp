@@ -86,7 +86,7 @@ int version_of(const Json& summary) {
   return version != summary.end() && version->is_number_integer() ? version->get<int>() : 1;
 }
 
-// What the earlier schema does not know is not compared. \param age of the first's schema against the second's
+// Leaves out members that the earlier schema does not know. \param age of the first's schema against the second's
 std::string differences(const Json& before, const Json& after, const List& list, std::strong_ordering age) {
   std::string text;
   for (const char* figure : list.figures) {

@@ -207,7 +207,7 @@ std::string journal_text(const Journal& journal) {
 
 namespace {
 
-// A file that this process alone writes to.
+// A file that only this process writes to.
 int locked_file(const fs::path& path) {
   const int file = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
   if (file < 0) fail_journal(path, std::generic_category().message(errno));

@@ -20,7 +20,7 @@
 #include <cmath>
 #include <limits>
 
-// What the next locks fail with; 0: they are asked of the system. It stands in for the C library's function.
+// The error code that the next locks fail with; 0: the system is asked. It stands in for the C library's function.
 static int failing_lock = 0;
 
 extern "C" int flock(int file, int operation) noexcept {

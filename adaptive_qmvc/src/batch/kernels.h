@@ -6,7 +6,7 @@
 
 namespace cageproof::adaptive_qmvc::batch {
 
-/// Of closed_form::batch::instruction_set(). \throws InputError as that does
+/// The kernels for closed_form::batch::instruction_set(). \throws InputError as that does
 const Kernels& kernels();
 
 #if defined(__x86_64__)

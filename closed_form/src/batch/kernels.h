@@ -6,7 +6,7 @@
 
 namespace cageproof::closed_form::batch {
 
-/// Of instruction_set(). \throws InputError as that does
+/// The kernels for instruction_set(). \throws InputError as that does
 const Kernels& kernels();
 
 #if defined(__x86_64__)

@@ -36,7 +36,7 @@ inline constexpr std::array sections{RowKey::Section::Element, RowKey::Section::
 /// "element", "cage", "deformer".
 std::string_view name_of(RowKey::Section section);
 
-/// What a tally says and its row of results repeats.
+/// The figures of a tally, which its row of results repeats.
 struct RowFigures {
   std::string unit;                 ///< of the errors: "conditioned", "relative" ...
   std::string role;                 ///< of the evaluation: "recommended", "rule" ...; empty where it has none

@@ -11,7 +11,7 @@
 
 namespace cageproof::reports {
 
-/// The text as a gzip file's bytes: a function of the text alone.
+/// The text as a gzip file's bytes: the same for the same text.
 std::string packed(std::string_view text);
 
 /// Reads a file line by line, be it packed or not.
