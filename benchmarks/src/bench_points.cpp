@@ -70,6 +70,7 @@ std::vector<PointGroup> groups_of(const Cage& cage, const CageLocator& locator, 
     group.points.push_back({points[i], place, i});
   }
   std::vector<PointGroup> groups;
+  groups.reserve(by_decade.size());
   for (auto& [decade, group] : by_decade) groups.push_back(std::move(group));
   return groups;
 }

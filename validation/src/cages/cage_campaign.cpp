@@ -6,6 +6,7 @@
 #include "cageproof/core/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/lazy.h"
+#include "cageproof/core/name_pattern.h"
 #include "cageproof/validation/verdicts.h"
 
 #include <fmt/format.h>

@@ -156,7 +156,8 @@ fs::path TruthCache::path_of(const std::string& question) const {
 bool TruthCache::is_checked(const std::string& question) const { return hash_of(question, chance_) % checked_ == 0; }
 
 void TruthCache::keep(const fs::path& path, const std::string& text) {
-  if ((bytes_ += text.size()) > most_bytes) return;
+  const std::uintmax_t bytes = bytes_ += text.size();
+  if (bytes > most_bytes) return;
   static std::atomic<unsigned> number{0};
   // Whole or not at all; where nothing can be written, nothing is kept.
   const fs::path aside = fmt::format("{}.{}-{}", path.string(), ::getpid(), number++);
