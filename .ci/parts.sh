@@ -4,17 +4,18 @@
 logs=$(mktemp -d)
 trap 'rm -rf "$logs"' EXIT
 failed=()
+took=''
 
-# part NAME COMMAND...: runs it; keeps its name and its errors where it fails.
+# part NAME COMMAND...: runs it; keeps its name and its errors where it fails. Its time is said as the next part begins, so that the last part's output is the last.
 part() {
   local name=$1 start=$SECONDS
   shift
-  printf '== %s: %s\n' "$name" "$*"
+  printf '%s== %s: %s\n' "$took" "$name" "$*"
   "$@" </dev/null 2>&1 | tee "$logs/part" || {
     failed+=("$name")
     { grep -m 12 -E 'error:|Failure|FAILED|BROKEN' "$logs/part" || tail -n 5 "$logs/part"; } | cut -c 1-300 >"$logs/failed-${#failed[@]}"
   }
-  printf '== %s took %s s\n' "$name" $((SECONDS - start))
+  took="== $name took $((SECONDS - start)) s"$'\n'
 }
 
 # Says the failures again at the end, because the end is read first.
