@@ -54,7 +54,7 @@ std::string text_of(const Json& json) {
 }
 
 std::string renamed_word(const Json& entry, const char* member, const Renamed& renamed) {
-  const std::string word = text_of(entry[member]);
+  std::string word = text_of(entry[member]);
   constexpr std::array names{"subject", "formula", "evaluation", "regime", "check"};
   if (std::ranges::find(names, std::string_view(member)) == names.end()) return word;
   for (const char* owner : {"subject", "formula"}) {

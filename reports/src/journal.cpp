@@ -190,6 +190,7 @@ std::string journal_text(const Journal& journal) {
     rest.fields.emplace(std::pair(place, std::size_t{0}), std::move(field));
   // Rows that were measured at the same inputs stand together, which packs to two thirds.
   std::vector<const std::pair<const RowKey, Tally>*> rows;
+  rows.reserve(journal.findings.rows.size());
   for (const auto& row : journal.findings.rows) rows.push_back(&row);
   std::ranges::stable_sort(rows, {}, [](const auto* row) {
     const RowKey& key = row->first;
