@@ -68,10 +68,12 @@ function(cageproof_room name)
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>)
   target_link_libraries(cageproof_${name} PUBLIC ${ARG_LINK} PRIVATE cageproof_flags)
   # Reading headers is a quarter of a build, and five seconds a file, without it.
-  if(ARG_HEADERS_OF)
+  # GCC takes a precompiled header only with the very definitions that it was made with, so there each room has its own.
+  if(ARG_HEADERS_OF AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)
     target_precompile_headers(cageproof_${name} REUSE_FROM ${ARG_HEADERS_OF})
   else()
-    target_precompile_headers(cageproof_${name} PRIVATE <cageproof/core/linear.h> <cageproof/core/evaluation.h> ${ARG_PRECOMPILE})
+    target_precompile_headers(cageproof_${name} PRIVATE <cageproof/core/linear.h> <cageproof/core/evaluation.h> <fmt/format.h> <filesystem>
+      <cageproof/core/coordinates.h> ${ARG_PRECOMPILE})
   endif()
 endfunction()
 

@@ -170,9 +170,9 @@ CageSubject::CageSubject(std::shared_ptr<const Cage> cage, const CoordinateKind&
       symmetries_([this, evaluation] { return CageSymmetries(*cage_, evaluation, coordinates_, terms_.get()); }),
       approximated_([this, rule] { return approximated_by(*cage_, kind_, rule); }) {}
 
-CageAt::CageAt(const CageSubject& subject, const Vec3<double>& point, std::uint64_t index, std::string_view place,
+CageAt::CageAt(const CageSubject& subject, const Vec3<double>& where, std::uint64_t sample, std::string_view place,
                int order, bool exact)
-    : PointAt{point, index},
+    : PointAt{where, sample},
       subject_(subject),
       place_(place),
       order_(order),

@@ -57,7 +57,7 @@ class CageAt : public PointAt {
  public:
   /// \param place as in row keys \param order the highest derivative that relations are asked of
   /// \param exact of points on the cage: whether they must lie on it
-  CageAt(const CageSubject& subject, const Vec3<double>& point, std::uint64_t index, std::string_view place, int order,
+  CageAt(const CageSubject& subject, const Vec3<double>& where, std::uint64_t sample, std::string_view place, int order,
          bool exact = false);
 
   int order() const { return order_; }

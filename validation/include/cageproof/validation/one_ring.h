@@ -33,8 +33,8 @@ struct OneRingErrors {
 /// A point, and the errors there, which are found when first asked for.
 class OneRingAt : public PointAt {
  public:
-  OneRingAt(const Vec3<double>& point, std::uint64_t index, std::function<OneRingErrors()> find)
-      : PointAt{point, index}, errors_(std::move(find)) {}
+  OneRingAt(const Vec3<double>& place, std::uint64_t sample, std::function<OneRingErrors()> find)
+      : PointAt{place, sample}, errors_(std::move(find)) {}
   const OneRingErrors& errors() const { return errors_.get(); }
 
  private:
