@@ -48,7 +48,7 @@ void add_compare(CommandLine& line) {
   Command command =
       line.command("compare", "figures and verdicts that differ between two reports or journals; exit 1 when any does");
   auto a = std::make_shared<Arguments>();
-  command.option("old", a->before, "a report's folder, its summary.json, or a journal").taking("FILE").required();
+  command.option("old", a->before, "a report's folder, its summary.json.gz, or a journal").taking("FILE").required();
   command.option("new", a->after, "another").taking("FILE").required();
   command
       .option("--names", a->names,

@@ -27,7 +27,7 @@ possible at the site (`scripts/mutants/operators.py`). One build carries all mut
 `verify` catches a mutant when it breaks a promise, ends with an error, or takes more than five times its time and 20 s; tests do when a suite fails, crashes
 or takes that long. A suite that is skipped catches nothing. Each detector is asked by itself, and whatever the other said: only what of it reaches the site
 is run, the quickest first, until something fails. The units of work of `verify` are measured a few at a time, and judged together with those of the run
-without mutants: the verdict is that of a whole run in which these units alone are the mutant's.
+without mutants: the verdict is that of a whole run in which only these units are the mutant's.
 
 A mutant is *open*, and counts in no share, until both detectors either caught it or ran all that reaches it. *Unreached* means that nothing of either
 detector reaches it.
@@ -39,7 +39,7 @@ any others.
 
 A mutant that nothing caught is called equivalent when it changes no promised result, with a line of proof each (`scripts/mutants/equivalent.json`); at most
 a tenth may be. Where what was mutated has been removed since, because the mutant showed that nothing needs it or that it was wrong, the same file says so,
-and the mutant counts nowhere. Nor do sites that the compiler alone evaluates ("constant"). All other mutants count as such that change a promised result.
+and the mutant counts nowhere. Neither do sites that only the compiler evaluates ("constant"). Every other mutant is taken to change a promised result.
 
 The goals: 90 % caught by `verify` alone, that is, without help of tests, and 97 % by either, in the rooms that compute results; 95 % by tests in
 those that judge and show them (`validation`, `reports`, `cli`).
