@@ -145,12 +145,12 @@ reports::WorstLine line_of(const Arguments& a, const HuntObjective& objective, c
   line.subject = a.formula;
   line.evaluation = objective.evaluation.name();
   line.scalar = a.scalar;
-  line.regime = validation::hunted_regime;
+  line.setting = validation::hunted_regime;
   line.check = objective.check->name();
   line.order = a.options.order;
   line.unit = objective.check->unit();
   line.bound = bound_of(a, objective);
-  line.flags = {line.regime, std::string(found.regime)};
+  line.flags = {line.setting, std::string(found.regime)};
   line.provenance = fmt::format("hunt from {}, seed {}, budget {}", found.regime, a.options.seed, a.options.budget);
   line.worst = found.worst;
   return line;

@@ -38,7 +38,7 @@ std::pair<std::string, bool> outcome(const reports::WorstLine& line, const valid
 }
 
 std::string name_of(const reports::WorstLine& line) {
-  return fmt::format("{} {} {} {} {} order {}", line.subject, line.evaluation, line.scalar, line.regime, line.check,
+  return fmt::format("{} {} {} {} {} order {}", line.subject, line.evaluation, line.scalar, line.setting, line.check,
                      line.order);
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_rows_shown = 4;
 
 void print_row(const ResultRow& row) {
-  fmt::print("  BROKEN {} {} {} {}{} {} order {}: {}\n", row.subject, row.evaluation, row.scalar, row.regime,
+  fmt::print("  BROKEN {} {} {} {}{} {} order {}: {}\n", row.subject, row.evaluation, row.scalar, row.setting,
              row.place.empty() ? "" : " " + row.place, row.check, row.order, reports::breach(row));
 }
 
@@ -29,7 +29,7 @@ void print_group(const reports::BrokenGroup& group) {
   const ResultRow& row = *group.simplest_row;
   const std::string origin = row.section == RowKey::Section::Element ? validation::origin_of(row, *group.simplest) : "";
   fmt::print("  simplest: {} order {}, {}: {:.3g} {} at {}\n", row.subject, row.order,
-             origin.empty() ? row.regime : origin, group.simplest->error, row.unit,
+             origin.empty() ? row.setting : origin, group.simplest->error, row.unit,
              reports::input_line(*group.simplest));
 }
 

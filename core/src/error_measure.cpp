@@ -85,6 +85,8 @@ std::vector<std::uint64_t> bits_of(const WorstCase& c) {
   for (const Vec3<double>& corner : c.corners) std::ranges::for_each(corner, add);
   std::ranges::for_each(c.point, add);
   std::ranges::for_each(c.parameters, add);
+  add(c.frame.unit);
+  std::ranges::for_each(c.frame.shift, add);
   return bits;
 }
 

@@ -38,7 +38,7 @@ void Tally::merge(const Tally& other) {
 
 std::size_t std::hash<cageproof::RowKey>::operator()(const cageproof::RowKey& key) const noexcept {
   std::size_t seed = static_cast<std::size_t>(key.section) * 3 + static_cast<std::size_t>(key.order);
-  for (const std::string* part : {&key.subject, &key.evaluation, &key.scalar, &key.regime, &key.check, &key.place})
+  for (const std::string* part : {&key.subject, &key.evaluation, &key.scalar, &key.setting, &key.check, &key.place})
     seed = seed * 1099511628211U + std::hash<std::string>()(*part);
   return seed;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/findings.h"
+#include "cageproof/core/partial_result.h"
 
 #include <gtest/gtest.h>
 
@@ -117,7 +117,7 @@ TEST(row_key, is_ordered_and_hashed_by_every_member) {
   keys[1].section = RowKey::Section::Cage;
   for (int i = 2; i < 8; ++i)
     *std::array{
-        &keys[i].subject, &keys[i].evaluation, &keys[i].scalar, &keys[i].regime, &keys[i].check, &keys[i].place}[i -
+        &keys[i].subject, &keys[i].evaluation, &keys[i].scalar, &keys[i].setting, &keys[i].check, &keys[i].place}[i -
                                                                                                                  2] +=
         "x";
   keys[8].order = 2;
@@ -141,14 +141,14 @@ FieldPart part(std::size_t first, std::vector<double> values) {
   return p;
 }
 
-Findings with(FieldPart p) {
-  Findings findings;
-  findings.fields.emplace(std::pair(4, p.first), std::move(p));
-  return findings;
+PartialResult with(FieldPart p) {
+  PartialResult gathered;
+  gathered.fields.emplace(std::pair(4, p.first), std::move(p));
+  return gathered;
 }
 
-TEST(findings, make_fields_whole_whoever_merged_which_parts) {
-  Findings left = with(part(2, {2, 3})), right = with(part(4, {4, 5}));
+TEST(partial_results, make_fields_whole_whoever_merged_which_parts) {
+  PartialResult left = with(part(2, {2, 3})), right = with(part(4, {4, 5}));
   right.merge(with(part(0, {0, 1})));
   left.merge(right);
   EXPECT_EQ(whole_fields(left).at(4).image.arrays[0].values, (std::vector<double>{0, 1, 2, 3, 4, 5}));
@@ -157,17 +157,17 @@ TEST(findings, make_fields_whole_whoever_merged_which_parts) {
   EXPECT_EQ(half.at(4), 4);
 }
 
-TEST(findings, refuse_parts_that_do_not_fit) {
-  Findings findings = with(part(0, {0}));
-  findings.merge(with(part(5, {5, 6})));
-  EXPECT_THROW(whole_fields(findings), std::invalid_argument);
+TEST(partial_results, refuse_parts_that_do_not_fit) {
+  PartialResult gathered = with(part(0, {0}));
+  gathered.merge(with(part(5, {5, 6})));
+  EXPECT_THROW(whole_fields(gathered), std::invalid_argument);
 }
 
-TEST(findings, drop_no_worst_case_that_could_count) {
+TEST(partial_results, drop_no_worst_case_that_could_count) {
   const RowKey key;
-  Findings dropped, kept;
+  PartialResult dropped, kept;
   for (int i = 0; i < 40; ++i) {
-    Findings found;
+    PartialResult found;
     for (int k = 0; k < 3; ++k) found.rows[key].merge(one(5 * i + k));
     kept.merge(found);
     const std::size_t before = found.rows[key].worst.cases().size();

@@ -15,7 +15,7 @@ namespace {
 
 // What one fault may break: rows of one element's formulas, of one deformer, or of one cage.
 std::string about(const ResultRow& row) {
-  return row.section == RowKey::Section::Cage ? row.regime : row.subject.substr(0, row.subject.find('.'));
+  return row.section == RowKey::Section::Cage ? row.setting : row.subject.substr(0, row.subject.find('.'));
 }
 
 // The first few of what rows say, each once.
@@ -70,7 +70,7 @@ std::string title_of(const BrokenGroup& group) {
   return fmt::format("{} of {} in {}: {} of {}; {}{}; {} {}", first.check, first.evaluation, first.scalar,
                      group.rows.size() == 1 ? "1 row" : fmt::format("{} rows", group.rows.size()),
                      named(group, [](const ResultRow& row) { return row.subject; }), cage ? "cage " : "",
-                     named(group, [](const ResultRow& row) { return row.regime; }) +
+                     named(group, [](const ResultRow& row) { return row.setting; }) +
                          (cage ? ", " + named(group, [](const ResultRow& row) { return row.place; }) : ""),
                      "order", named(group, [](const ResultRow& row) { return std::to_string(row.order); }));
 }
@@ -85,6 +85,8 @@ std::string input_line(const WorstCase& input) {
   std::string text;
   for (const Vec3<double>& corner : input.corners) text += vector(corner) + " ";
   text += (text.empty() ? "at " : "seen from ") + vector(input.point);
+  if (!input.frame.is_own())
+    text += fmt::format(", the cage moved by {} and in units of {}", vector(input.frame.shift), input.frame.unit);
   if (!input.parameters.empty()) text += fmt::format(", parameters {}", fmt::join(input.parameters, ", "));
   return text;
 }

@@ -67,7 +67,7 @@ std::set<double> bounds(const RunResult& result, const Curves& curves, int order
   const ResultCurve& one = *curves.front();
   std::set<double> found;
   for (const ResultRow& row : result.rows) {
-    if (!row.bound || row.order != order || row.subject != one.subject || row.regime != one.regime ||
+    if (!row.bound || row.order != order || row.subject != one.subject || row.setting != one.setting ||
         row.check != one.check)
       continue;
     for (const ResultCurve* curve : curves)
@@ -208,12 +208,12 @@ std::vector<CurvePicture> curve_pictures(const RunResult& result) {
   for (const ResultCurve& curve : result.curves) {
     if (!drawable(curve)) continue;
     const auto same = std::ranges::find_if(pictures, [&](const CurvePicture& p) {
-      return p.subject == curve.subject && p.regime == curve.regime && p.check == curve.check;
+      return p.subject == curve.subject && p.regime == curve.setting && p.check == curve.check;
     });
     groups.resize(std::max<std::size_t>(groups.size(), same - pictures.begin() + 1));
     groups[same - pictures.begin()].push_back(&curve);
     if (same == pictures.end())
-      pictures.push_back({curve.subject, curve.regime, curve.check, curve.parameter_name, {}});
+      pictures.push_back({curve.subject, curve.setting, curve.check, curve.parameter_name, {}});
   }
   const Styles styles(result);
   for (std::size_t i = 0; i < pictures.size(); ++i) {

@@ -19,7 +19,7 @@ using Section = ResultRow::Section;
 
 const ResultRow* ErrorTable::at(const std::string& regime, const Column& column, int order) const {
   for (const ResultRow* row : rows)
-    if (row->order == order && row->regime == regime && row->evaluation == column.evaluation &&
+    if (row->order == order && row->setting == regime && row->evaluation == column.evaluation &&
         row->scalar == column.scalar)
       return row;
   return nullptr;
@@ -76,7 +76,7 @@ ErrorTable truth_table(const RunResult& result, const std::string& subject) {
     const Column column{row.evaluation, row.scalar};
     if (std::ranges::find(table.columns, column) == table.columns.end()) table.columns.push_back(column);
   }
-  table.regimes = distinct(table.rows, [](const ResultRow* row) -> const std::string& { return row->regime; });
+  table.regimes = distinct(table.rows, [](const ResultRow* row) -> const std::string& { return row->setting; });
   // What users run comes first.
   std::ranges::stable_partition(table.columns, [&](const Column& column) {
     return column.scalar == "double" && role_of(result, subject, column.evaluation) == name_of(Role::Recommended);
@@ -125,8 +125,8 @@ CageTable table_of(const RunResult& result, Section section, Label line, Label c
       table.columns.push_back(column(row));
   for (const ResultRow& row : result.rows) {
     if (row.section != section) continue;
-    const auto [at, fresh] = line_of.try_emplace({row.regime, line(row), row.unit}, table.lines.size());
-    if (fresh) table.lines.push_back({row.regime, line(row), row.unit, Rows(table.columns.size())});
+    const auto [at, fresh] = line_of.try_emplace({row.setting, line(row), row.unit}, table.lines.size());
+    if (fresh) table.lines.push_back({row.setting, line(row), row.unit, Rows(table.columns.size())});
     const std::size_t place = std::ranges::find(table.columns, column(row)) - table.columns.begin();
     const ResultRow*& cell = table.lines[at->second].cells[place];
     if (!cell || more_telling(row, *cell)) cell = &row;

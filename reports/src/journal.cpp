@@ -5,7 +5,7 @@
 #include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/packed_file.h"
-#include "findings_json.h"
+#include "partial_result_json.h"
 
 #include <fmt/format.h>
 
@@ -88,16 +88,16 @@ JournalHeader header_of(const Json& json) {
   return header;
 }
 
-// Lines after the header. Findings in a line without units are those of the units of a later line.
+// Lines after the header. Results in a line without units are those of the units of a later line.
 class Reader {
  public:
   explicit Reader(Journal& journal) : journal_(journal) {}
 
   void take(const Json& line) {
     if (line.contains("session")) journal_.sessions.push_back(session_of(line["session"]));
-    Findings found = findings_of(line);
+    PartialResult found = partial_result_of(line);
     open_ = open_ || !found.rows.empty() || !found.fields.empty() || !found.meshes.empty() || !found.errata.empty();
-    journal_.findings.merge(std::move(found));
+    journal_.gathered.merge(std::move(found));
     if (line.contains("seconds") && !journal_.sessions.empty()) {
       double& seconds = journal_.sessions.back().seconds;
       seconds = std::max(seconds, number_of(line["seconds"]).value_or(0));
@@ -106,7 +106,7 @@ class Reader {
     for (const Json& range : line["units"]) take_units(range.at(0).get<std::size_t>(), range.at(1).get<std::size_t>());
     open_ = false;
   }
-  /// Whether findings have come whose units have not.
+  /// Whether results have come whose units have not.
   bool open() const { return open_; }
 
  private:
@@ -185,19 +185,19 @@ std::string journal_head(const JournalHeader& header, const Session& session) { 
 
 std::string journal_text(const Journal& journal) {
   std::string text = head(journal.header, journal.sessions);
-  Findings rest{{}, {}, journal.findings.meshes, journal.findings.errata};
-  for (auto& [place, field] : whole_fields(journal.findings))
+  PartialResult rest{{}, {}, journal.gathered.meshes, journal.gathered.errata};
+  for (auto& [place, field] : whole_fields(journal.gathered))
     rest.fields.emplace(std::pair(place, std::size_t{0}), std::move(field));
   // Rows that were measured at the same inputs stand together, which packs to two thirds.
   std::vector<const std::pair<const RowKey, Tally>*> rows;
-  rows.reserve(journal.findings.rows.size());
-  for (const auto& row : journal.findings.rows) rows.push_back(&row);
+  rows.reserve(journal.gathered.rows.size());
+  for (const auto& row : journal.gathered.rows) rows.push_back(&row);
   std::ranges::stable_sort(rows, {}, [](const auto* row) {
     const RowKey& key = row->first;
-    return std::tie(key.section, key.subject, key.regime, key.scalar, key.check, key.place);
+    return std::tie(key.section, key.subject, key.setting, key.scalar, key.check, key.place);
   });
   for (const auto* row : rows) text += dump(Json{{"rows", Json::array({row_json(row->first, row->second)})}}) + "\n";
-  const Json others = findings_json(rest);
+  const Json others = partial_result_json(rest);
   for (const auto& [name, list] : others.items())
     for (const Json& item : list) text += dump(Json{{name, Json::array({item})}}) + "\n";
   Json units = Json::array();
@@ -262,9 +262,9 @@ void JournalWriter::append(const std::string& line) {
 
 void JournalWriter::add_session(const Session& session) { append(dump(Json{{"session", json_of(session)}}) + "\n"); }
 
-void JournalWriter::add(std::size_t unit, const Findings& found, double seconds) {
+void JournalWriter::add(std::size_t unit, const PartialResult& found, double seconds) {
   Json line{{"units", Json::array({Json::array({unit, unit})})}, {"seconds", json_number(seconds)}};
-  line.update(findings_json(found));
+  line.update(partial_result_json(found));
   append(dump(line) + "\n");
 }
 

@@ -81,7 +81,7 @@ const std::vector<RowMember>& row_members() {
                                               {"subject", Key, &RowKey::subject},
                                               {"evaluation", Key, &RowKey::evaluation},
                                               {"scalar", Key, &RowKey::scalar},
-                                              {"regime", Key, &RowKey::regime},
+                                              {"regime", Key, &RowKey::setting},
                                               {"check", Key, &RowKey::check},
                                               {"place", Key, &RowKey::place},
                                               {"order", Key, &RowKey::order},

@@ -90,7 +90,7 @@ std::string summary_json(const RunResult& result, std::string_view schema) {
     json["curves"].push_back({{"subject", curve.subject},
                               {"evaluation", curve.evaluation},
                               {"scalar", curve.scalar},
-                              {"regime", curve.regime},
+                              {"regime", curve.setting},
                               {"check", curve.check},
                               {"order", curve.order},
                               {"parameter_name", curve.parameter_name},

@@ -57,7 +57,7 @@ std::string broken(const RunResult& result) {
                 "bound", "unit", "not finite", "lost"});
   for (std::size_t i = 0; i < std::min(rows.size(), kMostBroken); ++i) {
     const ResultRow& row = *rows[i];
-    text += line({escaped(row.subject), escaped(row.evaluation), escaped(row.scalar), escaped(row.regime),
+    text += line({escaped(row.subject), escaped(row.evaluation), escaped(row.scalar), escaped(row.setting),
                   escaped(row.check), escaped(row.place), std::string(order_name(row.order)), figure(&row),
                   row.bound ? short_number(*row.bound) : "", escaped(row.unit), grouped(row.nonfinite),
                   grouped(row.asked - std::min(row.asked, row.samples + row.without_truth))});
@@ -107,7 +107,7 @@ std::string properties(const RunResult& result) {
     for (const ResultRow* row : tightest_properties(result, subject))
       text += line({escaped(subject), escaped(row->check), escaped(row->evaluation + ", " + row->scalar),
                     std::string(order_name(row->order)), figure(row), row->bound ? short_number(*row->bound) : "",
-                    escaped(row->unit), escaped(row->regime)});
+                    escaped(row->unit), escaped(row->setting)});
   if (text.empty()) return text;
   return "\n## Properties of formulas\n\nOf all regimes the one nearest to its bound.\n\n" +
          head({"formula", "check", "evaluation", "order", "largest found", "bound", "unit", "regime"}) + text;

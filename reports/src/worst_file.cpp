@@ -6,9 +6,11 @@
 #include "cageproof/core/scalar_text.h"
 #include "cageproof/reports/packed_file.h"
 #include "json_value.h"
+#include "older_frame.h"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace cageproof::reports {
@@ -37,7 +39,7 @@ Json json_of(const WorstLine& line) {
   Json json{{subject_key(line.section), line.subject},
             {"evaluation", line.evaluation},
             {"scalar", line.scalar},
-            {"regime", line.regime},
+            {"regime", line.setting},
             {"check", line.check},
             {"place", line.place},
             {"order", line.order},
@@ -54,6 +56,8 @@ Json json_of(const WorstLine& line) {
   const Formula* formula = element ? find_formula(line.subject) : nullptr;
   for (std::size_t k = 0; k < worst.parameters.size(); ++k)
     json["parameters"][parameter_name(formula, k)] = format_hex(worst.parameters[k]);
+  if (!worst.frame.is_own())
+    json["frame"] = {{"unit", format_hex(worst.frame.unit)}, {"shift", hex(worst.frame.shift)}};
   if (worst.asked != 2) json["asked"] = worst.asked;
   if (worst.furthest.index >= 0) {
     json["relative"] = json_number(worst.relative);
@@ -139,12 +143,28 @@ void read_parameters(const LineReader& in, WorstLine& line) {
     for (const Json& value : json) line.worst.parameters.push_back(in.exact(value, "parameters"));
 }
 
+// Where a cage stood; older files have it as four parameters without names.
+void read_frame(const LineReader& in, WorstLine& line) {
+  if (line.section == RowKey::Section::Element) return;
+  if (in.has("frame")) {
+    const Json& json = in.at("frame");
+    if (!json.is_object() || !json.contains("unit") || !json.contains("shift"))
+      in.fail("\"frame\" is not an object of \"unit\" and \"shift\"");
+    line.worst.frame = {in.vector(json["shift"], "frame"), in.exact(json["unit"], "frame")};
+  } else {
+    take_older_frame(line.worst);
+  }
+  const CageFrame& frame = line.worst.frame;
+  if (!std::isfinite(frame.unit) || frame.unit <= 0 || !frame.shift.allFinite())
+    in.fail("\"frame\" has a unit that is not above zero, or a number that is not finite");
+}
+
 WorstLine read_line(const LineReader& in) {
   WorstLine line;
   read_subject(in, line);
   line.evaluation = in.text("evaluation");
   line.scalar = in.text("scalar");
-  line.regime = in.text("regime");
+  line.setting = in.text("regime");
   line.check = in.text("check");
   line.place = in.text("place");
   const std::uint64_t order = in.count("order");
@@ -164,6 +184,7 @@ WorstLine read_line(const LineReader& in) {
   for (const Json& corner : corners) line.worst.corners.push_back(in.vector(corner, "element"));
   line.worst.point = in.vector(in.at("point"), "point");
   read_parameters(in, line);
+  read_frame(in, line);
   if (in.has("triangulation")) line.triangulation = in.text("triangulation");
   if (in.has("provenance")) line.provenance = in.text("provenance");
   if (in.has("asked")) {
@@ -178,7 +199,7 @@ WorstLine read_line(const LineReader& in) {
 
 WorstLine worst_line_of(const ResultRow& row, const WorstCase& worst, const RunResult& result) {
   WorstLine line{row, row.unit, row.bound, {}, {}, {}, 0, worst};
-  for (const std::string& flag : {row.section == RowKey::Section::Element ? row.regime : std::string(), row.place})
+  for (const std::string& flag : {row.section == RowKey::Section::Element ? row.setting : std::string(), row.place})
     if (!flag.empty()) line.flags.push_back(flag);
   if (const auto rule = result.settings.find("triangulation"); rule != result.settings.end())
     line.triangulation = rule->second;

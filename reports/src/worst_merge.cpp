@@ -18,6 +18,8 @@ std::vector<std::uint64_t> input_of(const WorstLine& line) {
     for (int c = 0; c < 3; ++c) add(corner[c]);
   for (int c = 0; c < 3; ++c) add(line.worst.point[c]);
   for (const double p : line.worst.parameters) add(p);
+  add(line.worst.frame.unit);
+  for (int c = 0; c < 3; ++c) add(line.worst.frame.shift[c]);
   return bits;
 }
 

@@ -27,10 +27,10 @@ std::size_t count_of(const ResultRow& row) {
 RowHome home_of(const RowKey& row) {
   switch (row.section) {
     case RowKey::Section::Element: return {"formulas", "", row.subject};
-    case RowKey::Section::Cage: return {"cages", "cage.", row.regime};
+    case RowKey::Section::Cage: return {"cages", "cage.", row.setting};
     case RowKey::Section::Deformer: break;
   }
-  return {"deformers", "deformer.", row.regime};
+  return {"deformers", "deformer.", row.setting};
 }
 
 WorstPlaces::WorstPlaces(const RunResult& result) {

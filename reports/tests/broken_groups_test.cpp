@@ -11,7 +11,7 @@ ResultRow broken(const char* subject, const char* regime, const char* check, dou
   row.subject = subject;
   row.evaluation = "closed_form";
   row.scalar = "double";
-  row.regime = regime;
+  row.setting = regime;
   row.check = check;
   row.unit = "conditioned";
   row.samples = row.asked = 20;
@@ -60,7 +60,7 @@ TEST(broken_groups, name_their_simplest_input) {
   result.rows[0].worst.push_back(kept);
   const auto groups = broken_groups(result);
   ASSERT_TRUE(groups[1].simplest);
-  EXPECT_EQ(groups[1].simplest_row->regime, "near-line");
+  EXPECT_EQ(groups[1].simplest_row->setting, "near-line");
   EXPECT_EQ(input_line(*groups[1].simplest), "(0, 0, 0) (1, 0, 0) (0, 1, 0) seen from (0.25, 0.5, 0)");
 }
 

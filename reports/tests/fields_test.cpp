@@ -174,7 +174,7 @@ TEST_F(Fields, EveryPictureIsAPicture) {
   run.curves[0].errors = {0};
   for (double& error : run.curves[1].errors) error = HUGE_VAL;
   run.curves.push_back(run.curves[0]);
-  run.curves.back().regime = "on-nothing";
+  run.curves.back().setting = "on-nothing";
   run.curves.back().parameters = {0};
   ReportWriter writer(out());
   ImageField volume = sample_slice("volume", 4), cut = volume;

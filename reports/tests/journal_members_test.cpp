@@ -13,9 +13,9 @@ namespace cageproof::reports {
 namespace {
 
 // Every member differs from what it is when nothing is said.
-Findings everything() {
-  Findings findings;
-  Tally& tally = findings.rows[{RowKey::Section::Deformer, "d", "e", "float", "cage", "check", "pose", 1}];
+PartialResult everything() {
+  PartialResult gathered;
+  Tally& tally = gathered.rows[{RowKey::Section::Deformer, "d", "e", "float", "cage", "check", "pose", 1}];
   tally.unit = "relative";
   WorstCase worst{0.1, -0.5, 9, {{1.0 / 3, -0.0, 1e300}}, {0.1, 0.2, 0.3}, {0.7}, 1};
   worst.relative = 1e-320;
@@ -24,6 +24,7 @@ Findings everything() {
   tally.add(HUGE_VAL, 0.2, 3, [&](double error) {
     WorstCase other{error};
     other.sample = 3;
+    other.frame = {{-0.0, 1e300, 1.0 / 3}, 1e-320};
     return other;
   });
   tally.asked = 21;
@@ -42,15 +43,15 @@ Findings everything() {
   part.image = {"image", {2, 1, 1}, {0.1, 0.2, 0.3}, {1, 2, 3}, {}};
   part.image.arrays = {{"first", "1", 1, {0.1, std::nan("")}}, {"second", "", 3, {1, 2, 3, 4, 5, HUGE_VAL}, true}};
   part.image.facts = {{"cage", "c"}, {"evaluations", "gauss-8, closed_form"}, {"unit of length", "<&>"}};
-  findings.fields.emplace(std::pair(2, std::size_t{0}), part);
+  gathered.fields.emplace(std::pair(2, std::size_t{0}), part);
   part.mesh = "mesh";
   part.scene = part.cage = "";
   part.compared.clear();
   part.image.facts.clear();
-  findings.fields.emplace(std::pair(5, std::size_t{0}), part);
-  findings.meshes["mesh"] = {"mesh", {{0, 0, 0}, {1, 1.0 / 3, 0}}, {{0, 1}}, {}};
-  findings.errata[3] = {"source", "printed", "correct", "formula", "evaluation", "generic", 2, 24, 3, 0.1, 1e-40};
-  return findings;
+  gathered.fields.emplace(std::pair(5, std::size_t{0}), part);
+  gathered.meshes["mesh"] = {"mesh", {{0, 0, 0}, {1, 1.0 / 3, 0}}, {{0, 1}}, {}};
+  gathered.errata[3] = {"source", "printed", "correct", "formula", "evaluation", "generic", 2, 24, 3, 0.1, 1e-40};
+  return gathered;
 }
 
 void expect_same(const Tally& found, const Tally& expected) {
@@ -74,6 +75,8 @@ void expect_same(const Tally& found, const Tally& expected) {
     EXPECT_EQ(a.corners, b.corners);
     EXPECT_EQ(a.point, b.point);
     EXPECT_EQ(a.parameters, b.parameters);
+    EXPECT_EQ(a.frame.unit, b.frame.unit);
+    EXPECT_EQ(a.frame.shift, b.frame.shift);
     EXPECT_EQ(a.asked, b.asked);
     EXPECT_EQ(a.furthest.index, b.furthest.index);
     EXPECT_EQ(a.furthest.truth, b.furthest.truth);
@@ -112,21 +115,21 @@ void expect_same(const FieldPart& found, const FieldPart& expected) {
 }
 
 void expect_everything(const Journal& journal) {
-  const Findings expected = everything();
-  ASSERT_EQ(journal.findings.rows.size(), 1u);
-  EXPECT_EQ(journal.findings.rows.begin()->first, expected.rows.begin()->first);
-  expect_same(journal.findings.rows.begin()->second, expected.rows.begin()->second);
-  const auto found = whole_fields(journal.findings), fields = whole_fields(expected);
+  const PartialResult expected = everything();
+  ASSERT_EQ(journal.gathered.rows.size(), 1u);
+  EXPECT_EQ(journal.gathered.rows.begin()->first, expected.rows.begin()->first);
+  expect_same(journal.gathered.rows.begin()->second, expected.rows.begin()->second);
+  const auto found = whole_fields(journal.gathered), fields = whole_fields(expected);
   ASSERT_EQ(found.size(), 2u);
   for (const auto& [place, field] : fields) {
     ASSERT_TRUE(found.contains(place));
     expect_same(found.at(place), field);
   }
-  const MeshField& mesh = journal.findings.meshes.at("mesh");
+  const MeshField& mesh = journal.gathered.meshes.at("mesh");
   EXPECT_EQ(mesh.name, "mesh");
   EXPECT_EQ(mesh.vertices, expected.meshes.at("mesh").vertices);
   EXPECT_EQ(mesh.faces, expected.meshes.at("mesh").faces);
-  const ErratumRow &row = journal.findings.errata.at(3), &erratum = expected.errata.at(3);
+  const ErratumRow &row = journal.gathered.errata.at(3), &erratum = expected.errata.at(3);
   EXPECT_EQ(row.source, erratum.source);
   EXPECT_EQ(row.printed, erratum.printed);
   EXPECT_EQ(row.correct, erratum.correct);

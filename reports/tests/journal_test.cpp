@@ -49,9 +49,9 @@ JournalHeader header() {
 Session session(const char* started) { return {started, 0, "cageproof verify", {{"processor", "of the test"}}}; }
 
 // What unit `i` finds: numbers that text could spoil, in every kind of finding.
-Findings found(int i) {
-  Findings findings;
-  Tally& tally = findings.rows[{RowKey::Section::Element, "f", "closed_form", "double", "near-edge", "truth", "", 0}];
+PartialResult found(int i) {
+  PartialResult gathered;
+  Tally& tally = gathered.rows[{RowKey::Section::Element, "f", "closed_form", "double", "near-edge", "truth", "", 0}];
   tally.unit = "conditioned";
   for (const double error : {0.1 + 0.2 * i, kDenormal, i == 1 ? HUGE_VAL : 1e300})
     tally.add(error, error / 3, i, [&](double e) {
@@ -61,7 +61,7 @@ Findings found(int i) {
   tally.add_to_curve(1, 3, 1.0 / 7);
   tally.without_truth = 2;
   const auto section = i == 1 ? RowKey::Section::Deformer : RowKey::Section::Cage;
-  findings.rows[{section, "green", "e", "double", fmt::format("cage {}", i), "c", "inside", 2}].declined = 1;
+  gathered.rows[{section, "green", "e", "double", fmt::format("cage {}", i), "c", "inside", 2}].declined = 1;
   FieldPart part;
   part.title = "title";
   part.shown = "error";
@@ -72,10 +72,10 @@ Findings found(int i) {
                 Vec3<double>(0.1, 0, -1),
                 Vec3<double>(1, kDenormal, 3),
                 {{"error", "1", 1, {std::nan(""), -HUGE_VAL}}}};
-  findings.fields.emplace(std::pair(7, part.first), part);
-  if (i == 0) findings.meshes["mesh"] = {"mesh", {Vec3<double>(1, 2, 1.0 / 3)}, {{0, 0, 0}}, {}};
-  findings.errata[i] = {"source", "printed", "correct", "f", "e", "generic", 1, 24, 3, 0.1, kDenormal};
-  return findings;
+  gathered.fields.emplace(std::pair(7, part.first), part);
+  if (i == 0) gathered.meshes["mesh"] = {"mesh", {Vec3<double>(1, 2, 1.0 / 3)}, {{0, 0, 0}}, {}};
+  gathered.errata[i] = {"source", "printed", "correct", "f", "e", "generic", 1, 24, 3, 0.1, kDenormal};
+  return gathered;
 }
 
 // A journal with the given units; its text.
@@ -109,7 +109,7 @@ TEST_F(Journals, KeepEveryBit) {
   ASSERT_EQ(journal.sessions.size(), 1u);
   EXPECT_EQ(journal.sessions[0].seconds, 3);
   EXPECT_EQ(journal.sessions[0].machine.at("processor"), "of the test");
-  const Tally& tally = journal.findings.rows.begin()->second;
+  const Tally& tally = journal.gathered.rows.begin()->second;
   EXPECT_EQ(tally.unit, "conditioned");
   EXPECT_EQ(tally.errors.count(), 9u);
   EXPECT_EQ(tally.errors.nonfinite(), 1u);
@@ -124,15 +124,15 @@ TEST_F(Journals, KeepEveryBit) {
   EXPECT_EQ(c.sample, 1ULL << 63);
   EXPECT_TRUE(std::isinf(c.parameters[0]));
   EXPECT_EQ(c.asked, 1);
-  EXPECT_EQ(journal.findings.rows.size(), 4u);
-  const FieldPart field = whole_fields(journal.findings).at(7);
+  EXPECT_EQ(journal.gathered.rows.size(), 4u);
+  const FieldPart field = whole_fields(journal.gathered).at(7);
   EXPECT_EQ(field.image.spacing[1], kDenormal);
   EXPECT_EQ(field.image.points[0], 3);
   EXPECT_TRUE(std::isnan(field.image.arrays[0].values[4]));
   EXPECT_EQ(field.image.arrays[0].values[5], -HUGE_VAL);
-  EXPECT_EQ(journal.findings.meshes.at("mesh").vertices[0][2], 1.0 / 3);
-  EXPECT_EQ(journal.findings.errata.at(2).corrected_error, kDenormal);
-  EXPECT_EQ(journal.findings.errata.at(2).nonfinite, 3u);
+  EXPECT_EQ(journal.gathered.meshes.at("mesh").vertices[0][2], 1.0 / 3);
+  EXPECT_EQ(journal.gathered.errata.at(2).corrected_error, kDenormal);
+  EXPECT_EQ(journal.gathered.errata.at(2).nonfinite, 3u);
 }
 
 TEST_F(Journals, LoseOnlyTheLineThatIsTorn) {
@@ -159,13 +159,13 @@ TEST_F(Journals, AreTheSameTextWhenFinished) {
   Journal journal = read_journal(path());
   const std::string text = journal_text(journal);
   written(path(), {2, 0, 1});
-  journal.findings = read_journal(path()).findings;
+  journal.gathered = read_journal(path()).gathered;
   EXPECT_EQ(journal_text(journal), text);
   write_file(path(), text);
   const Journal again = read_journal(path());
   EXPECT_EQ(again.units_done(), 3u);
   EXPECT_EQ(journal_text(again), text);
-  // Cut at the end of a line it holds findings of units that it does not name.
+  // Cut at the end of a line it holds results of units that it does not name.
   write_file(path(), text.substr(0, text.rfind('\n', text.size() - 2) + 1));
   EXPECT_NE(message_of(path()).find("cut off"), std::string::npos);
 }

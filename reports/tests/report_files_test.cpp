@@ -144,7 +144,7 @@ TEST(ReportFiles, CsvQuotesWhatMustBe) {
   RunResult run = sample_run(1, 1);
   run.rows.resize(1);
   ResultRow& row = run.rows[0];
-  row.regime = "a, b.obj";
+  row.setting = "a, b.obj";
   row.reason = "a \"quoted\" reason\nof two lines";
   row.max = HUGE_VAL;
   row.p999 = 0.1;
@@ -154,7 +154,7 @@ TEST(ReportFiles, CsvQuotesWhatMustBe) {
   EXPECT_TRUE(csv.ends_with(",\"a \"\"quoted\"\" reason\nof two lines\"\n"));
   const std::string header = csv.substr(0, csv.find('\n'));
   EXPECT_EQ(std::ranges::count(header, ','), 23);
-  run.rows[0].reason = run.rows[0].regime = "plain";
+  run.rows[0].reason = run.rows[0].setting = "plain";
   const std::string plain = results_csv(run);
   EXPECT_EQ(std::ranges::count(plain, ','), 46);
   EXPECT_EQ(plain.find('"'), std::string::npos);
@@ -164,7 +164,7 @@ TEST(ReportFiles, CsvQuotesWhatMustBe) {
 TEST(ReportFiles, OverviewLeavesFiguresThatAreNotThereEmpty) {
   RunResult run = sample_run(1, 2);
   std::erase_if(run.rows, [](const ResultRow& row) {
-    return row.section == RowKey::Section::Element && row.regime == "near-face" && row.evaluation == "closed_form" &&
+    return row.section == RowKey::Section::Element && row.setting == "near-face" && row.evaluation == "closed_form" &&
            row.scalar == "double";
   });
   const std::string page = report(run).at("index.html");

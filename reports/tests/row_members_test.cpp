@@ -4,7 +4,7 @@
 
 #include "cageproof/reports/journal.h"
 #include "cageproof/reports/summary.h"
-#include "findings_json.h"
+#include "partial_result_json.h"
 #include "page/rows_json.h"
 #include "tables.h"
 

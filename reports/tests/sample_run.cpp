@@ -74,7 +74,7 @@ void add_check(RunResult& run, const Formula& formula, const char* evaluation, i
   row.subject = curve.subject;
   row.evaluation = evaluation;
   row.scalar = scalar;
-  row.regime = regime.name;
+  row.setting = regime.name;
   row.check = "truth";
   row.order = order;
   row.role = curve.role = name_of(index == 0 ? Role::Recommended : Role::Rule);
@@ -118,7 +118,7 @@ void add_cage(RunResult& run, const char* cage) {
         row.subject = kind;
         row.evaluation = "closed_form";
         row.scalar = "double";
-        row.regime = cage;
+        row.setting = cage;
         row.check = check;
         row.place = place;
         row.unit = "absolute";
@@ -141,7 +141,7 @@ void add_deformers(RunResult& run, const char* cage) {
       row.subject = "green";
       row.evaluation = variant;
       row.scalar = "double";
-      row.regime = cage;
+      row.setting = cage;
       row.check = check;
       row.place = "rotation";
       row.unit = "cage sizes";

@@ -54,14 +54,14 @@ TEST_F(WorstFile, RoundTripIsExact) {
       EXPECT_EQ(line.subject, row.subject);
       EXPECT_EQ(line.evaluation, row.evaluation);
       EXPECT_EQ(line.scalar, row.scalar);
-      EXPECT_EQ(line.regime, row.regime);
+      EXPECT_EQ(line.setting, row.setting);
       EXPECT_EQ(line.check, row.check);
       EXPECT_EQ(line.place, row.place);
       EXPECT_EQ(line.order, row.order);
       EXPECT_EQ(line.unit, row.unit);
       EXPECT_EQ(line.bound, row.bound);
       EXPECT_EQ(line.triangulation, "shortest");
-      EXPECT_EQ(line.flags, std::vector<std::string>{row.place.empty() ? row.regime : row.place});
+      EXPECT_EQ(line.flags, std::vector<std::string>{row.place.empty() ? row.setting : row.place});
       EXPECT_TRUE(same_bits(line.worst.error, worst.error));
       EXPECT_TRUE(same_bits(line.worst.parameter, worst.parameter));
       EXPECT_EQ(line.worst.sample, worst.sample);
@@ -81,6 +81,41 @@ TEST_F(WorstFile, ParametersKeepTheirOrder) {
   run.rows[0].worst.resize(1);
   run.rows[0].worst[0].parameters = {0.3, 1e-320, -7.0};
   EXPECT_EQ(read_worst(write(worst_lines(run)))[0].worst.parameters, run.rows[0].worst[0].parameters);
+}
+
+TEST_F(WorstFile, SaysWhereACageStood) {
+  RunResult run = sample_run(1, 1);
+  run.rows.resize(1);
+  run.rows[0].section = RowKey::Section::Cage;
+  run.rows[0].worst.resize(1);
+  WorstCase& worst = run.rows[0].worst[0];
+  const auto own = nlohmann::json::parse(worst_lines(run));
+  EXPECT_FALSE(own.contains("frame"));
+  worst.frame = {{1.0 / 3, -0.0, 1e8}, 1e-100};
+  const auto framed = nlohmann::json::parse(worst_lines(run));
+  const auto expect_frame = [&](const nlohmann::json& line) {
+    const WorstCase found = read_worst(write(line.dump()))[0].worst;
+    EXPECT_EQ(found.frame.unit, worst.frame.unit);
+    EXPECT_TRUE(same_bits(found.frame.shift, worst.frame.shift));
+    EXPECT_TRUE(found.parameters.empty());
+  };
+  expect_frame(framed);
+  // Before cases had a frame, the unit and the shift were four parameters.
+  nlohmann::json older = own;
+  const auto& shift = framed["frame"]["shift"];
+  older["parameters"] = {{"parameter0", framed["frame"]["unit"]},
+                         {"parameter1", shift[0]},
+                         {"parameter2", shift[1]},
+                         {"parameter3", shift[2]}};
+  expect_frame(older);
+  const auto complaint = [&](const nlohmann::json& frame) {
+    nlohmann::json line = framed;
+    line["frame"] = frame;
+    return message_of(write(line.dump()));
+  };
+  EXPECT_NE(complaint(1).find("\"frame\" is not an object"), std::string::npos);
+  EXPECT_NE(complaint({{"unit", 0}, {"shift", {0, 0, 0}}}).find("\"frame\" has a unit"), std::string::npos);
+  EXPECT_NE(complaint({{"unit", 1}, {"shift", {0, 0}}}).find("three coordinates"), std::string::npos);
 }
 
 TEST_F(WorstFile, TheFurthestEntryIsWrittenWhereATensorWasCompared) {

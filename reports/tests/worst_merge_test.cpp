@@ -15,7 +15,7 @@ WorstLine line_with(double error, double x, const std::string& evaluation = "clo
   line.subject = "triangle.single_layer";
   line.evaluation = evaluation;
   line.scalar = "double";
-  line.regime = "hunted";
+  line.setting = "hunted";
   line.check = "truth";
   line.unit = "conditioned";
   line.order = line.worst.asked = 1;

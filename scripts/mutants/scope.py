@@ -27,7 +27,7 @@ BEYOND = [f"{room}/{part}/*" for room in (*JUDGES, "deformation", "solved") for 
 # But not these.
 EXCLUDED = {
     "core/*/error_measure.*": "the judge's yardstick",
-    "core/*/findings.*": "what the judge counts in",
+    "core/*/partial_result.*": "what the judge counts in",
     "core/*/tally.*": "what the judge counts in",
     "core/*/run_result.h": "what the judge says",
     "core/*/work_precision.h": "what benchmarks say",

@@ -165,9 +165,6 @@ TEST(block_error, replays) {
     ++replayed;
   }
   EXPECT_GE(replayed, 24);
-  WorstCase other;
-  other.parameters = {1};
-  EXPECT_THROW(block_sample(other), InputError);
 }
 
 TEST(block_error, counts_in_units_of_a_moved_point) {

@@ -65,11 +65,11 @@ TEST(campaign, rows_say_what_no_right_digit_would_score) {
   for (const ResultRow& row : run_campaign(small()).rows) {
     if (row.check != "truth" || row.scalar != "double" || row.samples == 0) continue;
     ++rows;
-    EXPECT_GE(row.total_loss, 0) << row.subject << ' ' << row.evaluation << ' ' << row.regime << ' ' << row.order;
+    EXPECT_GE(row.total_loss, 0) << row.subject << ' ' << row.evaluation << ' ' << row.setting << ' ' << row.order;
     finite += std::isfinite(row.total_loss);
     if (!(row.max > 0)) continue;
     EXPECT_LE(row.max, 1.001 * row.max_relative * row.total_loss)
-        << row.subject << ' ' << row.evaluation << ' ' << row.regime << ' ' << row.order;
+        << row.subject << ' ' << row.evaluation << ' ' << row.setting << ' ' << row.order;
   }
   EXPECT_GT(rows, 4);
   EXPECT_GT(finite, 2);
@@ -258,7 +258,7 @@ ResultRow declining_row() {
   row.subject = "triangle.single_layer";
   row.evaluation = "declining";
   row.scalar = "double";
-  row.regime = "generic";
+  row.setting = "generic";
   row.check = "truth";
   return row;
 }
@@ -284,7 +284,7 @@ TEST(verdicts, a_row_above_its_bound_is_broken) {
   row.subject = "triangle.single_layer";
   row.evaluation = "closed_form";
   row.scalar = "double";
-  row.regime = "generic";
+  row.setting = "generic";
   row.check = "truth";
   row.samples = 1;
   row.max = 64;

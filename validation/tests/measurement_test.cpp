@@ -15,10 +15,10 @@ class Fake final : public Measurement {
   explicit Fake(int blocks) : blocks_(blocks) {}
   std::string name() const override { return "fake"; }
   int blocks() const override { return blocks_; }
-  Findings measure(int block) const override {
-    Findings findings;
-    findings.rows[{}].without_truth = 1ULL << block;
-    return findings;
+  PartialResult measure(int block) const override {
+    PartialResult gathered;
+    gathered.rows[{}].without_truth = 1ULL << block;
+    return gathered;
   }
 
  private:
@@ -67,10 +67,10 @@ class Counted final : public Measurement {
   ~Counted() override { --alive_; }
   std::string name() const override { return "counted"; }
   int blocks() const override { return blocks_; }
-  Findings measure(int block) const override {
-    Findings findings;
-    findings.rows[{}].asked = 1ULL << block;
-    return findings;
+  PartialResult measure(int block) const override {
+    PartialResult gathered;
+    gathered.rows[{}].asked = 1ULL << block;
+    return gathered;
   }
 
  private:
@@ -128,7 +128,7 @@ TEST(units, do_not_change_what_is_found) {
   options.samples = 40;
   options.enclosures = 0;
   const auto measurements = element_measurements(options);
-  Findings forwards, backwards;
+  PartialResult forwards, backwards;
   for (int block = 0; block < measurements[0]->blocks(); ++block) forwards.merge(measurements[0]->measure(block));
   for (int block = measurements[0]->blocks(); block-- > 0;) backwards.merge(measurements[0]->measure(block));
   ASSERT_EQ(forwards.rows.size(), backwards.rows.size());

@@ -217,18 +217,18 @@ TEST(PaperFigures, measured_as_units_of_a_run_are_all_there) {
   reports::Journal journal;
   journal.header.units = 1;
   journal.done = {true};
-  journal.findings = measure_all(figure_measurements(), 0);
-  EXPECT_TRUE(journal.findings.rows.empty()) << "figures promise nothing";
+  journal.gathered = measure_all(figure_measurements(), 0);
+  EXPECT_TRUE(journal.gathered.rows.empty()) << "figures promise nothing";
   // A report is made of the journal as it is read again.
   const fs::path file = fs::temp_directory_path() / ("figures-journal-" + std::to_string(::getpid()));
   std::ofstream(file) << reports::journal_text(journal);
-  const Findings found = reports::read_journal(file).findings;
+  const PartialResult found = reports::read_journal(file).gathered;
   fs::remove(file);
   std::vector<std::string> names;
   for (const reports::FigureSheet& sheet : sheets_of_run(found.meshes)) names.push_back(sheet.name);
   EXPECT_EQ(names, (std::vector<std::string>{"t24-bend", "t24-twist", "c23-global", "c23-local", "c23-kernels",
                                              "t18-symmetry", "quads-kept", "w12-bar"}));
-  const auto before = sheets_of_run(journal.findings.meshes);
+  const auto before = sheets_of_run(journal.gathered.meshes);
   std::size_t number = 0;
   for (const reports::FigureSheet& sheet : sheets_of_run(found.meshes)) {
     EXPECT_EQ(reports::figure_png(sheet), reports::figure_png(before[number++])) << sheet.name;

@@ -97,7 +97,7 @@ TEST(promises, stop_a_verdict_without_a_row) {
   row.subject = "green";
   row.evaluation = "batched";
   row.scalar = "double";
-  row.regime = "cube";
+  row.setting = "cube";
   row.check = "cage_truth";
   EXPECT_NO_THROW(judge(row));
   row.check = "novel_check";

@@ -21,7 +21,7 @@ namespace cageproof::validation {
 namespace {
 
 std::string text_of(const RowKey& row) {
-  return row.subject + ' ' + row.evaluation + ' ' + row.scalar + ' ' + row.regime + ' ' + row.check + ' ' + row.place +
+  return row.subject + ' ' + row.evaluation + ' ' + row.scalar + ' ' + row.setting + ' ' + row.check + ' ' + row.place +
          " order " + std::to_string(row.order);
 }
 

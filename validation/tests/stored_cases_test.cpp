@@ -15,7 +15,7 @@ reports::WorstLine stored_line() {
   line.subject = "triangle.single_layer";
   line.evaluation = "closed_form";
   line.scalar = "double";
-  line.regime = hunted_regime;
+  line.setting = hunted_regime;
   line.check = "truth";
   line.unit = "conditioned";
   line.worst.error = 1e9;  // what is stored must not be believed
@@ -43,7 +43,7 @@ TEST(stored_cases, are_measured_afresh_and_judged) {
   const auto rows = replay_stored(text, "cases.jsonl", "*", "*", 2);
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].samples, 2U);
-  EXPECT_EQ(rows[0].regime, hunted_regime);
+  EXPECT_EQ(rows[0].setting, hunted_regime);
   EXPECT_LT(rows[0].max, 64);
   EXPECT_EQ(rows[0].worst.front().error, rows[0].max);
   ASSERT_TRUE(rows[0].bound);
@@ -91,7 +91,7 @@ TEST(stored_cases, say_where_their_inputs_come_from) {
   ASSERT_FALSE(lines.empty());
   for (const reports::WorstLine& line : lines) {
     RowKey row = line;
-    row.regime = hunted_regime;
+    row.setting = hunted_regime;
     EXPECT_NE(origin_of(row, line.worst).find(stored_cases_file), std::string::npos) << line.number;
     EXPECT_NE(origin_of(row, line.worst).find(line.flags.back()), std::string::npos) << line.number;
   }

@@ -170,7 +170,7 @@ TEST(rows, are_withdrawn_where_the_integral_is_another) {
   ASSERT_EQ(found.notes.size(), 1u);
   for (const ResultRow& row : found.rows)
     if (row.check == "truth") {
-      EXPECT_EQ(row.verdict, row.regime == "near-edge" ? Verdict::NotPromised : Verdict::Kept) << row.regime;
+      EXPECT_EQ(row.verdict, row.setting == "near-edge" ? Verdict::NotPromised : Verdict::Kept) << row.setting;
     }
 }
 
@@ -185,7 +185,7 @@ TEST(rows, stand_in_the_order_of_the_catalogue) {
   tallies[solid] = tallies[cage] = tally(1);
   std::string order;
   for (const ResultRow& row : judged(tallies).rows)
-    order += row.subject + " " + row.regime + " " + row.check + " " + row.evaluation + "\n";
+    order += row.subject + " " + row.setting + " " + row.check + " " + row.evaluation + "\n";
   EXPECT_EQ(order.substr(0, order.find('\n')), "triangle.single_layer generic truth closed_form");
   EXPECT_LT(order.find("truth gauss-8"), order.find("scaling"));
   EXPECT_LT(order.find("near-edge"), order.find("hunted"));

@@ -61,17 +61,17 @@ std::optional<double> time_of(const RunResult& result, const std::string& formul
 
 std::optional<double> reach_of(const RunResult& result, const std::string& formula, const std::string& evaluation) {
   for (const ResultRow& row : result.rows)
-    if (is_values(row, formula, evaluation) && row.regime == "generic" && !(row.max <= kTwelveDigits))
+    if (is_values(row, formula, evaluation) && row.setting == "generic" && !(row.max <= kTwelveDigits))
       return std::nullopt;
   // Above the largest distance at which one of the regimes has lost them.
   double lost = 0, smallest = std::numeric_limits<double>::infinity();
   for (const ResultCurve& curve : result.curves) {
-    if (!is_values(curve, formula, evaluation) || !curve.regime.starts_with("near-")) continue;
+    if (!is_values(curve, formula, evaluation) || !curve.setting.starts_with("near-")) continue;
     for (std::size_t i = 0; i < curve.parameters.size(); ++i)
       if (!(curve.errors[i] <= kTwelveDigits)) lost = std::max(lost, curve.parameters[i]);
   }
   for (const ResultCurve& curve : result.curves)
-    if (is_values(curve, formula, evaluation) && curve.regime.starts_with("near-"))
+    if (is_values(curve, formula, evaluation) && curve.setting.starts_with("near-"))
       for (const double parameter : curve.parameters)
         if (parameter > lost) smallest = std::min(smallest, parameter);
   if (!std::isfinite(smallest)) return std::nullopt;

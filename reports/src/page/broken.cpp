@@ -18,7 +18,7 @@ Data line_of(const ResultRow& row) {
   data.set("subject", row.subject);
   data.set("evaluation", row.evaluation);
   data.set("scalar", row.scalar);
-  data.set("where", row.place.empty() ? row.regime : row.regime + ", " + row.place);
+  data.set("where", row.place.empty() ? row.setting : row.setting + ", " + row.place);
   data.set("check", row.check);
   data.set("order", std::string(order_name(row.order)));
   // A figure that is kept is not what is broken.

@@ -12,11 +12,11 @@ Data lines_of(const RunResult& result, RowKey::Section section) {
   for (const ResultRow& row : result.rows)
     if (row.section == section) of_section.push_back(&row);
   for (const std::string& cage :
-       distinct(of_section, [](const ResultRow* row) -> const std::string& { return row->regime; })) {
+       distinct(of_section, [](const ResultRow* row) -> const std::string& { return row->setting; })) {
     std::uint64_t kept = 0, broken = 0, open = 0;
     const ResultRow* tightest = nullptr;
     for (const ResultRow* row : of_section) {
-      if (row->regime != cage) continue;
+      if (row->setting != cage) continue;
       ++(row->verdict == Verdict::Kept ? kept : row->verdict == Verdict::Broken ? broken : open);
       if (row->bound && (!tightest || more_telling(*row, *tightest))) tightest = row;
     }

@@ -38,7 +38,7 @@ std::string page_of(const RowKey& row) {
 
 std::string cell_id(const RowKey& row) {
   // What the page is about is left out.
-  const std::string& varied = row.section == RowKey::Section::Element ? row.regime : row.subject;
+  const std::string& varied = row.section == RowKey::Section::Element ? row.setting : row.subject;
   std::string id = row.check;
   for (const std::string* part : {&varied, &row.evaluation, &row.scalar, &row.place})
     if (!part->empty()) id += "." + file_name(*part);

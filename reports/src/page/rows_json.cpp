@@ -124,7 +124,7 @@ Json curves_json(const RunResult& result, const std::string& subject) {
     }
     if (parameters.empty()) continue;
     list.push_back({{"cell", cell_id(curve)},
-                    {"regime", curve.regime},
+                    {"regime", curve.setting},
                     {"check", curve.check},
                     {"evaluation", curve.evaluation},
                     {"scalar", curve.scalar},

@@ -156,8 +156,8 @@ Json times_json(const RunResult& result, const std::string& formula) {
       if (row.section != Section::Element || row.subject != formula || row.evaluation != time.evaluation ||
           row.scalar != "double" || row.check != "truth" || row.order != time.order || row.samples == 0)
         continue;
-      if (row.regime == "generic") generic = row.max;
-      if (row.regime == "generic" || row.regime.starts_with("near-")) worst = std::max(worst, row.max);
+      if (row.setting == "generic") generic = row.max;
+      if (row.setting == "generic" || row.setting.starts_with("near-")) worst = std::max(worst, row.max);
     }
     list.push_back({{"evaluation", time.evaluation},
                     {"order", time.order},
@@ -249,7 +249,7 @@ void add_formula(std::map<std::string, std::string>& pages, const RunResult& res
 void add_cage(std::map<std::string, std::string>& pages, const RunResult& result, const WorstPlaces& places,
               Section section, const CageTable& table, const std::string& cage) {
   const bool deformers = section == Section::Deformer;
-  SubjectPage page(result, rows_where(result, section, &ResultRow::regime, cage),
+  SubjectPage page(result, rows_where(result, section, &ResultRow::setting, cage),
                    page_of({section, "", "", "", cage, "", "", 0}),
                    fmt::format("{} {}", deformers ? "Deformers of" : "Coordinates in", cage));
   page.data().set("what", deformers ? "deformers" : "cage");

@@ -22,7 +22,7 @@ std::uint64_t points_of(const RunResult& result, std::string_view check) {
   std::map<std::pair<std::string, std::string>, std::uint64_t> most;
   for (const ResultRow& row : result.rows)
     if (row.section == RowKey::Section::Element && row.check == check) {
-      std::uint64_t& points = most[{row.subject, row.regime}];
+      std::uint64_t& points = most[{row.subject, row.setting}];
       points = std::max(points, row.samples);
     }
   std::uint64_t sum = 0;

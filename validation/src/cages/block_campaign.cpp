@@ -82,14 +82,14 @@ class BlockMeasurement final : public Measurement {
   }
   int blocks() const override { return block_count(static_cast<std::size_t>(count()), 8); }
 
-  Findings measure(int block) const override {
+  PartialResult measure(int block) const override {
     const Setup& setup = setup_.get();
-    Findings findings;
+    PartialResult gathered;
     for (std::size_t i = block; i < setup.samples.size(); i += blocks()) {
       const BlockAt at{setup.samples[i]};
-      record(setup.errors->question(at.sample.place), at, findings.rows);
+      record(setup.errors->question(at.sample.place), at, gathered.rows);
     }
-    return findings;
+    return gathered;
   }
 
  private:
@@ -168,19 +168,15 @@ std::unique_ptr<const Measurement> block_measurement(std::shared_ptr<const Cage>
 }
 
 WorstCase BlockAt::case_of(const Finding& finding, int /*order*/) const {
-  const Vec3<double>& shift = sample.frame.shift;
-  return {finding.error, sample.parameter,
-          sample.index,  {},
-          sample.point,  {sample.frame.unit, shift[0], shift[1], shift[2]}};
+  WorstCase worst{finding.error, sample.parameter, sample.index, {}, sample.point};
+  worst.frame = sample.frame;
+  return worst;
 }
 
 CageSample block_sample(const WorstCase& worst) {
-  const std::vector<double>& p = worst.parameters;
-  if (p.size() != 4 || !std::ranges::all_of(p, [](double x) { return std::isfinite(x); }) || p[0] <= 0)
-    throw InputError("a block error needs four parameters: the cage's unit, and where it is moved");
   return {.place = {},
           .parameter = worst.parameter,
-          .frame = {{p[1], p[2], p[3]}, p[0]},
+          .frame = worst.frame,
           .point = worst.point,
           .index = worst.sample};
 }

@@ -55,28 +55,28 @@ class CageMeasurement final : public Measurement {
     return block_count(options_.points + on / 4, 10);
   }
 
-  Findings measure(int block) const override {
+  PartialResult measure(int block) const override {
     const Setup& setup = setup_.get();
-    Findings findings;
+    PartialResult gathered;
     // By turns, so that each block has its share of the points that cost most.
     for (std::size_t i = block; i < setup.off.size(); i += blocks()) {
       const CagePoint& p = setup.off[i];
       if (p.place == Place::TooClose) continue;
       const CageAt at(*setup.subject, p.point, p.index, name_of(p.place), setup.order);
       for (const CageQuestion& question : setup.questions.at(p.place))
-        if (takes(setup, question.cost, i)) record(question, at, findings.rows);
+        if (takes(setup, question.cost, i)) record(question, at, gathered.rows);
     }
     if (block == 0)
       for (const CageQuestion& question : setup.questions.at(Place::OnFace))
         if (question.once)
-          record(question, {*setup.subject, cage_->vertices().front(), 0, question.key.place, 0, true}, findings.rows);
+          record(question, {*setup.subject, cage_->vertices().front(), 0, question.key.place, 0, true}, gathered.rows);
     for (std::size_t i = block; i < setup.on.size(); i += blocks()) {
       const CagePoint& p = setup.on[i];
       const CageAt at(*setup.subject, p.point, p.index, name_of(p.place), 0, p.exact);
       for (const CageQuestion& question : setup.questions.at(p.place))
-        if (!question.once) record(question, at, findings.rows);
+        if (!question.once) record(question, at, gathered.rows);
     }
-    return findings;
+    return gathered;
   }
 
  private:
@@ -132,10 +132,10 @@ class MeshShape final : public Measurement {
   explicit MeshShape(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
   std::string name() const override { return "the mesh itself"; }
   int blocks() const override { return 1; }
-  Findings measure(int) const override {
-    Findings findings;
-    findings.meshes[mesh_measured] = {mesh_measured, mesh_->vertices, mesh_->faces, {}};
-    return findings;
+  PartialResult measure(int) const override {
+    PartialResult gathered;
+    gathered.meshes[mesh_measured] = {mesh_measured, mesh_->vertices, mesh_->faces, {}};
+    return gathered;
   }
 
  private:
@@ -166,10 +166,10 @@ class MeshMeasurement final : public Measurement {
   std::string name() const override { return fmt::format("mesh in {}, {}", cage_->name(), kind_.name); }
   int blocks() const override { return block_count(mesh_->vertices.size(), 500); }
 
-  Findings measure(int block) const override {
+  PartialResult measure(int block) const override {
     const CageSubject& subject = *subject_.get();
     const std::vector<CageQuestion> questions = cage_questions(subject, mesh_place, 0);
-    Findings findings;
+    PartialResult gathered;
     FieldPart part = empty_;
     part.first = block_begin(part.samples, block, blocks());
     for (std::size_t i = part.first; i < block_begin(part.samples, block + 1, blocks()); ++i) {
@@ -178,12 +178,12 @@ class MeshMeasurement final : public Measurement {
         continue;
       }
       const CageAt at(subject, mesh_->vertices[i], i, mesh_place, 0);
-      for (const CageQuestion& question : questions) record(question, at, findings.rows);
+      for (const CageQuestion& question : questions) record(question, at, gathered.rows);
       part.image.arrays[0].values.push_back(at.errors().partition[0].relative);
       part.image.arrays[1].values.push_back(at.errors().reproduction[0].relative);
     }
-    findings.fields.emplace(std::pair(place_, part.first), std::move(part));
-    return findings;
+    gathered.fields.emplace(std::pair(place_, part.first), std::move(part));
+    return gathered;
   }
 
  private:

@@ -84,15 +84,15 @@ class OneRingMeasurement final : public Measurement {
   }
   int blocks() const override { return blocks_; }
 
-  Findings measure(int block) const override {
+  PartialResult measure(int block) const override {
     const std::vector<CagePoint>& points = points_.get();
-    Findings findings;
+    PartialResult gathered;
     const auto questions = ring_.questions();
     for (std::size_t i = block; i < points.size(); i += blocks_) {
       const OneRingAt at = ring_.at(points[i].point, points[i].index);
-      for (const auto& question : questions) record(question, at, findings.rows);
+      for (const auto& question : questions) record(question, at, gathered.rows);
     }
-    return findings;
+    return gathered;
   }
 
  private:

@@ -74,13 +74,13 @@ ElementQuestion element_question(const RowKey& row, int asked) {
   if (!scalar) throw unknown_name("scalar", row.scalar, names_of_scalars());
   const Check* check = find_check(row.check);
   if (!check) throw unknown_name("check", row.check, check_names());
-  if (const auto known = names_of_regimes(); std::ranges::find(known, row.regime) == known.end())
-    throw unknown_name("regime", row.regime, known);
+  if (const auto known = names_of_regimes(); std::ranges::find(known, row.setting) == known.end())
+    throw unknown_name("regime", row.setting, known);
   const int order = std::min(asked, evaluation.max_order());
-  auto question = element_question(*check, evaluation, *scalar, row.regime, order);
+  auto question = element_question(*check, evaluation, *scalar, row.setting, order);
   if (!question)
     throw InputError(
-        fmt::format("the check '{}' is not asked of {} in {}, {}", row.check, row.evaluation, row.scalar, row.regime));
+        fmt::format("the check '{}' is not asked of {} in {}, {}", row.check, row.evaluation, row.scalar, row.setting));
   if (row.order < 0 || row.order > order)
     throw InputError(fmt::format("{} was not asked for order {}", row.evaluation, row.order));
   return std::move(*question);

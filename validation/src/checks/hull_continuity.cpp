@@ -3,6 +3,7 @@
 
 #include "cageproof/adaptive_qmvc/quad/mean_value/continuity.h"
 #include "cageproof/validation/promise.h"
+#include "cageproof/validation/question.h"
 
 namespace cageproof::validation {
 namespace {
@@ -11,42 +12,44 @@ namespace {
 constexpr std::array lifts{0.1, 0.3, 0.6};
 constexpr int points = 64;
 
+// A jump is of two points and a normal: no worst case could be run again from what is stored of one.
+struct HullAt {
+  adaptive_qmvc::Jump jump;
+  std::uint64_t index;
+
+  std::uint64_t number() const { return index; }
+};
+
 class HullMeasurement final : public Measurement {
  public:
-  HullMeasurement(Evaluation evaluation, std::uint64_t seed) : evaluation_(std::move(evaluation)), seed_(seed) {}
+  HullMeasurement(Evaluation evaluation, std::uint64_t seed) : evaluation_(std::move(evaluation)), seed_(seed) {
+    question_.key = {RowKey::Section::Element, std::string(hull_formula), evaluation_.name(), "double",
+                     std::string(hull_regime), "hull_jump",               "",                 0};
+    question_.unit = "relative";
+    question_.ask = [](const HullAt& at) {
+      using enum Finding::Status;
+      return std::array{Finding{Measured, at.jump.value, at.jump.value},
+                        Finding{Measured, at.jump.derivative, at.jump.derivative}, Finding{}};
+    };
+  }
 
   std::string name() const override { return "hull, " + evaluation_.name(); }
   int blocks() const override { return static_cast<int>(lifts.size()); }
 
-  Findings measure(int block) const override {
+  PartialResult measure(int block) const override {
     const Quad<double> q{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0), Vec3<double>(1, 1, lifts[block]),
                          Vec3<double>(0, 1, 0)};
-    Findings findings;
-    for (const int order : {0, 1}) tally_of(findings, order).asked = points;
-    for (const auto& jump : adaptive_qmvc::study_continuity(evaluation_, q, points, seed_).hull) {
-      add(findings, 0, jump.value);
-      add(findings, 1, jump.derivative);
-    }
-    return findings;
+    PartialResult gathered;
+    std::uint64_t index = static_cast<std::uint64_t>(block) * points;
+    for (const auto& jump : adaptive_qmvc::study_continuity(evaluation_, q, points, seed_).hull)
+      record(question_, HullAt{jump, index++}, gathered.rows);
+    return gathered;
   }
 
  private:
-  Tally& tally_of(Findings& findings, int order) const {
-    Tally& tally = findings.rows[{RowKey::Section::Element, std::string(hull_formula), evaluation_.name(), "double",
-                                  std::string(hull_regime), "hull_jump", "", order}];
-    tally.unit = "relative";
-    return tally;
-  }
-
-  // A jump is of two points and a normal: no worst case could be run again from what is stored of one.
-  void add(Findings& findings, int order, double jump) const {
-    Tally& tally = tally_of(findings, order);
-    tally.errors.add(jump);
-    tally.max_relative = std::max(tally.max_relative, jump);
-  }
-
   Evaluation evaluation_;
   std::uint64_t seed_;
+  Question<HullAt> question_;
 };
 
 }  // namespace

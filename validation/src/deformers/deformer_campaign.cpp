@@ -33,16 +33,16 @@ class DeformerMeasurement final : public Measurement {
   }
   int blocks() const override { return 1; }
 
-  Findings measure(int) const override {
+  PartialResult measure(int) const override {
     const DeformerChecks checks(cage_, variant_, options_.triangulation, prepared_->get().get());
     const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
-    Findings findings;
+    PartialResult gathered;
     for (const Question<PointAt>& question : checks.questions()) {
       const bool costly = question.key.place == bent_pose;
       const std::size_t count = std::min<std::size_t>(points.size(), costly ? few() : points.size());
-      for (std::size_t p = 0; p < count; ++p) record(question, {points[p], p}, findings.rows);
+      for (std::size_t p = 0; p < count; ++p) record(question, {points[p], p}, gathered.rows);
     }
-    return findings;
+    return gathered;
   }
 
  private:
@@ -66,14 +66,14 @@ class ConstrainedMeasurement final : public Measurement {
   }
   int blocks() const override { return 1; }
 
-  Findings measure(int) const override {
+  PartialResult measure(int) const override {
     const ConstrainedChecks checks(cage_, variant_, options_.triangulation);
     const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
-    Findings findings;
+    PartialResult gathered;
     for (const Question<PointAt>& question : checks.questions())
       for (std::size_t p = 0; p < (question.once ? 1 : points.size()); ++p)
-        record(question, {points[p], p}, findings.rows);
-    return findings;
+        record(question, {points[p], p}, gathered.rows);
+    return gathered;
   }
 
  private:

@@ -120,7 +120,7 @@ class SceneMesh final : public Measurement {
         sampler_([this] { return sampler_of(comparison_); }) {}
   std::string name() const override { return "field " + empty_.image.name; }
   int blocks() const override { return block_count(mesh_->vertices.size(), 20 * stride_); }
-  Findings measure(int block) const override {
+  PartialResult measure(int block) const override {
     FieldPart part = empty_;
     part.first = block_begin(part.samples, block, blocks());
     std::vector<double> values(part.image.arrays.size());
@@ -129,9 +129,9 @@ class SceneMesh final : public Measurement {
       if (i % stride_ == 0) sampler_.get()(mesh_->vertices[i], values);
       for (std::size_t a = 0; a < values.size(); ++a) part.image.arrays[a].values.push_back(values[a]);
     }
-    Findings findings;
-    findings.fields.emplace(std::pair(place_, part.first), std::move(part));
-    return findings;
+    PartialResult gathered;
+    gathered.fields.emplace(std::pair(place_, part.first), std::move(part));
+    return gathered;
   }
 
  private:
@@ -148,10 +148,10 @@ class Outline final : public Measurement {
   explicit Outline(std::shared_ptr<const Cage> cage) : cage_(std::move(cage)) {}
   std::string name() const override { return "the outline of " + cage_->name(); }
   int blocks() const override { return 1; }
-  Findings measure(int) const override {
-    Findings findings;
-    findings.meshes[outline_name(*cage_)] = outline_of(*cage_);
-    return findings;
+  PartialResult measure(int) const override {
+    PartialResult gathered;
+    gathered.meshes[outline_name(*cage_)] = outline_of(*cage_);
+    return gathered;
   }
 
  private:

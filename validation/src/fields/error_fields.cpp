@@ -89,16 +89,16 @@ class FieldMeasurement final : public Measurement {
   std::string name() const override { return "field " + empty_.image.name; }
   int blocks() const override { return block_count(empty_.samples, 200); }
 
-  Findings measure(int block) const override {
+  PartialResult measure(int block) const override {
     const FieldPlan::Sampler& sampler = sampler_.get();
     FieldPart part = empty_;
     part.first = block_begin(part.samples, block, blocks());
     const std::size_t count = block_begin(part.samples, block + 1, blocks()) - part.first;
     make_room(part.image.arrays, count);
     for (std::size_t i = 0; i < count; ++i) sample_into(part.image.arrays, i, sampler, point_of(grid_, part.first + i));
-    Findings findings;
-    findings.fields.emplace(std::pair(place_, part.first), std::move(part));
-    return findings;
+    PartialResult gathered;
+    gathered.fields.emplace(std::pair(place_, part.first), std::move(part));
+    return gathered;
   }
 
  private:

@@ -13,10 +13,10 @@ class FigureMeasurement final : public Measurement {
   explicit FigureMeasurement(std::unique_ptr<const PaperFigure> figure) : figure_(std::move(figure)) {}
   std::string name() const override { return "figure " + figure_->name(); }
   int blocks() const override { return figure_->parts(); }
-  Findings measure(int block) const override {
-    Findings findings;
-    findings.meshes = figure_->part(block, 1);
-    return findings;
+  PartialResult measure(int block) const override {
+    PartialResult gathered;
+    gathered.meshes = figure_->part(block, 1);
+    return gathered;
   }
 
  private:

@@ -73,15 +73,15 @@ class ErrataMeasurement final : public Measurement {
   std::string name() const override { return "errata"; }
   int blocks() const override { return static_cast<int>(rows_.size()); }
 
-  Findings measure(int block) const override {
+  PartialResult measure(int block) const override {
     ErratumRow row = rows_[block];
     const std::size_t claims = options_.formulas == "*" ? deformer_claims().size() : 0;
     const std::size_t before = rows_.size() - claims, number = static_cast<std::size_t>(block);
     if (number < before && !row.formula.empty()) fill_in(options_, row);
     if (number >= before && deformer_claims()[number - before].measure) deformer_claims()[number - before].measure(row);
-    Findings findings;
-    findings.errata.emplace(block, std::move(row));
-    return findings;
+    PartialResult gathered;
+    gathered.errata.emplace(block, std::move(row));
+    return gathered;
   }
 
  private:

@@ -60,7 +60,7 @@ constexpr std::uint64_t enough_asked = 4;
 // counts: the gate's own row is broken for all of them.
 void withdraw_unproven(Judged& result) {
   const auto same_place = [](const RowKey& a, const RowKey& b) {
-    return a.subject == b.subject && a.regime == b.regime && a.order == b.order;
+    return a.subject == b.subject && a.setting == b.setting && a.order == b.order;
   };
   for (ResultRow& gate : result.rows) {
     if (!has_use(gate, Check::Use::Gate) || gate.verdict == Verdict::Kept) continue;
@@ -75,7 +75,7 @@ void withdraw_unproven(Judged& result) {
       result.notes.push_back(
           fmt::format("{}, {}, order {}: the closed form in multiprecision is not the integral; nothing measured "
                       "against it counts",
-                      gate.subject, gate.regime, gate.order));
+                      gate.subject, gate.setting, gate.order));
     } else if (promised > 0 && gate.without_truth == gate.asked && gate.asked < enough_asked) {
       gate.reason =
           fmt::format("none of {} samples has a limit that the integral could confirm; more samples would", gate.asked);
@@ -91,7 +91,7 @@ void withdraw_unproven(Judged& result) {
 
 // Nothing where the row is none that curves are drawn of.
 std::optional<ResultCurve> curve_of(const ResultRow& row, const Tally& tally) {
-  const Regime* regime = find_regime(row.regime);
+  const Regime* regime = find_regime(row.setting);
   if (tally.by_parameter.empty() || !regime || regime->parameters.size() < tally.by_parameter.size())
     return std::nullopt;
   ResultCurve curve{row, std::string(regime->parameter_name), {}, {}, row.role};
@@ -111,7 +111,7 @@ std::uint64_t lost_samples(const ResultRow& row) {
 }
 
 void judge(ResultRow& row) {
-  const PromiseKey key{row.check, row.subject, row.evaluation, row.scalar, row.regime, row.order};
+  const PromiseKey key{row.check, row.subject, row.evaluation, row.scalar, row.setting, row.order};
   // Rows that are read from a journal say what their evaluation is, which this program may not have.
   const auto stored = std::ranges::find_if(roles, [&](const Role role) { return name_of(role) == row.role; });
   require_row(key, stored != roles.end() ? std::optional(*stored) : registered_role(row));

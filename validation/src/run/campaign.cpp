@@ -128,11 +128,11 @@ class ElementMeasurement final : public Measurement {
   std::string name() const override { return fmt::format("{}, {}", plan_.formula->name, plan_.regime->name); }
   int blocks() const override { return std::max(1, (end_ + block_size_ - 1) / block_size_); }
 
-  Findings measure(int block) const override {
-    Findings findings;
+  PartialResult measure(int block) const override {
+    PartialResult gathered;
     for (int i = block * block_size_; i < std::min(end_, (block + 1) * block_size_); ++i)
-      measure_sample(i, findings.rows);
-    return findings;
+      measure_sample(i, gathered.rows);
+    return gathered;
   }
 
  private:

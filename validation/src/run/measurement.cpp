@@ -46,9 +46,9 @@ UnitsOfWork::UnitsOfWork(Measurements measurements, std::vector<Unit> units, con
     if (left_[m] == 0) measurements_[m].reset();
 }
 
-Findings UnitsOfWork::measure(std::size_t unit) {
+PartialResult UnitsOfWork::measure(std::size_t unit) {
   const auto [measurement, block] = units_[unit];
-  Findings found = measurements_[measurement]->measure(block);
+  PartialResult found = measurements_[measurement]->measure(block);
   if (--left_[measurement] == 0) measurements_[measurement].reset();
   return found;
 }
@@ -61,16 +61,16 @@ std::size_t block_begin(std::size_t samples, int block, int blocks) {
   return samples * static_cast<std::size_t>(block) / static_cast<std::size_t>(blocks);
 }
 
-Findings measure_all(const Measurements& measurements, int jobs,
+PartialResult measure_all(const Measurements& measurements, int jobs,
                      const std::function<void(std::size_t done, std::size_t all)>& progress) {
   const std::vector<Unit> units = units_of(measurements);
   const std::vector<std::size_t> order = units_of_shard(units, 0, 1);
-  Findings all;
+  PartialResult all;
   std::mutex mutex;
   std::size_t done = 0;
   for_each_parallel(order.size(), jobs, [&](std::size_t i) {
     const Unit& unit = units[order[i]];
-    Findings found = measurements[unit.measurement]->measure(unit.block);
+    PartialResult found = measurements[unit.measurement]->measure(unit.block);
     const std::scoped_lock lock(mutex);
     all.merge(std::move(found));
     if (progress) progress(++done, order.size());

@@ -43,14 +43,14 @@ Finding replay_element(const RowKey& row, const WorstCase& worst) {
   const ElementQuestion question = question_of(row, worst);
   const TruthSource source = truth_source(question.evaluation.formula());
   // A campaign's truths have all orders, a hunt's those that it asks for.
-  const int order = row.regime == hunted_regime ? worst.asked : 2;
+  const int order = row.setting == hunted_regime ? worst.asked : 2;
   return question.ask(
       {source, {worst.corners, worst.point, worst.parameters, worst.parameter, worst.sample}, order})[row.order];
 }
 
 Cage cage_of(const RowKey& row, const WorstCase& worst) {
   if (!worst.point.allFinite()) throw InputError("the point is not finite");
-  return is_embedded_cage(row.regime) ? embedded_cage(row.regime) : read_cage(row.regime, {.flip_inward = true});
+  return is_embedded_cage(row.setting) ? embedded_cage(row.setting) : read_cage(row.setting, {.flip_inward = true});
 }
 
 template <class Q, class At>
@@ -59,7 +59,7 @@ Finding answer(const std::vector<Q>& questions, const RowKey& row, const At& at)
   const Finding finding = question ? question->ask(at)[row.order] : Finding{};
   if (finding.status != Finding::Status::Unasked) return finding;
   throw InputError(fmt::format("the check '{}' is not asked of {} by {} on {}, place '{}', order {}", row.check,
-                               row.subject, row.evaluation, row.regime, row.place, row.order));
+                               row.subject, row.evaluation, row.setting, row.place, row.order));
 }
 
 Finding replay_cage(const RowKey& row, const WorstCase& worst, Triangulation rule) {

@@ -32,7 +32,7 @@ class Order {
   auto key(const RowKey& row) {
     const bool element = row.section == RowKey::Section::Element;
     // A cage's rows stand together, those of a mesh in it last; a formula's rows do.
-    const Rank cage = element ? Rank() : rank_in(cages_, row.regime, std::identity());
+    const Rank cage = element ? Rank() : rank_in(cages_, row.setting, std::identity());
     return std::tuple(row.section, cage, row.place == "mesh", subject(row), element ? regime(row) : Rank(),
                       element ? check(row) : Rank(), evaluation(row), scalar(row), row.check, row.place, row.order);
   }
@@ -48,7 +48,7 @@ class Order {
     return kind.first < kinds.size() ? kind : Rank{kinds.size() + formula.first, row.subject};
   }
   static Rank regime(const RowKey& row) {
-    return rank_in(regimes(), row.regime, [](const Regime& r) { return r.name; });
+    return rank_in(regimes(), row.setting, [](const Regime& r) { return r.name; });
   }
   static Rank check(const RowKey& row) {
     return rank_in(checks(), row.check, [](const auto& c) { return c->name(); });

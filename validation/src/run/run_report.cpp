@@ -26,9 +26,9 @@ reports::ColourScale scale_of(const FieldPart& part) {
   return reports::ColourScale::Log10;
 }
 
-MeshField mesh_field(const FieldPart& part, const Findings& findings) {
-  const auto mesh = findings.meshes.find(part.mesh);
-  if (mesh == findings.meshes.end()) throw InputError(fmt::format("the journal has no mesh '{}'", part.mesh));
+MeshField mesh_field(const FieldPart& part, const PartialResult& gathered) {
+  const auto mesh = gathered.meshes.find(part.mesh);
+  if (mesh == gathered.meshes.end()) throw InputError(fmt::format("the journal has no mesh '{}'", part.mesh));
   MeshField field = mesh->second;
   field.name = part.image.name;
   field.arrays = part.image.arrays;
@@ -36,25 +36,25 @@ MeshField mesh_field(const FieldPart& part, const Findings& findings) {
   return field;
 }
 
-FieldEntry write_field(reports::ReportWriter& writer, const FieldPart& part, const Findings& findings) {
-  const auto cage = findings.meshes.find(part.cage);
-  const MeshField* outline = cage == findings.meshes.end() ? nullptr : &cage->second;
+FieldEntry write_field(reports::ReportWriter& writer, const FieldPart& part, const PartialResult& gathered) {
+  const auto cage = gathered.meshes.find(part.cage);
+  const MeshField* outline = cage == gathered.meshes.end() ? nullptr : &cage->second;
   if (part.mesh.empty())
     return writer.write_image(part.image, part.title, part.shown, scale_of(part), std::nullopt, outline);
-  return writer.write_mesh(mesh_field(part, findings), part.title, part.shown, scale_of(part));
+  return writer.write_mesh(mesh_field(part, gathered), part.title, part.shown, scale_of(part));
 }
 
 // The parts of one scene: an image, and maybe a mesh.
 std::vector<FieldEntry> write_scene(reports::ReportWriter& writer, const std::vector<const FieldPart*>& parts,
-                                    const Findings& findings) {
+                                    const PartialResult& gathered) {
   reports::FieldScene scene;
   for (const FieldPart* part : parts) {
     if (!part->mesh.empty()) {
-      scene.mesh = mesh_field(*part, findings);
+      scene.mesh = mesh_field(*part, gathered);
       continue;
     }
-    const auto cage = findings.meshes.find(part->cage);
-    if (cage == findings.meshes.end()) throw InputError(fmt::format("the journal has no mesh '{}'", part->cage));
+    const auto cage = gathered.meshes.find(part->cage);
+    if (cage == gathered.meshes.end()) throw InputError(fmt::format("the journal has no mesh '{}'", part->cage));
     scene.title = part->title;
     scene.explanation = scene_explanation;
     scene.compared = part->compared;
@@ -65,7 +65,7 @@ std::vector<FieldEntry> write_scene(reports::ReportWriter& writer, const std::ve
 }
 
 std::map<int, FieldPart> fields_with_facts(const Journal& journal) {
-  std::map<int, FieldPart> fields = whole_fields(journal.findings);
+  std::map<int, FieldPart> fields = whole_fields(journal.gathered);
   for (auto& [place, part] : fields) {
     part.image.facts["version"] = journal.header.version;
     part.image.facts["seed"] = journal.header.options.at("seed");
@@ -130,12 +130,12 @@ RunResult result_of(const Journal& journal) {
   result.settings = journal.header.settings;
   result.sessions = journal.sessions;
   result.session_notes = session_notes(journal.sessions);
-  Judged found = judged(journal.findings.rows);
+  Judged found = judged(journal.gathered.rows);
   result.rows = std::move(found.rows);
   result.curves = std::move(found.curves);
   result.notes = std::move(found.notes);
   result.notes.insert(result.notes.end(), journal.header.notes.begin(), journal.header.notes.end());
-  for (const auto& [place, row] : journal.findings.errata) result.errata.push_back(row);
+  for (const auto& [place, row] : journal.gathered.errata) result.errata.push_back(row);
   return result;
 }
 
@@ -149,12 +149,12 @@ RunResult write_report(const std::filesystem::path& out, const Journal& journal)
   for (const auto& [place, part] : fields)
     if (!part.scene.empty()) scenes[part.scene].push_back(&part);
   for (const auto& [place, part] : fields) {
-    if (part.scene.empty()) result.fields.push_back(write_field(writer, part, journal.findings));
+    if (part.scene.empty()) result.fields.push_back(write_field(writer, part, journal.gathered));
     else if (scenes[part.scene].front() == &part)
-      for (FieldEntry& entry : write_scene(writer, scenes[part.scene], journal.findings))
+      for (FieldEntry& entry : write_scene(writer, scenes[part.scene], journal.gathered))
         result.fields.push_back(std::move(entry));
   }
-  for (reports::FigureSheet& sheet : sheets_of_run(journal.findings.meshes)) writer.write_figure(std::move(sheet));
+  for (reports::FigureSheet& sheet : sheets_of_run(journal.gathered.meshes)) writer.write_figure(std::move(sheet));
   writer.write(result);
   writer.commit();
   return result;
@@ -190,7 +190,7 @@ RunResult merge_shards(const std::vector<std::filesystem::path>& parts, const st
         throw InputError(fmt::format("{}: unit {} is in another shard too", part.string(), unit));
       whole.done[unit] = whole.done[unit] || journal.done[unit];
     }
-    whole.findings.merge(std::move(journal.findings));
+    whole.gathered.merge(std::move(journal.gathered));
     whole.sessions.insert(whole.sessions.end(), journal.sessions.begin(), journal.sessions.end());
   }
   std::vector<std::string> missing;
@@ -207,7 +207,7 @@ RunResult merge_shards(const std::vector<std::filesystem::path>& parts, const st
 std::string summary_of_journal(const std::filesystem::path& journal) {
   const Journal read = reports::read_journal(journal);
   RunResult result = result_of(read);
-  for (const auto& [place, part] : whole_fields(read.findings))
+  for (const auto& [place, part] : whole_fields(read.gathered))
     result.fields.push_back(reports::unwritten_entry(part.image.arrays, part.title, part.shown, scale_of(part)));
   return reports::summary_json(result);
 }

@@ -19,7 +19,7 @@ using reports::WorstLine;
 // The row that a case belongs to.
 RowKey key_of(const WorstLine& line) {
   RowKey key = line;
-  key.regime = hunted_regime;
+  key.setting = hunted_regime;
   // Stored cases may use another name that the evaluation's family has.
   if (const auto evaluation = EvaluationRegister::instance().find(line.subject, line.evaluation))
     key.evaluation = evaluation->name();
@@ -55,14 +55,14 @@ class StoredMeasurement final : public Measurement {
   std::string name() const override { return "stored worst cases"; }
   int blocks() const override { return block_count(lines_.size(), 8); }
 
-  Findings measure(int block) const override {
-    Findings findings;
+  PartialResult measure(int block) const override {
+    PartialResult gathered;
     // By turns: the cases of one formula cost alike and stand together.
     for (std::size_t i = block; i < lines_.size(); i += blocks()) {
       const StoredAt at{lines_[i]};
-      record(question_of(at), at, findings.rows);
+      record(question_of(at), at, gathered.rows);
     }
-    return findings;
+    return gathered;
   }
 
  private:
@@ -72,7 +72,7 @@ class StoredMeasurement final : public Measurement {
 }  // namespace
 
 std::string origin_of(const RowKey& row, const WorstCase& input) {
-  if (row.regime != hunted_regime) return "";
+  if (row.setting != hunted_regime) return "";
   for (const WorstLine& line : reports::parse_worst(stored_worst_cases(), stored_cases_file))
     if (line.subject == row.subject && line.worst.corners == input.corners && line.worst.point == input.point &&
         line.worst.parameters == input.parameters)

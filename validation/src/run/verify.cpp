@@ -36,12 +36,12 @@ class Recorder {
     writer_.add_session(session);
     journal_.sessions.push_back(session);
   }
-  void add(std::size_t unit, Findings found) {
+  void add(std::size_t unit, PartialResult found) {
     for (auto& [key, tally] : found.rows) tally.role = role_of(key);
     {
       const std::scoped_lock lock(mutex_);
-      found.drop_unwanted(journal_.findings);
-      journal_.findings.merge(found);
+      found.drop_unwanted(journal_.gathered);
+      journal_.gathered.merge(found);
       journal_.done[unit] = true;
       journal_.sessions.back().seconds = seconds();
     }

@@ -60,6 +60,13 @@ struct FurthestEntry {
   std::string truth;  ///< to twenty digits
 };
 
+/// Where a cage stands: every vertex v at unit (v + shift), the sum rounded, then the product.
+struct CageFrame {
+  Vec3<double> shift = Vec3<double>::Zero();
+  double unit = 1;
+  bool is_own() const { return unit == 1 && shift.isZero(0); }
+};
+
 /// An input, exactly, and how wrong the result was.
 struct WorstCase {
   double error = 0;      ///< in the row's unit; infinite for a non-finite result
@@ -71,6 +78,7 @@ struct WorstCase {
   int asked = 2;                        ///< highest derivative of the query: forms may differ by it
   double relative = 0;                  ///< the plain relative error, norm-wise; 0 where none was measured
   FurthestEntry furthest = {};
+  CageFrame frame = {};  ///< of a cage: where it stood
 };
 
 /// The k worst cases, by falling error, then by rising sample number, then by the bits of the input: independent of the

@@ -21,7 +21,7 @@ struct RowKey {
   std::string subject;     ///< formula, kind of cage coordinates, or deformer
   std::string evaluation;  ///< closed_form, gauss-8 ...; for a deformer its variant: stretch=rms ...
   std::string scalar;      ///< float, double, mp50 ...
-  std::string regime;      ///< near-edge ...; for a cage or deformer the cage's name
+  std::string setting;     ///< what files call "regime": near-edge ...; for a cage or deformer the cage's name
   std::string check;       ///< truth, scaling ...; partition_of_unity ...
   /// For a cage: inside, outside, on-face, on-edge, on-vertex, mesh, off; for a deformer the pose; else empty.
   std::string place;
@@ -57,13 +57,17 @@ struct Tally : RowFigures {
   /// Largest error by index of the regime's parameter; negative where nothing was measured. Empty: no curve is drawn.
   std::vector<double> by_parameter;
 
-  /// Counts a measured error; a NaN counts as infinite. \param sample its number
+  /// Counts a measured error, of which no input is kept; a NaN counts as infinite.
+  void add(double error, double relative) {
+    errors.add(error);
+    max_relative = std::max(max_relative, relative);
+  }
+  /// The same, and keeps the input where it is among the worst. \param sample its number
   /// \param make_case called with the error for the input, when it is among the worst
   template <class MakeCase>
   void add(double error, double relative, std::uint64_t sample, MakeCase make_case) {
     if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
-    errors.add(error);
-    max_relative = std::max(max_relative, relative);
+    add(error, relative);
     if (worst.wants(error, sample)) worst.add(make_case(error));
   }
   /// Notes an error for a regime's curve. \param index of the parameter, below `count`

@@ -4,7 +4,7 @@
 // dropped on reading. A finished journal is packed (packed_file.h).
 #pragma once
 
-#include "cageproof/core/findings.h"
+#include "cageproof/core/partial_result.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -37,7 +37,7 @@ struct Journal {
   JournalHeader header;
   std::vector<Session> sessions;
   std::vector<bool> done;  ///< by unit
-  Findings findings;       ///< of these units
+  PartialResult gathered;       ///< of these units
 
   std::size_t units_done() const { return static_cast<std::size_t>(std::ranges::count(done, true)); }
 };
@@ -70,9 +70,9 @@ class JournalWriter {
 
   /// A new process goes on with the run.
   void add_session(const Session& session);
-  /// A unit is done, whose findings these are. \param seconds since the session started
+  /// A unit is done, whose results these are. \param seconds since the session started
   /// \throws InputError when the line cannot be written as a whole; nothing is written after that
-  void add(std::size_t unit, const Findings& found, double seconds);
+  void add(std::size_t unit, const PartialResult& found, double seconds);
 
  private:
   void append(const std::string& line);

@@ -17,12 +17,12 @@ struct WorstLine : RowKey {
   std::string triangulation;       ///< RunResult::settings["triangulation"], or empty
   std::string provenance;          ///< how it was found, or empty
   int number = 0;                  ///< of the line in its file, from 1
-  WorstCase worst;                 ///< corners, point and parameters bit for bit
+  WorstCase worst;                 ///< corners, point, parameters and frame bit for bit
 };
 
 /// The lines of all rows that have worst cases, in the order of the rows: keys formula (kind for a cage), evaluation,
 /// scalar, regime, check, place, order, unit, error, bound, parameter, sample, flags, element, point, parameters,
-/// triangulation; where they say something asked (highest derivative of the query, otherwise 2), provenance, relative
+/// triangulation; where they say something frame (unit and shift of a cage that does not stand where it is), asked (highest derivative of the query, otherwise 2), provenance, relative
 /// (the plain relative error) and furthest (the entry that is furthest from the truth: its index, what was found, the
 /// truth).
 /// Coordinates and parameters are hexadecimal floats in strings; infinite errors the string "inf".

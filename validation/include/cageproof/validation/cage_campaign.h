@@ -35,10 +35,10 @@ Measurements cage_measurements(const std::shared_ptr<const Cage>& cage, const Ca
 /// Measures and judges them. \throws InputError as cage_measurements
 std::vector<ResultRow> run_cage_campaign(const Cage& cage, const CageCampaignOptions& options);
 
-/// The name in Findings::meshes of the mesh that a cage is tried at.
+/// The name in PartialResult::meshes of the mesh that a cage is tried at.
 inline constexpr const char* mesh_measured = "mesh";
 
-/// Its vertices and faces, found as Findings::meshes[mesh_measured].
+/// Its vertices and faces, found as PartialResult::meshes[mesh_measured].
 std::unique_ptr<const Measurement> mesh_shape(std::shared_ptr<const Mesh> mesh);
 
 /// Partition of unity and linear reproduction at a mesh's points (place `mesh`), and the errors by point as a field on

@@ -4,16 +4,10 @@
 #pragma once
 
 #include "cageproof/core/coordinates.h"
+#include "cageproof/core/error_measure.h"
 #include "cageproof/validation/cage_points.h"
 
 namespace cageproof::validation {
-
-/// Where a cage stands: every vertex v at unit (v + shift), the sum rounded, then the product.
-struct CageFrame {
-  Vec3<double> shift = Vec3<double>::Zero();
-  double unit = 1;
-  bool is_own() const { return unit == 1 && shift.isZero(0); }
-};
 
 /// The cage there. \throws InputError as Cage::make where rounding leaves no cage
 Cage framed(const Cage& cage, const CageFrame& frame);

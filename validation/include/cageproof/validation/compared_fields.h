@@ -37,10 +37,10 @@ MeshField compared_mesh(const Comparison& comparison, const Mesh& mesh, std::siz
 Measurements scene_measurements(const Comparison& comparison, int side, const std::shared_ptr<const Mesh>& mesh,
                                 std::size_t points, int place);
 
-/// The cage as geometry, and the name it has in Findings::meshes.
+/// The cage as geometry, and the name it has in PartialResult::meshes.
 MeshField outline_of(const Cage& cage);
 std::string outline_name(const Cage& cage);
-/// Found as Findings::meshes[outline_name(cage)].
+/// Found as PartialResult::meshes[outline_name(cage)].
 std::unique_ptr<const Measurement> outline_measurement(std::shared_ptr<const Cage> cage);
 
 /// A title and a sentence for a scene of these arrays.

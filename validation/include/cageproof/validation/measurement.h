@@ -3,7 +3,7 @@
 // matter who measures it, when, or beside what.
 #pragma once
 
-#include "cageproof/core/findings.h"
+#include "cageproof/core/partial_result.h"
 
 #include <atomic>
 #include <functional>
@@ -20,8 +20,8 @@ class Measurement {
   /// Into how many blocks it is cut: at least one, however many samples it takes at most about `most_blocks`, so that
   /// journals do not grow with samples.
   virtual int blocks() const = 0;
-  /// Measures one of them. Findings of different blocks merge to those of the whole.
-  virtual Findings measure(int block) const = 0;
+  /// Measures one of them. Results of different blocks merge to those of the whole.
+  virtual PartialResult measure(int block) const = 0;
 
   static constexpr int most_blocks = 16;
 };
@@ -52,7 +52,7 @@ class UnitsOfWork {
   std::string name(std::size_t unit) const { return measurements_[units_[unit].measurement]->name(); }
   int block(std::size_t unit) const { return units_[unit].block; }
   /// \pre it is open and not measured yet
-  Findings measure(std::size_t unit);
+  PartialResult measure(std::size_t unit);
 
  private:
   Measurements measurements_;
@@ -68,7 +68,7 @@ std::size_t block_begin(std::size_t samples, int block, int blocks);
 
 /// Measures all of them on `jobs` threads (0: all cores), in memory. \param progress called from any thread after each
 /// unit
-Findings measure_all(const Measurements& measurements, int jobs,
+PartialResult measure_all(const Measurements& measurements, int jobs,
                      const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 
 }  // namespace cageproof::validation

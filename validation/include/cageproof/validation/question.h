@@ -39,7 +39,7 @@ inline bool counted(Finding::Status status, Tally& tally) {
 }
 
 /// \tparam At an input, with what several questions share there, which is computed when first asked for:
-///   `number()` is the sample's, `case_of(finding, order)` the input as it is stored.
+///   `number()` is the sample's, `case_of(finding, order)` the input as it is stored; without it none is.
 template <class At>
 struct Question {
   RowKey key;                                            ///< of its rows, but for the order
@@ -63,12 +63,14 @@ void record(const Question<At>& question, const At& at, std::map<RowKey, Tally>&
     tally.unit = question.unit;
     if (!counted(found[o].status, tally)) continue;
     tally.total_loss = std::max(tally.total_loss, found[o].total_loss);
-    tally.add(found[o].error, found[o].relative, at.number(), [&](double error) {
-      WorstCase worst = at.case_of(found[o], o);
-      worst.error = error;
-      worst.asked = question.asked;
-      return worst;
-    });
+    if constexpr (requires { at.case_of(found[o], o); })
+      tally.add(found[o].error, found[o].relative, at.number(), [&](double error) {
+        WorstCase worst = at.case_of(found[o], o);
+        worst.error = error;
+        worst.asked = question.asked;
+        return worst;
+      });
+    else tally.add(found[o].error, found[o].relative);
     if (curve > 0) tally.add_to_curve(at.number() % curve, curve, found[o].error);
   }
 }

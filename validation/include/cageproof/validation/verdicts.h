@@ -2,7 +2,7 @@
 // From tallies to judged rows: the one way in which a row of results is made.
 #pragma once
 
-#include "cageproof/core/findings.h"
+#include "cageproof/core/partial_result.h"
 
 namespace cageproof::validation {
 

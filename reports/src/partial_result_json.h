@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Findings as JSON: doubles survive exactly, and what JSON has no number for is a string.
+// Partial results as JSON: doubles survive exactly, and what JSON has no number for is a string.
 #pragma once
 
-#include "cageproof/core/findings.h"
+#include "cageproof/core/partial_result.h"
 #include "json_value.h"
 
 namespace cageproof::reports {
 
 /// Members "rows", "fields", "meshes", "errata", each an array, left out when empty.
-Json findings_json(const Findings& findings);
+Json partial_result_json(const PartialResult& gathered);
 
 /// One row, as in "rows".
 Json row_json(const RowKey& key, const Tally& tally);
 
 /// The inverse; other members are ignored.
 /// \throws std::invalid_argument or Json::exception for what is no such object
-Findings findings_of(const Json& json);
+PartialResult partial_result_of(const Json& json);
 
 }  // namespace cageproof::reports

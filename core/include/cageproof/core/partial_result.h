@@ -24,7 +24,7 @@ struct FieldPart {
 };
 
 /// What one unit of work found, or any number of them. Each unit is merged once.
-struct Findings {
+struct PartialResult {
   std::map<RowKey, Tally> rows;
   std::map<std::pair<int, std::size_t>, FieldPart>
       fields;                               ///< by the field's place in the report and the part's first sample
@@ -32,13 +32,13 @@ struct Findings {
   std::map<int, ErratumRow> errata;         ///< by place in the report
 
   /// \throws std::invalid_argument when units of tallies do not agree
-  void merge(Findings other);
+  void merge(PartialResult other);
   /// Drops worst cases that cannot be among those of `so_far` and these together.
-  void drop_unwanted(const Findings& so_far);
+  void drop_unwanted(const PartialResult& so_far);
 };
 
 /// The fields that parts make up, by place in the report; NaN where no part has a sample.
 /// \throws std::invalid_argument when parts of a field do not agree
-std::map<int, FieldPart> whole_fields(const Findings& findings);
+std::map<int, FieldPart> whole_fields(const PartialResult& gathered);
 
 }  // namespace cageproof

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/findings.h"
+#include "cageproof/core/partial_result.h"
 
 #include <algorithm>
 #include <limits>
@@ -32,7 +32,7 @@ void put(const FieldPart& part, FieldPart& whole) {
 
 }  // namespace
 
-void Findings::merge(Findings other) {
+void PartialResult::merge(PartialResult other) {
   for (auto& [key, tally] : other.rows) {
     const auto [at, fresh] = rows.try_emplace(key, std::move(tally));
     if (!fresh) at->second.merge(tally);
@@ -42,7 +42,7 @@ void Findings::merge(Findings other) {
   errata.merge(other.errata);
 }
 
-void Findings::drop_unwanted(const Findings& so_far) {
+void PartialResult::drop_unwanted(const PartialResult& so_far) {
   for (auto& [key, tally] : rows) {
     const auto known = so_far.rows.find(key);
     if (known == so_far.rows.end()) continue;
@@ -53,9 +53,9 @@ void Findings::drop_unwanted(const Findings& so_far) {
   }
 }
 
-std::map<int, FieldPart> whole_fields(const Findings& findings) {
+std::map<int, FieldPart> whole_fields(const PartialResult& gathered) {
   std::map<int, FieldPart> whole;
-  for (const auto& [at, part] : findings.fields) {
+  for (const auto& [at, part] : gathered.fields) {
     const auto [field, fresh] = whole.try_emplace(at.first);
     if (fresh) field->second = empty_field(part);
     put(part, field->second);

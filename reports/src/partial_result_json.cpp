@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "findings_json.h"
+#include "partial_result_json.h"
 
+#include "older_frame.h"
 #include "row_members.h"
 
 #include <algorithm>
@@ -72,13 +73,14 @@ ErrorHistogram histogram_of(const Json& row) {
   return ErrorHistogram::restored(counts, count_at(row, "nonfinite"), row.contains("max") ? number(row["max"]) : 0);
 }
 
-// Worst cases: error, parameter, sample, asked, corners, point, parameters; where a tensor was compared the relative
+// Worst cases: error, parameter, sample, asked, corners, point, parameters (or where a cage stood: unit and shift); where a tensor was compared the relative
 // error, and of the furthest entry index, result and truth.
 Json json_of(const WorstCase& c) {
   Json corners = Json::array();
   for (const Vec3<double>& corner : c.corners) corners.push_back(json_of(corner));
   Json json = Json::array({json_number(c.error), json_number(c.parameter), c.sample, c.asked, corners, json_of(c.point),
                            json_of(c.parameters)});
+  if (!c.frame.is_own()) json[6] = {{"unit", json_number(c.frame.unit)}, {"shift", json_of(c.frame.shift)}};
   if (c.furthest.index < 0) return json;
   json.push_back(json_number(c.relative));
   json.push_back(c.furthest.index);
@@ -87,9 +89,12 @@ Json json_of(const WorstCase& c) {
   return json;
 }
 
-WorstCase case_of(const Json& json) {
-  WorstCase c{number(json.at(0)), number(json.at(1)),  count(json.at(2)), {},
-              vector(json.at(5)), numbers(json.at(6)), small(json.at(3))};
+WorstCase case_of(const Json& json, RowKey::Section section) {
+  WorstCase c{number(json.at(0)), number(json.at(1)), count(json.at(2)), {}, vector(json.at(5)), {}, small(json.at(3))};
+  if (const Json& varied = json.at(6); varied.is_object())
+    c.frame = {vector(varied.at("shift")), number(varied.at("unit"))};
+  else c.parameters = numbers(varied);
+  if (section != RowKey::Section::Element) take_older_frame(c);
   for (const Json& corner : json.at(4)) c.corners.push_back(vector(corner));
   if (json.size() > 7) {
     c.relative = number(json[7]);
@@ -98,12 +103,12 @@ WorstCase case_of(const Json& json) {
   return c;
 }
 
-Tally tally_of(const Json& row) {
+Tally tally_of(const Json& row, RowKey::Section section) {
   Tally tally;
   static_cast<RowFigures&>(tally) = figures_of(row);
   tally.errors = histogram_of(row);
   tally.by_parameter = numbers(list(row, "by_parameter"));
-  for (const Json& c : list(row, "worst")) tally.worst.add(case_of(c));
+  for (const Json& c : list(row, "worst")) tally.worst.add(case_of(c, section));
   return tally;
 }
 
@@ -208,30 +213,32 @@ Json row_json(const RowKey& key, const Tally& tally) {
   return json;
 }
 
-Json findings_json(const Findings& findings) {
+Json partial_result_json(const PartialResult& gathered) {
   Json json = Json::object();
-  for (const auto& [key, tally] : findings.rows) json["rows"].push_back(row_json(key, tally));
-  for (const auto& [at, part] : findings.fields) json["fields"].push_back(json_of(at.first, part));
-  for (const auto& [name, mesh] : findings.meshes) json["meshes"].push_back(json_of(mesh));
-  for (const auto& [place, row] : findings.errata) json["errata"].push_back(json_of(place, row));
+  for (const auto& [key, tally] : gathered.rows) json["rows"].push_back(row_json(key, tally));
+  for (const auto& [at, part] : gathered.fields) json["fields"].push_back(json_of(at.first, part));
+  for (const auto& [name, mesh] : gathered.meshes) json["meshes"].push_back(json_of(mesh));
+  for (const auto& [place, row] : gathered.errata) json["errata"].push_back(json_of(place, row));
   return json;
 }
 
-Findings findings_of(const Json& json) {
-  Findings findings;
-  for (const Json& row : list(json, "rows"))
-    if (!findings.rows.try_emplace(key_of(row.at("key")), tally_of(row)).second)
+PartialResult partial_result_of(const Json& json) {
+  PartialResult gathered;
+  for (const Json& row : list(json, "rows")) {
+    const RowKey key = key_of(row.at("key"));
+    if (!gathered.rows.try_emplace(key, tally_of(row, key.section)).second)
       throw std::invalid_argument("a row is there twice");
+  }
   for (const Json& field : list(json, "fields")) {
     FieldPart part = field_of(field);
-    findings.fields.try_emplace({small(field.at("place")), part.first}, std::move(part));
+    gathered.fields.try_emplace({small(field.at("place")), part.first}, std::move(part));
   }
   for (const Json& mesh : list(json, "meshes")) {
     MeshField found = mesh_of(mesh);
-    findings.meshes.try_emplace(found.name, std::move(found));
+    gathered.meshes.try_emplace(found.name, std::move(found));
   }
-  for (const Json& row : list(json, "errata")) findings.errata.try_emplace(small(row.at("place")), erratum_of(row));
-  return findings;
+  for (const Json& row : list(json, "errata")) gathered.errata.try_emplace(small(row.at("place")), erratum_of(row));
+  return gathered;
 }
 
 }  // namespace cageproof::reports
