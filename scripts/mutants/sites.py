@@ -33,6 +33,7 @@ FUNCTIONS = {Kind.FUNCTION_DECL, Kind.FUNCTION_TEMPLATE, Kind.CXX_METHOD, Kind.C
 CLASSES = {Kind.CLASS_DECL, Kind.STRUCT_DECL, Kind.CLASS_TEMPLATE, Kind.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION}
 # A class's static constants of these types choose templates.
 CHOICES = {"const int", "const bool"}
+COMPILER = re.compile(r"(clang|g)\+\+(-\d+)?$")
 # What these calls do changes no result.
 WITHOUT_EFFECT = {"reserve", "shrink_to_fit"}
 
@@ -99,9 +100,11 @@ class Source:
 def commands(build: Path):
     """The compilations of a build: (file, arguments that decide on meaning, folder)."""
     for entry in json.loads((build / "compile_commands.json").read_text()):
-        words = shlex.split(entry["command"])[1:]
+        words = shlex.split(entry["command"])
+        # A launcher, ccache say, stands before the compiler.
+        compiler = next(i for i, word in enumerate(words) if COMPILER.search(word))
         kept, skip = [], False
-        for word in words:
+        for word in words[compiler + 1 :]:
             if skip or word in ("-c", entry["file"]):
                 skip = False
             elif word == "-o":

@@ -13,7 +13,7 @@ from unittest import mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from mutants import campaign, report  # noqa: E402
+from mutants import campaign, report, sites  # noqa: E402
 from mutants.accounting import Answers, chosen, lines_of  # noqa: E402
 
 # Mutants by what is to come out.
@@ -173,6 +173,12 @@ class Accounting(unittest.TestCase):
         (root / "docs").mkdir(parents=True)
         report.write(root, self.folder)
         self.assertIn("No mutant has been asked of both detectors", (root / "docs/power.md").read_text())
+
+    def test_a_compiler_behind_a_launcher_is_found(self):
+        for launcher in ("", "/usr/bin/cmake -E env CCACHE_DEPEND=1 /usr/bin/ccache "):
+            entry = {"file": "/a b/c.cpp", "directory": "/d", "command": launcher + "/usr/bin/clang++-16 -DX=1 -o c.o -c '/a b/c.cpp'"}
+            (self.folder / "compile_commands.json").write_text(json.dumps([entry]))
+            self.assertEqual(list(sites.commands(self.folder)), [("/a b/c.cpp", ["-DX=1"], "/d")])
 
     def test_a_part_is_drawn_evenly(self):
         run(self.folder, rooms=("core", "solved"), sample=2)
