@@ -198,6 +198,7 @@ def find(root: Path, files: list[str], build: Path) -> dict[str, list[Node]]:
     for main, arguments, _ in commands(build):
         path = Path(main).resolve()
         place = path.relative_to(build.resolve() if build.resolve() in path.parents else root.resolve()).parts
-        if place[0] in rooms and "tests" not in place and set(files) - finder.done:
+        # A source that the build has yet to write holds no mutants.
+        if path.exists() and place[0] in rooms and "tests" not in place and set(files) - finder.done:
             finder.add(main, arguments)
     return {f: [n for _, n in sorted(finder.nodes[f].items())] for f in files}
