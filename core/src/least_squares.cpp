@@ -73,6 +73,16 @@ Matrix<R> LeastSquares<R>::solve(const Matrix<R>& right) const {
   return solution;
 }
 
+Triangular triangular(const Matrix<double>& matrix, const Matrix<double>& right) {
+  const Eigen::HouseholderQR<Matrix<double>> factors(matrix);
+  Triangular found{factors.matrixQR()
+                       .topRows(std::min(matrix.rows(), matrix.cols()))
+                       .template triangularView<Eigen::Upper>(),
+                   right};
+  if (right.size() > 0) found.turned.applyOnTheLeft(factors.householderQ().adjoint());
+  return found;
+}
+
 template <Scalar R>
 SolvedSystem describe(std::string name, const Matrix<R>& matrix, int rank, const Matrix<R>& right,
                       const Matrix<R>& solution) {
@@ -82,10 +92,7 @@ SolvedSystem describe(std::string name, const Matrix<R>& matrix, int rank, const
   } else {
     // The triangle of a QR factorisation has the matrix's singular values, and is as small as they are many.
     const Matrix<double> in_units = matrix / unit_of(matrix);
-    const Matrix<double> triangle =
-        Eigen::HouseholderQR<Matrix<double>>(in_units).matrixQR().topRows(std::min(matrix.rows(), matrix.cols()));
-    const Matrix<double> upper = triangle.template triangularView<Eigen::Upper>();
-    const Eigen::VectorXd values = Eigen::BDCSVD<Matrix<double>>(upper).singularValues();
+    const Eigen::VectorXd values = Eigen::BDCSVD<Matrix<double>>(triangular(in_units).triangle).singularValues();
     const double least = values[values.size() - 1];
     const double unit = unit_of(right);
     const Eigen::VectorXd sizes = (right / unit).colwise().norm(),

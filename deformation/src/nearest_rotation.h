@@ -19,7 +19,8 @@ struct NearestRotation {
 /// \param tolerance of the largest singular value: smaller values, and smaller differences, count as zero
 template <Scalar R>
 NearestRotation<R> nearest_rotation(const Matrix<R>& matrix, const R& tolerance) {
-  const Eigen::JacobiSVD<Matrix<R>> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  // A square matrix is taken as it is.
+  const Eigen::JacobiSVD<Matrix<R>, Eigen::NoQRPreconditioner> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::Index last = matrix.rows() - 1;
   Eigen::Matrix<R, Eigen::Dynamic, 1> signs = Eigen::Matrix<R, Eigen::Dynamic, 1>::Ones(matrix.rows());
   const R determinant = Matrix<R>(svd.matrixU() * svd.matrixV().transpose()).determinant();

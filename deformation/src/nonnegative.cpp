@@ -5,7 +5,6 @@
 
 #include "cageproof/core/scalar.h"
 
-#include <Eigen/QR>
 #include <nlopt.h>
 
 #include <algorithm>
@@ -56,13 +55,12 @@ ColumnSet program_columns(const Matrix<double>& matrix, const Matrix<double>& ri
   Eigen::MatrixXd held = Eigen::MatrixXd::Zero(rows + n, n);
   held.topRows(rows) = matrix;
   if (deficient) held.bottomRows(n).diagonal().setConstant(1e-6);
-  Eigen::VectorXd data = Eigen::VectorXd::Zero(rows + n);
-  data.head(rows) = right;
-  const Eigen::HouseholderQR<Eigen::MatrixXd> factors(held);
-  const Eigen::MatrixXd triangle = factors.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  const Eigen::VectorXd turned = factors.householderQ().adjoint() * data;
+  Matrix<double> data = Matrix<double>::Zero(rows + n, 1);
+  data.topRows(rows) = right;
+  const Triangular factors = triangular(held, data);
+  const Matrix<double>& triangle = factors.triangle;
   const double size = std::max(right.norm(), std::numeric_limits<double>::min());
-  QuadraticProgram program{turned.head(n) / size,
+  QuadraticProgram program{factors.turned.col(0).head(n) / size,
                            triangle.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(n, n))};
   program.rows.rowwise().normalize();
   const auto count = static_cast<unsigned>(n);

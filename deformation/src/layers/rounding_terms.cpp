@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "rounding_terms.h"
 
-#include <Eigen/QR>
-
-#include <algorithm>
-
 namespace cageproof::deformation {
 
 Matrix<double> rounding_terms(const Matrix<double>& matrix, const Matrix<double>& right,
                               const Matrix<double>& solution) {
   // The pseudo-inverse of the triangle of a QR factorisation has rows of the same lengths, and is small.
-  const Matrix<double> triangle =
-      Eigen::HouseholderQR<Matrix<double>>(matrix).matrixQR().topRows(std::min(matrix.rows(), matrix.cols()));
-  const Matrix<double> upper = triangle.triangularView<Eigen::Upper>();
-  const Eigen::VectorXd rows = LeastSquares<double>(upper).inverse().rowwise().norm();
+  const Eigen::VectorXd rows = LeastSquares<double>(triangular(matrix).triangle).inverse().rowwise().norm();
   const Eigen::RowVectorXd columns = matrix.colwise().norm();
   const Eigen::RowVectorXd roundings = right.colwise().norm() + columns * solution.cwiseAbs();
   return rows * roundings;

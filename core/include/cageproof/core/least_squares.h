@@ -36,6 +36,15 @@ class LeastSquares {
   std::unique_ptr<const Factors> factors_;
 };
 
+/// matrix = Q triangle, Q with orthonormal columns.
+struct Triangular {
+  Matrix<double> triangle;  ///< upper; as many rows as the matrix has, at most as many as columns
+  Matrix<double> turned;    ///< Q^T right, for the whole Q: as many rows as the matrix
+};
+
+/// The QR factorisation of a matrix, by blocks. \param right as many rows as the matrix, or nothing
+Triangular triangular(const Matrix<double>& matrix, const Matrix<double>& right = {});
+
 /// What was solved: matrix x solution = right, described in double. The condition is that of the matrix's singular
 /// values. R: double, Mp50
 /// \param rank as LeastSquares found it
