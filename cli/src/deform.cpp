@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "deform_files.h"
 #include "deformation_report.h"
+#include "image_columns.h"
 
 #include "cageproof/core/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
@@ -111,6 +112,28 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
   return json;
 }
 
+// Images that can be written, by --outside. \throws InputError for the first point that has none
+PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage& cage, const Mesh& mesh) {
+  std::vector<const Posed<double>*> maps;
+  maps.reserve(posing.maps.size());
+  for (const DescribedMap& map : posing.maps) maps.push_back(map.map.get());
+  const CageCoordinates& coordinates = *posing.coordinates;
+  PointImages images = images_of(coordinates, mesh.vertices, maps, {a.order, a.jobs}, region_of(coordinates));
+  if (const auto place = first_not_finite(images))
+    throw InputError(fmt::format(
+        "{}the image of point number {} is not finite: the pose or a parameter is beyond what the method can "
+        "take",
+        maps.size() > 1 ? fmt::format("map {}: ", place->map + 1) : "", place->point));
+  const auto missing = std::ranges::count(images.missing, 1);
+  if (missing > 0 && a.outside == "error")
+    throw InputError(fmt::format(
+        "{} of {} points, the first of them number {}, are outside {} or have no coordinates "
+        "there; --outside rest leaves them where they are, --outside nan writes nan",
+        missing, mesh.vertices.size(), std::ranges::find(images.missing, 1) - images.missing.begin(), cage.name()));
+  fill_missing(images, mesh.vertices, cage.dimension(), a.outside == "rest" ? Missing::Rest : Missing::Nan);
+  return images;
+}
+
 // Each once, and of which it is said: of a map where there are several sets of parameters, else of a pose, or of the
 // method, which is the same for all poses.
 void print_warnings(const Json& warnings, const Chosen& chosen, const DescribedMap& map, std::string_view out,
@@ -136,29 +159,26 @@ int run(const DeformArguments& a) {
   const Posing posing = posing_by(a, chosen, cage);
   const CageCoordinates& coordinates = *posing.coordinates;
   require_order(a, posing.max_order);
-  const OutsidePolicy outside = a.outside == "rest"  ? OutsidePolicy::Rest
-                                : a.outside == "nan" ? OutsidePolicy::Nan
-                                                     : OutsidePolicy::Error;
-  Maps maps;
-  maps.reserve(posing.maps.size());
-  for (const DescribedMap& map : posing.maps) maps.push_back(map.map.get());
-  const std::vector<Deformed> all = deform(coordinates, cage, mesh, maps, a.order, outside, a.jobs);
+  const PointImages images = images_by(a, posing, cage, mesh);
   // Everything is made before anything is written.
   std::vector<std::pair<std::filesystem::path, std::string>> files;
   std::set<std::string> said;
-  for (std::size_t k = 0; k < all.size(); ++k) {
+  Mesh deformed = mesh;
+  for (std::size_t k = 0; k < posing.maps.size(); ++k) {
     const DescribedMap& map = posing.maps[k];
+    deformed.vertices = vertices_of(images.maps[k], cage.dimension());
+    const CoordinateColumns table = image_columns(images.maps[k], cage.dimension(), a.order);
     const std::filesystem::path out = numbered(a.out, k + 1);
-    files.emplace_back(out, text_for(out, all[k]));
+    files.emplace_back(out, text_for(out, deformed, table));
     if (!a.derivatives.empty()) {
       const std::filesystem::path derivatives = numbered(a.derivatives, k + 1);
-      files.emplace_back(derivatives, text_for(derivatives, all[k]));
+      files.emplace_back(derivatives, text_for(derivatives, deformed, table));
     }
     Json json = report_of(a, chosen, coordinates, map);
     const DeformationReport& pose = map.map->report();
-    json.update(deformation_json(coordinates, cage, mesh, map.vertices, all[k], a.order, map.prepared, pose,
+    json.update(deformation_json(coordinates, cage, mesh, map.vertices, images, k, a.order, map.prepared, pose,
                                  chosen.constrained && !map.vertices.empty()));
-    print_warnings(json["warnings"], chosen, map, out.string(), all.size() == 1, said);
+    print_warnings(json["warnings"], chosen, map, out.string(), posing.maps.size() == 1, said);
     files.emplace_back(std::filesystem::path(out).replace_extension(".json"), json.dump(2) + '\n');
     if (!a.energies.empty())
       files.emplace_back(a.energies, energies_text(a, fmt::format("{}, {}", a.method, cage.name()), pose.energies));

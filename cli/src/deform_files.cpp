@@ -93,13 +93,13 @@ void check_names(const DeformArguments& a, std::size_t maps) {
   check_distinct(a, maps);
 }
 
-std::string text_for(const std::filesystem::path& file, const Deformed& deformed) {
+std::string text_for(const std::filesystem::path& file, const Mesh& mesh, const CoordinateColumns& images) {
   const std::string extension = file.extension();
-  if (extension == ".obj") return reports::obj_text(deformed.mesh);
-  if (extension == ".ply") return reports::ply_text(deformed.mesh);
-  if (extension == ".npy") return npy_text(deformed.table);
-  if (extension == ".vtp") return vtp_text(deformed.table, deformed.mesh);
-  return csv_text(deformed.table);
+  if (extension == ".obj") return reports::obj_text(mesh);
+  if (extension == ".ply") return reports::ply_text(mesh);
+  if (extension == ".npy") return npy_text(images);
+  if (extension == ".vtp") return vtp_text(images, mesh);
+  return csv_text(images);
 }
 
 std::string energies_text(const DeformArguments& a, const std::string& title, const std::vector<double>& energies) {

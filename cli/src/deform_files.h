@@ -3,6 +3,7 @@
 #pragma once
 
 #include "commands.h"
+#include "coordinate_table.h"
 #include "posing.h"
 
 #include <filesystem>
@@ -32,7 +33,7 @@ std::vector<std::pair<std::string, std::string>> given_data(const DeformArgument
 void check_names(const DeformArguments& a, std::size_t maps);
 
 /// A file's whole text, in the format of its extension.
-std::string text_for(const std::filesystem::path& file, const Deformed& deformed);
+std::string text_for(const std::filesystem::path& file, const Mesh& mesh, const CoordinateColumns& images);
 
 /// The file of --energies: CSV, or a picture with that title.
 std::string energies_text(const DeformArguments& a, const std::string& title, const std::vector<double>& energies);

@@ -75,28 +75,29 @@ nlohmann::ordered_json systems_json(const std::vector<SolvedSystem>& systems) {
 }  // namespace
 
 nlohmann::ordered_json deformation_json(const CageCoordinates& coordinates, const Cage& cage, const Mesh& rest,
-                                        const std::vector<Vec3<double>>& posed, const Deformed& deformed, int order,
-                                        const DeformationReport& prepared, const DeformationReport& pose,
-                                        bool found_itself) {
+                                        const std::vector<Vec3<double>>& posed, const PointImages& images,
+                                        std::size_t map, int order, const DeformationReport& prepared,
+                                        const DeformationReport& pose, bool found_itself) {
   using Json = nlohmann::ordered_json;
   const CageElements& elements = coordinates.elements();
   const int d = elements.dimension();
   const double unit = cage.size();
+  const std::vector<Vec3<double>> moved = vertices_of(images.maps[map], d);
   double largest = 0, sum = 0;
-  std::size_t moved = 0;
-  const auto lost = static_cast<std::size_t>(std::ranges::count(deformed.without_image, 1));
+  std::size_t found = 0;
+  const auto lost = static_cast<std::size_t>(std::ranges::count(images.missing, 1));
   for (std::size_t p = 0; p < rest.vertices.size(); ++p) {
-    if (deformed.without_image[p]) continue;
-    const double step = (deformed.mesh.vertices[p] - rest.vertices[p]).stableNorm();
+    if (images.missing[p]) continue;
+    const double step = (moved[p] - rest.vertices[p]).stableNorm();
     largest = std::max(largest, step);
     sum += step;
-    ++moved;
+    ++found;
   }
   Json json = {{"points", rest.vertices.size()}, {"points_without_image", lost}};
   std::vector<std::string> warnings;
   if (lost > 0) warnings.push_back(fmt::format("{} of {} points have no image", lost, rest.vertices.size()));
   json["displacement"] = {{"largest", largest},
-                          {"mean", moved > 0 ? Json(sum / static_cast<double>(moved)) : Json(nullptr)},
+                          {"mean", found > 0 ? Json(sum / static_cast<double>(found)) : Json(nullptr)},
                           {"largest_over_cage_size", largest / cage.size()}};
   json["cage_volume_ratio"] =
       posed.empty() ? Json(nullptr)
@@ -104,15 +105,14 @@ nlohmann::ordered_json deformation_json(const CageCoordinates& coordinates, cons
   // An open mesh holds no volume.
   const double before = is_closed(rest) ? content(rest.vertices, rest.faces, rest.segments, unit) : 0;
   json["mesh_volume_ratio"] =
-      before != 0 ? number(content(deformed.mesh.vertices, rest.faces, rest.segments, unit) / before) : Json(nullptr);
+      before != 0 ? number(content(moved, rest.faces, rest.segments, unit) / before) : Json(nullptr);
   if (order >= 1) {
     double least = HUGE_VAL, most = -HUGE_VAL;
     std::size_t turned = 0, without = 0;
-    const std::size_t columns = deformed.table.names.size();
     for (std::size_t p = 0; p < rest.vertices.size(); ++p) {
       const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> jacobian(
-          &deformed.table.values[p * columns + d], d, d);
-      if (deformed.without_image[p]) continue;
+          &images.maps[map].tensors[1][p * d * d], d, d);
+      if (images.missing[p]) continue;
       if (!jacobian.allFinite()) {
         ++without;
         continue;

@@ -2,9 +2,8 @@
 // Maps of space that users describe: by posed cages, or by constraints.
 #pragma once
 
-#include "deformation.h"
-
 #include "cageproof/deformation/constrained.h"
+#include "cageproof/deformation/deformer.h"
 
 namespace cageproof::cli {
 

@@ -3,11 +3,9 @@
 
 #include "cageproof/core/whole_evaluation.h"
 #include "cageproof/deformation/deformer.h"
-#include "cageproof/deformation/inside.h"
+#include "cageproof/deformation/point_images.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace cageproof::library {
 namespace {
@@ -27,15 +25,13 @@ std::shared_ptr<const deformation::Deformer<double>> prepared_deformer(const cag
 
 struct Deformer::Prepared {
   Prepared(const cageproof::Cage& cage, const std::string& method, const Options& options)
-      : deformer(prepared_deformer(cage, method, options)), threads(options.threads) {
-    if (!deformer->coordinates().kind().normalised) inside.emplace(deformer->coordinates().elements());
-  }
-  // Outside, coordinates sum to zero; others have none there.
-  bool has_image(const Vec3<double>& point) const { return !inside || inside->holds(point); }
+      : deformer(prepared_deformer(cage, method, options)),
+        region(deformation::region_of(deformer->coordinates())),
+        threads(options.threads) {}
 
   std::shared_ptr<const deformation::Deformer<double>> deformer;
   std::unique_ptr<const deformation::Posed<double>> posed;
-  std::optional<deformation::Inside> inside;
+  std::optional<deformation::Inside> region;
   int threads;
 };
 
@@ -60,18 +56,11 @@ void Deformer::images(std::span<const double> points, std::span<double> images, 
   const std::array<std::span<double>, 2> out{images, jacobians};
   check_size(images.size(), at.size() * d, "images");
   if (order == 1) check_size(jacobians.size(), at.size() * d * d, "jacobians");
-  for_blocks(at.size(), prepared_->threads, [&](std::size_t first, std::size_t count) {
-    const auto tables = coordinates.at<double>(std::span(at).subspan(first, count), order);
-    const deformation::Images<double> found = prepared_->posed->images(tables, count, order);
-    for (int o = 0; o <= order; ++o) {
-      const std::size_t width = o == 0 ? d : d * d;
-      const auto to = out[o].subspan(first * width, count * width);
-      std::copy_n(found.tensors[o].data(), to.size(), to.begin());
-      for (std::size_t p = 0; p < count; ++p)
-        if (!prepared_->has_image(at[first + p]))
-          std::ranges::fill(to.subspan(p * width, width), std::numeric_limits<double>::quiet_NaN());
-    }
-  });
+  const std::array maps{prepared_->posed.get()};
+  deformation::PointImages found =
+      deformation::images_of(coordinates, at, maps, {order, prepared_->threads, 64}, prepared_->region);
+  deformation::fill_missing(found, at, coordinates.dimension(), deformation::Missing::Nan);
+  for (int o = 0; o <= order; ++o) std::ranges::copy(found.maps.front().tensors[o], out[o].begin());
 }
 
 }  // namespace cageproof::library

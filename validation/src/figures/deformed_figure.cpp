@@ -5,7 +5,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
-#include "cageproof/core/parallel.h"
+#include "cageproof/deformation/point_images.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,27 +43,19 @@ class DeformedFigure final : public PaperFigure {
     Prepared prepared;
     for (const Shown& one : shown) maps.push_back(map_of(*one.panel, prepared));
     const auto& points = plan_.mesh.mesh.vertices;
-    std::vector<std::vector<Vec3<double>>> images(shown.size(),
-                                                  std::vector<Vec3<double>>(points.size(), Vec3<double>::Zero()));
+    std::vector<const Posed<double>*> posed;
+    posed.reserve(maps.size());
+    for (const PanelMap& map : maps) posed.push_back(map.posed.get());
     const CageCoordinates& coordinates = *maps.front().coordinates;
-    const int d = coordinates.dimension();
-    constexpr std::size_t together = 64;
-    for_each_parallel((points.size() + together - 1) / together, jobs, [&](std::size_t block) {
-      const std::size_t first = block * together, count = std::min(together, points.size() - first);
-      const auto tables = coordinates.at<double>(std::span(points).subspan(first, count), 0);
-      for (std::size_t k = 0; k < shown.size(); ++k) {
-        const auto found = maps[k].posed->images(tables, count, 0);
-        for (std::size_t p = 0; p < count; ++p)
-          for (int c = 0; c < d; ++c) images[k][first + p][c] = found.tensors[0][p * d + c];
-      }
-    });
+    const auto images = deformation::images_of(coordinates, points, posed, {.jobs = jobs, .block = 64}, std::nullopt);
     FigureFindings found;
     for (std::size_t k = 0; k < shown.size(); ++k) {
-      for (const Vec3<double>& image : images[k])
+      std::vector<Vec3<double>> vertices = deformation::vertices_of(images.maps[k], coordinates.dimension());
+      for (const Vec3<double>& image : vertices)
         if (!image.allFinite())
           throw InputError(fmt::format("{}, {}: an image is not finite", plan_.name, shown[k].panel->title));
       const std::string key = key_of(*shown[k].sheet, *shown[k].panel);
-      found[key].vertices = std::move(images[k]);
+      found[key].vertices = std::move(vertices);
       if (shown[k].panel->posed.empty()) found[key + cage_suffix].vertices = maps[k].posed->vertices();
     }
     for (auto& [key, mesh] : found) mesh.name = key;

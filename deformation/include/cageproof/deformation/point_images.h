@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Many points under maps that are made from the same coordinates: their images, and which of them have none.
+#pragma once
+
+#include "cageproof/deformation/deformer.h"
+#include "cageproof/deformation/inside.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace cageproof::deformation {
+
+/// Points under maps.
+struct PointImages {
+  std::vector<Images<double>> maps;  ///< of all points, a map each
+  /// A point each: whether it lies where coordinates mean nothing, or has NaN among its coordinates. Its images are
+  /// what the maps make of these all the same, until fill_missing.
+  std::vector<char> missing;
+};
+
+/// Where coordinates mean something; nothing for normalised ones, which sum to one everywhere.
+std::optional<Inside> region_of(const CageCoordinates& coordinates);
+
+/// How images are computed.
+struct ImageRun {
+  int order = 0;  ///< highest derivative
+  int jobs = 0;   ///< threads; 0: all cores
+  /// Points whose coordinates are computed together; what is multiplied as matrices is rounded by it.
+  std::size_t block = 128;
+};
+
+/// Coordinates are computed once a point, whatever the number of maps.
+/// \param region outside which points are missing; nothing: none is for its place
+/// \pre the maps are made from the coordinates, which have derivatives of that order
+PointImages images_of(const CageCoordinates& coordinates, std::span<const Vec3<double>> points,
+                      std::span<const Posed<double>* const> maps, const ImageRun& run,
+                      const std::optional<Inside>& region);
+
+/// An image of a point, both counted from 0.
+struct ImagePlace {
+  std::size_t map, point;
+};
+
+/// The first point, of those that are not missing, with an image that is not finite, and the last map that makes such
+/// a one. On the cage derivatives may be NaN; only values are looked at.
+std::optional<ImagePlace> first_not_finite(const PointImages& images);
+
+/// What images of missing points become: the points themselves, with the derivatives of the identity, or NaN.
+enum class Missing { Rest, Nan };
+void fill_missing(PointImages& images, std::span<const Vec3<double>> points, int dimension, Missing as);
+
+/// Images as points; in the plane with a third number of zero.
+std::vector<Vec3<double>> vertices_of(const Images<double>& images, int dimension);
+
+}  // namespace cageproof::deformation
