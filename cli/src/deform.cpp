@@ -176,8 +176,11 @@ int run(const DeformArguments& a) {
     }
     Json json = report_of(a, chosen, coordinates, map);
     const DeformationReport& pose = map.map->report();
-    json.update(deformation_json(coordinates, cage, mesh, map.vertices, images, k, a.order, map.prepared, pose,
-                                 chosen.constrained && !map.vertices.empty()));
+    const MeshMeasures measures =
+        measures_of(coordinates.elements(), cage.size(), map.vertices, mesh, images, k, a.order);
+    json.update(deformation_json(measures, mesh.vertices.size(), cage.size(),
+                                 chosen.constrained ? map.vertices : std::vector<Vec3<double>>(), cage.dimension(),
+                                 map.prepared, pose));
     print_warnings(json["warnings"], chosen, map, out.string(), posing.maps.size() == 1, said);
     files.emplace_back(std::filesystem::path(out).replace_extension(".json"), json.dump(2) + '\n');
     if (!a.energies.empty())

@@ -3,6 +3,7 @@
 
 #include "figure_measures.h"
 
+#include "cageproof/core/enclosed.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/unknown_name.h"
 #include "cageproof/deformation/point_images.h"
@@ -188,7 +189,11 @@ class DeformedFigure final : public PaperFigure {
 
   void measure(reports::FigurePanel& panel, const Mesh& rest) const {
     const bool flat = panel.flat;
-    const double size = plan_.cage->size(), before = content_of(rest, rest.vertices, plan_.cage->dimension());
+    const double size = plan_.cage->size();
+    // Segments are drawn, and hold nothing.
+    const std::vector<std::array<int, 2>> none;
+    const Joined joined{rest.faces, none, plan_.cage->dimension()};
+    const ContentUnit unit{.simplices = flat ? 2 : 6};
     double largest = 0, sum = 0;
     std::vector<double> displacement;
     for (std::size_t p = 0; p < rest.vertices.size(); ++p) {
@@ -198,9 +203,9 @@ class DeformedFigure final : public PaperFigure {
       displacement.insert(displacement.end(), step.begin(), step.end());
     }
     panel.data.arrays.push_back({"displacement", "unit of the cage", 3, std::move(displacement)});
-    const double ratio = content_of(rest, panel.data.vertices, plan_.cage->dimension()) / before;
+    const double ratio = content_of(joined, panel.data.vertices, unit) / content_of(joined, rest.vertices, unit);
     // An open mesh has no volume.
-    const bool has_content = flat || is_closed(rest);
+    const bool has_content = flat || is_closed(joined);
     const std::string content = has_content ? fmt::format("{} × {:.3f}, ", flat ? "area" : "volume", ratio) : "";
     if (has_content) panel.measured.emplace_back(flat ? "area ratio" : "volume ratio", ratio);
     panel.measured.emplace_back("largest displacement over cage size", largest / size);

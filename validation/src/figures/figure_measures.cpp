@@ -8,27 +8,6 @@
 
 namespace cageproof::validation {
 
-double content_of(const Mesh& mesh, const std::vector<Vec3<double>>& vertices, int dimension) {
-  double sum = 0;
-  const Vec3<double>& from = vertices.front();
-  for (const auto& face : mesh.faces)
-    for (std::size_t k = 2; k < face.size(); ++k) {
-      const Vec3<double> a = vertices[face[0]] - from, b = vertices[face[k - 1]] - from, c = vertices[face[k]] - from;
-      sum += dimension == 3 ? a.dot(b.cross(c)) / 6 : (b - a).cross(c - a)[2] / 2;
-    }
-  return sum;
-}
-
-bool is_closed(const Mesh& mesh) {
-  std::map<std::pair<int, int>, int> edges;
-  for (const auto& face : mesh.faces)
-    for (std::size_t k = 0; k < face.size(); ++k) ++edges[{face[k], face[(k + 1) % face.size()]}];
-  return std::ranges::all_of(edges, [&](const auto& edge) {
-    const auto other = edges.find({edge.first.second, edge.first.first});
-    return other != edges.end() && other->second == edge.second;
-  });
-}
-
 double asymmetry(const std::vector<Vec3<double>>& points, const std::vector<Vec3<double>>& images) {
   std::map<std::array<double, 3>, std::size_t> at;
   // Zero and its negative are one key.

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What meshes enclose: known contents, and what is open.
+#include "cageproof/core/enclosed.h"
+#include "cageproof/core/mesh_io.h"
+
+#include <gtest/gtest.h>
+
+namespace cageproof {
+namespace {
+
+using Vec = Vec3<double>;
+
+// A box of those half edges somewhere, of quads that point outward.
+Mesh box(const Vec& half, const Vec& middle) {
+  Mesh mesh;
+  for (int v = 0; v < 8; ++v)
+    mesh.vertices.emplace_back(middle + half.cwiseProduct(Vec(v & 1 ? 1 : -1, v & 2 ? 1 : -1, v & 4 ? 1 : -1)));
+  mesh.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  return mesh;
+}
+
+double content(const Mesh& mesh, int dimension, const ContentUnit& unit = {}) {
+  return content_of({mesh.faces, mesh.segments, dimension}, mesh.vertices, unit);
+}
+
+bool is_closed(const Mesh& mesh) { return cageproof::is_closed({mesh.faces, mesh.segments, 3}); }
+
+TEST(Enclosed, a_box_holds_six_simplices_a_cube_wherever_it_is) {
+  const Mesh mesh = box({1, 2, 0.5}, {30, -20, 7});
+  EXPECT_DOUBLE_EQ(content(mesh, 3), 6 * 8);
+  EXPECT_DOUBLE_EQ(content(mesh, 3, {.length = 2}), 6);
+  EXPECT_DOUBLE_EQ(content(mesh, 3, {.simplices = 6}), 8);
+  EXPECT_TRUE(is_closed(mesh));
+}
+
+TEST(Enclosed, what_is_inside_out_is_negative) {
+  Mesh mesh = box({1, 1, 1}, {0, 0, 0});
+  for (auto& face : mesh.faces) std::swap(face[1], face[3]);
+  EXPECT_DOUBLE_EQ(content(mesh, 3), -48);
+  EXPECT_TRUE(is_closed(mesh));
+}
+
+TEST(Enclosed, the_plane_has_areas_of_faces_and_of_segments) {
+  // An L of two faces, and its border.
+  const std::vector<Vec> corners{{5, 1, 0}, {7, 1, 0}, {7, 2, 0}, {6, 2, 0}, {6, 3, 0}, {5, 3, 0}};
+  Mesh faces{corners, {{0, 1, 2, 3}, {0, 3, 4, 5}}}, border{corners, {}};
+  for (int k = 0; k < 6; ++k) border.segments.push_back({k, (k + 1) % 6});
+  for (const Mesh* mesh : {&faces, &border}) {
+    EXPECT_DOUBLE_EQ(content(*mesh, 2), 2 * 3);
+    EXPECT_DOUBLE_EQ(content(*mesh, 2, {.length = 10, .simplices = 2}), 0.03);
+  }
+  EXPECT_FALSE(is_closed(faces));
+  EXPECT_TRUE(is_closed(border));
+}
+
+TEST(Enclosed, a_missing_or_turned_face_or_segment_opens_a_mesh) {
+  Mesh missing = box({1, 1, 1}, {0, 0, 0}), turned = missing, doubled = missing;
+  missing.faces.pop_back();
+  std::swap(turned.faces[3][0], turned.faces[3][2]);
+  doubled.faces.push_back(doubled.faces[2]);
+  for (const Mesh* mesh : {&missing, &turned, &doubled}) EXPECT_FALSE(is_closed(*mesh));
+  Mesh line{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
+  line.segments = {{0, 1}, {1, 2}};
+  EXPECT_FALSE(is_closed(line));
+  line.segments.push_back({2, 0});
+  EXPECT_TRUE(is_closed(line));
+  line.segments.back() = {0, 2};
+  EXPECT_FALSE(is_closed(line));
+}
+
+TEST(Enclosed, without_vertices_there_is_no_content) { EXPECT_EQ(content({}, 3), 0); }
+
+}  // namespace
+}  // namespace cageproof
