@@ -2,8 +2,8 @@
 #include "boundary_data.h"
 #include "commands.h"
 #include "coordinate_files.h"
-#include "coordinate_summary.h"
 #include "progress.h"
+#include "summary_lines.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_evaluation.h"
@@ -113,7 +113,8 @@ int run(const Arguments& a) {
     progress("coordinates", done, mesh.vertices.size());
   });
   progress.clear();
-  const CoordinateSummary summary = summary_of(coordinates, cage, a.cage.rule(), mesh.vertices, table, a.jobs);
+  const validation::CoordinateSummary summary =
+      validation::summary_of(coordinates, cage, a.cage.rule(), mesh.vertices, table.values, a.jobs);
   if (!a.data.empty()) table = functions_of(table, coordinates, a.order, data);
   if (a.out.empty()) {
     std::cout << csv_text(table);

@@ -69,8 +69,7 @@ MeshMeasures measures_of(const CageElements& cage, double size, const std::vecto
   found.missing = static_cast<std::size_t>(std::ranges::count(images.missing, 1));
   const std::size_t present = moved.size() - found.missing;
   found.mean_displacement = present > 0 ? sum / static_cast<double>(present) : none;
-  found.cage_ratio =
-      posed.empty() ? none : cage_content(cage, posed, size) / cage_content(cage, cage.vertices(), size);
+  found.cage_ratio = posed.empty() ? none : cage_content(cage, posed, size) / cage_content(cage, cage.vertices(), size);
   found.mesh_ratio = mesh_ratio(rest, moved, d, size);
   if (order >= 1) found.jacobians = jacobian_measures(images.maps[map].tensors[1], images.missing, d);
   return found;

@@ -42,8 +42,8 @@ TEST(MeshMeasures, of_an_affine_map_are_its_own) {
   const Eigen::Matrix3d linear = Vec(2, -3, .5).asDiagonal();
   const Vec shift(1, 0, 0);
   const PointImages images = affine_images(linear, shift, rest.vertices, 3);
-  const MeshMeasures found = measures_of(elements_of(c.cage), c.size, mapped(linear, shift, c.cage.vertices()), rest,
-                                         images, 0, 1);
+  const MeshMeasures found =
+      measures_of(elements_of(c.cage), c.size, mapped(linear, shift, c.cage.vertices()), rest, images, 0, 1);
   EXPECT_EQ(found.missing, 0U);
   // The steps are (x + 1, -4 y, -z / 2).
   const double steps[]{1, 1.25, std::hypot(1, 1), std::hypot(1, .125), std::hypot(1.1, .4, .05)};
@@ -95,8 +95,8 @@ TEST(MeshMeasures, the_plane_has_areas) {
   rest.segments = {{0, 1}, {1, 2}, {2, 0}};
   const Eigen::Matrix3d linear = Vec(2, .75, 1).asDiagonal();
   const PointImages images = affine_images(linear, {3, 1, 0}, rest.vertices, 2);
-  const MeshMeasures found = measures_of(elements_of(c.cage), c.size, mapped(linear, {3, 1, 0}, c.cage.vertices()),
-                                         rest, images, 0, 1);
+  const MeshMeasures found =
+      measures_of(elements_of(c.cage), c.size, mapped(linear, {3, 1, 0}, c.cage.vertices()), rest, images, 0, 1);
   EXPECT_NEAR(found.cage_ratio, 1.5, 1e-14);
   EXPECT_NEAR(found.mesh_ratio, 1.5, 1e-14);
   EXPECT_NEAR(found.jacobians->least_singular_value, .75, 1e-14);

@@ -19,18 +19,17 @@ struct JacobianMeasures {
 };
 
 struct MeshMeasures {
-  std::size_t missing = 0;          ///< points without image; others count below
-  double largest_displacement = 0;  ///< in the mesh's unit of length, as the mean
-  double mean_displacement;         ///< NaN where no point has an image
-  double cage_ratio;                ///< content of the posed cage over that at rest; NaN without posed cage
-  double mesh_ratio;                ///< the same of the mesh; NaN where it is open, or holds nothing at rest
+  std::size_t missing = 0;                    ///< points without image; others count below
+  double largest_displacement = 0;            ///< in the mesh's unit of length, as the mean
+  double mean_displacement;                   ///< NaN where no point has an image
+  double cage_ratio;                          ///< content of the posed cage over that at rest; NaN without posed cage
+  double mesh_ratio;                          ///< the same of the mesh; NaN where it is open, or holds nothing at rest
   std::optional<JacobianMeasures> jacobians;  ///< where they were asked for
 };
 
-/// \param posed the cage's vertices; empty where a map has no posed cage \param size of the cage, the unit that contents
-/// are summed in
-/// \param images of the mesh's vertices, and `map` that one of the maps, counted from 0; \param order highest derivative
-/// that these have
+/// \param posed the cage's vertices; empty where a map has no posed cage \param size of the cage, the unit that
+/// contents are summed in \param images of the mesh's vertices, and `map` that one of the maps, counted from 0; \param
+/// order highest derivative that these have
 MeshMeasures measures_of(const CageElements& cage, double size, const std::vector<Vec3<double>>& posed,
                          const Mesh& rest, const PointImages& images, std::size_t map, int order);
 

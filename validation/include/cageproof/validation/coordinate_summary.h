@@ -3,13 +3,13 @@
 // others reproduce.
 #pragma once
 
-#include "coordinate_table.h"
+#include "cageproof/core/coordinates.h"
 
 #include <cstddef>
-#include <string>
+#include <span>
 #include <vector>
 
-namespace cageproof::cli {
+namespace cageproof::validation {
 
 /// Of one quantity: its largest value, and the point that has it, counted from 0.
 struct Largest {
@@ -31,11 +31,9 @@ struct CoordinateSummary {
   std::size_t unusable = 0;
 };
 
-/// \param table with values first in each block \param jobs threads; 0: all cores
+/// \param table a row a point; in a row block by block, all values of a block, then all its derivatives
+/// \param jobs threads; 0: all cores
 CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cage, Triangulation rule,
-                             const std::vector<Vec3<double>>& points, const CoordinateColumns& table, int jobs);
+                             const std::vector<Vec3<double>>& points, std::span<const double> table, int jobs);
 
-/// Lines for a user: counts, residuals, and a warning for each kind of points that a mesh cannot be deformed at.
-std::vector<std::string> lines_of(const CoordinateSummary& summary, const CoordinateKind& kind, const Cage& cage);
-
-}  // namespace cageproof::cli
+}  // namespace cageproof::validation

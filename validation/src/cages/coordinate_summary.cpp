@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "coordinate_summary.h"
+#include "cageproof/validation/coordinate_summary.h"
 
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/cage_errors.h"
 #include "cageproof/validation/cage_points.h"
 #include "cageproof/core/parallel.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <span>
 
-namespace cageproof::cli {
+namespace cageproof::validation {
 namespace {
 
 // Beyond this a sum of coordinates is a warning.
@@ -60,16 +58,13 @@ bool reproduces_points(const CageCoordinates& coordinates) {
                              [](const CoordinateBlock& b) { return b.reproduces != Reproduces::Nothing; });
 }
 
-// "1 point", "2 points".
-std::string points_of(std::size_t count) { return fmt::format("{} point{}", count, count == 1 ? "" : "s"); }
-
 }  // namespace
 
 CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cage, Triangulation rule,
-                             const std::vector<Vec3<double>>& points, const CoordinateColumns& table, int jobs) {
+                             const std::vector<Vec3<double>>& points, std::span<const double> table, int jobs) {
   const CoordinateKind& kind = coordinates.kind();
-  const validation::CageLocator locator(cage, rule, kind.keeps_quads);
-  const std::size_t columns = table.names.size();
+  const CageLocator locator(cage, rule, kind.keeps_quads);
+  const std::size_t columns = points.empty() ? 0 : table.size() / points.size();
   std::size_t values = 0;
   for (const CoordinateBlock& block : coordinates.blocks())
     values += static_cast<std::size_t>(block.size) * block.entries();
@@ -84,7 +79,7 @@ CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cag
       const bool on = !coordinates.elements().touching(points[p]).empty();
       const int winding = on ? 1 : locator.winding(points[p]);
       ++(on ? mine.on : winding == 0 ? mine.outside : mine.inside);
-      const auto blocks = blocks_of(coordinates, std::span(table.values).subspan(p * columns, columns), per_block);
+      const auto blocks = blocks_of(coordinates, table.subspan(p * columns, columns), per_block);
       bool nan = false, infinite = false;
       for (const Result<double>& block : blocks)
         for (const double x : block.value) nan = nan || std::isnan(x), infinite = infinite || std::isinf(x);
@@ -93,7 +88,7 @@ CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cag
       if (nan || infinite || (sum.reproduces && winding == 0 && !kind.normalised)) ++mine.unusable;
       if (nan || infinite || !sum.reproduces) continue;
       const double expected = kind.normalised ? 1 : winding;
-      const validation::CageErrors errors = validation::errors_of(coordinates, cage, blocks, points[p], expected, 0);
+      const CageErrors errors = errors_of(coordinates, cage, blocks, points[p], expected, 0);
       if (!(errors.partition[0].relative <= kExactSum)) ++mine.inexact;
       keep(mine.partition, errors.partition[0].relative, p);
       keep(mine.reproduction, errors.reproduction[0].relative, p);
@@ -104,37 +99,4 @@ CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cag
   return sum;
 }
 
-std::vector<std::string> lines_of(const CoordinateSummary& s, const CoordinateKind& kind, const Cage& cage) {
-  std::vector<std::string> lines{fmt::format("{}: {} inside, {} on and {} outside {}", points_of(s.points), s.inside,
-                                             s.on, s.outside, cage.name())};
-  if (s.reproduces && s.missing + s.infinite < s.points)
-    lines.push_back(fmt::format(
-        "largest residual: partition of unity {:.2g} (point {}), linear reproduction {:.2g} cage sizes (point {})",
-        s.partition.value, s.partition.point, s.reproduction.value, s.reproduction.point));
-  if (s.outside > 0 && !kind.normalised && s.reproduces)
-    lines.push_back(
-        fmt::format("warning: {} coordinates sum to zero outside the cage: what is deformed with them "
-                    "collapses to the origin at {} (normalised kinds, as mean_value, do not)",
-                    kind.name, points_of(s.outside)));
-  if (s.inexact > 0)
-    lines.push_back(fmt::format("warning: {} coordinates of {} of {} points sum to {} to fewer than 8 digits{}",
-                                kind.name, s.inexact, s.points,
-                                kind.normalised || s.outside == 0 ? "one" : "one, or zero outside,",
-                                kind.normalised ? ": far from the cage their weights cancel" : ""));
-  const std::string_view lost = kind.normalised ? "the sum of their weights is zero in double, or leaves its range"
-                                                : "terms of theirs leave the range of double";
-  if (s.missing > 0) {
-    const std::string_view reason = !kind.missing_because.empty() ? kind.missing_because
-                                    : cage.allows_invalid_quads() && kind.keeps_quads
-                                        ? "the cage's quads are not valid there"
-                                        : lost;
-    lines.push_back(fmt::format("warning: {} of {} points have no {} coordinates (nan): {}", s.missing, s.points,
-                                kind.name, reason));
-  }
-  if (s.infinite > 0)
-    lines.push_back(fmt::format("warning: {} of {} points have infinite {} coordinates: {}", s.infinite, s.points,
-                                kind.name, lost));
-  return lines;
-}
-
-}  // namespace cageproof::cli
+}  // namespace cageproof::validation

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Summaries of coordinates: counts of points and what their coordinates lack, told from tables that are spoilt on
+// purpose.
+#include "cageproof/validation/coordinate_summary.h"
+
+#include "cageproof/core/embedded_cages.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace cageproof::validation {
+namespace {
+
+using Vec = Vec3<double>;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+
+struct Summarised {
+  explicit Summarised(const std::string& name, int highest = 0) : kind(coordinate_kind_named(name)), order(highest) {
+    for (const Vec& point : points)
+      for (const Result<double>& block : coordinates.at(point, order))
+        for (int o = 0; o <= order; ++o) table.insert(table.end(), block.of(o).begin(), block.of(o).end());
+  }
+  CoordinateSummary summary(int jobs = 1) const {
+    return summary_of(coordinates, cage, Triangulation::Shortest, points, table, jobs);
+  }
+  // A number in a point's row.
+  double& at(std::size_t point, std::size_t column) { return table[point * (table.size() / points.size()) + column]; }
+
+  const Cage cage = embedded_cage("cube");
+  const CoordinateKind& kind;
+  const int order;
+  const CageCoordinates coordinates{cage, kind, CoordinateOptions{}};
+  // Inside, inside, on a face, on a vertex, outside, inside.
+  const std::vector<Vec> points{{.1, .2, .3}, {0, 0, 0}, {.5, .125, -.25}, {.5, .5, .5}, {2, 0, 0}, {-.3, .1, .2}};
+  std::vector<double> table;
+};
+
+TEST(CoordinateSummary, counts_where_points_lie) {
+  for (const std::string kind : {"green", "mean_value"}) {
+    const CoordinateSummary found = Summarised(kind).summary();
+    EXPECT_EQ(found.points, 6U);
+    EXPECT_EQ(found.inside, 3U);
+    EXPECT_EQ(found.on, 2U);
+    EXPECT_EQ(found.outside, 1U);
+    EXPECT_TRUE(found.reproduces);
+    EXPECT_EQ(found.missing + found.infinite + found.inexact, 0U);
+    EXPECT_LT(found.partition.value, 1e-13);
+    EXPECT_LT(found.reproduction.value, 1e-13);
+    // A mesh collapses outside, but for normalised kinds.
+    EXPECT_EQ(found.unusable, kind == "green" ? 1U : 0U);
+  }
+}
+
+TEST(CoordinateSummary, what_is_not_finite_counts_once_and_has_no_residual) {
+  Summarised s("mean_value");
+  s.at(0, 3) = nan;
+  s.at(0, 4) = inf;
+  s.at(5, 0) = -inf;
+  const CoordinateSummary found = s.summary();
+  EXPECT_EQ(found.missing, 1U);
+  EXPECT_EQ(found.infinite, 1U);
+  EXPECT_EQ(found.unusable, 2U);
+  EXPECT_EQ(found.inexact, 0U);
+  EXPECT_LT(found.partition.value, 1e-13);
+}
+
+TEST(CoordinateSummary, residuals_are_the_largest_and_name_their_points) {
+  Summarised s("mean_value");
+  s.at(1, 0) += 1e-7;
+  s.at(5, 7) -= 3e-7;
+  const CoordinateSummary found = s.summary();
+  EXPECT_EQ(found.inexact, 2U);
+  EXPECT_NEAR(found.partition.value, 3e-7, 1e-12);
+  EXPECT_EQ(found.partition.point, 5U);
+  EXPECT_NEAR(found.reproduction.value, 3e-7 * s.cage.vertices()[7].norm() / s.cage.size(), 1e-12);
+  EXPECT_EQ(found.reproduction.point, 5U);
+  EXPECT_EQ(found.unusable, 0U);
+}
+
+TEST(CoordinateSummary, derivatives_between_the_blocks_are_not_looked_at) {
+  const CoordinateSummary values = Summarised("green").summary();
+  Summarised s("green", 1);
+  // The gradients of phi stand before psi.
+  s.at(0, s.coordinates.blocks()[0].size) = nan;
+  const CoordinateSummary found = s.summary();
+  EXPECT_EQ(found.missing, 0U);
+  EXPECT_NEAR(found.partition.value, values.partition.value, 1e-13);
+  EXPECT_NEAR(found.reproduction.value, values.reproduction.value, 1e-13);
+  EXPECT_EQ(found.inexact, 0U);
+}
+
+TEST(CoordinateSummary, threads_change_nothing_and_of_equals_the_first_point_is_named) {
+  Summarised s("mean_value");
+  const std::size_t times = 50;
+  s.at(2, 1) += 1e-3;
+  std::vector<Vec> points;
+  std::vector<double> table;
+  for (std::size_t i = 0; i < times; ++i) {
+    points.insert(points.end(), s.points.begin(), s.points.end());
+    table.insert(table.end(), s.table.begin(), s.table.end());
+  }
+  for (const int jobs : {1, 4}) {
+    const CoordinateSummary found =
+        summary_of(s.coordinates, s.cage, Triangulation::Shortest, points, table, jobs);
+    EXPECT_EQ(found.points, 6 * times);
+    EXPECT_EQ(found.on, 2 * times);
+    EXPECT_EQ(found.inexact, times);
+    EXPECT_EQ(found.partition.point, 2U);
+    EXPECT_EQ(found.reproduction.point, 2U);
+  }
+}
+
+TEST(CoordinateSummary, of_no_points_is_empty) {
+  const Summarised s("green");
+  const CoordinateSummary found = summary_of(s.coordinates, s.cage, Triangulation::Shortest, {}, {}, 1);
+  EXPECT_EQ(found.points, 0U);
+  EXPECT_EQ(found.unusable, 0U);
+}
+
+}  // namespace
+}  // namespace cageproof::validation
