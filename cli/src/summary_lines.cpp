@@ -11,7 +11,8 @@ std::string points_of(std::size_t count) { return fmt::format("{} point{}", coun
 
 }  // namespace
 
-std::vector<std::string> lines_of(const validation::CoordinateSummary& s, const CoordinateKind& kind, const Cage& cage) {
+std::vector<std::string> lines_of(const validation::CoordinateSummary& s, const CoordinateKind& kind,
+                                  const Cage& cage) {
   std::vector<std::string> lines{fmt::format("{}: {} inside, {} on and {} outside {}", points_of(s.points), s.inside,
                                              s.on, s.outside, cage.name())};
   if (s.reproduces && s.missing + s.infinite < s.points)

@@ -102,8 +102,7 @@ TEST(CoordinateSummary, threads_change_nothing_and_of_equals_the_first_point_is_
     table.insert(table.end(), s.table.begin(), s.table.end());
   }
   for (const int jobs : {1, 4}) {
-    const CoordinateSummary found =
-        summary_of(s.coordinates, s.cage, Triangulation::Shortest, points, table, jobs);
+    const CoordinateSummary found = summary_of(s.coordinates, s.cage, Triangulation::Shortest, points, table, jobs);
     EXPECT_EQ(found.points, 6 * times);
     EXPECT_EQ(found.on, 2 * times);
     EXPECT_EQ(found.inexact, times);
