@@ -61,8 +61,8 @@ FigureLayout layout_of(const FigureSheet& sheet) {
     cages = cages.max(cage_box(panel, axes).sizes().array());
     wholes = wholes.max(whole_box(panel, axes).sizes().array());
   }
-  cages = cages.max(1e-3 * cages.maxCoeff()).max(1e-300);
-  const Eigen::Array2d room = wholes.min(beyond * cages).max(cages);
+  Eigen::Array2d room = wholes.min(beyond * cages);
+  if ((room == 0).all()) room.setOnes();  // points at one place, which have no scale
   const int columns = std::min<int>(sheet.columns, static_cast<int>(sheet.panels.size()));
   const double width = std::floor((1360.0 - 2 * margin - (columns - 1) * gap) / std::max(columns, 3));
   const double height = std::floor(std::clamp(width * room[1] / room[0], least_height, most_height));

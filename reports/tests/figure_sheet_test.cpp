@@ -6,6 +6,7 @@
 #include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/mesh_thinning.h"
+#include "figure_layout.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -135,6 +136,79 @@ TEST(FigureSheet, panels_have_one_scale_unless_they_are_too_large) {
     EXPECT_NEAR(std::hypot(step[0], step[1]), frame.scale * std::sqrt(1 - towards[axis] * towards[axis]), 1e-9);
   EXPECT_EQ(frame.z[0], 0) << "up is up";
   EXPECT_LT(frame.z[1], 0);
+}
+
+// A figure of one cage a panel, seen from above: as wide and as high as the box.
+FigureSheet seen_from_above(const Vec3<double>& half, int columns, int panels) {
+  FigureSheet sheet = boxes();
+  sheet.columns = columns;
+  sheet.view = {{0, 0, 1}, {0, 1, 0}};
+  sheet.panels.assign(panels, box_panel(half, "box"));
+  for (FigurePanel& panel : sheet.panels) panel.cage = box(half);
+  return sheet;
+}
+
+TEST(FigureSheet, panels_fill_the_page) {
+  double third = 0;
+  for (const int columns : {3, 1, 2, 4, 5}) {
+    const FigureLayout layout = layout_of(seen_from_above({2, 1, 1}, columns, 5));
+    const FigureFrame &first = layout.frames[0], &last = layout.frames[columns - 1];
+    if (columns == 3) third = first.width;
+    EXPECT_LE(layout.width, 1360) << columns;
+    if (columns >= 3) EXPECT_GT(layout.width, 1360 - columns - 1) << columns;
+    else EXPECT_TRUE(first.width >= third && first.width <= 1360 / 3) << "few panels take a third each";
+    EXPECT_EQ(last.top, first.top);
+    EXPECT_EQ(first.left, layout.width - (last.left + last.width)) << "margins are alike";
+    EXPECT_EQ(first.top - title_height, layout.height - (layout.frames[4].top + layout.frames[4].height));
+    if (columns > 1) EXPECT_GT(layout.frames[1].left, first.left + first.width);
+    if (columns < 5) EXPECT_GE(layout.frames[columns].top - title_height, first.top + first.height);
+  }
+  // Columns that no panel is in take no place.
+  EXPECT_EQ(layout_of(seen_from_above({2, 1, 1}, 9, 2)).width, layout_of(seen_from_above({2, 1, 1}, 2, 2)).width);
+}
+
+TEST(FigureSheet, a_panel_is_as_high_as_what_it_shows_within_limits) {
+  const auto shape = [](const Vec3<double>& half) {
+    const FigureFrame frame = layout_of(seen_from_above(half, 3, 3)).frames[0];
+    const auto low = frame.at(-half), high = frame.at(half);
+    // In the middle, and as large as lines and dots at the border let it be.
+    EXPECT_NEAR((low[0] + high[0]) / 2, frame.left + frame.width / 2, 1e-9);
+    EXPECT_NEAR((low[1] + high[1]) / 2, frame.top + frame.height / 2, 1e-9);
+    const double beside = frame.width - (high[0] - low[0]), above = frame.height - (low[1] - high[1]);
+    EXPECT_NEAR(std::min(beside, above), 16, 1e-6);
+    return frame.height / frame.width;
+  };
+  EXPECT_NEAR(shape({2, 1, 1}), 0.5, 1 / 400.0);
+  EXPECT_NEAR(shape({1, 0.8, 1}), 0.8, 1 / 400.0);
+  EXPECT_EQ(shape({1, 0, 1}), shape({1, 0.1, 1})) << "the least height";
+  EXPECT_EQ(shape({0, 1, 1}), shape({1, 5, 1})) << "the most";
+  // Figures have no unit of length.
+  for (const double unit : {1e-100, 1e100}) EXPECT_EQ(shape(unit * Vec3<double>(2, 1, 1)), shape({2, 1, 1}));
+}
+
+TEST(FigureSheet, images_beyond_their_cage_shrink_all_panels_a_little_and_themselves_if_they_must) {
+  const auto layout_with = [](double width) {
+    FigureSheet sheet = seen_from_above({1, 0.5, 1}, 3, 3);
+    sheet.panels[2].data.vertices = box({width, 0.5, 1});
+    return layout_of(sheet);
+  };
+  const double alone = layout_with(1).frames[0].scale;
+  const FigureLayout near = layout_with(1.2), far = layout_with(4);
+  EXPECT_LT(near.frames[0].scale, alone);
+  EXPECT_EQ(near.frames[2].share, 1);
+  EXPECT_LT(far.frames[2].share, 1);
+  EXPECT_EQ(far.frames[0].share, 1);
+  EXPECT_EQ(far.frames[0].scale, layout_with(9).frames[0].scale) << "no image shrinks the others more";
+  EXPECT_GT(far.frames[0].scale, alone / 1.5);
+}
+
+TEST(FigureSheet, a_point_is_in_the_middle_of_its_panel) {
+  FigureSheet sheet = seen_from_above({0, 0, 0}, 1, 1);
+  const Vec3<double> point(0.3, -0.7, 0.1);
+  sheet.panels[0].cage = sheet.panels[0].data.vertices = {point};
+  const FigureFrame frame = layout_of(sheet).frames[0];
+  EXPECT_NEAR(frame.at(point)[0], frame.left + frame.width / 2, 1e-9);
+  EXPECT_NEAR(frame.at(point)[1], frame.top + frame.height / 2, 1e-9);
 }
 
 TEST(FigureSheet, near_faces_hide_far_ones_in_whatever_order_they_come) {
