@@ -280,7 +280,7 @@ for (const details of document.querySelectorAll("details.picture")) {
 function drawTimes(box) {
   const times = JSON.parse(document.getElementById("times-data").textContent).filter((time) => time.generic !== null);
   if (!times.length) return;
-  const errors = times.flatMap((time) => [time.generic, time.near]).map(heightOf).filter(Number.isFinite);
+  const errors = times.flatMap((time) => [time.generic, time.near ?? time.generic]).map(heightOf).filter(Number.isFinite);
   const top = 10 ** (Math.ceil(Math.log10(Math.max(100, ...errors))) + 1), width = 300, height = 230, left = 48, gap = 22;
   const spread = d3.extent(times, (time) => time.nanoseconds);
   const x = d3.scaleLog([spread[0] / 1.5, spread[1] * 1.5], [0, width]), y = d3.scaleLog([low, top], [height, 0]);
@@ -291,10 +291,11 @@ function drawTimes(box) {
     axes(panel, x, y, width, height, title, order === 0);
     for (const time of times.filter((one) => one.order === order)) {
       const name = `${time.evaluation}, double`, style = styleOf(name), at = x(time.nanoseconds);
-      const generic = heightOf(time.generic), near = heightOf(time.near);
+      const generic = heightOf(time.generic), near = heightOf(time.near ?? time.generic);
+      const written = (error) => (Number.isFinite(error) ? error.toPrecision(2) : "not finite");
       const group = panel.append("g").attr("data-series", name);
       group.append("line").attr("x1", at).attr("x2", at).attr("y1", place(generic)).attr("y2", place(near)).attr("stroke", style.colour).attr("stroke-dasharray", "1 3");
-      const text = `${name}, ${title}: ${time.nanoseconds} ns; at generic distance ${Number.isFinite(generic) ? generic.toPrecision(2) : "not finite"}, next to the element ${Number.isFinite(near) ? near.toPrecision(2) : "not finite"}`;
+      const text = `${name}, ${title}: ${time.nanoseconds} ns; at generic distance ${written(generic)}${time.near === null ? "" : `, next to the element ${written(near)}`}`;
       for (const [error, fill] of [[near, "none"], [generic, style.colour]])
         tipOn(group.append("path").attr("d", d3.symbol(style.mark, 50)()).attr("transform", `translate(${at},${place(error)})`).attr("fill", fill).attr("stroke", style.colour).attr("pointer-events", "all").attr("tabindex", fill === "none" ? null : 0), () => text);
     }

@@ -323,6 +323,62 @@ TEST(ReportFiles, ACellAnswersWithItsWorstInputAndTheTruth) {
   EXPECT_TRUE(cell_of(report(run), page, "truth.generic.closed_form.double.0").contains("median"));
 }
 
+// What the picture of times and errors on a formula's page is drawn from.
+Json times_on_page(const RunResult& run, const std::string& formula) {
+  const std::string page = report(run).at(fmt::format("formulas/{}.html", formula));
+  const std::string start = "<script type=\"application/json\" id=\"times-data\">";
+  const auto at = page.find(start) + start.size();
+  return Json::parse(page.substr(at, page.find("</script>", at) - at));
+}
+
+TEST(ReportFiles, TimesStandBesideTheirOwnErrors) {
+  RunResult run = sample_run(2, 4);
+  run.rows[0].verdict = Verdict::Broken;
+  const std::string formula = run.rows[0].subject;
+  run.sessions[0].times = {{formula, "closed_form", 0, 850.4},
+                           {formula, "closed_form", 2, 1999.6},
+                           {formula, "gauss-8", 0, 30},
+                           {run.rows.back().subject, "closed_form", 0, 7}};
+  run.sessions[0].times.back().formula = std::next(catalogue().begin(), 1)->name;
+  const auto row_of = [&](const std::string& regime, int order, const std::string& check) -> ResultRow& {
+    return *std::ranges::find_if(run.rows, [&](const ResultRow& row) {
+      return row.subject == formula && row.evaluation == "closed_form" && row.scalar == "double" &&
+             row.setting == regime && row.check == check && row.order == order;
+    });
+  };
+  // Rows of anything else are far off.
+  for (ResultRow& row : run.rows) row.max = 1e6;
+  for (const int order : {0, 1, 2}) {
+    row_of("generic", order, "truth").max = 9 + order;
+    row_of("near-face", order, "truth").max = 3;
+    row_of("near-edge", order, "truth").max = 5 + order;
+    row_of("near-vertex", order, "truth").max = 2;
+  }
+  row_of("generic", 0, "truth").max = 0;
+  const Json times = times_on_page(run, formula);
+  ASSERT_EQ(times.size(), 3u);
+  EXPECT_EQ(
+      times[0],
+      (Json{{"evaluation", "closed_form"}, {"order", 0}, {"nanoseconds", 850.0}, {"generic", 0.0}, {"near", 5.0}}));
+  EXPECT_EQ(
+      times[1],
+      (Json{{"evaluation", "closed_form"}, {"order", 2}, {"nanoseconds", 2000.0}, {"generic", 11.0}, {"near", 7.0}}));
+  EXPECT_EQ(times[2]["evaluation"], "gauss-8");
+  EXPECT_EQ(times[2]["generic"], 1e6);
+  // What was not measured has no error, and what is not finite says so.
+  for (const char* regime : {"near-edge", "near-vertex"}) row_of(regime, 0, "truth").samples = 0;
+  row_of("generic", 2, "truth").max = row_of("near-face", 2, "truth").max = HUGE_VAL;
+  EXPECT_EQ(times_on_page(run, formula)[0]["near"], 3.0);
+  row_of("near-face", 0, "truth").max = 0;
+  EXPECT_EQ(times_on_page(run, formula)[0]["near"], 0.0);
+  for (const char* regime : {"generic", "near-face"}) row_of(regime, 0, "truth").samples = 0;
+  const Json without = times_on_page(run, formula);
+  EXPECT_TRUE(without[0]["generic"].is_null());
+  EXPECT_TRUE(without[0]["near"].is_null());
+  EXPECT_EQ(without[1]["generic"], "inf");
+  EXPECT_EQ(without[1]["near"], "inf");
+}
+
 TEST(ReportFiles, WhatNoResultCouldBreakIsGrey) {
   RunResult run = sample_run(1, 1);
   ResultRow& row = run.rows[0];
