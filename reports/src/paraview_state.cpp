@@ -62,14 +62,10 @@ class Proxy {
   }
   Proxy& set(const char* name, int value) { return set(name, std::vector{value}); }
   Proxy& set(const char* name, const std::string& value) { return set(name, std::vector{value}); }
-  /// Other proxies; sources with their output.
-  Proxy& refer(const char* name, const std::vector<int>& ids, bool to_output = false) {
+  /// Other proxies; of a source that is its first output.
+  Proxy& refer(const char* name, const std::vector<int>& ids) {
     Element& property = begin(name, ids.size());
-    for (const int id : ids) {
-      Element& proxy = child(property, "Proxy");
-      proxy.SetIntAttribute("value", id);
-      if (to_output) proxy.SetIntAttribute("output_port", 0);
-    }
+    for (const int id : ids) child(property, "Proxy").SetIntAttribute("value", id);
     return *this;
   }
   Element& element() { return element_; }
@@ -142,7 +138,7 @@ class State {
     proxy("sources", files_.mesh, "sources", "XMLPolyDataReader", kMesh, 1).set("FileName", files_.mesh);
     // Vertices that were measured, alone.
     proxy("sources", "measured vertices", "filters", "Threshold", kPoints, 1)
-        .refer("Input", {kMesh}, true)
+        .refer("Input", {kMesh})
         .set("SelectInputScalars", colour_by(mask_name(scene_.compared.front())))
         .set("ThresholdMethod", 0)
         .set("LowerThreshold", int{kHasValue})
@@ -181,7 +177,7 @@ class State {
     const auto representation = [&](const char* type, int input) {
       shown.push_back(next);
       return proxy("representations", fmt::format("{}{}", type, next), "representations", type, next++, 21)
-          .refer("Input", {input}, true)
+          .refer("Input", {input})
           .set("Visibility", 1);
     };
     const auto coloured = [&](Proxy one) {
@@ -215,7 +211,7 @@ class State {
     shown.push_back(next);
     proxy("representations", fmt::format("TextSourceRepresentation{}", next), "representations",
           "TextSourceRepresentation", next++, 21)
-        .refer("Input", {text}, true)
+        .refer("Input", {text})
         .set("Visibility", 1)
         .set("Color", std::vector<double>{0, 0, 0})
         .set("TextPropMode", 0)

@@ -173,6 +173,32 @@ TEST_P(ParaviewState, RefersToProxiesThatItDefines) {
   for (const std::string& id : asked) EXPECT_TRUE(defined.contains(id)) << id;
 }
 
+// What stands over a view, and beside its colour on the page, is the evaluation that its errors are of.
+TEST_P(ParaviewState, NamesWhatIsCompared) {
+  std::vector<std::string> labels;
+  for (Element* proxy : proxies("TextSource")) labels.push_back(values_of(*proxy, "Text").at(0));
+  EXPECT_EQ(labels, (std::vector<std::string>{"gauss-8", "closed_form"}));
+  EXPECT_NE(read_file(path(entry_.page)).find("\"compared\":[\"gauss-8\",\"closed_form\"]"), std::string::npos);
+  EXPECT_EQ(short_name("plugin:mine: relative error"), "plugin:mine");
+  EXPECT_EQ(short_name("mine: error: relative"), "mine");
+  EXPECT_EQ(short_name("inside"), "inside");
+}
+
+// The page that opens in a browser shows the first scene, and says so of no other.
+TEST_P(ParaviewState, HasAPageForTheFirstSceneOnly) {
+  ReportWriter writer(scratch_.path() / "two", ReportWriter::Kind::Field);
+  FieldScene scene = sample_scene(GetParam());
+  scene.title = "first scene";
+  for (const FieldEntry& entry : writer.write_scene(scene)) EXPECT_EQ(entry.page, "field.html");
+  scene.title = "second scene";
+  for (const FieldEntry& entry : writer.write_scene(scene)) EXPECT_EQ(entry.page, "");
+  writer.write({});
+  writer.commit();
+  const std::string page = read_file(scratch_.path() / "two/field.html");
+  EXPECT_NE(page.find("first scene"), std::string::npos);
+  EXPECT_EQ(page.find("second scene"), std::string::npos);
+}
+
 // ParaView ends at an element without its value. VTK's reader drops empty ones, so the text is what counts.
 TEST_P(ParaviewState, GivesEveryElementAValue) {
   const std::string text = read_file(path(entry_.state));
