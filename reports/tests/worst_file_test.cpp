@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/worst_file.h"
 
+#include "cageproof/core/formula.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/checked_file.h"
 #include "sample_run.h"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -61,6 +63,8 @@ TEST_F(WorstFile, RoundTripIsExact) {
       EXPECT_EQ(line.unit, row.unit);
       EXPECT_EQ(line.bound, row.bound);
       EXPECT_EQ(line.triangulation, "shortest");
+      EXPECT_EQ(line.provenance, "");
+      EXPECT_EQ(line.number, static_cast<int>(at));
       EXPECT_EQ(line.flags, std::vector<std::string>{row.place.empty() ? row.setting : row.place});
       EXPECT_TRUE(same_bits(line.worst.error, worst.error));
       EXPECT_TRUE(same_bits(line.worst.parameter, worst.parameter));
@@ -81,6 +85,39 @@ TEST_F(WorstFile, ParametersKeepTheirOrder) {
   run.rows[0].worst.resize(1);
   run.rows[0].worst[0].parameters = {0.3, 1e-320, -7.0};
   EXPECT_EQ(read_worst(write(worst_lines(run)))[0].worst.parameters, run.rows[0].worst[0].parameters);
+}
+
+TEST_F(WorstFile, ParametersGoByTheirNames) {
+  const auto formula = std::ranges::find_if(catalogue(), [](const Formula& f) { return f.parameters.size() > 1; });
+  ASSERT_NE(formula, catalogue().end());
+  const std::string first(formula->parameters[0].name), second(formula->parameters[1].name);
+  RunResult run = sample_run(1, 1);
+  run.rows.resize(1);
+  run.rows[0].subject = formula->name;
+  run.rows[0].worst.resize(1);
+  const auto read_back = [&](const nlohmann::json& line) { return read_worst(write(line.dump()))[0].worst.parameters; };
+  // A case may need none.
+  nlohmann::json line = nlohmann::json::parse(worst_lines(run));
+  EXPECT_EQ(line["parameters"], nlohmann::json::object());
+  EXPECT_EQ(read_back(line), std::vector<double>());
+  run.rows[0].worst[0].parameters.resize(formula->parameters.size());
+  run.rows[0].worst[0].parameters[0] = 0.3;
+  run.rows[0].worst[0].parameters[1] = -7;
+  line = nlohmann::json::parse(worst_lines(run));
+  EXPECT_EQ(line["parameters"][first], "0x1.3333333333333p-2");
+  EXPECT_EQ(read_back(line), run.rows[0].worst[0].parameters);
+  // Whatever order they stand in, and whatever stands beside them.
+  line["parameters"] = {};
+  for (const Parameter& parameter : formula->parameters) line["parameters"][std::string(parameter.name)] = 0;
+  line["parameters"][first] = 2;
+  line["parameters"][second] = 1;
+  line["parameters"]["a remark"] = 5;
+  const std::vector<double> found = read_back(line);
+  ASSERT_EQ(found.size(), formula->parameters.size());
+  EXPECT_EQ(found[0], 2);
+  EXPECT_EQ(found[1], 1);
+  line["parameters"].erase(second);
+  EXPECT_NE(message_of(write(line.dump())).find(fmt::format("\"parameters\" lacks \"{}\"", second)), std::string::npos);
 }
 
 TEST_F(WorstFile, SaysWhereACageStood) {
@@ -108,6 +145,9 @@ TEST_F(WorstFile, SaysWhereACageStood) {
                          {"parameter2", shift[1]},
                          {"parameter3", shift[2]}};
   expect_frame(older);
+  // A cage's sum of one formula has the formula's name, and still no parameters by name.
+  older["kind"] = std::ranges::find_if(catalogue(), [](const Formula& f) { return !f.parameters.empty(); })->name;
+  expect_frame(older);
   const auto complaint = [&](const nlohmann::json& frame) {
     nlohmann::json line = framed;
     line["frame"] = frame;
@@ -128,6 +168,20 @@ TEST_F(WorstFile, TheFurthestEntryIsWrittenWhereATensorWasCompared) {
   const nlohmann::json line = nlohmann::json::parse(worst_lines(run));
   EXPECT_EQ(line["relative"], 0.125);
   EXPECT_EQ(line["furthest"], (nlohmann::json{{"entry", 4}, {"found", "inf"}, {"truth", "2.5000000000000000001e-01"}}));
+}
+
+TEST_F(WorstFile, WhatALineDoesNotSayIsEmpty) {
+  RunResult run = sample_run(1, 1);
+  run.settings.erase("triangulation");
+  const std::string text = worst_lines(run), first = text.substr(0, text.find('\n'));
+  for (const char* key : {"triangulation", "provenance", "asked", "frame"})
+    EXPECT_FALSE(nlohmann::json::parse(first).contains(key)) << key;
+  const WorstLine line = read_worst(write("\n \r\n" + first))[0];
+  EXPECT_EQ(line.triangulation, "");
+  EXPECT_EQ(line.provenance, "");
+  EXPECT_EQ(line.worst.asked, 2);
+  EXPECT_EQ(line.number, 3) << "blank lines count";
+  EXPECT_EQ(worst_line(line), first);
 }
 
 TEST_F(WorstFile, RowsWithoutWorstCasesAreLeftOut) {
