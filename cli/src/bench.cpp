@@ -4,6 +4,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/name_pattern.h"
+#include "cageproof/core/named_parameters.h"
 #include "cageproof/reports/work_precision.h"
 #include "cageproof/benchmarks/coordinate_times.h"
 #include "cageproof/validation/machine_facts.h"
@@ -30,7 +31,7 @@ struct Arguments {
 
 WorkPrecision measure_cage(const Arguments& a, benchmarks::WorkPrecisionOptions options) {
   const CoordinateKind* kind = &coordinate_kind_named(a.kind);
-  if (!a.parameters.empty()) options.parameters = parameters_from(a.parameters, *kind);
+  if (!a.parameters.empty()) options.parameters = parameters_from(a.parameters, parameters_of(*kind), kind->name);
   options.triangulation = a.cage.rule();
   const Cage cage = a.cage.load();
   const validation::CageLocator locator(cage, options.triangulation, kind->keeps_quads);
@@ -66,7 +67,7 @@ std::vector<const validation::Regime*> regimes_named(const std::vector<std::stri
 
 WorkPrecision measure_formula(const Arguments& a, benchmarks::WorkPrecisionOptions options) {
   const Formula* formula = &formula_named(a.formula);
-  if (!a.parameters.empty()) options.parameters = parameters_from(a.parameters, formula->parameters, formula->name);
+  if (!a.parameters.empty()) options.parameters = parameters_from(a.parameters, parameters_of(*formula), formula->name);
   return benchmarks::formula_work_precision(*formula, regimes_named(a.regimes, formula->element), options);
 }
 

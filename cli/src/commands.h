@@ -53,19 +53,11 @@ struct CageArguments {
   Triangulation rule() const { return triangulate == "fan" ? Triangulation::Fan : Triangulation::Shortest; }
 };
 
-/// Values of `known` from texts "nu=0.3", "nu=inf"; what is not given takes its default.
-/// \param owner the formula or kind that has them, for messages
-/// \throws InputError for a text that is none, an unknown name, or a value out of range
-std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<Parameter>& known,
-                                    std::string_view owner);
-/// The same for a kind of coordinates, whose parameters may have names for values: "collocation=vertices".
-std::vector<double> parameters_from(const std::vector<std::string>& given, const CoordinateKind& kind);
-/// The same for those of any owner.
+/// Values of `known` from texts of --parameter, as parameter_values. \param owner the formula, kind or method that has
+/// them
 std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<KindParameter>& known,
                                     std::string_view owner);
-
-/// All combinations of values, where a text may have several, "nu=0,0.3,inf"; those of the last parameter change
-/// first. \throws InputError as parameters_from
+/// All combinations of values, as parameter_sets.
 std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::string>& given,
                                                      const std::vector<KindParameter>& known, std::string_view owner);
 

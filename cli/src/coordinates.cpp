@@ -96,7 +96,7 @@ int run(const Arguments& a) {
     for (const std::string& fault : invalid_quads(cage))
       warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
   const Mesh mesh = load_points(a.points, cage.dimension());
-  const std::vector<double> parameters = parameters_from(a.parameters, kind);
+  const std::vector<double> parameters = parameters_from(a.parameters, parameters_of(kind), kind.name);
   const CageCoordinates coordinates(
       cage, kind,
       CoordinateOptions{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(), parameters});

@@ -3,6 +3,7 @@
 #include "query_numbers.h"
 
 #include "cageproof/closed_form/explain.h"
+#include "cageproof/core/named_parameters.h"
 #include "cageproof/validation/truth.h"
 
 #include <fmt/format.h>
@@ -187,7 +188,7 @@ QueryText query_of(const ExplainOptions& options, const Formula& formula) {
   QueryText query = parse_query(line, formula);
   if (!options.parameters.empty()) {
     query.parameters.clear();
-    for (const double p : parameters_from(options.parameters, formula.parameters, formula.name))
+    for (const double p : parameters_from(options.parameters, parameters_of(formula), formula.name))
       query.parameters.push_back(format_scalar(p));
   }
   return query;

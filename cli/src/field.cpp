@@ -95,8 +95,8 @@ Shown kind_field(const Arguments& a, RunResult& result) {
   result.settings = {{"cage", cage->name()}, {"triangulation", a.cage.triangulate}};
   for (const std::string& parameter : a.parameters) result.settings["parameters"] += parameter + " ";
   const int n = a.resolution > 0 ? a.resolution : 64;
-  const auto plan =
-      validation::reproduction_field(cage, kind, a.evaluation, a.cage.rule(), n, parameters_from(a.parameters, kind));
+  const auto plan = validation::reproduction_field(cage, kind, a.evaluation, a.cage.rule(), n,
+                                                   parameters_from(a.parameters, parameters_of(kind), kind.name));
   return {validation::sampled(plan, a.jobs),
           fmt::format("{}, partition of unity of {}, {}", a.kind, a.evaluation.empty() ? "recommended" : a.evaluation,
                       cage->name()),

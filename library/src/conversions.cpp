@@ -3,10 +3,10 @@
 
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/mesh_io.h"
+#include "cageproof/core/named_parameters.h"
 #include "cageproof/core/parallel.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -74,29 +74,7 @@ Triangulation triangulation_of(const Options& options) {
 
 std::vector<double> parameters_of(const Options& options, const std::vector<KindParameter>& known,
                                   std::string_view owner) {
-  std::vector<double> values;
-  std::vector<std::string_view> names;
-  for (const KindParameter& p : known) {
-    values.push_back(p.preset);
-    names.push_back(p.name);
-  }
-  for (const auto& [name, text] : options.parameters) {
-    const auto which = std::ranges::find(names, name);
-    if (which == names.end())
-      throw InputError(names.empty()
-                           ? fmt::format("parameter {}: {} has no parameters", name, owner)
-                           : fmt::format("parameter {}: {} has {} alone", name, owner, fmt::join(names, ", ")));
-    const KindParameter& parameter = known[which - names.begin()];
-    const std::optional<double> value = parameter.value_of(text);
-    if (!value || !parameter.allows(*value))
-      throw InputError(fmt::format("parameter {} = '{}' of {} is {}", name, text, owner,
-                                   value ? "out of range"
-                                   : parameter.names.empty()
-                                       ? "not a number"
-                                       : fmt::format("none of {}", fmt::join(parameter.names, ", "))));
-    values[which - names.begin()] = *value;
-  }
-  return values;
+  return parameter_values(parameter_texts(options.parameters), known, {owner});
 }
 
 std::vector<Vec3<double>> vectors_of(std::span<const double> numbers, int dimension, std::string_view what) {

@@ -2,6 +2,7 @@
 #include "cageproof/core/coordinates.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/named_parameters.h"
 #include "cageproof/core/scalar_text.h"
 #include "cageproof/core/unknown_name.h"
 
@@ -139,12 +140,7 @@ std::vector<KindParameter> parameters_of(const CoordinateKind& kind) {
   if (!kind.is_sum()) return kind.parameters;
   for (const SummedBlock& block : kind.blocks)
     for (const ElementKind element : element_kinds)
-      if (const Formula* formula = find_formula(element, block.kernel)) {
-        std::vector<KindParameter> found;
-        found.reserve(formula->parameters.size());
-        for (const Parameter& p : formula->parameters) found.push_back({p});
-        return found;
-      }
+      if (const Formula* formula = find_formula(element, block.kernel)) return parameters_of(*formula);
   return {};
 }
 

@@ -5,7 +5,7 @@
 
 #include "cageproof/core/enclosed.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/named_parameters.h"
 #include "cageproof/deformation/point_images.h"
 
 #include <fmt/format.h>
@@ -25,6 +25,10 @@ struct PanelMap {
   const CageCoordinates* coordinates = nullptr;
   std::unique_ptr<const Posed<double>> posed;
 };
+
+std::vector<double> values_in(const PanelPlan& panel, const std::vector<KindParameter>& known) {
+  return parameter_values(parameter_texts(panel.parameters), known, {panel.method});
+}
 
 class DeformedFigure final : public PaperFigure {
  public:
@@ -116,12 +120,12 @@ class DeformedFigure final : public PaperFigure {
   std::vector<Shown>& group_of(const PanelPlan& panel) {
     std::string key;
     if (const auto* constrained = deformation::find_constraint_method(panel.method)) {
-      parameter_values(constrained->parameters, panel.parameters);
+      values_in(panel, constrained->parameters);
       key = fmt::format("{} {}", panel.method, groups_.size());
     } else {
       const auto& method = deformation::deform_method_named(panel.method);
       const auto known = parameters_of(method);
-      const auto values = parameter_values(known, panel.parameters);
+      const auto values = values_in(panel, known);
       key = fmt::format("{} {}", cage_of(panel).name(), method.kind);
       const auto of_kind = parameters_of(coordinate_kind_named(method.kind));
       for (std::size_t i = 0; i < known.size(); ++i)
@@ -137,25 +141,21 @@ class DeformedFigure final : public PaperFigure {
   using Prepared = std::map<std::string, std::shared_ptr<const deformation::Deformer<double>>>;
   PanelMap map_of(const PanelPlan& panel, Prepared& prepared) const {
     if (const auto* constrained = deformation::find_constraint_method(panel.method)) {
-      const auto deformer =
-          deformation::prepare_constrained(*constrained, cage_of(panel), panel.constraints,
-                                           {.parameters = parameter_values(constrained->parameters, panel.parameters)});
+      const auto deformer = deformation::prepare_constrained(*constrained, cage_of(panel), panel.constraints,
+                                                             {.parameters = values_in(panel, constrained->parameters)});
       return {deformer, &deformer->coordinates(), deformer->pose()};
     }
     auto& deformer = prepared[fmt::format("{} {} {}", cage_of(panel).name(), panel.method, parameters_text(panel))];
     if (!deformer) {
       const auto& method = deformation::deform_method_named(panel.method);
-      deformer = deformation::prepare_deformer<double>(
-          method, cage_of(panel), {.parameters = parameter_values(parameters_of(method), panel.parameters)});
+      deformer = deformation::prepare_deformer<double>(method, cage_of(panel),
+                                                       {.parameters = values_in(panel, parameters_of(method))});
     }
     return {deformer, &deformer->coordinates(), deformer->pose({panel.posed})};
   }
 
   static std::string parameters_text(const PanelPlan& panel) {
-    std::vector<std::string> parameters;
-    parameters.reserve(panel.parameters.size());
-    for (const auto& [name, value] : panel.parameters) parameters.push_back(fmt::format("{}={}", name, value));
-    return fmt::format("{}", fmt::join(parameters, " "));
+    return fmt::format("{}", fmt::join(parameter_texts(panel.parameters), " "));
   }
 
   reports::FigurePanel drawn(const SheetPlan& sheet, const PanelPlan& plan, const FigureFindings& found) const {
@@ -226,21 +226,6 @@ class DeformedFigure final : public PaperFigure {
 
 std::unique_ptr<const PaperFigure> deformed_figure(DeformedPlan plan) {
   return std::make_unique<DeformedFigure>(std::move(plan));
-}
-
-std::vector<double> parameter_values(const std::vector<KindParameter>& known,
-                                     const std::vector<std::pair<std::string, std::string>>& given) {
-  std::vector<double> values;
-  values.reserve(known.size());
-  for (const KindParameter& p : known) values.push_back(p.preset);
-  for (const auto& [name, text] : given) {
-    const auto at = std::ranges::find(known, name, &KindParameter::name);
-    if (at == known.end()) throw unknown_name("parameter", name);
-    const auto value = at->value_of(text);
-    if (!value) throw InputError(fmt::format("{}={}: not a value", name, text));
-    values[at - known.begin()] = *value;
-  }
-  return values;
 }
 
 }  // namespace cageproof::validation

@@ -49,8 +49,4 @@ struct DeformedPlan {
 /// \throws InputError for a method or parameter that does not exist
 std::unique_ptr<const PaperFigure> deformed_figure(DeformedPlan plan);
 
-/// The values of all parameters of an owner, by name. \throws InputError for one that does not exist, or a bad value
-std::vector<double> parameter_values(const std::vector<KindParameter>& known,
-                                     const std::vector<std::pair<std::string, std::string>>& given);
-
 }  // namespace cageproof::validation
