@@ -38,8 +38,8 @@ inline bool any(Mask m) {
 }
 
 inline Lanes root(Lanes a) {
-  Lanes r;
-  for (int i = 0; i < kLanes; ++i) r[i] = __builtin_sqrt(a[i]);
+  Lanes r = a;
+  for (int i = 0; i < kLanes; ++i) r[i] = __builtin_sqrt(r[i]);
   return r;
 }
 
