@@ -19,6 +19,7 @@ Mesh tetrahedron() {
 
 std::vector<Vec> mapped(const Eigen::Matrix3d& linear, const Vec& shift, const std::vector<Vec>& points) {
   std::vector<Vec> images;
+  images.reserve(points.size());
   for (const Vec& p : points) images.emplace_back(linear * p + shift);
   return images;
 }
