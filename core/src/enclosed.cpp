@@ -14,6 +14,7 @@ bool is_closed(const Joined& joined) {
     const auto other = edges.find({edge.second, edge.first});
     if (other == edges.end() || other->second != count) return false;
   }
+  if (joined.dimension == 3) return true;
   std::map<int, int> ends;
   for (const auto& [a, b] : joined.segments) {
     ++ends[a];
@@ -32,6 +33,7 @@ double content_of(const Joined& joined, std::span<const Vec3<double>> vertices, 
       const Vec3<double> a = from(face[0]), b = from(face[k - 1]), c = from(face[k]);
       sum += (joined.dimension == 3 ? a.dot(b.cross(c)) : turned(b - a, c - a)) / unit.simplices;
     }
+  if (joined.dimension == 3) return sum;
   for (const auto& [a, b] : joined.segments) sum += turned(from(a), from(b)) / unit.simplices;
   return sum;
 }

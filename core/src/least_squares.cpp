@@ -75,10 +75,9 @@ Matrix<R> LeastSquares<R>::solve(const Matrix<R>& right) const {
 
 Triangular triangular(const Matrix<double>& matrix, const Matrix<double>& right) {
   const Eigen::HouseholderQR<Matrix<double>> factors(matrix);
-  Triangular found{factors.matrixQR()
-                       .topRows(std::min(matrix.rows(), matrix.cols()))
-                       .template triangularView<Eigen::Upper>(),
-                   right};
+  Triangular found{
+      factors.matrixQR().topRows(std::min(matrix.rows(), matrix.cols())).template triangularView<Eigen::Upper>(),
+      right};
   if (right.size() > 0) found.turned.applyOnTheLeft(factors.householderQ().adjoint());
   return found;
 }

@@ -23,7 +23,9 @@ double content(const Mesh& mesh, int dimension, const ContentUnit& unit = {}) {
   return content_of({mesh.faces, mesh.segments, dimension}, mesh.vertices, unit);
 }
 
-bool is_closed(const Mesh& mesh) { return cageproof::is_closed({mesh.faces, mesh.segments, 3}); }
+bool is_closed(const Mesh& mesh, int dimension = 3) {
+  return cageproof::is_closed({mesh.faces, mesh.segments, dimension});
+}
 
 TEST(Enclosed, a_box_holds_six_simplices_a_cube_wherever_it_is) {
   const Mesh mesh = box({1, 2, 0.5}, {30, -20, 7});
@@ -49,8 +51,8 @@ TEST(Enclosed, the_plane_has_areas_of_faces_and_of_segments) {
     EXPECT_DOUBLE_EQ(content(*mesh, 2), 2 * 3);
     EXPECT_DOUBLE_EQ(content(*mesh, 2, {.length = 10, .simplices = 2}), 0.03);
   }
-  EXPECT_FALSE(is_closed(faces));
-  EXPECT_TRUE(is_closed(border));
+  EXPECT_FALSE(is_closed(faces, 2));
+  EXPECT_TRUE(is_closed(border, 2));
 }
 
 TEST(Enclosed, a_missing_or_turned_face_or_segment_opens_a_mesh) {
@@ -61,11 +63,18 @@ TEST(Enclosed, a_missing_or_turned_face_or_segment_opens_a_mesh) {
   for (const Mesh* mesh : {&missing, &turned, &doubled}) EXPECT_FALSE(is_closed(*mesh));
   Mesh line{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
   line.segments = {{0, 1}, {1, 2}};
-  EXPECT_FALSE(is_closed(line));
+  EXPECT_FALSE(is_closed(line, 2));
   line.segments.push_back({2, 0});
-  EXPECT_TRUE(is_closed(line));
+  EXPECT_TRUE(is_closed(line, 2));
   line.segments.back() = {0, 2};
-  EXPECT_FALSE(is_closed(line));
+  EXPECT_FALSE(is_closed(line, 2));
+}
+
+TEST(Enclosed, lines_in_space_enclose_nothing_and_open_nothing) {
+  Mesh mesh = box({1, 1, 1}, {0, 0, 0});
+  mesh.segments = {{0, 1}, {1, 3}, {3, 0}, {4, 5}};
+  EXPECT_DOUBLE_EQ(content(mesh, 3), 48);
+  EXPECT_TRUE(is_closed(mesh));
 }
 
 TEST(Enclosed, without_vertices_there_is_no_content) { EXPECT_EQ(content({}, 3), 0); }

@@ -116,10 +116,8 @@ TEST(row_key, is_ordered_and_hashed_by_every_member) {
   std::vector<RowKey> keys(9, key);
   keys[1].section = RowKey::Section::Cage;
   for (int i = 2; i < 8; ++i)
-    *std::array{
-        &keys[i].subject, &keys[i].evaluation, &keys[i].scalar, &keys[i].setting, &keys[i].check, &keys[i].place}[i -
-                                                                                                                 2] +=
-        "x";
+    *std::array{&keys[i].subject, &keys[i].evaluation, &keys[i].scalar,
+                &keys[i].setting, &keys[i].check,      &keys[i].place}[i - 2] += "x";
   keys[8].order = 2;
   EXPECT_EQ(std::unordered_set<RowKey>(keys.begin(), keys.end()).size(), 9u);
   for (int i = 1; i < 9; ++i) EXPECT_LT(keys[0], keys[i]) << i;

@@ -44,7 +44,8 @@ JacobianMeasures jacobian_measures(const std::vector<double>& jacobians, const s
       ++found.without;
       continue;
     }
-    const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner>(jacobian).singularValues();
+    const Eigen::VectorXd values =
+        Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner>(jacobian).singularValues();
     found.least_singular_value = std::min(found.least_singular_value, values[d - 1]);
     found.largest_singular_value = std::max(found.largest_singular_value, values[0]);
     found.turned += jacobian.determinant() < 0 ? 1 : 0;

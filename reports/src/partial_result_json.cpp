@@ -73,8 +73,8 @@ ErrorHistogram histogram_of(const Json& row) {
   return ErrorHistogram::restored(counts, count_at(row, "nonfinite"), row.contains("max") ? number(row["max"]) : 0);
 }
 
-// Worst cases: error, parameter, sample, asked, corners, point, parameters (or where a cage stood: unit and shift); where a tensor was compared the relative
-// error, and of the furthest entry index, result and truth.
+// Worst cases: error, parameter, sample, asked, corners, point, parameters (or where a cage stood: unit and shift);
+// where a tensor was compared the relative error, and of the furthest entry index, result and truth.
 Json json_of(const WorstCase& c) {
   Json corners = Json::array();
   for (const Vec3<double>& corner : c.corners) corners.push_back(json_of(corner));

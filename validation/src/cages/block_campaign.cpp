@@ -174,11 +174,7 @@ WorstCase BlockAt::case_of(const Finding& finding, int /*order*/) const {
 }
 
 CageSample block_sample(const WorstCase& worst) {
-  return {.place = {},
-          .parameter = worst.parameter,
-          .frame = worst.frame,
-          .point = worst.point,
-          .index = worst.sample};
+  return {.place = {}, .parameter = worst.parameter, .frame = worst.frame, .point = worst.point, .index = worst.sample};
 }
 
 }  // namespace cageproof::validation

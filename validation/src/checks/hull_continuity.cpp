@@ -23,8 +23,14 @@ struct HullAt {
 class HullMeasurement final : public Measurement {
  public:
   HullMeasurement(Evaluation evaluation, std::uint64_t seed) : evaluation_(std::move(evaluation)), seed_(seed) {
-    question_.key = {RowKey::Section::Element, std::string(hull_formula), evaluation_.name(), "double",
-                     std::string(hull_regime), "hull_jump",               "",                 0};
+    question_.key = {RowKey::Section::Element,
+                     std::string(hull_formula),
+                     evaluation_.name(),
+                     "double",
+                     std::string(hull_regime),
+                     "hull_jump",
+                     "",
+                     0};
     question_.unit = "relative";
     question_.ask = [](const HullAt& at) {
       using enum Finding::Status;

@@ -62,7 +62,7 @@ std::size_t block_begin(std::size_t samples, int block, int blocks) {
 }
 
 PartialResult measure_all(const Measurements& measurements, int jobs,
-                     const std::function<void(std::size_t done, std::size_t all)>& progress) {
+                          const std::function<void(std::size_t done, std::size_t all)>& progress) {
   const std::vector<Unit> units = units_of(measurements);
   const std::vector<std::size_t> order = units_of_shard(units, 0, 1);
   PartialResult all;

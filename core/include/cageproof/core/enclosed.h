@@ -17,7 +17,8 @@ struct Joined {
   int dimension;  ///< of space: 3, or 2 for the plane, where faces are flat
 };
 
-/// Whether each edge of a face is that of another the other way round, and each end of a segment the beginning of one.
+/// Whether each edge of a face is that of another the other way round, and in the plane each end of a segment the
+/// beginning of one. Segments in space enclose nothing and open nothing.
 bool is_closed(const Joined& joined);
 
 /// What contents are counted in: so many corner simplices with edges of that length. A cube is six, a square two.
@@ -26,8 +27,8 @@ struct ContentUnit {
   int simplices = 1;
 };
 
-/// In space the volume within faces, in the plane the area within faces, and the area within segments (their shadow
-/// along z). What is inside out counts as negative.
+/// In space the volume within faces; in the plane the area within faces, and the area within segments. What is inside
+/// out counts as negative.
 double content_of(const Joined& joined, std::span<const Vec3<double>> vertices, const ContentUnit& unit);
 
 }  // namespace cageproof

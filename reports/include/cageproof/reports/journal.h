@@ -37,7 +37,7 @@ struct Journal {
   JournalHeader header;
   std::vector<Session> sessions;
   std::vector<bool> done;  ///< by unit
-  PartialResult gathered;       ///< of these units
+  PartialResult gathered;  ///< of these units
 
   std::size_t units_done() const { return static_cast<std::size_t>(std::ranges::count(done, true)); }
 };

@@ -22,10 +22,10 @@ struct WorstLine : RowKey {
 
 /// The lines of all rows that have worst cases, in the order of the rows: keys formula (kind for a cage), evaluation,
 /// scalar, regime, check, place, order, unit, error, bound, parameter, sample, flags, element, point, parameters,
-/// triangulation; where they say something frame (unit and shift of a cage that does not stand where it is), asked (highest derivative of the query, otherwise 2), provenance, relative
-/// (the plain relative error) and furthest (the entry that is furthest from the truth: its index, what was found, the
-/// truth).
-/// Coordinates and parameters are hexadecimal floats in strings; infinite errors the string "inf".
+/// triangulation; where they say something frame (unit and shift of a cage that does not stand where it is), asked
+/// (highest derivative of the query, otherwise 2), provenance, relative (the plain relative error) and furthest (the
+/// entry that is furthest from the truth: its index, what was found, the truth). Coordinates and parameters are
+/// hexadecimal floats in strings; infinite errors the string "inf".
 std::string worst_lines(const RunResult& result);
 
 /// What the line of a row's case says.

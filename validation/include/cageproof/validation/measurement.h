@@ -69,6 +69,6 @@ std::size_t block_begin(std::size_t samples, int block, int blocks);
 /// Measures all of them on `jobs` threads (0: all cores), in memory. \param progress called from any thread after each
 /// unit
 PartialResult measure_all(const Measurements& measurements, int jobs,
-                     const std::function<void(std::size_t done, std::size_t all)>& progress = {});
+                          const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 
 }  // namespace cageproof::validation
