@@ -338,8 +338,7 @@ TEST(ReportFiles, TimesStandBesideTheirOwnErrors) {
   run.sessions[0].times = {{formula, "closed_form", 0, 850.4},
                            {formula, "closed_form", 2, 1999.6},
                            {formula, "gauss-8", 0, 30},
-                           {run.rows.back().subject, "closed_form", 0, 7}};
-  run.sessions[0].times.back().formula = std::next(catalogue().begin(), 1)->name;
+                           {std::string(std::next(catalogue().begin())->name), "closed_form", 0, 7}};
   const auto row_of = [&](const std::string& regime, int order, const std::string& check) -> ResultRow& {
     return *std::ranges::find_if(run.rows, [&](const ResultRow& row) {
       return row.subject == formula && row.evaluation == "closed_form" && row.scalar == "double" &&
@@ -355,6 +354,12 @@ TEST(ReportFiles, TimesStandBesideTheirOwnErrors) {
     row_of("near-vertex", order, "truth").max = 2;
   }
   row_of("generic", 0, "truth").max = 0;
+  // A cage's sum of the formula, and a cage whose file is called like a regime.
+  ResultRow cage = row_of("near-edge", 0, "truth");
+  cage.section = RowKey::Section::Cage;
+  cage.setting = "near-wall.obj";
+  cage.max = 1e6;
+  run.rows.push_back(cage);
   const Json times = times_on_page(run, formula);
   ASSERT_EQ(times.size(), 3u);
   EXPECT_EQ(
