@@ -5,6 +5,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/hunt.h"
+#include "cageproof/validation/regime.h"
 #include "cageproof/validation/replay.h"
 #include "cageproof/validation/stored_cases.h"
 
@@ -132,6 +133,32 @@ TEST(rows, are_broken_by_samples_that_they_lost) {
   EXPECT_EQ(row_of(key("stated_error", "accurate", "generic"), declined).verdict, Verdict::Broken);
 }
 
+// What an evaluation may do is no loss, beside one that is.
+TEST(rows, say_only_of_what_is_lost_where_it_went) {
+  Tally found = tally(0.5);
+  found.declined = 2;
+  found.unreached = 1;
+  found.asked += 4;
+  const ResultRow row = row_of(key("stated_error", "adaptive", "generic"), found);
+  EXPECT_EQ(row.verdict, Verdict::Broken);
+  EXPECT_EQ(row.reason, "2 of 5 samples are lost: 1 had no truth or figure though a limit exists, 1 were not heard of");
+  Tally worse = tally(65);
+  worse.declined = 2;
+  worse.asked += 2;
+  const ResultRow both = row_of(key("truth", "closed_form", "on-edge"), worse);
+  EXPECT_TRUE(both.reason.ends_with("; 2 of 3 samples are lost: 2 were declined")) << both.reason;
+}
+
+TEST(rows, have_a_curve_of_what_was_measured_at_each_parameter) {
+  Tally found = tally(3);
+  found.by_parameter = {0, -1, 3};
+  const std::vector<double>& parameters = find_regime("near-edge")->parameters;
+  const Judged one = judged({{key("truth", "closed_form", "near-edge"), found}});
+  ASSERT_EQ(one.curves.size(), 1u);
+  EXPECT_EQ(one.curves[0].parameters, (std::vector<double>{parameters[0], parameters[2]}));
+  EXPECT_EQ(one.curves[0].errors, (std::vector<double>{0, 3}));
+}
+
 RowKey gate_at(const char* regime) {
   RowKey gate = key("integral", "closed_form", regime);
   gate.scalar = "mp100";
@@ -143,6 +170,10 @@ TEST(rows, without_an_integral_behind_them_break_its_own_row) {
   declined.declined = declined.asked = 2;
   for (const Tally& none : {declined, tally(-1, 4)}) {
     std::map<RowKey, Tally> tallies{{gate_at("on-face"), none}, {key("truth", "closed_form", "on-face"), tally(3)}};
+    for (const ResultRow& row : judged(tallies).rows)
+      EXPECT_EQ(row.verdict, row.check == "integral" ? Verdict::Broken : Verdict::NotPromised);
+    // What was broken was promised, too.
+    tallies[key("truth", "closed_form", "on-face")] = tally(65);
     for (const ResultRow& row : judged(tallies).rows)
       EXPECT_EQ(row.verdict, row.check == "integral" ? Verdict::Broken : Verdict::NotPromised);
     // Where nothing has a limit, nothing rests on it.
@@ -166,11 +197,13 @@ TEST(rows, are_withdrawn_where_the_integral_is_another) {
   tallies[gate_at("near-edge")] = tally(1);
   tallies[key("truth", "closed_form", "near-edge")] = tally(3);
   tallies[key("truth", "closed_form", "near-face")] = tally(3);
+  tallies[key("truth", "closed_form", "near-edge", 1)] = tally(3);
   const Judged found = judged(tallies);
   ASSERT_EQ(found.notes.size(), 1u);
   for (const ResultRow& row : found.rows)
     if (row.check == "truth") {
-      EXPECT_EQ(row.verdict, row.setting == "near-edge" ? Verdict::NotPromised : Verdict::Kept) << row.setting;
+      EXPECT_EQ(row.verdict, row.setting == "near-edge" && row.order == 0 ? Verdict::NotPromised : Verdict::Kept)
+          << row.setting << row.order;
     }
 }
 
