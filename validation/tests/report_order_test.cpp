@@ -90,6 +90,7 @@ TEST(report_order, of_deformers_is_cage_method_variant) {
   };
   const auto cages = embedded_cage_names();
   std::vector<RowKey> keys;
+  keys.reserve(variants.size() + methods.size() + 3);
   for (const auto& variant : variants) keys.push_back(row(method->name, variant.name, cages[0]));
   keys.push_back(row(method->name, "0", cages[0]));
   for (auto next = std::next(method); next != methods.end(); ++next) keys.push_back(row(next->name, "z", cages[0]));
