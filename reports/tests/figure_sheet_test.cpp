@@ -156,7 +156,7 @@ TEST(FigureSheet, panels_fill_the_page) {
     if (columns == 3) third = first.width;
     EXPECT_LE(layout.width, 1360) << columns;
     if (columns >= 3) EXPECT_GT(layout.width, 1360 - columns - 1) << columns;
-    else EXPECT_TRUE(first.width >= third && first.width <= 1360 / 3) << "few panels take a third each";
+    else EXPECT_TRUE(first.width >= third && first.width <= 1360 / 3.0) << "few panels take a third each";
     EXPECT_EQ(last.top, first.top);
     EXPECT_EQ(first.left, layout.width - (last.left + last.width)) << "margins are alike";
     EXPECT_EQ(first.top - title_height, layout.height - (layout.frames[4].top + layout.frames[4].height));
