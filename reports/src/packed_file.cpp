@@ -26,13 +26,18 @@ std::string packed(std::string_view text) {
   if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + gzip_header, memory, Z_DEFAULT_STRATEGY) !=
       Z_OK)
     throw std::runtime_error("zlib cannot begin");
-  std::string bytes(deflateBound(&stream, text.size()), '\0');
   stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(text.data()));  // zlib does not change it
   stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
-  stream.avail_out = static_cast<uInt>(bytes.size());
-  const int end = deflate(&stream, Z_FINISH);
-  bytes.resize(stream.total_out);
+  std::string bytes;
+  int end = Z_OK;
+  while (end == Z_OK) {
+    const std::size_t size = bytes.size();
+    bytes.resize(size + block_size);
+    stream.next_out = reinterpret_cast<Bytef*>(bytes.data() + size);
+    stream.avail_out = block_size;
+    end = deflate(&stream, Z_FINISH);
+    bytes.resize(size + block_size - stream.avail_out);
+  }
   deflateEnd(&stream);
   if (end != Z_STREAM_END) throw std::runtime_error("zlib could not pack a text");
   return bytes;

@@ -139,11 +139,12 @@ RunResult result_of(const Journal& journal) {
   return result;
 }
 
-RunResult write_report(const std::filesystem::path& out, const Journal& journal) {
+RunResult write_report(const std::filesystem::path& out, Journal journal) {
   reports::ReportWriter writer(out);
   // First: its text is the largest thing that a run holds, and rows are not there yet.
   writer.write_journal(reports::journal_text(journal));
   RunResult result = result_of(journal);
+  journal.findings.rows.clear();
   const std::map<int, FieldPart> fields = fields_with_facts(journal);
   std::map<std::string, std::vector<const FieldPart*>> scenes;
   for (const auto& [place, part] : fields)
@@ -161,12 +162,12 @@ RunResult write_report(const std::filesystem::path& out, const Journal& journal)
 }
 
 RunResult report_again(const std::filesystem::path& folder) {
-  const Journal journal = reports::read_journal(reports::journal_in(folder));
+  Journal journal = reports::read_journal(reports::journal_in(folder));
   if (journal.header.shards > 1)
     throw InputError(fmt::format("{}: shard {}/{} of a run; `cageproof merge` makes one report of all shards",
                                  folder.string(), journal.header.shard, journal.header.shards));
   require_finished(journal, folder);
-  return write_report(folder, journal);
+  return write_report(folder, std::move(journal));
 }
 
 RunResult merge_shards(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& out) {
@@ -201,7 +202,7 @@ RunResult merge_shards(const std::vector<std::filesystem::path>& parts, const st
   whole.header.shards = 1;
   whole.header.shard_units = whole.header.units;
   require_finished(whole, out);
-  return write_report(out, whole);
+  return write_report(out, std::move(whole));
 }
 
 std::string summary_of_journal(const std::filesystem::path& journal) {

@@ -13,7 +13,7 @@ RunResult result_of(const reports::Journal& journal);
 
 /// Writes the whole report of a run whose units are all done.
 /// \throws InputError when it cannot be written
-RunResult write_report(const std::filesystem::path& out, const reports::Journal& journal);
+RunResult write_report(const std::filesystem::path& out, reports::Journal journal);
 
 /// In what two journals show that they are of different runs: version, options with both values, number of shards.
 /// Empty: they are of one run.

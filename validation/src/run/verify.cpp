@@ -189,9 +189,9 @@ Verified verify(const VerifyOptions& options) {
       result.truths_made = truths->made();
     }
     result.seconds = recorder.seconds();
-    if (options.shards == 1) result.report = write_report(options.out, journal);
+    result.session_notes = session_notes(journal.sessions);
+    if (options.shards == 1) result.report = write_report(options.out, std::move(journal));
   }
-  result.session_notes = session_notes(journal.sessions);
   return result;
 }
 
