@@ -87,7 +87,7 @@ const std::vector<Suite>& suites() {
        .enclosures = 1,
        .cage_points = 16,
        .truth_points = 2,
-       .block_points = 120,
+       .block_points = 48,
        .block_milliseconds = 1200,
        .mesh_points = 1000,
        .slice = 20,
