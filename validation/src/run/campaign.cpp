@@ -81,11 +81,10 @@ std::optional<Part> part_for(const Check& check, const Evaluation& evaluation, S
     case Check::Cost::Multiprecision: {
       // Several are asked for so that they spread over a sweep's decades; half of them do where nothing is swept.
       // Points on an element lie exactly on it and a rounding off it by turns, and only the latter have all
-      // derivatives: one of each, or no derivative would be confirmed.
-      const int integrals = regime.parameters.empty()
-                                ? std::max(std::min(2, options.integral_samples), (options.integral_samples + 1) / 2)
-                                : options.integral_samples;
+      // derivatives: one of each at least, or no derivative would be confirmed.
       const bool none_swept = regime.parameters.empty();
+      const int least = regime.name.starts_with("on-") ? 2 : 1;
+      const int integrals = none_swept ? std::max(least, (options.integral_samples + 1) / 2) : options.integral_samples;
       const int stride = none_swept ? std::min(wide_stride, largest_odd(options.samples - 1)) : wide_stride;
       return strided(stride, std::min(options.samples, stride * integrals));
     }

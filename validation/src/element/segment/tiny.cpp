@@ -72,7 +72,7 @@ void with_tilt(RandomStream& random, Sample& sample) {
 
 }  // namespace
 
-// By turns. The first and the eighth, which the integral is asked for in the suite `quick`, are those that cost it
+// By turns. The first, which the integral is asked for in the suite `quick`, is among those that cost it
 // least.
 void tiny(double, RandomStream& random, Sample& sample) {
   switch (sample.index % 8) {

@@ -82,7 +82,7 @@ void with_tilt(RandomStream& random, Sample& sample) {
 
 }  // namespace
 
-// By turns. The first and the eighth, which the integral and enclosures are asked for in the suite `quick`, are those
+// By turns. The first, which the integral and enclosures are asked for in the suite `quick`, is among those
 // that cost them least.
 void tiny(double, RandomStream& random, Sample& sample) {
   switch (sample.index % 10) {
