@@ -144,7 +144,7 @@ RunResult write_report(const std::filesystem::path& out, Journal journal) {
   // First: its text is the largest thing that a run holds, and rows are not there yet.
   writer.write_journal(reports::journal_text(journal));
   RunResult result = result_of(journal);
-  journal.findings.rows.clear();
+  journal.gathered.rows.clear();
   const std::map<int, FieldPart> fields = fields_with_facts(journal);
   std::map<std::string, std::vector<const FieldPart*>> scenes;
   for (const auto& [place, part] : fields)
