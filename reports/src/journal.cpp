@@ -183,8 +183,8 @@ Journal read_journal(const fs::path& path) {
 
 std::string journal_head(const JournalHeader& header, const Session& session) { return head(header, {session}); }
 
-std::string journal_text(const Journal& journal) {
-  std::string text = head(journal.header, journal.sessions);
+void put_journal(const Journal& journal, const std::function<void(std::string_view)>& put) {
+  put(head(journal.header, journal.sessions));
   PartialResult rest{{}, {}, journal.gathered.meshes, journal.gathered.errata};
   for (auto& [place, field] : whole_fields(journal.gathered))
     rest.fields.emplace(std::pair(place, std::size_t{0}), std::move(field));
@@ -196,13 +196,18 @@ std::string journal_text(const Journal& journal) {
     const RowKey& key = row->first;
     return std::tie(key.section, key.subject, key.setting, key.scalar, key.check, key.place);
   });
-  for (const auto* row : rows) text += dump(Json{{"rows", Json::array({row_json(row->first, row->second)})}}) + "\n";
+  for (const auto* row : rows) put(dump(Json{{"rows", Json::array({row_json(row->first, row->second)})}}) + "\n");
   const Json others = partial_result_json(rest);
   for (const auto& [name, list] : others.items())
-    for (const Json& item : list) text += dump(Json{{name, Json::array({item})}}) + "\n";
+    for (const Json& item : list) put(dump(Json{{name, Json::array({item})}}) + "\n");
   Json units = Json::array();
   if (journal.header.units > 0) units.push_back(Json::array({std::size_t{0}, journal.header.units - 1}));
-  text += dump(Json{{"units", units}}) + "\n";
+  put(dump(Json{{"units", units}}) + "\n");
+}
+
+std::string journal_text(const Journal& journal) {
+  std::string text;
+  put_journal(journal, [&](std::string_view line) { text += line; });
   return text;
 }
 

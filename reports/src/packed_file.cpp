@@ -20,27 +20,43 @@ gzFile stream_of(void* file) { return static_cast<gzFile>(file); }
 
 }  // namespace
 
-std::string packed(std::string_view text) {
+struct Packer::Stream : z_stream {};
+
+Packer::Packer() : stream_(std::make_unique<Stream>()) {
   constexpr int gzip_header = 16, memory = 9;
-  z_stream stream{};
-  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + gzip_header, memory, Z_DEFAULT_STRATEGY) !=
-      Z_OK)
+  if (deflateInit2(stream_.get(), Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + gzip_header, memory,
+                   Z_DEFAULT_STRATEGY) != Z_OK)
     throw std::runtime_error("zlib cannot begin");
-  stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(text.data()));  // zlib does not change it
-  stream.avail_in = static_cast<uInt>(text.size());
-  std::string bytes;
-  int end = Z_OK;
-  while (end == Z_OK) {
-    const std::size_t size = bytes.size();
-    bytes.resize(size + block_size);
-    stream.next_out = reinterpret_cast<Bytef*>(bytes.data() + size);
-    stream.avail_out = block_size;
-    end = deflate(&stream, Z_FINISH);
-    bytes.resize(size + block_size - stream.avail_out);
-  }
-  deflateEnd(&stream);
-  if (end != Z_STREAM_END) throw std::runtime_error("zlib could not pack a text");
-  return bytes;
+}
+
+Packer::~Packer() { deflateEnd(stream_.get()); }
+
+void Packer::deflate(std::string_view part, int flush) {
+  stream_->next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(part.data()));  // zlib does not change it
+  stream_->avail_in = static_cast<uInt>(part.size());
+  do {
+    const std::size_t size = bytes_.size();
+    bytes_.resize(size + block_size);
+    stream_->next_out = reinterpret_cast<Bytef*>(bytes_.data() + size);
+    stream_->avail_out = block_size;
+    const int end = ::deflate(stream_.get(), flush);
+    bytes_.resize(size + block_size - stream_->avail_out);
+    if (end != Z_OK && end != Z_STREAM_END && end != Z_BUF_ERROR)
+      throw std::runtime_error("zlib could not pack a text");
+  } while (stream_->avail_out == 0);
+}
+
+void Packer::add(std::string_view part) { deflate(part, Z_NO_FLUSH); }
+
+std::string Packer::finish() {
+  deflate({}, Z_FINISH);
+  return std::move(bytes_);
+}
+
+std::string packed(std::string_view text) {
+  Packer packer;
+  packer.add(text);
+  return packer.finish();
 }
 
 LineFile::LineFile(const std::filesystem::path& path) : path_(path), file_(gzopen(path.c_str(), "rb")) {

@@ -141,8 +141,10 @@ void ReportWriter::write(const RunResult& result) {
   if (!state_->figures.empty()) write_file(folder / "figures/figures.json", figures_json(state_->figures));
 }
 
-void ReportWriter::write_journal(std::string_view text) {
-  write_file(state_->folder.path() / journal_file, packed(text));
+void ReportWriter::write_journal(const Journal& journal) {
+  Packer packer;
+  put_journal(journal, [&](std::string_view line) { packer.add(line); });
+  write_file(state_->folder.path() / journal_file, packer.finish());
 }
 
 void ReportWriter::commit() { state_->folder.commit(); }

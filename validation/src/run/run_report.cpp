@@ -12,11 +12,22 @@
 #include "cageproof/validation/verify.h"
 
 #include <fmt/format.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <set>
 
 namespace cageproof::validation {
 namespace {
+
+// What threads have freed in small pieces goes back to the system: the largest that a run holds is what is kept from
+// measuring and what is needed to write, together.
+void return_free_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 
 using reports::Journal;
 
@@ -140,11 +151,12 @@ RunResult result_of(const Journal& journal) {
 }
 
 RunResult write_report(const std::filesystem::path& out, Journal journal) {
+  return_free_memory();
   reports::ReportWriter writer(out);
-  // First: its text is the largest thing that a run holds, and rows are not there yet.
-  writer.write_journal(reports::journal_text(journal));
+  writer.write_journal(journal);
   RunResult result = result_of(journal);
   journal.gathered.rows.clear();
+  return_free_memory();
   const std::map<int, FieldPart> fields = fields_with_facts(journal);
   std::map<std::string, std::vector<const FieldPart*>> scenes;
   for (const auto& [place, part] : fields)

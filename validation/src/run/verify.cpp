@@ -174,15 +174,17 @@ Verified verify(const VerifyOptions& options) {
   {
     Recorder recorder(path, journal);
     if (options.resume) recorder.add_session(session);
-    UnitsOfWork work(std::move(plan.measurements), std::move(plan.units), open);
-    std::atomic<std::size_t> done{own.size() - open.size()};
-    for_each_parallel(open.size(), options.jobs, [&](std::size_t i) {
-      const std::string name = work.name(open[i]);
-      const double start = thread_seconds();
-      recorder.add(open[i], work.measure(open[i]));
-      timings.add(name, work.block(open[i]), thread_seconds() - start);
-      if (options.progress) options.progress(++done, own.size());
-    });
+    {
+      UnitsOfWork work(std::move(plan.measurements), std::move(plan.units), open);
+      std::atomic<std::size_t> done{own.size() - open.size()};
+      for_each_parallel(open.size(), options.jobs, [&](std::size_t i) {
+        const std::string name = work.name(open[i]);
+        const double start = thread_seconds();
+        recorder.add(open[i], work.measure(open[i]));
+        timings.add(name, work.block(open[i]), thread_seconds() - start);
+        if (options.progress) options.progress(++done, own.size());
+      });
+    }
     timings.write();
     if (truths) {
       result.truths_taken = truths->taken();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -54,8 +55,10 @@ std::optional<JournalHeader> find_journal_header(const std::filesystem::path& pa
 /// The first line of a fresh journal.
 std::string journal_head(const JournalHeader& header, const Session& session);
 
-/// The text of a finished journal, one line a row of results: a function of what was found but for the object
-/// "environment" in its first line. \pre all units are done
+/// Hands out the lines of a finished journal, one per row of results: a function of what was found, except for the
+/// object "environment" in the first line. \pre all units are done
+void put_journal(const Journal& journal, const std::function<void(std::string_view)>& put);
+/// The same as one text.
 std::string journal_text(const Journal& journal);
 
 /// Appends to a journal that exists. Safe from several threads.

@@ -11,7 +11,26 @@
 
 namespace cageproof::reports {
 
-/// The text as a gzip file's bytes: the same for the same text.
+/// Packs a text that comes in parts, into a gzip file's bytes: the same for the same text.
+class Packer {
+ public:
+  Packer();
+  ~Packer();
+  Packer(const Packer&) = delete;
+  Packer& operator=(const Packer&) = delete;
+
+  void add(std::string_view part);
+  /// The bytes of all parts. \pre nothing is added later
+  std::string finish();
+
+ private:
+  void deflate(std::string_view part, int flush);
+  struct Stream;
+  std::unique_ptr<Stream> stream_;
+  std::string bytes_;
+};
+
+/// The text as a gzip file's bytes.
 std::string packed(std::string_view text);
 
 /// Reads a file line by line, be it packed or not.

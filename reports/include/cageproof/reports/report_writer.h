@@ -5,6 +5,7 @@
 #include "cageproof/core/run_result.h"
 #include "cageproof/reports/field_scene.h"
 #include "cageproof/reports/figure_sheet.h"
+#include "cageproof/reports/journal.h"
 
 #include <filesystem>
 #include <memory>
@@ -76,8 +77,8 @@ class ReportWriter {
   /// \throws InputError when a file cannot be written, or gnuplot is missing or fails
   void write(const RunResult& result);
 
-  /// Writes the journal that the report was made of. \param text of journal_text
-  void write_journal(std::string_view text);
+  /// Writes the journal that the report was made of. \pre all its units are done
+  void write_journal(const Journal& journal);
 
   /// Puts the report in its place.
   /// \pre write() was called
