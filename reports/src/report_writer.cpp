@@ -128,8 +128,10 @@ void ReportWriter::write_figure(FigureSheet sheet) {
 
 void ReportWriter::write(const RunResult& result) {
   const std::filesystem::path& folder = state_->folder.path();
-  write_file(folder / summary_file,
-             packed(summary_json(result, state_->kind == Kind::Field ? "cageproof-field" : "cageproof-summary")));
+  Packer summary;
+  put_summary(result, state_->kind == Kind::Field ? "cageproof-field" : "cageproof-summary",
+              [&](std::string_view part) { summary.add(part); });
+  write_file(folder / summary_file, summary.finish());
   write_file(folder / "summary.md", summary_markdown(result, state_->figures));
   write_file(folder / "results.csv.gz", packed(results_csv(result)));
   write_files(folder, worst_files(result));

@@ -60,7 +60,7 @@ Json erratum_json(const ErratumRow& row) {
 
 }  // namespace
 
-std::string summary_json(const RunResult& result, std::string_view schema) {
+void put_summary(const RunResult& result, std::string_view schema, const std::function<void(std::string_view)>& put) {
   const auto count = [&](Verdict verdict) { return std::ranges::count(result.rows, verdict, &ResultRow::verdict); };
   Json json{{"schema", schema},
             {"schema_version", summary_schema_version},
@@ -82,12 +82,10 @@ std::string summary_json(const RunResult& result, std::string_view schema) {
               {"first_and_last", "bin 0 holds errors below, the last bin errors above these decades"}}},
             {"rows", Json::array()}};
   // Rows go to text one by one: as JSON values all of them take ten times as much memory.
-  std::string text = dump(json);
-  constexpr std::size_t ends = std::string_view("]}").size();
-  text.resize(text.size() - ends);
+  const std::string head = dump(json);
+  put(std::string_view(head).substr(0, head.size() - std::string_view("]}").size()));
   const WorstPlaces worst(result);
-  for (const ResultRow& r : result.rows)
-    text.append(&r == &result.rows.front() ? "" : ",").append(dump(row_json(r, worst.of(r))));
+  for (const ResultRow& r : result.rows) put((&r == &result.rows.front() ? "" : ",") + dump(row_json(r, worst.of(r))));
   json = {{"curves", Json::array()}, {"fields", Json::array()}, {"errata", Json::array()}};
   for (const ResultCurve& curve : result.curves)
     json["curves"].push_back({{"subject", curve.subject},
@@ -110,7 +108,13 @@ std::string summary_json(const RunResult& result, std::string_view schema) {
     json["fields"].push_back(std::move(entry));
   }
   for (const ErratumRow& erratum : result.errata) json["errata"].push_back(erratum_json(erratum));
-  return text.append("],").append(dump(json), 1).append("\n");
+  put("]," + dump(json).substr(1) + "\n");
+}
+
+std::string summary_json(const RunResult& result, std::string_view schema) {
+  std::string text;
+  put_summary(result, schema, [&](std::string_view part) { text += part; });
+  return text;
 }
 
 }  // namespace cageproof::reports

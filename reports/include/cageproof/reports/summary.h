@@ -3,6 +3,7 @@
 
 #include "cageproof/core/run_result.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,7 @@ inline constexpr int summary_schema_version = 3;
 /// summary.json: every figure. \param schema what the file is: "cageproof-summary" of a
 /// verification, "cageproof-field" of a field
 std::string summary_json(const RunResult& result, std::string_view schema = "cageproof-summary");
+/// Hands out the same text in parts.
+void put_summary(const RunResult& result, std::string_view schema, const std::function<void(std::string_view)>& put);
 
 }  // namespace cageproof::reports
