@@ -42,8 +42,7 @@ inline Case bar() {
     const std::size_t corner = v % 4;
     rest[v] = Vec(corner == 0 || corner == 3 ? -.5 : .5, corner < 2 ? -.5 : .5, posed[v][2]);
   }
-  std::vector<Face> faces = twisted.faces();
-  Cage cage = Cage::make("bar", rest, faces, {});
+  Cage cage = Cage::make("bar", rest, twisted.faces(), {});
   const double size = cage.size();
   return {"bar", std::move(cage), posed, {{.1, -.2, .3}, {-.3, .25, -.8}, {.05, .1, .95}}, size};
 }
@@ -56,6 +55,7 @@ inline std::optional<Case> real(const std::string& name, const std::vector<int>&
   const std::vector<Vec> posed = read_mesh((folder / (name + "_Cage_Deformed.obj")).string()).vertices;
   const Mesh mesh = read_mesh((folder / (name + ".obj")).string());
   std::vector<Vec> at;
+  at.reserve(points.size());
   for (const int p : points) at.push_back(mesh.vertices[p]);
   const double size = cage.size();
   return Case{name, std::move(cage), posed, at, size};
