@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "digest.h"
 
+#include "cageproof/core/formula.h"
 #include "cageproof/core/role.h"
 #include "figure.h"
 

@@ -26,7 +26,7 @@ std::string text_of(const RowKey& row) {
 }
 
 // \return the checks that had a case
-std::set<std::string> expect_the_same_again(Measurements measurements) {
+std::set<std::string> expect_the_same_again(const Measurements& measurements) {
   std::set<std::string> checks;
   for (const auto& [row, tally] : measure_all(measurements, 1).rows)
     for (const WorstCase& worst : tally.worst.cases()) {
