@@ -91,7 +91,7 @@ function(cageproof_tests name)
   endif()
   add_executable(${name}_tests ${sources} ${PROJECT_SOURCE_DIR}/cmake/test_main.cpp)
   set_target_properties(${name}_tests PROPERTIES UNITY_BUILD OFF)
-  # What is tested is optimised as users get it, where it is compiled in its room.
+  # What is tested is optimised as users get it, where it is compiled in its room, and is not inline.
   target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1>)
   target_link_libraries(${name}_tests PRIVATE ${ARG_LINK} cageproof_flags GTest::gtest)
   target_precompile_headers(${name}_tests PRIVATE <cageproof/core/linear.h> <gtest/gtest.h>)

@@ -244,7 +244,7 @@ grep -q '1 of 2 points have no image' rest.json || fail "no word of it in the re
 # What is refused.
 refuses "unknown deformer 'grean'" -- "${common[@]}" --method grean --out out.obj
 refuses stretch rms -- "${common[@]}" --method green --parameter stretch=most --out out.obj
-refuses 'green has stretch alone' -- "${common[@]}" --method green --parameter level=1 --out out.obj
+refuses 'green has only stretch' -- "${common[@]}" --method green --parameter level=1 --out out.obj
 refuses 'out of range' -- "${common[@]}" --method somigliana --parameter nu=0.5 --out out.obj
 for method in maximum_entropy quad_mean_value green; do
   refuses nosuch -- --cage l-block --posed l-block --points mesh.obj --method $method --evaluation nosuch --out out.csv

@@ -25,7 +25,6 @@ bool is_closed(const Joined& joined) {
 
 double content_of(const Joined& joined, std::span<const Vec3<double>> vertices, const ContentUnit& unit) {
   double sum = 0;
-  if (vertices.empty()) return sum;
   const auto from = [&](int v) -> Vec3<double> { return (vertices[v] - vertices.front()) / unit.length; };
   const auto turned = [](const Vec3<double>& u, const Vec3<double>& v) { return u[0] * v[1] - u[1] * v[0]; };
   for (const auto& face : joined.faces)

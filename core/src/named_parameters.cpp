@@ -57,7 +57,7 @@ std::pair<std::size_t, std::string_view> named_in(const std::string& text, const
     names.reserve(known.size());
     for (const KindParameter& p : known) names.push_back(p.name);
     throw wrong_parameter(owner, text,
-                          fmt::format("{} has {} alone{}", owner.name, fmt::join(names, ", "), meant(name, names)));
+                          fmt::format("{} has only {}{}", owner.name, fmt::join(names, ", "), meant(name, names)));
   }
   if (equals == std::string::npos) throw wrong_parameter(owner, text, fmt::format("write {}=value", text));
   return {found - known.begin(), std::string_view(text).substr(equals + 1)};

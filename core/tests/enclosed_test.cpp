@@ -77,7 +77,5 @@ TEST(Enclosed, lines_in_space_enclose_nothing_and_open_nothing) {
   EXPECT_TRUE(is_closed(mesh));
 }
 
-TEST(Enclosed, without_vertices_there_is_no_content) { EXPECT_EQ(content({}, 3), 0); }
-
 }  // namespace
 }  // namespace cageproof

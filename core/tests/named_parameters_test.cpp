@@ -51,7 +51,7 @@ TEST(NamedParameters, are_refused_in_the_words_of_who_asks) {
     EXPECT_EQ(refused({"nu=0,0.1"}, word), word + " nu=0,0.1: '0,0.1' is not a number");
     EXPECT_EQ(refused({"nu="}, word), word + " nu=: '' is not a number");
     EXPECT_EQ(refused({"nu"}, word), word + " nu: write nu=value");
-    EXPECT_EQ(refused({"un=0"}, word), word + " un=0: elastic has nu, pieces, rule alone; did you mean 'nu'?");
+    EXPECT_EQ(refused({"un=0"}, word), word + " un=0: elastic has only nu, pieces, rule; did you mean 'nu'?");
     EXPECT_EQ(refused({"rule=1"}, word), word + " rule=1: '1' is none of ends, middles, both");
     EXPECT_EQ(refused({"rule=bot"}, word),
               word + " rule=bot: 'bot' is none of ends, middles, both; did you mean 'both'?");

@@ -12,7 +12,7 @@
 namespace cageproof::deformation {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 double cage_content(const CageElements& cage, const std::vector<Vec3<double>>& vertices, double unit) {
   std::vector<std::vector<int>> faces;
@@ -27,11 +27,11 @@ double cage_content(const CageElements& cage, const std::vector<Vec3<double>>& v
 
 // An open mesh holds no volume, and in the plane closed faces hold none, either.
 double mesh_ratio(const Mesh& rest, const std::vector<Vec3<double>>& moved, int dimension, double unit) {
-  if (!is_closed({rest.faces, rest.segments, dimension})) return none;
-  const std::vector<std::vector<int>> flat;
-  const Joined joined{dimension == 3 ? rest.faces : flat, rest.segments, dimension};
+  if (!is_closed({rest.faces, rest.segments, dimension})) return not_known;
+  const std::vector<std::vector<int>> no_faces;
+  const Joined joined{dimension == 3 ? rest.faces : no_faces, rest.segments, dimension};
   const double before = content_of(joined, rest.vertices, {.length = unit});
-  return before != 0 ? content_of(joined, moved, {.length = unit}) / before : none;
+  return before != 0 ? content_of(joined, moved, {.length = unit}) / before : not_known;
 }
 
 JacobianMeasures jacobian_measures(const std::vector<double>& jacobians, const std::vector<char>& missing, int d) {
@@ -69,8 +69,9 @@ MeshMeasures measures_of(const CageElements& cage, double size, const std::vecto
   }
   found.missing = static_cast<std::size_t>(std::ranges::count(images.missing, 1));
   const std::size_t present = moved.size() - found.missing;
-  found.mean_displacement = present > 0 ? sum / static_cast<double>(present) : none;
-  found.cage_ratio = posed.empty() ? none : cage_content(cage, posed, size) / cage_content(cage, cage.vertices(), size);
+  found.mean_displacement = present > 0 ? sum / static_cast<double>(present) : not_known;
+  found.cage_ratio =
+      posed.empty() ? not_known : cage_content(cage, posed, size) / cage_content(cage, cage.vertices(), size);
   found.mesh_ratio = mesh_ratio(rest, moved, d, size);
   if (order >= 1) found.jacobians = jacobian_measures(images.maps[map].tensors[1], images.missing, d);
   return found;

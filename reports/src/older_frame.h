@@ -5,6 +5,7 @@
 #include "cageproof/core/error_measure.h"
 
 #include <utility>
+#include <vector>
 
 namespace cageproof::reports {
 

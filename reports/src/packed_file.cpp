@@ -34,19 +34,26 @@ Packer::~Packer() { deflateEnd(stream_.get()); }
 void Packer::deflate(std::string_view part, int flush) {
   stream_->next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(part.data()));  // zlib does not change it
   stream_->avail_in = static_cast<uInt>(part.size());
+  int end = Z_OK;
   do {
     const std::size_t size = bytes_.size();
     bytes_.resize(size + block_size);
     stream_->next_out = reinterpret_cast<Bytef*>(bytes_.data() + size);
     stream_->avail_out = block_size;
-    const int end = ::deflate(stream_.get(), flush);
+    end = ::deflate(stream_.get(), flush);
     bytes_.resize(size + block_size - stream_->avail_out);
-    if (end != Z_OK && end != Z_STREAM_END && end != Z_BUF_ERROR)
-      throw std::runtime_error("zlib could not pack a text");
-  } while (stream_->avail_out == 0);
+  } while (end == Z_OK && stream_->avail_out == 0);
+  // Where all that fitted was packed already, zlib calls it a want of room.
+  const bool whole = flush == Z_FINISH ? end == Z_STREAM_END : end == Z_OK || end == Z_BUF_ERROR;
+  if (!whole || stream_->avail_in > 0) throw std::runtime_error("zlib could not pack a text");
 }
 
-void Packer::add(std::string_view part) { deflate(part, Z_NO_FLUSH); }
+void Packer::add(std::string_view part) {
+  // zlib counts in 32 bits.
+  constexpr std::size_t most = std::size_t{1} << 30;
+  for (; part.size() > most; part.remove_prefix(most)) deflate(part.substr(0, most), Z_NO_FLUSH);
+  if (!part.empty()) deflate(part, Z_NO_FLUSH);
+}
 
 std::string Packer::finish() {
   deflate({}, Z_FINISH);

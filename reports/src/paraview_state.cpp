@@ -136,7 +136,7 @@ class State {
     proxy("sources", files_.cage, "sources", "XMLPolyDataReader", kCage, 1).set("FileName", files_.cage);
     if (files_.mesh.empty()) return;
     proxy("sources", files_.mesh, "sources", "XMLPolyDataReader", kMesh, 1).set("FileName", files_.mesh);
-    // Vertices that were measured, alone.
+    // Only vertices that were measured.
     proxy("sources", "measured vertices", "filters", "Threshold", kPoints, 1)
         .refer("Input", {kMesh})
         .set("SelectInputScalars", colour_by(mask_name(scene_.compared.front())))

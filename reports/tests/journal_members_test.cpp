@@ -166,6 +166,17 @@ TEST_F(JournalMembers, ComeBackFromAFinishedJournal) {
   expect_everything(read_journal(path()));
 }
 
+// Before cases had a frame, the unit and the shift of a cage were four parameters.
+TEST_F(JournalMembers, OfOlderJournalsSayWhereACageStood) {
+  std::string text = journal_text(read_journal(path()));
+  const std::string frame = R"({"unit":1e-320,"shift":[-0.0,1e+300,0.3333333333333333]})";
+  const std::size_t at = text.find(frame);
+  ASSERT_NE(at, text.npos) << text;
+  text.replace(at, frame.size(), "[1e-320,-0.0,1e+300,0.3333333333333333]");
+  write_file(path(), text);
+  expect_everything(read_journal(path()));
+}
+
 TEST_F(JournalMembers, TimesOfASessionComeBack) {
   for (const bool finished : {false, true}) {
     if (finished) write_file(path(), journal_text(read_journal(path())));

@@ -38,6 +38,14 @@ TEST_F(PackedFile, ComesBack) {
   }
   EXPECT_LT(packed(long_text()).size(), long_text().size() / 2);
   EXPECT_EQ(packed(long_text()), packed(long_text()));
+  Packer in_parts;
+  const std::string whole = long_text();
+  std::string_view rest = whole;
+  for (std::size_t size = 0; !rest.empty(); size = 2 * size + 1) {
+    in_parts.add(rest.substr(0, size));
+    rest.remove_prefix(std::min(size, rest.size()));
+  }
+  EXPECT_EQ(read_packed(put(in_parts.finish())), whole);
 }
 
 TEST_F(PackedFile, ReadsLines) {

@@ -102,7 +102,9 @@ def commands(build: Path):
     for entry in json.loads((build / "compile_commands.json").read_text()):
         words = shlex.split(entry["command"])
         # A launcher, ccache say, stands before the compiler.
-        compiler = next(i for i, word in enumerate(words) if COMPILER.search(word))
+        compiler = next((i for i, word in enumerate(words) if COMPILER.search(word)), None)
+        if compiler is None:
+            raise RuntimeError(f"no compiler in: {entry['command']}")
         kept, skip = [], False
         for word in words[compiler + 1 :]:
             if skip or word in ("-c", entry["file"]):

@@ -34,7 +34,7 @@ struct Options {
   std::string evaluation = {};
   /// How quads become triangles, of kinds that do not keep them: "shortest" diagonal, or "fan" from the first corner.
   std::string triangulation = "shortest";
-  /// Name and value: {"nu", "0.3"}, {"collocation", "vertices"}.
+  /// Name and value: {"nu", "0.3"}, {"collocation", "vertices"}; each name once.
   std::vector<std::pair<std::string, std::string>> parameters = {};
   bool flip_inward = false;          ///< turn parts whose normals point inward, instead of refusing them
   bool allow_invalid_quads = false;  ///< of kinds that keep quads: compute with those that cross themselves or fold
@@ -71,7 +71,8 @@ class Coordinates {
  public:
   /// \param kind "mean_value", "green", "biharmonic", "somigliana", "quad_mean_value" ...
   /// \throws InputError for a cage that is not closed, not oriented or otherwise broken, naming the face or vertex; for
-  /// an unknown kind, evaluation or parameter, naming those there are; where the kind has no coordinates in the cage
+  /// an unknown kind, evaluation or parameter, naming those there are; for a parameter that is out of range, or given
+  /// twice; where the kind has no coordinates in the cage
   Coordinates(const Cage& cage, const std::string& kind, const Options& options = {});
 
   int dimension() const;

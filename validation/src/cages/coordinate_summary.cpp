@@ -41,7 +41,7 @@ void keep(Largest& largest, double value, std::size_t point) {
     largest = {value, point};
 }
 
-void add(CoordinateSummary& sum, const CoordinateSummary& part) {
+void add_part(CoordinateSummary& sum, const CoordinateSummary& part) {
   sum.inside += part.inside;
   sum.on += part.on;
   sum.outside += part.outside;
@@ -94,7 +94,7 @@ CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cag
       keep(mine.reproduction, errors.reproduction[0].relative, p);
     }
     const std::lock_guard lock(adding);
-    add(sum, mine);
+    add_part(sum, mine);
   });
   return sum;
 }

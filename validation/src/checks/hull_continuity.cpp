@@ -14,6 +14,7 @@ constexpr int points = 64;
 
 // A jump is of two points and a normal: no worst case could be run again from what is stored of one.
 struct HullAt {
+  static constexpr bool is_stored = false;
   adaptive_qmvc::Jump jump;
   std::uint64_t index;
 

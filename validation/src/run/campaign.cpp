@@ -36,7 +36,8 @@ bool takes_every_sample(const Evaluation& evaluation) {
   return role != Role::Rule && role != Role::Scheme && evaluation.cost() < CostClass::Adaptive;
 }
 
-// Steps through all decades of a sweep, whose lengths seven does not divide.
+// Steps through all decades of a sweep, whose lengths seven does not divide. The second sample is in the middle of
+// distances down to 1e-16, and at the end of those up to 1e8: integrals are asked at two, at least, of a sweep.
 constexpr int wide_stride = 7;
 
 // At most n, at least one: steps over what lies exactly on an element and what lies a rounding off it by turns.
@@ -79,12 +80,11 @@ std::optional<Part> part_for(const Check& check, const Evaluation& evaluation, S
   switch (check.cost(scalar)) {
     case Check::Cost::Enclosure: return strided(wide_stride, wide_stride * options.enclosures);
     case Check::Cost::Multiprecision: {
-      // Several are asked for so that they spread over a sweep's decades; half of them do where nothing is swept.
-      // Points on an element lie exactly on it and a rounding off it by turns, and only the latter have all
-      // derivatives: one of each at least, or no derivative would be confirmed.
+      // Half of them where nothing is swept. Points on an element lie exactly on it and a rounding off it by turns, and
+      // only the latter have all derivatives: one of each at least, or no derivative would be confirmed.
       const bool none_swept = regime.parameters.empty();
-      const int least = regime.name.starts_with("on-") ? 2 : 1;
-      const int integrals = none_swept ? std::max(least, (options.integral_samples + 1) / 2) : options.integral_samples;
+      const int half = std::max(std::min(2, options.integral_samples), (options.integral_samples + 1) / 2);
+      const int integrals = none_swept ? half : options.integral_samples;
       const int stride = none_swept ? std::min(wide_stride, largest_odd(options.samples - 1)) : wide_stride;
       return strided(stride, std::min(options.samples, stride * integrals));
     }

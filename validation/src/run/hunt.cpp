@@ -194,10 +194,10 @@ class Hunter {
   // What lets the truth's source stand in for the integral, asked at the sample itself.
   std::optional<double> against_integral(const Start& place) const {
     if (source_.is_integral) return std::nullopt;
-    const auto gate = element_question(*find_check("integral"), source_.evaluation, ScalarKind::Digits100,
-                                       hunted_regime, options_.order);
-    if (!gate) return std::nullopt;
-    const Finding finding = gate->ask(ElementAt(source_, place.sample, options_.order))[options_.order];
+    const ElementQuestion gate = element_question(*find_check("integral"), source_.evaluation, ScalarKind::Digits100,
+                                                  hunted_regime, options_.order)
+                                     .value();
+    const Finding finding = gate.ask(ElementAt(source_, place.sample, options_.order))[options_.order];
     if (finding.status != Finding::Status::Measured) return std::nullopt;
     return finding.error;
   }

@@ -82,7 +82,7 @@ const std::vector<Suite>& suites() {
   static const std::vector<Suite> all{
       {.name = "quick",
        .samples = 20,
-       .integral_samples = 1,
+       .integral_samples = 2,
        .integral_entries = 4,
        .enclosures = 1,
        .cage_points = 16,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What meshes enclose.
+// The volume or area that a mesh encloses.
 #pragma once
 
 #include "cageproof/core/vector.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a map does to a mesh, in a few numbers.
+// A few numbers of a mesh and its image under a map.
 #pragma once
 
 #include "cageproof/core/mesh_io.h"
@@ -11,7 +11,7 @@
 
 namespace cageproof::deformation {
 
-/// Of the Jacobians of points with an image.
+/// Figures of the Jacobians of points that have an image.
 struct JacobianMeasures {
   double least_singular_value, largest_singular_value;  ///< infinite where there are no Jacobians
   std::size_t turned = 0;                               ///< points turned inside out

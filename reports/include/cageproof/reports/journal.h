@@ -58,7 +58,7 @@ std::string journal_head(const JournalHeader& header, const Session& session);
 /// Hands out the lines of a finished journal, one per row of results: a function of what was found, except for the
 /// object "environment" in the first line. \pre all units are done
 void put_journal(const Journal& journal, const std::function<void(std::string_view)>& put);
-/// The same as one text.
+/// The same as one text. \pre all units are done
 std::string journal_text(const Journal& journal);
 
 /// Appends to a journal that exists. Safe from several threads.

@@ -20,7 +20,7 @@ class Packer {
   Packer& operator=(const Packer&) = delete;
 
   void add(std::string_view part);
-  /// The bytes of all parts. \pre nothing is added later
+  /// The bytes of all parts. \pre nothing is added later, and it is called once
   std::string finish();
 
  private:

@@ -30,7 +30,7 @@ struct BlockAt {
   CageSample sample;
 
   std::uint64_t number() const { return sample.index; }
-  /// Its point, and its frame as the parameters (unit, then shift).
+  /// Its point and its frame.
   WorstCase case_of(const Finding& finding, int order) const;
 };
 
@@ -63,7 +63,7 @@ class BlockErrors {
 std::unique_ptr<const Measurement> block_measurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
                                                      const BlockCampaignOptions& options);
 
-/// The sample that a worst case was made of. \throws InputError when it has other parameters
+/// The sample that a worst case was made of.
 CageSample block_sample(const WorstCase& worst);
 
 }  // namespace cageproof::validation

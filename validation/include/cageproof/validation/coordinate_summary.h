@@ -11,7 +11,7 @@
 
 namespace cageproof::validation {
 
-/// Of one quantity: its largest value, and the point that has it, counted from 0.
+/// A quantity's largest value, and the point that has it, counted from 0.
 struct Largest {
   double value = 0;
   std::size_t point = 0;

@@ -39,7 +39,8 @@ inline bool counted(Finding::Status status, Tally& tally) {
 }
 
 /// \tparam At an input, with what several questions share there, which is computed when first asked for:
-///   `number()` is the sample's, `case_of(finding, order)` the input as it is stored; without it none is.
+///   `number()` is the sample's, `case_of(finding, order)` the input as it is stored. An At whose inputs cannot be run
+///   again has `is_stored = false` in its place.
 template <class At>
 struct Question {
   RowKey key;                                            ///< of its rows, but for the order
@@ -63,7 +64,7 @@ void record(const Question<At>& question, const At& at, std::map<RowKey, Tally>&
     tally.unit = question.unit;
     if (!counted(found[o].status, tally)) continue;
     tally.total_loss = std::max(tally.total_loss, found[o].total_loss);
-    if constexpr (requires { at.case_of(found[o], o); })
+    if constexpr (!requires { At::is_stored; })
       tally.add(found[o].error, found[o].relative, at.number(), [&](double error) {
         WorstCase worst = at.case_of(found[o], o);
         worst.error = error;

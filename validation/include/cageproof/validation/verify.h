@@ -17,7 +17,7 @@ namespace cageproof::validation {
 struct Suite {
   std::string_view name;
   int samples;                  ///< of each formula in each regime
-  int integral_samples;         ///< of these, for the multiprecision integral
+  int integral_samples;         ///< CampaignOptions::integral_samples
   int integral_entries;         ///< CampaignOptions::integral_entries
   int enclosures;               ///< of each formula in each regime, enclosed rigorously
   int cage_points;              ///< a cage, off it
