@@ -35,14 +35,13 @@ if(CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL Clang AND NOT CMAKE_CXX_COMPILER_LA
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-Xclang -fno-pch-timestamp>")
 endif()
 
-# cageproof_room(NAME LINK libs... [PRECOMPILE <header>...] [HEADERS_OF target] [BATCH n | BY_FOLDER] [INSTANCES regex] [QUICKLY_BUILT]): the room's
+# cageproof_room(NAME LINK libs... [PRECOMPILE <header>...] [HEADERS_OF target] [BATCH n | BY_FOLDER] [INSTANCES regex]): the room's
 # src/**.cpp as an object library, so that rows which register themselves are kept. PRECOMPILE: what most of its files include besides
 # vectors and evaluations. HEADERS_OF: takes that target's precompiled headers, which must have the same definitions,
 # instead of its own. Of a unity build: BATCH files are compiled at once, or BY_FOLDER those of each folder, which instantiate the same
 # templates. INSTANCES: files that instantiate what others declare extern; beside them others would instantiate it again, for inlining.
-# QUICKLY_BUILT: a room whose time goes into matrices and multiprecision, which -O3 makes no quicker than -O2: a sixth of its build is saved.
 function(cageproof_room name)
-  cmake_parse_arguments(ARG "BY_FOLDER;QUICKLY_BUILT" "HEADERS_OF;BATCH;INSTANCES" "LINK;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "BY_FOLDER" "HEADERS_OF;BATCH;INSTANCES" "LINK;PRECOMPILE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/*.cpp)
   add_library(cageproof_${name} OBJECT ${sources})
   # The files of an element's kind say the same things of different kinds, in the same words.
@@ -68,9 +67,6 @@ function(cageproof_room name)
   target_include_directories(cageproof_${name} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>)
   target_link_libraries(cageproof_${name} PUBLIC ${ARG_LINK} PRIVATE cageproof_flags)
-  if(ARG_QUICKLY_BUILT)
-    target_compile_options(cageproof_${name} PRIVATE $<$<CONFIG:Release>:-O2>)
-  endif()
   # Reading headers is a quarter of a build, and five seconds a file, without it.
   # GCC takes a precompiled header only with the very definitions that it was made with, so there each room has its own.
   if(ARG_HEADERS_OF AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)
@@ -91,8 +87,6 @@ function(cageproof_tests name)
   endif()
   add_executable(${name}_tests ${sources} ${PROJECT_SOURCE_DIR}/cmake/test_main.cpp)
   set_target_properties(${name}_tests PROPERTIES UNITY_BUILD OFF)
-  # What is tested is optimised as users get it, where it is compiled in its room, and is not inline.
-  target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1>)
   target_link_libraries(${name}_tests PRIVATE ${ARG_LINK} cageproof_flags GTest::gtest)
   target_precompile_headers(${name}_tests PRIVATE <cageproof/core/linear.h> <gtest/gtest.h>)
   target_compile_definitions(${name}_tests PRIVATE

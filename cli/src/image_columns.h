@@ -8,7 +8,7 @@
 
 namespace cageproof::cli {
 
-/// Columns `x`, `y`, `z`, then `x_dx` ..., a row a point. \param order highest derivative that the images have
+/// Columns `x`, `y`, `z`, then `x_dx` ..., one row per point. \param order highest derivative that the images have
 CoordinateColumns image_columns(const deformation::Images<double>& images, int dimension, int order);
 
 }  // namespace cageproof::cli

@@ -62,7 +62,8 @@ const std::vector<ManualSection>& manual_sections() {
        {},
        {{"TMPDIR", "where files are put that live as long as the command; default: /tmp"},
         {"CAGEPROOF_SIMD",
-         "the instruction set of batched coordinates: plain, avx2 or avx512; default: the widest that the processor "
+         "the instruction set of batched coordinates and of closed forms of triangles far away: plain, avx2 or avx512; "
+         "default: the widest that the processor "
          "has. "
          "Another name, or a set that the processor lacks, is refused"}}},
       {"Completion",

@@ -9,7 +9,7 @@
 
 namespace cageproof::cli {
 
-/// Lines for a user: counts, residuals, and a warning for each kind of points that a mesh cannot be deformed at.
+/// Lines for a user with counts, residuals, and a warning for each kind of points that a mesh cannot be deformed at.
 std::vector<std::string> lines_of(const validation::CoordinateSummary& summary, const CoordinateKind& kind,
                                   const Cage& cage);
 

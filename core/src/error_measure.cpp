@@ -71,17 +71,9 @@ ErrorHistogram ErrorHistogram::restored(const std::array<std::uint64_t, bin_coun
   return histogram;
 }
 
-namespace {
-
-bool worse(double error_a, std::uint64_t sample_a, double error_b, std::uint64_t sample_b) {
-  return error_a != error_b ? error_a > error_b : sample_a < sample_b;
-}
-
-// Every number of an input, bit for bit.
-std::vector<std::uint64_t> bits_of(const WorstCase& c) {
+std::vector<std::uint64_t> input_bits(const WorstCase& c) {
   std::vector<std::uint64_t> bits{static_cast<std::uint64_t>(c.asked)};
   const auto add = [&](double x) { bits.push_back(std::bit_cast<std::uint64_t>(x)); };
-  add(c.parameter);
   for (const Vec3<double>& corner : c.corners) std::ranges::for_each(corner, add);
   std::ranges::for_each(c.point, add);
   std::ranges::for_each(c.parameters, add);
@@ -90,9 +82,16 @@ std::vector<std::uint64_t> bits_of(const WorstCase& c) {
   return bits;
 }
 
+namespace {
+
+bool worse(double error_a, std::uint64_t sample_a, double error_b, std::uint64_t sample_b) {
+  return error_a != error_b ? error_a > error_b : sample_a < sample_b;
+}
+
 bool worse(const WorstCase& a, const WorstCase& b) {
   if (a.error != b.error || a.sample != b.sample) return worse(a.error, a.sample, b.error, b.sample);
-  return bits_of(a) < bits_of(b);
+  if (a.parameter != b.parameter) return a.parameter < b.parameter;
+  return input_bits(a) < input_bits(b);
 }
 
 }  // namespace

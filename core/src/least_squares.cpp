@@ -73,9 +73,9 @@ Matrix<R> LeastSquares<R>::solve(const Matrix<R>& right) const {
   return solution;
 }
 
-Triangular triangular(const Matrix<double>& matrix, const Matrix<double>& right) {
+QrFactors qr_factors(const Matrix<double>& matrix, const Matrix<double>& right) {
   const Eigen::HouseholderQR<Matrix<double>> factors(matrix);
-  Triangular found{
+  QrFactors found{
       factors.matrixQR().topRows(std::min(matrix.rows(), matrix.cols())).template triangularView<Eigen::Upper>(),
       right};
   if (right.size() > 0) found.turned.applyOnTheLeft(factors.householderQ().adjoint());
@@ -91,7 +91,7 @@ SolvedSystem describe(std::string name, const Matrix<R>& matrix, int rank, const
   } else {
     // The triangle of a QR factorisation has the matrix's singular values, and is as small as they are many.
     const Matrix<double> in_units = matrix / unit_of(matrix);
-    const Eigen::VectorXd values = Eigen::BDCSVD<Matrix<double>>(triangular(in_units).triangle).singularValues();
+    const Eigen::VectorXd values = Eigen::BDCSVD<Matrix<double>>(qr_factors(in_units).triangle).singularValues();
     const double least = values[values.size() - 1];
     const double unit = unit_of(right);
     const Eigen::VectorXd sizes = (right / unit).colwise().norm(),

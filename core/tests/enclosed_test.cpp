@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What meshes enclose: known contents, and what is open.
+// Contents of meshes whose volumes and areas are known, and meshes that are open.
 #include "cageproof/core/enclosed.h"
 #include "cageproof/core/mesh_io.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace cageproof {
 namespace {
@@ -20,7 +22,7 @@ Mesh box(const Vec& half, const Vec& middle) {
 }
 
 double content(const Mesh& mesh, int dimension, const ContentUnit& unit = {}) {
-  return content_of({mesh.faces, mesh.segments, dimension}, mesh.vertices, unit);
+  return content_of({mesh.faces, mesh.segments, dimension}, mesh.vertices, unit).value;
 }
 
 bool is_closed(const Mesh& mesh, int dimension = 3) {
@@ -33,6 +35,34 @@ TEST(Enclosed, a_box_holds_six_simplices_a_cube_wherever_it_is) {
   EXPECT_DOUBLE_EQ(content(mesh, 3, {.length = 2}), 6);
   EXPECT_DOUBLE_EQ(content(mesh, 3, {.simplices = 6}), 8);
   EXPECT_TRUE(is_closed(mesh));
+}
+
+TEST(Enclosed, a_bilinear_quad_holds_the_same_wherever_its_corners_begin) {
+  Mesh mesh = box({.5, .5, .5}, {.5, .5, .5});
+  mesh.vertices[7] += Vec(0, 0, 1);
+  // The top is z = 1 + x y, whose integral over the square is 5/4; the sides stay planar.
+  for (int turns = 0; turns < 4; ++turns) {
+    EXPECT_DOUBLE_EQ(content(mesh, 3, {.simplices = 6}), 1.25) << turns;
+    for (auto& face : mesh.faces) std::ranges::rotate(face, face.begin() + 1);
+  }
+}
+
+TEST(Enclosed, parts_that_cancel_have_no_known_content) {
+  const auto is_known = [](const Mesh& mesh) {
+    return content_of({mesh.faces, mesh.segments, 3}, mesh.vertices, {}).is_known();
+  };
+  Mesh mesh = box({.1, .2, .3}, {.3, .7, .1});
+  EXPECT_TRUE(is_known(mesh));
+  const Mesh other = box({.1, .2, .3}, {5, 1.1, -2.3});
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (auto face : other.faces) {
+    std::ranges::reverse(face);
+    for (int& v : face) v += 8;
+    mesh.faces.push_back(face);
+  }
+  EXPECT_TRUE(is_closed(mesh));
+  EXPECT_FALSE(is_known(mesh));
+  EXPECT_FALSE(is_known({}));
 }
 
 TEST(Enclosed, what_is_inside_out_is_negative) {

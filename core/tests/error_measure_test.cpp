@@ -113,6 +113,19 @@ TEST(worst_cases, do_not_depend_on_the_order) {
   } while (std::ranges::next_permutation(input).found);
 }
 
+TEST(worst_cases, tell_frames_of_a_cage_apart) {
+  WorstCase here{1, 0, 3}, scaled = here, moved = here;
+  scaled.frame.unit = 2;
+  moved.frame.shift[2] = -1;
+  for (const WorstCase& other : {scaled, moved}) {
+    WorstCases one(1), another(1);
+    for (const WorstCase& c : {here, other}) one.add(c);
+    for (const WorstCase& c : {other, here}) another.add(c);
+    EXPECT_EQ(one.cases()[0].frame.unit, another.cases()[0].frame.unit);
+    EXPECT_EQ(one.cases()[0].frame.shift, another.cases()[0].frame.shift);
+  }
+}
+
 TEST(worst_cases, wants_says_what_add_does) {
   WorstCases worst(2);
   EXPECT_TRUE(worst.wants(0, 0));

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-double cage_content(const CageElements& cage, const std::vector<Vec3<double>>& vertices, double unit) {
+Content cage_content(const CageElements& cage, const std::vector<Vec3<double>>& vertices, double unit) {
   std::vector<std::vector<int>> faces;
   std::vector<std::array<int, 2>> segments;
   for (std::size_t e = 0; e < cage.count(); ++e) {
@@ -25,13 +25,17 @@ double cage_content(const CageElements& cage, const std::vector<Vec3<double>>& v
   return content_of({faces, segments, cage.dimension()}, vertices, {.length = unit});
 }
 
+double ratio_of(const Content& after, const Content& before) {
+  return before.is_known() ? after.value / before.value : not_known;
+}
+
 // An open mesh holds no volume, and in the plane closed faces hold none, either.
 double mesh_ratio(const Mesh& rest, const std::vector<Vec3<double>>& moved, int dimension, double unit) {
   if (!is_closed({rest.faces, rest.segments, dimension})) return not_known;
   const std::vector<std::vector<int>> no_faces;
-  const Joined joined{dimension == 3 ? rest.faces : no_faces, rest.segments, dimension};
-  const double before = content_of(joined, rest.vertices, {.length = unit});
-  return before != 0 ? content_of(joined, moved, {.length = unit}) / before : not_known;
+  const Connectivity connectivity{dimension == 3 ? rest.faces : no_faces, rest.segments, dimension};
+  return ratio_of(content_of(connectivity, moved, {.length = unit}),
+                  content_of(connectivity, rest.vertices, {.length = unit}));
 }
 
 JacobianMeasures jacobian_measures(const std::vector<double>& jacobians, const std::vector<char>& missing, int d) {
@@ -71,7 +75,7 @@ MeshMeasures measures_of(const CageElements& cage, double size, const std::vecto
   const std::size_t present = moved.size() - found.missing;
   found.mean_displacement = present > 0 ? sum / static_cast<double>(present) : not_known;
   found.cage_ratio =
-      posed.empty() ? not_known : cage_content(cage, posed, size) / cage_content(cage, cage.vertices(), size);
+      posed.empty() ? not_known : ratio_of(cage_content(cage, posed, size), cage_content(cage, cage.vertices(), size));
   found.mesh_ratio = mesh_ratio(rest, moved, d, size);
   if (order >= 1) found.jacobians = jacobian_measures(images.maps[map].tensors[1], images.missing, d);
   return found;

@@ -57,7 +57,7 @@ ColumnSet program_columns(const Matrix<double>& matrix, const Matrix<double>& ri
   if (deficient) held.bottomRows(n).diagonal().setConstant(1e-6);
   Matrix<double> data = Matrix<double>::Zero(rows + n, 1);
   data.topRows(rows) = right;
-  const Triangular factors = triangular(held, data);
+  const QrFactors factors = qr_factors(held, data);
   const Matrix<double>& triangle = factors.triangle;
   const double size = std::max(right.norm(), std::numeric_limits<double>::min());
   QuadraticProgram program{factors.turned.col(0).head(n) / size,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a map does to a mesh, in numbers that are known of maps made by hand.
+// Measures of meshes under maps made by hand, whose numbers are known.
 #include "support.h"
 
 #include "cageproof/deformation/mesh_measures.h"

@@ -4,27 +4,9 @@
 #include "cageproof/reports/worst_file.h"
 
 #include <algorithm>
-#include <bit>
 #include <map>
 
 namespace cageproof::reports {
-namespace {
-
-// Every number of an input, bit for bit: zero's sign counts.
-std::vector<std::uint64_t> input_of(const WorstLine& line) {
-  std::vector<std::uint64_t> bits{static_cast<std::uint64_t>(line.worst.asked)};
-  const auto add = [&](double x) { bits.push_back(std::bit_cast<std::uint64_t>(x)); };
-  for (const Vec3<double>& corner : line.worst.corners)
-    for (int c = 0; c < 3; ++c) add(corner[c]);
-  for (int c = 0; c < 3; ++c) add(line.worst.point[c]);
-  for (const double p : line.worst.parameters) add(p);
-  add(line.worst.frame.unit);
-  for (int c = 0; c < 3; ++c) add(line.worst.frame.shift[c]);
-  return bits;
-}
-
-}  // namespace
-
 std::size_t merge_worst(const std::filesystem::path& path, const std::vector<WorstLine>& cases, std::size_t few) {
   std::error_code missing;
   std::string text = std::filesystem::exists(path, missing) ? read_file(path) : std::string();
@@ -38,8 +20,8 @@ std::size_t merge_worst(const std::filesystem::path& path, const std::vector<Wor
     auto& same = known[line];
     const auto worse =
         std::ranges::count_if(same, [&](const WorstLine& other) { return other.worst.error >= line.worst.error; });
-    const bool there =
-        std::ranges::any_of(same, [&](const WorstLine& other) { return input_of(other) == input_of(line); });
+    const bool there = std::ranges::any_of(
+        same, [&](const WorstLine& other) { return input_bits(other.worst) == input_bits(line.worst); });
     if (there || static_cast<std::size_t>(worse) >= few) continue;
     same.push_back(line);
     text += worst_line(line) + "\n";

@@ -74,7 +74,7 @@ TEST(broken_groups, of_cages_have_the_cage_its_kinds_and_places_for_a_title) {
     row.order = 1;
     result.rows.push_back(row);
   }
-  // Of another cage, and of a deformer in the same one.
+  // One row is of another cage, and one of a deformer in the same cage.
   result.rows.push_back(result.rows[0]);
   result.rows.back().setting = "cube";
   result.rows.push_back(result.rows[0]);
@@ -106,7 +106,7 @@ TEST(broken_groups, write_inputs_with_all_that_they_hold) {
   EXPECT_EQ(input_line(input), "(0, 0, 1) (2, 0, 0) seen from (0.25, -1, 1e-17), parameters 0.5, 4");
 }
 
-// What is as bad as its bound allows is kept; of inputs as long as each other the first stands.
+// An error equal to its bound is kept. The first of several inputs of the same length stands.
 TEST(broken_groups, name_no_input_of_what_keeps_its_bound) {
   RunResult result = run();
   result.rows.resize(1);

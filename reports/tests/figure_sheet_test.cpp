@@ -138,7 +138,7 @@ TEST(FigureSheet, panels_have_one_scale_unless_they_are_too_large) {
   EXPECT_LT(frame.z[1], 0);
 }
 
-// A figure of one cage a panel, seen from above: as wide and as high as the box.
+// A figure with one cage per panel, seen from above, as wide and as high as the box.
 FigureSheet seen_from_above(const Vec3<double>& half, int columns, int panels) {
   FigureSheet sheet = boxes();
   sheet.columns = columns;

@@ -173,7 +173,7 @@ TEST_P(ParaviewState, RefersToProxiesThatItDefines) {
   for (const std::string& id : asked) EXPECT_TRUE(defined.contains(id)) << id;
 }
 
-// What stands over a view, and beside its colour on the page, is the evaluation that its errors are of.
+// A view, and its colour on the page, have the name of the evaluation whose errors they show.
 TEST_P(ParaviewState, NamesWhatIsCompared) {
   std::vector<std::string> labels;
   for (Element* proxy : proxies("TextSource")) labels.push_back(values_of(*proxy, "Text").at(0));

@@ -323,7 +323,7 @@ TEST(ReportFiles, ACellAnswersWithItsWorstInputAndTheTruth) {
   EXPECT_TRUE(cell_of(report(run), page, "truth.generic.closed_form.double.0").contains("median"));
 }
 
-// What the picture of times and errors on a formula's page is drawn from.
+// The numbers that the picture of times and errors on a formula's page is drawn from.
 Json times_on_page(const RunResult& run, const std::string& formula) {
   const std::string page = report(run).at(fmt::format("formulas/{}.html", formula));
   const std::string start = "<script type=\"application/json\" id=\"times-data\">";
@@ -370,7 +370,7 @@ TEST(ReportFiles, TimesStandBesideTheirOwnErrors) {
       (Json{{"evaluation", "closed_form"}, {"order", 2}, {"nanoseconds", 2000.0}, {"generic", 11.0}, {"near", 7.0}}));
   EXPECT_EQ(times[2]["evaluation"], "gauss-8");
   EXPECT_EQ(times[2]["generic"], 1e6);
-  // What was not measured has no error, and what is not finite says so.
+  // An error that was not measured is null, and one that is not finite says so.
   for (const char* regime : {"near-edge", "near-vertex"}) row_of(regime, 0, "truth").samples = 0;
   row_of("generic", 2, "truth").max = row_of("near-face", 2, "truth").max = HUGE_VAL;
   EXPECT_EQ(times_on_page(run, formula)[0]["near"], 3.0);

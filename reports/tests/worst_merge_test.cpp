@@ -48,6 +48,16 @@ TEST_F(WorstMerge, KeepsTheWorstFewOfEachKind) {
   EXPECT_EQ(line.number, 1);
 }
 
+TEST_F(WorstMerge, TellsFramesOfACageApart) {
+  WorstLine here = line_with(1, 1);
+  here.section = RowKey::Section::Cage;
+  WorstLine scaled = here, moved = here;
+  scaled.worst.frame.unit = 1e-100;
+  moved.worst.frame.shift[1] = 1e8;
+  EXPECT_EQ(merge_worst(path(), {here, scaled, moved, scaled}, 9), 3U);
+  EXPECT_EQ(merge_worst(path(), {here, scaled, moved}, 9), 0U);
+}
+
 TEST_F(WorstMerge, LosesNothingThatIsThere) {
   // What no writer of ours would write: blank lines, unknown keys, no end of the last line.
   std::string text = "\n" + worst_line(line_with(1, 1)) + "\n";

@@ -48,7 +48,7 @@ TEST(CoordinateSummary, counts_where_points_lie) {
     EXPECT_EQ(found.missing + found.infinite + found.inexact, 0U);
     EXPECT_LT(found.partition.value, 1e-13);
     EXPECT_LT(found.reproduction.value, 1e-13);
-    // A mesh collapses outside, but for normalised kinds.
+    // A mesh collapses outside, except with normalised kinds.
     EXPECT_EQ(found.unusable, kind == "green" ? 1U : 0U);
   }
 }

@@ -58,7 +58,7 @@ double volume(const std::vector<Vec3<double>>& vertices, const std::vector<std::
 }
 
 double content(const Mesh& mesh, const std::vector<Vec3<double>>& vertices, int dimension) {
-  return content_of({mesh.faces, {}, dimension}, vertices, {.simplices = dimension == 3 ? 6 : 2});
+  return content_of({mesh.faces, {}, dimension}, vertices, {.simplices = dimension == 3 ? 6 : 2}).value;
 }
 
 TEST(PaperFigures, rounded_boxes_are_closed_symmetric_and_point_outward) {

@@ -18,6 +18,9 @@ TEST(SessionNotes, name_what_parts_differ_in) {
   EXPECT_NE(builds[0].find("measured with 2 different builds of the program (a | b)"), std::string::npos) << builds[0];
   const auto functions = session_notes({session(elementary_functions, "a"), session(elementary_functions, "b")});
   ASSERT_EQ(functions.size(), 1u);
+  const auto sets = session_notes({session(instruction_set_fact, "avx2"), session(instruction_set_fact, "plain")});
+  ASSERT_EQ(sets.size(), 1u);
+  EXPECT_NE(sets[0].find("2 different instruction sets (avx2 | plain)"), std::string::npos) << sets[0];
   EXPECT_NE(functions[0].find("2 different elementary functions (a | b)"), std::string::npos) << functions[0];
 }
 

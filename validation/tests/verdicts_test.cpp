@@ -133,7 +133,7 @@ TEST(rows, are_broken_by_samples_that_they_lost) {
   EXPECT_EQ(row_of(key("stated_error", "accurate", "generic"), declined).verdict, Verdict::Broken);
 }
 
-// What an evaluation may do is no loss, beside one that is.
+// An evaluation that may decline loses nothing, beside one that does lose.
 TEST(rows, say_only_of_what_is_lost_where_it_went) {
   Tally found = tally(0.5);
   found.declined = 2;
@@ -172,7 +172,7 @@ TEST(rows, without_an_integral_behind_them_break_its_own_row) {
     std::map<RowKey, Tally> tallies{{gate_at("on-face"), none}, {key("truth", "closed_form", "on-face"), tally(3)}};
     for (const ResultRow& row : judged(tallies).rows)
       EXPECT_EQ(row.verdict, row.check == "integral" ? Verdict::Broken : Verdict::NotPromised);
-    // What was broken was promised, too.
+    // Broken rows were promised, too.
     tallies[key("truth", "closed_form", "on-face")] = tally(65);
     for (const ResultRow& row : judged(tallies).rows)
       EXPECT_EQ(row.verdict, row.check == "integral" ? Verdict::Broken : Verdict::NotPromised);

@@ -35,6 +35,8 @@ const Kernels& kernels_of([[maybe_unused]] InstructionSet set) {
 
 }  // namespace
 
+std::string_view name_of(InstructionSet set) { return set_names[static_cast<std::size_t>(set)]; }
+
 InstructionSet named_instruction_set(std::string_view name, InstructionSet widest) {
   if (name.empty()) return widest;
   std::string of_machine;

@@ -146,7 +146,7 @@ Data pictures_of(const std::string& subject, const ErrorTable& table, const std:
   return list;
 }
 
-// What stands beside times in their picture: the largest error in `generic`, and that of all regimes `near-*`.
+// The errors beside times in their picture: the largest in `generic`, and the largest of all regimes `near-*`.
 Json times_json(const RunResult& result, const std::string& formula) {
   Json list = Json::array();
   for (const EvaluationTime& time : times_of(result)) {

@@ -192,7 +192,7 @@ class DeformedFigure final : public PaperFigure {
     const double size = plan_.cage->size();
     // Segments are drawn, and hold nothing.
     const std::vector<std::array<int, 2>> none;
-    const Joined joined{rest.faces, none, plan_.cage->dimension()};
+    const Connectivity connectivity{rest.faces, none, plan_.cage->dimension()};
     const ContentUnit unit{.simplices = flat ? 2 : 6};
     double largest = 0, sum = 0;
     std::vector<double> displacement;
@@ -203,9 +203,10 @@ class DeformedFigure final : public PaperFigure {
       displacement.insert(displacement.end(), step.begin(), step.end());
     }
     panel.data.arrays.push_back({"displacement", "unit of the cage", 3, std::move(displacement)});
-    const double ratio = content_of(joined, panel.data.vertices, unit) / content_of(joined, rest.vertices, unit);
+    const double ratio =
+        content_of(connectivity, panel.data.vertices, unit).value / content_of(connectivity, rest.vertices, unit).value;
     // An open mesh has no volume.
-    const bool has_content = flat || is_closed(joined);
+    const bool has_content = flat || is_closed(connectivity);
     const std::string content = has_content ? fmt::format("{} × {:.3f}, ", flat ? "area" : "volume", ratio) : "";
     if (has_content) panel.measured.emplace_back(flat ? "area ratio" : "volume ratio", ratio);
     panel.measured.emplace_back("largest displacement over cage size", largest / size);

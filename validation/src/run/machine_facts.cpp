@@ -2,6 +2,7 @@
 #include "cageproof/validation/machine_facts.h"
 
 #include "run/build_id.h"
+#include "cageproof/closed_form/batch/instruction_set.h"
 #include "cageproof/core/build_facts.h"
 #include "cageproof/core/scalar.h"
 #include "cageproof/core/parallel.h"
@@ -38,6 +39,7 @@ std::map<std::string, std::string> machine_facts(int jobs) {
           {"C library", fmt::format("glibc {}", gnu_get_libc_version())},
           {program_build, build_id()},
           {elementary_functions, elementary_function_variant()},
+          {instruction_set_fact, std::string(name_of(closed_form::batch::instruction_set()))},
           {"Boost", BOOST_LIB_VERSION},
           {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"MPFR", mpfr_get_version()},

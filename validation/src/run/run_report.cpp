@@ -21,8 +21,8 @@
 namespace cageproof::validation {
 namespace {
 
-// What threads have freed in small pieces goes back to the system: the largest that a run holds is what is kept from
-// measuring and what is needed to write, together.
+// Gives the system back what threads have freed in small pieces. A run holds most while it writes: what is kept from
+// measuring, and what writing needs.
 void return_free_memory() {
 #ifdef __GLIBC__
   malloc_trim(0);
@@ -108,6 +108,7 @@ std::vector<std::string> session_notes(const std::vector<Session>& sessions) {
   };
   compare(elementary_functions, "elementary functions",
           "the C library picks them by processor; last digits may differ from those of a run on one kind");
+  compare(instruction_set_fact, "instruction sets", "last digits may differ from those of a run with one set");
   compare(program_build, "builds of the program", "figures of different programs may stand side by side");
   return notes;
 }

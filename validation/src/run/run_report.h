@@ -19,8 +19,8 @@ RunResult write_report(const std::filesystem::path& out, reports::Journal journa
 /// Empty: they are of one run.
 std::string difference_of_runs(const reports::JournalHeader& before, const reports::JournalHeader& now);
 
-/// What sessions differ in that figures may owe to: the program's build, and the elementary functions of their
-/// processors.
+/// What sessions differ in that figures may owe to: the program's build, the elementary functions of
+/// their processors, and the instruction set.
 std::vector<std::string> session_notes(const std::vector<Session>& sessions);
 
 }  // namespace cageproof::validation

@@ -37,13 +37,13 @@ class LeastSquares {
 };
 
 /// matrix = Q triangle, Q with orthonormal columns.
-struct Triangular {
+struct QrFactors {
   Matrix<double> triangle;  ///< upper; as many rows as the matrix has, at most as many as columns
   Matrix<double> turned;    ///< Q^T right, for the whole Q: as many rows as the matrix
 };
 
 /// The QR factorisation of a matrix, by blocks. \param right as many rows as the matrix, or nothing
-Triangular triangular(const Matrix<double>& matrix, const Matrix<double>& right = {});
+QrFactors qr_factors(const Matrix<double>& matrix, const Matrix<double>& right = {});
 
 /// What was solved: matrix x solution = right, described in double. The condition is that of the matrix's singular
 /// values. R: double, Mp50

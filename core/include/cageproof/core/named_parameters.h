@@ -11,7 +11,7 @@
 
 namespace cageproof {
 
-/// What messages call the parameters' owner, a formula, kind or method, and a parameter.
+/// The words that messages have for the parameters' owner (a formula, kind or method) and for a parameter.
 struct ParameterOwner {
   std::string_view name;
   std::string_view word = "parameter";  ///< or how users give one: "--parameter"

@@ -46,7 +46,7 @@ struct ImagePlace {
 /// a one. On the cage derivatives may be NaN; only values are looked at.
 std::optional<ImagePlace> first_not_finite(const PointImages& images);
 
-/// What images of missing points become: the points themselves, with the derivatives of the identity, or NaN.
+/// Missing points get themselves as images, with the derivatives of the identity, or NaN.
 enum class Missing { Rest, Nan };
 void fill_missing(PointImages& images, std::span<const Vec3<double>> points, int dimension, Missing as);
 

@@ -31,7 +31,7 @@ struct CoordinateSummary {
   std::size_t unusable = 0;
 };
 
-/// \param table a row a point; in a row block by block, all values of a block, then all its derivatives
+/// \param table one row per point; in a row block by block, all values of a block, then all its derivatives
 /// \param jobs threads; 0: all cores
 CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cage, Triangulation rule,
                              const std::vector<Vec3<double>>& points, std::span<const double> table, int jobs);

@@ -9,6 +9,9 @@ namespace cageproof::closed_form::batch {
 /// From the narrowest to the widest; a machine that has one has those before it.
 enum class InstructionSet { Plain, Avx2, Avx512 };
 
+/// "plain", "avx2", "avx512".
+std::string_view name_of(InstructionSet set);
+
 /// The set that a name means on a machine whose widest set is known; that one where the name is empty.
 /// \throws InputError for another name than plain, avx2 and avx512, and for a set that the machine lacks
 InstructionSet named_instruction_set(std::string_view name, InstructionSet widest);
