@@ -71,6 +71,7 @@ TEST(error_histogram, nan_counts_as_infinite) {
 TEST(error_histogram, quantile_is_within_a_bin_above_the_true_one) {
   ErrorHistogram h;
   std::vector<double> errors;
+  errors.reserve(10000);
   for (int i = 0; i < 10000; ++i) errors.push_back(std::exp(std::fmod(i * 0.7310585, 1.0) * 12 - 6));
   for (const double error : errors) h.add(error);
   std::ranges::sort(errors);
