@@ -28,14 +28,16 @@ class Campaign:
 
     def run(self) -> None:
         self.time_detectors(detectors.tests(self.build), "tests")
-        self.ask_all("tests")
         self.time_detectors(self.verification.units(), "units of work")
         if self.is_over():
             return
         if not (self.folder / "verify/whole").exists():
             self.verification.check()
         self.verification.read()
-        self.ask_all("verify")
+        # Both by turns: the dear end of one does not keep the other's cheap beginning from being asked.
+        for limit in PORTIONS:
+            for detector in ("tests", "verify"):
+                self.ask_all(detector, limit)
 
     def is_over(self) -> bool:
         if time.time() <= self.until:
@@ -79,8 +81,8 @@ class Campaign:
             spent += detector.seconds
         return found
 
-    def ask_all(self, detector: str) -> None:
-        """Asks one of both detectors, all of which is timed, of every mutant, in rounds of ever larger portions."""
+    def ask_all(self, detector: str, limit: float) -> None:
+        """Asks one of both detectors, all of which is timed, of every mutant that it has not caught, a portion of it."""
         if self.is_over():
             return
         parts = [detectors.Detector.of(r) for r in lines_of(self.known) if not r["fails"]]
@@ -97,7 +99,7 @@ class Campaign:
             self.write(self.results, result)
             answers.add(result)
 
-        def work(number: int, limit: float) -> None:
+        def work(number: int) -> None:
             if time.time() > self.until:
                 return
             start = time.monotonic()
@@ -110,14 +112,11 @@ class Campaign:
         for number, of_number in reaching.items():
             if not of_number and answers.of(number, detector) == OPEN:
                 answer(number, UNREACHED)
-        for limit in PORTIONS:
-            # Tests that are new may catch what those that there were missed.
-            todo = [number for number in reaching if answers.of(number, detector) != CAUGHT and untried(number)]
-            self.say(f"{detector}, portions of {limit} s: {len(todo)} mutants are not caught yet")
-            with ThreadPoolExecutor(self.jobs) as pool:
-                list(pool.map(lambda number: work(number, limit), todo))
-            if self.is_over():
-                return
+        # Tests that are new may catch what those that there were missed.
+        todo = [number for number in reaching if answers.of(number, detector) != CAUGHT and untried(number)]
+        self.say(f"{detector}, portions of {limit} s: {len(todo)} mutants are not caught yet")
+        with ThreadPoolExecutor(self.jobs) as pool:
+            list(pool.map(work, todo))
 
     def try_portion(self, number: int, portion: list) -> str:
         """How some of a portion failed; nothing where all passed."""
