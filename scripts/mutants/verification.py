@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""`cageproof verify` with its defaults, cut into its units of work, so that a mutant is tried on those alone that reach it.
+"""`cageproof verify` with its defaults, cut into shards of its units of work, so that a mutant is tried only on those that reach it.
 
-A shard with one unit measures it alone: that tells its time and what it reaches. A mutant's units are measured by `verify --resume`, of a journal of the
-run without mutants in which they are missing. Where a unit finds what it finds without the mutant, no verdict changes; otherwise `cageproof compare` judges
+A shard measured without mutants tells its time and what it reaches. A mutant's shards are measured by `verify --resume`, of a journal of the run without
+mutants in which their units are missing. Where they find what they find without the mutant, no verdict changes; otherwise `cageproof compare` judges
 both runs as wholes, and names the verdicts that differ."""
 
 import json
@@ -10,6 +10,10 @@ import shutil
 from pathlib import Path
 
 from mutants.detectors import Detector, run
+
+
+# As many as make each a matter of seconds; even, so that shards and the halves that are resumed deal units out alike.
+SHARDS = 96
 
 
 class Verification:
@@ -34,21 +38,21 @@ class Verification:
         return self.folder / f"alone-{place}"
 
     def units(self) -> list[Detector]:
-        """A detector for each place in the order in which units of work are dealt out to shards."""
-        count = self.count()
+        """A detector for each shard, whose place is its number."""
+        shards = min(SHARDS, self.count() // 2 * 2)
         return [
-            Detector(f"place {p}", self.command(f"--shard={p}/{count}", self.alone(p)), str(self.folder), is_unit=True, place=p)
-            for p in range(count)
+            Detector(f"shard {p}/{shards}", self.command(f"--shard={p}/{shards}", self.alone(p)), str(self.folder), is_unit=True, place=p)
+            for p in range(shards)
         ]
 
     def read(self) -> None:
-        """What all units found without mutants, by their places."""
+        """What all units found without mutants, by the places of their shards."""
         if self.lines:
             return
-        for place in range(self.count()):
-            head, line = (self.alone(place) / "journal").read_text().splitlines()[:2]
-            self.lines[place] = line
-            self.subjects[place] = subjects(line)
+        for detector in self.units():
+            head, *lines = (self.alone(detector.place) / "journal").read_text().splitlines()
+            self.lines[detector.place] = [line for line in lines if is_of_unit(line)]
+            self.subjects[detector.place] = subjects(self.lines[detector.place])
         self.head = json.loads(head)
 
     def write(self, path: Path, shard: int, shards: int, lines: list[str], units: int) -> None:
@@ -59,7 +63,7 @@ class Verification:
         """Judges the run without mutants."""
         self.read()
         whole = self.folder / "whole"
-        self.write(whole, 0, 1, list(self.lines.values()), len(self.lines))
+        self.write(whole, 0, 1, together(self.lines.values()), self.count())
         code, text = self.judge(whole, self.folder / "report")
         if code:
             raise SystemExit(f"verify breaks a promise without mutants:\n{text}")
@@ -75,8 +79,8 @@ class Verification:
             out = slot / "run"
             shutil.rmtree(out, ignore_errors=True)
             out.mkdir()
-            kept = [self.lines[p] for p in own if p not in missing]
-            self.write(out / "journal", shard, 2, kept, len(own))
+            kept = together(self.lines[p] for p in own if p not in missing)
+            self.write(out / "journal", shard, 2, kept, sum(len(self.lines[p]) for p in own))
             code, text = run([str(self.program), "verify", f"--resume={out}", "--jobs=1"], self.folder, limit, environment)
             if code == 2 and "cannot resume" in text:
                 # What is to be measured is the mutant's too: all of it, then.
@@ -85,22 +89,23 @@ class Verification:
                 return (0, "") if code is None else (code, text)
             if code != 0:
                 return code, text
-            measured = {unit_of(line): line for line in (out / "journal").read_text().splitlines()[1:] if line.startswith('{"units"')}
+            measured = {unit_of(line): line for line in (out / "journal").read_text().splitlines() if is_of_unit(line)}
             for place in missing & set(own):
-                found[place] = measured[unit_of(self.lines[place])]
-        if all(findings(found[p]) == findings(self.lines[p]) for p in missing):
+                found[place] = [measured[unit_of(line)] for line in self.lines[place]]
+        differing = [(new, old) for p in missing for new, old in zip(found[p], self.lines[p]) if findings(new) != findings(old)]
+        if not differing:
             return 0, ""
         # Verdicts hang together within a subject alone, and comparing all takes ten times as long.
-        changed = set().union(*(subjects(found[p]) | subjects(self.lines[p]) for p in missing))
+        changed = subjects(together(differing))
         places = [p for p in self.lines if self.subjects[p] & changed]
         before, after = slot / "before", slot / "after"
-        self.write(before, 0, 1, [self.lines[p] for p in places], len(found))
-        self.write(after, 0, 1, [found[p] for p in places], len(found))
+        self.write(before, 0, 1, together(self.lines[p] for p in places), self.count())
+        self.write(after, 0, 1, together(found[p] for p in places), self.count())
         code, text = run([str(self.program), "compare", str(before), str(after)], self.folder, 300, {})
         broken = [line for line in text.splitlines() if "-> BROKEN" in line]
         if not broken and f"only in {after}: " in text:
             # Rows that are there with the mutant alone have no verdict to compare.
-            self.write(after, 0, 1, list(found.values()), len(found))
+            self.write(after, 0, 1, together(found.values()), self.count())
             return self.judge(after, slot / "report")
         if code not in (0, 1):
             return code, text
@@ -114,13 +119,21 @@ class Verification:
         return run([str(self.program), "report", str(out)], self.folder, 600, {})
 
 
+def together(lists) -> list:
+    return [x for one in lists for x in one]
+
+
+def is_of_unit(line: str) -> bool:
+    return line.startswith('{"units":[[')
+
+
 def unit_of(line: str) -> int:
     return json.loads(line[: line.index("]]") + 2] + "}")["units"][0][0]
 
 
-def subjects(line: str) -> set:
-    """The formulas, or kinds of coordinates, that a unit's rows are about."""
-    return {row["key"][1] for row in json.loads(line).get("rows", [])}
+def subjects(lines: list) -> set:
+    """The formulas, or kinds of coordinates, that units' rows are about."""
+    return {row["key"][1] for line in lines for row in json.loads(line).get("rows", [])}
 
 
 def findings(line: str) -> dict:

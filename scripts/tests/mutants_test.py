@@ -13,7 +13,7 @@ from unittest import mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from mutants import campaign, report, sites  # noqa: E402
+from mutants import campaign, report, sites, verification  # noqa: E402
 from mutants.accounting import Answers, chosen, lines_of  # noqa: E402
 
 # Mutants by what is to come out.
@@ -158,6 +158,11 @@ class Accounting(unittest.TestCase):
         before = (self.folder / "results.jsonl").read_text()
         run(self.folder)
         self.assertEqual((self.folder / "results.jsonl").read_text(), before)
+
+    def test_shards_of_several_units_answer_as_their_units(self):
+        with mock.patch.object(verification, "SHARDS", 2):
+            run(self.folder)
+        self.assertEqual(outcomes(self.folder), OUTCOMES)
 
     def test_a_part_of_a_detector_is_no_answer(self):
         with mock.patch.object(campaign, "PORTIONS", [0]):
