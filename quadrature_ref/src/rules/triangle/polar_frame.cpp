@@ -77,19 +77,19 @@ EdgeFromNearest seen_from(const Nearest& c, const LinedTriangle& t, int k) {
 // The integrand is singular in v where the ray's foot (cosh v = 0) or r at the edge vanishes, and where w at the edge,
 // asinh of a cosh v / distance, has its branch points.
 Singularities singular_points(const R& a, const R& distance, const R& along, const R& line_distance, double v0) {
-  using Complex = std::complex<double>;
+  using Place = std::complex<double>;
   constexpr double kHalfPi = std::numbers::pi / 2;
   const double branch = asinh_of_exp(log_magnitude(R(distance / a)));
-  Singularities points{Complex(-v0, kHalfPi), Complex(branch - v0, kHalfPi), Complex(-branch - v0, kHalfPi)};
+  Singularities points{Place(-v0, kHalfPi), Place(branch - v0, kHalfPi), Place(-branch - v0, kHalfPi)};
   const R modulus = sqrt(along * along + line_distance * line_distance);
   if (modulus == 0) return points;
   // sinh takes each value twice in the strip 0 < Im v < pi.
   const double log_modulus = log_magnitude(R(modulus / a));
-  const Complex direction(static_cast<double>(along / modulus), static_cast<double>(line_distance / modulus));
-  const Complex v = log_modulus > 30 ? std::log(direction) + Complex(log_modulus + std::numbers::ln2, 0)
-                                     : std::asinh(std::exp(log_modulus) * direction);
+  const Place direction(static_cast<double>(along / modulus), static_cast<double>(line_distance / modulus));
+  const Place v = log_modulus > 30 ? std::log(direction) + Place(log_modulus + std::numbers::ln2, 0)
+                                   : std::asinh(std::exp(log_modulus) * direction);
   points.push_back(v - v0);
-  points.push_back(Complex(-v.real() - v0, std::numbers::pi - v.imag()));
+  points.push_back(Place(-v.real() - v0, std::numbers::pi - v.imag()));
   return points;
 }
 
