@@ -73,6 +73,15 @@ Matrix<R> LeastSquares<R>::solve(const Matrix<R>& right) const {
   return solution;
 }
 
+template <Scalar R>
+Matrix<R> null_space(const Matrix<R>& matrix) {
+  Eigen::ColPivHouseholderQR<Matrix<R>> factors;
+  factors.setThreshold(R(1e-12));
+  factors.compute(Matrix<R>(matrix.transpose()));
+  const Matrix<R> orthogonal = factors.householderQ();
+  return orthogonal.rightCols(matrix.cols() - factors.rank());
+}
+
 QrFactors qr_factors(const Matrix<double>& matrix, const Matrix<double>& right) {
   const Eigen::HouseholderQR<Matrix<double>> factors(matrix);
   QrFactors found{
@@ -111,6 +120,8 @@ SolvedSystem describe(std::string name, const Matrix<R>& matrix, int rank, const
 template class LeastSquares<double>;
 template class LeastSquares<Mp50>;
 template class LeastSquares<Mp100>;
+template Matrix<double> null_space<double>(const Matrix<double>&);
+template Matrix<Mp50> null_space<Mp50>(const Matrix<Mp50>&);
 template SolvedSystem describe<double>(std::string, const Matrix<double>&, int, const Matrix<double>&,
                                        const Matrix<double>&);
 template SolvedSystem describe<Mp50>(std::string, const Matrix<Mp50>&, int, const Matrix<Mp50>&, const Matrix<Mp50>&);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/deformation/mesh_measures.h"
 
+#include "in_space.h"
+
 #include "cageproof/core/enclosed.h"
 
 #include <Eigen/SVD>
@@ -48,11 +50,11 @@ JacobianMeasures jacobian_measures(const std::vector<double>& jacobians, const s
       ++found.without;
       continue;
     }
-    const Eigen::VectorXd values =
-        Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner>(jacobian).singularValues();
+    const SpaceVector<double> values =
+        Eigen::JacobiSVD<SpaceMatrix<double>, Eigen::NoQRPreconditioner>(jacobian).singularValues();
     found.least_singular_value = std::min(found.least_singular_value, values[d - 1]);
     found.largest_singular_value = std::max(found.largest_singular_value, values[0]);
-    found.turned += jacobian.determinant() < 0 ? 1 : 0;
+    found.turned += in_three<double>(jacobian).determinant() < 0 ? 1 : 0;
   }
   return found;
 }

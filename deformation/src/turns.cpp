@@ -6,8 +6,6 @@
 
 #include "cageproof/deformation/stretch.h"
 
-#include <Eigen/Dense>
-
 #include <fmt/format.h>
 
 namespace cageproof::deformation {
@@ -15,19 +13,19 @@ namespace {
 
 // Up to the rounding of what it is found from.
 template <Scalar R>
-NearestRotation<R> rotation_nearest_to(const Matrix<R>& matrix) {
+NearestRotation<R> rotation_nearest_to(const SpaceMatrix<R>& matrix) {
   return nearest_rotation<R>(matrix, 64 * unit_roundoff<R>());
 }
 
 // The rotation and stretch of all vertices (Umeyama 1991).
 template <Scalar R>
-std::pair<Matrix<R>, R> similarity(int d, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
-                                   std::vector<std::string>& warnings) {
+std::pair<SpaceMatrix<R>, R> similarity(int d, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
+                                        std::vector<std::string>& warnings) {
   Vec3<R> middle = Vec3<R>::Zero(), posed_middle = Vec3<R>::Zero();
   for (std::size_t v = 0; v < from.size(); ++v) middle += from[v], posed_middle += posed[v];
   middle /= R(static_cast<double>(from.size()));
   posed_middle /= R(static_cast<double>(from.size()));
-  Matrix<R> h = Matrix<R>::Zero(d, d);
+  SpaceMatrix<R> h = SpaceMatrix<R>::Zero(d, d);
   R size = 0;
   for (std::size_t v = 0; v < from.size(); ++v) {
     const Vec3<R> step = from[v] - middle;
@@ -42,19 +40,19 @@ std::pair<Matrix<R>, R> similarity(int d, const std::vector<Vec3<R>>& from, cons
 // Of an element where a normal is: the rotation factor of the map that takes its rest tangents to the posed ones and
 // its normal to the posed one.
 template <Scalar R>
-Matrix<R> rotation_of(const CageElements& rest, const std::vector<Vec3<R>>& from, const std::vector<Vec3<R>>& posed,
-                      const NormalPlace& at) {
+SpaceMatrix<R> rotation_of(const CageElements& rest, const std::vector<Vec3<R>>& from,
+                           const std::vector<Vec3<R>>& posed, const NormalPlace& at) {
   const int d = rest.dimension();
   const auto axes = [&](const std::vector<Vec3<R>>& vertices) {
     const std::array<Vec3<R>, 2> tangents = tangents_of(rest, vertices, at.element, at.corner);
-    Matrix<R> found(d, d);
+    SpaceMatrix<R> found(d, d);
     for (int k = 0; k + 1 < d; ++k) found.col(k) = in<R>(d, tangents[k]);
     // In the plane the normal as long as the edge makes the map a similarity.
     found.col(d - 1) =
         in<R>(d, posed_normal(rest, vertices, at.element, at.corner)) * (d == 2 ? found.col(0).norm() : R(1));
     return found;
   };
-  return rotation_nearest_to<R>(Matrix<R>(axes(posed) * axes(from).inverse())).rotation;
+  return rotation_nearest_to<R>(SpaceMatrix<R>(axes(posed) * SpaceSolver<R>(axes(from)).inverse())).rotation;
 }
 
 template <Scalar R>
@@ -62,14 +60,14 @@ Turns<R> global_turns(const CageElements& rest, const std::vector<Vec3<R>>& from
                       std::vector<std::string>& warnings) {
   const auto [rotation, stretch] = similarity(rest.dimension(), from, posed, warnings);
   const std::size_t normals = rest.count(Owner::Normal);
-  return {std::vector<Matrix<R>>(posed.size(), rotation), std::vector<Matrix<R>>(normals, rotation),
+  return {std::vector<SpaceMatrix<R>>(posed.size(), rotation), std::vector<SpaceMatrix<R>>(normals, rotation),
           std::vector<R>(normals, stretch)};
 }
 
 // \param least singular values up to that are rounding
 template <Scalar R>
-Matrix<R> rotation_or_warning(const Matrix<R>& matrix, const std::string& whose, std::vector<std::string>& warnings,
-                              const R& least = R(0)) {
+SpaceMatrix<R> rotation_or_warning(const SpaceMatrix<R>& matrix, const std::string& whose,
+                                   std::vector<std::string>& warnings, const R& least = R(0)) {
   const NearestRotation<R> nearest = rotation_nearest_to<R>(matrix);
   if (!nearest.is_unique || nearest.signed_values[matrix.rows() - 2] <= least)
     warnings.push_back(fmt::format("the rotation of {} is not unique", whose));
@@ -89,7 +87,7 @@ Turns<R> local_turns(const CageElements& rest, const std::vector<Vec3<R>>& from,
   const int d = rest.dimension();
   Turns<R> found;
   found.stretches = std::move(stretches);
-  found.of_vertices.assign(posed.size(), Matrix<R>::Zero(d, d));
+  found.of_vertices.assign(posed.size(), SpaceMatrix<R>::Zero(d, d));
   std::vector<R> around(posed.size(), R(0));
   for (const NormalPlace& at : normal_places(rest)) {
     found.of_normals.push_back(rotation_of(rest, from, posed, at));
@@ -148,8 +146,8 @@ Turns<R> turns_of(const CageElements& rest, const std::vector<Vec3<R>>& from, co
 }
 
 template <Scalar R>
-std::vector<Matrix<R>> vertex_rotations(const CageElements& rest, const std::vector<Vec3<R>>& posed,
-                                        std::vector<std::string>& warnings) {
+std::vector<SpaceMatrix<R>> vertex_rotations(const CageElements& rest, const std::vector<Vec3<R>>& posed,
+                                             std::vector<std::string>& warnings) {
   const R unit(unit_next_to(size_of(rest)));
   return local_turns<R>(rest, over(vertices_in<R>(rest), unit), over(posed, unit), {}, warnings).of_vertices;
 }
@@ -158,8 +156,8 @@ std::vector<Matrix<R>> vertex_rotations(const CageElements& rest, const std::vec
   template Vec3<R> area_vector<R>(const CageElements&, const std::vector<Vec3<R>>&, const NormalPlace&);       \
   template Turns<R> turns_of<R>(const CageElements&, const std::vector<Vec3<R>>&, const std::vector<Vec3<R>>&, \
                                 const std::function<std::vector<R>()>&, double, std::vector<std::string>&);    \
-  template std::vector<Matrix<R>> vertex_rotations<R>(const CageElements&, const std::vector<Vec3<R>>&,        \
-                                                      std::vector<std::string>&);
+  template std::vector<SpaceMatrix<R>> vertex_rotations<R>(const CageElements&, const std::vector<Vec3<R>>&,   \
+                                                           std::vector<std::string>&);
 CAGEPROOF_INSTANTIATE(double)
 CAGEPROOF_INSTANTIATE(Mp50)
 #undef CAGEPROOF_INSTANTIATE

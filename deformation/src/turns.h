@@ -2,17 +2,13 @@
 // How a pose turns and stretches vertices, and elements where their normals are ([C23] Section 4.2).
 #pragma once
 
+#include "in_space.h"
+
 #include "cageproof/deformation/deformer.h"
 
 #include <functional>
 
 namespace cageproof::deformation {
-
-/// A vector in as many dimensions as the space has.
-template <Scalar R>
-Eigen::Matrix<R, Eigen::Dynamic, 1> in(int dimension, const Vec3<R>& v) {
-  return v.head(dimension);
-}
 
 template <Scalar R>
 std::vector<Vec3<R>> over(std::vector<Vec3<R>> points, const R& unit) {
@@ -37,7 +33,7 @@ Vec3<R> area_vector(const CageElements& rest, const std::vector<Vec3<R>>& vertic
 /// A rotation a vertex and normal, and a stretch a normal.
 template <Scalar R>
 struct Turns {
-  std::vector<Matrix<R>> of_vertices, of_normals;
+  std::vector<SpaceMatrix<R>> of_vertices, of_normals;
   std::vector<R> stretches;
 };
 
@@ -50,7 +46,7 @@ Turns<R> turns_of(const CageElements& rest, const std::vector<Vec3<R>>& from, co
 
 /// Those of each vertex alone, for a blend of one. \throws InputError for an element without a normal
 template <Scalar R>
-std::vector<Matrix<R>> vertex_rotations(const CageElements& rest, const std::vector<Vec3<R>>& posed,
-                                        std::vector<std::string>& warnings);
+std::vector<SpaceMatrix<R>> vertex_rotations(const CageElements& rest, const std::vector<Vec3<R>>& posed,
+                                             std::vector<std::string>& warnings);
 
 }  // namespace cageproof::deformation

@@ -9,7 +9,7 @@ template <Scalar R>
 std::vector<Vec3<R>> corner_normals(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R>>& vertices,
                                     std::vector<std::string>& warnings) {
   const int d = rest.dimension();
-  const std::vector<Matrix<R>> rotations = vertex_rotations(rest, vertices, warnings);
+  const std::vector<SpaceMatrix<R>> rotations = vertex_rotations(rest, vertices, warnings);
   const std::vector<Vec3<R>> from = vertices_in<R>(rest);
   std::vector<Vec3<R>> found;
   found.reserve(rest.count(Owner::Corner));

@@ -4,8 +4,6 @@
 
 #include "cageproof/core/least_squares.h"
 
-#include <Eigen/QR>
-
 namespace cageproof::deformation {
 
 /// A step, and what there is to say of where it begins.
@@ -17,17 +15,12 @@ struct GaussNewtonStep {
   Eigen::Index free, rank;  ///< of the unknowns, and of the constraints
 };
 
-/// Where the constraints c + K d = 0 are met, |g + J d|^2 is least on the null space of K, which the last columns of
-/// K^T's orthogonal factor span.
+/// Where the constraints c + K d = 0 are met, |g + J d|^2 is least on the null space of K.
 template <Scalar R>
 GaussNewtonStep<R> gauss_newton(const Matrix<R>& g, const Matrix<R>& j, const Matrix<R>& c, const Matrix<R>& k) {
-  Eigen::ColPivHouseholderQR<Matrix<R>> factors;
-  factors.setThreshold(R(1e-12));
-  factors.compute(k.transpose());
-  const Eigen::Index rank = factors.rank(), free = k.cols() - rank;
-  const Matrix<R> orthogonal = factors.householderQ();
-  const Matrix<R> along = orthogonal.rightCols(free);
-  GaussNewtonStep<R> found{LeastSquares<R>(k).solve(Matrix<R>(-c)), R(0), R(0), free, rank};
+  const Matrix<R> along = null_space<R>(k);
+  const Eigen::Index free = along.cols();
+  GaussNewtonStep<R> found{LeastSquares<R>(k).solve(Matrix<R>(-c)), R(0), R(0), free, k.cols() - free};
   const Matrix<R> gradient = 2 * j.transpose() * g;
   if (free > 0) {
     const Matrix<R> reduced = j * along;

@@ -5,9 +5,8 @@
 #include "../turns.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/least_squares.h"
 #include "cageproof/deformation/stretch.h"
-
-#include <Eigen/Dense>
 
 #include <fmt/format.h>
 
@@ -15,9 +14,6 @@
 
 namespace cageproof::deformation {
 namespace {
-
-template <Scalar R>
-using Column = Eigen::Matrix<R, Eigen::Dynamic, 1>;
 
 // Half the solid angle of three unit vectors.
 template <Scalar R>
@@ -124,11 +120,11 @@ Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>
   }
   // nu/(1 - 2 nu), -1/2 in the limit.
   const R volume = std::isinf(options.nu) ? R(-0.5) : R(R(options.nu) / (1 - 2 * R(options.nu)));
-  Matrix<R> sides = Matrix<R>::Zero(d, d);
-  Column<R> uneven = Column<R>::Zero(d);
-  std::vector<Column<R>> normals;
+  SpaceMatrix<R> sides = SpaceMatrix<R>::Zero(d, d);
+  SpaceVector<R> uneven = SpaceVector<R>::Zero(d);
+  std::vector<SpaceVector<R>> normals;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Column<R> m = found.of_normals[i] * in<R>(d, rest_normal(rest, from, unit, places[i], i));
+    const SpaceVector<R> m = found.of_normals[i] * in<R>(d, rest_normal(rest, from, unit, places[i], i));
     const R bulge = bulges[places[i].element];
     const R eta = stretches[i] * R(exp(R(R(options.gamma) * bulge / ((d == 2 ? 2 : 4) * pi<R>()))));
     const R s = 2 * (eta + volume * (eta + (d - 1) * stretches[i]));
@@ -140,12 +136,10 @@ Corotation<R> corotation_of(const CageElements& rest, const std::vector<Vec3<R>>
     traction.head(d) = s * m;
     found.tractions.push_back(traction);
   }
-  if (!options.balance) return found;
+  // Where a rotation is not finite, images are not, either.
+  if (!options.balance || !sides.allFinite()) return found;
   // Eq 15: what the tractions leave over is taken back from each along its normal.
-  Eigen::CompleteOrthogonalDecomposition<Matrix<R>> solver;
-  solver.setThreshold(R(1e-13));
-  solver.compute(sides);
-  const Column<R> xi = solver.solve(uneven);
+  const SpaceVector<R> xi = LeastSquares<R>(sides).solve(uneven);
   for (std::size_t i = 0; i < places.size(); ++i) found.tractions[i].head(d) -= normals[i] * normals[i].dot(xi);
   return found;
 }

@@ -2,6 +2,8 @@
 // Rotations, stretches and tractions of a pose ([C23] Section 4).
 #pragma once
 
+#include "../in_space.h"
+
 #include "cageproof/deformation/deformer.h"
 
 namespace cageproof::deformation {
@@ -10,7 +12,7 @@ namespace cageproof::deformation {
 /// (Owner::Normal), of which a flat element has one, and a quad one a corner.
 template <Scalar R>
 struct Corotation {
-  std::vector<Matrix<R>> of_vertices, of_normals;
+  std::vector<SpaceMatrix<R>> of_vertices, of_normals;
   std::vector<Vec3<R>> tractions;  ///< s'_j of Eq 11, already turned: s_j m_j, balanced where asked
   std::vector<std::string> warnings;
 };

@@ -8,8 +8,6 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/deformation/stretch.h"
 
-#include <Eigen/LU>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,7 +42,7 @@ class SomiglianaPosed final : public Posed<R> {
     for (int o = 0; o <= order; ++o) images.tensors[o].assign(points * d_ * derivative_count(d_, o), R(0));
     for (std::size_t p = 0; p < points; ++p) {
       const auto zeroth = sums(coordinates, p, 0, 0);
-      const Eigen::PartialPivLU<Matrix<R>> solver(zeroth.whole);
+      const SpaceSolver<R> solver(zeroth.whole);
       const Column image = solver.solve(zeroth.image);
       std::vector<Sums> first;
       std::vector<Column> slopes;
@@ -66,27 +64,27 @@ class SomiglianaPosed final : public Posed<R> {
   }
 
  private:
-  using Column = Eigen::Matrix<R, Eigen::Dynamic, 1>;
+  using Column = SpaceVector<R>;
   struct Sums {
-    Matrix<R> whole;
+    SpaceMatrix<R> whole;
     Column image;
   };
 
   // A coordinate's matrix, one of its derivatives.
-  Matrix<R> matrix_of(const CoordinateTable<R>& table, std::size_t p, std::size_t coordinate, int order,
-                      int which) const {
+  SpaceMatrix<R> matrix_of(const CoordinateTable<R>& table, std::size_t p, std::size_t coordinate, int order,
+                           int which) const {
     const std::size_t width = derivative_count(d_, order);
     const R* const from = &table.tensors[order][p * table.stride[order] + coordinate * d_ * d_ * width + which];
-    Matrix<R> found(d_, d_);
+    SpaceMatrix<R> found(d_, d_);
     for (int i = 0; i < d_; ++i)
       for (int j = 0; j < d_; ++j) found(i, j) = from[(i * d_ + j) * width];
     return found;
   }
 
   Sums sums(std::span<const CoordinateTable<R>> coordinates, std::size_t p, int order, int which) const {
-    Sums found{Matrix<R>::Zero(d_, d_), Column::Zero(d_)};
+    Sums found{SpaceMatrix<R>::Zero(d_, d_), Column::Zero(d_)};
     for (std::size_t v = 0; v < turned_vertices_.size(); ++v) {
-      const Matrix<R> turned = pose_.of_vertices[v] * matrix_of(coordinates[0], p, v, order, which);
+      const SpaceMatrix<R> turned = pose_.of_vertices[v] * matrix_of(coordinates[0], p, v, order, which);
       found.whole += turned * pose_.of_vertices[v].transpose();
       found.image += turned * turned_vertices_[v];
     }

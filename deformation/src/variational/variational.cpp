@@ -85,7 +85,7 @@ struct Variational<R>::Prepared {
     if (rows.root_beta == 0) return ambiguous;
     for (std::size_t p = 0; p < constraints.rotations.size(); ++p) {
       const Eigen::Index first = rows.rotations + d * static_cast<Eigen::Index>(p);
-      const Matrix<R> jacobian = (rows.matrix.middleRows(first, d) * solution).transpose() / rows.root_beta;
+      const SpaceMatrix<R> jacobian = (rows.matrix.middleRows(first, d) * solution).transpose() / rows.root_beta;
       const NearestRotation<R> nearest = nearest_rotation<R>(jacobian, R(1e-10));
       if (!nearest.is_unique && !ambiguous) ambiguous = p;
       const R factor = options.nearest == Nearest::Similarity ? R(nearest.signed_values.sum() / d) : R(1);
