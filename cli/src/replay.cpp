@@ -79,6 +79,17 @@ std::vector<reports::WorstLine> lines_of(const Arguments& asked) {
   return lines;
 }
 
+// The folder of the file, its report's, and those above: the run may have stood in any of them.
+std::vector<std::filesystem::path> folders_above(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> folders;
+  std::error_code ignored;
+  for (auto folder = std::filesystem::absolute(file, ignored).lexically_normal().parent_path();;
+       folder = folder.parent_path()) {
+    folders.push_back(folder);
+    if (folder == folder.parent_path()) return folders;
+  }
+}
+
 int run(const Arguments& asked) {
   Summary all;
   const std::string& file = asked.file;
@@ -87,11 +98,13 @@ int run(const Arguments& asked) {
     fmt::print("{} is empty: there is nothing to run again\n", file);
     return success;
   }
+  const std::vector<std::filesystem::path> folders = folders_above(file);
   for (const reports::WorstLine& line : lines) {
     validation::Finding finding;
     try {
       finding = validation::replay(line, line.worst,
-                                   line.triangulation == "fan" ? Triangulation::Fan : Triangulation::Shortest);
+                                   line.triangulation == "fan" ? Triangulation::Fan : Triangulation::Shortest,
+                                   {line.unit, line.cage_content, folders});
     } catch (const InputError& e) {
       throw InputError(fmt::format("{}:{}: {}", file, line.number, e.what()));
     }

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/worst_file.h"
 
+#include "cageproof/core/cage.h"
 #include "cageproof/core/formula.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/scalar_text.h"
+#include "cageproof/core/unknown_name.h"
 #include "cageproof/reports/packed_file.h"
 #include "json_value.h"
 #include "older_frame.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -65,6 +70,7 @@ Json json_of(const WorstLine& line) {
         {"entry", worst.furthest.index}, {"found", json_number(worst.furthest.found)}, {"truth", worst.furthest.truth}};
   }
   if (!line.triangulation.empty()) json["triangulation"] = line.triangulation;
+  if (!line.cage_content.empty()) json["cage_content"] = line.cage_content;
   if (!line.provenance.empty()) json["provenance"] = line.provenance;
   return json;
 }
@@ -87,6 +93,14 @@ class LineReader {
   const Json& at(const char* key) const {
     if (!has(key)) fail(fmt::format("missing key \"{}\"", key));
     return json_[key];
+  }
+  void require_known(const std::vector<std::string_view>& keys) const {
+    for (const auto& [key, value] : json_.items())
+      if (std::ranges::find(keys, key) == keys.end()) {
+        const std::string_view nearest = nearest_name(key, keys);
+        fail(fmt::format("unknown key \"{}\"; {}known: {}", key,
+                         nearest.empty() ? "" : fmt::format("did you mean \"{}\"? ", nearest), fmt::join(keys, ", ")));
+      }
   }
   std::string text(const char* key) const {
     if (!at(key).is_string()) fail(fmt::format("\"{}\" is not a string", key));
@@ -125,6 +139,8 @@ void read_subject(const LineReader& in, WorstLine& line) {
   line.section = in.has("kind")       ? RowKey::Section::Cage
                  : in.has("deformer") ? RowKey::Section::Deformer
                                       : RowKey::Section::Element;
+  if (line.section == RowKey::Section::Element && !in.has("formula"))
+    in.fail("missing key \"formula\", or \"kind\", or \"deformer\"");
   line.subject = in.text(subject_key(line.section));
 }
 
@@ -148,7 +164,7 @@ void read_frame(const LineReader& in, WorstLine& line) {
   if (line.section == RowKey::Section::Element) return;
   if (in.has("frame")) {
     const Json& json = in.at("frame");
-    if (!json.is_object() || !json.contains("unit") || !json.contains("shift"))
+    if (!json.is_object() || json.size() != 2 || !json.contains("unit") || !json.contains("shift"))
       in.fail("\"frame\" is not an object of \"unit\" and \"shift\"");
     line.worst.frame = {in.vector(json["shift"], "frame"), in.exact(json["unit"], "frame")};
   } else {
@@ -159,9 +175,28 @@ void read_frame(const LineReader& in, WorstLine& line) {
     in.fail("\"frame\" has a unit that is not above zero, or a number that is not finite");
 }
 
+std::string read_triangulation(const LineReader& in) {
+  const std::string rule = in.text("triangulation");
+  const std::vector<std::string_view> known{name_of(Triangulation::Shortest), name_of(Triangulation::Fan)};
+  if (std::ranges::find(known, rule) == known.end()) in.fail(unknown_name("triangulation", rule, known).what());
+  return rule;
+}
+
+// The keys of a line about such a subject; a remark is whatever a reader of the file notes.
+std::vector<std::string_view> keys_of(RowKey::Section section) {
+  constexpr std::array others{"evaluation", "scalar",        "regime",       "check",      "place",  "order",
+                              "unit",       "error",         "bound",        "parameter",  "sample", "flags",
+                              "point",      "element",       "parameters",   "frame",      "asked",  "relative",
+                              "furthest",   "triangulation", "cage_content", "provenance", "remark"};
+  std::vector<std::string_view> keys{subject_key(section)};
+  keys.insert(keys.end(), others.begin(), others.end());
+  return keys;
+}
+
 WorstLine read_line(const LineReader& in) {
   WorstLine line;
   read_subject(in, line);
+  in.require_known(keys_of(line.section));
   line.evaluation = in.text("evaluation");
   line.scalar = in.text("scalar");
   line.setting = in.text("regime");
@@ -185,7 +220,8 @@ WorstLine read_line(const LineReader& in) {
   line.worst.point = in.vector(in.at("point"), "point");
   read_parameters(in, line);
   read_frame(in, line);
-  if (in.has("triangulation")) line.triangulation = in.text("triangulation");
+  if (in.has("triangulation")) line.triangulation = read_triangulation(in);
+  if (in.has("cage_content")) line.cage_content = in.text("cage_content");
   if (in.has("provenance")) line.provenance = in.text("provenance");
   if (in.has("asked")) {
     const std::uint64_t asked = in.count("asked");
@@ -198,9 +234,13 @@ WorstLine read_line(const LineReader& in) {
 }  // namespace
 
 WorstLine worst_line_of(const ResultRow& row, const WorstCase& worst, const RunResult& result) {
-  WorstLine line{row, row.unit, row.bound, {}, {}, {}, 0, worst};
+  WorstLine line{row, row.unit, row.bound, {}, {}, {}, {}, 0, worst};
   for (const std::string& flag : {row.section == RowKey::Section::Element ? row.setting : std::string(), row.place})
     if (!flag.empty()) line.flags.push_back(flag);
+  const auto cage = result.settings.find("cage"), content = result.settings.find(cage_content_setting);
+  if (row.section != RowKey::Section::Element && content != result.settings.end() && cage != result.settings.end() &&
+      cage->second == row.setting)
+    line.cage_content = content->second;
   if (const auto rule = result.settings.find("triangulation"); rule != result.settings.end())
     line.triangulation = rule->second;
   return line;

@@ -156,6 +156,25 @@ TEST_F(WorstFile, SaysWhereACageStood) {
   EXPECT_NE(complaint(1).find("\"frame\" is not an object"), std::string::npos);
   EXPECT_NE(complaint({{"unit", 0}, {"shift", {0, 0, 0}}}).find("\"frame\" has a unit"), std::string::npos);
   EXPECT_NE(complaint({{"unit", 1}, {"shift", {0, 0}}}).find("three coordinates"), std::string::npos);
+  EXPECT_NE(complaint({{"unit", 1}, {"shift", {0, 0, 0}}, {"turn", 1}}).find("\"frame\" is not an object"),
+            std::string::npos);
+}
+
+TEST_F(WorstFile, SaysWhatTheCageOfAFileWas) {
+  RunResult run = sample_run(1, 1);
+  run.rows.resize(1);
+  run.rows[0].section = RowKey::Section::Cage;
+  run.rows[0].worst.resize(1);
+  EXPECT_EQ(read_worst(write(worst_lines(run)))[0].cage_content, "");
+  run.settings["cage"] = run.rows[0].setting;
+  run.settings[cage_content_setting] = "0123456789abcdef";
+  EXPECT_EQ(read_worst(write(worst_lines(run)))[0].cage_content, "0123456789abcdef");
+  // Elements have none, and neither have other cages.
+  run.rows[0].section = RowKey::Section::Element;
+  EXPECT_EQ(read_worst(write(worst_lines(run)))[0].cage_content, "");
+  run.rows[0].section = RowKey::Section::Cage;
+  run.rows[0].setting = "another";
+  EXPECT_EQ(read_worst(write(worst_lines(run)))[0].cage_content, "");
 }
 
 TEST_F(WorstFile, TheFurthestEntryIsWrittenWhereATensorWasCompared) {
@@ -229,6 +248,9 @@ TEST_F(WorstFile, BadLinesAreNamed) {
   expect(changed("flags", {1}), "\"flags\" holds what is no string");
   expect(changed("scalar", 64), "\"scalar\" is not a string");
   expect(changed("parameters", 1), "\"parameters\" is not an object");
+  expect(changed("ordre", 1), R"(unknown key "ordre"; did you mean "order"? known: formula, evaluation)");
+  expect(changed("kind", "green"), "unknown key \"formula\"");
+  expect(changed("triangulation", "fann"), "unknown triangulation 'fann'");
   EXPECT_EQ(complaint(good.dump()), "");
   EXPECT_NE(message_of(scratch_.path() / "missing.jsonl").find("missing.jsonl: No such file"), std::string::npos);
   EXPECT_NE(message_of(scratch_.path()).find("Is a directory"), std::string::npos);

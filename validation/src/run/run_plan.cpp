@@ -2,11 +2,13 @@
 #include "run/run_plan.h"
 
 #include "run/asked_names.h"
+#include "run/fingerprint.h"
 #include "checks/hull_continuity.h"
 #include "run/run_report.h"
 
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/whole_evaluation.h"
+#include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/block_campaign.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/campaign.h"
@@ -23,7 +25,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace cageproof::validation {
@@ -66,46 +67,6 @@ bool is_evaluation_of(const std::string& name, const CoordinateKind& kind, const
   return std::ranges::all_of(kind.blocks, [&](const SummedBlock& block) {
     return EvaluationRegister::instance().find(find_formula(element, block.kernel)->name, name).has_value();
   });
-}
-
-// Tells inputs apart that have the same name: FNV-1a of their numbers.
-class Fingerprint {
- public:
-  void add(std::uint64_t word) {
-    hash_ = (hash_ ^ word) * 1099511628211U;
-    hash_ ^= hash_ >> 32;
-  }
-  void add(const std::vector<Vec3<double>>& points) {
-    add(points.size());
-    for (const auto& p : points)
-      for (int c = 0; c < 3; ++c) add(std::bit_cast<std::uint64_t>(p[c]));
-  }
-  void add(std::string_view text) {
-    add(text.size());
-    for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
-  }
-  std::string text() const { return fmt::format("{:016x}", hash_); }
-
- private:
-  std::uint64_t hash_ = 14695981039346656037U;
-};
-
-std::string fingerprint(const Cage& cage) {
-  Fingerprint print;
-  print.add(cage.vertices());
-  for (const Face& face : cage.faces())
-    for (const int v : face.vertices) print.add(static_cast<std::uint64_t>(v) + 1);
-  return print.text();
-}
-
-std::string fingerprint(const Mesh& mesh) {
-  Fingerprint print;
-  print.add(mesh.vertices);
-  for (const auto& face : mesh.faces) {
-    print.add(face.size());
-    for (const int v : face) print.add(static_cast<std::uint64_t>(v));
-  }
-  return print.text();
 }
 
 // Whether a pattern names evaluations of whole coordinates, and none of a formula.
@@ -457,8 +418,8 @@ class Planner {
                          : "")},
         {"cage", options_.cage ? options_.cage->name() : ""},
         {"points", options_.mesh ? options_.mesh_name : ""}};
-    if (options_.cage) header.options["the cage's content"] = fingerprint(*options_.cage);
-    if (options_.mesh) header.options["the points' content"] = fingerprint(*options_.mesh);
+    if (options_.cage) header.options[reports::cage_content_setting] = fingerprint_of(*options_.cage);
+    if (options_.mesh) header.options["the points' content"] = fingerprint_of(*options_.mesh);
     // What one program makes of the options another may not, though it calls itself the same.
     Fingerprint work;
     for (const Unit& unit : plan_.units)

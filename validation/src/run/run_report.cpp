@@ -5,6 +5,7 @@
 #include "cageproof/reports/report_writer.h"
 #include "cageproof/reports/run_folder.h"
 #include "cageproof/reports/summary.h"
+#include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/compared_fields.h"
 #include "cageproof/validation/machine_facts.h"
 #include "cageproof/validation/paper_figures.h"
@@ -140,6 +141,9 @@ RunResult result_of(const Journal& journal) {
   result.suite = journal.header.options.at("suite");
   result.seed = std::stoull(journal.header.options.at("seed"));
   result.settings = journal.header.settings;
+  if (const auto content = journal.header.options.find(reports::cage_content_setting);
+      content != journal.header.options.end())
+    result.settings.insert(*content);
   result.sessions = journal.sessions;
   result.session_notes = session_notes(journal.sessions);
   Judged found = judged(journal.gathered.rows);

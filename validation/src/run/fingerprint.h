@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Tells inputs apart that have the same name.
+#pragma once
+
+#include "cageproof/core/mesh_io.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cageproof::validation {
+
+/// FNV-1a of numbers and texts.
+class Fingerprint {
+ public:
+  void add(std::uint64_t word) {
+    hash_ = (hash_ ^ word) * 1099511628211U;
+    hash_ ^= hash_ >> 32;
+  }
+  void add(const std::vector<Vec3<double>>& points);
+  void add(std::string_view text);
+  /// Sixteen hexadecimal digits.
+  std::string text() const;
+
+ private:
+  std::uint64_t hash_ = 14695981039346656037U;
+};
+
+/// Of vertices, bit for bit, and faces, in their order.
+std::string fingerprint_of(const Cage& cage);
+std::string fingerprint_of(const Mesh& mesh);
+
+}  // namespace cageproof::validation
