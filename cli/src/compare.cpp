@@ -27,7 +27,11 @@ std::string summary_of(const fs::path& path) {
     for (const std::string_view name :
          {std::string_view(reports::summary_file), std::string_view("summary.json"), reports::journal_file})
       if (file = path / name; fs::exists(file, ignored)) break;
-  return reports::find_journal_header(file) ? validation::summary_of_journal(file) : reports::read_packed(file);
+  if (!reports::find_journal_header(file)) return reports::read_packed(file);
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (const auto lacking = validation::unfinished(reports::read_journal(file), folder))
+    fmt::print(stderr, "warning: {}; only what these found is compared\n", *lacking);
+  return validation::summary_of_journal(file);
 }
 
 int run(const Arguments& a) {

@@ -3,6 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
+#include "cageproof/reports/summary.h"
 #include "row_members.h"
 
 #include <fmt/format.h>
@@ -39,11 +40,41 @@ const std::array lists{
          {"source", "printed", "formula", "evaluation", "regime", "order"},
          {"correct", "measured", "samples", "printed_nonfinite", "printed_error", "corrected_error"}}};
 
+int version_of(const Json& summary, std::string_view name) {
+  const auto version = summary.find("schema_version");
+  if (version == summary.end()) return 1;
+  if (!version->is_number_integer())
+    throw InputError(fmt::format("{}: schema_version {} is not a whole number", name, dump(*version)));
+  return version->get<int>();
+}
+
+bool is_list_of_objects(const Json& json) {
+  return json.is_array() && std::ranges::all_of(json, [](const Json& entry) { return entry.is_object(); });
+}
+
+// Counts of other bins are no counts of the same errors. \param age as differences has it
+void require_same_bins(const Json& before, const Json& after, std::strong_ordering age, std::string_view old_name,
+                       std::string_view new_name) {
+  constexpr const char* bins = "histogram_bins";
+  if ((age < 0 && !before.contains(bins)) || (age > 0 && !after.contains(bins))) return;
+  if (before.contains(bins) == after.contains(bins) && (!before.contains(bins) || before[bins] == after[bins])) return;
+  const auto text = [&](const Json& summary) { return summary.contains(bins) ? dump(summary[bins]) : "none"; };
+  throw InputError(fmt::format("the histograms of {} and {} have other bins, and cannot be compared: {}, {}", old_name,
+                               new_name, text(before), text(after)));
+}
+
 Json parsed(std::string_view text, std::string_view name) {
   Json json = Json::parse(text, nullptr, false);
   const bool summary = json.is_object() && json.contains("schema") && json["schema"] == "cageproof-summary";
-  if (!summary || !json.contains("rows") || !json["rows"].is_array())
+  if (!summary || !json.contains("rows"))
     throw InputError(fmt::format("{}: not the summary.json of a verification report", name));
+  if (const int version = version_of(json, name); version < 1 || version > summary_schema_version)
+    throw InputError(
+        fmt::format("{}: schema_version {} is unknown, this program reads 1 to {}; a newer one may read it", name,
+                    version, summary_schema_version));
+  for (const List& list : lists)
+    if (json.contains(list.name) && !is_list_of_objects(json[list.name]))
+      throw InputError(fmt::format("{}: \"{}\" is not a list of objects", name, list.name));
   return json;
 }
 
@@ -81,11 +112,6 @@ std::map<std::string, const Json*> entries(const Json& summary, const List& list
   return found;
 }
 
-int version_of(const Json& summary) {
-  const auto version = summary.find("schema_version");
-  return version != summary.end() && version->is_number_integer() ? version->get<int>() : 1;
-}
-
 // Leaves out members that the earlier schema does not know. \param age of the first's schema against the second's
 std::string differences(const Json& before, const Json& after, const List& list, std::strong_ordering age) {
   std::string text;
@@ -115,7 +141,8 @@ Renamed read_renamed(const std::filesystem::path& path) {
 Differences compare_summaries(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
                               std::string_view old_name, std::string_view new_name) {
   const Json before = parsed(old_text, old_name), after = parsed(new_text, new_name);
-  const std::strong_ordering age = version_of(before) <=> version_of(after);
+  const std::strong_ordering age = version_of(before, old_name) <=> version_of(after, new_name);
+  require_same_bins(before, after, age, old_name, new_name);
   Differences result;
   for (const List& list : lists) {
     const auto old_entries = entries(before, list, renamed), new_entries = entries(after, list, {});

@@ -7,7 +7,10 @@
 
 #include <zlib.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdio>
 #include <stdexcept>
 #include <system_error>
 
@@ -15,8 +18,6 @@ namespace cageproof::reports {
 namespace {
 
 constexpr std::size_t block_size = 1 << 16;
-
-gzFile stream_of(void* file) { return static_cast<gzFile>(file); }
 
 }  // namespace
 
@@ -66,34 +67,105 @@ std::string packed(std::string_view text) {
   return packer.finish();
 }
 
-LineFile::LineFile(const std::filesystem::path& path) : path_(path), file_(gzopen(path.c_str(), "rb")) {
-  std::error_code ignored;
-  if (!file_ || std::filesystem::is_directory(path, ignored)) {
-    const int reason = file_ ? EISDIR : errno;
-    if (file_) gzclose(stream_of(file_));
-    throw InputError(fmt::format("cannot read {}: {}", path.string(), std::generic_category().message(reason)));
+// The bytes of a file, unpacked where it is packed; zlib's own reader takes whatever stands behind the packed text.
+class LineFile::Bytes {
+ public:
+  explicit Bytes(const std::filesystem::path& path) : path_(path) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) fail(std::generic_category().message(EISDIR));
+    file_.reset(std::fopen(path.c_str(), "rb"));
+    if (!file_) fail(std::generic_category().message(errno));
+    // Two bytes tell a packed file, and a pipe may give one at a time.
+    while (held_ < 2 && read_more()) {
+    }
+    packed_ = held_ >= 2 && input_[0] == '\x1f' && input_[1] == '\x8b';
+    constexpr int gzip_header = 16;
+    if (packed_ && inflateInit2(&stream_, MAX_WBITS + gzip_header) != Z_OK)
+      throw std::runtime_error("zlib cannot begin");
   }
-  gzbuffer(stream_of(file_), block_size);
-}
+  ~Bytes() {
+    if (packed_) inflateEnd(&stream_);
+  }
+  Bytes(const Bytes&) = delete;
+  Bytes& operator=(const Bytes&) = delete;
 
-LineFile::~LineFile() { gzclose(stream_of(file_)); }
+  bool packed() const { return packed_; }
 
-bool LineFile::packed() const { return gzdirect(stream_of(file_)) == 0; }
+  // At most so many; none at the end.
+  std::size_t read(char* out, std::size_t size) {
+    if (!packed_) {
+      if (held_ == 0) read_more();
+      const std::size_t count = std::min(size, held_);
+      std::copy_n(input_.data() + start_, count, out);
+      drop(count);
+      return count;
+    }
+    stream_.next_out = reinterpret_cast<Bytef*>(out);
+    stream_.avail_out = static_cast<uInt>(size);
+    while (stream_.avail_out > 0 && unpack()) {
+    }
+    return size - stream_.avail_out;
+  }
+
+ private:
+  // Whether there may be more.
+  bool unpack() {
+    if (held_ == 0 && !read_more()) {
+      if (!at_end_of_text_) fail(damaged);
+      return false;
+    }
+    // Behind a packed text there may be another, and nothing else.
+    if (at_end_of_text_ && inflateReset(&stream_) != Z_OK) fail(damaged);
+    const char* const why = at_end_of_text_ ? "it is packed, and what stands behind its packed text is not" : damaged;
+    stream_.next_in = reinterpret_cast<Bytef*>(input_.data() + start_);
+    stream_.avail_in = static_cast<uInt>(held_);
+    const int code = inflate(&stream_, Z_NO_FLUSH);
+    drop(held_ - stream_.avail_in);
+    if (code != Z_OK && code != Z_STREAM_END) fail(why);
+    at_end_of_text_ = code == Z_STREAM_END;
+    return true;
+  }
+  bool read_more() {
+    if (held_ == 0) start_ = 0;
+    const std::size_t count =
+        std::fread(input_.data() + start_ + held_, 1, input_.size() - start_ - held_, file_.get());
+    if (std::ferror(file_.get()) != 0) fail(std::generic_category().message(errno));
+    held_ += count;
+    return count > 0;
+  }
+  void drop(std::size_t count) {
+    start_ += count;
+    held_ -= count;
+  }
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw InputError(fmt::format("cannot read {}: {}", path_.string(), reason));
+  }
+
+  static constexpr const char* damaged = "it is packed, and damaged or cut off";
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, Close> file_;
+  std::array<char, block_size> input_{};
+  std::size_t start_ = 0, held_ = 0;  // of input_
+  z_stream stream_{};
+  bool packed_ = false, at_end_of_text_ = false;
+};
+
+LineFile::LineFile(const std::filesystem::path& path) : bytes_(std::make_unique<Bytes>(path)) {}
+
+LineFile::~LineFile() = default;
+
+bool LineFile::packed() const { return bytes_->packed(); }
 
 void LineFile::fill() {
   rest_.erase(0, start_);
   start_ = 0;
   const std::size_t size = rest_.size();
   rest_.resize(size + block_size);
-  const int count = gzread(stream_of(file_), rest_.data() + size, block_size);
-  int error = Z_OK;
-  gzerror(stream_of(file_), &error);
-  if (count < 0 || error != Z_OK) {
-    const std::string reason =
-        error == Z_ERRNO ? std::generic_category().message(errno) : "it is packed, and damaged or cut off";
-    throw InputError(fmt::format("cannot read {}: {}", path_.string(), reason));
-  }
-  rest_.resize(size + static_cast<std::size_t>(count));
+  const std::size_t count = bytes_->read(rest_.data() + size, block_size);
+  rest_.resize(size + count);
   ended_ = count == 0;
 }
 

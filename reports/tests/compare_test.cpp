@@ -123,6 +123,30 @@ TEST(Compare, RefusesWhatIsNoSummary) {
   for (const std::string& bad : {std::string("{"), std::string("{}"), std::string("{\"schema\":\"cageproof-summary\"}"),
                                  summary_json({}, "cageproof-field")})
     EXPECT_THROW(compare_summaries(good, bad, {}), InputError);
+  const auto refused = [&](auto change) -> std::string {
+    Json bad = Json::parse(good);
+    change(bad);
+    try {
+      compare_summaries(good, dump(bad), {}, "before", "after");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  for (const Json& version : {Json(summary_schema_version + 1), Json(0), Json(-1), Json(99)})
+    EXPECT_TRUE(refused([&](Json& json) {
+                  json["schema_version"] = version;
+                }).starts_with("after: schema_version " + dump(version) + " is unknown"));
+  for (const Json& version : {Json("3"), Json(2.5), Json()})
+    EXPECT_TRUE(refused([&](Json& json) { json["schema_version"] = version; }).ends_with("is not a whole number"));
+  for (const char* list : {"rows", "curves", "fields", "errata"})
+    for (const Json& value : {Json(), Json(3), Json::object(), Json::array({nullptr})})
+      EXPECT_EQ(refused([&](Json& json) { json[list] = value; }),
+                std::string("after: \"") + list + "\" is not a list of objects");
+  EXPECT_TRUE(refused([](Json& json) {
+                json["histogram_bins"]["bins_per_decade"] = 7;
+              }).starts_with("the histograms of before and after have other bins, and cannot be compared: {"));
+  EXPECT_NE(refused([](Json& json) { json.erase("histogram_bins"); }).find("none"), std::string::npos);
   const ScratchFolder scratch;
   write_file(scratch.path() / "names", "{\"a\": 1}");
   EXPECT_THROW(read_renamed(scratch.path() / "names"), InputError);

@@ -60,6 +60,21 @@ TEST_F(PackedFile, ReadsLines) {
   EXPECT_FALSE(LineFile(put("a")).packed());
 }
 
+TEST_F(PackedFile, OfSeveralTextsIsAllOfThem) {
+  EXPECT_EQ(read_packed(put(packed("a\n") + packed("") + packed("b"))), "a\nb");
+}
+
+TEST_F(PackedFile, WithMoreBehindItIsRefused) {
+  for (const std::string& more : {std::string("x"), std::string("more\n"), std::string(5, '\0'),
+                                  std::string("\x1f\x8b"), std::string(200'000, '\x1f')})
+    try {
+      read_packed(put(packed(long_text()) + more));
+      ADD_FAILURE() << more.size();
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("text: it is packed, and "), std::string::npos) << error.what();
+    }
+}
+
 TEST_F(PackedFile, ThatIsDamagedIsRefused) {
   const std::string whole = packed(long_text());
   std::string flipped = whole;

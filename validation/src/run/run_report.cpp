@@ -87,15 +87,19 @@ std::map<int, FieldPart> fields_with_facts(const Journal& journal) {
 }
 
 void require_finished(const Journal& journal, const std::filesystem::path& folder) {
-  const auto& header = journal.header;
-  if (journal.units_done() == header.shard_units) return;
-  throw InputError(fmt::format(
-      "{}: {} is not finished, {} of its {} units of work are done; `cageproof verify --resume {}` goes on with it",
-      folder.string(), header.shards > 1 ? fmt::format("shard {}/{}", header.shard, header.shards) : "the run",
-      journal.units_done(), header.shard_units, folder.string()));
+  if (const auto reason = unfinished(journal, folder)) throw InputError(*reason);
 }
 
 }  // namespace
+
+std::optional<std::string> unfinished(const Journal& journal, const std::filesystem::path& folder) {
+  const auto& header = journal.header;
+  if (journal.units_done() == header.shard_units) return std::nullopt;
+  return fmt::format(
+      "{}: {} is not finished, {} of its {} units of work are done; `cageproof verify --resume {}` goes on with it",
+      folder.string(), header.shards > 1 ? fmt::format("shard {}/{}", header.shard, header.shards) : "the run",
+      journal.units_done(), header.shard_units, folder.string());
+}
 
 std::vector<std::string> session_notes(const std::vector<Session>& sessions) {
   std::vector<std::string> notes;

@@ -31,7 +31,7 @@ struct Differences {
 /// Compares two texts of summary.json, of this program or an earlier one. Matched by section, subject, evaluation,
 /// scalar, regime, check, place and order; order in the file, reasons, worst inputs, file names and environments are
 /// not looked at. Numbers must be equal as doubles. \param old_name, new_name what messages call them \throws
-/// InputError for text that is no such summary
+/// InputError for text that is no such summary, of a later schema, or whose histograms have other bins
 Differences compare_summaries(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
                               std::string_view old_name = "the old report",
                               std::string_view new_name = "the new report");

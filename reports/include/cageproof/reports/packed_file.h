@@ -43,7 +43,7 @@ class LineFile {
   LineFile& operator=(const LineFile&) = delete;
 
   /// The next line without its end; nothing at the file's end.
-  /// \throws InputError when a packed file is damaged or cut off
+  /// \throws InputError when a packed file is damaged or cut off, or goes on with what is not packed
   std::optional<std::string> next();
   /// Whether the line that came last has an end: the last one of a file may have none.
   bool whole() const { return whole_; }
@@ -52,8 +52,8 @@ class LineFile {
 
  private:
   void fill();
-  std::filesystem::path path_;
-  void* file_ = nullptr;  // of zlib
+  class Bytes;
+  std::unique_ptr<Bytes> bytes_;
   std::string rest_;
   std::size_t start_ = 0;
   bool ended_ = false, whole_ = true;

@@ -11,6 +11,10 @@
 #include <functional>
 #include <optional>
 
+namespace cageproof::reports {
+struct Journal;
+}
+
 namespace cageproof::validation {
 
 /// How much a suite does.
@@ -94,6 +98,10 @@ RunResult report_again(const std::filesystem::path& folder);
 /// \throws InputError when parts are of different runs, overlap, are missing or unfinished, each named, or `out` cannot
 /// be written
 RunResult merge_shards(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& out);
+
+/// Why a journal's run is not finished, and how it goes on; nothing where all its units are done. \param folder of the
+/// run
+std::optional<std::string> unfinished(const reports::Journal& journal, const std::filesystem::path& folder);
 
 /// The text of summary.json.gz for a journal, finished or not.
 /// \throws InputError when it cannot be read
