@@ -72,6 +72,15 @@ int print_shard(const validation::VerifyOptions& options, const validation::Veri
   return success;
 }
 
+// Where truths are kept when nobody names a folder: a run does not stop for want of it.
+std::filesystem::path usual_truth_cache() {
+  std::filesystem::path folder = validation::default_truth_cache();
+  const auto reason = validation::why_no_truth_cache(folder);
+  if (!reason) return folder;
+  fmt::print(stderr, "warning: no truths are kept for other runs: {}\n", *reason);
+  return {};
+}
+
 int run(Arguments& a) {
   auto& options = a.options;
   if (!a.resume.empty()) {
@@ -88,7 +97,7 @@ int run(Arguments& a) {
   options.triangulation = a.cage.rule();
   options.out = a.out;
   options.timings = a.timings;
-  if (a.truth_cache.empty()) options.truth_cache = validation::default_truth_cache();
+  if (a.truth_cache.empty()) options.truth_cache = usual_truth_cache();
   else if (a.truth_cache != "off") options.truth_cache = a.truth_cache;
   require_outside(a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}});
   if (!a.cage.file.empty()) options.cage = a.cage.load();

@@ -147,6 +147,10 @@ std::filesystem::path default_truth_cache() {
   return {};
 }
 
+std::optional<std::string> why_no_truth_cache(const std::filesystem::path& folder) {
+  return folder.empty() || build_id() == "unknown" ? std::nullopt : TruthCache::why_not(folder, build_id());
+}
+
 Verified verify(const VerifyOptions& options) {
   RunPlan plan = plan_run(options);
   const std::vector<std::size_t> own = units_of_shard(plan.units, options.shard, options.shards);

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -138,13 +139,18 @@ std::string question_of(const TruthSource& source, const Sample& sample, int ord
   return question;
 }
 
+std::optional<std::string> TruthCache::why_not(const fs::path& folder, const std::string& version) {
+  const fs::path own = folder / version;
+  std::error_code failed;
+  fs::create_directories(own, failed);
+  if (!failed && ::access(own.c_str(), W_OK | X_OK) != 0) failed.assign(errno, std::generic_category());
+  if (!failed) return std::nullopt;
+  return fmt::format("{}: {}; name another folder with --truth-cache, or `off`", own.string(), failed.message());
+}
+
 TruthCache::TruthCache(const fs::path& folder, const std::string& version, unsigned checked)
     : folder_(folder / version), checked_(checked), chance_(std::random_device()()) {
-  std::error_code failed;
-  fs::create_directories(folder_, failed);
-  if (failed)
-    throw InputError(
-        fmt::format("{}: {}; name another folder with --truth-cache, or `off`", folder_.string(), failed.message()));
+  if (const auto reason = why_not(folder, version)) throw InputError(*reason);
   bytes_ = make_room(folder, folder_);
 }
 

@@ -19,6 +19,10 @@ class TruthCache {
   /// The most that a folder holds, all versions together: older versions go first, then no more is added.
   static constexpr std::uintmax_t most_bytes = std::uintmax_t{512} << 20;
 
+  /// Makes the version's folder. Why it cannot be made or written to; nothing where it can.
+  static std::optional<std::string> why_not(const std::filesystem::path& folder, const std::string& version);
+
+  /// \throws InputError for why_not
   /// \param version of the code that makes truths
   /// \param checked one of so many that are found there is made again, at random
   TruthCache(const std::filesystem::path& folder, const std::string& version, unsigned checked = 100);

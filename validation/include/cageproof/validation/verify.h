@@ -80,6 +80,9 @@ struct Verified {
 /// ~/.cache/cageproof. Empty where the first is `off`, or none is set.
 std::filesystem::path default_truth_cache();
 
+/// Why truths cannot be kept in a folder; nothing where they can, or the program keeps none.
+std::optional<std::string> why_no_truth_cache(const std::filesystem::path& folder);
+
 /// Measures into `out`/journal; of a whole run, makes the report.
 /// \throws InputError for patterns that match nothing, reports that cannot be written, and runs that cannot be resumed:
 /// there is no journal, or it is of
