@@ -176,16 +176,18 @@ void print_text(const Account& a, const ExplainOptions& options) {
     fmt::print("and {} lines more\n", e.lines.size() - options.limit);
 }
 
-QueryText query_of(const ExplainOptions& options, const Formula& formula) {
+// The first line of standard input that says something.
+std::string next_line() {
   std::string line;
-  if (options.element.empty()) {
-    while (line.find_first_not_of(" \t\r") == std::string::npos)
-      if (!std::getline(std::cin, line))
-        throw InputError("no input: give --element and --point, or a JSON line on standard input, as to eval");
-  } else {
-    line = fmt::format("{{\"element\":{},\"point\":{}}}", options.element, options.point);
-  }
-  QueryText query = parse_query(line, formula);
+  while (line.find_first_not_of(" \t\r") == std::string::npos)
+    if (!std::getline(std::cin, line))
+      throw InputError("no input: give --element and --point, or a JSON line on standard input, as to eval");
+  return line;
+}
+
+QueryText query_of(const ExplainOptions& options, const Formula& formula) {
+  QueryText query = options.element.empty() ? parse_query(next_line(), formula)
+                                            : parse_members(options.element, options.point, formula);
   if (!options.parameters.empty()) {
     query.parameters.clear();
     for (const double p : parameters_from(options.parameters, parameters_of(formula), formula.name))

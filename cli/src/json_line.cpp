@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace cageproof::cli {
 namespace {
@@ -76,6 +77,14 @@ class NumbersAsText {
   std::string key_;
 };
 
+std::string form_of_point(int dimension) { return dimension == 2 ? "[x,y]" : "[x,y,z]"; }
+
+std::string form_of_element(const Formula& formula) { return fmt::format("[{},...]", form_of_point(formula.dim())); }
+
+std::string form_of_query(const Formula& formula) {
+  return fmt::format("{{\"element\":{},\"point\":{}}}", form_of_element(formula), form_of_point(formula.dim()));
+}
+
 std::string number(const Json& value, const std::string& where, bool may_be_infinite = false) {
   if (!value.is_string()) throw InputError(fmt::format("{} is not a number", where));
   const auto& text = value.get_ref<const std::string&>();
@@ -88,7 +97,7 @@ std::string number(const Json& value, const std::string& where, bool may_be_infi
 
 std::array<std::string, 3> point(const Json& value, int dimension, const std::string& where) {
   if (!value.is_array() || static_cast<int>(value.size()) != dimension)
-    throw InputError(fmt::format("{} must be {} numbers", where, dimension));
+    throw InputError(fmt::format("{} must be {} numbers, {}", where, dimension, form_of_point(dimension)));
   std::array<std::string, 3> p{"0", "0", "0"};
   for (int c = 0; c < dimension; ++c) p[c] = number(value[c], fmt::format("{}[{}]", where, c));
   return p;
@@ -99,6 +108,8 @@ std::string parameter(const Json& given, const Parameter& p) {
                          ? number(given[std::string(p.name)], std::string(p.name), p.includes_infinity)
                          : format_scalar(p.preset);
   const double x = *parse_scalar<double>(text);
+  if (std::isinf(x) && !text.ends_with("inf"))
+    throw InputError(fmt::format("parameter {} = {} is beyond the range of a double", p.name, text));
   if (p.allows(x)) return text;
   if (p.whole)
     throw InputError(fmt::format("parameter {} = {} is no whole number between {} and {}", p.name, text, p.lowest + 1,
@@ -109,25 +120,36 @@ std::string parameter(const Json& given, const Parameter& p) {
 
 }  // namespace
 
+QueryText parse_members(const std::string& element, const std::string& point, const Formula& formula) {
+  // Each by itself: a fault is that of its option, and neither may close the object that both stand in.
+  for (const auto& [option, text, form] :
+       {std::tuple("--element", &element, form_of_element(formula)), {"--point", &point, form_of_point(formula.dim())}})
+    if (!Json::accept(*text)) throw InputError(fmt::format("{} {}: malformed JSON; expected {}", option, *text, form));
+  return parse_query(fmt::format("{{\"element\":{},\"point\":{}}}", element, point), formula);
+}
+
 QueryText parse_query(const std::string& line, const Formula& formula) {
   NumbersAsText reader;
-  if (!Json::sax_parse(line, &reader)) throw InputError(reader.error);
+  if (!Json::sax_parse(line, &reader))
+    throw InputError(fmt::format("{}; expected {}", reader.error, form_of_query(formula)));
   const Json& json = reader.root;
-  if (!json.is_object()) throw InputError("not a JSON object");
+  if (!json.is_object()) throw InputError(fmt::format("not a JSON object; expected {}", form_of_query(formula)));
   for (const auto& [key, value] : json.items())
     if (key != "element" && key != "point" && key != "parameters")
-      throw InputError(fmt::format("unknown key \"{}\"", key));
+      throw InputError(fmt::format("unknown key \"{}\"; known: element, point, parameters", key));
   for (const char* key : {"element", "point"})
-    if (!json.contains(key)) throw InputError(fmt::format("missing key \"{}\"", key));
+    if (!json.contains(key))
+      throw InputError(fmt::format("missing key \"{}\"; expected {}", key, form_of_query(formula)));
   const Json& element = json["element"];
   if (!element.is_array() || static_cast<int>(element.size()) != formula.corners())
-    throw InputError(fmt::format("element must be {} corners of a {}", formula.corners(), name_of(formula.element)));
+    throw InputError(fmt::format("element must be {} corners of a {}, {}", formula.corners(), name_of(formula.element),
+                                 form_of_element(formula)));
   QueryText query;
   for (int k = 0; k < formula.corners(); ++k)
     query.corners.push_back(point(element[k], formula.dim(), fmt::format("element[{}]", k)));
   query.point = point(json["point"], formula.dim(), "point");
   const Json given = json.value("parameters", Json::object());
-  if (!given.is_object()) throw InputError("parameters must be an object");
+  if (!given.is_object()) throw InputError("parameters must be an object, {\"NAME\":VALUE,...}");
   for (const auto& [key, value] : given.items())
     if (std::ranges::find(formula.parameters, key, &Parameter::name) == formula.parameters.end())
       throw InputError(fmt::format("{} has no parameter \"{}\"", formula.name, key));

@@ -20,6 +20,10 @@ struct QueryText {
 /// number
 QueryText parse_query(const std::string& line, const Formula& formula);
 
+/// The same of an element and a point that are given as options.
+/// \throws InputError naming the option that is no JSON, or as parse_query
+QueryText parse_members(const std::string& element, const std::string& point, const Formula& formula);
+
 /// {"error":message,"line":line}; bytes that are not UTF-8 are replaced. \param line counted from 1
 std::string error_line(const std::string& message, std::size_t line);
 

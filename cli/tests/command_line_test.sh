@@ -305,7 +305,11 @@ refuses area -- explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,
 refuses 'element[2]' -- explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[0,1]]' --point '[0,0,1]'
 refuses --point -- explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[0,1,0]]'
 refuses 'no input' -- explain --formula triangle.solid_angle
-refuses JSON -- explain --formula triangle.solid_angle --element '[[0,0,0' --point '[0,0,1]'
+refuses '--element [[0,0,0: malformed JSON' 'expected [[x,y,z],...]' -- explain --formula triangle.solid_angle --element '[[0,0,0' --point '[0,0,1]'
+refuses '--point [0,0 1]: malformed JSON' 'expected [x,y,z]' -- explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[0,1,0]]' --point '[0,0 1]'
+refuses '--point [0,0,1],"parameters":{}: malformed JSON' -- explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[0,1,0]]' --point '[0,0,1],"parameters":{}'
+refuses 'point must be 3 numbers, [x,y,z]' -- explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[0,1,0]]' --point '[0,0]'
+refuses 'element must be 3 corners of a triangle, [[x,y,z],...]' -- explain --formula triangle.solid_angle --element '{}' --point '[0,0,1]'
 
 # A hunted input of the plane is one that eval takes; a key that occurs twice is none.
 "$cageproof" hunt --formula segment.double_layer --evaluation closed_form --order 1 --budget 20 >"$work/stdout" 2>/dev/null

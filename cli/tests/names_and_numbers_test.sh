@@ -150,6 +150,28 @@ printf '0.5,0.5\n' >inside.csv
 refuses_to coordinates inside.csv '--solved is the file of --points' -- --cage square --points inside.csv --kind harmonic --solved inside.csv
 [ "$(cat inside.csv)" = 0.5,0.5 ] || fail "--solved wrote over the points"
 
+# What is beyond the range of a double is not infinite.
+refuses_to deform 'nu=1e400' 'beyond the range' -- --cage cube --posed cube --points inside.csv --method somigliana --parameter nu=1e400 --out out.csv
+printf '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1],"parameters":{"mu":1,"nu":"-1e400"}}\n' >far.jsonl
+"$cageproof" eval --formula triangle.kelvin_displacement --evaluation closed_form <far.jsonl >stdout 2>stderr
+grep -q 'nu = -1e400 is beyond the range of a double' stdout stderr || fail "eval takes -1e400: $(cat stdout stderr)"
+
+# A folder of truths that nobody named does not stop a run; one that was named does.
+touch no_folder
+XDG_CACHE_HOME=$PWD/no_folder CAGEPROOF_TRUTH_CACHE='' "$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far --cage square --out uncached >stdout 2>stderr ||
+  fail "verify without a cache: $(cat stderr)"
+[ "$(grep -c 'warning: no truths are kept for other runs: .*no_folder' stderr)" -eq 1 ] || fail "no warning of a cache that cannot be written: $(cat stderr)"
+refuses_to verify no_folder --truth-cache -- --suite quick --formulas segment.winding_angle --regimes far --cage square --out named --truth-cache no_folder/x
+
+# compare names the file that is no report.
+zcat one/summary.json.gz >good.json
+sed 's/"schema_version":[0-9]*/"schema_version":99/' good.json >later.json
+refuses_to compare later.json 'schema_version 99 is unknown' -- one later.json
+cp one/summary.json.gz junk.gz && echo junk >>junk.gz
+refuses_to compare junk.gz 'behind its packed text' -- junk.gz one
+"$cageproof" compare one one >stdout 2>stderr || fail "compare: $(cat stdout stderr)"
+[ ! -s stderr ] || fail "compare of finished runs warns: $(cat stderr)"
+
 # replay ends with a summary, of a file, or of a line of it.
 "$cageproof" replay one/worst.jsonl >stdout && grep -q 'is empty' stdout || fail "replay of what fell short, which is nothing: $(cat stdout)"
 zcat one/worst/*.jsonl.gz >one/worst.jsonl

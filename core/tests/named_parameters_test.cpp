@@ -48,6 +48,8 @@ TEST(NamedParameters, are_refused_in_the_words_of_who_asks) {
     EXPECT_EQ(refused({"pieces=1.5"}, word),
               word + " pieces=1.5: 1.5 is out of range for elastic, 0 < pieces <= 8, a whole number");
     EXPECT_EQ(refused({"nu=x"}, word), word + " nu=x: 'x' is not a number");
+    for (const std::string huge : {"1e400", "-1e400", "0x1p+1024"})
+      EXPECT_EQ(refused({"nu=" + huge}, word), word + " nu=" + huge + ": " + huge + " is beyond the range of a double");
     EXPECT_EQ(refused({"nu=0,0.1"}, word), word + " nu=0,0.1: '0,0.1' is not a number");
     EXPECT_EQ(refused({"nu="}, word), word + " nu=: '' is not a number");
     EXPECT_EQ(refused({"nu"}, word), word + " nu: write nu=value");
