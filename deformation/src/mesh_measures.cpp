@@ -16,6 +16,9 @@ namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
+// A least singular value of so much of the largest is rounding: coordinates and their sums lose a few digits of 16.
+constexpr double flat = 1e-12;
+
 Content cage_content(const CageElements& cage, const std::vector<Vec3<double>>& vertices, double unit) {
   std::vector<std::vector<int>> faces;
   std::vector<std::array<int, 2>> segments;
@@ -27,8 +30,10 @@ Content cage_content(const CageElements& cage, const std::vector<Vec3<double>>& 
   return content_of({faces, segments, cage.dimension()}, vertices, {.length = unit});
 }
 
+// Nothing where parts cancel but for roundings, as when all is pressed flat.
 double ratio_of(const Content& after, const Content& before) {
-  return before.is_known() ? after.value / before.value : not_known;
+  if (!before.is_known()) return not_known;
+  return after.is_known() ? after.value / before.value : 0;
 }
 
 // An open mesh holds no volume, and in the plane closed faces hold none, either.
@@ -54,7 +59,8 @@ JacobianMeasures jacobian_measures(const std::vector<double>& jacobians, const s
         Eigen::JacobiSVD<SpaceMatrix<double>, Eigen::NoQRPreconditioner>(jacobian).singularValues();
     found.least_singular_value = std::min(found.least_singular_value, values[d - 1]);
     found.largest_singular_value = std::max(found.largest_singular_value, values[0]);
-    found.turned += in_three<double>(jacobian).determinant() < 0 ? 1 : 0;
+    // What is flat but for roundings is not turned: the sign of its determinant is theirs.
+    found.turned += values[d - 1] > flat * values[0] && in_three<double>(jacobian).determinant() < 0 ? 1 : 0;
   }
   return found;
 }
@@ -67,6 +73,7 @@ MeshMeasures measures_of(const CageElements& cage, double size, const std::vecto
   const std::vector<Vec3<double>> moved = vertices_of(images.maps[map], d);
   MeshMeasures found;
   double sum = 0;
+  found.largest_displacement = 0;
   for (std::size_t p = 0; p < moved.size(); ++p) {
     if (images.missing[p]) continue;
     const double step = (moved[p] - rest.vertices[p]).stableNorm();
@@ -76,6 +83,7 @@ MeshMeasures measures_of(const CageElements& cage, double size, const std::vecto
   found.missing = static_cast<std::size_t>(std::ranges::count(images.missing, 1));
   const std::size_t present = moved.size() - found.missing;
   found.mean_displacement = present > 0 ? sum / static_cast<double>(present) : not_known;
+  if (present == 0) found.largest_displacement = not_known;
   found.cage_ratio =
       posed.empty() ? not_known : ratio_of(cage_content(cage, posed, size), cage_content(cage, cage.vertices(), size));
   found.mesh_ratio = mesh_ratio(rest, moved, d, size);

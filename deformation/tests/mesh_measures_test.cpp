@@ -87,7 +87,22 @@ TEST(MeshMeasures, what_does_not_exist_is_nan) {
   EXPECT_TRUE(std::isnan(found.cage_ratio));
   EXPECT_TRUE(std::isnan(found.mesh_ratio));
   EXPECT_TRUE(std::isnan(found.mean_displacement));
-  EXPECT_EQ(found.largest_displacement, 0);
+  EXPECT_TRUE(std::isnan(found.largest_displacement));
+}
+
+// Roundings of a flat image lean to both sides.
+TEST(MeshMeasures, what_is_pressed_flat_is_not_turned) {
+  const test::Case c = test::cube();
+  const Mesh rest = tetrahedron();
+  Eigen::Matrix3d flat = Vec(1, 2, 0).asDiagonal();
+  for (const double rounding : {0., 1e-16, -1e-16, -3e-15}) {
+    flat(2, 2) = rounding;
+    const PointImages images = affine_images(flat, Vec::Zero(), rest.vertices, 3);
+    EXPECT_EQ(measures_of(elements_of(c.cage), c.size, {}, rest, images, 0, 1).jacobians->turned, 0U) << rounding;
+  }
+  flat(2, 2) = -1e-9;
+  const PointImages images = affine_images(flat, Vec::Zero(), rest.vertices, 3);
+  EXPECT_EQ(measures_of(elements_of(c.cage), c.size, {}, rest, images, 0, 1).jacobians->turned, 5U);
 }
 
 TEST(MeshMeasures, the_plane_has_areas) {

@@ -14,16 +14,17 @@ namespace cageproof::deformation {
 /// Figures of the Jacobians of points that have an image.
 struct JacobianMeasures {
   double least_singular_value, largest_singular_value;  ///< infinite where there are no Jacobians
-  std::size_t turned = 0;                               ///< points turned inside out
+  std::size_t turned = 0;                               ///< points turned inside out, not those pressed flat
   std::size_t without = 0;                              ///< points, on the cage, whose Jacobian is not finite
 };
 
 struct MeshMeasures {
-  std::size_t missing = 0;                    ///< points without image; others count below
-  double largest_displacement = 0;            ///< in the mesh's unit of length, as the mean
-  double mean_displacement;                   ///< NaN where no point has an image
-  double cage_ratio;                          ///< content of the posed cage over that at rest; NaN without posed cage
-  double mesh_ratio;                          ///< the same of the mesh; NaN where it is open, or holds nothing at rest
+  std::size_t missing = 0;      ///< points without image; others count below
+  double largest_displacement;  ///< in the mesh's unit of length, as the mean
+  double mean_displacement;     ///< NaN, as the largest, where no point has an image
+  double cage_ratio;            ///< content of the posed cage over that at rest; NaN without posed cage
+  double
+      mesh_ratio;  ///< the same of the mesh; NaN where it is open, or holds nothing at rest, as faces in the plane do
   std::optional<JacobianMeasures> jacobians;  ///< where they were asked for
 };
 
