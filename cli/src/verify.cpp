@@ -168,7 +168,8 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   command
       .option("--truth-cache", a->truth_cache,
               "folder that keeps truths of elements between runs of the same program, at most 512 MB; one in a hundred "
-              "is checked, and the report is the same without; `off`: none; default: $CAGEPROOF_TRUTH_CACHE, "
+              "is checked, and the report is the same without; `off`: none; default, where it can be written: "
+              "$CAGEPROOF_TRUTH_CACHE, "
               "$XDG_CACHE_HOME/cageproof or ~/.cache/cageproof")
       .taking("FOLDER");
   command.example("cageproof verify --suite quick --out report");
