@@ -4,6 +4,8 @@
 
 #include "support.h"
 
+#include <fmt/format.h>
+
 namespace cageproof {
 namespace {
 
@@ -49,7 +51,8 @@ TEST(NamedParameters, are_refused_in_the_words_of_who_asks) {
               word + " pieces=1.5: 1.5 is out of range for elastic, 0 < pieces <= 8, a whole number");
     EXPECT_EQ(refused({"nu=x"}, word), word + " nu=x: 'x' is not a number");
     for (const std::string huge : {"1e400", "-1e400", "0x1p+1024"})
-      EXPECT_EQ(refused({"nu=" + huge}, word), word + " nu=" + huge + ": " + huge + " is beyond the range of a double");
+      EXPECT_EQ(refused({"nu=" + huge}, word),
+                fmt::format("{0} nu={1}: {1} is beyond the range of a double", word, huge));
     EXPECT_EQ(refused({"nu=0,0.1"}, word), word + " nu=0,0.1: '0,0.1' is not a number");
     EXPECT_EQ(refused({"nu="}, word), word + " nu=: '' is not a number");
     EXPECT_EQ(refused({"nu"}, word), word + " nu: write nu=value");

@@ -176,7 +176,7 @@ void read_frame(const LineReader& in, WorstLine& line) {
 }
 
 std::string read_triangulation(const LineReader& in) {
-  const std::string rule = in.text("triangulation");
+  std::string rule = in.text("triangulation");
   const std::vector<std::string_view> known{name_of(Triangulation::Shortest), name_of(Triangulation::Fan)};
   if (std::ranges::find(known, rule) == known.end()) in.fail(unknown_name("triangulation", rule, known).what());
   return rule;
