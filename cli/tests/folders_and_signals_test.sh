@@ -162,7 +162,7 @@ for signal in INT TERM HUP; do
       # A signal between the report's last rename and the exit finds a whole report; any earlier one only the journal.
       [ "$(ls -A run)" = journal ] || [ "$(names_in run)" = "$(names_in whole)" ] || fail "SIG$signal leaves $(ls -A run)"
       if [ "$(ls -A run)" = journal ]; then
-        # All that is to be measured may be there already, and then compares equal.
+        # The run may have measured everything already; then it compares equal.
         if "$cageproof" compare whole run >/dev/null 2>warning.txt; then
           [ ! -s warning.txt ] || fail "compare finds a stopped run whole: $(cat warning.txt)"
         else

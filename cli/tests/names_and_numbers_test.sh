@@ -150,7 +150,7 @@ printf '0.5,0.5\n' >inside.csv
 refuses_to coordinates inside.csv '--solved is the file of --points' -- --cage square --points inside.csv --kind harmonic --solved inside.csv
 [ "$(cat inside.csv)" = 0.5,0.5 ] || fail "--solved wrote over the points"
 
-# What is beyond the range of a double is not infinite.
+# A number beyond the range of a double is refused, not taken as infinite.
 refuses_to deform 'nu=1e400' 'beyond the range' -- --cage cube --posed cube --points inside.csv --method somigliana --parameter nu=1e400 --out out.csv
 printf '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,1],"parameters":{"mu":1,"nu":"-1e400"}}\n' >far.jsonl
 "$cageproof" eval --formula triangle.kelvin_displacement --evaluation closed_form <far.jsonl >stdout 2>stderr

@@ -37,7 +37,7 @@ double value_in(std::string_view text, std::string_view after, const KindParamet
         owner, text,
         fmt::format("'{}' is none of {}{}", after, fmt::join(parameter.names, ", "), meant(after, parameter.names)));
   if (!value) throw wrong_parameter(owner, text, fmt::format("'{}' is not a number", after));
-  // What is meant to be infinite is written "inf".
+  // Infinity is written "inf".
   if (std::isinf(*value) && !after.ends_with("inf"))
     throw wrong_parameter(owner, text, fmt::format("{} is beyond the range of a double", after));
   if (!parameter.allows(*value))

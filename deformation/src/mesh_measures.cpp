@@ -30,7 +30,7 @@ Content cage_content(const CageElements& cage, const std::vector<Vec3<double>>& 
   return content_of({faces, segments, cage.dimension()}, vertices, {.length = unit});
 }
 
-// Nothing where parts cancel but for roundings, as when all is pressed flat.
+// Zero where the parts cancel and only rounding is left, as when a mesh is pressed flat.
 double ratio_of(const Content& after, const Content& before) {
   if (!before.is_known()) return not_known;
   return after.is_known() ? after.value / before.value : 0;
@@ -59,7 +59,7 @@ JacobianMeasures jacobian_measures(const std::vector<double>& jacobians, const s
         Eigen::JacobiSVD<SpaceMatrix<double>, Eigen::NoQRPreconditioner>(jacobian).singularValues();
     found.least_singular_value = std::min(found.least_singular_value, values[d - 1]);
     found.largest_singular_value = std::max(found.largest_singular_value, values[0]);
-    // What is flat but for roundings is not turned: the sign of its determinant is theirs.
+    // A flat image is not turned: only rounding gives its determinant a sign.
     found.turned += values[d - 1] > flat * values[0] && in_three<double>(jacobian).determinant() < 0 ? 1 : 0;
   }
   return found;

@@ -26,7 +26,7 @@ possible at the site (`scripts/mutants/operators.py`). One build carries all mut
 
 `verify` catches a mutant when it breaks a promise, ends with an error, or takes more than five times its time and 20 s; tests do when a suite fails, crashes
 or takes that long. A suite that is skipped catches nothing. Each detector is asked by itself, and whatever the other said: only what of it reaches the site
-is run, the quickest first, until something fails. The units of work of `verify` are measured a few at a time, and judged together with those of the run
+is run, the quickest first, until something fails. The units of work of `verify`, dealt out in shards, are measured a shard at a time, and judged together with those of the run
 without mutants: the verdict is that of a whole run in which only these units are the mutant's.
 
 A mutant is *open*, and counts in no share, until both detectors either caught it or ran all that reaches it. *Unreached* means that nothing of either

@@ -36,8 +36,8 @@ class LeastSquares {
   std::unique_ptr<const Factors> factors_;
 };
 
-/// Orthonormal columns that span what a matrix takes to zero: as many as it has columns less its rank, for which rows
-/// that others give to 1e-12 count as dependent. R: double, Mp50
+/// An orthonormal basis of a matrix's null space, one column per vector. Rows that others give to 1e-12 count as
+/// dependent. R: double, Mp50
 template <Scalar R>
 Matrix<R> null_space(const Matrix<R>& matrix);
 
