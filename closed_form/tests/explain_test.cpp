@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What is explained must be what the closed form computes: bit for bit, wherever it computes in double.
 #include "cageproof/closed_form/explain.h"
+#include "cageproof/closed_form/triangle/engine/closed_form.h"
 #include "cageproof/closed_form/triangle/single_layer.h"
 #include "cageproof/core/evaluation.h"
 #include "cageproof/core/input_error.h"

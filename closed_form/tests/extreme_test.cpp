@@ -2,6 +2,7 @@
 // Points and triangles whose distances, squared, leave double's range: held to laws that ordinary points obey too.
 #include "cageproof/closed_form/triangle/biharmonic_double_layer.h"
 #include "cageproof/closed_form/triangle/double_layer.h"
+#include "cageproof/closed_form/triangle/engine/closed_form.h"
 #include "cageproof/closed_form/triangle/mean_value.h"
 #include "cageproof/closed_form/triangle/single_layer.h"
 #include "cageproof/closed_form/triangle/solid_angle.h"

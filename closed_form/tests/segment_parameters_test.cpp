@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Closed forms on segments with parameters, against the integrals of their kernels as the papers define them, whose
 // derivatives are taken by forward differentiation.
+#include "cageproof/closed_form/segment/engine/closed_form.h"
 #include "cageproof/closed_form/segment/kelvin_displacement.h"
 #include "cageproof/closed_form/segment/kelvin_traction.h"
 #include "cageproof/closed_form/segment/polyharmonic_double_layer.h"

@@ -4,6 +4,7 @@
 #include "cageproof/closed_form/segment/biharmonic_double_layer.h"
 #include "cageproof/closed_form/segment/biharmonic_single_layer.h"
 #include "cageproof/closed_form/segment/double_layer.h"
+#include "cageproof/closed_form/segment/engine/closed_form.h"
 #include "cageproof/closed_form/segment/mean_value.h"
 #include "cageproof/closed_form/segment/single_layer.h"
 #include "cageproof/closed_form/segment/winding_angle.h"

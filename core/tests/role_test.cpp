@@ -9,6 +9,7 @@ namespace {
 // Reports and JSON know roles and costs by these names.
 TEST(role, has_its_own_name) {
   EXPECT_EQ(name_of(Role::Recommended), "recommended");
+  EXPECT_EQ(name_of(Role::Plain), "plain");
   EXPECT_EQ(name_of(Role::Stated), "stated");
   EXPECT_EQ(name_of(Role::Rule), "rule");
   EXPECT_EQ(name_of(Role::Integral), "integral");

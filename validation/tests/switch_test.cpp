@@ -5,6 +5,7 @@
 #include "cageproof/closed_form/triangle/biharmonic_double_layer.h"
 #include "cageproof/closed_form/triangle/biharmonic_single_layer.h"
 #include "cageproof/closed_form/triangle/double_layer.h"
+#include "cageproof/closed_form/triangle/engine/closed_form.h"
 #include "cageproof/closed_form/triangle/kelvin_displacement.h"
 #include "cageproof/closed_form/triangle/kelvin_traction.h"
 #include "cageproof/closed_form/triangle/mean_value.h"

@@ -25,7 +25,7 @@ Counted shifted<Counted>(const Counted& x, int exponent) {
 
 namespace {
 
-constexpr const char* kFile = "closed_form/include/cageproof/closed_form/segment/engine/frame.h";
+constexpr const char* kFile = "closed_form/include/cageproof/closed_form/segment/engine/exact_frame.h";
 
 Counted seen(double value, const Mp200& exact, const char* name) { return Counted::seen(value, exact, name, kFile); }
 
@@ -89,7 +89,7 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   }
   const CountedTape tape;
   const Segment<Counted> s{convert<Counted>(element.s[0]), convert<Counted>(element.s[1])};
-  const Frame<Counted> frame(s, convert<Counted>(query.point));
+  const FarFrame<Counted> frame(s, convert<Counted>(query.point));
   const auto jet = jet_at<F, O>(frame, query.parameters, query.finite_part);
   std::vector<Counted> counted;
   counted.reserve(values.size());

@@ -8,7 +8,7 @@ namespace {
 
 thread_local bool follows_tracked = false;
 
-constexpr const char* kFile = "closed_form/include/cageproof/closed_form/triangle/engine/frame.h";
+constexpr const char* kFile = "closed_form/include/cageproof/closed_form/triangle/engine/exact_frame.h";
 
 void see(Counted& x, const Mp200& exact, const char* name) { x = Counted::seen(x.value, exact, name, kFile); }
 void see(Vec3<Counted>& v, const Vec3<Mp200>& exact, const char* name) {

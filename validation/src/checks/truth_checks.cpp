@@ -54,7 +54,7 @@ class TruthCheck final : public Check {
     const Role role = evaluation.role();
     if (role == Role::Integral) return false;
     return scalar == ScalarKind::Double || is_stated_in(scalar, evaluation) ||
-           (scalar == ScalarKind::Float && (role == Role::Recommended || role == Role::Printed));
+           (scalar == ScalarKind::Float && (role == Role::Recommended || role == Role::Plain || role == Role::Printed));
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     if (!is_finite(in.sample)) return without_truth(in.order);

@@ -2,6 +2,7 @@
 // What [W12] does about the boundary: points on it are moved inwards.
 #include "../../put.h"
 
+#include "cageproof/closed_form/segment/engine/closed_form.h"
 #include "cageproof/closed_form/segment/biharmonic_double_layer.h"
 #include "cageproof/closed_form/segment/biharmonic_single_layer.h"
 #include "cageproof/closed_form/segment/double_layer.h"

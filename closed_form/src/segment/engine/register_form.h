@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Enters a segment formula's two evaluations into the register.
+// Enters a segment formula's evaluations into the register.
 #pragma once
 
 #include "../../joint.h"
+#include "../../plain_family.h"
 
 #include "cageproof/closed_form/segment/engine/accurate.h"
+#include "cageproof/closed_form/segment/engine/plain.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +31,9 @@ struct SharedOnSegment {
   struct At {
     Segment<Working<R>> given;
     Vec3<Working<R>> at_point;
-    Frame<Working<R>> frame;
+    FarFrame<Working<R>> frame;
     /// The same in multiprecision, where powers of distances leave double's range.
-    std::optional<Frame<Mp200>> beyond;
+    std::optional<FarFrame<Mp200>> beyond;
 
     At(const Element<R>& element, const Vec3<R>& point)
         : given{element.s}, at_point(convert<Working<R>>(point)), frame(element.s, at_point) {
@@ -47,7 +49,7 @@ struct SharedOnSegment {
       return std::abs(frame.length * frame.near.im) < kTiny && side_of_line(given, at_point) != 0;
     }
 
-    Frame<Mp200> in_multiprecision() const {
+    FarFrame<Mp200> in_multiprecision() const {
       return {Segment<Mp200>{convert<Mp200>(given[0]), convert<Mp200>(given[1])}, convert<Mp200>(at_point)};
     }
   };
@@ -82,7 +84,7 @@ struct PutForm {
   template <Scalar R, int O>
   static void put(SharedOnSegment::At<R, O>& at, std::span<const R> parameters, bool finite_part, std::size_t point,
                   const BatchOutput<R>& output) {
-    const auto beyond = [&](const Frame<Mp200>& frame) { return jet_at<F, O>(frame, parameters, finite_part); };
+    const auto beyond = [&](const FarFrame<Mp200>& frame) { return jet_at<F, O>(frame, parameters, finite_part); };
     if (at.beyond) return closed_form::put(narrowed<R>(beyond(*at.beyond)), O, point, output);
     if constexpr (!is_multiprecision<R>)
       if (at.frame.at_end && has_signs_at_ends<F>)
@@ -119,10 +121,15 @@ class RegisterForm {
                                 .role = Role::Stated,
                                 .cost = CostClass::Direct,
                                 .states_error = true},
-                               true, [](Evaluation& evaluation) {
+                               true,
+                               [](Evaluation& evaluation) {
                                  evaluation.set_batch<float>(careful<float>);
                                  evaluation.set_batch<double>(careful<double>);
-                               })) {}
+                               })),
+        plain_(plain_family(formula, [](Evaluation& evaluation) {
+          evaluation.set_batch<float>(plainly<float>);
+          evaluation.set_batch<double>(plainly<double>);
+        })) {}
 
  private:
   // Float's is double's, rounded.
@@ -142,7 +149,16 @@ class RegisterForm {
     });
   }
 
-  RegisterEvaluation fast_, careful_;
+  template <Scalar R>
+  static void plainly(const Batch<R>& batch, const BatchOutput<R>& output) {
+    const Segment<R> s{batch.corners[0], batch.corners[1]};
+    with_order(batch.order, [&]<int O>() {
+      for (std::size_t p = 0; p < batch.points.size(); ++p)
+        closed_form::put(plain<F, O, R>(s, batch.points[p], batch.parameters, batch.finite_part), O, p, output);
+    });
+  }
+
+  RegisterEvaluation fast_, careful_, plain_;
 };
 
 }  // namespace cageproof::closed_form::segment

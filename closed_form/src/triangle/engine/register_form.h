@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Enters a triangle formula's two evaluations into the register.
+// Enters a triangle formula's evaluations into the register.
 #pragma once
 
 #include "../../joint.h"
+#include "../../plain_family.h"
+#include "cageproof/closed_form/triangle/engine/plain.h"
 #include "cageproof/closed_form/triangle/engine/shared_instances.h"
 
 #include <cmath>
@@ -59,7 +61,11 @@ class RegisterForm {
                                 .role = Role::Stated,
                                 .cost = CostClass::Direct,
                                 .states_error = true},
-                               true, [](Evaluation& evaluation) { evaluation.set_batch<double>(careful); })) {}
+                               true, [](Evaluation& evaluation) { evaluation.set_batch<double>(careful); })),
+        plain_(plain_family(formula, [](Evaluation& evaluation) {
+          evaluation.set_batch<float>(plainly<float>);
+          evaluation.set_batch<double>(plainly<double>);
+        })) {}
 
  private:
   static void careful(const Batch<double>& batch, const BatchOutput<double>& output) {
@@ -74,7 +80,16 @@ class RegisterForm {
     });
   }
 
-  RegisterEvaluation fast_, careful_;
+  template <Scalar R>
+  static void plainly(const Batch<R>& batch, const BatchOutput<R>& output) {
+    const Triangle<R> t{batch.corners[0], batch.corners[1], batch.corners[2]};
+    with_order(batch.order, [&]<int O>() {
+      for (std::size_t p = 0; p < batch.points.size(); ++p)
+        closed_form::put(plain<F, O, R>(t, batch.points[p], batch.parameters, batch.finite_part), O, p, output);
+    });
+  }
+
+  RegisterEvaluation fast_, careful_, plain_;
 };
 
 }  // namespace cageproof::closed_form::triangle

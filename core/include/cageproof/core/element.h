@@ -82,11 +82,4 @@ inline int corner_count(ElementKind kind) { return type_of(kind).corners; }
 inline int dimension(ElementKind kind) { return type_of(kind).dimension; }
 inline std::string_view name_of(ElementKind kind) { return type_of(kind).name; }
 
-template <class R>
-using Segment = std::array<Vec3<R>, 2>;
-template <class R>
-using Triangle = std::array<Vec3<R>, 3>;
-template <class R>
-using Quad = std::array<Vec3<R>, 4>;
-
 }  // namespace cageproof

@@ -5,6 +5,8 @@
 // a formula took to compile went into choosing among their overloads and into copies of what they inline.
 #pragma once
 
+#include "cageproof/core/mp_names.h"
+
 #include <mpfr.h>
 
 #include <array>

@@ -2,7 +2,7 @@
 // The scalar types every formula is generic over.
 #pragma once
 
-#include "cageproof/core/mp.h"
+#include "cageproof/core/mp_names.h"
 
 #include <array>
 #include <concepts>
@@ -13,12 +13,6 @@
 #include <utility>
 
 namespace cageproof {
-
-using Mp50 = Mp<50>;
-using Mp100 = Mp<100>;
-using Mp200 = Mp<200>;
-/// No formula's scalar: it holds differences and products of doubles whose exponents are the furthest apart.
-using Mp800 = Mp<800>;
 
 template <class T>
 inline constexpr bool is_multiprecision = false;

@@ -2,7 +2,8 @@
 // Value, gradient and Hessian of a few scalars at one point.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/scalar.h"
+#include "cageproof/core/vector.h"
 
 #include <array>
 

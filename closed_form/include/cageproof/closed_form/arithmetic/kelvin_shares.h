@@ -2,8 +2,6 @@
 // The constants of elasticity that both of Kelvin's kernels share.
 #pragma once
 
-#include "cageproof/closed_form/arithmetic/tracked.h"
-
 namespace cageproof::closed_form {
 
 /// The shares of [T24] Eq 48's constants: 2b/a = 1/(2 (1 - nu)) and (a - 2b)/a = (1 - 2 nu)/(2 (1 - nu)), each without

@@ -2,7 +2,9 @@
 // A number that carries a bound of its own rounding error: running error analysis.
 #pragma once
 
+#include "cageproof/closed_form/arithmetic/constants.h"
 #include "cageproof/closed_form/arithmetic/double_double.h"
+#include "cageproof/closed_form/arithmetic/names.h"
 #include "cageproof/core/linear.h"
 
 #include <algorithm>
@@ -49,6 +51,8 @@ struct Tracked {
 
   Error magnitude() const { return size_of(value); }
   static Tracked rounded(const T& v, Error e, double roundings = 1) { return {v, e + roundings * size_of(v)}; }
+  static Tracked pi() { return rounded(T(cageproof::pi<Mp200>()), 0); }
+  static Tracked ln_two() { return rounded(T(cageproof::ln_two<Mp200>()), 0); }
 
   friend Tracked operator-(const Tracked& a) { return {T(-a.value), a.error}; }
   friend Tracked operator+(const Tracked& a, const Tracked& b) {
@@ -113,18 +117,6 @@ struct Tracked {
     return std::max(Error(0), magnitude - static_cast<Error>(roundoff_of<T>()) * error);
   }
 };
-
-/// The ratio of a circle's circumference to its diameter, rounded to R.
-template <class R>
-R constant_pi() {
-  if constexpr (Scalar<R>) return pi<R>();
-  else return R::rounded(decltype(R::value)(pi<Mp200>()), 0);
-}
-
-template <class T>
-inline constexpr bool is_tracked = false;
-template <class T>
-inline constexpr bool is_tracked<Tracked<T>> = true;
 
 }  // namespace cageproof::closed_form
 

@@ -2,7 +2,7 @@
 // The single layer of a segment's hat functions in the plane.
 #pragma once
 
-#include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/kernel.h"
 #include "cageproof/closed_form/segment/engine/hat_integrals.h"
 #include "cageproof/closed_form/segment/engine/logarithms.h"
 
@@ -16,15 +16,15 @@ struct AffineSingleLayer {
   static constexpr int components = 2;
 
   /// Value and derivatives up to order O, in the caller's units.
-  template <int O, Scalar R>
-  static Jet<R, 2, 2> at(const Frame<R>& f) {
+  template <int O, class F, class R = typename F::Number>
+  static Jet<R, 2, 2> at(const F& f) {
     Jet<R, 2, 2> jet;
     const R turn = 1 / (2 * pi<R>());
     const std::array<R, 2> logarithms = hat_logarithms(f);
     for (int k = 0; k < 2; ++k)
       jet.value[k] = shifted<R>(-turn * (logarithms[k] + f.length / 2 * unit_logarithm(f)), f.exponent);
     if constexpr (O >= 1) {
-      const HatIntegrals<O - 1, R> hats(f);
+      const HatIntegrals<O - 1, R> hats = hat_integrals<O - 1>(f);
       for (int k = 0; k < 2; ++k) {
         jet.gradient[k] = gradient(f, hats.inverse[k], turn);
         if constexpr (O >= 2) jet.hessian[k] = hessian(f, hats.square[k], turn);
@@ -38,7 +38,7 @@ struct AffineSingleLayer {
   static Eigen::Matrix<R, 2, 1> gradient(const Frame<R>& f, const Complex<R>& inverse, const R& turn) {
     using std::abs;
     Eigen::Matrix<R, 2, 1> g;
-    const bool infinite = abs(inverse.re) == std::numeric_limits<double>::infinity();
+    const bool infinite = abs(inverse.re) == R(std::numeric_limits<double>::infinity());
     for (int i = 0; i < 2; ++i) {
       const R across = f.n[i] * inverse.im;
       const R along = !infinite ? R(f.u[i] * inverse.re) : f.way[i] == 0 ? R(0) : R(R(f.way[i]) * inverse.re);

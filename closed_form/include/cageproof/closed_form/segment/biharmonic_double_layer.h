@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"
-#include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/kernel.h"
 #include "cageproof/closed_form/segment/engine/hat_integrals.h"
 #include "cageproof/closed_form/segment/engine/logarithms.h"
 
@@ -21,8 +21,8 @@ struct BiharmonicDoubleLayer {
   static constexpr int components = 2;
 
   /// Value and derivatives up to order O, in the caller's units.
-  template <int O, Scalar R>
-  static Jet<R, 2, 2> at(const Frame<R>& f) {
+  template <int O, class F, class R = typename F::Number>
+  static Jet<R, 2, 2> at(const F& f) {
     Jet<R, 2, 2> jet;
     const R factor = 1 / (8 * pi<R>());
     std::array<R, 2> q = hat_logarithms(f);
@@ -31,7 +31,7 @@ struct BiharmonicDoubleLayer {
       jet.value[k] = shifted<R>(-factor * f.h * q[k], 2 * f.exponent);
     }
     if constexpr (O >= 1) {
-      const HatIntegrals<O - 1, R> hats(f);
+      const HatIntegrals<O - 1, R> hats = hat_integrals<O - 1>(f);
       for (int k = 0; k < 2; ++k) {
         const Complex<R>& inverse = hats.inverse[k];
         const R of_u = f.at_end ? R(0) : R(2 * f.h * inverse.re), of_n = f.at_end ? R(0) : R(2 * f.h * inverse.im);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"
-#include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/kernel.h"
 #include "cageproof/closed_form/segment/engine/logarithms.h"
 
 namespace cageproof::closed_form::segment {
@@ -19,29 +19,16 @@ struct BiharmonicSingleLayer {
   static constexpr int components = 1;
 
   /// Value and derivatives up to order O, in the caller's units.
-  template <int O, Scalar R>
-  static Jet<R, 1, 2> at(const Frame<R>& f) {
+  template <int O, class F, class R = typename F::Number>
+  static Jet<R, 1, 2> at(const F& f) {
     Jet<R, 1, 2> jet;
     const R factor = 1 / (8 * pi<R>()), unit = unit_logarithm(f);
     const R &s0 = f.s[0], &s1 = f.s[1], &length = f.length, &h = f.h, square = h * h;
     const R squares = s0 * s0 + s0 * s1 + s1 * s1;
-    R value, along, across;
-    if (f.is_for_sums()) {
-      const FarSquareLogarithm<R> far(f);
-      value = far.value;
-      along = far.along;
-      across = far.across;
-    } else {
-      const std::array<R, 2> cubic{(s0 * s0 / 3 + square) * s0, (s1 * s1 / 3 + square) * s1};
-      value = ends(f, cubic) - length * (squares / 9 + 2 * square / 3) + 2 * square * h * f.angle / 3;
-      const R first = f.r[0] * f.r[0], last = f.r[1] * f.r[1];
-      along = f.are_alike() ? R(((first + last) * f.log_ratio + length * f.sum * (f.log_r[0] + f.log_r[1] - 2)) / 2)
-                            : ends(f, {first, last});
-      across = -h * (2 * integral_of_logarithm(f) - length);
-    }
-    jet.value[0] = shifted<R>(-factor * (value + unit * length * (squares / 3 + square)), 3 * f.exponent);
+    const SquareLogarithm<R> of = square_logarithm(f);
+    jet.value[0] = shifted<R>(-factor * (of.value + unit * length * (squares / 3 + square)), 3 * f.exponent);
     if constexpr (O >= 1) {
-      const R of_u = factor * (along + unit * length * f.sum), of_n = factor * (across - 2 * unit * length * h);
+      const R of_u = factor * (of.along + unit * length * f.sum), of_n = factor * (of.across - 2 * unit * length * h);
       for (int i = 0; i < 2; ++i) jet.gradient[0][i] = shifted<R>(of_u * f.u[i] + of_n * f.n[i], 2 * f.exponent);
     }
     if constexpr (O >= 2) {
@@ -55,15 +42,6 @@ struct BiharmonicSingleLayer {
               f.exponent);
     }
     return jet;
-  }
-
- private:
-  // [factor (ln r - 1)] between the ends; a factor that vanishes at an end takes its logarithm with it.
-  template <Scalar R>
-  static R ends(const Frame<R>& f, const std::array<R, 2>& factor) {
-    std::array<R, 2> at;
-    for (int i = 0; i < 2; ++i) at[i] = f.at_end && i == f.near_end ? R(0) : R(factor[i] * (f.log_r[i] - 1));
-    return at[1] - at[0];
   }
 };
 

@@ -2,7 +2,7 @@
 // The harmonic double layer of a segment's hat functions, the vertex part of Green coordinates of polygons.
 #pragma once
 
-#include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/kernel.h"
 #include "cageproof/closed_form/segment/engine/hat_integrals.h"
 
 namespace cageproof::closed_form::segment {
@@ -17,11 +17,11 @@ struct DoubleLayer {
   static constexpr int components = 2;
 
   /// Value and derivatives up to order O, in the caller's units.
-  template <int O, Scalar R>
-  static Jet<R, 2, 2> at(const Frame<R>& f) {
+  template <int O, class F, class R = typename F::Number>
+  static Jet<R, 2, 2> at(const F& f) {
     Jet<R, 2, 2> jet;
     const R turn = 1 / (2 * pi<R>());
-    const HatIntegrals<O, R> hats(f);
+    const HatIntegrals<O, R> hats = hat_integrals<O>(f);
     for (int k = 0; k < 2; ++k) jet.value[k] = -turn * hats.inverse[k].im;
     if constexpr (O >= 1)
       for (int k = 0; k < 2; ++k)

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/kelvin_shares.h"
-#include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/kernel.h"
 #include "cageproof/closed_form/segment/engine/logarithms.h"
 #include "cageproof/closed_form/segment/engine/spin.h"
 
@@ -22,8 +22,8 @@ struct KelvinDisplacement {
   static constexpr bool has_signs_at_ends = true;
 
   /// Value and derivatives up to order O, in the caller's units.
-  template <int O, Scalar R>
-  static Jet<R, 4, 2> at(const Frame<R>& f, const Given<R>& given) {
+  template <int O, class F, class R = typename F::Number>
+  static Jet<R, 4, 2> at(const F& f, const Given<R>& given) {
     Jet<R, 4, 2> jet;
     const R bulk = KelvinShares<R>(given.parameters[1]).bulk;
     const Shares<R> k{given.parameters[0], 1 / (2 * pi<R>()), 1 - bulk / 2, bulk / 4};

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/kelvin_shares.h"
-#include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/kernel.h"
 #include "cageproof/closed_form/segment/engine/hat_integrals.h"
 #include "cageproof/closed_form/segment/engine/spin.h"
 
@@ -21,13 +21,13 @@ struct KelvinTraction {
   static constexpr bool has_signs_at_ends = true;
 
   /// Value and derivatives up to order O, in the caller's units.
-  template <int O, Scalar R>
-  static Jet<R, 8, 2> at(const Frame<R>& f, const Given<R>& given) {
+  template <int O, class F, class R = typename F::Number>
+  static Jet<R, 8, 2> at(const F& f, const Given<R>& given) {
     Jet<R, 8, 2> jet;
     const KelvinShares<R> shares(given.parameters[1]);
     const R turn = 1 / (2 * pi<R>());
     const Parts<R> part{turn, turn * shares.shear, turn * shares.bulk};
-    const HatIntegrals<1, R> hats(f);
+    const HatIntegrals<1, R> hats = hat_integrals<1>(f);
     for (int k = 0; k < 2; ++k) {
       std::array<R, 4> matrix;
       if (f.at_end) set_at_end(f, k, hats.inverse[k], given.finite_part, part, matrix);

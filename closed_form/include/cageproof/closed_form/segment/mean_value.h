@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"
-#include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/kernel.h"
 
 namespace cageproof::closed_form::segment {
 
@@ -17,8 +17,8 @@ struct MeanValue {
   static constexpr bool diverges_on_segment = true;
 
   /// Value and derivatives up to order O, in the caller's units.
-  template <int O, Scalar R>
-  static Jet<R, 2, 2> at(const Frame<R>& f) {
+  template <int O, class F, class R = typename F::Number>
+  static Jet<R, 2, 2> at(const F& f) {
     const bool within = f.near.im == R(0) && f.s[0] < R(0) && R(0) < f.s[1];
     if (f.at_end || within) return diverging<O>(f);
     const R tangent = half_tangent(f);

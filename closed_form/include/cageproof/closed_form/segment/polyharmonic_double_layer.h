@@ -18,15 +18,15 @@ struct PolyharmonicDoubleLayer {
   static constexpr int components = 2, parameter_count = 1;
 
   /// Value and derivatives up to order O, in the caller's units.
-  template <int O, Scalar R>
-  static Jet<R, 2, 2> at(const Frame<R>& f, const Given<R>& given) {
+  template <int O, class F, class R = typename F::Number>
+  static Jet<R, 2, 2> at(const F& f, const Given<R>& given) {
     const int order = static_cast<int>(static_cast<double>(given.parameters[0]));
-    if (order == 1) return DoubleLayer::at<O, R>(f);
-    if (order == 2) return BiharmonicDoubleLayer::at<O, R>(f);
+    if (order == 1) return DoubleLayer::at<O>(f);
+    if (order == 2) return BiharmonicDoubleLayer::at<O>(f);
     Jet<R, 2, 2> jet;
     const R turn = 1 / (2 * pi<R>());
     const Radial<R> g1 = polyharmonic_green_function<R>(order).next(), g2 = g1.next(), g3 = g2.next();
-    const RadialMoments<R> m(f, 2 * g1.power + 1);
+    const auto m = radial_moments(f, 2 * g1.power + 1);
     const int unit = (2 * order - 2) * f.exponent;
     for (int k = 0; k < 2; ++k) {
       const auto part = [&](int i, const Radial<R>& g, int power) { return m.integral_of_hat(k, i, g, power); };

@@ -15,15 +15,15 @@ struct PolyharmonicSingleLayer {
   static constexpr int components = 1, parameter_count = 1;
 
   /// Value and derivatives up to order O, in the caller's units.
-  template <int O, Scalar R>
-  static Jet<R, 1, 2> at(const Frame<R>& f, const Given<R>& given) {
+  template <int O, class F, class R = typename F::Number>
+  static Jet<R, 1, 2> at(const F& f, const Given<R>& given) {
     const int order = static_cast<int>(static_cast<double>(given.parameters[0]));
-    if (order == 1) return SingleLayer::at<O, R>(f);
-    if (order == 2) return BiharmonicSingleLayer::at<O, R>(f);
+    if (order == 1) return SingleLayer::at<O>(f);
+    if (order == 2) return BiharmonicSingleLayer::at<O>(f);
     Jet<R, 1, 2> jet;
     const R turn = 1 / (2 * pi<R>());
     const Radial<R> g = polyharmonic_green_function<R>(order), g1 = g.next();
-    const RadialMoments<R> m(f, 2 * g.power);
+    const auto m = radial_moments(f, 2 * g.power);
     const int unit = (2 * order - 1) * f.exponent;
     jet.value[0] = shifted<R>(-turn * m.integral(0, g, 0), unit);
     if constexpr (O >= 1) {

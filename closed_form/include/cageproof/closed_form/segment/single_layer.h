@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"
-#include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/kernel.h"
 #include "cageproof/closed_form/segment/engine/logarithms.h"
 
 namespace cageproof::closed_form::segment {
@@ -20,8 +20,8 @@ struct SingleLayer {
   static constexpr int components = 1;
 
   /// Value and derivatives up to order O, in the caller's units.
-  template <int O, Scalar R>
-  static Jet<R, 1, 2> at(const Frame<R>& f) {
+  template <int O, class F, class R = typename F::Number>
+  static Jet<R, 1, 2> at(const F& f) {
     Jet<R, 1, 2> jet;
     const R turn = 1 / (2 * pi<R>());
     jet.value[0] = shifted<R>(-turn * (integral_of_logarithm(f) + f.length * unit_logarithm(f)), f.exponent);

@@ -2,7 +2,7 @@
 // The angle under which a point sees a segment of the plane.
 #pragma once
 
-#include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/kernel.h"
 
 namespace cageproof::closed_form::segment {
 
@@ -14,8 +14,8 @@ struct WindingAngle {
   static constexpr int components = 1;
 
   /// Value and derivatives up to order O, in the caller's units.
-  template <int O, Scalar R>
-  static Jet<R, 1, 2> at(const Frame<R>& f) {
+  template <int O, class F, class R = typename F::Number>
+  static Jet<R, 1, 2> at(const F& f) {
     Jet<R, 1, 2> jet;
     jet.value[0] = -f.angle;
     if constexpr (O >= 1) {

@@ -2,7 +2,8 @@
 // The single layer of the hat functions.
 #pragma once
 
-#include "cageproof/closed_form/triangle/engine/closed_form.h"
+#include "cageproof/closed_form/arithmetic/constants.h"
+#include "cageproof/closed_form/triangle/engine/kernel.h"
 
 namespace cageproof::closed_form::triangle {
 

@@ -2,7 +2,8 @@
 // The harmonic double layer of the hat functions, the vertex part of Green coordinates.
 #pragma once
 
-#include "cageproof/closed_form/triangle/engine/closed_form.h"
+#include "cageproof/closed_form/arithmetic/constants.h"
+#include "cageproof/closed_form/triangle/engine/kernel.h"
 
 namespace cageproof::closed_form::triangle {
 

@@ -2,7 +2,8 @@
 // Kelvin's tractions weighted with the hat functions, the vertex part of Somigliana coordinates.
 #pragma once
 
-#include "cageproof/closed_form/triangle/engine/closed_form.h"
+#include "cageproof/closed_form/arithmetic/constants.h"
+#include "cageproof/closed_form/triangle/engine/kernel.h"
 #include "cageproof/closed_form/arithmetic/kelvin_shares.h"
 
 namespace cageproof::closed_form::triangle {

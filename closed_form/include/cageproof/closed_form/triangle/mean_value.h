@@ -2,7 +2,7 @@
 // The mean value weights of a triangle.
 #pragma once
 
-#include "cageproof/closed_form/triangle/engine/closed_form.h"
+#include "cageproof/closed_form/triangle/engine/kernel.h"
 
 namespace cageproof::closed_form::triangle {
 

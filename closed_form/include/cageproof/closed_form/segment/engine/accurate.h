@@ -70,7 +70,7 @@ template <class F, int O>
 BoundedJet<F::components> confirmed(const Segment<double>& s, const Vec3<double>& eta,
                                     std::span<const double> parameters, bool finite_part) {
   const auto in = [&]<class R>(R) {
-    const Frame<R> frame({convert<R>(s[0]), convert<R>(s[1])}, convert<R>(eta));
+    const FarFrame<R> frame({convert<R>(s[0]), convert<R>(s[1])}, convert<R>(eta));
     return jet_at<F, O>(frame, parameters, finite_part);
   };
   const auto wide = in(Mp200());
@@ -104,9 +104,9 @@ BoundedJet<F::components> confirmed(const Segment<double>& s, const Vec3<double>
 template <class F, int O>
 BoundedJet<F::components> accurate(const Segment<double>& s, const Vec3<double>& eta,
                                    std::span<const double> parameters = {}, bool finite_part = false) {
-  const Frame<double> frame(s, eta);
+  const FarFrame<double> frame(s, eta);
   if (!leaves_range(s, eta, frame)) {
-    const Frame<Tracked<double>> tracked(frame);
+    const FarFrame<Tracked<double>> tracked(frame);
     // Gauss points are as many as make their rule good to a quarter of a rounding of the terms, each of which has been
     // rounded at least once in the bound: where terms cancel, both grow.
     auto result = bounded<O>(jet_at<F, O>(tracked, parameters, finite_part), frame.is_for_sums() ? 1.25 : 1);

@@ -2,7 +2,7 @@
 // Integrals of hat functions over powers of z, which all layers of hat functions in the plane are made of.
 #pragma once
 
-#include "cageproof/closed_form/segment/engine/far_sums.h"
+#include "cageproof/closed_form/segment/engine/frame.h"
 
 namespace cageproof::closed_form::segment {
 
@@ -13,13 +13,9 @@ struct HatIntegrals {
   std::array<Complex<R>, 2> inverse;   ///< int Gamma_k/z: unitless; at an end that of its own hat function is infinite
   std::array<Complex<R>, 2> square{};  ///< O >= 1: int Gamma_k/z^2, in units of the frame; at an end not set
 
+  HatIntegrals(const std::array<Complex<R>, 2>& of_inverse, const std::array<Complex<R>, 2>& of_square)
+      : inverse(of_inverse), square(of_square) {}
   explicit HatIntegrals(const Frame<R>& f) {
-    if (f.is_for_sums()) {
-      const FarSums<R> sums(f);
-      inverse = sums.inverse;
-      square = sums.square;
-      return;
-    }
     const std::array<R, 2> along{f.at_end && f.near_end == 0 ? R(0) : R(f.s[0] * f.log_ratio),
                                  f.at_end && f.near_end == 1 ? R(0) : R(f.s[1] * f.log_ratio)};
     const R lift = f.at_end ? R(0) : R(f.h * f.log_ratio), across = f.h * f.angle;
@@ -30,5 +26,10 @@ struct HatIntegrals {
     square = {f.scaled_inverse(0) - mean, mean - f.scaled_inverse(1)};
   }
 };
+
+template <int O, Scalar R>
+HatIntegrals<O, R> hat_integrals(const Frame<R>& f) {
+  return HatIntegrals<O, R>(f);
+}
 
 }  // namespace cageproof::closed_form::segment

@@ -3,7 +3,7 @@
 // unit_logarithm(), times what stands before the logarithm, they are those of the caller.
 #pragma once
 
-#include "cageproof/closed_form/segment/engine/far_sums.h"
+#include "cageproof/closed_form/segment/engine/frame.h"
 
 namespace cageproof::closed_form::segment {
 
@@ -11,7 +11,7 @@ namespace cageproof::closed_form::segment {
 template <Scalar R>
 R unit_logarithm(const Frame<R>& f) {
   if constexpr (is_multiprecision<R>) return R(0);
-  else return R(f.exponent * ln_two<R>());
+  else return R(f.exponent) * ln_two<R>();
 }
 
 /// int ln r = s1 ln r1 - s0 ln r0 - length + h alpha.
@@ -36,7 +36,6 @@ R integral_of_logarithm(const Frame<R>& f) {
 /// or their mirror images, so that of the nearer end's logarithm no more is left than what is small there.
 template <Scalar R>
 std::array<R, 2> hat_logarithms(const Frame<R>& f) {
-  if (f.is_for_sums()) return FarLogarithms<R>(f).hats;
   const R &s0 = f.s[0], &s1 = f.s[1], &length = f.length, square = f.h * f.h;
   const R far = length * f.log_r[1 - f.near_end] / 2, across = f.h * f.angle;
   const R of_first = f.near_end == 0 ? R(s0 * (s1 + length) - square) : R(s1 * s1 - square);
@@ -44,6 +43,35 @@ std::array<R, 2> hat_logarithms(const Frame<R>& f) {
   const auto part = [&](const R& factor) { return f.at_end ? R(0) : R(factor * f.log_ratio / 2); };
   return {far + (part(of_first) + s1 * across) / length - (2 * s1 + length) / 4,
           far + (part(of_last) - s0 * across) / length + (2 * s0 - length) / 4};
+}
+
+/// Of r^2 (ln r - 1) and of its derivatives, in units of the frame.
+template <Scalar R>
+struct SquareLogarithm {
+  R value{};            ///< int r^2 (ln r - 1)
+  R along{}, across{};  ///< int x (2 ln r - 1) along the segment and its normal
+};
+
+/// From the ends: int r^2 (ln r - 1) = [(s^3/3 + h^2 s)(ln r - 1) - s^3/9 - 2 h^2 s/3] + 2 h^3 alpha/3,
+/// int x (2 ln r - 1) = [r^2 (ln r - 1)] u - h (2 int ln r - length) n.
+template <Scalar R>
+SquareLogarithm<R> square_logarithm(const Frame<R>& f) {
+  // [factor (ln r - 1)] between the ends; a factor that vanishes at an end takes its logarithm with it.
+  const auto between_ends = [&f](const std::array<R, 2>& factor) {
+    std::array<R, 2> at;
+    for (int i = 0; i < 2; ++i) at[i] = f.at_end && i == f.near_end ? R(0) : R(factor[i] * (f.log_r[i] - 1));
+    return R(at[1] - at[0]);
+  };
+  const R &s0 = f.s[0], &s1 = f.s[1], &length = f.length, &h = f.h, square = h * h;
+  const R squares = s0 * s0 + s0 * s1 + s1 * s1;
+  const std::array<R, 2> cubic{(s0 * s0 / 3 + square) * s0, (s1 * s1 / 3 + square) * s1};
+  const R first = f.r[0] * f.r[0], last = f.r[1] * f.r[1];
+  SquareLogarithm<R> of;
+  of.value = between_ends(cubic) - length * (squares / 9 + 2 * square / 3) + 2 * square * h * f.angle / 3;
+  of.along = f.are_alike() ? R(((first + last) * f.log_ratio + length * f.sum * (f.log_r[0] + f.log_r[1] - 2)) / 2)
+                           : between_ends({first, last});
+  of.across = -h * (2 * integral_of_logarithm(f) - length);
+  return of;
 }
 
 }  // namespace cageproof::closed_form::segment

@@ -2,10 +2,7 @@
 // Integrals along a segment of even powers of the distance, times its logarithm, which polyharmonic layers are made of.
 #pragma once
 
-#include "cageproof/closed_form/segment/engine/far_sums.h"
 #include "cageproof/closed_form/segment/engine/logarithms.h"
-
-#include <vector>
 
 namespace cageproof::closed_form::segment {
 
@@ -35,6 +32,13 @@ Radial<R> polyharmonic_green_function(int order) {
   return g;
 }
 
+template <Scalar R>
+R power(const R& x, int n) {
+  R p = 1;
+  for (int i = 0; i < n; ++i) p *= x;
+  return p;
+}
+
 /// e^x 2^shift, to a rounding of double.
 template <Scalar R>
 R scaled_exponential(long double x, int shift) {
@@ -44,56 +48,40 @@ R scaled_exponential(long double x, int shift) {
 }
 
 /// h^k int s^i g(r) ds over the segment, in units of the frame but for the logarithm, which is that of the distance
-/// itself: s the arc length from the nearest point of the line, r^2 = s^2 + h^2. Nearby from
+/// itself: s the arc length from the nearest point of the line, r^2 = s^2 + h^2. From
 ///   (q + 1) int s^q (a ln r + b) = [s^(q+1) (a ln r + b - a/(q + 1))] + a h^2 E_q,
 ///   E_q = int s^q/r^2,  E_(q+2) = int s^q - h^2 E_q,
-/// which begin with E_1 = ln(r1/r0) and h E_0, the angle; far away, where these cancel, from Gauss points. a ln r and b
-/// may cancel, where the distance is e^(-b/a): a ln r + b is a times the logarithm of their ratio.
+/// which begin with E_1 = ln(r1/r0) and h E_0, the angle. a ln r and b may cancel, where the distance is
+/// e^(-b/a): a ln r + b is a times the logarithm of their ratio.
 template <Scalar R>
 class RadialMoments {
  public:
   static constexpr int kMost = 12;
   /// \param most the largest power of s asked for, with those of g: below kMost
-  RadialMoments(const Frame<R>& f, int most) : f_(f), unit_(unit_logarithm(f)) {
-    if (f.is_for_sums()) set_far(most);
-    else set_near(most);
-  }
+  RadialMoments(const Frame<R>& f, int most) : f_(f), unit_(unit_logarithm(f)) { set(most); }
 
   /// \pre g.power >= 0, or g.power = -1, g.log = 0 and i + k >= 2
   R integral(int i, const Radial<R>& g, int k) const {
-    return nodes_.empty() ? near(i, g, k) : far(g, [&](const Node& n) { return power(n.s, i); }) * power(f_.h, k);
+    if (g.power < 0) {
+      if (f_.at_end && i <= 1) return R(0);
+      return g.plain * (i == 0 ? power(f_.h, k - 1) : power(f_.h, k)) * ratios_[i];
+    }
+    R sum = 0, binomial = 1;
+    for (int j = 0; j <= g.power; ++j) {
+      const int q = 2 * j + i;
+      sum += binomial * power(f_.h, 2 * (g.power - j)) * (between_ends(q, g) + lifted(q)) / R(q + 1);
+      binomial = binomial * R(g.power - j) / R(j + 1);
+    }
+    return g.log * power(f_.h, k) * sum;
   }
   /// The same with the hat function of an end before s^i.
   R integral_of_hat(int end, int i, const Radial<R>& g, int k) const {
-    if (!nodes_.empty()) return far(g, [&](const Node& n) { return n.hat[end] * power(n.s, i); }) * power(f_.h, k);
-    const R difference = f_.s[1 - end] * near(i, g, k) - near(i + 1, g, k);
+    const R difference = f_.s[1 - end] * integral(i, g, k) - integral(i + 1, g, k);
     return (end == 0 ? difference : R(-difference)) / f_.length;
   }
 
  private:
-  struct Node {
-    R s, weight, square, logarithm;
-    std::array<R, 2> hat;
-  };
-
-  static R power(const R& x, int n) {
-    R p = 1;
-    for (int i = 0; i < n; ++i) p *= x;
-    return p;
-  }
-
-  void set_far(int most) {
-    using std::log;
-    // Every factor s^2 takes a degree of those that the rule is exact for.
-    const auto& [nodes, weights] = gauss_legendre<R>(far_points(f_) + (most + 1) / 2);
-    nodes_.reserve(nodes.size());
-    for (std::size_t j = 0; j < nodes.size(); ++j) {
-      const R s = f_.s[0] + f_.length * nodes[j], square = s * s + f_.h * f_.h;
-      nodes_.push_back({s, weights[j] * f_.length, square, log(square) / 2 + unit_, {1 - nodes[j], nodes[j]}});
-    }
-  }
-
-  void set_near(int most) {
+  void set(int most) {
     ratios_[0] = f_.angle;  // h E_0
     ratios_[1] = f_.log_ratio;
     std::array<R, 2> s{R(1), R(1)};
@@ -143,37 +131,17 @@ class RadialMoments {
     return at[1] - at[0];
   }
 
-  R near(int i, const Radial<R>& g, int k) const {
-    if (g.power < 0) {
-      if (f_.at_end && i <= 1) return R(0);
-      return g.plain * (i == 0 ? power(f_.h, k - 1) : power(f_.h, k)) * ratios_[i];
-    }
-    R sum = 0, binomial = 1;
-    for (int j = 0; j <= g.power; ++j) {
-      const int q = 2 * j + i;
-      sum += binomial * power(f_.h, 2 * (g.power - j)) * (between_ends(q, g) + lifted(q)) / R(q + 1);
-      binomial = binomial * R(g.power - j) / R(j + 1);
-    }
-    return g.log * power(f_.h, k) * sum;
-  }
-
-  template <class Factor>
-  R far(const Radial<R>& g, const Factor& factor) const {
-    R sum = 0;
-    for (const Node& n : nodes_) {
-      const R radial = g.power < 0 ? R(1 / n.square) : power(n.square, g.power);
-      sum += n.weight * factor(n) * radial * (g.log * n.logarithm + g.plain);
-    }
-    return sum;
-  }
-
   const Frame<R>& f_;
   R unit_;
-  std::vector<Node> nodes_;  // far away
-  // Nearby, of s^(q+1): at the ends, and the difference; and E_q.
+  // Of s^(q+1): at the ends, and the difference; and E_q.
   std::array<std::array<R, 2>, kMost> powers_;
   std::array<R, kMost> differences_;
   std::array<R, kMost + 2> ratios_;
 };
+
+template <Scalar R>
+RadialMoments<R> radial_moments(const Frame<R>& f, int most) {
+  return RadialMoments<R>(f, most);
+}
 
 }  // namespace cageproof::closed_form::segment

@@ -2,7 +2,7 @@
 // The frame of a segment with bounds of its own rounding.
 #pragma once
 
-#include "cageproof/closed_form/segment/engine/frame.h"
+#include "cageproof/closed_form/segment/engine/exact_frame.h"
 
 namespace cageproof::closed_form::segment {
 
@@ -21,11 +21,12 @@ inline bool leaves_range(const Segment<double>& s, const Vec3<double>& eta, cons
 /// good to an ulp. Sums of products are formed in double-double, to 2^-98 of the factors' lengths; the sine, which is
 /// taken from exact differences where it is small, to 2^-52 of itself.
 template <Scalar R>
-Frame<R>::Frame(const Frame<double>& plain) requires is_tracked<R> : way(plain.way),
-                                                                     exponent(plain.exponent),
-                                                                     near_end(plain.near_end),
-                                                                     at_end(plain.at_end),
-                                                                     near_exponent(plain.near_exponent) {
+template <std::same_as<double> D>
+Frame<R>::Frame(const Frame<D>& plain) requires is_tracked<R> : way(plain.way),
+                                                                exponent(plain.exponent),
+                                                                near_end(plain.near_end),
+                                                                at_end(plain.at_end),
+                                                                near_exponent(plain.near_exponent) {
   constexpr double kOfDistance = 3, kOfDirection = 5, kOfArc = 6, kOfSine = 11;
   constexpr double kOfSums = 0x1p-98 / 0x1p-53;
   const auto good_to = [](double x, double roundings, double beside = 0) { return R::rounded(x, beside, roundings); };
@@ -40,15 +41,8 @@ Frame<R>::Frame(const Frame<double>& plain) requires is_tracked<R> : way(plain.w
   sum = good_to(plain.sum, kOfArc, kOfSums * (plain.r[0] + plain.r[1]));
   near_mantissa = good_to(plain.near_mantissa, kOfDistance);
   near = {good_to(plain.near.re, kOfArc + kOfDistance, kOfSums), good_to(plain.near.im, kOfSine)};
-  const R sine = -near.im;
-  h = sine * r[near_end];
-  angle = atan2(R(length * sine), R(h * sine + far_s() * near.re));
-  if (is_far() || are_alike()) {
-    const R sign(near_end == 0 ? 1 : -1), q = r[near_end];
-    log_ratio = sign * log1p(R(sign * length * sum / (q * q))) / R(2);
-  } else {
-    log_ratio = log_r[1] - log_r[0];
-  }
+  h = -near.im * r[near_end];
+  set_angle_and_ratio();
 }
 
 }  // namespace cageproof::closed_form::segment

@@ -2,28 +2,10 @@
 // What a closed form does on the triangle itself, where derivatives, or even the value, may have no limit.
 #pragma once
 
+#include "cageproof/closed_form/triangle/engine/limits.h"
 #include "cageproof/closed_form/triangle/engine/point_moments.h"
 
 namespace cageproof::closed_form::triangle {
-
-/// The first derivative order without a limit at this point; 3 where all exist.
-template <class F, class R>
-int first_divergent(const Frame<R>& f) {
-  if (!f.on_triangle()) return 3;
-  const bool border = on_edge(f.edges[0]) || on_edge(f.edges[1]) || on_edge(f.edges[2]);
-  return F::diverges_on_triangle || border ? F::border_order : 3;
-}
-
-/// On the triangle, of formulas that diverge there: infinite where the hat function is positive, NaN where it vanishes,
-/// since the limit depends on the direction there; no derivative.
-template <class F, int O, Scalar R>
-Jet<R, F::components> diverging_weights(const Frame<R>& f) {
-  static_assert(F::components == 3);
-  Jet<R, F::components> jet = finish<F, O, R>({}, f.unit, 1);
-  for (int k = 0; k < 3; ++k)
-    jet.value[k] = f.hat(k) > 0 ? std::numeric_limits<R>::infinity() : std::numeric_limits<R>::quiet_NaN();
-  return jet;
-}
 
 /// The first order without a limit, on the border: its entries without the logarithm of the distance that some have,
 /// and with it, at a distance of one e-th.

@@ -3,6 +3,7 @@
 // polynomials.
 #pragma once
 
+#include "cageproof/closed_form/arithmetic/constants.h"
 #include "cageproof/closed_form/triangle/engine/edge_integrals.h"
 
 #include <algorithm>

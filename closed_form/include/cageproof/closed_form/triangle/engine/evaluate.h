@@ -4,9 +4,7 @@
 
 #include "cageproof/closed_form/arithmetic/jet.h"
 #include "cageproof/closed_form/arithmetic/working.h"
-#include "cageproof/closed_form/triangle/engine/far_form.h"
 #include "cageproof/closed_form/triangle/engine/kernel.h"
-#include "cageproof/closed_form/triangle/engine/panel_form.h"
 
 namespace cageproof::closed_form::triangle {
 
@@ -22,13 +20,9 @@ std::array<W, F::parameter_count> widened(std::span<const R> parameters) {
 template <class F, class R, int O>
 using Components = std::array<Taylor<R, O>, F::components>;
 
-/// The moments that a formula takes near the triangle and far from it, for derivatives up to order O.
+/// The moments that a formula takes near the triangle, for derivatives up to order O.
 template <class F, class R, int O>
 using NearForm = typename F::template Near<F, R, O>;
-template <class F, class R, int O>
-using FarFormOf = FarForm<R, O + F::extra, F::extra == 0 ? O : O + F::extra - 1>;
-template <class F, class R, int O>
-using PanelFormOf = PanelForm<R, O + F::extra, F::extra == 0 ? O : O + F::extra - 1>;
 
 /// From moments of either kind, up to degree O.
 template <class F, int O, class R, class Form>
@@ -43,19 +37,6 @@ template <class F, int O, class R, class... BorderLog>
 Components<F, R, O> near_components(const Frame<R>& frame, std::span<const R> parameters,
                                     const BorderLog&... border_log) {
   return composed<F, O, R>(NearForm<F, R, O>(frame, border_log...), parameters);
-}
-
-/// From n x n Gauss-Legendre points, up to degree O.
-template <class F, int O, class R>
-Components<F, R, O> far_components(const Frame<R>& frame, int n, std::span<const R> parameters) {
-  return composed<F, O, R>(FarFormOf<F, R, O>(frame, n), parameters);
-}
-
-/// The points a side that the far form needs for `tolerance` at this ellipse_of a frame; nothing where the form near
-/// the triangle is the better choice.
-template <class F, int O>
-std::optional<int> far_points_for(double ellipse, double tolerance, int limit = F::far_limit) {
-  return far_points(ellipse, F::far_power, O + F::extra, tolerance, limit);
 }
 
 /// The numbers of derivative order o in a polynomial: f, f_i, f_ij for i <= j, with the factor by which a coefficient

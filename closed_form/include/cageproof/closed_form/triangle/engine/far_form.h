@@ -48,11 +48,9 @@ inline std::optional<int> far_points(double rho, int p, int degree, double toler
   return std::nullopt;
 }
 
-/// The most points a side that the far form takes where the edge form is the quicker one, and where that cancels long
-/// before (mean value).
-inline constexpr int kFarLimit = 20, kCancellingLimit = 48;
-/// The same in multiprecision, where the edge form has digits to lose: few, so that the far form takes over where half
-/// of them are lost, and double's far form is judged by the edge form up to there.
+/// The most points a side that the far form takes in multiprecision, where the edge form has digits to lose: few, so
+/// that the far form takes over where half of them are lost, and double's far form is judged by the edge form up to
+/// there.
 inline constexpr int kMultiprecisionLimit = 12;
 
 /// A rule's number in the arithmetic of the form.

@@ -17,11 +17,14 @@
 #include "cageproof/closed_form/arithmetic/taylor.h"
 #include "cageproof/closed_form/triangle/engine/edge_form.h"
 #include "cageproof/closed_form/triangle/engine/even_form.h"
-#include "cageproof/closed_form/triangle/engine/far_form.h"
 
 #include <span>
 
 namespace cageproof::closed_form::triangle {
+
+/// The most points a side that the far form takes in double where the edge form is the quicker one, and where that
+/// cancels long before (mean value).
+inline constexpr int kFarLimit = 20, kCancellingLimit = 48;
 
 /// What the first order without a limit does on the border: it depends on the direction of approach; it diverges like
 /// the logarithm of the distance, all else having a limit from inside; or it does both.

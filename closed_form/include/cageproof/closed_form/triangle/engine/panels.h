@@ -2,7 +2,7 @@
 // A triangle cut into panels that are far from the point for their size, and sums over Gauss points on these.
 #pragma once
 
-#include "cageproof/closed_form/triangle/engine/frame.h"
+#include "cageproof/closed_form/triangle/engine/exact_frame.h"
 
 #include <boost/container/small_vector.hpp>
 

@@ -2,7 +2,8 @@
 // What formulas on one triangle share at one point: the frame, and every moment that more than one of them may ask for.
 #pragma once
 
-#include "cageproof/closed_form/triangle/engine/evaluate.h"
+#include "cageproof/closed_form/triangle/engine/exact_frame.h"
+#include "cageproof/closed_form/triangle/engine/on_points.h"
 
 #include <tuple>
 

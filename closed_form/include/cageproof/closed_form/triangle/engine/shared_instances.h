@@ -6,7 +6,7 @@
 #include "cageproof/closed_form/triangle/engine/closed_form.h"
 
 // The degrees (N, M) that formulas ask for: 0 to 2 for their own derivatives, two more under second derivatives.
-#define CAGEPROOF_MOMENTS(prefix, R)       \
+#define CAGEPROOF_FORMS(prefix, R)         \
   prefix template class EdgeForm<R, 0, 0>; \
   prefix template class EdgeForm<R, 1, 1>; \
   prefix template class EdgeForm<R, 2, 2>; \
@@ -15,7 +15,11 @@
   prefix template class EdgeForm<R, 4, 3>; \
   prefix template class EvenForm<R, 0>;    \
   prefix template class EvenForm<R, 1>;    \
-  prefix template class EvenForm<R, 2>;    \
+  prefix template class EvenForm<R, 2>;
+
+// With frames from exact differences.
+#define CAGEPROOF_MOMENTS(prefix, R) \
+  CAGEPROOF_FORMS(prefix, R)         \
   prefix template struct Frame<R>;
 
 // The far form in multiprecision, which every formula asks for.
@@ -28,6 +32,7 @@
   prefix template class HatMoments<R, 4, 3, SquareSums<R>>;
 
 namespace cageproof::closed_form::triangle {
+CAGEPROOF_FORMS(extern, float)
 CAGEPROOF_MOMENTS(extern, double)
 CAGEPROOF_MOMENTS(extern, Mp100)
 CAGEPROOF_MOMENTS(extern, Mp200)

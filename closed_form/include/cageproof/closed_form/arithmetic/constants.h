@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Constants in whatever a form is computed in.
+#pragma once
+
+#include "cageproof/core/scalar.h"
+
+namespace cageproof::closed_form {
+
+/// The ratio of a circle's circumference to its diameter, rounded to R, which is a scalar or has a `pi` of its own.
+template <class R>
+R constant_pi() {
+  if constexpr (Scalar<R>) return pi<R>();
+  else return R::pi();
+}
+
+}  // namespace cageproof::closed_form
