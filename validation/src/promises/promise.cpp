@@ -58,6 +58,14 @@ constexpr std::array table{
     Row{"relative", "*", "accurate", "float", "*", 0, 2, 256, "computed in double and rounded"},
     Row{"relative", "*", "accurate", "double", "*", 0, 2, 256,
         "accepted at a running error bound of 128 units, which is itself rounded; else computed with more digits"},
+    // The form in one scalar and nothing wider, next to nothing and not far.
+    Row{"truth", "triangle.mean_value", "plain", "*", "@(generic|offset)", 1, 2, none,
+        "each derivative divides by the height over the plane once more, which the value is small with"},
+    Row{"truth", "@(segment|triangle).*", "plain", "*", "@(generic|offset)", 0, 2, 1e3,
+        "within one size no term is more than some tens of the whole, and a result takes some tens of operations"},
+    Row{"truth", "*", "plain", "*", "*", 0, 2, none,
+        "one scalar and nothing wider: what it loses far away, next to lines and on thin elements is what the report is "
+        "for"},
     // Printed forms away from their weak spots, which are the lines of edges, thin triangles, and far away.
     Row{"truth", "segment.*", "published", "float", "offset", 0, 2, none,
         "in float points far from the origin round onto ends, of whose limits [W12] Appendix A says nothing"},
