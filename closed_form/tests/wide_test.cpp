@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/closed_form/triangle/engine/frame.h"
+#include "cageproof/closed_form/triangle/engine/exact_frame.h"
 #include "cageproof/core/random_stream.h"
 
 #include <gtest/gtest.h>
