@@ -64,7 +64,8 @@ constexpr std::array table{
     Row{"truth", "@(segment|triangle).*", "plain", "*", "@(generic|offset)", 0, 2, 1e3,
         "within one size no term is more than some tens of the whole, and a result takes some tens of operations"},
     Row{"truth", "*", "plain", "*", "*", 0, 2, none,
-        "one scalar and nothing wider: what it loses far away, next to lines and on thin elements is what the report is "
+        "one scalar and nothing wider: what it loses far away, next to lines and on thin elements is what the report "
+        "is "
         "for"},
     // Printed forms away from their weak spots, which are the lines of edges, thin triangles, and far away.
     Row{"truth", "segment.*", "published", "float", "offset", 0, 2, none,
