@@ -55,6 +55,7 @@ TEST(plain, loses_far_away_what_its_scalar_has_not) {
   const std::vector<Vec3<float>> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const Vec3<float> point(300, 200, -350);
   std::vector<Vec3<Mp50>> wide;
+  wide.reserve(corners.size());
   for (const Vec3<float>& corner : corners) wide.push_back(convert<Mp50>(corner));
   const auto truth =
       static_cast<double>(value_of<Mp50>("triangle.double_layer", "closed_form", wide, convert<Mp50>(point)));

@@ -2,7 +2,6 @@
 // Vectors over the scalars that formulas are evaluated in.
 #pragma once
 
-#include "cageproof/core/mp.h"
 #include "cageproof/core/scalar.h"
 #include "cageproof/core/vector.h"
 

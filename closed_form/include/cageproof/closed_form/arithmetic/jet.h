@@ -2,7 +2,7 @@
 // Value, gradient and Hessian of a few scalars at one point.
 #pragma once
 
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/scalar_names.h"
 #include "cageproof/core/vector.h"
 
 #include <array>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/names.h"
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/scalar_names.h"
 #include "cageproof/core/vector.h"
 
 #include <array>
