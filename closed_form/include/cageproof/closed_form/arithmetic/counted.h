@@ -10,10 +10,10 @@
 #include <limits>
 #include <source_location>
 
-    namespace cageproof::closed_form {
+namespace cageproof::closed_form {
 
-  class Counted;
-  /// For templates over scalars a Counted is a double: they take the same branches and the same forms.
+class Counted;
+/// For templates over scalars a Counted is a double: they take the same branches and the same forms.
 }  // namespace cageproof::closed_form
 template <>
 inline constexpr bool cageproof::stands_for_double<cageproof::closed_form::Counted> = true;
