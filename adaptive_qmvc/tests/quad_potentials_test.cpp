@@ -240,6 +240,52 @@ TEST(QuadPotentials, keep_their_digits_next_to_a_long_quads_corner) {
     }
 }
 
+// Three corners next to the point, the fourth 1e5 times as far away: a short side across the lines is known to its own
+// rounding, not to that of the long one opposite. Found by hunts.
+TEST(QuadPotentials, keep_their_digits_beside_sides_that_are_short) {
+  struct Case {
+    Quad<double> corners;
+    Vec point;
+  };
+  const std::array cases{
+      Case{
+          {Vec(-0x1.da7c00608484ep-16, 0x1.8af3a69e10396p-17, 0), Vec(-0x1.114e13607109cp-17, 0x1.589844ae70396p-17, 0),
+           Vec(-0x1.3aafc086f2138p-18, 0x1.ec0212602c396p-17, 0), Vec(-0x1.760f21683b021p-2, 0x1.246b0bd12f4ebp+0, 0)},
+          Vec(-0x1.c90c3aae8909cp-17, -0x1.f1911dc87f1a7p-19, 0)},
+      Case{{Vec(-0x1.15fcddf6ep-19, 0x1.2dcee187f8p-19, 0x1.b436d9c6p-19),
+            Vec(-0x1.51bd822648p-17, -0x1.0ab20d7ebp-21, 0x1.54a59e3ep-21),
+            Vec(-0x1.6cef7784bd9d6p-2, -0x1.92991b0713eedp-1, -0x1.fec6e2a8c3e89p-1),
+            Vec(0x1.187507408p-19, -0x1.307d3613e8p-19, -0x1.b816d4294p-19)},
+           Vec(0x1.7baca304p-21, 0x1.1fd189864p-22, 0x1.1cc6da68p-22)},
+      Case{{Vec(0x1.0b382b205p-18, -0x1.0999b8fb2p-15, -0x1.0c790279dc8p-14),
+            Vec(0x1.3f094ce94p-17, -0x1.6f9c07732p-19, -0x1.ff8da14108p-18),
+            Vec(0x1.5109a16848p-17, -0x1.6962ee142p-19, -0x1.00c5f06a14p-17),
+            Vec(0x1.9003763663fc6p-1, -0x1.ace9760c0bdd4p-3, -0x1.30c0688c30467p-1)},
+           Vec(-0x1.13bae9b33cp-15, -0x1.6d7e11e2f6p-16, -0x1.2d74b47714p-15)},
+      Case{{Vec(-0x1.7d687c043ccp-18, 0x1.43b9dc4aff3c1p-17, 0x1.94b9d2169ba13p-19),
+            Vec(0x1.005bc19e069ep-1, 0x1.6a4077f56a89dp-1, -0x1.9fae31f570b1ep-1),
+            Vec(-0x1.ae69f0ae3b9bep-22, 0x1.1bfc61b6bad6cp-19, -0x1.3839e8efc3f81p-22),
+            Vec(-0x1.192002a9b3p-28, 0x1.8b6dc90c97806p-18, 0x1.4c6p-18)},
+           Vec(-0x1.7d0000130a0afp-18, 0x1.000000d92d4c7p-21, -0x1.28e5fe82b12d2p-23)},
+      Case{{Vec(0x1.7635453p-18, -0x1.a2dfe49c8p-14, -0x1.364a3ab44p-14),
+            Vec(0x1.db8f5ecc54116p+3, -0x1.3a01db4f8a0fp+2, -0x1.6753194aaba0ep+3),
+            Vec(0x1.08a94038cp-13, 0x1.18355c06p-14, 0x1.906b8ff3cp-13), Vec(0, 0, 0)},
+           Vec(-0x1p-46, -0x1.4da9d676p-14, -0x1.2fbb7bb800003p-17)}};
+  for (const auto& [corners, point] : cases)
+    for (int first = 0; first < 4; ++first)
+      for (const Potential potential : kPotentials) {
+        Quad<double> q;
+        for (int k = 0; k < 4; ++k) q[k] = corners[(k + first) % 4];
+        const auto form = found<double>(potential, q, point, 2, 17);
+        const auto truth = plain_lines(potential, q, convert<Mp200>(point), 2, 40);
+        // Values may be nothing in the quad's plane.
+        for (int o = 1; o <= 2; ++o)
+          EXPECT_LT(relative(form.of[o], truth.of[o]), 1.5e-14)
+              << static_cast<int>(potential) << " case " << &corners - &cases[0].corners << ' ' << first << " order "
+              << o;
+      }
+}
+
 // Beside a side that is longer than its opposite one lines are counted from, however the corners are numbered; sums are
 // two triangles' solid angle. Points lie on either side of the side's line, where that changes by a turn.
 TEST(QuadPotentials, have_the_solid_angle_beside_a_longer_side) {

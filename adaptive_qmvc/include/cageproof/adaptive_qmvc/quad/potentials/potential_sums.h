@@ -69,7 +69,7 @@ class PotentialSums {
                      IntegralSums<R>& sums);
   void add_line(const LineReferences<R>& references, const R& step, const R& weight);
   void add_horizontal_side(const LineReferences<R>& references, const R& step, int sign);
-  void add_vertical_side(const LocalFrame<R>& q, const R& from, const R& to, bool far);
+  void add_vertical_side(const LineReferences<R>& references, const R& from, const R& to, bool far);
   // x, N, g and M on the line v0 + s of a reference, for the integrals' origin.
   BasisOnLine<R> put_horizontal(const LineReferences<R>& references, const LineReference<R>& reference, const R& step,
                                 const Vec3<R>& x);
@@ -239,13 +239,17 @@ void PotentialSums<R>::add_horizontal_side(const LineReferences<R>& references, 
 }
 
 template <class R>
-void PotentialSums<R>::add_vertical_side(const LocalFrame<R>& q, const R& from, const R& to, bool far) {
+void PotentialSums<R>::add_vertical_side(const LineReferences<R>& references, const R& from, const R& to, bool far) {
   using namespace line_factor;
-  // In lengths of the side, from the frame's line.
-  const R t = far ? q.last : q.first, length = to - from;
+  const LineReference<R>& reference = references.beside(far);
+  const LocalFrame<R>&q = reference.q, &base = references.base();
+  // In lengths of the side, from the reference's line.
+  const R t = far ? q.last : q.first, length = to - from, start_at = from + reference.ahead,
+          end_at = to + reference.ahead;
   const Vec3<R> along_v = q.b + t * q.w, side = length * along_v, zero = Vec3<R>::Zero();
   const Vec3<R> start = q.a + t * q.e;
-  const Vec3<R> x = find_powers(start, side, R(from / length), R(to / length), start.cross(side), tape_.around.top);
+  const Vec3<R> x =
+      find_powers(start, side, R(start_at / length), R(end_at / length), start.cross(side), tape_.around.top);
   const R s = length * powers_.origin;
   const R g1 = q.g01 + t * q.g11, g0 = q.g00 + t * q.g10 + s * g1;
   put(kX, x, side);
@@ -253,7 +257,7 @@ void PotentialSums<R>::add_vertical_side(const LocalFrame<R>& q, const R& from, 
   factors_[kHeight] = {g0, R(length * g1)};
   put(kAlongU, q.e + s * q.w, length * q.w);
   put(kAlongV, along_v, zero);
-  put(kTurn, t * q.n_u + s * q.n_v, length * q.n_v);
+  put(kTurn, R(far ? base.last : base.first) * q.n_u + (s - reference.ahead) * q.n_v, length * q.n_v);
   put(kTwist, q.w, zero);
   put(kStep, side, zero);
   add_integrals(tape_.around, {far ? R(0) : R(1), far ? R(1) : R(0), R(0), R(R(1 - q.v0) - s), R(q.v0 + s), length},
@@ -263,12 +267,11 @@ void PotentialSums<R>::add_vertical_side(const LocalFrame<R>& q, const R& from, 
 template <class R>
 void PotentialSums<R>::add_border(const LineReferences<R>& references, const OuterRule<R>& rule, const R& centre) {
   if (tape_.around.integrals.empty()) return;
-  const LocalFrame<R>& q = references.base();
   const R from = centre + rule.to_lo, to = centre + rule.to_hi;
   add_horizontal_side(references, from, 1);
   add_horizontal_side(references, to, -1);
-  add_vertical_side(q, from, to, true);
-  add_vertical_side(q, from, to, false);
+  add_vertical_side(references, from, to, true);
+  add_vertical_side(references, from, to, false);
 }
 
 template <class R>

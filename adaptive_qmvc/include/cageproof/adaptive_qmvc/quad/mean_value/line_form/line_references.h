@@ -35,6 +35,13 @@ struct LineReference {
     const double step = s + static_cast<double>(ahead), square = step * step;
     return (distance2 + square * across2) * (1 + (along2 + square * twist2) / length2);
   }
+
+  /// The same of the side across the lines where they end, or start.
+  double side_roundings2(bool far, double length2) const {
+    const auto step = static_cast<double>(far ? q.last : q.first);
+    const double square = step * step;
+    return (distance2 + square * along2) * (1 + (across2 + square * twist2) / length2);
+  }
 };
 
 /// A rule's point, next to which its lines are dense; and, of a quad with sides of unequal lengths, the corners. There
@@ -52,6 +59,8 @@ class LineReferences {
       if (!is_uneven(q)) return;
       first_ = q.e;
       last_ = q.e1;
+      near2_ = static_cast<double>(R(q.b.dot(q.b)));
+      far2_ = static_cast<double>(R(q.b1.dot(q.b1)));
       for (int k = 0; k < 4; ++k) {
         const R u = k == 1 || k == 2 ? R(1) : R(0), v = k < 2 ? R(0) : R(1);
         references_.emplace_back(LocalFrame<R>(q, u, v, q.seen[k]), base.v0);
@@ -68,15 +77,32 @@ class LineReferences {
     const R v = base().v0 + s;
     const Vec3<R> e = (1 - v) * first_ + v * last_;
     const auto length2 = static_cast<double>(R(e.dot(e)));
-    const LineReference<R>* best = nullptr;
-    for (const LineReference<R>& reference : references_)
-      if (!best || reference.roundings2(step, length2) < best->roundings2(step, length2)) best = &reference;
-    return *best;
+    return least([&](const LineReference<R>& reference) { return reference.roundings2(step, length2); });
+  }
+
+  /// The best for the side across the lines where they end, or start.
+  const LineReference<R>& beside(bool far) const {
+    if (references_.size() == 1) return references_.front();
+    return least(
+        [&](const LineReference<R>& reference) { return reference.side_roundings2(far, far ? far2_ : near2_); });
   }
 
  private:
+  template <class Roundings>
+  const LineReference<R>& least(const Roundings& roundings) const {
+    const LineReference<R>* best = nullptr;
+    double fewest = 0;
+    for (const LineReference<R>& reference : references_)
+      if (const double now = roundings(reference); !best || now < fewest) {
+        best = &reference;
+        fewest = now;
+      }
+    return *best;
+  }
+
   boost::container::static_vector<LineReference<R>, 5> references_;
-  Vec3<R> first_, last_;  ///< the directions of the outermost lines
+  Vec3<R> first_, last_;         ///< the directions of the outermost lines
+  double near2_ = 0, far2_ = 0;  ///< squares of lengths: of the sides across the lines where they start and end
 };
 
 }  // namespace cageproof::adaptive_qmvc
