@@ -338,5 +338,39 @@ TEST(quad_adaptive, finds_its_error_as_far_away_as_doubles_reach) {
   }
 }
 
+// Not on the quad, but nearer than powers of the distance are doubles: beside a side in the plane, where nothing is
+// seen of the quad, and on the other side than limits are taken from. Found by hunts.
+TEST(quad_adaptive, states_nothing_next_to_the_quad) {
+  struct Case {
+    std::string formula;
+    int order;
+    Quad<double> corners;
+    Vec point;
+  };
+  const Quad<double> upright{Vec(0, 0, -0.5), Vec(0, 0, 0.5), Vec(1, 0, 0.5), Vec(1, 0, -0.5)};
+  const Quad<double> level{Vec(0, 0, 0), Vec(3, -4, 0), Vec(-1, -3, 0), Vec(-1, -1, 0)};
+  const Quad<double> twisted{Vec(0.625, 1.171875, -1.421875), Vec(0.625, 1.171875, -0.421875),
+                             Vec(-0.375, -0.828125, 0.578125), Vec(-0.375, 0.171875, -1.421875)};
+  const std::array parameters{1.5, 0.5};
+  for (const Case& c : {Case{"quad.double_layer", 0, upright, Vec(-0x1.ep-461, 0, 0)},
+                        Case{"quad.kelvin_traction", 0, upright, Vec(-0x1p-1072, 0, 0)},
+                        Case{"quad.solid_angle", 0, level, Vec(0, 0x1p-1074, 0)},
+                        Case{"quad.single_layer", 1, twisted, Vec(0x1.a8p-518, 0, 0)},
+                        Case{"quad.biharmonic_double_layer", 2, twisted, Vec(-0x1.5ep-786, 0, 0)},
+                        Case{"quad.kelvin_displacement", 1, twisted, Vec(0x1.08p-700, 0, 0)}}) {
+    const auto adaptive = EvaluationRegister::instance().find(c.formula, "adaptive");
+    const std::span<const double> given(parameters.data(), c.formula.starts_with("quad.kelvin") ? 2 : 0);
+    Result<double> found;
+    (*adaptive)(Query<double>{c.corners, c.point, c.order, given}, found);
+    EXPECT_FALSE(found.converged) << c.formula;
+    EXPECT_EQ(found.stated_digits, 0) << c.formula;
+    // On the planar ones, where values have limits.
+    if (c.order > 0) continue;
+    (*adaptive)(Query<double>{c.corners, (c.corners[0] + c.corners[2]) / 2, 0, given}, found);
+    EXPECT_TRUE(found.converged) << c.formula;
+    EXPECT_GT(found.stated_digits, 8) << c.formula;
+  }
+}
+
 }  // namespace
 }  // namespace cageproof::quadrature_ref

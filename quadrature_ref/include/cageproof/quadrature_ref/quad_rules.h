@@ -40,7 +40,8 @@ double adaptive_tolerance() {
 /// differences, and of rounding) is below the tolerance. `converged` is false when kAdaptiveNodeLimit or rounding
 /// prevents that, `stated_digits` comes from the bound in both cases. On the quad the point is moved inside, against
 /// the normal, by 1e-16 and by 1e-14 of its distance to the nearest side that it is not on, and both must agree; NaN
-/// for kernels that diverge there, and where the normal vanishes.
+/// for kernels that diverge there, and where the normal vanishes. Nearer than 1e-120 of its extent without being on it,
+/// nothing is stated: NaN, `stated_digits` 0, `converged` false.
 template <Scalar R>
 void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 

@@ -162,8 +162,14 @@ void quad::integrate_adaptive(const Integrand& integrand, const Query<R>& query,
   const auto q = quad_frame(exact.query.corners, exact.query.point);
   if (!q) return fill_not_a_number(result);
   const ClosestPoint c = closest_point(*q);
-  const OnQuad inside = inside_quad(*q, c);
-  if (is_on_quad(*q, c) && (integrand.formula.face_jump.diverges || !inside.yes)) return fill_not_a_number(result);
+  // What lies that near without being on the quad may see its other side, and powers of its distance are no doubles.
+  const bool near = is_on_quad(*q, c), on = near && lies_on_quad(exact.query);
+  const OnQuad inside = on ? inside_quad(*q, c) : OnQuad{};
+  if (near && (integrand.formula.face_jump.diverges || !inside.yes)) {
+    fill_not_a_number(result);
+    if (!on) result.stated_digits = 0;
+    return;
+  }
   const ConvertedQuery<double> rough(query);
   const KernelTask<double> task = integrand.task(rough.query.parameters, query.order);
   const double tolerance = quad::adaptive_tolerance<R>();

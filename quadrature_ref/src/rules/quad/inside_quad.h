@@ -4,7 +4,13 @@
 
 #include "closest_point.h"
 
+#include "cageproof/core/evaluation.h"
+
 namespace cageproof::quadrature_ref {
+
+/// Whether eta, which as far as 200 digits tell lies on the quad, does: decided exactly, for doubles. Others are off
+/// it.
+bool lies_on_quad(const Query<Mp200>& query);
 
 /// A point on the quad, as far as 200 digits tell.
 struct OnQuad {

@@ -3,7 +3,6 @@
 #include "inside_quad.h"
 #include "quad_sum.h"
 
-#include "cageproof/core/quad_geometry.h"
 #include "cageproof/quadrature_ref/quad_rules.h"
 
 #include <algorithm>
@@ -16,15 +15,6 @@ constexpr double kBudget = 3e6, kBudgetForMore = 5 * kBudget;
 
 // What a sum falls back to where more digits cost too much.
 constexpr double kFewDigits = 12;
-
-// Whether eta, next to the quad, lies on it: decided exactly, for doubles. Others are off it.
-bool lies_on_quad(const Query<Mp200>& query) {
-  const auto rounded = [](const Vec3<Mp200>& x) { return cageproof::convert<double>(x); };
-  const auto is_double = [&](const Vec3<Mp200>& x) { return cageproof::convert<Mp200>(rounded(x)) == x; };
-  if (!std::ranges::all_of(query.corners, is_double) || !is_double(query.point)) return false;
-  const auto& q = query.corners;
-  return on_quad({rounded(q[0]), rounded(q[1]), rounded(q[2]), rounded(q[3])}, rounded(query.point)).has_value();
-}
 
 // The natural size of an order's tensor: extent^(degree - order) times the measure, of which the degree has part.
 double log10_natural(const Formula& formula, const QuadFrame<Mp200>& q, int order) {
