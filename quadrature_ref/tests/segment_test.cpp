@@ -130,6 +130,28 @@ TEST(Segment, adaptive_is_honest) {
   EXPECT_EQ(met_float, count_float);
 }
 
+// What grows like the eleventh power of the distance magnifies the rounding of w, which is 330 at the ends. The first
+// was found by a hunt.
+TEST(Segment, adaptive_is_honest_of_high_powers) {
+  const std::array order{6.};
+  for (const double length : {6., 5., 3.5, 7.25})
+    for (const double distance : {0x1.ecdc2ccbadcfep-474, 0x1.3p-400, 0x1.7p-300}) {
+      const Segment<double> s{Vec3<double>(0, length / 2, 0), Vec3<double>(0, -length / 2, 0)};
+      const Vec3<double> point(distance, 0, 0);
+      for (const char* formula : {"segment.polyharmonic_single_layer", "segment.polyharmonic_double_layer"}) {
+        Result<double> found;
+        evaluation_named(formula, "adaptive")(Query<double>{s, point, 0, order}, found);
+        Result<Mp50> truth;
+        const Segment<Mp50> wide{convert<Mp50>(s[0]), convert<Mp50>(s[1])};
+        const std::array wide_order{Mp50(6)};
+        evaluation_named(formula, "multiprecision")(Query<Mp50>{wide, convert<Mp50>(point), 0, wide_order}, truth);
+        EXPECT_TRUE(found.converged && truth.converged) << formula << ' ' << length << ' ' << distance;
+        EXPECT_LE(log10_error(found.value, truth.value), -found.stated_digits)
+            << formula << ' ' << length << ' ' << distance;
+      }
+    }
+}
+
 TEST(Segment, adaptive_declines_what_it_cannot_meet) {
   const Segment<double> flat{at(-1, 0), at(2, 0)};
   const auto hessian = evaluate<double>(kFormula, "adaptive", SegmentSample{"", flat, at(.5, 1e-12)}, 2);

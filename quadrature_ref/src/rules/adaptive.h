@@ -8,6 +8,7 @@
 #include "cageproof/quadrature_ref/adaptive_limits.h"
 #include "cageproof/quadrature_ref/kernel.h"
 
+#include <algorithm>
 #include <type_traits>
 
 namespace cageproof::quadrature_ref {
@@ -20,12 +21,13 @@ using AdaptiveScalar =
 /// How far inside a point on the element is moved where double's range must hold the kernel, in units of its clearance.
 inline constexpr double kInward = 1e-16;
 
-/// How much more than others' positions that of a node is off by whose coordinate is a length times sinh w: the
-/// rounding of w itself, relative to which sinh w is off by w times as much.
+/// How much more than others a node's share is off by whose coordinate is a length times sinh w: by the rounding of w
+/// itself, relative to which what grows like the degree's power of sinh w is off by degree times w times as much.
+/// \param degree the integral's power of length
 template <Scalar W>
-W rounding_growth(const W& w) {
+W rounding_growth(const W& w, int degree) {
   using std::abs;
-  return 1 + abs(w) / 8;
+  return 1 + abs(w) * std::max(3, degree) / 24;
 }
 
 /// What to add, times the mass found, to the difference of two rules of fifteen points and less on an interval of w

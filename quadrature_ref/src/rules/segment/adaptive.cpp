@@ -34,7 +34,7 @@ void integrate(const Integrand& integrand, int order, ArmCaster<W>& caster, Inte
         interval.part.sums.of(o)[k] += rule.weights[i] * tensors.of(o)[k];
         difference.of(o)[k] += off * tensors.of(o)[k];
       }
-      interval.part.mass[o] += rule.weights[i] * size[o] * rounding_growth(w);
+      interval.part.mass[o] += rule.weights[i] * size[o] * rounding_growth(w, integrand.degree);
     }
   }
   const W missed = unresolved(interval.length);

@@ -86,7 +86,8 @@ void AdaptiveSum<W>::add_ray(Rectangle<W>& rectangle, const W& w_from, const W& 
       rectangle.part.sums.of(o)[k] += weight * ray_.of(o)[k];
       difference_t_.of(o)[k] += difference * ray_.of(o)[k];
     }
-    rectangle.part.mass[o] += weight * norm(ray_.of(o)) * growth * rounding_growth(w_to) * (o > 0 ? cancelled_ : W(1));
+    rectangle.part.mass[o] +=
+        weight * norm(ray_.of(o)) * growth * rounding_growth(w_to, integrand_.degree) * (o > 0 ? cancelled_ : W(1));
   }
   rectangle.part.sums.nodes += 30;
 }
@@ -114,7 +115,7 @@ void AdaptiveSum<W>::integrate(Rectangle<W>& rectangle) {
       longest = std::max<W>(longest, (rectangle.upper - rectangle.lower) * (w_edge - disc_));
       add_ray(rectangle, disc_, w_edge, W(angle * rule.weights[i]),
               W(angle * (rule.weights[i] - rule.gauss_weights[i])),
-              rounding_growth(W(frame_.edges[rectangle.edge].v0 + t)));
+              rounding_growth(W(frame_.edges[rectangle.edge].v0 + t), integrand_.degree));
     }
   }
   W error_t = 0, error_w = 0;
