@@ -338,6 +338,28 @@ TEST(QuadPotentials, have_their_limits_from_inside_on_the_quad) {
   }
 }
 
+// Three corners next to a point on the quad: its lines and sides are where each of them says, to its own rounding.
+TEST(QuadPotentials, have_their_limits_where_corners_are_near) {
+  const Quad<double> corners{
+      Vec(0x1.697f35361e435p-37, 0x1.2188a8b4a7563p-39, 0), Vec(0x1.65823f849a8c9p-2, 0x1.00b260e79f1eep-1, 0),
+      Vec(-0x1.c9bc3d6088f54p-42, 0x1.b124db8399056p-37, 0), Vec(-0x1.2333332e4d5e5p-39, 0x1.d38215514e5d1p-40, 0)};
+  const Vec point(0x1.6647a26fa2bd4p-37, 0x1.b9e613810c4d2p-38, 0);
+  ASSERT_TRUE(on_quad(corners, point));
+  const double side = normal_at(corners, 0, 0)[2] > 0 ? 1 : -1;
+  const Vec3<Mp200> near = convert<Mp200>(point) - ldexp(Mp200(side), -130) * Vec3<Mp200>(0, 0, 1);
+  for (int first = 0; first < 4; ++first) {
+    Quad<double> q;
+    for (int k = 0; k < 4; ++k) q[k] = corners[(k + first) % 4];
+    for (const Potential potential : {Potential::SingleLayer, Potential::DoubleLayer, Potential::KelvinTraction}) {
+      const auto form = found<double>(potential, q, point, 2, 17);
+      const auto limit = plain_lines(potential, q, near, 2, 85);
+      for (int o = 0; o <= 2; ++o)
+        EXPECT_LT(relative(form.of[o], limit.of[o]), 2e-14)
+            << static_cast<int>(potential) << ' ' << first << " order " << o;
+    }
+  }
+}
+
 // The middle of a side of the unit square has all singularities across the lines above one another.
 TEST(QuadPotentials, have_the_limits_that_there_are_on_the_border) {
   struct Case {

@@ -71,8 +71,7 @@ class PotentialSums {
   void add_horizontal_side(const LineReferences<R>& references, const R& step, int sign);
   void add_vertical_side(const LineReferences<R>& references, const R& from, const R& to, bool far);
   // x, N, g and M on the line v0 + s of a reference, for the integrals' origin.
-  BasisOnLine<R> put_horizontal(const LineReferences<R>& references, const LineReference<R>& reference, const R& step,
-                                const Vec3<R>& x);
+  BasisOnLine<R> put_horizontal(const LineReference<R>& reference, const R& step, const Vec3<R>& x);
 
   void put(int factor, const Vec3<R>& constant, const Vec3<R>& slope) {
     for (int i = 0; i < 3; ++i) factors_[factor + i] = {constant[i], slope[i]};
@@ -196,8 +195,7 @@ void PotentialSums<R>::add_integrals(const LineIntegrals& integrals, const Basis
 }
 
 template <class R>
-BasisOnLine<R> PotentialSums<R>::put_horizontal(const LineReferences<R>& references, const LineReference<R>& reference,
-                                                const R& step, const Vec3<R>& x) {
+BasisOnLine<R> PotentialSums<R>::put_horizontal(const LineReference<R>& reference, const R& step, const Vec3<R>& x) {
   using namespace line_factor;
   const LocalFrame<R>& q = reference.q;
   const R s = step + reference.ahead;
@@ -207,7 +205,7 @@ BasisOnLine<R> PotentialSums<R>::put_horizontal(const LineReferences<R>& referen
   put(kN, q.n + s * q.n_v + powers_.origin * q.n_u, q.n_u);
   factors_[kHeight] = {g0, g1};
   if (tape_.tangential) {
-    const R past = R(q.u0 - references.base().u0) + powers_.origin;
+    const R past = reference.past + powers_.origin;
     put(kAlongU, e, zero);
     put(kAlongV, q.b + powers_.origin * q.w, q.w);
     put(kTurn, past * q.n_u + step * q.n_v, q.n_u);
@@ -223,7 +221,7 @@ void PotentialSums<R>::add_line(const LineReferences<R>& references, const R& st
   const LocalFrame<R>& q = reference.q;
   const R s = step + reference.ahead;
   const Vec3<R> x = find_powers(q.start(s), q.direction(s), q.first, q.last, reference.area.at(s), tape_.across.top);
-  add_integrals(tape_.across, put_horizontal(references, reference, step, x), weight, across_);
+  add_integrals(tape_.across, put_horizontal(reference, step, x), weight, across_);
 }
 
 template <class R>
@@ -233,7 +231,7 @@ void PotentialSums<R>::add_horizontal_side(const LineReferences<R>& references, 
   const R s = step + reference.ahead;
   const Vec3<R> e = q.direction(s);
   const Vec3<R> x = find_powers(q.start(s), e, q.first, q.last, reference.area.at(s), tape_.around.top);
-  const BasisOnLine<R> basis = put_horizontal(references, reference, step, x);
+  const BasisOnLine<R> basis = put_horizontal(reference, step, x);
   put(line_factor::kStep, e, Vec3<R>::Zero());
   add_integrals(tape_.around, basis, R(sign), around_);
 }
@@ -242,7 +240,7 @@ template <class R>
 void PotentialSums<R>::add_vertical_side(const LineReferences<R>& references, const R& from, const R& to, bool far) {
   using namespace line_factor;
   const LineReference<R>& reference = references.beside(far);
-  const LocalFrame<R>&q = reference.q, &base = references.base();
+  const LocalFrame<R>& q = reference.q;
   // In lengths of the side, from the reference's line.
   const R t = far ? q.last : q.first, length = to - from, start_at = from + reference.ahead,
           end_at = to + reference.ahead;
@@ -257,7 +255,7 @@ void PotentialSums<R>::add_vertical_side(const LineReferences<R>& references, co
   factors_[kHeight] = {g0, R(length * g1)};
   put(kAlongU, q.e + s * q.w, length * q.w);
   put(kAlongV, along_v, zero);
-  put(kTurn, R(far ? base.last : base.first) * q.n_u + (s - reference.ahead) * q.n_v, length * q.n_v);
+  put(kTurn, R(reference.past + t) * q.n_u + (s - reference.ahead) * q.n_v, length * q.n_v);
   put(kTwist, q.w, zero);
   put(kStep, side, zero);
   add_integrals(tape_.around, {far ? R(0) : R(1), far ? R(1) : R(0), R(0), R(R(1 - q.v0) - s), R(q.v0 + s), length},

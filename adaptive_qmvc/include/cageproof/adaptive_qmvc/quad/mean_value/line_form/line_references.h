@@ -16,13 +16,15 @@ template <class R>
 struct LineReference {
   LocalFrame<R> q;
   LineArea<R> area;
-  R ahead;  ///< the rule's frame's line less this one's: steps from here are that much longer
+  R ahead;                                    ///< the base's line less this one's: steps from here are that much longer
+  R past;                                     ///< this one's place on a line less the base's
   double distance2, across2, along2, twist2;  ///< squares of lengths: of a, b, e and w
 
-  LineReference(const LocalFrame<R>& frame, const R& from)
+  LineReference(const LocalFrame<R>& frame, const R& ahead_of, const R& past_base)
       : q(frame),
         area(frame.a, frame.e, frame.w, frame.n, frame.n_v),
-        ahead(from - frame.v0),
+        ahead(ahead_of),
+        past(past_base),
         distance2(static_cast<double>(R(frame.a.dot(frame.a)))),
         across2(static_cast<double>(R(frame.b.dot(frame.b)))),
         along2(static_cast<double>(R(frame.e.dot(frame.e)))),
@@ -51,7 +53,7 @@ template <class R>
 class LineReferences {
  public:
   /// \param base the frame about the rule's point
-  explicit LineReferences(const LocalFrame<R>& base) { references_.emplace_back(base, base.v0); }
+  explicit LineReferences(const LocalFrame<R>& base) { references_.emplace_back(base, R(0), R(0)); }
 
   LineReferences(const LocalFrame<R>& base, const QuadFrame<R>& q) : LineReferences(base) {
     // The digits of multiprecision scalars are more than asked for.
@@ -62,8 +64,9 @@ class LineReferences {
       near2_ = static_cast<double>(R(q.b.dot(q.b)));
       far2_ = static_cast<double>(R(q.b1.dot(q.b1)));
       for (int k = 0; k < 4; ++k) {
-        const R u = k == 1 || k == 2 ? R(1) : R(0), v = k < 2 ? R(0) : R(1);
-        references_.emplace_back(LocalFrame<R>(q, u, v, q.seen[k]), base.v0);
+        const bool far = k == 1 || k == 2, first = k < 2;
+        references_.emplace_back(LocalFrame<R>(q, far ? R(1) : R(0), first ? R(0) : R(1), q.seen[k]),
+                                 first ? base.v0 : R(-base.above), far ? base.last : base.first);
       }
     }
   }

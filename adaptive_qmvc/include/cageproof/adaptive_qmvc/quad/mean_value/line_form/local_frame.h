@@ -21,6 +21,7 @@ template <class R>
 struct LocalFrame {
   R u0 = R(0), v0 = R(0);
   R first = R(0), last = R(1);  ///< t at the ends of the lines
+  R above = R(1);               ///< s at the last line: 1 - v0, which a rounded v0 would not tell
   Vec3<R> a, e, b, w;
   Vec3<R> n, n_u, n_v;
   R g00, g01, g10, g11;
@@ -45,6 +46,7 @@ struct LocalFrame {
         v0(v),
         first(-u),
         last(1 - u),
+        above(1 - v),
         a(seen),
         e(q.along(v)),
         b(q.across(u)),
@@ -80,6 +82,7 @@ struct LocalFrame {
         v0(q.v0),
         first(q.first),
         last(q.last),
+        above(q.above),
         a(q.a.template cast<R>()),
         e(q.e.template cast<R>()),
         b(q.b.template cast<R>()),
