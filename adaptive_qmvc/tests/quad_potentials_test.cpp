@@ -286,6 +286,26 @@ TEST(QuadPotentials, keep_their_digits_beside_sides_that_are_short) {
       }
 }
 
+// 1e5 times as long as wide, across all axes: turned to those of the normal, long sides must know how wide it is. The
+// measure du dv does not. Found by a hunt.
+TEST(QuadPotentials, keep_their_digits_over_thin_quads) {
+  const Quad<double> corners{Vec(-0x1.7b2532964384bp+4, -0x1.61dacd2b3b132p+5, -0x1.e4ea422bc0cap+4),
+                             Vec(-0x1.34762ed3e6b88p+5, -0x1.3a9a6eba9e508p+5, -0x1.313fed50a2ffbp+4),
+                             Vec(-0x1.347670fe36c6bp+5, -0x1.3a9a91c149d14p+5, -0x1.3140b5866af99p+4),
+                             Vec(-0x1.34766e10a6dd1p+5, -0x1.3a9ac61d2d6b9p+5, -0x1.3141031910da6p+4)};
+  const Vec point(-0x1.5804c4e03d2d3p+4, -0x1.67a7457365d24p+5, -0x1.ff7510885ed0ep+4);
+  for (int first = 0; first < 4; ++first)
+    for (const Potential potential : {Potential::SingleLayer, Potential::KelvinDisplacement}) {
+      Quad<double> q;
+      for (int k = 0; k < 4; ++k) q[k] = corners[(k + first) % 4];
+      const auto form = found<double>(potential, q, point, 2, 17);
+      const auto truth = plain_lines(potential, q, convert<Mp200>(point), 2, 40);
+      for (int o = 0; o <= 2; ++o)
+        EXPECT_LT(relative(form.of[o], truth.of[o]), 1.5e-14)
+            << static_cast<int>(potential) << ' ' << first << " order " << o;
+    }
+}
+
 // Beside a side that is longer than its opposite one lines are counted from, however the corners are numbered; sums are
 // two triangles' solid angle. Points lie on either side of the side's line, where that changes by a turn.
 TEST(QuadPotentials, have_the_solid_angle_beside_a_longer_side) {

@@ -25,6 +25,25 @@ bool has_normal_at(const LocalFrame<R>& q) {
   return q.n.dot(q.n) > R(kShortNormal * kShortNormal) * longest;
 }
 
+/// Where the quad is that many times as long as wide at a rule's point, lengths across it that are turned to other axes
+/// in a scalar's own digits lose as many roundings; more than sums do.
+inline constexpr double kThin = 16;
+
+/// Whether the quad is that thin at the frame's point.
+template <class R>
+bool is_thin_at(const LocalFrame<R>& q) {
+  R longest = R(0);
+  for (const R& t : {q.first, q.last}) {
+    const Vec3<R> side = q.b + t * q.w;
+    longest = std::max(longest, R(side.dot(side)));
+  }
+  for (const R& s : {R(-q.v0), q.above}) {
+    const Vec3<R> side = q.e + s * q.w;
+    longest = std::max(longest, R(side.dot(side)));
+  }
+  return R(kThin * kThin) * q.n.dot(q.n) < longest * q.e.dot(q.e);
+}
+
 /// Axes whose third is the normal at the point that a rule's lines are taken about; the frame's own for plain tapes.
 template <class R>
 struct NormalAxes {
@@ -32,6 +51,9 @@ struct NormalAxes {
   R length = R(1);                                                   ///< of the normal
 
   NormalAxes() = default;
+  /// The same in another scalar, every number rounded once.
+  template <class From>
+  explicit NormalAxes(const NormalAxes<From>& q) : axes(q.axes.template cast<R>()), length(q.length) {}
   NormalAxes(const Vec3<R>& normal, const Vec3<R>& along) {
     using std::sqrt;
     length = sqrt(R(normal.dot(normal)));
@@ -45,10 +67,11 @@ struct NormalAxes {
   Vec3<R> of(const Vec3<R>& v) const { return axes * v; }
 };
 
-/// Turns a frame's vectors into coordinates along the axes; what is a number stays.
+/// A frame's vectors in coordinates along the axes; what is a number stays.
 template <class R>
-void turn(LocalFrame<R>& q, const NormalAxes<R>& to) {
+LocalFrame<R> turned(LocalFrame<R> q, const NormalAxes<R>& to) {
   for (Vec3<R>* v : {&q.a, &q.e, &q.b, &q.w, &q.n, &q.n_u, &q.n_v}) *v = to.of(*v);
+  return q;
 }
 
 /// The same of a quad's frame.

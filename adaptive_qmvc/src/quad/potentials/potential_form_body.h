@@ -77,22 +77,29 @@ Statement potential_form_in_more_digits(std::span<const Vec3<R>> corners, const 
   }
 }
 
+/// Whether a rule's derivatives along the quad are moved onto its border.
+template <class R, class F>
+bool turns_at(const LocalFrame<F>& frame, const OuterRule<R>& rule, const PotentialTask<R>& task) {
+  return !rule.plain && tangential_tape(task.potential, task.order).tangential && has_normal_at(frame);
+}
+
 /// Adds a rule's part of the potential: with derivatives along the quad moved onto its border where lines are dense.
-template <class R>
-void add_rule(const QuadFrame<R>& q, LocalFrame<R> local, const OuterRule<R>& rule, const R& centre,
+/// Vectors are turned in F's digits, and rounded once.
+template <class R, class F>
+void add_rule(const QuadFrame<F>& q, const LocalFrame<F>& frame, const OuterRule<R>& rule, const R& centre,
               std::span<const Panel> panels, const PotentialTask<R>& task, PotentialParts<R>& parts,
               Statement& statement) {
   const KernelTape& tangential = tangential_tape(task.potential, task.order);
-  const bool turns = !rule.plain && tangential.tangential && has_normal_at(local);
-  const NormalAxes<R> axes = turns ? NormalAxes<R>(local.n, local.e) : NormalAxes<R>();
-  if (turns) turn(local, axes);
+  const bool turns = turns_at(frame, rule, task);
+  const NormalAxes<F> axes = turns ? NormalAxes<F>(frame.n, frame.e) : NormalAxes<F>();
+  const LocalFrame<R> local(turns ? turned(frame, axes) : frame);
   const LineReferences<R> references =
-      rule.plain ? LineReferences<R>(local) : LineReferences<R>(local, turns ? turned(q, axes) : q);
+      rule.plain ? LineReferences<R>(local) : LineReferences<R>(local, QuadFrame<R>(turns ? turned(q, axes) : q));
   PotentialSums<R> sums(turns ? tangential : kernel_tape(task.potential, task.order), task.digits);
   statement.nodes += sums.add_lines(references, rule, centre, panels);
   if (turns) sums.add_border(references, rule, centre);
   statement.converged = statement.converged && rule.whole;
-  parts.add(sums, axes, rule.plain ? 0 : static_cast<double>(R(rule.last - rule.first)));
+  parts.add(sums, NormalAxes<R>(axes), rule.plain ? 0 : static_cast<double>(R(rule.last - rule.first)));
 }
 
 /// The potential from rules that were found in more digits, and rounded once.
@@ -100,10 +107,9 @@ template <class R>
 Statement potential_of_seen(const SeenQuad& seen, const PotentialTask<R>& task, PotentialTensors<R>& tensors) {
   PotentialParts<R> parts(task);
   Statement statement;
-  const QuadFrame<R> q(seen.frame);
   for (const SeenRule& rule : seen.rules)
-    add_rule<R>(q, LocalFrame<R>(rule.frame), OuterRule<R>(rule.rule), static_cast<R>(rule.centre), rule.panels, task,
-                parts, statement);
+    add_rule<R>(seen.frame, rule.frame, OuterRule<R>(rule.rule), static_cast<R>(rule.centre), rule.panels, task, parts,
+                statement);
   parts.put(seen.frame.unit, tensors);
   return statement;
 }
@@ -238,6 +244,9 @@ Statement potential_to_digits(std::span<const Vec3<R>> corners, const Vec3<R>& p
     for (const OuterRule<R>& rule : across.rules) {
       const auto local =
           rule.plain ? LocalFrame<R>(*q) : frame_at<R>(*q, corners, point, std::clamp(rule.centre, rule.lo, rule.hi));
+      if constexpr (!is_multiprecision<R>)
+        if (turns_at(local, rule, task) && is_thin_at(local))
+          return potential_seen_in<Mp100, R>(corners, convert<Mp100>(point), task, tensors);
       add_rule<R>(*q, local, rule, R(rule.centre - local.v0), across.panels_of(rule), task, parts, statement);
     }
   }
