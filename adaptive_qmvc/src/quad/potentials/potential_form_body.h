@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace cageproof::adaptive_qmvc {
 
@@ -107,9 +108,12 @@ template <class R>
 Statement potential_of_seen(const SeenQuad& seen, const PotentialTask<R>& task, PotentialTensors<R>& tensors) {
   PotentialParts<R> parts(task);
   Statement statement;
+  // Of thin quads vectors must be turned in more digits than doubles'; multiprecision has digits to spare.
+  using F = std::conditional_t<is_multiprecision<R>, R, Mp50>;
+  const QuadFrame<F> q(seen.frame);
   for (const SeenRule& rule : seen.rules)
-    add_rule<R>(seen.frame, rule.frame, OuterRule<R>(rule.rule), static_cast<R>(rule.centre), rule.panels, task, parts,
-                statement);
+    add_rule<R>(q, LocalFrame<F>(rule.frame), OuterRule<R>(rule.rule), static_cast<R>(rule.centre), rule.panels, task,
+                parts, statement);
   parts.put(seen.frame.unit, tensors);
   return statement;
 }
