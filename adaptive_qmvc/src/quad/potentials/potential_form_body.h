@@ -108,7 +108,7 @@ template <class R>
 Statement potential_of_seen(const SeenQuad& seen, const PotentialTask<R>& task, PotentialTensors<R>& tensors) {
   PotentialParts<R> parts(task);
   Statement statement;
-  // Of thin quads vectors must be turned in more digits than doubles'; multiprecision has digits to spare.
+  // Vectors of thin quads must be turned in more digits than double has; multiprecision has digits to spare.
   using F = std::conditional_t<is_multiprecision<R>, R, Mp50>;
   const QuadFrame<F> q(seen.frame);
   for (const SeenRule& rule : seen.rules)

@@ -23,7 +23,7 @@ inline constexpr bool is_multiprecision<Mp<Digits>> = true;
 template <class T>
 inline constexpr bool stands_for_double = false;
 
-/// What a formula may be evaluated in.
+/// The number types that a formula may be evaluated in.
 template <class T>
 concept Scalar = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, Mp50> || std::same_as<T, Mp100> ||
     std::same_as<T, Mp200> || stands_for_double<T>;

@@ -29,7 +29,7 @@ std::array<R, 3> mean_value_in_plane(const Triangle<R>& t, const std::array<Vec3
 /// w_t^k = m.N_k/((t_k - eta).N_k), m = -sum theta_k N_k/(2 |N_k|), N_k = (t_{k+2} - eta) x (t_{k+1} - eta)
 /// ([T18] Eq 12-14): 1/length. theta_k, the angle between t_{k+1} and t_{k+2} as eta sees them, is 2 asin(l/2), l the
 /// distance of these two on the unit sphere (Ju et al. 2005, Section 4). Next to the triangle's plane m and N_k are
-/// orthogonal but for what cancels.
+/// nearly orthogonal, and their product cancels.
 template <Scalar R>
 std::array<R, 3> mean_value(const Triangle<R>& t, const Vec3<R>& eta) {
   using std::asin;

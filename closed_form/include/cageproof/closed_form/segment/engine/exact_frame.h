@@ -33,7 +33,7 @@ R plane_length(const R& x, const R& y) {
   else return std::hypot(x, y);
 }
 
-/// v 2^exponent, exactly but for underflow.
+/// v 2^exponent, exact except where it underflows.
 template <Scalar R>
 WideVec<Wide<R>> shifted(WideVec<Wide<R>> v, int exponent) {
   if constexpr (std::same_as<R, double>)

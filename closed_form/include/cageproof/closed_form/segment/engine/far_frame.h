@@ -85,7 +85,7 @@ class FarRadialMoments {
       return;
     }
     const R unit = unit_logarithm(f);
-    // Every factor s^2 takes a degree of those that the rule is exact for.
+    // The rule is exact up to a degree, of which each factor s^2 takes two: one point more.
     const auto& [nodes, weights] = rule_of<R>(far_points(f) + (most + 1) / 2);
     nodes_.reserve(nodes.size());
     for (std::size_t j = 0; j < nodes.size(); ++j) {

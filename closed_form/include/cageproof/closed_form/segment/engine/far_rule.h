@@ -31,7 +31,7 @@ inline const TrackedRule& tracked_rule(int n) {
   return *rule;
 }
 
-/// Of n points.
+/// The rule of n points.
 template <Scalar R>
 const auto& rule_of(int n) {
   if constexpr (is_tracked<R>) return tracked_rule(n);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the engine asks of a closed form over segments.
+// The interface that the engine asks of a closed form over segments.
 //
 // A closed form is a struct in a header of its own in the folder above: `components`, the numbers of its value over
 // corners, rows and columns, and
@@ -16,7 +16,7 @@
 
 namespace cageproof::closed_form::segment {
 
-/// What a formula with parameters is asked for beside the geometry.
+/// The input of a formula with parameters, beside the geometry.
 template <Scalar R>
 struct Given {
   std::span<const R> parameters;  ///< in the order of Formula::parameters

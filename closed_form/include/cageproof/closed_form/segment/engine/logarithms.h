@@ -45,7 +45,7 @@ std::array<R, 2> hat_logarithms(const Frame<R>& f) {
           far + (part(of_last) - s0 * across) / length + (2 * s0 - length) / 4};
 }
 
-/// Of r^2 (ln r - 1) and of its derivatives, in units of the frame.
+/// Integrals of r^2 (ln r - 1) and of its derivatives, in units of the frame.
 template <Scalar R>
 struct SquareLogarithm {
   R value{};            ///< int r^2 (ln r - 1)

@@ -133,7 +133,7 @@ class RadialMoments {
 
   const Frame<R>& f_;
   R unit_;
-  // Of s^(q+1): at the ends, and the difference; and E_q.
+  // s^(q+1) at the ends, and the difference of both; and E_q.
   std::array<std::array<R, 2>, kMost> powers_;
   std::array<R, kMost> differences_;
   std::array<R, kMost + 2> ratios_;

@@ -155,7 +155,7 @@ Frame<R>::Frame(const Frame<double>& seen, const Triangle<double>& t,
   const Vec3<R> normal = cross(along[0], along[1]);
   area2 = sqrt(dot(normal, normal));
   n = over(normal, area2);
-  // What is exactly zero was seen to be so.
+  // A height that is exactly zero was found to be so in double.
   if (seen.d != 0) d = -dot(normal, p[nearest]) / area2;
   for (int i = 0; i < 3; ++i) {
     FrameEdge<R>& e = edges[i];
