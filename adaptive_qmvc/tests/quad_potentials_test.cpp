@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
+#include <span>
 
 namespace cageproof::adaptive_qmvc {
 namespace {
@@ -240,6 +242,21 @@ TEST(QuadPotentials, keep_their_digits_next_to_a_long_quads_corner) {
     }
 }
 
+// Derivatives of these orders up to the second have their digits, whichever corner is the first.
+void expect_digits_in_every_turn(const Quad<double>& corners, const Vec& point, std::span<const Potential> potentials,
+                                 int lowest_order) {
+  for (std::size_t first = 0; first < 4; ++first)
+    for (const Potential potential : potentials) {
+      Quad<double> q;
+      for (std::size_t k = 0; k < 4; ++k) q[k] = corners[(k + first) % 4];
+      const auto form = found<double>(potential, q, point, 2, 17);
+      const auto truth = plain_lines(potential, q, convert<Mp200>(point), 2, 40);
+      for (int o = lowest_order; o <= 2; ++o)
+        EXPECT_LT(relative(form.of[o], truth.of[o]), 1.5e-14)
+            << static_cast<int>(potential) << " from corner " << first << " order " << o;
+    }
+}
+
 // Three corners next to the point, the fourth 1e5 times as far away: a short side across the lines is known to its own
 // rounding, not to that of the long one opposite. Found by hunts.
 TEST(QuadPotentials, keep_their_digits_beside_sides_that_are_short) {
@@ -271,19 +288,11 @@ TEST(QuadPotentials, keep_their_digits_beside_sides_that_are_short) {
             Vec(0x1.db8f5ecc54116p+3, -0x1.3a01db4f8a0fp+2, -0x1.6753194aaba0ep+3),
             Vec(0x1.08a94038cp-13, 0x1.18355c06p-14, 0x1.906b8ff3cp-13), Vec(0, 0, 0)},
            Vec(-0x1p-46, -0x1.4da9d676p-14, -0x1.2fbb7bb800003p-17)}};
-  for (const auto& [corners, point] : cases)
-    for (int first = 0; first < 4; ++first)
-      for (const Potential potential : kPotentials) {
-        Quad<double> q;
-        for (int k = 0; k < 4; ++k) q[k] = corners[(k + first) % 4];
-        const auto form = found<double>(potential, q, point, 2, 17);
-        const auto truth = plain_lines(potential, q, convert<Mp200>(point), 2, 40);
-        // Values may be nothing in the quad's plane.
-        for (int o = 1; o <= 2; ++o)
-          EXPECT_LT(relative(form.of[o], truth.of[o]), 1.5e-14)
-              << static_cast<int>(potential) << " case " << &corners - &cases[0].corners << ' ' << first << " order "
-              << o;
-      }
+  for (const Case& seen : cases) {
+    SCOPED_TRACE(&seen - cases.data());
+    // Values may be nothing in the quad's plane.
+    expect_digits_in_every_turn(seen.corners, seen.point, kPotentials, 1);
+  }
 }
 
 // 1e5 times as long as wide, across all axes: turned to those of the normal, long sides must know how wide it is. The
@@ -294,16 +303,7 @@ TEST(QuadPotentials, keep_their_digits_over_thin_quads) {
                              Vec(-0x1.347670fe36c6bp+5, -0x1.3a9a91c149d14p+5, -0x1.3140b5866af99p+4),
                              Vec(-0x1.34766e10a6dd1p+5, -0x1.3a9ac61d2d6b9p+5, -0x1.3141031910da6p+4)};
   const Vec point(-0x1.5804c4e03d2d3p+4, -0x1.67a7457365d24p+5, -0x1.ff7510885ed0ep+4);
-  for (int first = 0; first < 4; ++first)
-    for (const Potential potential : {Potential::SingleLayer, Potential::KelvinDisplacement}) {
-      Quad<double> q;
-      for (int k = 0; k < 4; ++k) q[k] = corners[(k + first) % 4];
-      const auto form = found<double>(potential, q, point, 2, 17);
-      const auto truth = plain_lines(potential, q, convert<Mp200>(point), 2, 40);
-      for (int o = 0; o <= 2; ++o)
-        EXPECT_LT(relative(form.of[o], truth.of[o]), 1.5e-14)
-            << static_cast<int>(potential) << ' ' << first << " order " << o;
-    }
+  expect_digits_in_every_turn(corners, point, std::array{Potential::SingleLayer, Potential::KelvinDisplacement}, 0);
 }
 
 // Beside a side that is longer than its opposite one lines are counted from, however the corners are numbered; sums are
