@@ -77,6 +77,42 @@ function(cageproof_room name)
   endif()
 endfunction()
 
+# cageproof_forms(NAME ELEMENT REGISTER CLASS): registers, in the room of that name, something of each closed form on an element. Each header in the folder
+# of the element's closed forms, <kernel>.h, has a struct of that name in capitals: of it, one source says
+# `const CLASS<Kernel> registered{"<element>.<kernel>"};`, with CLASS from the header REGISTER.
+function(cageproof_forms name element register class)
+  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/closed_form/include/cageproof/closed_form/${element}/*.h)
+  set(group 0)
+  foreach(header ${headers})
+    cmake_path(GET header STEM kernel)
+    math(EXPR group "(${group} + 1) % 3")
+    set(form "")
+    string(REPLACE "_" ";" words ${kernel})
+    foreach(word ${words})
+      string(SUBSTRING ${word} 0 1 first)
+      string(SUBSTRING ${word} 1 -1 rest)
+      string(TOUPPER ${first} first)
+      string(APPEND form ${first}${rest})
+    endforeach()
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${element}/${kernel}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "// Written by cageproof_forms.
+#include \"cageproof/closed_form/${element}/${kernel}.h\"
+
+#include \"${register}\"
+
+namespace cageproof::${name}::${element} {
+namespace {
+
+const ${class}<closed_form::${element}::${form}> register_${kernel}{\"${element}.${kernel}\"};
+
+}  // namespace
+}  // namespace cageproof::${name}::${element}
+")
+    target_sources(cageproof_${name} PRIVATE ${source})
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP forms_${element}_${group})
+  endforeach()
+endfunction()
+
 # cageproof_tests(NAME LINK rooms... [LABELS label...]): every tests/*.cpp of the room in one GoogleTest program, and a test of CTest per
 # suite. Tests labelled `memory` also run under the address sanitizer, and `threads` under the thread sanitizer.
 function(cageproof_tests name)

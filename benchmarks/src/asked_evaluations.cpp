@@ -15,7 +15,8 @@ namespace {
 
 // What work-precision shows of a family when nothing is asked for.
 const std::vector<std::string>& shown_of(const EvaluationFamily& family) {
-  const bool form = family.role == Role::Recommended || family.role == Role::Plain || family.role == Role::Printed;
+  const bool form = family.role == Role::Recommended || family.role == Role::ClosedForm || family.role == Role::Plain ||
+                    family.role == Role::Printed;
   return form ? family.standard : family.studied;
 }
 
@@ -43,7 +44,7 @@ std::vector<std::string> that_exist(std::vector<std::string> names, const std::v
 // All that may be shown of formulas: of roles in this order.
 std::vector<std::string> all_shown(const std::vector<std::string_view>& formulas) {
   std::vector<std::string> names;
-  for (const Role role : {Role::Scheme, Role::Rule, Role::Recommended, Role::Plain, Role::Printed})
+  for (const Role role : {Role::Scheme, Role::Rule, Role::Recommended, Role::ClosedForm, Role::Plain, Role::Printed})
     for (const EvaluationFamily* family : EvaluationRegister::instance().families(formulas.back()))
       if (family->role == role) names.insert(names.end(), shown_of(*family).begin(), shown_of(*family).end());
   return names;

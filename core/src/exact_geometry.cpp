@@ -41,10 +41,10 @@ struct Bits {
 
   long count() const { return high > low ? high - low : 0; }
 };
-template <std::size_t N>
-Bits bits_of(const Tuple<Mp200, N>& numbers) {
+template <class W, std::size_t N>
+Bits bits_of(const Tuple<W, N>& numbers) {
   Bits bits;
-  for (const Mp200& x : numbers) {
+  for (const W& x : numbers) {
     if (x.is_zero()) continue;
     const long high = mpfr_get_exp(x.data());
     bits.high = std::max(bits.high, high);
@@ -53,12 +53,13 @@ Bits bits_of(const Tuple<Mp200, N>& numbers) {
   return bits;
 }
 
-// Up to as many bits, products of four differences are exact in 200 digits.
-constexpr long kNarrow = Mp200::bits / 4 - 4;
+// Up to as many bits, products of four differences are exact in W.
+template <class W>
+constexpr long kNarrow = W::bits / 4 - 4;
 
 // Numbers as integers in units of 2^low.
-template <std::size_t N>
-Tuple<Integer, N> integers(const Tuple<Mp200, N>& numbers, long low) {
+template <class W, std::size_t N>
+Tuple<Integer, N> integers(const Tuple<W, N>& numbers, long low) {
   Tuple<Integer, N> result;
   for (std::size_t i = 0; i < N; ++i) {
     if (numbers[i].is_zero()) continue;
@@ -70,18 +71,22 @@ Tuple<Integer, N> integers(const Tuple<Mp200, N>& numbers, long low) {
   return result;
 }
 
-// Brings a product of `degree` coordinates back to 200 digits.
+// Brings a product of `degree` coordinates back to W's digits.
+template <class W>
 struct Rounded {
   long exponent;
 
-  Mp200 operator()(const Integer& x, int degree) const {
-    Mp200 result;
+  W operator()(const Integer& x, int degree) const {
+    W result;
     mpfr_set_z_2exp(result.data(), x.backend().data(), degree * exponent, MPFR_RNDN);
     return result;
   }
 };
 struct AsItIs {
-  const Mp200& operator()(const Mp200& x, int /*degree*/) const { return x; }
+  template <class W>
+  const W& operator()(const W& x, int /*degree*/) const {
+    return x;
+  }
 };
 
 template <class T>
@@ -90,10 +95,10 @@ Tuple<T, 3> triple(const Tuple<T, 12>& x, std::size_t i) {
 }
 
 // \param x three corners and the point
-template <class T, class Round>
-void set(const Tuple<T, 12>& x, const Round& round, ExactTriangle& out) {
+template <class T, class Round, class W>
+void set(const Tuple<T, 12>& x, const Round& round, ExactTriangleIn<W>& out) {
   const auto vector = [&](const Tuple<T, 3>& v, int degree) {
-    return Vec3<Mp200>(round(v[0], degree), round(v[1], degree), round(v[2], degree));
+    return Vec3<W>(round(v[0], degree), round(v[1], degree), round(v[2], degree));
   };
   std::array<Tuple<T, 3>, 3> p, e;
   for (int i = 0; i < 3; ++i) {
@@ -115,10 +120,10 @@ void set(const Tuple<T, 12>& x, const Round& round, ExactTriangle& out) {
 }
 
 // \param x two ends and the point
-template <class T, class Round>
-void set(const Tuple<T, 6>& x, const Round& round, ExactSegment& out) {
+template <class T, class Round, class W>
+void set(const Tuple<T, 6>& x, const Round& round, ExactSegmentIn<W>& out) {
   const auto pair = [&](std::size_t i) { return Tuple<T, 2>{x[2 * i], x[2 * i + 1]}; };
-  const auto vector = [&](const Tuple<T, 2>& v) { return std::array<Mp200, 2>{round(v[0], 1), round(v[1], 1)}; };
+  const auto vector = [&](const Tuple<T, 2>& v) { return std::array<W, 2>{round(v[0], 1), round(v[1], 1)}; };
   const std::array<Tuple<T, 2>, 2> p{minus(pair(0), pair(2)), minus(pair(1), pair(2))};
   const Tuple<T, 2> e = minus(pair(1), pair(0));
   out.p = {vector(p[0]), vector(p[1])};
@@ -130,24 +135,31 @@ void set(const Tuple<T, 6>& x, const Round& round, ExactSegment& out) {
   out.middle = round(T(before + after), 2);
 }
 
-template <std::size_t N, class Exact>
-void set_from(const Tuple<Mp200, N>& numbers, Exact& out) {
-  const bool finite = std::ranges::all_of(numbers, [](const Mp200& x) { return isfinite(x); });
+template <class W, std::size_t N, class Exact>
+void set_from(const Tuple<W, N>& numbers, Exact& out) {
+  const bool finite = std::ranges::all_of(numbers, [](const W& x) { return isfinite(x); });
   const Bits bits = finite ? bits_of(numbers) : Bits();
-  if (bits.count() <= kNarrow || bits.count() > kWidest) set(numbers, AsItIs(), out);
-  else set(integers(numbers, bits.low), Rounded{bits.low}, out);
+  if (bits.count() <= kNarrow<W> || bits.count() > kWidest) set(numbers, AsItIs(), out);
+  else set(integers(numbers, bits.low), Rounded<W>{bits.low}, out);
 }
 
 }  // namespace
 
-ExactTriangle::ExactTriangle(const Triangle<Mp200>& t, const Vec3<Mp200>& point) {
-  set_from(Tuple<Mp200, 12>{t[0][0], t[0][1], t[0][2], t[1][0], t[1][1], t[1][2], t[2][0], t[2][1], t[2][2], point[0],
-                            point[1], point[2]},
+template <class W>
+ExactTriangleIn<W>::ExactTriangleIn(const Triangle<W>& t, const Vec3<W>& point) {
+  set_from(Tuple<W, 12>{t[0][0], t[0][1], t[0][2], t[1][0], t[1][1], t[1][2], t[2][0], t[2][1], t[2][2], point[0],
+                        point[1], point[2]},
            *this);
 }
 
-ExactSegment::ExactSegment(const Segment<Mp200>& s, const Vec3<Mp200>& point) {
-  set_from(Tuple<Mp200, 6>{s[0][0], s[0][1], s[1][0], s[1][1], point[0], point[1]}, *this);
+template <class W>
+ExactSegmentIn<W>::ExactSegmentIn(const Segment<W>& s, const Vec3<W>& point) {
+  set_from(Tuple<W, 6>{s[0][0], s[0][1], s[1][0], s[1][1], point[0], point[1]}, *this);
 }
+
+template struct ExactTriangleIn<Mp200>;
+template struct ExactTriangleIn<Mp400>;
+template struct ExactSegmentIn<Mp200>;
+template struct ExactSegmentIn<Mp400>;
 
 }  // namespace cageproof

@@ -246,10 +246,12 @@ CAGEPROOF_MP_CONSTANT(nan, std::numeric_limits<MpNumber<D>>::quiet_NaN())
 #define CAGEPROOF_MP_50(name) template Mp<50> name(const Mp<50>&);
 #define CAGEPROOF_MP_100(name) template Mp<100> name(const Mp<100>&);
 #define CAGEPROOF_MP_200(name) template Mp<200> name(const Mp<200>&);
+#define CAGEPROOF_MP_400(name) template Mp<400> name(const Mp<400>&);
 #define CAGEPROOF_MP_800(name) template Mp<800> name(const Mp<800>&);
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_50)
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_100)
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_200)
+CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_400)
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_800)
 #define CAGEPROOF_MP_INSTANCE(R)                                  \
   template R operator+(const R&, const R&);                       \
@@ -275,14 +277,17 @@ CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_800)
 CAGEPROOF_MP_INSTANCE(Mp<50>)
 CAGEPROOF_MP_INSTANCE(Mp<100>)
 CAGEPROOF_MP_INSTANCE(Mp<200>)
+CAGEPROOF_MP_INSTANCE(Mp<400>)
 CAGEPROOF_MP_INSTANCE(Mp<800>)
 template class Mp<50>;
 template class Mp<100>;
 template class Mp<200>;
+template class Mp<400>;
 template class Mp<800>;
 template struct MpConstants<50>;
 template struct MpConstants<100>;
 template struct MpConstants<200>;
+template struct MpConstants<400>;
 template struct MpConstants<800>;
 template Mp<50>::Mp(const Mp<100>&);
 template Mp<50>::Mp(const Mp<200>&);
@@ -290,6 +295,12 @@ template Mp<100>::Mp(const Mp<50>&);
 template Mp<100>::Mp(const Mp<200>&);
 template Mp<200>::Mp(const Mp<50>&);
 template Mp<200>::Mp(const Mp<100>&);
+template Mp<50>::Mp(const Mp<400>&);
+template Mp<100>::Mp(const Mp<400>&);
+template Mp<200>::Mp(const Mp<400>&);
+template Mp<400>::Mp(const Mp<50>&);
+template Mp<400>::Mp(const Mp<100>&);
+template Mp<400>::Mp(const Mp<200>&);
 template Mp<50>::Mp(const Mp<800>&);
 template Mp<100>::Mp(const Mp<800>&);
 template Mp<200>::Mp(const Mp<800>&);

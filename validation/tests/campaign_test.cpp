@@ -218,7 +218,7 @@ struct KernelAlone {
 TEST(campaign, a_formula_with_a_kernel_alone_has_the_integral_for_its_truth) {
   const KernelAlone formula;
   const TruthSource source = truth_source(formula_named(formula.name));
-  EXPECT_TRUE(source.is_integral);
+  EXPECT_TRUE(source.is_integral());
   EXPECT_TRUE(source.is_costly());
   const Sample sample = make_sample(formula_named(formula.name), *find_regime("generic"), 1, 0);
   const Truth truth = truth_from(source, sample, 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/closed_form/arithmetic/double_double.h"
 
-#include "../batch/pair.h"
+#include "cageproof/closed_form/batch/pair.h"
 
 namespace cageproof::closed_form {
 namespace {

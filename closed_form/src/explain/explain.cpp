@@ -22,7 +22,8 @@ Explanation explain(const Formula& formula, const Query<double>& query, std::opt
   const auto found = explainers().find(formula.name);
   if (found == explainers().end())
     throw InputError(std::string(formula.name) + " has no closed form that is run in counted numbers");
-  evaluation_named(formula.name, "closed_form")(query, result);
+  const Evaluation recommended = *EvaluationRegister::instance().with_role(formula.name, Role::Recommended);
+  recommended(query, result);
   const std::vector<double>& values = result.of(query.order);
   if (entry && *entry >= values.size())
     throw InputError("there is no entry " + std::to_string(*entry) + ": the tensor has " +

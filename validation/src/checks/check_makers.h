@@ -21,6 +21,14 @@ void add_side_relation_check(CheckList& list);  // side_relation
 /// Within a check, `Role` is the check's own.
 inline bool is_recommended(const Evaluation& evaluation) { return evaluation.role() == Role::Recommended; }
 
+/// Whether it is what stands in for the integral in multiprecision: the closed form, or, where a formula has none, the
+/// recommended evaluation.
+inline bool stands_for_truth(const Evaluation& evaluation) {
+  const Role role = evaluation.role();
+  if (role != Role::Recommended) return role == Role::ClosedForm;
+  return !EvaluationRegister::instance().with_role(evaluation.formula().name, Role::ClosedForm);
+}
+
 /// Properties are asked of evaluations to rely on, where `truth` is promised: elsewhere they would only repeat how
 /// wrong an evaluation is.
 inline bool truth_is_promised(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar,

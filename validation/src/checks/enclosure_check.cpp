@@ -17,7 +17,7 @@ class EnclosureCheck final : public Check {
   Cost cost(ScalarKind) const override { return Cost::Enclosure; }
   bool applies(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar,
                std::string_view) const override {
-    return is_recommended(evaluation) && scalar == ScalarKind::Digits100 &&
+    return stands_for_truth(evaluation) && scalar == ScalarKind::Digits100 &&
            EvaluationRegister::instance().with_role(formula.name, Role::Enclosure);
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {

@@ -134,7 +134,7 @@ class DifferencesCheck final : public Check {
   std::string_view description() const override { return "derivatives against central differences, in 200 digits"; }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar,
                std::string_view regime) const override {
-    return is_recommended(evaluation) && scalar == ScalarKind::Digits200 && !regime.starts_with("on-") &&
+    return stands_for_truth(evaluation) && scalar == ScalarKind::Digits200 && !regime.starts_with("on-") &&
            regime != "tiny";  // whose distances are far below any step that 200 digits leave room for
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
@@ -177,7 +177,7 @@ class FaceJumpCheck final : public Check {
   }
   bool applies(const Formula& formula, const Evaluation& evaluation, ScalarKind scalar,
                std::string_view regime) const override {
-    return is_recommended(evaluation) && scalar == ScalarKind::Digits100 && regime == "on-face" &&
+    return stands_for_truth(evaluation) && scalar == ScalarKind::Digits100 && regime == "on-face" &&
            !formula.face_jump.diverges;
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {

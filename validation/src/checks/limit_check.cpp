@@ -23,7 +23,7 @@ class LimitCheck final : public Check {
   Cost cost(ScalarKind) const override { return Cost::Truths; }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar,
                std::string_view regime) const override {
-    return is_recommended(evaluation) && scalar == ScalarKind::Digits200 && regime.starts_with("on-");
+    return stands_for_truth(evaluation) && scalar == ScalarKind::Digits200 && regime.starts_with("on-");
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     std::array<Finding, 3> findings;

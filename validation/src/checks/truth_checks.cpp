@@ -18,7 +18,7 @@ template <Scalar R>
 Finding finding_of(const Result<R>& f, const Truth& truth, const Evaluation& evaluation, int order) {
   Finding finding = finding_for(truth, order);
   const Role role = evaluation.role();
-  const bool knows_limits = role == Role::Recommended || role == Role::Stated;
+  const bool knows_limits = role == Role::Recommended || role == Role::ClosedForm || role == Role::Stated;
   if (finding.status != Finding::Status::NoTruth || !truth.partial[order] || !knows_limits) return finding;
   const auto no_limit = [](const auto& x) {
     using std::isnan;
@@ -49,12 +49,13 @@ class TruthCheck final : public Check {
   Use use() const override { return Use::Truth; }
   std::string_view description() const override { return "against the truth, in units of rounding times conditioning"; }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
-    // In multiprecision the recommended evaluation is the truth's own source: `integral` is its check. Float is asked
+    // In multiprecision the closed form is the truth's own source: `integral` is its check. Float is asked
     // for where people compute in it.
     const Role role = evaluation.role();
     if (role == Role::Integral) return false;
     return scalar == ScalarKind::Double || is_stated_in(scalar, evaluation) ||
-           (scalar == ScalarKind::Float && (role == Role::Recommended || role == Role::Plain || role == Role::Printed));
+           (scalar == ScalarKind::Float &&
+            (role == Role::Recommended || role == Role::ClosedForm || role == Role::Plain || role == Role::Printed));
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     if (!is_finite(in.sample)) return without_truth(in.order);
@@ -105,18 +106,18 @@ class RelativeCheck final : public Check {
   }
 };
 
-/// The recommended evaluation in multiprecision against the integral of the kernel: what lets it stand in for the
-/// truth. Where there is no integral, no sample has a truth, and nothing measured counts.
+/// The closed form in multiprecision against the integral of the kernel: what lets it stand in for the truth. Where
+/// there is no integral, no sample has a truth, and nothing measured counts.
 class IntegralCheck final : public Check {
  public:
   std::string_view name() const override { return "integral"; }
   Use use() const override { return Use::Gate; }
   std::string_view unit() const override { return "relative"; }
   std::string_view description() const override {
-    return "recommended evaluation in multiprecision against the multiprecision integral of the kernel";
+    return "what stands for the truth in multiprecision against the multiprecision integral of the kernel";
   }
   bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
-    return is_recommended(evaluation) && scalar == ScalarKind::Digits100;
+    return stands_for_truth(evaluation) && scalar == ScalarKind::Digits100;
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     std::array<Finding, 3> findings;

@@ -21,7 +21,7 @@ struct Row {
 constexpr std::optional<double> none = std::nullopt;
 
 // The names that recommended evaluations have, and kinds of coordinates that are no sums.
-constexpr std::string_view recommended = "@(closed_form|line_form|recommended)";
+constexpr std::string_view recommended = "@(hybrid|closed_form|line_form|recommended)";
 
 // Of deformers: what holds exactly, 1e-13 of the size, or 1e-16 times the condition of the systems that are solved
 // where that is above 1e3, which the figures are divided by.
@@ -35,7 +35,7 @@ constexpr std::string_view unit_normals =
 
 // Whole coordinates computed at once, and both.
 constexpr std::string_view batched = "batched";
-constexpr std::string_view of_cages = "@(closed_form|line_form|recommended|batched)";
+constexpr std::string_view of_cages = "@(hybrid|closed_form|line_form|recommended|batched)";
 
 // First match wins. Bounds of conditioned rows are in units of the rounding error times conditioning.
 constexpr std::array table{
@@ -361,7 +361,8 @@ Promise promise_for(const PromiseKey& key) {
 }
 
 void require_row(const PromiseKey& key, std::optional<Role> role) {
-  const bool relied_on = role == Role::Recommended || role == Role::Stated || role == Role::Batched;
+  const bool relied_on =
+      role == Role::Recommended || role == Role::ClosedForm || role == Role::Stated || role == Role::Batched;
   const auto known = promised_checks();
   const bool known_check = std::ranges::find(known, key.check) != known.end();
   if ((known_check && !relied_on) || promise_for(key).in_table) return;

@@ -21,7 +21,8 @@ bool has_use(const RowKey& row, Check::Use use) {
 // but what declines there is the integral or the enclosure.
 bool may_decline(const ResultRow& row) {
   if (has_use(row, Check::Use::Gate) || has_use(row, Check::Use::Proof)) return true;
-  return !row.role.empty() && row.role != name_of(Role::Recommended) && row.role != name_of(Role::Stated);
+  return !row.role.empty() && row.role != name_of(Role::Recommended) && row.role != name_of(Role::ClosedForm) &&
+         row.role != name_of(Role::Stated);
 }
 
 // What the row's evaluation is: of a single element's row by its formula, of a cage's by the formulas that its kind

@@ -185,7 +185,7 @@ Measurements element_measurements(const CampaignOptions& options) {
 std::vector<std::string> notes_on_truth(const std::string& formulas) {
   std::vector<std::string> notes;
   for (const Formula& formula : catalogue())
-    if (matches(formulas, formula.name) && has_truth_source(formula) && truth_source(formula).is_integral)
+    if (matches(formulas, formula.name) && has_truth_source(formula) && truth_source(formula).is_integral())
       notes.push_back(fmt::format(
           "{}: no recommended evaluation; the truth is the integral in 100 digits, confirmed to 30 by the one in 50",
           formula.name));

@@ -193,7 +193,7 @@ class Hunter {
 
   // What lets the truth's source stand in for the integral, asked at the sample itself.
   std::optional<double> against_integral(const Start& place) const {
-    if (source_.is_integral) return std::nullopt;
+    if (source_.is_integral()) return std::nullopt;
     const ElementQuestion gate = element_question(*find_check("integral"), source_.evaluation, ScalarKind::Digits100,
                                                   hunted_regime, options_.order)
                                      .value();

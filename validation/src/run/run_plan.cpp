@@ -41,7 +41,8 @@ int affordable_points(const Evaluation& evaluation, int points) {
     case CostClass::Nodes: return evaluation.role() == Role::Rule ? std::min(points, 40) : points;
     case CostClass::Direct: break;
   }
-  return points;
+  // The closed form is the recommended one's algebra, with more digits: slower, and judged one element at a time.
+  return evaluation.role() == Role::ClosedForm ? std::min(points, 20) : points;
 }
 
 // Every standard evaluation of a formula but the recommended one, and those that checks alone ask for.

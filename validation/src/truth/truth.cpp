@@ -31,6 +31,15 @@ std::vector<Mp100> widened(const std::vector<R>& tensor) {
   return wide;
 }
 
+Result<Mp100> widened(const Result<Mp50>& result) {
+  Result<Mp100> wide;
+  for (int o = 0; o < 3; ++o) wide.of(o) = widened(result.of(o));
+  wide.stated_digits = result.stated_digits;
+  wide.converged = result.converged;
+  wide.nodes = result.nodes;
+  return wide;
+}
+
 std::vector<Mp100> difference(std::vector<Mp100> a, const std::vector<Mp100>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
   return a;
@@ -55,11 +64,8 @@ std::array<std::vector<Mp100>, 2> finite_entries(const std::vector<Mp100>& a, co
 }
 
 // Relative step of the one-sided differences: their error, 1e-30 over the distance to a singularity, leaves 13 digits
-// at 1e-16.
-const Mp100& step() {
-  static const Mp100 h("1e-30");
-  return h;
-}
+// at 1e-16, and 50 digits leave twenty of them.
+constexpr const char* kStep = "1e-30";
 
 // Calls `f(vertex, axis)` for each coordinate of the input that is not zero.
 template <Scalar R, class F>
@@ -70,51 +76,62 @@ void for_each_coordinate(const Formula& formula, QueryOf<R>& input, F&& f) {
 }
 
 // On a face the function may jump: only moves that keep to its inner side are its own change.
-bool leaves_the_inner_side(const Formula& formula, const Query<Mp100>& query) {
-  return sampling_of(formula.element).exact.height(query.corners, query.point) > 0;
+template <Scalar R>
+bool leaves_the_inner_side(const Formula& formula, const Query<R>& query) {
+  std::vector<Vec3<Mp100>> corners;
+  corners.reserve(query.corners.size());
+  for (const Vec3<R>& corner : query.corners) corners.push_back(convert<Mp100>(corner));
+  return sampling_of(formula.element).exact.height(corners, convert<Mp100>(query.point)) > 0;
 }
 
+// |moved - truth| over the relative step, of the entries that are finite in both.
+template <Scalar R>
+Mp100 change(const Result<R>& moved, const Truth& truth, int order, const R& step) {
+  const auto [found, expected] = finite_entries(widened(moved.of(order)), truth.tensors.of(order));
+  return norm(difference(found, expected)) / Mp100(step);
+}
+
+template <Scalar R>
 void add_conditioning(const Evaluation& reference, const Sample& sample, int order, Truth& truth) {
-  QueryOf<Mp100> input(sample, order);
-  Result<Mp100> moved;
+  QueryOf<R> input(sample, order);
+  Result<R> moved;
+  const R relative(kStep);
   for_each_coordinate(reference.formula(), input, [&](int vertex, int axis) {
-    Mp100& x = input.coordinate(vertex, axis);
-    const Mp100 original = x;
-    x = original * (1 + step());
-    if (truth.on_element && leaves_the_inner_side(reference.formula(), input.query())) x = original * (1 - step());
+    R& x = input.coordinate(vertex, axis);
+    const R original = x;
+    x = original * (1 + relative);
+    if (truth.on_element && leaves_the_inner_side(reference.formula(), input.query())) x = original * (1 - relative);
     reference(input.query(), moved);
     x = original;
     for (int o = 0; o <= order; ++o)
-      if (truth.exists[o] && all_finite(moved.of(o)))
-        truth.conditioned[o] += norm(difference(moved.of(o), truth.tensors.of(o))) / step();
+      if (truth.exists[o] && all_finite(widened(moved.of(o))))
+        truth.conditioned[o] += change(moved, truth, o, relative);
   });
 }
 
 // On the border most moves of a single coordinate lead off the element, or to where no limit is. Those that keep the
 // point on the border: of a corner that is the point, together with it, of corners whose edges it is not on, and
-// scaling an axis as a whole. All are exact in 100 digits by a factor that has few bits.
+// scaling an axis as a whole. All are exact in 50 digits by a factor that has few bits.
+template <Scalar R>
 void add_border_conditioning(const Evaluation& reference, const Sample& sample, int order, Truth& truth) {
   const Formula& formula = reference.formula();
-  const Mp100 relative = ldexp(Mp100(1), -100), factor = 1 + relative;
-  const auto add = [&](const QueryOf<Mp100>& input) {
-    Result<Mp100> moved;
+  const R relative = ldexp(R(1), -100), factor = 1 + relative;
+  const auto add = [&](const QueryOf<R>& input) {
+    Result<R> moved;
     reference(input.query(), moved);
-    for (int o = 0; o <= order; ++o) {
-      if (!truth.exists[o] && !truth.partial[o]) continue;
-      const auto [found, expected] = finite_entries(moved.of(o), truth.tensors.of(o));
-      truth.conditioned[o] += norm(difference(found, expected)) / relative;
-    }
+    for (int o = 0; o <= order; ++o)
+      if (truth.exists[o] || truth.partial[o]) truth.conditioned[o] += change(moved, truth, o, relative);
   };
   const auto basis = type_of(formula.element).contact(sample.corners, sample.point).basis;
   for (int axis = 0; axis < formula.dim(); ++axis) {
-    QueryOf<Mp100> scaled(sample, order);
+    QueryOf<R> scaled(sample, order);
     const int point = scaled.point_vertex();
     for (int vertex = 0; vertex <= point; ++vertex) scaled.coordinate(vertex, axis) *= factor;
     add(scaled);
     for (int vertex = 0; vertex < point; ++vertex) {
       const bool is_point = sample.corners[vertex] == sample.point;
       if (sample.corners[vertex][axis] == 0 || (!is_point && basis[vertex] != 0)) continue;
-      QueryOf<Mp100> moved(sample, order);
+      QueryOf<R> moved(sample, order);
       moved.coordinate(vertex, axis) *= factor;
       if (is_point) moved.coordinate(point, axis) *= factor;
       add(moved);
@@ -178,6 +195,12 @@ Evaluation named_or(const Evaluation& evaluation, const std::string& name) {
 
 std::optional<TruthSource> find_truth_source(const Formula& formula) {
   auto& known = EvaluationRegister::instance();
+  if (const auto closed = known.with_role(formula.name, Role::ClosedForm))
+    return TruthSource{.evaluation = *closed,
+                       .values = *closed,
+                       .confirmation = *closed,
+                       .yardstick = *closed,
+                       .digits = TruthSource::Digits::Fifty};
   const auto recommended = known.with_role(formula.name, Role::Recommended);
   if (recommended && recommended->supports<Mp100>() && recommended->supports<Mp200>()) {
     const auto& substitutes = recommended->substitutes();
@@ -194,7 +217,7 @@ std::optional<TruthSource> find_truth_source(const Formula& formula) {
                      .confirmation = *integral,
                      .yardstick = *integral,
                      .rough_yardstick = true,
-                     .is_integral = true};
+                     .digits = TruthSource::Digits::OfIntegral};
 }
 
 // What the truth's tensors must agree with, and whether it stands behind them.
@@ -212,12 +235,16 @@ Confirmation confirmed_in(const Evaluation& evaluation, const Sample& sample, in
 }
 
 Truth computed_truth(const TruthSource& source, const Sample& sample, int order) {
+  using Digits = TruthSource::Digits;
   Truth truth;
   if (!is_finite(sample)) return truth;
   truth.required = limits_that_must_exist(source.evaluation.formula(), sample);
-  truth.tensors = evaluate<Mp100>(source.values, sample, order);
-  const Confirmation confirmation = source.is_integral ? confirmed_in<Mp50>(source.confirmation, sample, order)
-                                                       : confirmed_in<Mp200>(source.confirmation, sample, order);
+  if (source.digits == Digits::Fifty) truth.tensors = widened(evaluate<Mp50>(source.values, sample, order));
+  else truth.tensors = evaluate<Mp100>(source.values, sample, order);
+  const Confirmation confirmation =
+      source.digits == Digits::Fifty        ? confirmed_in<Mp100>(source.confirmation, sample, order)
+      : source.digits == Digits::OfIntegral ? confirmed_in<Mp50>(source.confirmation, sample, order)
+                                            : confirmed_in<Mp200>(source.confirmation, sample, order);
   const Contact contact = contact_of(source.evaluation.formula().element, sample);
   truth.on_element = contact != Contact::Off;
   if (!truth.tensors.converged || !confirmation.converged) return truth;
@@ -232,12 +259,16 @@ Truth computed_truth(const TruthSource& source, const Sample& sample, int order)
     truth.exists[o] = limits && agrees;
     truth.partial[o] = on_input && !limits && agrees && same_limits(truth.tensors.of(o), confirmed);
   }
-  if (contact == Contact::Border) {
-    if (!source.rough_yardstick) add_border_conditioning(source.values, sample, order, truth);
+  if (source.rough_yardstick) {
+    if (contact != Contact::Border) add_rough_conditioning(source.yardstick, sample, order, truth);
     return truth;
   }
-  if (source.rough_yardstick) add_rough_conditioning(source.yardstick, sample, order, truth);
-  else add_conditioning(source.values, sample, order, truth);
+  const auto add = [&]<Scalar R>() {
+    if (contact == Contact::Border) add_border_conditioning<R>(source.values, sample, order, truth);
+    else add_conditioning<R>(source.values, sample, order, truth);
+  };
+  if (source.digits == Digits::Fifty) add.template operator()<Mp50>();
+  else add.template operator()<Mp100>();
   return truth;
 }
 

@@ -31,7 +31,7 @@ struct Explanation {
 using Explainer = Explanation (*)(const Query<double>& query, std::span<const double> values,
                                   std::optional<std::size_t> entry);
 
-/// The formula's `closed_form` at a point, explained. \param result the closed form's, up to query.order
+/// The formula's recommended evaluation at a point, explained. \param result that evaluation's, up to query.order
 /// \throws InputError where the formula's closed form is not run in counted numbers, or has no such entry
 Explanation explain(const Formula& formula, const Query<double>& query, std::optional<std::size_t> entry,
                     Result<double>& result);

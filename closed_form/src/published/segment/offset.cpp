@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What [W12] does about the boundary: points on it are moved inwards.
-#include "../../put.h"
+#include "cageproof/closed_form/put.h"
 
 #include "cageproof/closed_form/segment/engine/closed_form.h"
 #include "cageproof/closed_form/segment/biharmonic_double_layer.h"

@@ -2,8 +2,8 @@
 // Enters a triangle formula's evaluations into the register.
 #pragma once
 
-#include "../../joint.h"
-#include "../../plain_family.h"
+#include "cageproof/closed_form/joint.h"
+#include "../../families.h"
 #include "cageproof/closed_form/triangle/engine/plain.h"
 #include "cageproof/closed_form/triangle/engine/shared_instances.h"
 
@@ -11,20 +11,22 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// What closed forms on a triangle share: the corners, and at each point the frame and the moments, all in the scalar
-/// that they compute in.
+/// What closed forms on a triangle share: the corners, and at each point the moments, in double or in multiprecision.
 struct SharedOnTriangle {
   template <Scalar R>
+  using Wide = std::conditional_t<is_multiprecision<R>, Mp200, double>;
+
+  template <Scalar R>
   struct Element {
-    Triangle<Working<R>> t;
+    Triangle<Wide<R>> t;
     explicit Element(std::span<const Vec3<R>> corners)
-        : t{convert<Working<R>>(corners[0]), convert<Working<R>>(corners[1]), convert<Working<R>>(corners[2])} {}
+        : t{convert<Wide<R>>(corners[0]), convert<Wide<R>>(corners[1]), convert<Wide<R>>(corners[2])} {}
   };
   template <Scalar R, int O>
   struct At {
-    Vec3<Working<R>> eta;
-    PointMoments<Working<R>, O> moments;
-    At(const Element<R>& element, const Vec3<R>& point) : eta(convert<Working<R>>(point)), moments(element.t, eta) {}
+    Vec3<Wide<R>> eta;
+    std::conditional_t<is_multiprecision<R>, WideMoments<O>, PointMoments<O>> moments;
+    At(const Element<R>& element, const Vec3<R>& point) : eta(convert<Wide<R>>(point)), moments(element.t, eta) {}
   };
 };
 
@@ -34,12 +36,15 @@ struct PutForm {
   template <Scalar R, int O>
   static void put(SharedOnTriangle::At<R, O>& at, std::span<const R> parameters, bool finite_part, std::size_t point,
                   const BatchOutput<R>& output) {
-    using W = Working<R>;
-    if constexpr (!std::same_as<R, W>) {
-      const auto wide = widened<F>(parameters);
-      closed_form::put(narrowed<R>(triangle::closed_form<F, O, W>(at.moments, wide, finite_part)), O, point, output);
+    using W = SharedOnTriangle::Wide<R>;
+    const auto wide = widened<F, R, W>(parameters);
+    const std::span<const W> given(wide);
+    if constexpr (is_multiprecision<R>) {
+      const auto found = bounded_form<F, O>(at.moments, given, finite_part, std::numeric_limits<R>::digits10);
+      closed_form::put(narrowed<R>(found.jet), O, point, output);
     } else {
-      closed_form::put(triangle::closed_form<F, O, R>(at.moments, parameters, finite_part), O, point, output);
+      closed_form::put(narrowed<R>(bounded_form<F, O>(at.moments, given, finite_part, kTolerance).jet), O, point,
+                       output);
     }
   }
 };
@@ -47,21 +52,14 @@ struct PutForm {
 template <class F>
 inline constexpr Member<SharedOnTriangle> member_of = Member<SharedOnTriangle>::of<PutForm<F>>();
 
-/// `const RegisterForm<F> register_<kernel>{"triangle.<kernel>"};` at namespace scope of the formula's .cpp.
+/// `const RegisterForm<F> register_<kernel>{"triangle.<kernel>"};` at namespace scope.
 template <class F>
 class RegisterForm {
  public:
   explicit RegisterForm(std::string_view formula)
-      : fast_(single_family(
-            formula, "closed_form",
-            {.description = "edge form; Gauss points far away", .role = Role::Recommended, .cost = CostClass::Direct},
-            true, [](Evaluation& evaluation) { set_member(evaluation, member_of<F>); })),
-        careful_(single_family(formula, "accurate",
-                               {.description = "edge form that bounds its own error, in as many digits as that takes",
-                                .role = Role::Stated,
-                                .cost = CostClass::Direct,
-                                .states_error = true},
-                               true, [](Evaluation& evaluation) { evaluation.set_batch<double>(careful); })),
+      : kept_(closed_form_family(formula, "edge form, in as many digits as its promise takes",
+                                 [](Evaluation& evaluation) { set_member(evaluation, member_of<F>); })),
+        careful_(accurate_family(formula, [](Evaluation& evaluation) { evaluation.set_batch<double>(careful); })),
         plain_(plain_family(formula, [](Evaluation& evaluation) {
           evaluation.set_batch<float>(plainly<float>);
           evaluation.set_batch<double>(plainly<double>);
@@ -89,7 +87,7 @@ class RegisterForm {
     });
   }
 
-  RegisterEvaluation fast_, careful_, plain_;
+  RegisterEvaluation kept_, careful_, plain_;
 };
 
 }  // namespace cageproof::closed_form::triangle

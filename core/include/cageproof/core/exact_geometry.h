@@ -10,20 +10,23 @@
 namespace cageproof {
 
 /// Products of a triangle's geometry that cancel next to its plane, its edges' lines and its corners. Each is exact but
-/// for one rounding to 200 digits, and zero only where it is zero: whatever doubles are given, and multiprecision
-/// numbers within 16384 bits. Beyond that, and for numbers that are not finite, every operation is one in 200 digits.
-/// Ordinary doubles, within 160 bits, cost no memory.
-struct ExactTriangle {
-  std::array<Vec3<Mp200>, 3> p;        ///< corners minus the point
-  std::array<Vec3<Mp200>, 3> e;        ///< edges: corner i + 1 minus corner i
-  Vec3<Mp200> normal;                  ///< e[0] x e[1]
-  std::array<Vec3<Mp200>, 3> outward;  ///< e[i] x normal
-  Mp200 volume;                        ///< normal . p[i], the same for every i
-  std::array<Mp200, 3> beside;         ///< outward[i] . p[i] = outward[i] . p[i + 1]
-  std::array<Mp200, 3> before, after;  ///< e[i] . p[i] and e[i] . p[i + 1]
+/// for one rounding to W's digits, and zero only where it is zero: whatever doubles are given, and multiprecision
+/// numbers within 16384 bits. Beyond that, and for numbers that are not finite, every operation is one of W's.
+/// Ordinary doubles, within 160 bits in 200 digits, cost no memory.
+/// \tparam W Mp200 or Mp400
+template <class W>
+struct ExactTriangleIn {
+  std::array<Vec3<W>, 3> p;        ///< corners minus the point
+  std::array<Vec3<W>, 3> e;        ///< edges: corner i + 1 minus corner i
+  Vec3<W> normal;                  ///< e[0] x e[1]
+  std::array<Vec3<W>, 3> outward;  ///< e[i] x normal
+  W volume;                        ///< normal . p[i], the same for every i
+  std::array<W, 3> beside;         ///< outward[i] . p[i] = outward[i] . p[i + 1]
+  std::array<W, 3> before, after;  ///< e[i] . p[i] and e[i] . p[i + 1]
 
-  ExactTriangle(const Triangle<Mp200>& t, const Vec3<Mp200>& point);
+  ExactTriangleIn(const Triangle<W>& t, const Vec3<W>& point);
 };
+using ExactTriangle = ExactTriangleIn<Mp200>;
 
 /// What says on which sides of a triangle a point lies, and how far: the sign is exact, the size rounded at most twice.
 struct ExactHeights {
@@ -37,14 +40,16 @@ struct ExactHeights {
 ExactHeights exact_heights(const Triangle<double>& t, const Vec3<double>& point, int exponent);
 
 /// The same of a segment in the plane; third coordinates are not looked at.
-struct ExactSegment {
-  std::array<std::array<Mp200, 2>, 2> p;  ///< ends minus the point
-  std::array<Mp200, 2> e;                 ///< end 1 minus end 0
-  Mp200 cross;                            ///< e x p[i], the same for both ends: positive for points right of the line
-  Mp200 before, after;                    ///< e . p[0] and e . p[1]
-  Mp200 middle;                           ///< e . (p[0] + p[1]): zero over the middle
+template <class W>
+struct ExactSegmentIn {
+  std::array<std::array<W, 2>, 2> p;  ///< ends minus the point
+  std::array<W, 2> e;                 ///< end 1 minus end 0
+  W cross;                            ///< e x p[i], the same for both ends: positive for points right of the line
+  W before, after;                    ///< e . p[0] and e . p[1]
+  W middle;                           ///< e . (p[0] + p[1]): zero over the middle
 
-  ExactSegment(const Segment<Mp200>& s, const Vec3<Mp200>& point);
+  ExactSegmentIn(const Segment<W>& s, const Vec3<W>& point);
 };
+using ExactSegment = ExactSegmentIn<Mp200>;
 
 }  // namespace cageproof

@@ -12,6 +12,8 @@ struct MpConstants;
 using Mp50 = Mp<50>;
 using Mp100 = Mp<100>;
 using Mp200 = Mp<200>;
+/// No formula's scalar: what holds 200 digits where half of the digits cancel.
+using Mp400 = Mp<400>;
 /// No formula's scalar: it holds differences and products of doubles whose exponents are the furthest apart.
 using Mp800 = Mp<800>;
 

@@ -9,7 +9,8 @@ namespace cageproof {
 
 /// What an evaluation is.
 enum class Role {
-  Recommended,  ///< the one to use, one a formula at most; in multiprecision it may stand in for the integral
+  Recommended,  ///< the one to use, one a formula at most
+  ClosedForm,   ///< algebra kept to a promise by more digits; in multiprecision it may stand in for the integral
   Plain,        ///< the closed form in the scalar's own arithmetic: its errors are shown, not promised away
   Stated,       ///< full digits by a bound of its own error that it states
   Rule,         ///< quadrature: of fixed size, or to a tolerance
@@ -21,13 +22,15 @@ enum class Role {
   Foreign,      ///< somebody else's code
 };
 
-inline constexpr std::array roles{Role::Recommended, Role::Plain,   Role::Stated, Role::Rule,    Role::Integral,
-                                  Role::Enclosure,   Role::Printed, Role::Scheme, Role::Batched, Role::Foreign};
+inline constexpr std::array roles{Role::Recommended, Role::ClosedForm, Role::Plain,     Role::Stated,
+                                  Role::Rule,        Role::Integral,   Role::Enclosure, Role::Printed,
+                                  Role::Scheme,      Role::Batched,    Role::Foreign};
 
 /// "recommended", "stated" ...
 constexpr std::string_view name_of(Role role) {
-  constexpr std::array<std::string_view, roles.size()> names{"recommended", "plain",   "stated", "rule",    "integral",
-                                                             "enclosure",   "printed", "scheme", "batched", "foreign"};
+  constexpr std::array<std::string_view, roles.size()> names{"recommended", "closed form", "plain",     "stated",
+                                                             "rule",        "integral",    "enclosure", "printed",
+                                                             "scheme",      "batched",     "foreign"};
   return names[static_cast<std::size_t>(role)];
 }
 

@@ -8,21 +8,27 @@
 
 namespace cageproof::validation {
 
-/// What a formula's truth is computed with: the recommended evaluation where it computes in multiprecision, which a
+/// What a formula's truth is computed with: the closed form, or where there is none the recommended evaluation, which a
 /// campaign proves against the integral; else the integral itself.
 struct TruthSource {
-  Evaluation evaluation;  ///< the recommended one, or the integral
-  Evaluation values;      ///< gives the truth, in 100 digits: the evaluation, or what stands in for it
-  /// Confirms the truth to 30 digits: the evaluation in 200 digits, or what stands in for it from other nodes; of
-  /// integrals, the integral in 50 digits, which stops at 30 where the one in 100 digits goes on to 60.
-  Evaluation confirmation;
+  /// What the truth is computed in, and confirmed in.
+  enum class Digits {
+    Fifty,       ///< 50, of which the source keeps all, and 100
+    Hundred,     ///< 100 and 200
+    OfIntegral,  ///< the integral in 100 digits goes on to 60, in 50 digits it stops at 30
+  };
+
+  Evaluation evaluation;
+  Evaluation values;        ///< gives the truth: the evaluation, or what stands in for it
+  Evaluation confirmation;  ///< confirms it to 30 digits: the evaluation, or what stands in for it from other nodes
   /// Gives the differences that the yardstick is made of: right to all digits, or where it is rough to twelve.
   Evaluation yardstick;
   bool rough_yardstick = false;
-  bool is_integral = false;
+  Digits digits = Digits::Hundred;
 
   /// Whether a truth costs as much as an integral in multiprecision, so that a campaign should take fewer samples.
   bool is_costly() const { return rough_yardstick; }
+  bool is_integral() const { return digits == Digits::OfIntegral; }
 };
 
 /// What the formula's truth comes from. \throws InputError where it has neither of both

@@ -3,7 +3,7 @@
 // counted, and differences in double-double are taken over as a whole.
 #include "instances.h"
 
-#include "cageproof/closed_form/arithmetic/counted_rule.h"
+#include "cageproof/adaptive_qmvc/counted_rule.h"
 #include "cageproof/closed_form/explain.h"
 
 namespace cageproof::adaptive_qmvc {

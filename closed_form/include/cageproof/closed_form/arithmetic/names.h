@@ -2,6 +2,8 @@
 // The names of the numbers that forms are computed in beside scalars, for code that needs none of them itself.
 #pragma once
 
+#include "cageproof/core/mp_names.h"
+
 namespace cageproof::closed_form {
 
 struct DoubleDouble;
@@ -12,5 +14,11 @@ template <class T>
 inline constexpr bool is_tracked = false;
 template <class T>
 inline constexpr bool is_tracked<Tracked<T>> = true;
+
+/// Whether a quotient takes as long as several products.
+template <class R>
+inline constexpr bool divides_slowly = false;
+template <unsigned Digits>
+inline constexpr bool divides_slowly<Tracked<Mp<Digits>>> = true;
 
 }  // namespace cageproof::closed_form

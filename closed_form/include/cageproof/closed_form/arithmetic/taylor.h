@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"
+#include "cageproof/closed_form/arithmetic/names.h"
 
 #include <algorithm>
 #include <array>
@@ -73,7 +74,12 @@ struct Polynomial {
       for (int i = 0; i < 3; ++i) c[M::raised[m][i]] += v[i] * f.c[m];
   }
   void divide_part(int k, const R& divisor) {
-    for (int m = M::first(k); m < M::first(k + 1); ++m) c[m] /= divisor;
+    if constexpr (divides_slowly<R>) {
+      const R inverse = R(1) / divisor;
+      for (int m = M::first(k); m < M::first(k + 1); ++m) c[m] *= inverse;
+    } else {
+      for (int m = M::first(k); m < M::first(k + 1); ++m) c[m] /= divisor;
+    }
   }
   /// Adds (constant + v . delta) * f, up to this polynomial's degree.
   template <class V, int F>

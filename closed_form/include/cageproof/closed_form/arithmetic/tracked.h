@@ -8,27 +8,45 @@
 #include "cageproof/core/linear.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 namespace cageproof::closed_form {
-
-/// u of a type: what one operation may be wrong by, relatively.
-template <class T>
-double roundoff_of() {
-  // Division is a double-double's least exact operation: it loses four of the 106 bits.
-  if constexpr (std::same_as<T, DoubleDouble>) return 0x1p-100;
-  else return static_cast<double>(T(std::numeric_limits<T>::epsilon() / 2));
-}
 
 /// What errors of a type are counted in: powers of distances that multiprecision holds may leave double's range.
 template <class T>
 using ErrorOf = std::conditional_t<is_multiprecision<T>, long double, double>;
 
-/// |x| in the type of errors.
+/// u of a type: what one operation may be wrong by, relatively.
+template <class T>
+constexpr ErrorOf<T> roundoff_of() {
+  // Division is a double-double's least exact operation: it loses four of the 106 bits.
+  int bits = std::same_as<T, DoubleDouble> ? 100 : std::numeric_limits<T>::digits;
+  ErrorOf<T> u = 1;
+  for (; bits > 0; --bits) u /= 2;
+  return u;
+}
+
+/// |x| in the type of errors, or, of multiprecision, the power of two above it: at most twice as much, and quick.
 template <class T>
 ErrorOf<T> size_of(const T& x) {
-  if constexpr (is_multiprecision<T>) return std::abs(mpfr_get_ld(x.data(), MPFR_RNDN));
-  else return std::abs(static_cast<double>(x));
+  if constexpr (is_multiprecision<T>) {
+    if (x.is_zero()) return 0;
+    if (mpfr_regular_p(x.data()) == 0) return std::abs(mpfr_get_ld(x.data(), MPFR_RNDN));
+    const mpfr_exp_t exponent = mpfr_get_exp(x.data());
+    // Within double's range its bits are quicker.
+    if (exponent > -1000 && exponent < 1000)
+      return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+    return std::ldexp(1.0L, static_cast<int>(exponent));
+  } else {
+    return std::abs(static_cast<double>(x));
+  }
+}
+/// No more than |x|: as size_of, from below.
+template <class T>
+ErrorOf<T> least_size_of(const T& x) {
+  return is_multiprecision<T> ? size_of(x) / 2 : size_of(x);
 }
 
 /// A value of type T and a bound of its absolute error in units of roundoff_of<T>() (Wilkinson 1986; Higham 2002,
@@ -51,8 +69,8 @@ struct Tracked {
 
   Error magnitude() const { return size_of(value); }
   static Tracked rounded(const T& v, Error e, double roundings = 1) { return {v, e + roundings * size_of(v)}; }
-  static Tracked pi() { return rounded(T(cageproof::pi<Mp200>()), 0); }
-  static Tracked ln_two() { return rounded(T(cageproof::ln_two<Mp200>()), 0); }
+  static Tracked pi() { return rounded(T(Constants::pi()), 0); }
+  static Tracked ln_two() { return rounded(T(Constants::ln_two()), 0); }
 
   friend Tracked operator-(const Tracked& a) { return {T(-a.value), a.error}; }
   friend Tracked operator+(const Tracked& a, const Tracked& b) {
@@ -63,7 +81,7 @@ struct Tracked {
   }
   friend Tracked operator*(const Tracked& a, const Tracked& b) {
     return rounded(T(a.value * b.value),
-                   a.magnitude() * b.error + b.magnitude() * a.error + roundoff_of<T>() * a.error * b.error);
+                   a.magnitude() * b.error + b.magnitude() * a.error + kRoundoff * a.error * b.error);
   }
   friend Tracked operator/(const Tracked& a, const Tracked& b) {
     const T quotient = a.value / b.value;
@@ -84,8 +102,7 @@ struct Tracked {
   friend Tracked sqrt(const Tracked& a) {
     using std::sqrt;
     const T root = sqrt(a.value);
-    const Error size = size_of(root);
-    return rounded(root, a.error == 0 ? 0 : a.error / (size + std::sqrt(remaining(a))));
+    return rounded(root, a.error == 0 ? 0 : a.error / (least_size_of(root) + std::sqrt(remaining(a))));
   }
   friend Tracked log(const Tracked& a) {
     using std::log;
@@ -103,18 +120,22 @@ struct Tracked {
   friend Tracked atan2(const Tracked& y, const Tracked& x) {
     using std::atan2;
     const Error a = x.magnitude(), b = y.magnitude(), reach = std::hypot(a, b);
+    const Error least = is_multiprecision<T> ? reach / 2 : reach;
     return rounded(T(atan2(y.value, x.value)),
-                   (a / reach * y.error + b / reach * x.error) / remaining(reach, std::hypot(x.error, y.error)),
+                   (a / reach * y.error + b / reach * x.error) / remaining(least, std::hypot(x.error, y.error)),
                    kFunctionRoundings);
   }
 
  private:
+  static constexpr Error kRoundoff = roundoff_of<T>();
   /// Mathematical libraries promise an ulp or two for logarithms and angles, not half of one.
   static constexpr double kFunctionRoundings = 4;
+  // Those of 200 digits hold double-doubles' and less.
+  using Constants = MpConstants<is_multiprecision<T> && (std::numeric_limits<T>::digits10 > 200) ? 400 : 200>;
   /// The magnitude less its own error: what a divisor may have shrunk to; zero where nothing of it is certain.
-  static Error remaining(const Tracked& a) { return remaining(a.magnitude(), a.error); }
+  static Error remaining(const Tracked& a) { return remaining(least_size_of(a.value), a.error); }
   static Error remaining(Error magnitude, Error error) {
-    return std::max(Error(0), magnitude - static_cast<Error>(roundoff_of<T>()) * error);
+    return std::max(Error(0), magnitude - kRoundoff * error);
   }
 };
 
@@ -122,7 +143,13 @@ struct Tracked {
 
 /// Infinities, and what is no number.
 template <class T>
-class std::numeric_limits<cageproof::closed_form::Tracked<T>> : public std::numeric_limits<T> {};
+class std::numeric_limits<cageproof::closed_form::Tracked<T>> : public std::numeric_limits<T> {
+  using Tracked = cageproof::closed_form::Tracked<T>;
+
+ public:
+  static Tracked infinity() { return {std::numeric_limits<T>::infinity(), 0}; }
+  static Tracked quiet_NaN() { return {std::numeric_limits<T>::quiet_NaN(), 0}; }
+};
 
 namespace Eigen {
 template <class T>

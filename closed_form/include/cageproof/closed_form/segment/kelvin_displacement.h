@@ -81,7 +81,7 @@ struct KelvinDisplacement {
 
   // Below this the logarithm's factor is called zero: a few roundings of 53 bits, 100 or 200 digits.
   template <Scalar R>
-  static constexpr double kNoise = !is_multiprecision<R>                    ? 0x1p-48
+  static constexpr double kNoise = !is_wide<R>                              ? 0x1p-48
                                    : std::numeric_limits<R>::digits10 < 150 ? 1e-90
                                                                             : 1e-190;
 

@@ -2,7 +2,7 @@
 // Turns a printed form of [T24] into entries of the register: as it is after the errata, and with a misprint kept.
 #pragma once
 
-#include "../../../put.h"
+#include "cageproof/closed_form/put.h"
 #include "instances.h"
 
 #include "cageproof/core/evaluation.h"

@@ -1,23 +1,132 @@
 // SPDX-License-Identifier: MIT
-// The evaluation of a segment formula that we stand behind.
+// The closed form of a segment formula, kept to its promise by as many digits as that takes.
 #pragma once
 
-#include "cageproof/closed_form/arithmetic/working.h"
-#include "cageproof/closed_form/segment/engine/exact_frame.h"
-#include "cageproof/closed_form/segment/engine/far_frame.h"
+#include "cageproof/closed_form/arithmetic/climb.h"
+#include "cageproof/closed_form/segment/engine/bounded.h"
 #include "cageproof/closed_form/segment/engine/kernel.h"
+#include "cageproof/closed_form/segment/engine/tracked_frame.h"
+
+#include <optional>
+#include <tuple>
 
 namespace cageproof::closed_form::segment {
 
-/// A single formula at a single point. Units and limits: at the formula.
+/// What a result's own bound must be below. Of `accurate`: half of what is promised, since running bounds are
+/// themselves rounded. Of `closed_form`: bounds of running errors exceed what happens ten times over and more.
+inline constexpr double kAccurateTolerance = 128 * 0x1p-53, kTolerance = 1000 * 0x1p-53;
+
+/// A segment seen from a point in multiprecision, by numbers that know their errors: what formulas share there.
+class WideFrames {
+ public:
+  WideFrames(const Segment<Mp200>& s, const Vec3<Mp200>& eta) : s_(s), eta_(eta) {}
+
+  /// \tparam T Mp100, Mp200 or Mp400
+  template <class T>
+  const Frame<Tracked<T>>& tracked() {
+    auto& frame = std::get<std::optional<Frame<Tracked<T>>>>(frames_);
+    if (frame) return *frame;
+    using W = std::conditional_t<std::same_as<T, Mp400>, Mp400, Mp200>;
+    const auto in = [](const Vec3<Mp200>& v) { return Vec3<W>(W(v[0]), W(v[1]), W(v[2])); };
+    return frame.emplace(ExactSegmentIn<W>({in(s_[0]), in(s_[1])}, in(eta_)));
+  }
+
+ private:
+  Segment<Mp200> s_;
+  Vec3<Mp200> eta_;
+  std::tuple<std::optional<Frame<Tracked<Mp100>>>, std::optional<Frame<Tracked<Mp200>>>,
+             std::optional<Frame<Tracked<Mp400>>>>
+      frames_;
+};
+
+/// The same of doubles.
+class PointFrames {
+ public:
+  PointFrames(const Segment<double>& s, const Vec3<double>& eta)
+      : frame_(s, eta),
+        is_in_range_(!leaves_range(s, eta, frame_)),
+        wide_(Segment<Mp200>{convert<Mp200>(s[0]), convert<Mp200>(s[1])}, convert<Mp200>(eta)) {}
+
+  /// Whether the frame in double has a bound of its error.
+  bool is_in_range() const { return is_in_range_; }
+  /// \tparam T double, where it is in range, or what WideFrames has
+  template <class T>
+  const Frame<Tracked<T>>& tracked() {
+    if constexpr (is_multiprecision<T>) {
+      return wide_.tracked<T>();
+    } else {
+      if (!tracked_) tracked_.emplace(frame_);
+      return *tracked_;
+    }
+  }
+
+ private:
+  Frame<double> frame_;
+  bool is_in_range_;
+  std::optional<Frame<Tracked<double>>> tracked_;
+  WideFrames wide_;
+};
+
+/// In the first arithmetic of the ladder whose bound is at most `tolerance`, else in the last.
+template <class F, int O, class... T, class Frames, cageproof::Scalar S>
+BoundedJet<S, F::components> climbed(Ladder<T...> ladder, Frames& at, std::span<const S> parameters, bool finite_part,
+                                     ErrorOf<S> tolerance) {
+  return climb(
+      ladder,
+      [&]<class In>() { return bounded<O, S, In>(jet_at<F, O>(at.template tracked<In>(), parameters, finite_part)); },
+      [&](const auto& found) { return found.worst() <= tolerance; });
+}
+
+/// In double, at a point whose frames other formulas may share; the result does not depend on which do.
+/// \param finite_part Batch::finite_part \param tolerance of the relative error of each order
+/// \return value and derivatives up to order O with a bound of their error; NaN where a derivative has no limit
+template <class F, int O>
+BoundedJet<double, F::components> bounded_form(PointFrames& at, std::span<const double> parameters, bool finite_part,
+                                               double tolerance) {
+  if (at.is_in_range())
+    return climbed<F, O>(Ladder<double, Mp100, Mp200, Mp400>(), at, parameters, finite_part, tolerance);
+  return climbed<F, O>(Ladder<Mp100, Mp200, Mp400>(), at, parameters, finite_part, tolerance);
+}
+
+/// In multiprecision: all of `digits` (50, 100 or 200) digits, unless more than 400 would be needed for them.
+template <class F, int O>
+BoundedJet<Mp200, F::components> bounded_form(WideFrames& at, std::span<const Mp200> parameters, bool finite_part,
+                                              int digits) {
+  const ErrorOf<Mp200> tolerance = 2 * std::pow(10.0L, -digits);
+  const auto in = [&](auto ladder) { return climbed<F, O>(ladder, at, parameters, finite_part, tolerance); };
+  if (digits <= 50) return in(Ladder<Mp100, Mp200, Mp400>());
+  if (digits <= 100) return in(Ladder<Mp200, Mp400>());
+  return in(Ladder<Mp400>());
+}
+
+/// The closed form of a single formula at a single point. Units and limits: at the formula.
 /// \param s ends, the outward normal to the right of s0 -> s1; third coordinates are not looked at \param eta the point
 /// \param parameters the formula's, in the catalogue's order
-/// \return value and derivatives up to order O; NaN where a derivative has no limit
-template <class F, int O, Scalar R>
-Jet<R, F::components, 2> closed_form(const Segment<R>& s, const Vec3<R>& eta, std::span<const R> parameters = {}) {
-  using W = Working<R>;
-  const Segment<W> wide{convert<W>(s[0]), convert<W>(s[1])};
-  return narrowed<R>(jet_at<F, O>(FarFrame<W>(wide, convert<W>(eta)), parameters, false));
+/// \return value and derivatives up to order O, in double to kTolerance, in multiprecision to all digits; float's are
+/// double's, rounded; NaN where a derivative has no limit
+template <class F, int O, cageproof::Scalar R>
+Jet<R, F::components, 2> closed_form(const Segment<R>& s, const Vec3<R>& eta, std::span<const R> parameters = {},
+                                     bool finite_part = false) {
+  using W = std::conditional_t<is_multiprecision<R>, Mp200, double>;
+  const std::vector<W> wide(parameters.begin(), parameters.end());
+  const std::span<const W> given(wide);
+  const Segment<W> ends{convert<W>(s[0]), convert<W>(s[1])};
+  if constexpr (is_multiprecision<R>) {
+    WideFrames at(ends, convert<W>(eta));
+    return narrowed<R>(bounded_form<F, O>(at, given, finite_part, std::numeric_limits<R>::digits10).jet);
+  } else {
+    PointFrames at(ends, convert<W>(eta));
+    return narrowed<R>(bounded_form<F, O>(at, given, finite_part, kTolerance).jet);
+  }
+}
+
+/// The same in double, every order to kAccurateTolerance relative to its norm, also where the problem itself is
+/// ill-posed, with the bound of the error.
+template <class F, int O>
+BoundedJet<double, F::components> accurate(const Segment<double>& s, const Vec3<double>& eta,
+                                           std::span<const double> parameters = {}, bool finite_part = false) {
+  PointFrames at(s, eta);
+  return bounded_form<F, O>(at, parameters, finite_part, kAccurateTolerance);
 }
 
 }  // namespace cageproof::closed_form::segment

@@ -26,111 +26,127 @@ W plane_dot(const WideVec<W>& a, const WideVec<W>& b) {
   return a[0] * b[0] + a[1] * b[1];
 }
 
-template <Scalar R>
-R plane_length(const R& x, const R& y) {
-  using std::sqrt;
-  if constexpr (is_multiprecision<R>) return sqrt(x * x + y * y);
-  else return std::hypot(x, y);
-}
-
 /// v 2^exponent, exact except where it underflows.
-template <Scalar R>
-WideVec<Wide<R>> shifted(WideVec<Wide<R>> v, int exponent) {
-  if constexpr (std::same_as<R, double>)
-    for (DoubleDouble& c : v.c) c = {std::ldexp(c.high, exponent), std::ldexp(c.low, exponent)};
+inline WideVec<DoubleDouble> shifted(WideVec<DoubleDouble> v, int exponent) {
+  for (DoubleDouble& c : v.c) c = {std::ldexp(c.high, exponent), std::ldexp(c.low, exponent)};
   return v;
 }
 
-/// e x p over their lengths, e the segment and p its end `end` seen from the point, from exact differences.
-template <Scalar R>
-R exact_sine(const ExactSegment& x, int end) {
-  const auto square = [](const std::array<Mp200, 2>& v) { return Mp200(v[0] * v[0] + v[1] * v[1]); };
-  return static_cast<R>(Mp200(x.cross / sqrt(square(x.e) * square(x.p[end]))));
-}
-
-template <Scalar R>
+template <cageproof::Scalar R>
 ExactSegment exactly(const Segment<R>& segment, const Vec3<R>& eta) {
   return {{convert<Mp200>(segment[0]), convert<Mp200>(segment[1])}, convert<Mp200>(eta)};
+}
+
+/// e x p over their lengths, e the segment and p its end `end` seen from the point, from exact differences.
+inline double exact_sine(const ExactSegment& x, int end) {
+  const auto square = [](const std::array<Mp200, 2>& v) { return Mp200(v[0] * v[0] + v[1] * v[1]); };
+  return static_cast<double>(Mp200(x.cross / sqrt(square(x.e) * square(x.p[end]))));
 }
 
 /// Cross products are formed in double-double, good to 2^-104 of their terms; below this multiple of the terms they are
 /// taken from exact differences.
 inline constexpr double kDoubtful = 0x1p-46;
 
+/// An exact number in R, rounded once; tracked ones count that.
+template <Scalar R, class W>
+R rounded_to(const W& x) {
+  if constexpr (is_tracked<R>) return R::rounded(decltype(R::value)(x), 0);
+  else return static_cast<R>(x);
+}
+
 template <Scalar R>
-Frame<R>::Frame(const Segment<R>& segment, const Vec3<R>& eta) : exponent(0), near_exponent(0) {
-  static_assert(!std::same_as<R, float>, "float is computed in double");
-  using std::abs, std::log, std::max;
-  // Differences of the largest numbers overflow, so these are taken a sixteenth as large.
-  Segment<R> corner = segment;
-  Vec3<R> point = eta;  // NOLINT(performance-unnecessary-copy-initialization): double's is changed
-  int shrunk = 0;
-  if constexpr (std::same_as<R, double>) {
-    const double largest =
-        max({segment[0].cwiseAbs().maxCoeff(), segment[1].cwiseAbs().maxCoeff(), eta.cwiseAbs().maxCoeff()});
-    if (largest > 0x1p1000) {
-      shrunk = 4;
-      for (Vec3<R>& v : corner) v *= 0x1p-4;
-      point *= 0x1p-4;
-    }
+template <class W>
+Frame<R>::Frame(const ExactSegmentIn<W>& x) : exponent(0), near_exponent(0) {
+  using std::log, std::sqrt;
+  const auto number = [](const W& exact) { return rounded_to<R>(exact); };
+  const auto size_of_pair = [](const R& a, const R& b) { return R(sqrt(R(a * a + b * b))); };
+  const std::array<R, 2> e{number(x.e[0]), number(x.e[1])};
+  length = size_of_pair(e[0], e[1]);
+  u = {e[0] / length, e[1] / length};
+  n = {u[1], -u[0]};
+  for (int i = 0; i < 2; ++i) {
+    way[i] = (x.e[i] > 0) - (x.e[i] < 0);
+    r[i] = size_of_pair(number(x.p[i][0]), number(x.p[i][1]));
   }
-  const std::array<WideVec<Wide<R>>, 2> exact{wide_difference<R>(corner[0], point),
-                                              wide_difference<R>(corner[1], point)};
-  const WideVec<Wide<R>> along = wide_difference<R>(corner[1], corner[0]);
-  const auto largest_of = [](const WideVec<Wide<R>>& v) {
-    return R(max(R(abs(static_cast<R>(v[0]))), R(abs(static_cast<R>(v[1])))));
+  s = {number(x.before) / length, number(x.after) / length};
+  sum = number(x.middle) / length;
+  near_end = r[0] <= r[1] ? 0 : 1;
+  at_end = x.p[near_end][0] == 0 && x.p[near_end][1] == 0;
+  near_mantissa = r[near_end];
+  R sine = at_end ? R(-1) : x.cross == 0 ? R(-R(0)) : R(number(x.cross) / (length * near_mantissa));
+  near = {at_end ? R(0) : R(s[near_end] / near_mantissa), -sine};
+  h = at_end ? R(-R(0)) : R(sine * near_mantissa);
+  for (int i = 0; i < 2; ++i)
+    log_r[i] = at_end && i == near_end ? R(-std::numeric_limits<R>::infinity()) : R(log(r[i]));
+  set_angle_and_ratio();
+}
+
+template <Scalar R>
+Frame<R>::Frame(const Segment<R>& segment, const Vec3<R>& eta) {
+  static_assert(!std::same_as<R, float>, "float is computed in double");
+  if constexpr (is_multiprecision<R>) *this = Frame(exactly<R>(segment, eta));
+  else set(segment, eta);
+}
+
+template <Scalar R>
+void Frame<R>::set(const Segment<R>& given, const Vec3<R>& eta) requires std::same_as<R, double> {
+  using std::abs, std::max;
+  // Differences of the largest numbers overflow, so these are taken a sixteenth as large.
+  Segment<double> corner = given;
+  Vec3<double> point = eta;
+  int shrunk = 0;
+  const double largest =
+      max({given[0].cwiseAbs().maxCoeff(), given[1].cwiseAbs().maxCoeff(), eta.cwiseAbs().maxCoeff()});
+  if (largest > 0x1p1000) {
+    shrunk = 4;
+    for (Vec3<double>& v : corner) v *= 0x1p-4;
+    point *= 0x1p-4;
+  }
+  using Wide = WideVec<DoubleDouble>;
+  const std::array<Wide, 2> exact{wide_difference<double>(corner[0], point), wide_difference<double>(corner[1], point)};
+  const Wide along = wide_difference<double>(corner[1], corner[0]);
+  const auto largest_of = [](const Wide& v) {
+    return max(abs(static_cast<double>(v[0])), abs(static_cast<double>(v[1])));
   };
-  const auto exponent_of = [](const R& x) {
-    if constexpr (is_multiprecision<R>) return 0;
-    else return x == 0 ? 0 : std::ilogb(x) + 1;
-  };
+  const auto length_of = [](const Wide& v) { return std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1])); };
+  const auto exponent_of = [](double x) { return x == 0 ? 0 : std::ilogb(x) + 1; };
   const int scale = exponent_of(max({largest_of(exact[0]), largest_of(exact[1]), largest_of(along)}));
   exponent = scale + shrunk;
 
-  const WideVec<Wide<R>> e = shifted<R>(along, -scale);
-  length = plane_length<R>(static_cast<R>(e[0]), static_cast<R>(e[1]));
-  u = {static_cast<R>(e[0]) / length, static_cast<R>(e[1]) / length};
+  const Wide e = segment::shifted(along, -scale);
+  length = length_of(e);
+  u = {static_cast<double>(e[0]) / length, static_cast<double>(e[1]) / length};
   n = {u[1], -u[0]};
-  for (int i = 0; i < 2; ++i) way[i] = (segment[0][i] < segment[1][i]) - (segment[1][i] < segment[0][i]);
   for (int i = 0; i < 2; ++i) {
-    const WideVec<Wide<R>> p = shifted<R>(exact[i], -scale);
-    r[i] = plane_length<R>(static_cast<R>(p[0]), static_cast<R>(p[1]));
-    s[i] = static_cast<R>(plane_dot(e, p)) / length;
+    way[i] = (given[0][i] < given[1][i]) - (given[1][i] < given[0][i]);
+    const Wide p = segment::shifted(exact[i], -scale);
+    r[i] = length_of(p);
+    s[i] = static_cast<double>(plane_dot(e, p)) / length;
   }
-  sum = static_cast<R>(plane_dot(e, shifted<R>(plane_sum(exact[0], exact[1]), -scale))) / length;
+  sum = static_cast<double>(plane_dot(e, segment::shifted(plane_sum(exact[0], exact[1]), -scale))) / length;
   near_end = r[0] <= r[1] ? 0 : 1;
-  at_end = eta[0] == segment[near_end][0] && eta[1] == segment[near_end][1];
+  at_end = eta[0] == given[near_end][0] && eta[1] == given[near_end][1];
 
   // The nearer end in a scale of its own, which keeps its direction where the distance itself has few bits left.
   const int near_scale = exponent_of(largest_of(exact[near_end]));
   near_exponent = near_scale + shrunk;
-  const WideVec<Wide<R>> p = shifted<R>(exact[near_end], -near_scale);
-  near_mantissa = plane_length<R>(static_cast<R>(p[0]), static_cast<R>(p[1]));
-  R sine = static_cast<R>(plane_cross(e, p)) / (length * near_mantissa);
-  R cosine = static_cast<R>(plane_dot(e, p)) / (length * near_mantissa);
-  if constexpr (std::same_as<R, double>) {
-    const int side = side_of_line(segment, eta);
-    if (side != 0 && abs(sine) <= kDoubtful) sine = exact_sine<double>(exactly<double>(segment, eta), near_end);
-    sine = side > 0 ? abs(sine) : -abs(sine);  // on the line: minus zero
-    if (side == 0) sine = -0.0;
-  } else {
-    const ExactSegment x = exactly<R>(segment, eta);
-    s = {static_cast<R>(x.before) / length, static_cast<R>(x.after) / length};
-    sum = static_cast<R>(x.middle) / length;
-    sine = exact_sine<R>(x, near_end);
-    cosine = s[near_end] / near_mantissa;
-    if (sine == 0) sine = -R(0);
-  }
+  const Wide p = segment::shifted(exact[near_end], -near_scale);
+  near_mantissa = length_of(p);
+  double sine = static_cast<double>(plane_cross(e, p)) / (length * near_mantissa);
+  double cosine = static_cast<double>(plane_dot(e, p)) / (length * near_mantissa);
+  const int side = side_of_line(given, eta);
+  if (side != 0 && abs(sine) <= kDoubtful) sine = exact_sine(exactly<double>(given, eta), near_end);
+  sine = side > 0 ? abs(sine) : -abs(sine);
+  if (side == 0) sine = -0.0;  // on the line
   if (at_end) {
     sine = -1;
     cosine = 0;
   }
   near = {cosine, -sine};
-  h = at_end ? -R(0) : R(sine * r[near_end]);
-  for (int i = 0; i < 2; ++i) log_r[i] = log(r[i]);
-  if constexpr (std::same_as<R, double>)
-    if (!at_end && near_exponent - exponent < -1000)
-      log_r[near_end] = log(near_mantissa) + (near_exponent - exponent) * std::numbers::ln2;
+  h = at_end ? -0.0 : sine * r[near_end];
+  for (int i = 0; i < 2; ++i) log_r[i] = std::log(r[i]);
+  if (!at_end && near_exponent - exponent < -1000)
+    log_r[near_end] = std::log(near_mantissa) + (near_exponent - exponent) * std::numbers::ln2;
   set_angle_and_ratio();
 }
 

@@ -9,12 +9,17 @@
 #include <array>
 #include <cmath>
 
+namespace cageproof {
+template <class W>
+struct ExactSegmentIn;
+}
+
 namespace cageproof::closed_form::segment {
 
 /// x 2^exponent. In multiprecision, whose exponents do not overflow, frames have the exponent zero.
 template <Scalar R>
 R shifted(const R& x, int exponent) {
-  if constexpr (is_multiprecision<R>) return x;
+  if constexpr (is_wide<R>) return x;
   else if constexpr (is_tracked<R>) return {std::ldexp(x.value, exponent), std::ldexp(x.error, exponent)};
   else return std::ldexp(x, exponent);
 }
@@ -65,6 +70,9 @@ struct Frame {
   Frame() = default;
   /// From exact differences: exact_frame.h.
   Frame(const Segment<R>& segment, const Vec3<R>& eta);
+  /// From exact products, each rounded once to a wide type, tracked or not: exact_frame.h.
+  template <class W>
+  explicit Frame(const ExactSegmentIn<W>& x);
   /// The same with bounds of what was rounded: tracked_frame.h. \pre no number has underflown
   template <std::same_as<double> D>
   explicit Frame(const Frame<D>& seen) requires is_tracked<R>;
@@ -91,6 +99,9 @@ struct Frame {
     const Complex<R> scaled = scaled_inverse(i);
     return {shifted<R>(scaled.re, -exponent), shifted<R>(scaled.im, -exponent)};
   }
+
+ private:
+  void set(const Segment<R>& given, const Vec3<R>& eta) requires std::same_as<R, double>;
 };
 
 template <Scalar R>

@@ -28,7 +28,7 @@ template <class F, int O, class At, class P, class R = typename At::Number>
 Jet<R, F::components, 2> jet_at(const At& frame, std::span<const P> parameters, bool finite_part) {
   if constexpr (requires { F::parameter_count; }) {
     std::array<R, F::parameter_count> own;
-    for (int i = 0; i < F::parameter_count; ++i) own[i] = R(parameters[i]);
+    for (int i = 0; i < F::parameter_count; ++i) own[i] = number_from<R>(parameters[i]);
     return F::template at<O>(frame, Given<R>{own, finite_part});
   } else {
     return F::template at<O>(frame);

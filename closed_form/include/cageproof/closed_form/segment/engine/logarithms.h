@@ -10,7 +10,7 @@ namespace cageproof::closed_form::segment {
 /// The natural logarithm of the frame's unit of length.
 template <Scalar R>
 R unit_logarithm(const Frame<R>& f) {
-  if constexpr (is_multiprecision<R>) return R(0);
+  if constexpr (is_wide<R>) return R(0);
   else return R(f.exponent) * ln_two<R>();
 }
 

@@ -96,7 +96,7 @@ class RadialMoments {
   // ln r - zero, of an end.
   R relative_logarithm(int end, const Radial<R>& g, int q) const {
     using std::log;
-    if constexpr (!is_multiprecision<R>) {
+    if constexpr (!is_wide<R>) {
       constexpr int kComfortable = 60;  // beyond, r is far from where anything vanishes
       if (std::abs(f_.exponent) <= kComfortable)
         return log(R(f_.r[end] * scaled_exponential<R>(-(g.zero + 1.0L / (q + 1)), f_.exponent)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What closed forms on a segment are templates over: the scalars of formulas, and doubles that bound their own error.
+// What closed forms on a segment are templates over: the scalars of formulas, and numbers that bound their own error.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/constants.h"
@@ -8,14 +8,21 @@
 
 namespace cageproof::closed_form::segment {
 
-/// In this folder a scalar is also a double that carries a bound of its own error.
+/// In this folder a scalar is also a number that carries a bound of its own error.
 template <class R>
-concept Scalar = cageproof::Scalar<R> || std::same_as<R, Tracked<double>>;
+concept Scalar = cageproof::Scalar<R> || is_tracked<R>;
 
-template <Scalar R>
-R unit_roundoff() {
-  if constexpr (is_tracked<R>) return R(cageproof::unit_roundoff<double>());
-  else return cageproof::unit_roundoff<R>();
+/// Whether exponents do not overflow.
+template <class R>
+inline constexpr bool is_wide = is_multiprecision<R>;
+template <class T>
+inline constexpr bool is_wide<Tracked<T>> = is_multiprecision<T>;
+
+/// A number given by the caller; tracked ones of multiprecision may have fewer digits.
+template <Scalar R, class P>
+R number_from(const P& x) {
+  if constexpr (is_tracked<R> && is_multiprecision<P>) return R::rounded(decltype(R::value)(x), 0);
+  else return R(x);
 }
 template <Scalar R>
 R pi() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a closed form does on the triangle itself, where derivatives, or even the value, may have no limit.
+// What a closed form does on the triangle's border, where derivatives, or even the value, may have no limit.
 #pragma once
 
 #include "cageproof/closed_form/triangle/engine/limits.h"
@@ -9,20 +9,30 @@ namespace cageproof::closed_form::triangle {
 
 /// The first order without a limit, on the border: its entries without the logarithm of the distance that some have,
 /// and with it, at a distance of one e-th.
-template <class F, int O, Scalar R>
+template <class F, int O, Scalar S>
 struct Logarithms {
   int order;
-  Jet<R, F::components> without, with;
-  R noise;  ///< what differs by rounding alone
+  Jet<S, F::components> without, with;
+  S noise;  ///< what differs by rounding alone
 
-  Logarithms(PointMoments<R, O>& at, std::span<const R> parameters, int limit)
-      : order(limit),
-        without(finish<F, O, R>(composed<F, O, R>(at.moments().template near<F>(), parameters), at.frame().unit, 3)),
-        with(finish<F, O, R>(near_components<F, O>(at.frame(), parameters, R(1)), at.frame().unit, 3)) {
+  /// \tparam T the arithmetic, with S's digits
+  template <class T, class Moments>
+  static Logarithms in(Moments& at, std::span<const S> parameters, int limit) {
+    const auto tracked = tracked_parameters<F, T>(parameters);
+    auto& moments = at.template tracked<T>();
+    const auto jet = [&](const Components<F, Tracked<T>, O>& components) {
+      return bounded<F, O, S, T>(components, S(at.unit()), 3).jet;
+    };
+    return {limit, jet(composed<F, O, Tracked<T>>(moments.template near<F>(), tracked)),
+            jet(near_components<F, O, Tracked<T>>(moments.frame(), tracked, Tracked<T>(1)))};
+  }
+
+  Logarithms(int limit, const Jet<S, F::components>& finite, const Jet<S, F::components>& moved)
+      : order(limit), without(finite), with(moved) {
     using std::abs, std::max;
-    R size = 0;
-    for_each([&size](const R&, const R& moved) { size = max(size, R(abs(moved))); }, without, with);
-    noise = 64 * unit_roundoff<R>() * size;
+    S size = 0;
+    for_each([&size](const S&, const S& x) { size = max(size, S(abs(x))); }, without, with);
+    noise = 64 * unit_roundoff<S>() * size;
   }
 
   /// Calls it with each entry of that order of all jets.
@@ -38,13 +48,13 @@ struct Logarithms {
   }
 
   /// Infinite, with the logarithm's sign, where an entry has one, else zero.
-  Jet<R, F::components> infinities() const {
+  Jet<S, F::components> infinities() const {
     using std::abs;
-    Jet<R, F::components> signs = without;
-    const auto sign = [this](R& x, const R& moved) {
-      const R factor = moved - x;
-      x = R(factor > 0 ? 1 : -1);
-      x = abs(factor) > noise ? R(x * std::numeric_limits<R>::infinity()) : R(0);
+    Jet<S, F::components> signs = without;
+    const auto sign = [this](S& x, const S& moved) {
+      const S factor = moved - x;
+      x = S(factor > 0 ? 1 : -1);
+      x = abs(factor) > noise ? S(x * std::numeric_limits<S>::infinity()) : S(0);
     };
     for_each(sign, signs, with);
     return signs;
@@ -54,7 +64,7 @@ struct Logarithms {
   bool is_doubtful() const {
     using std::abs;
     bool doubtful = false;
-    const auto look = [&](const R& x, const R& moved) { doubtful = doubtful || !(abs(moved - x) > noise); };
+    const auto look = [&](const S& x, const S& moved) { doubtful = doubtful || !(abs(moved - x) > noise); };
     for_each(look, without, with);
     return doubtful;
   }
@@ -64,18 +74,20 @@ struct Logarithms {
 /// entries become infinite with the sign of the logarithm's factor; entries without one keep the limit from inside
 /// where there is one, else NaN. A factor may be as small as the tilt of a face against an axis: those that double
 /// cannot tell from zero are taken from 200 digits, which call factors zero below 1e-198 of the largest.
-template <class F, int O, Scalar R>
-void set_infinities(PointMoments<R, O>& at, std::span<const R> parameters, int limit, Jet<R, F::components>& jet) {
+template <class F, int O, Scalar S, class Moments>
+void set_infinities(Moments& at, std::span<const S> parameters, int limit, Jet<S, F::components>& jet) {
   if constexpr (F::on_border != OnBorder::NoLimit && F::border_order <= O) {
     if (limit > O) return;
-    const Logarithms<F, O, R> logarithms(at, parameters, limit);
-    Jet<R, F::components> infinite = logarithms.infinities();
-    if constexpr (std::same_as<R, double>)
+    using T = std::conditional_t<is_multiprecision<S>, Mp200, double>;
+    const auto logarithms = Logarithms<F, O, S>::template in<T>(at, parameters, limit);
+    Jet<S, F::components> infinite = logarithms.infinities();
+    if constexpr (std::same_as<S, double>)
       if (logarithms.is_doubtful()) {
         const auto wide = widened<F, double, Mp200>(parameters);
-        infinite = narrowed<double>(Logarithms<F, O, Mp200>(at.beyond(), wide, limit).infinities());
+        const std::span<const Mp200> given(wide);
+        infinite = narrowed<double>(Logarithms<F, O, Mp200>::template in<Mp200>(at.wide(), given, limit).infinities());
       }
-    const auto set = [](R& x, const R& without, const R& infinity) {
+    const auto set = [](S& x, const S& without, const S& infinity) {
       if (infinity != 0) x = infinity;
       else if (F::on_border == OnBorder::Logarithm) x = without;
     };

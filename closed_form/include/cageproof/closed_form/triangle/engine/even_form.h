@@ -94,14 +94,15 @@ class EvenForm {
   static constexpr int K = N >= 1 ? N - 1 : 0;
 
   // Whether d is next to nothing beside the distance: off the plane each derivative divides by d, while in it what is
-  // left out of second derivatives is d over the distance.
+  // left out of second derivatives is d over the distance: less than what half of the digits tell, which are as many
+  // as anybody asks of this arithmetic.
   bool is_flat() const {
     if (frame_.d == R(0)) return true;
     if constexpr (kDigits < R >> 0) {
       using std::abs;
       const auto& e = frame_.edges;
       const bool within = e[0].h >= R(0) && e[1].h >= R(0) && e[2].h >= R(0);
-      return !within && abs(frame_.d) < R(std::pow(10., -0.31 * kDigits<R>)) * distance_of(frame_);
+      return !within && abs(frame_.d) < R(std::pow(10., -kDigits<R> / 2 - 2)) * distance_of(frame_);
     } else {
       return false;
     }

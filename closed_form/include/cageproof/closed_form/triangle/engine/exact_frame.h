@@ -28,38 +28,48 @@ inline constexpr double kDoubtful = 0x1p-46;
 /// beyond 2^(2 kExtreme).
 inline constexpr int kExtreme = 120, kExtremeUnit = 900;
 
+/// An exact number in R, rounded once; tracked ones count that.
+template <class R, class W>
+R rounded_to(const W& x) {
+  if constexpr (Scalar<R>) return static_cast<R>(x);
+  else return R::rounded(decltype(R::value)(x), 0);
+}
+
 template <class R>
 Frame<R>::Frame(const Triangle<R>& t, const Vec3<R>& eta) requires Scalar<R> {
   if constexpr (is_multiprecision<R>)
-    set(ExactTriangle({convert<Mp200>(t[0]), convert<Mp200>(t[1]), convert<Mp200>(t[2])}, convert<Mp200>(eta)));
+    *this =
+        Frame(ExactTriangle({convert<Mp200>(t[0]), convert<Mp200>(t[1]), convert<Mp200>(t[2])}, convert<Mp200>(eta)));
   else set(t, eta);
 }
 
 template <class R>
-void Frame<R>::set(const ExactTriangle& x) requires Scalar<R> {
+template <class W>
+Frame<R>::Frame(const ExactTriangleIn<W>& x) {
   using std::sqrt;
-  unit = R(1);
-  const auto vector = [](const Vec3<Mp200>& v) {
-    return Vec3<R>(static_cast<R>(v[0]), static_cast<R>(v[1]), static_cast<R>(v[2]));
-  };
+  const auto number = [](const W& exact) { return rounded_to<R>(exact); };
+  const auto vector = [&](const Vec3<W>& v) { return Vec3<R>(number(v[0]), number(v[1]), number(v[2])); };
+  const auto length = [](const Vec3<R>& v) { return R(sqrt(R(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]))); };
+  const auto over = [](const Vec3<R>& v, const R& by) { return Vec3<R>(v[0] / by, v[1] / by, v[2] / by); };
   for (int i = 0; i < 3; ++i) {
     p[i] = vector(x.p[i]);
-    r[i] = sqrt(p[i].dot(p[i]));
+    r[i] = length(p[i]);
   }
   find_far_corner();
-  const Vec3<R> N = vector(x.normal);
-  area2 = sqrt(N.dot(N));
-  n = N / area2;
-  d = -static_cast<R>(x.volume) / area2;
+  const Vec3<R> normal = vector(x.normal);
+  area2 = length(normal);
+  n = over(normal, area2);
+  d = -number(x.volume) / area2;
   for (int i = 0; i < 3; ++i) {
     FrameEdge<R>& e = edges[i];
     const Vec3<R> along = vector(x.e[i]);
-    e.length = sqrt(along.dot(along));
-    e.u = along / e.length;
-    e.nu = vector(x.outward[i]) / (e.length * area2);
-    e.h = static_cast<R>(x.beside[i]) / (e.length * area2);
-    e.s0 = static_cast<R>(x.before[i]) / e.length;
-    e.s1 = static_cast<R>(x.after[i]) / e.length;
+    e.length = length(along);
+    e.u = over(along, e.length);
+    const R scale = e.length * area2;
+    e.nu = over(vector(x.outward[i]), scale);
+    e.h = number(x.beside[i]) / scale;
+    e.s0 = number(x.before[i]) / e.length;
+    e.s1 = number(x.after[i]) / e.length;
     e.r0 = r[i];
     e.r1 = r[(i + 1) % 3];
     e.D2 = e.h * e.h + d * d;
@@ -181,21 +191,22 @@ inline bool heights_are_certain(const Frame<Tracked<DoubleDouble>>& f) {
   return certain(f.d) && certain(f.edges[0].h) && certain(f.edges[1].h) && certain(f.edges[2].h);
 }
 
-/// A frame's number as a tracked one. In its own type it is the outcome of at most eight roundings, from a wider one it
-/// is rounded once.
-template <class R, Scalar S>
+/// A frame's number as a tracked one. Double's own is the outcome of at most eight roundings; one from a wider type,
+/// which knows its error, is rounded once more.
+template <class R, class S>
 R tracked_from(const S& x) {
   using T = decltype(R::value);
   if constexpr (std::same_as<T, S>) {
     return R(x, 8 * size_of(x));
   } else {
-    const T value(x);
-    return R(value, size_of(value));
+    using Wider = decltype(S::value);
+    const T value(x.value);
+    return R(value, size_of(value) + static_cast<ErrorOf<T>>(x.error * (roundoff_of<Wider>() / roundoff_of<T>())));
   }
 }
 
 template <class R>
-template <Scalar S>
+template <class S>
 Frame<R>::Frame(const Frame<S>& wider)
     : area2(tracked_from<R>(wider.area2)), unit(tracked_from<R>(wider.unit)), far_corner(wider.far_corner) {
   const auto vector = [](const Vec3<S>& v) {

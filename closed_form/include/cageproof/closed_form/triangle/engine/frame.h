@@ -10,7 +10,8 @@
 #include <cmath>
 
 namespace cageproof {
-struct ExactTriangle;
+template <class W>
+struct ExactTriangleIn;
 }
 
 namespace cageproof::closed_form::triangle {
@@ -45,8 +46,11 @@ struct Frame {
   Frame() = default;
   /// From exact differences: exact_frame.h.
   Frame(const Triangle<R>& t, const Vec3<R>& eta) requires Scalar<R>;
+  /// From exact products, each rounded once to a wide type, tracked or not: exact_frame.h. Lengths are the caller's.
+  template <class W>
+  explicit Frame(const ExactTriangleIn<W>& x);
   /// The same geometry, rounded to a tracked type.
-  template <Scalar S>
+  template <class S>
   explicit Frame(const Frame<S>& wider);
   /// In tracked double-doubles, from exact differences, of what was seen in double.
   Frame(const Frame<double>& seen, const Triangle<double>& t,
@@ -88,7 +92,6 @@ struct Frame {
   }
 
  private:
-  void set(const ExactTriangle& x) requires Scalar<R>;
   void set(const Triangle<R>& t, const Vec3<R>& eta) requires std::same_as<R, double>;
 };
 

@@ -16,12 +16,12 @@ int first_divergent(const Frame<R>& f) {
 
 /// On the triangle, of formulas that diverge there: infinite where the hat function is positive, NaN where it vanishes,
 /// since the limit depends on the direction there; no derivative.
-template <class F, int O, Scalar R>
-Jet<R, F::components> diverging_weights(const Frame<R>& f) {
+template <class F, int O, Scalar S, class R>
+Jet<S, F::components> diverging_weights(const Frame<R>& f) {
   static_assert(F::components == 3);
-  Jet<R, F::components> jet = finish<F, O, R>({}, f.unit, 1);
+  Jet<S, F::components> jet = finish<F, O, S>({}, S(1), 1);
   for (int k = 0; k < 3; ++k)
-    jet.value[k] = f.hat(k) > 0 ? std::numeric_limits<R>::infinity() : std::numeric_limits<R>::quiet_NaN();
+    jet.value[k] = f.hat(k) > R(0) ? std::numeric_limits<S>::infinity() : std::numeric_limits<S>::quiet_NaN();
   return jet;
 }
 

@@ -17,28 +17,17 @@
   prefix template class EvenForm<R, 1>;    \
   prefix template class EvenForm<R, 2>;
 
-// With frames from exact differences.
+// With frames.
 #define CAGEPROOF_MOMENTS(prefix, R) \
   CAGEPROOF_FORMS(prefix, R)         \
   prefix template struct Frame<R>;
 
-// The far form in multiprecision, which every formula asks for.
-#define CAGEPROOF_FAR_MOMENTS(prefix, R)                    \
-  prefix template class HatMoments<R, 0, 0, SquareSums<R>>; \
-  prefix template class HatMoments<R, 1, 1, SquareSums<R>>; \
-  prefix template class HatMoments<R, 2, 2, SquareSums<R>>; \
-  prefix template class HatMoments<R, 2, 1, SquareSums<R>>; \
-  prefix template class HatMoments<R, 3, 2, SquareSums<R>>; \
-  prefix template class HatMoments<R, 4, 3, SquareSums<R>>;
-
 namespace cageproof::closed_form::triangle {
 CAGEPROOF_FORMS(extern, float)
 CAGEPROOF_MOMENTS(extern, double)
-CAGEPROOF_MOMENTS(extern, Mp100)
-CAGEPROOF_MOMENTS(extern, Mp200)
-CAGEPROOF_FAR_MOMENTS(extern, Mp100)
-CAGEPROOF_FAR_MOMENTS(extern, Mp200)
 CAGEPROOF_MOMENTS(extern, Tracked<double>)
 CAGEPROOF_MOMENTS(extern, Tracked<DoubleDouble>)
+CAGEPROOF_MOMENTS(extern, Tracked<Mp100>)
 CAGEPROOF_MOMENTS(extern, Tracked<Mp200>)
+CAGEPROOF_MOMENTS(extern, Tracked<Mp400>)
 }  // namespace cageproof::closed_form::triangle

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Joint evaluation: several closed forms on one element, with everything that they share computed once a point.
+#pragma once
+
+#include "cageproof/closed_form/put.h"
+
+#include "cageproof/core/evaluation.h"
+
+namespace cageproof::closed_form {
+
+/// Calls `f.template operator()<O>()` with the derivative order as a constant.
+template <class F>
+void with_order(int order, F&& f) {
+  if (order == 0) f.template operator()<0>();
+  else if (order == 1) f.template operator()<1>();
+  else f.template operator()<2>();
+}
+
+/// How one closed form puts its tensors up to order O at a point. `At<R, O>` is what the formulas of the element kind
+/// share there.
+template <class At, Scalar R>
+using PutAt = void (*)(At& at, std::span<const R> parameters, bool finite_part, std::size_t point,
+                       const BatchOutput<R>& output);
+
+/// One closed form in all scalars and orders, for elements whose formulas share Shared::At<R, O>: what joint evaluation
+/// knows of each member.
+template <class Shared>
+class Member {
+ public:
+  template <Scalar R, int O>
+  using Function = PutAt<typename Shared::template At<R, O>, R>;
+
+  /// \tparam Form has `static void put<R, O>(...)`, a Function<R, O>
+  template <class Form>
+  static constexpr Member of() {
+    Member m;
+    m.set<Form, float>();
+    m.set<Form, double>();
+    m.set<Form, Mp50>();
+    m.set<Form, Mp100>();
+    m.set<Form, Mp200>();
+    return m;
+  }
+  template <Scalar R, int O>
+  Function<R, O> function() const {
+    return std::get<O>(std::get<index<R>>(functions_));
+  }
+
+ private:
+  template <Scalar R>
+  using Orders = std::tuple<Function<R, 0>, Function<R, 1>, Function<R, 2>>;
+  template <Scalar R>
+  static constexpr std::size_t index = static_cast<std::size_t>(kind_of<R>());
+
+  template <class Form, Scalar R>
+  constexpr void set() {
+    std::get<index<R>>(functions_) = {&Form::template put<R, 0>, &Form::template put<R, 1>, &Form::template put<R, 2>};
+  }
+
+  std::tuple<Orders<float>, Orders<double>, Orders<Mp50>, Orders<Mp100>, Orders<Mp200>> functions_{};
+};
+
+/// Runs `count` members over a batch. \param member the i-th one
+template <class Shared, Scalar R, class MemberAt>
+void run_members(std::size_t count, const MemberAt& member, const Batch<R>& batch,
+                 std::span<const BatchOutput<R>> outputs) {
+  with_order(batch.order, [&]<int O>() {
+    const typename Shared::template Element<R> element(batch.corners);
+    for (std::size_t p = 0; p < batch.points.size(); ++p) {
+      typename Shared::template At<R, O> at(element, batch.points[p]);
+      for (std::size_t m = 0; m < count; ++m)
+        member(m).template function<R, O>()(at, batch.parameters, batch.finite_part, p, outputs[m]);
+    }
+  });
+}
+
+/// EvaluationFunctions::Joint for evaluations whose payload is a Member<Shared>.
+template <class Shared, Scalar R>
+void run_jointly(std::span<const Evaluation* const> members, const Batch<R>& batch,
+                 std::span<const BatchOutput<R>> outputs) {
+  const auto member = [&](std::size_t m) -> const Member<Shared>& {
+    return *static_cast<const Member<Shared>*>(members[m]->joint_payload());
+  };
+  run_members<Shared, R>(members.size(), member, batch, outputs);
+}
+
+/// Gives an evaluation its functions in all scalars. \param member lives as long as the program
+template <class Shared>
+void set_member(Evaluation& evaluation, const Member<Shared>& member) {
+  for (const ScalarKind kind : scalar_kinds)
+    with_scalar(kind, [&]<Scalar R>() {
+      evaluation.set_batch<R>([&member](const Batch<R>& batch, const BatchOutput<R>& output) {
+        run_members<Shared, R>(
+            1, [&](std::size_t) -> const Member<Shared>& { return member; }, batch, std::span(&output, 1));
+      });
+      evaluation.set_joint<R>(&run_jointly<Shared, R>, &member);
+    });
+}
+
+}  // namespace cageproof::closed_form

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// A closed form's results in the plane with a bound of their error, from numbers that carry one along.
+#pragma once
+
+#include "cageproof/closed_form/arithmetic/jet.h"
+#include "cageproof/closed_form/arithmetic/tracked.h"
+#include "cageproof/closed_form/segment/engine/scalar.h"
+
+namespace cageproof::closed_form::segment {
+
+/// A jet, and a bound of each order's relative error, norm-wise over its finite entries; zero where all of them are
+/// exact.
+template <cageproof::Scalar S, int C>
+struct BoundedJet {
+  using Bound = ErrorOf<S>;
+
+  Jet<S, C, 2> jet;
+  std::array<Bound, 3> bound{0, 0, 0};
+
+  Bound worst() const { return std::max({bound[0], bound[1], bound[2]}); }
+};
+
+/// Calls it with each entry of an order of a jet.
+template <class R, int C, class Visit>
+void for_each_entry(int order, const Jet<R, C, 2>& jet, Visit&& visit) {
+  for (int c = 0; c < C; ++c) {
+    if (order == 0) visit(jet.value[c]);
+    for (int i = 0; i < 2; ++i) {
+      if (order == 1) visit(jet.gradient[c][i]);
+      for (int j = 0; order == 2 && j < 2; ++j) visit(jet.hessian[c](i, j));
+    }
+  }
+}
+
+/// A tracked jet up to order O, rounded to S, with its bound.
+template <int O, cageproof::Scalar S, class T, int C>
+BoundedJet<S, C> bounded(const Jet<Tracked<T>, C, 2>& from) {
+  using Bound = ErrorOf<S>;
+  // Squares of what multiprecision holds may leave double's range.
+  using Sum = std::conditional_t<is_multiprecision<T>, T, double>;
+  BoundedJet<S, C> result;
+  for (int c = 0; c < C; ++c) {
+    result.jet.value[c] = static_cast<S>(from.value[c].value);
+    for (int i = 0; i < 2; ++i) {
+      result.jet.gradient[c][i] = static_cast<S>(from.gradient[c][i].value);
+      for (int j = 0; j < 2; ++j) result.jet.hessian[c](i, j) = static_cast<S>(from.hessian[c](i, j).value);
+    }
+  }
+  for (int o = 0; o <= O; ++o) {
+    Sum size = 0, error = 0;
+    bool overflows = false;
+    for_each_entry(o, from, [&](const Tracked<T>& x) {
+      if constexpr (is_multiprecision<T>) {
+        if (!isfinite(x.value)) return;  // a limit
+        size += x.value * x.value;
+        Sum bound;
+        mpfr_set_ld(bound.data(), x.error, MPFR_RNDU);
+        error += bound * bound;
+      } else {
+        overflows = overflows || !std::isfinite(x.value);
+        size = std::hypot(size, x.value);
+        error = std::hypot(error, x.error);
+      }
+    });
+    using std::sqrt;
+    if (error == Sum(0) && !overflows) continue;
+    const Sum ratio = is_multiprecision<T> ? Sum(sqrt(Sum(error / size))) : Sum(error / size);
+    result.bound[o] = static_cast<Bound>(roundoff_of<T>() * static_cast<ErrorOf<T>>(ratio));
+    if (!std::same_as<T, S>) result.bound[o] += static_cast<Bound>(cageproof::unit_roundoff<S>());
+    if (overflows || !(result.bound[o] < 1)) result.bound[o] = 1;
+  }
+  return result;
+}
+
+}  // namespace cageproof::closed_form::segment

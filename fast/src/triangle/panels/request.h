@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What is asked of the sums over Gauss points, which are compiled once for each instruction set. Nothing of the
+// library's other headers may be seen there: inline functions of these must not be compiled for a set of their own.
+#pragma once
+
+namespace cageproof::fast::triangle {
+
+/// The most coefficients of a Taylor polynomial: those of degree four in three variables.
+inline constexpr int kMostCoefficients = 35, kHighestDegree = 4;
+
+/// The points of a collapsed product rule on the unit square, filled up to whole vectors with points of no weight.
+struct PanelRule {
+  const double* u;
+  const double* v;
+  const double* weight;  ///< of both directions and the collapsed corner
+  int count;             ///< a multiple of eight
+};
+
+/// The sums over one panel, a triangle with corners a, a + side, a + side + base as the point sees them: the three
+/// affine weights times r^power, as Taylor polynomials in a displacement of the point.
+struct PanelRequest {
+  PanelRule rule;
+  double a[3], side[3], base[3];
+  double hat[3][3];  ///< of each weight, at each of the panel's corners
+  double area2;
+  int power, degree;
+  double* sums;   ///< [3][kMostCoefficients], added to
+  double* sizes;  ///< [3][kHighestDegree + 1] or nullptr: the same sums of r^(power - k), added to
+};
+
+using PanelSum = void (*)(const PanelRequest&);
+extern const PanelSum panel_sum_plain, panel_sum_avx2, panel_sum_avx512;
+
+}  // namespace cageproof::fast::triangle
