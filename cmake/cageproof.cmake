@@ -77,11 +77,12 @@ function(cageproof_room name)
   endif()
 endfunction()
 
-# cageproof_forms(NAME ELEMENT REGISTER CLASS): registers, in the room of that name, something of each closed form on an element. Each header in the folder
-# of the element's closed forms, <kernel>.h, has a struct of that name in capitals: of it, one source says
+# cageproof_forms(TARGET ROOM ELEMENT INCLUDE REGISTER CLASS): registers in TARGET what ROOM makes of each closed form on an element. Each header
+# INCLUDE/cageproof/closed_form/<element>/<kernel>.h has a struct of its name in capitals; a source is written that says of it
 # `const CLASS<Kernel> registered{"<element>.<kernel>"};`, with CLASS from the header REGISTER.
-function(cageproof_forms name element register class)
-  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/closed_form/include/cageproof/closed_form/${element}/*.h)
+function(cageproof_forms target room element include register class)
+  set(folder cageproof/closed_form/${element})
+  file(GLOB headers CONFIGURE_DEPENDS ${include}/${folder}/*.h)
   set(group 0)
   foreach(header ${headers})
     cmake_path(GET header STEM kernel)
@@ -94,22 +95,30 @@ function(cageproof_forms name element register class)
       string(TOUPPER ${first} first)
       string(APPEND form ${first}${rest})
     endforeach()
-    set(source ${CMAKE_CURRENT_BINARY_DIR}/${element}/${kernel}.cpp)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${room}/${element}/${kernel}.cpp)
     file(CONFIGURE OUTPUT ${source} CONTENT "// Written by cageproof_forms.
-#include \"cageproof/closed_form/${element}/${kernel}.h\"
+#include \"${folder}/${kernel}.h\"
 
 #include \"${register}\"
 
-namespace cageproof::${name}::${element} {
+namespace cageproof::${room}::${element} {
 namespace {
 
 const ${class}<closed_form::${element}::${form}> register_${kernel}{\"${element}.${kernel}\"};
 
 }  // namespace
-}  // namespace cageproof::${name}::${element}
+}  // namespace cageproof::${room}::${element}
 ")
-    target_sources(cageproof_${name} PRIVATE ${source})
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP forms_${element}_${group})
+    target_sources(${target} PRIVATE ${source})
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP forms_${room}_${element}_${group})
+  endforeach()
+endfunction()
+
+# cageproof_all_forms(TARGET INCLUDE): the closed forms in a folder of headers, in every room that registers some.
+function(cageproof_all_forms target include)
+  foreach(element triangle segment)
+    cageproof_forms(${target} closed_form ${element} ${include} ${PROJECT_SOURCE_DIR}/closed_form/src/${element}/engine/register_form.h RegisterForm)
+    cageproof_forms(${target} fast ${element} ${include} ${PROJECT_SOURCE_DIR}/fast/src/${element}/register_hybrid.h RegisterHybrid)
   endforeach()
 endfunction()
 

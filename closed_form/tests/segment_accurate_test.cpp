@@ -5,7 +5,8 @@
 #include "cageproof/closed_form/segment/biharmonic_double_layer.h"
 #include "cageproof/closed_form/segment/biharmonic_single_layer.h"
 #include "cageproof/closed_form/segment/double_layer.h"
-#include "cageproof/closed_form/segment/engine/accurate.h"
+#include "cageproof/closed_form/segment/engine/closed_form.h"
+#include "cageproof/closed_form/segment/engine/plain.h"
 #include "cageproof/closed_form/segment/mean_value.h"
 #include "cageproof/closed_form/segment/single_layer.h"
 #include "cageproof/closed_form/segment/winding_angle.h"
@@ -68,9 +69,7 @@ TEST(segment_accurate, has_its_digits_where_a_potential_is_all_but_zero) {
   const SegmentSample sample = sample_of(low);
   const auto truth = integral<SingleKernel>(sample);
   ASSERT_LT(abs(truth.value[0]), Mp100("1e-16"));
-  const auto plain = closed_form<SingleLayer, 0, double>(sample.s, sample.point);
-  Jet<double, 1, 2> rough;
-  rough.value = plain.value;
+  const auto rough = plain<SingleLayer, 0>(sample.s, sample.point);
   EXPECT_GT(relative_error(truth, rough, 0), 1e-6);
   expect_what_is_stated<SingleLayer, SingleKernel>(sample, "next to a zero");
 }

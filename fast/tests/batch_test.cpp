@@ -363,7 +363,7 @@ TEST(Batched, every_instruction_set_of_the_machine) {
 TEST(Batched, kinds_that_it_does_not_know) {
   const Cage square = embedded_cage("square");
   EXPECT_THROW(coordinates_of(square, "biharmonic_affine", "batched"), InputError);
-  EXPECT_EQ(coordinates_of(square, "biharmonic_affine", std::string(quickest)).evaluation(), "closed_form");
+  EXPECT_EQ(coordinates_of(square, "biharmonic_affine", std::string(quickest)).evaluation(), "hybrid");
   EXPECT_EQ(coordinates_of(square, "green", std::string(quickest)).evaluation(), "batched");
   EXPECT_EQ(coordinates_of(embedded_cage("cube"), "green", std::string(quickest)).evaluation(), "batched");
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What is explained must be what the closed form computes: bit for bit, wherever it computes in double.
+// What is explained must be what the recommended evaluation computes: bit for bit, wherever it computes in double.
 #include "cageproof/closed_form/explain.h"
-#include "cageproof/closed_form/triangle/engine/closed_form.h"
 #include "cageproof/closed_form/triangle/single_layer.h"
 #include "cageproof/core/evaluation.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/random_stream.h"
+#include "cageproof/fast/triangle/hybrid.h"
 #include "segment_samples.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ std::pair<Mp200, double> truth_of(const Formula& formula, const Query<double>& q
 
 class Explained : public testing::TestWithParam<std::string_view> {};
 
-TEST_P(Explained, is_what_the_closed_form_computes) {
+TEST_P(Explained, is_what_the_recommended_one_computes) {
   const Formula& formula = formula_named(GetParam());
   std::vector<double> parameters;
   parameters.reserve(formula.parameters.size());
@@ -83,7 +83,7 @@ TEST_P(Explained, is_what_the_closed_form_computes) {
     const int order = i % 3;
     Result<double> result, alone;
     const Query<double> query{input.corners, input.point, order, parameters};
-    evaluation_named(formula.name, "closed_form")(query, alone);
+    (*EvaluationRegister::instance().with_role(formula.name, Role::Recommended))(query, alone);
     const std::size_t entry = static_cast<std::size_t>(i) % alone.of(order).size();
     const Explanation e = explain(formula, query, entry, result);
     EXPECT_EQ(e.entry, entry);
@@ -153,10 +153,8 @@ int kept_by_its_bound() {
                              Vec3<double>(random.uniform(0.8, 1), random.uniform(0.1, 0.35), 0)};
     const Input input{{t[0], t[1], t[2]},
                       {random.uniform(0, 1), random.uniform(-0.1, 0.1), random.uniform(0.001, 0.1)}};
-    triangle::PointMoments<double, O> at(t, input.point);
-    if (!at.on_panels().panels(triangle::panels_wanted<F, O>(at.frame())).empty() ||
-        triangle::tracked_near<F, double>(at, {}, 3).worst() > triangle::kFastTolerance)
-      continue;
+    fast::triangle::HybridMoments<O> at(t, input.point);
+    if (fast::triangle::hybrid<F, O>(at, {}).route != fast::triangle::Route::Tracked) continue;
     ++kept;
     Result<double> result;
     for (std::size_t entry = 0; entry < derivative_count(3, O); ++entry)

@@ -107,21 +107,23 @@ void expect_equal(const std::vector<Evaluation>& group, const std::vector<Input>
   }
 }
 
-std::vector<Evaluation> group_of(std::initializer_list<const char*> formulas) {
+std::vector<Evaluation> group_of(std::initializer_list<const char*> formulas, Role role) {
   std::vector<Evaluation> group;
-  for (const char* name : formulas) group.push_back(*EvaluationRegister::instance().with_role(name, Role::Recommended));
+  for (const char* name : formulas) group.push_back(*EvaluationRegister::instance().with_role(name, role));
   return group;
 }
 
 void expect_equal_in_all_scalars(std::initializer_list<const char*> formulas, const std::vector<Input>& inputs,
                                  int wide_inputs, std::array<double, 2> given = {1.5, 0.25}) {
-  const auto group = group_of(formulas);
   const std::vector<Input> few(inputs.begin(), inputs.begin() + wide_inputs);
-  for (const ScalarKind kind : scalar_kinds)
-    with_scalar(kind, [&]<Scalar R>() {
-      const std::array<R, 2> parameters{R(given[0]), R(given[1])};
-      expect_equal<R>(group, is_multiprecision<R> ? few : inputs, parameters);
-    });
+  for (const Role role : {Role::Recommended, Role::ClosedForm}) {
+    const auto group = group_of(formulas, role);
+    for (const ScalarKind kind : scalar_kinds)
+      with_scalar(kind, [&]<Scalar R>() {
+        const std::array<R, 2> parameters{R(given[0]), R(given[1])};
+        expect_equal<R>(group, is_multiprecision<R> || role == Role::ClosedForm ? few : inputs, parameters);
+      });
+  }
 }
 
 TEST(joint, green_coordinates) {

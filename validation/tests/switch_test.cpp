@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Where the fast evaluation changes from the edge form to Gauss points, both must keep its promise, so that no jump can
+// Where the hybrid changes from the edge form to Gauss points, both must keep its promise, so that no jump can
 // be seen.
 #include "cageproof/closed_form/triangle/affine_single_layer.h"
 #include "cageproof/closed_form/triangle/biharmonic_double_layer.h"
 #include "cageproof/closed_form/triangle/biharmonic_single_layer.h"
 #include "cageproof/closed_form/triangle/double_layer.h"
-#include "cageproof/closed_form/triangle/engine/closed_form.h"
 #include "cageproof/closed_form/triangle/kelvin_displacement.h"
 #include "cageproof/closed_form/triangle/kelvin_traction.h"
 #include "cageproof/closed_form/triangle/mean_value.h"
 #include "cageproof/closed_form/triangle/single_layer.h"
 #include "cageproof/closed_form/triangle/solid_angle.h"
+#include "cageproof/fast/triangle/hybrid.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/regime.h"
 #include "cageproof/validation/truth.h"
@@ -21,6 +21,7 @@ namespace cageproof::validation {
 namespace {
 
 namespace cf = closed_form::triangle;
+namespace hybrid = fast::triangle;
 
 // The point on the ray from the centroid where the far form takes over.
 template <class F>
@@ -31,7 +32,7 @@ Vec3<double> switch_point(const Triangle<double>& t, const Vec3<double>& through
     const double middle = (near + far) / 2;
     const Vec3<double> point = centre + middle * ray;
     const cf::Frame<double> frame(t, point);
-    const bool is_far = !cf::cut_to_panels(frame, t, point, cf::panels_wanted<F, 2>(frame)).empty();
+    const bool is_far = !hybrid::cut_to_panels(frame, t, point, hybrid::panels_wanted<F, 2>(frame)).empty();
     (is_far ? far : near) = middle;
   }
   return centre + far * ray;
@@ -46,17 +47,17 @@ void expect_no_jump(const std::string& name, int samples) {
     const Triangle<double> t{sample.corners[0], sample.corners[1], sample.corners[2]};
     sample.point = switch_point<F>(t, sample.point);
     const cf::Frame<double> frame(t, sample.point);
-    const cf::Panels panels = cf::cut_to_panels(frame, t, sample.point, cf::panels_wanted<F, 2>(frame));
+    const hybrid::Panels panels = hybrid::cut_to_panels(frame, t, sample.point, hybrid::panels_wanted<F, 2>(frame));
     ASSERT_FALSE(panels.empty());
     using Jet = closed_form::Jet<double, F::components>;
     const std::span<const double> parameters(sample.parameters);
-    const cf::PanelFormOf<F, double, 2> moments(frame, panels);
+    const hybrid::PanelFormOf<F, double, 2> moments(frame, panels);
     const Jet far = cf::finish<F, 2, double>(cf::composed<F, 2, double>(moments, parameters), frame.unit, 3);
     Jet near = cf::finish<F, 2, double>(cf::near_components<F, 2>(frame, parameters), frame.unit, 3);
     // What is thin is computed with more digits on the near side.
-    if (F::cancels_nearby || frame.shape() < cf::kThinShape) {
-      cf::PointMoments<double, 2> at(t, sample.point);
-      near = cf::refined<F>(at, parameters, cf::kAccurateTolerance, 3).jet;
+    if (F::cancels_nearby || frame.shape() < hybrid::kThinShape) {
+      cf::PointMoments<2> at(t, sample.point);
+      near = cf::bounded_form<F, 2>(at, parameters, false, cf::kTolerance).jet;
     }
     const Truth truth = truth_from(source, sample, 2);
     for (int o = 0; o <= 2; ++o) {
@@ -70,7 +71,7 @@ void expect_no_jump(const std::string& name, int samples) {
         for (int d = 0; o == 1 && d < 3; ++d) add(far.gradient[c][d], near.gradient[c][d]);
         for (int d = 0; o == 2 && d < 9; ++d) add(far.hessian[c](d / 3, d % 3), near.hessian[c](d / 3, d % 3));
       }
-      const double promise = *promise_for({"truth", name, "closed_form", "double", "generic", o}).bound;
+      const double promise = *promise_for({"truth", name, "hybrid", "double", "generic", o}).bound;
       EXPECT_LE(static_cast<double>(Mp100(sqrt(jump) / (truth.conditioned[o] * Mp100(unit_roundoff<double>())))),
                 promise)
           << "order " << o << ", sample " << i;

@@ -58,9 +58,9 @@ inline constexpr closed_form::Member<SharedOnSegment> member_of =
 template <class F>
 class RegisterHybrid {
  public:
-  explicit RegisterHybrid(std::string_view formula) : family_(hybrid_family(formula, [](Evaluation& evaluation) {
-                                                        closed_form::set_member(evaluation, member_of<F>);
-                                                      })) {
+  explicit RegisterHybrid(std::string_view formula)
+      : family_(
+            hybrid_family(formula, [](Evaluation& evaluation) { closed_form::set_member(evaluation, member_of<F>); })) {
     Algebra<F>::formula = formula;
   }
 

@@ -134,9 +134,7 @@ struct Tracked {
   using Constants = MpConstants<is_multiprecision<T> && (std::numeric_limits<T>::digits10 > 200) ? 400 : 200>;
   /// The magnitude less its own error: what a divisor may have shrunk to; zero where nothing of it is certain.
   static Error remaining(const Tracked& a) { return remaining(least_size_of(a.value), a.error); }
-  static Error remaining(Error magnitude, Error error) {
-    return std::max(Error(0), magnitude - kRoundoff * error);
-  }
+  static Error remaining(Error magnitude, Error error) { return std::max(Error(0), magnitude - kRoundoff * error); }
 };
 
 }  // namespace cageproof::closed_form

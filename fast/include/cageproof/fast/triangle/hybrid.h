@@ -74,8 +74,7 @@ struct Hybrid {
 template <class F, int O>
 Hybrid<F> from_panels(HybridMoments<O>& at, const Panels& panels, std::span<const double> parameters) {
   const Frame<double>& f = at.frame();
-  if constexpr (F::cancels_far && O > 0)
-    return {Route::Panels, tracked_on_panels<F, O>(f, parameters, panels)};
+  if constexpr (F::cancels_far && O > 0) return {Route::Panels, tracked_on_panels<F, O>(f, parameters, panels)};
   else
     return {Route::Panels,
             finish<F, O, double>(composed<F, O, double>(at.on_panels().template moments<F>(panels), parameters), f.unit,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Third edit: the closed form, from a triangle's moments.
-#include "engine/register_form.h"
+#pragma once
+
+#include "cageproof/closed_form/triangle/engine/kernel.h"
 
 namespace cageproof::closed_form::triangle {
-namespace {
 
 /// int 1/r: a length. Finite everywhere; on the border the gradient is infinite.
 struct MyPotential : OddPowers {
@@ -15,7 +16,4 @@ struct MyPotential : OddPowers {
   }
 };
 
-const RegisterForm<MyPotential> registered{"triangle.my_potential"};
-
-}  // namespace
 }  // namespace cageproof::closed_form::triangle
