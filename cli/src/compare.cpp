@@ -38,6 +38,9 @@ int run(const Arguments& a) {
   const reports::Renamed renamed = a.names.empty() ? reports::Renamed() : reports::read_renamed(a.names);
   const reports::Differences found =
       reports::compare_summaries(summary_of(a.before), summary_of(a.after), renamed, a.before, a.after);
+  if (found.taken_for_hybrid > 0)
+    fmt::print("{} entries closed_form of {}, whose schema is before 4, are compared with hybrid, their name today\n",
+               found.taken_for_hybrid, a.before);
   for (const std::string& line : found.differing) fmt::print("differs: {}\n", line);
   for (const std::string& line : found.gone) fmt::print("only in {}: {}\n", a.before, line);
   for (const std::string& line : found.added) fmt::print("only in {}: {}\n", a.after, line);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <compare>
+#include <set>
 
 namespace cageproof::reports {
 namespace {
@@ -97,6 +98,35 @@ std::string renamed_word(const Json& entry, const char* member, const Renamed& r
   return found == renamed.end() ? word : found->second;
 }
 
+// Schemas before this call the recommended evaluations of triangles and segments closed_form, and have no algebra
+// kept by more digits, which took over that name.
+constexpr int schema_of_hybrids = 4;
+
+// The old summary with each entry of a recommended `closed_form` named `hybrid` where the new one has that. \return how
+// many
+std::size_t name_hybrids(Json& before, const Json& after) {
+  const auto name_of = [](const Json& entry, const List& list, std::string_view evaluation) {
+    std::string name;
+    for (const char* member : list.key)
+      if (entry.contains(member))
+        name.append(" ").append(std::string_view(member) == "evaluation" ? evaluation : text_of(entry[member]));
+    return name;
+  };
+  std::size_t count = 0;
+  for (const List& list : lists) {
+    if (!before.contains(list.name) || !after.contains(list.name)) continue;
+    std::set<std::string> known;
+    for (const Json& entry : after[list.name])
+      if (entry.value("evaluation", "") == "hybrid") known.insert(name_of(entry, list, "hybrid"));
+    for (Json& entry : before[list.name])
+      if (entry.value("evaluation", "") == "closed_form" && known.contains(name_of(entry, list, "hybrid"))) {
+        entry["evaluation"] = "hybrid";
+        ++count;
+      }
+  }
+  return count;
+}
+
 // The entries of a list by what they are about, in words.
 std::map<std::string, const Json*> entries(const Json& summary, const List& list, const Renamed& renamed) {
   std::map<std::string, const Json*> found;
@@ -140,10 +170,14 @@ Renamed read_renamed(const std::filesystem::path& path) {
 
 Differences compare_summaries(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
                               std::string_view old_name, std::string_view new_name) {
-  const Json before = parsed(old_text, old_name), after = parsed(new_text, new_name);
-  const std::strong_ordering age = version_of(before, old_name) <=> version_of(after, new_name);
+  Json before = parsed(old_text, old_name);
+  const Json after = parsed(new_text, new_name);
+  const int old_version = version_of(before, old_name), new_version = version_of(after, new_name);
+  const std::strong_ordering age = old_version <=> new_version;
   require_same_bins(before, after, age, old_name, new_name);
   Differences result;
+  if (old_version < schema_of_hybrids && new_version >= schema_of_hybrids)
+    result.taken_for_hybrid = name_hybrids(before, after);
   for (const List& list : lists) {
     const auto old_entries = entries(before, list, renamed), new_entries = entries(after, list, {});
     for (const auto& [name, entry] : old_entries) {
