@@ -9,6 +9,8 @@ from pathlib import Path
 PROOF = [
     "closed_form/include/*",
     "closed_form/src/*",
+    "fast/include/*",
+    "fast/src/*",
     "adaptive_qmvc/include/*",
     "adaptive_qmvc/src/*",
     "quadrature_ref/include/*",
