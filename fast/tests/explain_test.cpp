@@ -125,7 +125,14 @@ TEST_P(Explained, is_what_the_recommended_one_computes) {
   EXPECT_GE(compared, entries / 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(formulas, Explained, testing::ValuesIn(explained_formulas()), [](const auto& tested) {
+// Of triangles and segments.
+std::vector<std::string_view> formulas_of_hybrids() {
+  std::vector<std::string_view> names = explained_formulas();
+  std::erase_if(names, [](std::string_view name) { return formula_named(name).element == ElementKind::Quad; });
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(formulas, Explained, testing::ValuesIn(formulas_of_hybrids()), [](const auto& tested) {
   std::string name(tested.param);
   std::ranges::replace(name, '.', '_');
   return name;

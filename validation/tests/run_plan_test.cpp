@@ -57,7 +57,7 @@ TEST(RunPlan, quick_leaves_slow_rows_and_fields_without_promise_to_standard_and_
   }
   // Promised, or quick.
   for (const char* part : {"cube, quad_mean_value, adaptive", "cube, quad_mean_value, multiprecision",
-                           "field cube.green.closed_form.error", "star, biharmonic_boundary, "})
+                           "field cube.green.hybrid.error", "star, biharmonic_boundary, "})
     EXPECT_GE(measured(quick, part), 1) << part;
   EXPECT_EQ(std::ranges::count(quick.header.notes,
                                "cube: error fields of coordinates that keep its quads are drawn by longer suites"),

@@ -98,7 +98,8 @@ TEST(rows, promise_nothing_that_no_result_could_break) {
 // A journal says what an evaluation was when it was measured; only one that does not say is looked up.
 TEST(rows, have_the_role_that_their_tally_has) {
   Tally found = tally(3);
-  EXPECT_EQ(row_of(key("truth", "closed_form", "on-edge"), found).role, "recommended");
+  EXPECT_EQ(row_of(key("truth", "hybrid", "on-edge"), found).role, "recommended");
+  EXPECT_EQ(row_of(key("truth", "closed_form", "on-edge"), found).role, "closed form");
   found.role = "rule";
   found.declined = 2;
   found.asked += 2;
