@@ -136,12 +136,12 @@ std::vector<double> entropy_at(const Cage& cage, std::vector<double> prior, cons
 TEST(spherical, names_the_evaluation_that_it_does_not_have) {
   const Cage cube = embedded_cage("cube");
   const CoordinateKind& kind = coordinate_kind_named("spherical_mean_value");
-  EXPECT_NO_THROW(CageCoordinates(cube, kind, CoordinateOptions{.evaluation = "closed_form"}));
+  EXPECT_NO_THROW(CageCoordinates(cube, kind, CoordinateOptions{.evaluation = "hybrid"}));
   try {
     const CageCoordinates refused(cube, kind, CoordinateOptions{.evaluation = "line-12"});
     ADD_FAILURE() << "an evaluation was taken that there is not";
   } catch (const InputError& e) {
-    EXPECT_STREQ(e.what(), "spherical_mean_value has no evaluation 'line-12', only closed_form");
+    EXPECT_STREQ(e.what(), "spherical_mean_value has no evaluation 'line-12', only hybrid");
   }
 }
 

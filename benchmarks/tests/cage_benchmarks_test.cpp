@@ -68,7 +68,7 @@ TEST(CageBenchmarks, every_kind_has_its_evaluations_at_every_order_and_applied) 
 
 TEST(CageBenchmarks, counters_are_positive) {
   in_the_cube();
-  for (const char* name : {"cage/green/closed_form/value/cube", "cage/somigliana/closed_form/gradient/apply/cube",
+  for (const char* name : {"cage/green/hybrid/value/cube", "cage/somigliana/hybrid/gradient/apply/cube",
                            "cage/biharmonic/gauss-4/value/cube", "cage/biharmonic/gauss-4-plain/value/cube"})
     expect_positive(name, {"ns_per_pair", "points"});
   const Cage cube = embedded_deformed_cage("cube", 1).cage;
@@ -107,8 +107,8 @@ TEST(CageBenchmarks, scaling_has_three_axes_for_every_kind) {
       EXPECT_GE(here, count) << start;
       EXPECT_EQ(here % count, 0) << start;
     }
-  expect_positive("scaling/mean_value/faces/closed_form/320", {"ns_per_pair", "points", "elements", "threads"});
-  expect_positive("scaling/green/threads/closed_form/2", {"ns_per_pair", "points", "elements", "threads"});
+  expect_positive("scaling/mean_value/faces/hybrid/320", {"ns_per_pair", "points", "elements", "threads"});
+  expect_positive("scaling/green/threads/hybrid/2", {"ns_per_pair", "points", "elements", "threads"});
 }
 
 class FolderOfCages : public testing::Test {
@@ -140,7 +140,7 @@ TEST_F(FolderOfCages, finds_pairs_of_cage_and_mesh) {
   EXPECT_EQ(found[1]->posed, found[1]->cage.vertices());
   EXPECT_EQ(found[1]->points.size(), 2U);
   const auto names = register_cage_benchmarks(found[1]);
-  EXPECT_EQ(std::ranges::count(names, "cage/green/closed_form/value/B"), 1);
+  EXPECT_EQ(std::ranges::count(names, "cage/green/hybrid/value/B"), 1);
 }
 
 TEST_F(FolderOfCages, names_what_is_missing) {

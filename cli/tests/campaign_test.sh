@@ -141,7 +141,7 @@ kills() {
   "$cageproof" compare alone again >/dev/null || fail "compare: the same run differs"
 
   # Rows have the roles of their evaluations, which the report does not look up.
-  zcat alone/journal | grep -q '"closed_form",.*"role":"recommended"' || fail "the journal has no roles"
+  zcat alone/journal | grep -q '"hybrid",.*"role":"recommended"' || fail "the journal has no roles"
 
   # What cannot be resumed.
   cp -r alone resumed

@@ -285,7 +285,7 @@ explain() { "$cageproof" explain "$@"; }
 element='[[0,0,0],[1,0,0],[0,"0x1.4f2f36e262042p-1",0]]' point='["0x1.233a0f7dd2858p-5",0,"0x1.826552aa027bdp+0"]'
 explain --formula triangle.biharmonic_double_layer --element "$element" --point "$point" --order 1 --entry 4 --limit 3 >"$work/stdout" || fail explain
 grep -q '^  value ' "$work/stdout" && grep -q 'conditioned units, .* digits lost' "$work/stdout" || fail "explain: $(cat "$work/stdout")"
-[ "$(grep -cE ' closed_form/include/cageproof/closed_form/triangle/.*\.h' "$work/stdout")" -eq 3 ] || fail "explain: three lines of the closed form: $(cat "$work/stdout")"
+[ "$(grep -cE ' (closed_form/include/cageproof/closed_form|fast/include/cageproof/fast)/triangle/.*\.h' "$work/stdout")" -eq 3 ] || fail "explain: three lines of the closed form: $(cat "$work/stdout")"
 grep -q '^and [0-9]* lines more$' "$work/stdout" || fail "explain: what is left out"
 for formula in triangle.kelvin_traction triangle.mean_value quad.mean_value segment.double_layer; do
   case $formula in
@@ -293,9 +293,10 @@ for formula in triangle.kelvin_traction triangle.mean_value quad.mean_value segm
     quad*) line='{"element":[[0,0,0],[1,0,0],[1,1,0.25],[0,1,0]],"point":[0.25,0.25,0.125]}' ;;
     *) line='{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0.25,0.25,0.125]}' ;;
   esac
+  case $formula in quad*) evaluation=line_form ;; *) evaluation=hybrid ;; esac
   value=$(echo "$line" | explain --formula $formula --order 2 --entry 3 --json | tee "$work/stdout" | sed -n 's/^  "counted": \(.*\),$/\1/p')
   grep -q '"counted_is_the_value": true' "$work/stdout" || fail "explain $formula: $(head -12 "$work/stdout")"
-  [ -n "$value" ] && echo "$line" | "$cageproof" eval --formula $formula --evaluation closed_form --order 2 | sed 's/.*"hessian"//' | grep -qF -- "$value" ||
+  [ -n "$value" ] && echo "$line" | "$cageproof" eval --formula $formula --evaluation $evaluation --order 2 | sed 's/.*"hessian"//' | grep -qF -- "$value" ||
     fail "explain $formula: '$value' is not in eval's Hessian"
 done
 refuses nonsense -- explain --formula nonsense

@@ -248,7 +248,7 @@ TEST(rejected, evaluations_without_limits) {
   for (const char* method : {"biharmonic_1_2", "aaap", "tp"})
     EXPECT_THROW(with(method, "adaptive"), InputError) << method;
   EXPECT_THROW(with("biharmonic_1_3", "gauss-4"), InputError);
-  EXPECT_NO_THROW(with("tp", "closed_form"));
+  EXPECT_NO_THROW(with("tp", "hybrid"));
   // Laplacians of layers are values of others.
   EXPECT_NO_THROW(with("ahap", "adaptive"));
 }
