@@ -2,6 +2,8 @@
 // The closed form that a hybrid falls back on, where double loses too much or has no limit to give.
 #pragma once
 
+#include "cageproof/closed_form/joint.h"
+
 #include "cageproof/core/evaluation.h"
 
 namespace cageproof::fast {
@@ -11,16 +13,45 @@ template <class F>
 struct Algebra {
   static inline std::string_view formula;  ///< set as its hybrid is registered
 
+  static const Evaluation& closed_form() {
+    static const Evaluation found = evaluation_named(formula, "closed_form");
+    return found;
+  }
+
   /// Puts the closed form's tensors at a point. \param index of the point in the output
   template <Scalar R>
   static void put(std::span<const Vec3<R>> corners, const Vec3<R>& point, int order, std::span<const R> parameters,
                   bool finite_part, std::size_t index, BatchOutput<R> output) {
-    static const Evaluation closed_form = evaluation_named(formula, "closed_form");
     for (int o = 0; o <= order; ++o) output.tensors[o] += index * output.stride[o];
     output.statements = nullptr;
-    closed_form(Batch<R>{corners, std::span(&point, 1), order, parameters, finite_part}, output);
+    closed_form()(Batch<R>{corners, std::span(&point, 1), order, parameters, finite_part}, output);
   }
 };
+
+/// EvaluationFunctions::Joint of hybrids in multiprecision: their closed forms, jointly.
+template <Scalar R>
+void run_closed_forms(std::span<const Evaluation* const> hybrids, const Batch<R>& batch,
+                      std::span<const BatchOutput<R>> outputs) {
+  std::vector<Evaluation> forms;
+  std::vector<const Evaluation*> members;
+  for (const Evaluation* hybrid : hybrids) forms.push_back(evaluation_named(hybrid->formula().name, "closed_form"));
+  for (const Evaluation& form : forms) members.push_back(&form);
+  Evaluation::together<R>(members, batch, outputs);
+}
+
+/// Gives a hybrid its functions: float's and double's are the member's, multiprecision's those of the closed form.
+template <class F, class Shared>
+void set_hybrid(Evaluation& evaluation, const closed_form::Member<Shared>& member) {
+  closed_form::set_member<float, double>(evaluation, member);
+  const auto set = [&]<Scalar R>() {
+    evaluation.set_batch<R>(
+        [](const Batch<R>& batch, const BatchOutput<R>& output) { Algebra<F>::closed_form()(batch, output); });
+    evaluation.set_joint<R>(&run_closed_forms<R>, &member);
+  };
+  set.template operator()<Mp50>();
+  set.template operator()<Mp100>();
+  set.template operator()<Mp200>();
+}
 
 /// The family of a hybrid. \param fill sets its functions in all scalars
 inline EvaluationFamily hybrid_family(std::string_view formula, std::function<void(Evaluation&)> fill) {

@@ -9,28 +9,24 @@
 
 namespace cageproof::fast::segment {
 
-/// What hybrids on a segment share: the ends, and at each point the frame in double. Multiprecision is the closed
-/// form's.
+/// What hybrids on a segment share: the ends, and at each point the frame in double.
 struct SharedOnSegment {
   template <cageproof::Scalar R>
   struct Element {
     std::span<const Vec3<R>> given;
     Segment<double> s;
 
-    explicit Element(std::span<const Vec3<R>> ends) : given(ends) {
-      if constexpr (!is_multiprecision<R>)
-        for (int i = 0; i < 2; ++i) s[i] = convert<double>(ends[i]);
-    }
+    explicit Element(std::span<const Vec3<R>> ends)
+        : given(ends), s{convert<double>(ends[0]), convert<double>(ends[1])} {}
   };
   template <cageproof::Scalar R, int O>
   struct At {
     std::span<const Vec3<R>> ends;
     const Vec3<R>& given;
-    std::optional<SeenSegment> seen;
+    SeenSegment seen;
 
-    At(const Element<R>& element, const Vec3<R>& point) : ends(element.given), given(point) {
-      if constexpr (!is_multiprecision<R>) seen.emplace(element.s, convert<double>(point));
-    }
+    At(const Element<R>& element, const Vec3<R>& point)
+        : ends(element.given), given(point), seen(element.s, convert<double>(point)) {}
   };
 };
 
@@ -40,27 +36,23 @@ struct PutHybrid {
   template <cageproof::Scalar R, int O>
   static void put(SharedOnSegment::At<R, O>& at, std::span<const R> parameters, bool finite_part, std::size_t point,
                   const BatchOutput<R>& output) {
-    if constexpr (!is_multiprecision<R>) {
-      std::array<double, 4> wide;
-      std::ranges::copy(parameters, wide.begin());
-      if (const auto jet = hybrid<F, O>(*at.seen, std::span<const double>(wide).first(parameters.size()), finite_part))
-        return closed_form::put(closed_form::narrowed<R>(*jet), O, point, output);
-    }
+    std::array<double, 4> wide;
+    std::ranges::copy(parameters, wide.begin());
+    if (const auto jet = hybrid<F, O>(at.seen, std::span<const double>(wide).first(parameters.size()), finite_part))
+      return closed_form::put(closed_form::narrowed<R>(*jet), O, point, output);
     Algebra<F>::put(at.ends, at.given, O, parameters, finite_part, point, output);
   }
 };
 
 template <class F>
-inline constexpr closed_form::Member<SharedOnSegment> member_of =
-    closed_form::Member<SharedOnSegment>::of<PutHybrid<F>>();
+inline constexpr auto member_of = closed_form::Member<SharedOnSegment>::of<PutHybrid<F>, float, double>();
 
 /// `const RegisterHybrid<F> register_<kernel>{"segment.<kernel>"};` at namespace scope.
 template <class F>
 class RegisterHybrid {
  public:
   explicit RegisterHybrid(std::string_view formula)
-      : family_(
-            hybrid_family(formula, [](Evaluation& evaluation) { closed_form::set_member(evaluation, member_of<F>); })) {
+      : family_(hybrid_family(formula, [](Evaluation& evaluation) { set_hybrid<F>(evaluation, member_of<F>); })) {
     Algebra<F>::formula = formula;
   }
 

@@ -22,23 +22,19 @@ template <class At, Scalar R>
 using PutAt = void (*)(At& at, std::span<const R> parameters, bool finite_part, std::size_t point,
                        const BatchOutput<R>& output);
 
-/// One closed form in all scalars and orders, for elements whose formulas share Shared::At<R, O>: what joint evaluation
-/// knows of each member.
+/// One form in all orders, and in the scalars that it was made for, on elements whose formulas share Shared::At<R, O>:
+/// what joint evaluation knows of each member.
 template <class Shared>
 class Member {
  public:
   template <Scalar R, int O>
   using Function = PutAt<typename Shared::template At<R, O>, R>;
 
-  /// \tparam Form has `static void put<R, O>(...)`, a Function<R, O>
-  template <class Form>
+  /// \tparam Form has `static void put<R, O>(...)`, a Function<R, O>, in the scalars R
+  template <class Form, Scalar... R>
   static constexpr Member of() {
     Member m;
-    m.set<Form, float>();
-    m.set<Form, double>();
-    m.set<Form, Mp50>();
-    m.set<Form, Mp100>();
-    m.set<Form, Mp200>();
+    (m.set<Form, R>(), ...);
     return m;
   }
   template <Scalar R, int O>
@@ -84,17 +80,17 @@ void run_jointly(std::span<const Evaluation* const> members, const Batch<R>& bat
   run_members<Shared, R>(members.size(), member, batch, outputs);
 }
 
-/// Gives an evaluation its functions in all scalars. \param member lives as long as the program
-template <class Shared>
+/// Gives an evaluation its functions in the scalars R. \param member lives as long as the program
+template <Scalar... R, class Shared>
 void set_member(Evaluation& evaluation, const Member<Shared>& member) {
-  for (const ScalarKind kind : scalar_kinds)
-    with_scalar(kind, [&]<Scalar R>() {
-      evaluation.set_batch<R>([&member](const Batch<R>& batch, const BatchOutput<R>& output) {
-        run_members<Shared, R>(
-            1, [&](std::size_t) -> const Member<Shared>& { return member; }, batch, std::span(&output, 1));
-      });
-      evaluation.set_joint<R>(&run_jointly<Shared, R>, &member);
+  const auto set = [&]<Scalar S>() {
+    evaluation.set_batch<S>([&member](const Batch<S>& batch, const BatchOutput<S>& output) {
+      run_members<Shared, S>(
+          1, [&](std::size_t) -> const Member<Shared>& { return member; }, batch, std::span(&output, 1));
     });
+    evaluation.set_joint<S>(&run_jointly<Shared, S>, &member);
+  };
+  (set.template operator()<R>(), ...);
 }
 
 }  // namespace cageproof::closed_form

@@ -50,15 +50,16 @@ struct PutForm {
 };
 
 template <class F>
-inline constexpr Member<SharedOnSegment> member_of = Member<SharedOnSegment>::of<PutForm<F>>();
+inline constexpr auto member_of = Member<SharedOnSegment>::of<PutForm<F>, float, double, Mp50, Mp100, Mp200>();
 
 /// `const RegisterForm<F> register_<kernel>{"segment.<kernel>"};` at namespace scope.
 template <class F>
 class RegisterForm {
  public:
   explicit RegisterForm(std::string_view formula)
-      : kept_(closed_form_family(formula, "logarithms and an angle, in as many digits as its promise takes",
-                                 [](Evaluation& evaluation) { set_member(evaluation, member_of<F>); })),
+      : kept_(closed_form_family(
+            formula, "logarithms and an angle, in as many digits as its promise takes",
+            [](Evaluation& evaluation) { set_member<float, double, Mp50, Mp100, Mp200>(evaluation, member_of<F>); })),
         careful_(accurate_family(formula,
                                  [](Evaluation& evaluation) {
                                    evaluation.set_batch<float>(careful<float>);

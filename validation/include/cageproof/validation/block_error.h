@@ -11,9 +11,9 @@
 
 namespace cageproof::validation {
 
-/// All coordinates at one point in 100 digits, one entry a block, and what their errors are counted in.
+/// All coordinates at one point in 50 digits, one entry per block, and what their errors are counted in.
 struct BlockTruth {
-  std::vector<Result<Mp100>> blocks;
+  std::vector<Result<Mp50>> blocks;
   /// By block and order: size times the sum, over the coordinates x_k of the point, of |d truth/d x_k|, `size` the
   /// cage's diagonal; of Hessians size times the derivative along one direction that is like no other point's, which is
   /// at most that sum.
@@ -25,11 +25,11 @@ struct BlockTruth {
   ///   q_2 = a_2 + l_0 b_2 + 2 l_1 b_1 + l_2 b_0 + l_0 b_0 g_2 + 2 q_1 g_1.
   /// q_0 is zero where all weights are positive. Far outside their sum cancels by the distance in sizes, and a rounding
   /// of any corner of the cage costs as much, though none is within a face's size of the point.
-  std::vector<std::array<Mp100, 3>> moved;
+  std::vector<std::array<Mp50, 3>> moved;
   int order = 0;
 };
 
-/// The truth of a kind of coordinates in a cage: sums of the formulas' recommended evaluations in 100 digits, whose
+/// The truth of a kind of coordinates in a cage: sums of the formulas' recommended evaluations in 50 digits, whose
 /// agreement with the defining integrals other checks prove. Safe from any thread.
 class BlockTruths {
  public:
@@ -44,7 +44,7 @@ class BlockTruths {
 
  private:
   /// \param limits on the cage, the truth itself, which the point is next to; empty elsewhere
-  BlockTruth truth_near(const Vec3<Mp100>& point, double distance, int order, std::vector<Result<Mp100>> limits) const;
+  BlockTruth truth_near(const Vec3<Mp50>& point, double distance, int order, std::vector<Result<Mp50>> limits) const;
   BlockTruth truth_on(const Vec3<double>& point, int order) const;
   bool agrees(const BlockTruth& truth, const Vec3<double>& point) const;
 
