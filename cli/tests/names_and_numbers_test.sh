@@ -56,6 +56,7 @@ refuses_to coordinates 'harmonic, which is made of other coordinates' "'bached'"
 refuses_to coordinates "green has no evaluation 'bached'" "did you mean 'batched'?" -- \
   --cage cube --points one.csv --kind green --evaluation bached --out out.csv
 refuses_to field "green has no evaluation 'bached'" "did you mean 'batched'?" -- --cage cube --kind green --evaluation bached --out out
+refuses_to eval "quad.double_layer has no evaluation 'hybrid'; 'line_form' is recommended" -- --formula quad.double_layer --evaluation hybrid
 refuses_to coordinates 'gauss-<N> takes N from 1 to 256' -- --cage cube --points one.csv --kind green --evaluation gauss-999
 refuses_to bench "green has no evaluation 'bached'" "did you mean 'batched'?" -- --kind green --evaluations gauss-4,bached
 for option in out solved data; do refuses_to coordinates "--$option: '' is empty" -- --cage cube --points one.csv --kind green --$option ''; done

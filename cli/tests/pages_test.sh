@@ -28,7 +28,7 @@ has() {
 "$cageproof" verify --formulas triangle.double_layer --regimes '*-edge,generic' --samples 8 --enclosures 1 --cage cube --out report >stdout || fail "verify: $(cat stdout)"
 
 opened report/index.html index
-has index '4 of 4 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: closed_form'
+has index '4 of 4 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: hybrid'
 opened 'report/index.html?overview.evaluation=gauss-8,%20double&overview.order=1' filtered
 has filtered 'of gauss-8, double' 'href="formulas/triangle.double_layer.html#truth.near-edge.gauss-8.double.1"'
 
@@ -39,7 +39,7 @@ has cell 'furthest entry' 'digits right' 'backward stable' 'class="chosen' 'cage
   'cageproof eval --formula triangle.double_layer --evaluation closed_form --order 2 --scalar double' 'promise kept'
 grep -q '<aside id="answer"[^>]*hidden' cell && fail "the answer stays hidden"
 [ "$(grep -o '<svg viewBox' cell | wc -l)" -ge 2 ] || fail "no curves or no times"
-has cell 'everywhere: closed_form' 'data-series="gauss-8, double"'
+has cell 'everywhere: hybrid' 'data-series="gauss-8, double"'
 
 # Of so few samples no quantile is shown. (The script that would show it stands in the page too, with $ for the figure.)
 grep -qF '99.9 % up to $' cell || fail "the words for quantiles have changed, and with them what is looked for here"

@@ -152,7 +152,12 @@ std::string why_no_evaluation(std::string_view subject, const std::vector<std::s
   if (const std::string_view family = family_of_number(name); std::ranges::find(known, family) != known.end())
     return fmt::format("{}: {} takes {}", text, family, range_of_pattern(family));
   const std::string_view meant = nearest_name(name, known);
-  if (meant.empty()) return text + "; see `cageproof list`";
+  if (meant.empty()) {
+    const auto recommended =
+        formulas.empty() ? std::nullopt : EvaluationRegister::instance().with_role(formulas.front(), Role::Recommended);
+    return recommended ? fmt::format("{}; '{}' is recommended (see `cageproof list`)", text, recommended->name())
+                       : text + "; see `cageproof list`";
+  }
   return fmt::format("{}; did you mean '{}'? (see `cageproof list`)", text, meant);
 }
 

@@ -55,9 +55,9 @@ std::string description_of(Route route, const Panels& panels, bool is_kept) {
   }
   if (route == Route::Near) return "near form in double";
   if (route == Route::Tracked) return "near form in double, within the bound of its error";
+  if (route == Route::Border) return "closed form with its limits, since the point is on the border";
   return is_kept ? "near form in double, within the bound of its error, as the closed form takes it"
-                 : "near form in more digits, since in double the bound of its error was too large, or this entry is a "
-                   "limit on the border";
+                 : "near form in more digits, since in double the bound of its error was too large";
 }
 
 Frame<Counted> counted_frame(const Frame<double>& frame, const Triangle<double>& t, const Vec3<double>& eta) {

@@ -50,7 +50,8 @@ PanelsWanted panels_wanted(const Frame<double>& f, int points = 0) {
 
 /// How the formula is computed at a point.
 enum class Route {
-  ClosedForm,  ///< the point is extreme or on the border, or double loses too much there
+  ClosedForm,  ///< in more digits: double loses too much there, or the input is extreme
+  Border,      ///< the closed form, too: the point is on the border, where it has limits
   Near,        ///< the near form in double
   Tracked,     ///< the same, within the bound of its error
   Panels,      ///< Gauss points
@@ -59,13 +60,13 @@ enum class Route {
 /// A result, or none where the closed form with more digits is to be taken.
 template <class F>
 struct Hybrid {
-  Route route = Route::ClosedForm;
+  Route route;
   std::optional<Jet<double, F::components>> jet = {};
 
-  Hybrid() = default;
+  explicit Hybrid(Route taken = Route::ClosedForm) : route(taken) {}
   Hybrid(Route taken, const Jet<double, F::components>& result) : route(taken), jet(result) {}
   /// A result with a bound, where that is small enough.
-  Hybrid(Route taken, const BoundedJet<double, F::components>& result) {
+  Hybrid(Route taken, const BoundedJet<double, F::components>& result) : Hybrid() {
     if (result.worst() <= kTolerance) *this = {taken, result.jet};
   }
 };
@@ -85,13 +86,14 @@ Hybrid<F> from_panels(HybridMoments<O>& at, const Panels& panels, std::span<cons
 template <class F, int O>
 Hybrid<F> hybrid(HybridMoments<O>& at, std::span<const double> parameters) {
   const Frame<double>& f = at.frame();
-  if (f.extreme || closed_form::triangle::first_divergent<F>(f) < 3) return {};
+  if (f.extreme) return Hybrid<F>();
+  if (closed_form::triangle::first_divergent<F>(f) < 3) return Hybrid<F>(Route::Border);
   const Panels& few = at.on_panels().panels(panels_wanted<F, O>(f));
   if (!few.empty()) return from_panels<F>(at, few, parameters);
   if (!F::cancels_nearby && f.shape() >= kThinShape)
     return {Route::Near,
             finish<F, O, double>(composed<F, O, double>(at.near().template near<F>(), parameters), f.unit, 3)};
-  const Hybrid<F> near{Route::Tracked, closed_form::triangle::tracked_near<F, double, O>(at.algebra(), parameters, 3)};
+  Hybrid<F> near{Route::Tracked, closed_form::triangle::tracked_near<F, double, O>(at.algebra(), parameters, 3)};
   if (near.jet) return near;
   const Panels& many = at.on_panels().panels(panels_wanted<F, O>(f, kMostPoints));
   return many.empty() ? Hybrid<F>() : from_panels<F>(at, many, parameters);
