@@ -71,8 +71,9 @@ template <class F, class T, Scalar S>
 std::array<Tracked<T>, F::parameter_count> tracked_parameters(std::span<const S> parameters) {
   std::array<Tracked<T>, F::parameter_count> tracked;
   for (int i = 0; i < F::parameter_count; ++i) {
-    const T x(parameters[i]);
-    tracked[i] = Tracked<T>(x, is_multiprecision<S> ? size_of(x) : ErrorOf<T>(0));
+    ErrorOf<T> error = 0;
+    if constexpr (is_multiprecision<S>) error = size_of(T(parameters[i]));
+    tracked[i] = Tracked<T>(T(parameters[i]), error);
   }
   return tracked;
 }
