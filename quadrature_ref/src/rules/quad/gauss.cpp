@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "../finish.h"
+#include "../gauss_nodes.h"
 #include "quad_frame.h"
 
-#include "cageproof/core/gauss_legendre.h"
 #include "cageproof/quadrature_ref/quad_rules.h"
 
 #include <span>
@@ -49,7 +49,7 @@ void integrate_product(const Integrand& integrand, const SideRule<R>& rule, cons
 
 template <Scalar R>
 void quad::integrate_gauss(const Integrand& integrand, int n, const Batch<R>& batch, const BatchOutput<R>& output) {
-  const GaussLegendre<R>& rule = gauss_legendre<R>(n);
+  const GaussNodes<R>& rule = gauss_nodes<R>(n);
   integrate_product<R>(integrand, {rule.nodes, rule.weights}, batch, output);
 }
 

@@ -44,8 +44,8 @@ void QuadCaster<W>::set_node(const Radius& radius, const W& weight, Node<W>& nod
 
 template <Scalar W>
 void QuadCaster<W>::add_cell(const QuadCell& cell, QuadPoints points, Result<W>& sums) {
-  const GaussLegendre<W>& t_rule = gauss_legendre<W>(points.t);
-  const GaussLegendre<W>& w_rule = gauss_legendre<W>(points.w);
+  const GaussNodes<W>& t_rule = gauss_nodes<W>(points.t);
+  const GaussNodes<W>& w_rule = gauss_nodes<W>(points.w);
   const W w_range = inverse_sinh(W(1 / W(cell.delta)));
   std::vector<Radius> radii;
   for (int j = 0; j < points.w; ++j) {

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "polar_quad_frame.h"
-
-#include "cageproof/core/gauss_legendre.h"
+#include "../gauss_nodes.h"
 
 namespace cageproof::quadrature_ref {
 

@@ -5,9 +5,9 @@
 // The last: of the terms in ab, det(A, W, B) + det(B, A, W) + det(W, A, B) = (-1 - 1 + 1) det(A, B, W).
 #pragma once
 
+#include "../exact_element.h"
 #include "../local_corners.h"
 
-#include "cageproof/core/exact_geometry.h"
 #include "cageproof/quadrature_ref/kernel.h"
 
 #include <optional>
@@ -59,11 +59,11 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
   if (vanishes(q.edges[3].cross(q.edges[0])) && vanishes(q.edges[0].cross(q.twist)) &&
       vanishes(q.edges[3].cross(q.twist)))
     return std::nullopt;
-  if constexpr (std::same_as<R, Mp200>)
-    for (int k = 0; k < 4; ++k) {
-      const ExactTriangle corner({corners[k], corners[(k + 1) % 4], corners[(k + 3) % 4]}, point);
-      q.heights[k] = ldexp(corner.volume, -3 * q.exponent);
-    }
+  if constexpr (std::same_as<R, Mp200>) {
+    const auto heights = exact_heights(corners, point, q.exponent);
+    if (!heights) return std::nullopt;
+    q.heights = *heights;
+  }
   return q;
 }
 

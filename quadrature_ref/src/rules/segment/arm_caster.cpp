@@ -34,7 +34,7 @@ void ArmCaster<W>::set_node(int arm, const W& w, const W& dw, Node<W>& node) con
 template <Scalar W>
 void ArmCaster<W>::add_panel(const ArmPanel& panel, int n, Result<W>& sums) {
   static thread_local std::vector<Node<W>> nodes;
-  const GaussLegendre<W>& rule = gauss_legendre<W>(n);
+  const GaussNodes<W>& rule = gauss_nodes<W>(n);
   const W whole = length(panel);
   nodes.resize(n);
   for (int i = 0; i < n; ++i)

@@ -3,9 +3,8 @@
 #pragma once
 
 #include "../finish.h"
+#include "../gauss_nodes.h"
 #include "arm_frame.h"
-
-#include "cageproof/core/gauss_legendre.h"
 
 namespace cageproof::quadrature_ref {
 

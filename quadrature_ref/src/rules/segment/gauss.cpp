@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "../finish.h"
+#include "../gauss_nodes.h"
 #include "segment_frame.h"
 
-#include "cageproof/core/gauss_legendre.h"
 #include "cageproof/quadrature_ref/segment_rules.h"
 
 namespace cageproof::quadrature_ref {
@@ -10,7 +10,7 @@ namespace cageproof::quadrature_ref {
 template <Scalar R>
 void segment::integrate_gauss(const Integrand& integrand, int n, const Batch<R>& batch, const BatchOutput<R>& output) {
   static thread_local std::vector<Node<R>> nodes;
-  const GaussLegendre<R>& rule = gauss_legendre<R>(n);
+  const GaussNodes<R>& rule = gauss_nodes<R>(n);
   const Kernel<R>& kernel = integrand.kernel<R>();
   const KernelTask<R> task = integrand.task(batch.parameters, batch.order);
   nodes.resize(n);

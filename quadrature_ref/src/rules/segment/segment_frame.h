@@ -2,9 +2,8 @@
 // A segment of the plane as its point sees it.
 #pragma once
 
+#include "../exact_element.h"
 #include "../local_corners.h"
-
-#include "cageproof/core/exact_geometry.h"
 
 #include <optional>
 
@@ -29,11 +28,11 @@ std::optional<SegmentFrame<R>> segment_frame(std::span<const Vec3<R>> corners, c
   if (!(s.extent > 0)) return std::nullopt;
   s.normal = {edge[1] / s.extent, -edge[0] / s.extent, R(0)};
   if constexpr (std::same_as<R, Mp200>) {
-    const ExactSegment exact({corners[0], corners[1]}, point);
-    const auto per_extent = [&](const R& x) { return R(ldexp(x, -2 * s.exponent) / s.extent); };
-    s.height = -per_extent(exact.cross);
-    s.start = per_extent(exact.before);
-    s.end = per_extent(exact.after);
+    const auto exact = exact_segment(corners, point, s.exponent);
+    if (!exact) return std::nullopt;
+    s.height = exact->height / s.extent;
+    s.start = exact->start / s.extent;
+    s.end = exact->end / s.extent;
   } else {
     // The nearest end gives the height with the smallest rounding error; dividing last keeps an exact zero.
     const Vec3<R>& nearest =

@@ -10,7 +10,7 @@ namespace {
 // uv/6.
 template <Scalar R>
 void add_three_quads(const TriangleFrame<R>& t, const Kernel<R>& kernel, const KernelTask<R>& task,
-                     const GaussLegendre<R>& rule, std::vector<Node<R>>& row, Result<R>& sums) {
+                     const GaussNodes<R>& rule, std::vector<Node<R>>& row, Result<R>& sums) {
   const std::size_t n = rule.nodes.size();
   set_flat(row, n, t.normal, t.height, log_of_unit<R>(t.exponent));
   for (int k = 0; k < 3; ++k)
@@ -36,7 +36,7 @@ void add_three_quads(const TriangleFrame<R>& t, const Kernel<R>& kernel, const K
 template <Scalar R, class Rule>
 void integrate(const Integrand& integrand, int n, const Batch<R>& batch, const BatchOutput<R>& output, Rule add) {
   static thread_local std::vector<Node<R>> row;
-  const GaussLegendre<R>& rule = gauss_legendre<R>(n);
+  const GaussNodes<R>& rule = gauss_nodes<R>(n);
   const Kernel<R>& kernel = integrand.kernel<R>();
   const KernelTask<R> task = integrand.task(batch.parameters, batch.order);
   integrate_block<R>(

@@ -3,17 +3,16 @@
 #pragma once
 
 #include "../finish.h"
+#include "../gauss_nodes.h"
 #include "triangle_frame.h"
-
-#include "cageproof/core/gauss_legendre.h"
 
 namespace cageproof::quadrature_ref {
 
 /// Adds the n x n rule: xi = v0 + s (v1 - v0) + s q (v2 - v1), dA = 2 area s ds dq.
 /// \param row memory for nodes
 template <Scalar R>
-void add_gauss(const TriangleFrame<R>& t, const Kernel<R>& kernel, const KernelTask<R>& task,
-               const GaussLegendre<R>& rule, std::vector<Node<R>>& row, Result<R>& sums) {
+void add_gauss(const TriangleFrame<R>& t, const Kernel<R>& kernel, const KernelTask<R>& task, const GaussNodes<R>& rule,
+               std::vector<Node<R>>& row, Result<R>& sums) {
   const std::size_t n = rule.nodes.size();
   set_flat(row, n, t.normal, t.height, log_of_unit<R>(t.exponent));
   for (std::size_t i = 0; i < n; ++i) {

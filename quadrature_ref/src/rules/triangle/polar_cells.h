@@ -7,9 +7,8 @@
 #pragma once
 
 #include "../finish.h"
+#include "../gauss_nodes.h"
 #include "polar_frame.h"
-
-#include "cageproof/core/gauss_legendre.h"
 
 namespace cageproof::quadrature_ref {
 

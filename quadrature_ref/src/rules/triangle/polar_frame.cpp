@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polar_frame.h"
 
-#include "cageproof/core/exact_geometry.h"
+#include "../exact_element.h"
 
 #include <numbers>
 
@@ -98,26 +98,22 @@ Singularities singular_points(const R& a, const R& distance, const R& along, con
 std::optional<LinedTriangle> lined_triangle(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
   LinedTriangle t;
   if (!t.set(corners, point)) return std::nullopt;
-  const ExactTriangle exact({corners[0], corners[1], corners[2]}, point);
-  const auto in_units = [&](const R& x, int degree) { return ldexp(x, -degree * t.exponent); };
-  const auto vector = [&](const Vec3<R>& v, int degree) {
-    return Vec3<R>(in_units(v[0], degree), in_units(v[1], degree), in_units(v[2], degree));
-  };
-  const Vec3<R> area_vector = vector(exact.normal, 2);
-  t.twice_area = length(area_vector);
+  const auto exact = exact_triangle(corners, point, t.exponent);
+  if (!exact) return std::nullopt;
+  t.twice_area = length(exact->normal);
   if (!(t.twice_area > 0)) return std::nullopt;
-  t.normal = area_vector / t.twice_area;
-  t.height = in_units(exact.volume, 3) / t.twice_area;
+  t.normal = exact->normal / t.twice_area;
+  t.height = exact->height / t.twice_area;
+  t.corners = exact->corners;
+  t.edges = exact->edges;
   for (int k = 0; k < 3; ++k) {
-    t.corners[k] = vector(exact.p[k], 1);
-    t.edges[k] = vector(exact.e[k], 1);
     EdgeLine& line = t.lines[k];
     line.length = length(t.edges[k]);
     line.u = t.edges[k] / line.length;
-    line.nu = vector(exact.outward[k], 3) / (line.length * t.twice_area);
-    line.inside = in_units(exact.beside[k], 4) / (line.length * t.twice_area);
-    line.start = in_units(exact.before[k], 2) / line.length;
-    line.end = in_units(exact.after[k], 2) / line.length;
+    line.nu = exact->outward[k] / (line.length * t.twice_area);
+    line.inside = exact->inside[k] / (line.length * t.twice_area);
+    line.start = exact->start[k] / line.length;
+    line.end = exact->end[k] / line.length;
   }
   return t;
 }

@@ -27,7 +27,7 @@ RadialPoint<W> radial_point(const W& distance, const W& w, const W& weight) {
 // The n-point Gauss-Legendre rule in w on [w_lo, w_hi], tau = distance sinh w.
 template <Scalar W>
 void radial_rule(const W& distance, const W& w_lo, const W& w_hi, int n, std::vector<RadialPoint<W>>& points) {
-  const GaussLegendre<W>& rule = gauss_legendre<W>(n);
+  const GaussNodes<W>& rule = gauss_nodes<W>(n);
   const W length = w_hi - w_lo;
   points.resize(n);
   for (int j = 0; j < n; ++j)
@@ -100,7 +100,7 @@ void RayCaster<W>::add_cell(const PolarCell& cell, CellPoints points, Result<W>&
     }
     return;
   }
-  const GaussLegendre<W>& rule = gauss_legendre<W>(points.t);
+  const GaussNodes<W>& rule = gauss_nodes<W>(points.t);
   const W length = t_length(cell);
   for (int i = 0; i < points.t; ++i) {
     const W w_edge = aim(frame_.edges[cell.edge], W(cell.t_lo + length * rule.nodes[i]), cosh_v);

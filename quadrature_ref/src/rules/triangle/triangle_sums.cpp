@@ -30,7 +30,7 @@ template <Scalar W>
 Result<Mp200> FarSum::at_precision(int n) {
   Result<W> sums = empty<W>();
   std::vector<Node<W>> row;
-  add_gauss(convert<W>(triangle_), integrand_.kernel<W>(), task<W>(), gauss_legendre<W>(n), row, sums);
+  add_gauss(convert<W>(triangle_), integrand_.kernel<W>(), task<W>(), gauss_nodes<W>(n), row, sums);
   Result<Mp200> total = empty();
   add(sums, total);
   return total;
