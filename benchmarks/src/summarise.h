@@ -2,6 +2,7 @@
 // What a row of a study says of its samples' errors and of their times.
 #pragma once
 
+#include "cageproof/benchmarks/work_precision.h"
 #include "cageproof/core/work_precision.h"
 
 #include <algorithm>
@@ -10,6 +11,15 @@
 #include <vector>
 
 namespace cageproof::benchmarks {
+
+/// Sets place, distance, and the sweep of those groups that are one distance from the cage.
+inline void set_place(const PointGroup& group, WorkPrecisionRow& row) {
+  row.place = group.place;
+  row.distance = group.distance;
+  if (group.place == "interior") return;
+  row.sweep = "distance";
+  row.axis = "distance / cage size";
+}
 
 /// Sets samples, nonfinite, largest, rms and median. An error that is not finite counts as infinite.
 inline void summarise(std::vector<double> errors, WorkPrecisionRow& row) {

@@ -106,8 +106,7 @@ WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind,
     for (const auto& [name, coordinates] : prepared) {
       WorkPrecisionRow row;
       row.evaluation = name;
-      row.place = group.place;
-      row.distance = group.distance;
+      set_place(group, row);
       std::vector<double> errors(points.size());
       for_each_parallel(errors.size(), options.jobs, [&](std::size_t i) {
         const double expected = expected_sum(kind, group.points[i].place);

@@ -160,8 +160,7 @@ WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, 
     for (std::size_t e = 0; e < evaluations.size(); ++e) {
       WorkPrecisionRow row;
       row.evaluation = options.evaluations[e];
-      row.place = group.place;
-      row.distance = group.distance;
+      set_place(group, row);
       const CageCoordinates coordinates(cage, kind, row.evaluation, options.triangulation, parameters);
       std::vector<double> errors(group.points.size());
       for_each_parallel(errors.size(), options.jobs, [&](std::size_t i) {
@@ -216,6 +215,10 @@ WorkPrecision formula_work_precision(const Formula& formula, const std::vector<c
       row.evaluation = one.front().name();
       row.place = place.name;
       row.distance = place.distance;
+      if (place.distance > 0) {
+        row.sweep = place.regime->name;
+        row.axis = place.regime->parameter_name;
+      }
       std::vector<double> errors;
       for (std::size_t i = 0; i < samples.size(); ++i) {
         if (!truths[i].exists[options.order]) continue;

@@ -397,7 +397,7 @@ errors_of() { cut -d, -f 1-14 "$1"; }
 bench --kind somigliana --cage cube --evaluations three-quad-75,closed_form --parameter nu=0.3 --csv --out "$work/bench" >"$work/bench.csv" ||
   fail bench
 [ "$(wc -l <"$work/bench.csv")" -eq 11 ] || fail "bench: $(cat "$work/bench.csv")"
-for file in work_precision.csv work_precision.json pictures/error_nodes.png pictures/error_time.png; do
+for file in work_precision.csv work_precision.json pictures/error_nodes.png pictures/error_time.png pictures/error_distance.png; do
   [ -s "$work/bench/$file" ] || fail "bench: no $file"
 done
 bench --kind somigliana --cage cube --evaluations three-quad-75,closed_form --parameter nu=0.3 --csv --jobs 1 --out "$work/bench" >"$work/again.csv" ||

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The integral's exact geometry against that of the closed forms: they share no code, and both round an exact number once.
+// The integral's exact geometry against that of the closed forms: they share no code, and both round an exact number
+// once.
 #include "../src/rules/exact_element.h"
 
 #include "cageproof/core/exact_geometry.h"

@@ -6,6 +6,7 @@
 #include "figure.h"
 #include "json_value.h"
 #include "report_folder.h"
+#include "error_curves_picture.h"
 #include "work_precision_picture.h"
 
 #include <fmt/format.h>
@@ -96,9 +97,10 @@ void WorkPrecisionWriter::write(const WorkPrecision& result) {
   const std::filesystem::path& folder = state_->folder.path();
   write_file(folder / "work_precision.csv", work_precision_csv(result));
   write_file(folder / "work_precision.json", work_precision_json(result));
-  draw({work_precision_picture(result, WorkAxis::Nodes, "pictures/error_nodes.png"),
-        work_precision_picture(result, WorkAxis::Time, "pictures/error_time.png")},
-       folder);
+  std::vector<Picture> pictures = error_curves_pictures(result);
+  pictures.push_back(work_precision_picture(result, WorkAxis::Nodes, "pictures/error_nodes.png"));
+  pictures.push_back(work_precision_picture(result, WorkAxis::Time, "pictures/error_time.png"));
+  draw(pictures, folder);
   state_->folder.commit();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Products of an element's coordinates that cancel next to its plane, its lines and its corners: exact, then rounded once.
-// They are formed of vectors from the point to the corners and of squared lengths, and share no code with core's exact
-// geometry, on which the closed forms stand.
+// Products of an element's coordinates that cancel next to its plane, its lines and its corners: exact, then rounded
+// once. They are formed of vectors from the point to the corners and of squared lengths, and share no code with core's
+// exact geometry, on which the closed forms stand.
 #pragma once
 
 #include "cageproof/core/linear.h"

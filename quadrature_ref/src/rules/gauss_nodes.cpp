@@ -41,7 +41,8 @@ W root(int n, int k) {
 
 // Twice the digits, since recurrences lose some.
 template <Scalar R>
-using Working = std::conditional_t<std::same_as<R, Mp200>, Mp400, std::conditional_t<std::same_as<R, Mp100>, Mp200, Mp100>>;
+using Working =
+    std::conditional_t<std::same_as<R, Mp200>, Mp400, std::conditional_t<std::same_as<R, Mp100>, Mp200, Mp100>>;
 
 template <Scalar R>
 std::unique_ptr<GaussNodes<R>> made(int n) {

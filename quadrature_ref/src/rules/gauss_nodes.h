@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Nodes and weights of the Gauss-Legendre rules that integrals are computed with. The forms that they prove take theirs from core.
+// Nodes and weights of the Gauss-Legendre rules that integrals are computed with. The forms that they prove take theirs
+// from core.
 #pragma once
 
 #include "cageproof/core/scalar.h"
@@ -14,8 +15,8 @@ struct GaussNodes {
   std::vector<R> weights;  ///< sum 1
 };
 
-/// The n-point rule, exact for polynomials of degree 2n - 1, in R's digits; made once for each scalar and n, safe from any
-/// thread. \pre 1 <= n <= 4096
+/// The n-point rule, exact for polynomials of degree 2n - 1, in R's digits; made once for each scalar and n, safe from
+/// any thread. \pre 1 <= n <= 4096
 template <Scalar R>
 const GaussNodes<R>& gauss_nodes(int n);
 

@@ -13,7 +13,10 @@ namespace cageproof {
 struct WorkPrecisionRow {
   std::string evaluation;
   std::string place;    ///< "interior", "1e-2" ... (distance from the cage, in its sizes), or a regime
-  double distance = 0;  ///< of the place, in cage sizes; 0 where there is none
+  double distance = 0;  ///< of the place, in cage sizes, or what the regime sweeps; 0 where there is none
+  /// Rows of one sweep make curves over `distance`: the regime, or "distance" of cages; empty where nothing is swept.
+  std::string sweep;
+  std::string axis;  ///< what `distance` is: "distance / size"
   std::uint64_t samples = 0;
   std::uint64_t nonfinite = 0;  ///< errors that are not finite
   double largest = 0, rms = 0,

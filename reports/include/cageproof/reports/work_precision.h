@@ -18,8 +18,8 @@ std::string work_precision_json(const WorkPrecision& result);
 /// Aligned columns, errors rounded up to two digits.
 std::string work_precision_text(const WorkPrecision& result);
 
-/// A folder with work_precision.csv, work_precision.json, pictures/error_nodes.png and pictures/error_time.png, written
-/// aside and renamed into place like a report.
+/// A folder with work_precision.csv, work_precision.json, pictures/error_nodes.png, pictures/error_time.png and for
+/// each sweep pictures/error_<sweep>.png, written aside and renamed into place like a report.
 class WorkPrecisionWriter {
  public:
   /// \throws InputError as ReportWriter, so that a long measurement does not end at a folder that cannot be written
