@@ -2,7 +2,7 @@
 #include "cage_checks.h"
 
 #include "cageproof/core/element.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/orientation.h"
 
 #include "cageproof/core/input_error.h"
 
@@ -14,14 +14,6 @@
 namespace cageproof::cage_checks {
 namespace {
 
-// Wide enough that signs of areas and volumes of double coordinates are exact, and that no unit of length under- or
-// overflows.
-using Exact = Mp100;
-
-Vec3<Exact> normal(const Vec3<Exact>& a, const Vec3<Exact>& b, const Vec3<Exact>& c) {
-  return Vec3<Exact>(b - a).cross(Vec3<Exact>(c - a));
-}
-
 // Calls f(from, to) for the edges of a face, in order.
 template <class F>
 void for_each_edge(const Face& face, F&& f) {
@@ -31,22 +23,17 @@ void for_each_edge(const Face& face, F&& f) {
 void check_shape(const Candidate& cage, std::size_t index) {
   const Face& face = cage.faces[index];
   const int n = face.size();
-  std::array<Vec3<Exact>, 4> corners;
-  for (int k = 0; k < n; ++k) corners[k] = convert<Exact>(cage.vertices[face.vertices[k]]);
-  std::array<Vec3<Exact>, 4> normals;  // of the triangle at each corner
+  std::array<Triangle<double>, 4> at_corner;
   for (int k = 0; k < n; ++k) {
-    const int before = (k + n - 1) % n, after = (k + 1) % n;
-    if (corners[k] == corners[after])
-      fail_face(cage, index,
-                fmt::format("degenerate: vertices {} and {} coincide", face.vertices[k], face.vertices[after]));
-    normals[k] = normal(corners[before], corners[k], corners[after]);
-    if (normals[k].squaredNorm() == 0)
-      fail_face(cage, index,
-                fmt::format("degenerate: vertices {}, {} and {} lie on a line", face.vertices[before], face.vertices[k],
-                            face.vertices[after]));
+    const int vertex = face.vertices[k], before = face.vertices[(k + n - 1) % n], after = face.vertices[(k + 1) % n];
+    at_corner[k] = {cage.vertices[before], cage.vertices[vertex], cage.vertices[after]};
+    if (cage.vertices[vertex] == cage.vertices[after])
+      fail_face(cage, index, fmt::format("degenerate: vertices {} and {} coincide", vertex, after));
+    if (on_a_line(at_corner[k]))
+      fail_face(cage, index, fmt::format("degenerate: vertices {}, {} and {} lie on a line", before, vertex, after));
   }
   // The diagonal from corner 0 leaves the triangles at corners 1 and 3, the other one those at 0 and 2.
-  if (n == 4 && normals[1].dot(normals[3]) < 0 && normals[0].dot(normals[2]) < 0)
+  if (n == 4 && sign_of_normals(at_corner[1], at_corner[3]) < 0 && sign_of_normals(at_corner[0], at_corner[2]) < 0)
     fail_face(cage, index,
               "the quad crosses itself (a bow-tie), or folds by more than a right angle along both diagonals");
 }
@@ -156,20 +143,20 @@ void check_fans(const Candidate& cage) {
 }
 
 int orientation(const Candidate& cage, std::span<const int> faces) {
-  const Vec3<Exact> origin = convert<Exact>(cage.vertices[cage.faces[faces.front()].vertices[0]]);
-  Exact measure = 0;
+  std::vector<Triangle<double>> triangles;
   for (const int f : faces) {
-    const Face& face = cage.faces[f];
-    std::array<Vec3<Exact>, 4> q;
-    for (int k = 0; k < face.size(); ++k) q[k] = convert<Exact>(cage.vertices[face.vertices[k]]) - origin;
-    // Twice a bilinear quad's volume is the sum over both of its splits.
-    const auto tetrahedron = [&](int a, int b, int c) { return Exact(q[a].dot(q[b].cross(q[c]))); };
-    const auto splits = type_of(face.kind()).splits;
-    if (splits.empty()) measure += 2 * tetrahedron(0, 1, 2);
+    const auto& vertices = cage.faces[f].vertices;
+    const auto add = [&](int a, int b, int c) {
+      triangles.push_back({cage.vertices[vertices[a]], cage.vertices[vertices[b]], cage.vertices[vertices[c]]});
+    };
+    // Twice a bilinear quad's volume is the sum over both of its splits: twice everything.
+    const auto splits = type_of(cage.faces[f].kind()).splits;
+    if (splits.empty())
+      for (int twice = 0; twice < 2; ++twice) add(0, 1, 2);
     for (const ElementSplit& split : splits)
-      for (const auto& t : split.triangles) measure += tetrahedron(t[0], t[1], t[2]);
+      for (const auto& t : split.triangles) add(t[0], t[1], t[2]);
   }
-  return measure > 0 ? 1 : measure < 0 ? -1 : 0;
+  return sign_of_volume(triangles);
 }
 
 }  // namespace cageproof::cage_checks

@@ -2,34 +2,26 @@
 #include "face_pieces.h"
 
 #include "cageproof/core/element.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/orientation.h"
 
 namespace cageproof {
 namespace {
-
-// Wide enough that signs of products of double coordinates are exact.
-using Exact = Mp100;
 
 struct Halves {
   Pieces pieces;
   bool folded;
 };
 
-Vec3<Exact> normal(const std::vector<Vec3<double>>& vertices, const std::array<int, 3>& t) {
-  const Vec3<Exact> at = convert<Exact>(vertices[t[0]]);
-  return Vec3<Exact>(convert<Exact>(vertices[t[1]]) - at).cross(Vec3<Exact>(convert<Exact>(vertices[t[2]]) - at));
-}
-
 Halves halves_by(const std::vector<Vec3<double>>& vertices, const Face& face, const ElementSplit& split) {
   Halves halves;
-  std::array<Vec3<Exact>, 2> normals;
+  std::array<Triangle<double>, 2> sides;
   for (int i = 0; i < 2; ++i) {
     const auto& corners = split.triangles[i];
     const std::array<int, 3> t{face.vertices[corners[0]], face.vertices[corners[1]], face.vertices[corners[2]]};
-    normals[i] = normal(vertices, t);
-    if (!normals[i].isZero(0)) halves.pieces.push_back(t);
+    sides[i] = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+    if (!on_a_line(sides[i])) halves.pieces.push_back(t);
   }
-  halves.folded = normals[0].dot(normals[1]) < 0;
+  halves.folded = sign_of_normals(sides[0], sides[1]) < 0;
   return halves;
 }
 

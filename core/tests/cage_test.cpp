@@ -125,6 +125,13 @@ TEST(cage_rejects, triangle_without_area_in_any_unit) {
   }
 }
 
+// Between three points on a line and three that are next to it is a sign, whatever the exponents are.
+TEST(cage_accepts, triangles_as_thin_as_doubles_can_be) {
+  for (const double thin : {1e-90, 1e-110, 1e-300, 5e-324})
+    EXPECT_NO_THROW(Cage::make("thin", Vertices{{thin, 0, 0}, {2, 2, 0}, {1, 1, 0}, {0, 0, 1}}, kTetrahedron)) << thin;
+  expect_parts(error_of({{0, 0, 0}, {2, 2, 0}, {1, 1, 0}, {0, 0, 1}}, kTetrahedron), {"face 0", "lie on a line"});
+}
+
 TEST(cage_rejects, edge_without_length) {
   Vertices vertices = cube_corners();
   vertices[5] = vertices[4];

@@ -7,8 +7,8 @@
 
 namespace cageproof::reports {
 
-/// One picture per sweep, "pictures/error_<sweep>.png", both axes logarithmic. Errors of zero are drawn at the lower edge,
-/// what is not finite at the upper one. None where nothing is swept.
+/// One picture per sweep, "pictures/error_<sweep>.png", both axes logarithmic. Errors of zero are drawn at the lower
+/// edge, what is not finite at the upper one. None where nothing is swept.
 std::vector<Picture> error_curves_pictures(const WorkPrecision& result);
 
 }  // namespace cageproof::reports

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// On which side of a segment's line, of a triangle's plane, and of its edges, a point lies: decided exactly.
+// On which side of a segment's line, of a triangle's plane, and of its edges, a point lies, and how triangles are
+// turned: decided exactly, for any finite doubles.
 #pragma once
 
 #include "cageproof/core/element.h"
+
+#include <span>
 
 namespace cageproof {
 
@@ -17,5 +20,16 @@ int side_of_plane(const Triangle<double>& t, const Vec3<double>& point);
 /// For a point in the triangle's plane: +1 on the triangle's side of the line through corners `edge` and `edge` + 1, -1
 /// on the other, 0 on it, and 0 for a triangle without area, which has no sides. \pre side_of_plane(t, point) == 0
 int side_of_edge(const Triangle<double>& t, int edge, const Vec3<double>& point);
+
+/// Whether the triangle has no area.
+bool on_a_line(const Triangle<double>& t);
+
+/// The sign of the product of two triangles' normals: -1 where they are turned by more than a right angle to each
+/// other.
+int sign_of_normals(const Triangle<double>& a, const Triangle<double>& b);
+
+/// The sign of the volume that closed triangles enclose, positive where their normals point outward: of the sum of
+/// (t0 - o) . ((t1 - o) x (t2 - o)), o any point.
+int sign_of_volume(std::span<const Triangle<double>> triangles);
 
 }  // namespace cageproof
