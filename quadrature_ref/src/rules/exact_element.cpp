@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "exact_element.h"
 
-#include "../certified/ball.h"
+#include "exact_vectors.h"
 
 #include <algorithm>
 #include <limits>
@@ -16,23 +16,11 @@ using certified::Real, certified::WorkingBits;
 constexpr long widest_spread = 100000, narrow_spread = Mp200::bits / 4 - 5;
 
 template <class T>
-using Vector = std::array<T, 3>;
+using Vector = ExactVector<T>;
 
-template <class T>
-Vector<T> minus(const Vector<T>& a, const Vector<T>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-template <class T>
-T scalar_product(const Vector<T>& a, const Vector<T>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 template <class T>
 T square(const Vector<T>& a) {
   return scalar_product(a, a);
-}
-template <class T>
-Vector<T> vector_product(const Vector<T>& a, const Vector<T>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 // a x (b x c)
 template <class T>
@@ -41,19 +29,6 @@ Vector<T> double_product(const Vector<T>& a, const Vector<T>& b, const Vector<T>
   Vector<T> product;
   for (int i = 0; i < 3; ++i) product[i] = b[i] * along_b - c[i] * along_c;
   return product;
-}
-
-// An element's corners as its point sees them.
-template <class T, std::size_t N>
-std::array<Vector<T>, N> seen(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point) {
-  const auto exactly = [](const Mp200& x) {
-    if constexpr (std::same_as<T, Real>) return Real::exactly(x);
-    else return x;
-  };
-  std::array<Vector<T>, N> x;
-  for (std::size_t k = 0; k < N; ++k)
-    for (int i = 0; i < 3; ++i) x[k][i] = exactly(corners[k][i]) - exactly(point[i]);
-  return x;
 }
 
 // Rounds products of `degree` coordinates, in units of 2^exponent.

@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "inside_quad.h"
 
-#include "cageproof/core/quad_geometry.h"
-
 #include <algorithm>
 
 namespace cageproof::quadrature_ref {
-
-bool lies_on_quad(const Query<Mp200>& query) {
-  const auto rounded = [](const Vec3<Mp200>& x) { return cageproof::convert<double>(x); };
-  const auto is_double = [&](const Vec3<Mp200>& x) { return cageproof::convert<Mp200>(rounded(x)) == x; };
-  if (!std::ranges::all_of(query.corners, is_double) || !is_double(query.point)) return false;
-  const auto& q = query.corners;
-  return on_quad({rounded(q[0]), rounded(q[1]), rounded(q[2]), rounded(q[3])}, rounded(query.point)).has_value();
-}
 
 OnQuad inside_quad(const QuadFrame<Mp200>& q, const ClosestPoint& c) {
   OnQuad on;
