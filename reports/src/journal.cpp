@@ -25,7 +25,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view schema = "cageproof-journal";
-constexpr int schema_version = 1;
+constexpr int schema_version = 2;
+// Journals before this call the recommended evaluations of triangles and segments closed_form, which is algebra today.
+constexpr int schema_of_hybrids = 2;
 
 [[noreturn]] void fail_journal(const fs::path& path, const std::string& reason) {
   throw InputError(fmt::format("cannot write {}: {}", path.string(), reason));
@@ -73,7 +75,10 @@ std::string head(const JournalHeader& header, const std::vector<Session>& sessio
 bool is_head(const Json& json) { return json.is_object() && json.contains("schema") && json["schema"] == schema; }
 
 JournalHeader header_of(const Json& json) {
-  if (json.at("schema_version") != schema_version) throw std::invalid_argument("a journal of another schema version");
+  if (const Json& version = json.at("schema_version");
+      !version.is_number_integer() || version < 1 || version > schema_version)
+    throw std::invalid_argument(
+        fmt::format("a journal of schema version {}, this program reads 1 to {}", dump(version), schema_version));
   JournalHeader header;
   header.version = json.at("version").get<std::string>();
   header.options = json.at("options").get<std::map<std::string, std::string>>();
@@ -88,12 +93,26 @@ JournalHeader header_of(const Json& json) {
   return header;
 }
 
+// An older line with its recommended closed forms named as they are today. Those of quads keep their name.
+Json with_hybrids(Json line) {
+  if (line.contains("rows"))
+    for (Json& row : line["rows"]) {
+      Json& key = row.at("key");
+      if (row.value("role", "") == "recommended" && key.at(2) == "closed_form" &&
+          !key.at(1).get<std::string>().starts_with("quad."))
+        key[2] = "hybrid";
+    }
+  return line;
+}
+
 // Lines after the header. Results in a line without units are those of the units of a later line.
 class Reader {
  public:
   explicit Reader(Journal& journal) : journal_(journal) {}
 
-  void take(const Json& line) {
+  /// \param version the journal's schema version
+  void take(const Json& line, int version) {
+    if (version < schema_of_hybrids) return take(with_hybrids(line), schema_version);
     if (line.contains("session")) journal_.sessions.push_back(session_of(line["session"]));
     PartialResult found = partial_result_of(line);
     open_ = open_ || !found.rows.empty() || !found.fields.empty() || !found.meshes.empty() || !found.errata.empty();
@@ -149,6 +168,7 @@ Journal read_journal(const fs::path& path) {
   Journal journal;
   Reader reader(journal);
   std::optional<std::string> following = file.next();
+  int version = schema_version;
   for (int number = 1; following; ++number) {
     // Each line is written at once with its end: one without is torn.
     if (!file.whole()) break;
@@ -163,10 +183,11 @@ Journal read_journal(const fs::path& path) {
     if (!json.is_object()) bad("malformed");
     try {
       if (number > 1) {
-        reader.take(json);
+        reader.take(json, version);
         continue;
       }
       journal.header = header_of(json);
+      version = json["schema_version"].get<int>();
       for (const Json& session : json.at("environment").at("sessions")) journal.sessions.push_back(session_of(session));
       journal.done.resize(journal.header.units);
     } catch (const Json::exception& error) {

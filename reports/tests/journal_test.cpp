@@ -19,6 +19,7 @@
 #include <cerrno>
 #include <cmath>
 #include <limits>
+#include <map>
 
 // The error code that the next locks fail with; 0: the system is asked. It stands in for the C library's function.
 static int failing_lock = 0;
@@ -205,6 +206,32 @@ TEST_F(Journals, ThatAreDamagedAreNamedByTheirLine) {
   EXPECT_NE(damaged(text.substr(0, 40)).find("not the journal"), std::string::npos);
   EXPECT_NE(message_of(scratch_.path() / "none").find("no journal"), std::string::npos);
   EXPECT_FALSE(find_journal_header(scratch_.path() / "none"));
+}
+
+// What they call closed_form and recommend is hybrid today; what was algebra, or a quad's, keeps its name.
+TEST_F(Journals, OfBeforeNameHybrids) {
+  std::string text = written(path(), {});
+  const auto rows = [](const std::string& subject, const std::string& role) {
+    return fmt::format(R"({{"key":["element","{}","closed_form","double","far","truth","",0],"role":"{}","unit":"u"}})",
+                       subject, role);
+  };
+  text += fmt::format("{{\"rows\":[{},{},{}],\"units\":[[0,0]]}}\n", rows("triangle.double_layer", "recommended"),
+                      rows("quad.solid_angle", "recommended"), rows("segment.double_layer", "printed"));
+  const auto evaluations = [&](const std::string& version) {
+    std::string older = text;
+    const std::string member = "\"schema_version\":";
+    older.replace(older.find(member) + member.size(), 1, version);
+    write_file(path(), older);
+    std::map<std::string, std::string> names;
+    for (const auto& [key, tally] : read_journal(path()).gathered.rows) names[key.subject] = key.evaluation;
+    return names;
+  };
+  using Names = std::map<std::string, std::string>;
+  EXPECT_EQ(evaluations("1"), (Names{{"triangle.double_layer", "hybrid"},
+                                     {"quad.solid_angle", "closed_form"},
+                                     {"segment.double_layer", "closed_form"}}));
+  EXPECT_EQ(evaluations("2")["triangle.double_layer"], "closed_form");
+  EXPECT_THROW(evaluations("3"), InputError);
 }
 
 TEST_F(Journals, HaveOneWriter) {

@@ -12,9 +12,13 @@ namespace {
 using certified::Real, certified::WorkingBits;
 using RealVector = ExactVector<Real>;
 
-int sign_of(const Real& exact) { return arb_is_positive(exact.raw()) != 0 ? 1 : arb_is_negative(exact.raw()) != 0 ? -1 : 0; }
+int sign_of(const Real& exact) {
+  return arb_is_positive(exact.raw()) != 0 ? 1 : arb_is_negative(exact.raw()) != 0 ? -1 : 0;
+}
 bool vanishes(const RealVector& v) { return sign_of(v[0]) == 0 && sign_of(v[1]) == 0 && sign_of(v[2]) == 0; }
-Real determinant(const RealVector& a, const RealVector& b, const RealVector& c) { return scalar_product(a, vector_product(b, c)); }
+Real determinant(const RealVector& a, const RealVector& b, const RealVector& c) {
+  return scalar_product(a, vector_product(b, c));
+}
 RealVector opposite(const RealVector& v) { return {-v[0], -v[1], -v[2]}; }
 
 struct SeenQuad {
@@ -62,8 +66,8 @@ Between is_on_row(const SeenQuad& q, const Real& v) {
 }
 
 // A point of the corners' plane that is on no side. The point is on the line of the row at v where
-// (p_0 + v B) x (A + v W), along the normal, vanishes: a quadratic in v. Its roots, and where on their rows the point is, are
-// balls of more and more bits; ends of rows are on sides, so that all but rows of no length are decided.
+// (p_0 + v B) x (A + v W), along the normal, vanishes: a quadratic in v. Its roots, and where on their rows the point
+// is, are balls of more and more bits; ends of rows are on sides, so that all but rows of no length are decided.
 bool is_within_plane(const SeenQuad& q, const RealVector& normal) {
   constexpr slong most_bits = 1 << 16;
   Real square, linear, constant, discriminant;
