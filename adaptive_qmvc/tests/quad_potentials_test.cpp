@@ -306,6 +306,23 @@ TEST(QuadPotentials, keep_their_digits_over_thin_quads) {
   expect_digits_in_every_turn(corners, point, std::array{Potential::SingleLayer, Potential::KelvinDisplacement}, 0);
 }
 
+// A rounding once took this point for one beside the side, whose limit was then asked for without end. The single layer
+// is continuous there.
+TEST(QuadPotentials, have_values_on_sides_that_are_short) {
+  const Quad<double> q{
+      Vec(-0x1.11759p-2, -0x1.c2e466p-1, 0x1.f21668p-5), Vec(-0x1.783374p-2, -0x1.0b3f7cp-2, 0x1.9d64d8p-2),
+      Vec(0x1.d82f94p-2, -0x1.33b57ep-1, -0x1.5d7ebep-15), Vec(0x1.d82f94p-2, -0x1.33b57ep-1, -0x1.5d7ed8p-15)};
+  const Vec point(0x1.d82f94p-2, -0x1.33b57ep-1, -0x1.5d7ecp-15);
+  Quad<Mp100> wide;
+  for (int k = 0; k < 4; ++k) wide[k] = convert<Mp100>(q[k]);
+  Vec3<Mp100> beside = convert<Mp100>(point);
+  beside[0] += Mp100("1e-40");
+  const auto on = found<double>(Potential::SingleLayer, q, point, 0, 17);
+  const auto near = found<Mp100>(Potential::SingleLayer, wide, beside, 0, 30);
+  ASSERT_EQ(on.of[0].size(), 4u);
+  for (int k = 0; k < 4; ++k) EXPECT_NEAR(on.of[0][k], static_cast<double>(near.of[0][k]), 1e-14) << k;
+}
+
 // Beside a side that is longer than its opposite one lines are counted from, however the corners are numbered; sums are
 // two triangles' solid angle. Points lie on either side of the side's line, where that changes by a turn.
 TEST(QuadPotentials, have_the_solid_angle_beside_a_longer_side) {

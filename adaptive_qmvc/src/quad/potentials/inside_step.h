@@ -24,6 +24,13 @@ struct InsideStep {
   bool exists = true;   ///< false where the normal vanishes
 };
 
+/// Whether a point is on a side, exactly as far as 800 digits hold the products of coordinates.
+inline bool lies_on_side(const Vec3<Mp200>& from, const Vec3<Mp200>& to, const Vec3<Mp200>& point) {
+  const Vec3<Mp800> eta = point.template cast<Mp800>();
+  const Vec3<Mp800> a = from.template cast<Mp800>() - eta, b = to.template cast<Mp800>() - eta, area = a.cross(b);
+  return area[0] == 0 && area[1] == 0 && area[2] == 0 && a.dot(b) <= 0;
+}
+
 /// The point next to `on`, where `point` lies on the quad.
 /// \param for_multiprecision whether a limit is wanted to some 35 digits, not to a double's
 template <Scalar R>
@@ -44,7 +51,9 @@ InsideStep step_inside(std::span<const Vec3<R>> corners, const Vec3<R>& point, c
     const W square = side.dot(side);
     const W t = square > W(0) ? std::clamp(W(to.dot(side) / square), W(0), W(1)) : W(0);
     const Vec3<W> off = to - t * side;
-    nearest = std::min(nearest, W(sqrt(W(off.dot(off)))));
+    // t is rounded: whether the point is on the side is not asked of what is left.
+    const bool is_on = lies_on_side(x[k], x[(k + 1) % 4], eta);
+    nearest = std::min(nearest, is_on ? W(0) : W(sqrt(W(off.dot(off)))));
     size = std::max(size, W(sqrt(square)));
   }
   const W length = sqrt(W(normal.dot(normal)));

@@ -187,8 +187,10 @@ Statement potential_on_quad(std::span<const Vec3<R>> corners, const Vec3<R>& poi
   Statement statement = step.tiny
                             ? potential_seen_in<Mp800, R>(corners, step.point.template cast<Mp800>(), limited, tensors)
                             : potential_seen_in<Mp100, R>(corners, convert<Mp100>(step.point), limited, tensors);
-  if (tensors.cancelled > kPotentialCancelled[0])
-    statement = potential_form_in_more_digits<R, Mp200>(corners, step.point, limited, tensors.cancelled, tensors);
+  // 200 digits are the most, and whoever asked for them counts what cancels.
+  if constexpr (!std::same_as<R, Mp200>)
+    if (tensors.cancelled > kPotentialCancelled[0])
+      statement = potential_form_in_more_digits<R, Mp200>(corners, step.point, limited, tensors.cancelled, tensors);
   // N.x is zero all over the quad, and not as small as the step.
   if (task.potential == Potential::BiharmonicDoubleLayer && is_in_plane<R>(corners, point))
     std::ranges::fill(tensors.of[0], R(0));
