@@ -21,7 +21,7 @@ struct InsideStep {
   Vec3<Mp200> point;    ///< against the normal, so near that what is missing of a limit is below a double's rounding
   bool border = false;  ///< whether the point lies on a side
   bool tiny = false;    ///< whether the step needs more than 100 digits
-  bool exists = true;   ///< false where the normal vanishes
+  bool exists = true;   ///< false where the normal vanishes, or where 200 digits do not hold the step
 };
 
 /// Whether a point is on a side, exactly as far as 800 digits hold the products of coordinates.
@@ -45,27 +45,27 @@ InsideStep step_inside(std::span<const Vec3<R>> corners, const Vec3<R>& point, c
   const Vec3<W> along = (1 - v) * (x[1] - x[0]) + v * (x[2] - x[3]);
   const Vec3<W> across = (1 - u) * (x[3] - x[0]) + u * (x[2] - x[1]);
   const Vec3<W> normal = along.cross(across);
-  W nearest = std::numeric_limits<W>::infinity(), size = 0;
+  InsideStep step;
+  W nearest = std::numeric_limits<W>::infinity(), size = 0;  // the nearest of the sides that the point is not on
   for (int k = 0; k < 4; ++k) {
     const Vec3<W> side = x[(k + 1) % 4] - x[k], to = eta - x[k];
     const W square = side.dot(side);
     const W t = square > W(0) ? std::clamp(W(to.dot(side) / square), W(0), W(1)) : W(0);
     const Vec3<W> off = to - t * side;
     // t is rounded: whether the point is on the side is not asked of what is left.
-    const bool is_on = lies_on_side(x[k], x[(k + 1) % 4], eta);
-    nearest = std::min(nearest, is_on ? W(0) : W(sqrt(W(off.dot(off)))));
+    if (lies_on_side(x[k], x[(k + 1) % 4], eta)) step.border = true;
+    else nearest = std::min(nearest, W(sqrt(W(off.dot(off)))));
     size = std::max(size, W(sqrt(square)));
   }
   const W length = sqrt(W(normal.dot(normal)));
-  InsideStep step;
   step.exists = length > W(0);
   if (!step.exists) return step;
-  step.border = nearest == W(0);
-  // In the distance to the border what is missing is that much, times its logarithm.
-  const W height =
-      step.border ? ldexp(size, for_multiprecision ? -140 : -80) : ldexp(nearest, for_multiprecision ? -120 : -70);
+  // In the distance to other sides what is missing is that much; on a side, times its logarithm.
+  const int bits = for_multiprecision ? (step.border ? 140 : 120) : (step.border ? 80 : 70);
+  const W height = ldexp(nearest, -bits);
   step.tiny = height < ldexp(size, -100);
   step.point = eta - (height / length) * normal;
+  step.exists = step.point != eta;
   return step;
 }
 
