@@ -51,13 +51,23 @@ TEST(limits, on_the_border_are_those_below_the_degree) {
   }
 }
 
-TEST(limits, are_asked_of_inputs_alone) {
+TEST(limits, are_asked_only_of_inputs) {
   Sample sample = sample_at(formula_named("triangle.single_layer"), {.25, .25, 1});
   sample.point[2] = INFINITY;
   EXPECT_EQ(limits_that_must_exist(formula_named("triangle.single_layer"), sample), Limits{});
   sample.point[2] = 1;
   sample.corners[2] = {2, 0, 0};
   EXPECT_EQ(limits_that_must_exist(formula_named("triangle.single_layer"), sample), Limits{});
+}
+
+// As a needle's corners may be once they are rounded to float.
+TEST(limits, are_not_asked_of_quads_whose_corners_coincide) {
+  const Formula& formula = formula_named("quad.kelvin_traction");
+  Sample sample = sample_at(formula, {.25, .25, 1});
+  EXPECT_EQ(limits_that_must_exist(formula, sample), (Limits{true, true, true}));
+  sample.corners[2] = sample.corners[1];
+  sample.point = sample.corners[1];
+  EXPECT_EQ(limits_that_must_exist(formula, sample), Limits{});
 }
 
 TEST(limits, that_must_exist_are_found_by_the_integral) {

@@ -35,7 +35,7 @@ bool is_input(const Formula& formula, const Sample& sample) {
     if (!corner.allFinite()) return false;
     corners.push_back(convert<Mp200>(corner));
   }
-  return !type_of(formula.element).degenerate(corners);
+  return !type_of(formula.element).degenerate(corners) && sampling_of(formula.element).search.valid(sample.corners);
 }
 
 std::array<bool, 3> limits_that_must_exist(const Formula& formula, const Sample& sample) {
