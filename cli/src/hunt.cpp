@@ -49,8 +49,8 @@ bool names_check(const Arguments& a, std::string_view check, bool& by_glob) {
   return named;
 }
 
-// The checks of an evaluation that are named; without names the promised error, and the plain relative one of
-// evaluations that are asked for it.
+// The checks of an evaluation that are named; without names the promised error, and of those that promise
+// digits what they leave of them.
 std::vector<const validation::Check*> checks_of(const Arguments& a, const Evaluation& evaluation) {
   std::vector<const validation::Check*> chosen;
   for (const auto& check : validation::checks()) {
@@ -61,9 +61,11 @@ std::vector<const validation::Check*> checks_of(const Arguments& a, const Evalua
   }
   if (!chosen.empty()) return chosen;
   chosen.push_back(validation::find_check("truth"));
-  const validation::Check* relative = validation::find_check("relative");
-  if (relative && relative->applies(*a.options.formula, evaluation, a.options.scalar, validation::hunted_regime))
-    chosen.push_back(relative);
+  for (const std::string_view name : {"relative", "digits"}) {
+    const validation::Check* check = validation::find_check(name);
+    if (check->applies(*a.options.formula, evaluation, a.options.scalar, validation::hunted_regime))
+      chosen.push_back(check);
+  }
   return chosen;
 }
 
@@ -74,7 +76,7 @@ std::vector<HuntObjective> promised_objectives(const Arguments& a) {
   for (const std::string& name : EvaluationRegister::instance().standard(a.formula)) {
     const Evaluation evaluation = evaluation_named(a.formula, name);
     if (!evaluation.supports(a.options.scalar) || a.options.order > evaluation.max_order()) continue;
-    for (const std::string_view check_name : {"truth", "relative", "stated_error"}) {
+    for (const std::string_view check_name : {"truth", "relative", "digits", "stated_error"}) {
       const HuntObjective objective{evaluation, validation::find_check(check_name)};
       bool by_glob = false;
       const bool asked = a.checks.empty() || names_check(a, check_name, by_glob);
@@ -218,9 +220,7 @@ void add_hunt(CommandLine& line) {
       .in_range(1, 1000000000);
   command.option("--order", a->options.order, "derivative order asked and looked at").in_range(0, 2).showing_default();
   command.option("--scalar", a->scalar, "scalar").one_of({"double", "float"}).showing_default();
-  command
-      .option("--check,--checks", a->checks, "which errors; without: what is promised, and relative where it is asked")
-      .taking("CHECKS");
+  command.option("--check,--checks", a->checks, "which errors; without: what is promised").taking("CHECKS");
   command.option("--regime,--regimes", a->options.regimes, "where climbs start").taking("REGIMES").showing_default();
   command.option("--seed", a->options.seed, "64-bit seed").showing_default();
   command.option("--jobs", a->options.jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();

@@ -248,10 +248,10 @@ function drawCurves(details) {
   orderNames.forEach((title, order) => {
     const panel = svg.append("g").attr("transform", `translate(${left + order * (width + gap)},24)`);
     axes(panel, x, y, width, height, title, order === 0);
-    const bounds = new Set(page.rows.filter((row) => row.regime === details.dataset.regime && row.check === details.dataset.check && row.order === order && row.bound).map((row) => Number(row.bound)));
+    const bounds = new Set(page.rows.filter((row) => row.regime === details.dataset.regime && row.check === "digits" && row.order === order && row.bound).map((row) => Number(row.bound)));
     for (const bound of bounds)
       if (bound > low && bound < top)
-        tipOn(panel.append("line").attr("x2", width).attr("y1", y(bound)).attr("y2", y(bound)).attr("stroke", "#888888").attr("stroke-dasharray", "2 3").attr("stroke-width", 1.5), () => `promised bound ${bound}`);
+        tipOn(panel.append("line").attr("x2", width).attr("y1", y(bound)).attr("y2", y(bound)).attr("stroke", "#888888").attr("stroke-dasharray", "2 3").attr("stroke-width", 1.5), () => `promised digits: ${bound} units`);
     for (const curve of curves.filter((one) => one.order === order)) {
       const name = `${curve.evaluation}, ${curve.scalar}`, style = styleOf(name);
       const points = curve.x.map((at, i) => ({at, error: heightOf(curve.y[i])}));
@@ -266,7 +266,7 @@ function drawCurves(details) {
     }
   });
   svg.append("text").attr("x", left + 1.5 * width).attr("y", height + 60).attr("text-anchor", "middle").text(details.dataset.axis);
-  svg.append("text").attr("transform", `translate(10,${height / 2 + 24}) rotate(-90)`).attr("text-anchor", "middle").text("conditioned error");
+  svg.append("text").attr("transform", `translate(10,${height / 2 + 24}) rotate(-90)`).attr("text-anchor", "middle").text("relative error, units of u");
   box.append(svg.node());
   legend(box, [...new Set(curves.map((curve) => `${curve.evaluation}, ${curve.scalar}`))], svg);
 }
@@ -301,7 +301,7 @@ function drawTimes(box) {
     }
   });
   svg.append("text").attr("x", left + 1.5 * width).attr("y", height + 60).attr("text-anchor", "middle").text("nanoseconds a pair");
-  svg.append("text").attr("transform", `translate(10,${height / 2 + 24}) rotate(-90)`).attr("text-anchor", "middle").text("conditioned error");
+  svg.append("text").attr("transform", `translate(10,${height / 2 + 24}) rotate(-90)`).attr("text-anchor", "middle").text("relative error, units of u");
   box.append(svg.node());
   legend(box, [...new Set(times.map((time) => `${time.evaluation}, double`))], svg);
 }

@@ -34,7 +34,7 @@ const std::array lists{
     List{"curves",
          "curve",
          {"subject", "evaluation", "scalar", "regime", "check", "order"},
-         {"parameter_name", "parameters", "errors"}},
+         {"parameter_name", "parameters", "relative_errors"}},
     List{"fields", "field", {"title"}, {"unit", "largest"}},
     List{"errata",
          "erratum",

@@ -62,13 +62,13 @@ bool drawable(const ResultCurve& curve) {
   return std::ranges::any_of(curve.parameters, [](double p) { return p > 0 && std::isfinite(p); });
 }
 
-// \param curves of one subject, regime and check
+// Of the digits that are promised. \param curves of one subject, regime and check
 std::set<double> bounds(const RunResult& result, const Curves& curves, int order) {
   const ResultCurve& one = *curves.front();
   std::set<double> found;
   for (const ResultRow& row : result.rows) {
     if (!row.bound || row.order != order || row.subject != one.subject || row.setting != one.setting ||
-        row.check != one.check)
+        row.check != "digits")
       continue;
     for (const ResultCurve* curve : curves)
       if (curve->order == order && row.evaluation == curve->evaluation && row.scalar == curve->scalar &&
@@ -140,7 +140,7 @@ std::vector<std::string> legend(const Curves& curves, const Styles& styles, bool
     if (seen.insert(curve->evaluation + '\n' + curve->scalar).second)
       entries.push_back(fmt::format("keyentry with linespoints {} title {}", styles.line(*curve),
                                     gnuplot_text(curve->evaluation + ", " + curve->scalar)));
-  if (promised) entries.emplace_back("keyentry with lines linecolor rgb '#777777' dashtype 2 title 'promised bound'");
+  if (promised) entries.emplace_back("keyentry with lines linecolor rgb '#777777' dashtype 2 title 'promised digits'");
   if (infinite)
     entries.emplace_back("keyentry with points linecolor rgb '#444444' pointtype 9 pointsize 1.3 title 'not finite'");
   return entries;
@@ -185,8 +185,7 @@ Picture draw_curves(const RunResult& result, const Curves& curves, const Styles&
   for (int order = 0; order < 3; ++order) {
     text += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\nset title '{}' offset 0,-0.6\n",
                         margins[order][0], margins[order][1], order_name(order));
-    text +=
-        order == 0 ? "set ylabel 'conditioned error, units of u' offset 0.3,0\n" : "unset ylabel\nset format y ''\n";
+    text += order == 0 ? "set ylabel 'relative error, units of u' offset 0.3,0\n" : "unset ylabel\nset format y ''\n";
     text += "plot " + panel(curves, styles, promised[order], order) + "\n";
   }
   // The legend is a plot of its own: gnuplot breaks its lines at the plot's width.

@@ -85,12 +85,10 @@ ErrorTable truth_table(const RunResult& result, const std::string& subject) {
   return table;
 }
 
-std::string lead_digits_lost(const ErrorTable& table, const std::string& regime) {
-  std::string text;
-  for (int order = 0; order < 3; ++order)
-    if (const ResultRow* row = table.at(regime, table.columns.front(), order))
-      text += (text.empty() ? "" : " · ") + digits_lost(row->max_relative, row->scalar);
-  return text;
+std::string figure_text(const ResultRow& row) {
+  if (row.check != "truth") return short_error(row.max);
+  const double relative = std::isfinite(row.max) ? row.max_relative : row.max;
+  return fmt::format("{} ({})", digits_kept(relative, row.scalar), short_error(row.max));
 }
 
 // Broken before kept, promised before not, then by how far it goes.

@@ -44,8 +44,9 @@ std::vector<std::string> subjects(const RunResult& result, ResultRow::Section se
 /// The rows of a subject's check against the truth.
 ErrorTable truth_table(const RunResult& result, const std::string& subject);
 
-/// Of the first column: digits_lost of each order, "0.3 · 1.2 · 2.4"; empty where it has no row.
-std::string lead_digits_lost(const ErrorTable& table, const std::string& regime);
+/// What is said of a row's error: of one against the truth first how many digits are right at the worst input,
+/// whatever the conditioning, "14.8 (2.5)"; of others the error, "2.5".
+std::string figure_text(const ResultRow& row);
 
 /// One line a (check, evaluation, scalar, order, unit) of a subject, truth left out: the row that comes nearest to its
 /// bound or goes furthest beyond, of all regimes.

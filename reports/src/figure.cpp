@@ -25,12 +25,6 @@ std::string short_error(double error) {
   return fmt::format("{}e{}", mantissa, exponent);
 }
 
-std::string digits_lost(double relative, std::string_view scalar) {
-  if (!std::isfinite(relative)) return "inf";
-  const double roundings = std::ldexp(relative, scalar == "float" ? 24 : 53);
-  return roundings > 1 ? fmt::format("{:.3g}", std::ceil(10 * std::log10(roundings)) / 10) : "0";
-}
-
 std::string digits_kept(double relative, std::string_view scalar) {
   if (!std::isfinite(relative)) return "0";
   if (relative < std::ldexp(1.0, scalar == "float" ? -24 : -53)) return "all";

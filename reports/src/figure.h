@@ -12,10 +12,6 @@ namespace cageproof::reports {
 /// "inf".
 std::string short_error(double error);
 
-/// How many of a scalar's decimal digits a relative error costs, rounded up to a tenth: "0", "1.3", "16", "inf".
-/// \param scalar "float" or "double"
-std::string digits_lost(double relative, std::string_view scalar);
-
 /// How many decimal digits of a scalar a relative error leaves, rounded down to a tenth: "0", "12.3", "all".
 std::string digits_kept(double relative, std::string_view scalar);
 

@@ -107,7 +107,7 @@ Tally tally_of(const Json& row, RowKey::Section section) {
   Tally tally;
   static_cast<RowFigures&>(tally) = figures_of(row);
   tally.errors = histogram_of(row);
-  tally.by_parameter = numbers(list(row, "by_parameter"));
+  tally.by_parameter = numbers(list(row, "relative_by_parameter"));
   for (const Json& c : list(row, "worst")) tally.worst.add(case_of(c, section));
   return tally;
 }
@@ -208,7 +208,7 @@ Json row_json(const RowKey& key, const Tally& tally) {
   if (tally.errors.count() > 0)
     json.update({{"max", json_number(tally.errors.max())}, {"counts", json_of(tally.errors)}});
   if (tally.errors.nonfinite() > 0) json["nonfinite"] = tally.errors.nonfinite();
-  if (!tally.by_parameter.empty()) json["by_parameter"] = json_of(tally.by_parameter);
+  if (!tally.by_parameter.empty()) json["relative_by_parameter"] = json_of(tally.by_parameter);
   for (const WorstCase& c : tally.worst.cases()) json["worst"].push_back(json_of(c));
   return json;
 }

@@ -96,7 +96,7 @@ void put_summary(const RunResult& result, std::string_view schema, const std::fu
                               {"order", curve.order},
                               {"parameter_name", curve.parameter_name},
                               {"parameters", numbers(curve.parameters)},
-                              {"errors", numbers(curve.errors)}});
+                              {"relative_errors", numbers(curve.errors)}});
   for (const FieldEntry& field : result.fields) {
     Json entry{{"title", field.title},
                {"unit", field.unit},

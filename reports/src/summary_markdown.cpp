@@ -37,7 +37,7 @@ std::string head(const std::vector<std::string>& cells) {
 
 std::string figure(const ResultRow* row) {
   if (!row) return "";
-  return row->verdict == Verdict::Broken ? "**" + short_error(row->max) + "**" : short_error(row->max);
+  return row->verdict == Verdict::Broken ? "**" + figure_text(*row) + "**" : figure_text(*row);
 }
 
 std::string broken(const RunResult& result) {
@@ -79,7 +79,6 @@ std::string formulas(const RunResult& result) {
                           escaped(formula->source));
     std::vector<std::string> cells{"regime"};
     for (const Column& column : table.columns) cells.push_back(escaped(column.evaluation + ", " + column.scalar));
-    cells.insert(cells.begin() + 2, "its digits lost");
     text += head(cells);
     for (const std::string& regime : table.regimes) {
       cells = {escaped(regime)};
@@ -89,15 +88,13 @@ std::string formulas(const RunResult& result) {
           if (const ResultRow* row = table.at(regime, column, order)) cell += (cell.empty() ? "" : " · ") + figure(row);
         cells.push_back(cell);
       }
-      cells.insert(cells.begin() + 2, lead_digits_lost(table, regime));
       text += line(cells);
     }
   }
   if (text.empty()) return text;
-  return "\n## Formulas against the truth\n\nLargest conditioned error found, value · gradient · Hessian; bold where a "
-         "promise is "
-         "broken. Beside the first the decimal digits that its plain relative error costs, whatever the "
-         "conditioning.\n" +
+  return "\n## Formulas against the truth\n\nValue · gradient · Hessian: how many digits are right at the worst input "
+         "found, whatever the conditioning, and in brackets the largest conditioned error; bold where a promise is "
+         "broken.\n" +
          text;
 }
 

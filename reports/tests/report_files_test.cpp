@@ -116,7 +116,7 @@ TEST(ReportFiles, SummaryJsonHoldsEveryFigure) {
   EXPECT_EQ(json["environment"]["sessions"][0]["seconds"], run.sessions[0].seconds);
   EXPECT_EQ(json["rows"][0]["max"], "inf");
   EXPECT_EQ(json["rows"][0]["max_relative"], "nan");
-  EXPECT_EQ(json["curves"][0]["errors"][1], "-inf");
+  EXPECT_EQ(json["curves"][0]["relative_errors"][1], "-inf");
   EXPECT_TRUE(std::isnan(*number_of(json["rows"][0]["max_relative"])));
   ASSERT_EQ(json["rows"].size(), run.rows.size());
   std::map<std::string, std::size_t> line;
@@ -137,7 +137,7 @@ TEST(ReportFiles, SummaryJsonHoldsEveryFigure) {
   ASSERT_EQ(json["curves"].size(), run.curves.size());
   for (std::size_t i = 0; i < run.curves.size(); ++i)
     for (std::size_t k = 0; k < run.curves[i].errors.size(); ++k)
-      EXPECT_EQ(*number_of(json["curves"][i]["errors"][k]), run.curves[i].errors[k]);
+      EXPECT_EQ(*number_of(json["curves"][i]["relative_errors"][k]), run.curves[i].errors[k]);
 }
 
 TEST(ReportFiles, CsvQuotesWhatMustBe) {
@@ -346,19 +346,20 @@ TEST(ReportFiles, TimesStandBesideTheirOwnErrors) {
     });
   };
   // Rows of anything else are far off.
-  for (ResultRow& row : run.rows) row.max = 1e6;
+  constexpr double u = 0x1p-53;
+  for (ResultRow& row : run.rows) row.max_relative = 1e6 * u;
   for (const int order : {0, 1, 2}) {
-    row_of("generic", order, "truth").max = 9 + order;
-    row_of("near-face", order, "truth").max = 3;
-    row_of("near-edge", order, "truth").max = 5 + order;
-    row_of("near-vertex", order, "truth").max = 2;
+    row_of("generic", order, "truth").max_relative = (9 + order) * u;
+    row_of("near-face", order, "truth").max_relative = 3 * u;
+    row_of("near-edge", order, "truth").max_relative = (5 + order) * u;
+    row_of("near-vertex", order, "truth").max_relative = 2 * u;
   }
-  row_of("generic", 0, "truth").max = 0;
+  row_of("generic", 0, "truth").max_relative = 0;
   // A cage's sum of the formula, and a cage whose file is called like a regime.
   ResultRow cage = row_of("near-edge", 0, "truth");
   cage.section = RowKey::Section::Cage;
   cage.setting = "near-wall.obj";
-  cage.max = 1e6;
+  cage.max_relative = 1e6 * u;
   run.rows.push_back(cage);
   const Json times = times_on_page(run, formula);
   ASSERT_EQ(times.size(), 3u);
@@ -372,9 +373,9 @@ TEST(ReportFiles, TimesStandBesideTheirOwnErrors) {
   EXPECT_EQ(times[2]["generic"], 1e6);
   // An error that was not measured is null, and one that is not finite says so.
   for (const char* regime : {"near-edge", "near-vertex"}) row_of(regime, 0, "truth").samples = 0;
-  row_of("generic", 2, "truth").max = row_of("near-face", 2, "truth").max = HUGE_VAL;
+  row_of("generic", 2, "truth").max_relative = row_of("near-face", 2, "truth").max_relative = HUGE_VAL;
   EXPECT_EQ(times_on_page(run, formula)[0]["near"], 3.0);
-  row_of("near-face", 0, "truth").max = 0;
+  row_of("near-face", 0, "truth").max_relative = 0;
   EXPECT_EQ(times_on_page(run, formula)[0]["near"], 0.0);
   for (const char* regime : {"generic", "near-face"}) row_of(regime, 0, "truth").samples = 0;
   const Json without = times_on_page(run, formula);

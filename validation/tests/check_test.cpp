@@ -237,5 +237,41 @@ TEST(truth, contact_is_exact) {
   EXPECT_EQ(contact_of(ElementKind::Triangle, sample), Contact::Off);
 }
 
+// Next to an edge rounding the input may change all digits, and conditioned units forgive as much.
+TEST(Digits, are_asked_for_where_conditioned_units_forgive) {
+  const Formula& formula = formula_named("triangle.double_layer");
+  const Evaluation good = evaluation_named("triangle.double_layer", "hybrid");
+  Evaluation off(good.formula().name, good.name(), good.facts());
+  off.set_point<double>([good](const Query<double>& query, Result<double>& result) {
+    good(query, result);
+    for (int o = 0; o <= query.order; ++o)
+      for (double& x : result.of(o)) x *= 1 + 1e-12;
+  });
+  const auto found = [&](const char* check, const Evaluation& evaluation) {
+    const Regime* near_edge = find_regime("near-edge");
+    const std::uint64_t nearest = near_edge->parameters.size() - 1;
+    return measured({find_check(check), &formula, ScalarKind::Double, near_edge}, evaluation, nearest)[1].error;
+  };
+  EXPECT_LT(found("truth", off), 64);
+  EXPECT_GT(found("digits", off), 1e3);
+  EXPECT_LT(found("digits", good), 1e3);
+}
+
+// Where the truth is zero but for what rounding leaves, a thousandth of what cancels is the measure.
+TEST(Digits, are_counted_from_what_cancels) {
+  const Formula& formula = formula_named("segment.single_layer");
+  Sample sample;
+  sample.corners = {{0.99, 0, 0}, {1.010033445077928, 0, 0}};
+  const Truth truth = truth_from(truth_source(formula), sample, 0);
+  Evaluation off(formula.name, "hybrid", evaluation_named(formula.name, "hybrid").facts());
+  off.set_point<double>([&](const Query<double>&, Result<double>& result) {
+    result.reset(1, 2, 0);
+    result.value[0] = static_cast<double>(truth.tensors.value[0]) + 1e-22;
+  });
+  const auto finding = find_check("digits")->measure({formula, off, ScalarKind::Double, sample, 0, truth})[0];
+  EXPECT_GT(finding.relative * 0x1p53, 1e3);
+  EXPECT_LT(finding.error, 1e2);
+}
+
 }  // namespace
 }  // namespace cageproof::validation

@@ -107,4 +107,11 @@ const std::vector<RuleFamily>& rules_of(ElementKind kind);
 /// no evaluation.
 void register_rules(ElementKind kind, std::string_view kernel, const std::shared_ptr<const KernelSet>& kernels);
 
+/// The member of a family of that name and number, for a formula and kernels that may be others than its own.
+Evaluation evaluation_of(const RuleFamily& family, std::string_view name, int number, const Formula& row,
+                         const std::shared_ptr<const KernelSet>& kernels);
+
+/// The kernels that were registered for a formula; null for none.
+std::shared_ptr<const KernelSet> kernels_of(std::string_view formula);
+
 }  // namespace cageproof::quadrature_ref

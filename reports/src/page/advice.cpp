@@ -9,11 +9,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cageproof::reports {
 namespace {
 
+// In roundings of double.
 constexpr double kTwelveDigits = 1e4;
 
 bool is_values(const RowKey& row, const std::string& formula, const std::string& evaluation) {
@@ -61,7 +63,8 @@ std::optional<double> time_of(const RunResult& result, const std::string& formul
 
 std::optional<double> reach_of(const RunResult& result, const std::string& formula, const std::string& evaluation) {
   for (const ResultRow& row : result.rows)
-    if (is_values(row, formula, evaluation) && row.setting == "generic" && !(row.max <= kTwelveDigits))
+    if (is_values(row, formula, evaluation) && row.setting == "generic" &&
+        !(row.max_relative <= std::ldexp(kTwelveDigits, -53)))
       return std::nullopt;
   // Above the largest distance at which one of the regimes has lost them.
   double lost = 0, smallest = std::numeric_limits<double>::infinity();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "digest.h"
 #include "figure.h"
 #include "page_data.h"
 #include "page_template.h"
@@ -18,7 +19,7 @@ const char* conditioned_class(double max) {
 
 }  // namespace
 
-std::string cell_text(const ResultRow& row) { return row.samples == 0 ? "–" : short_error(row.max); }
+std::string cell_text(const ResultRow& row) { return row.samples == 0 ? "–" : figure_text(row); }
 
 std::string cell_class(const ResultRow& row) {
   if (row.samples == 0 && row.verdict != Verdict::Broken) return "ill";

@@ -33,7 +33,6 @@ Data line_of(const std::string& formula, const std::string& regime, const ErrorT
   line.set("regime", regime);
   line.set("evaluation", name_of(lead));
   line.set("orders", orders);
-  line.set("digits_lost", lead_digits_lost(table, regime));
   line.set("bound", telling && telling->bound ? short_number(*telling->bound) : "");
   line.set("samples", telling ? grouped(telling->samples) : "");
   return line;

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cageproof::reports {
 namespace {
@@ -43,8 +44,8 @@ Data head(const std::string& name, int span) {
 // Regimes by evaluations, three orders each.
 Matrix truth_matrix(const ErrorTable& table, const std::string& page) {
   Matrix matrix{
-      "Against the truth: the largest conditioned error found, of value, gradient and Hessian. Beside each "
-      "regime, how many digits the first evaluation lost, whatever the conditioning."};
+      "Against the truth: how many digits of value, gradient and Hessian are right at the worst input, whatever the "
+      "conditioning, and in brackets the largest conditioned error."};
   for (const Column& column : table.columns) matrix.heads << head(column.evaluation + ", " + column.scalar, 3);
   for (const std::string& regime : table.regimes) {
     Data cells{Data::type::list};
@@ -54,7 +55,7 @@ Matrix truth_matrix(const ErrorTable& table, const std::string& page) {
         cell.set("first", order == 0);
         cells << cell;
       }
-    matrix.lines << line(regime, lead_digits_lost(table, regime), cells);
+    matrix.lines << line(regime, "", cells);
   }
   return matrix;
 }
@@ -147,6 +148,9 @@ Data pictures_of(const std::string& subject, const ErrorTable& table, const std:
 }
 
 // The errors beside times in their picture: the largest in `generic`, and the largest of all regimes `near-*`.
+// The relative error of a row in double.
+double in_roundings(const ResultRow& row) { return std::ldexp(row.max_relative, 53); }
+
 Json times_json(const RunResult& result, const std::string& formula) {
   Json list = Json::array();
   for (const EvaluationTime& time : times_of(result)) {
@@ -156,8 +160,8 @@ Json times_json(const RunResult& result, const std::string& formula) {
       if (row.section != Section::Element || row.subject != formula || row.evaluation != time.evaluation ||
           row.scalar != "double" || row.check != "truth" || row.order != time.order || row.samples == 0)
         continue;
-      if (row.setting == "generic") generic = row.max;
-      if (row.setting.starts_with("near-")) near = std::max(near, row.max);
+      if (row.setting == "generic") generic = in_roundings(row);
+      if (row.setting.starts_with("near-")) near = std::max(near, in_roundings(row));
     }
     list.push_back({{"evaluation", time.evaluation},
                     {"order", time.order},
@@ -236,7 +240,7 @@ void add_formula(std::map<std::string, std::string>& pages, const RunResult& res
   data.set("draws", true);
   pages["formulas/d3.min.js"] = kD3Script;
   Data matrices{Data::type::list};
-  add_matrix(matrices, truth_matrix(table, page.file()), "Regime", "Digits lost", true);
+  add_matrix(matrices, truth_matrix(table, page.file()), "Regime", "", true);
   add_matrix(matrices, relations_matrix(result, subject, page.file()), "Check", "Unit", false);
   set_list(data, "pictures", pictures_of(subject, table, curves));
   const Json times = times_json(result, subject);

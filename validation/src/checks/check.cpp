@@ -9,6 +9,7 @@ const std::vector<std::unique_ptr<Check>>& checks() {
   static const CheckList all = [] {
     CheckList list;
     add_truth_checks(list);
+    add_digits_check(list);
     add_enclosure_check(list);
     add_limit_check(list);
     add_symmetry_checks(list);

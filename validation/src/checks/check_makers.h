@@ -12,6 +12,7 @@ namespace cageproof::validation {
 using CheckList = std::vector<std::unique_ptr<Check>>;
 
 void add_truth_checks(CheckList& list);         // truth, relative, integral, stated_error
+void add_digits_check(CheckList& list);         // digits
 void add_enclosure_check(CheckList& list);      // enclosure
 void add_limit_check(CheckList& list);          // limit
 void add_symmetry_checks(CheckList& list);      // scaling, rigid_motion, corner_permutation, orientation_flip

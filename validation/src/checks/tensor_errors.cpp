@@ -117,9 +117,10 @@ int furthest_entry(const Result<R>& f, const Truth& truth, int order) {
 }
 
 template <Scalar R>
-double relative_error(const Result<R>& f, const Truth& truth, int order) {
+double relative_error(const Result<R>& f, const Truth& truth, int order, const Mp100& floor) {
   const Compared c = compared(f.of(order), truth.tensors.of(order));
-  return ratio(c, sqrt(c.truth));
+  const Mp100 size = sqrt(c.truth);
+  return ratio(c, size < floor ? floor : size);
 }
 
 template <Scalar R>
@@ -131,7 +132,7 @@ double error_over_digits(const Result<R>& f, const Truth& truth, int order, doub
 #define CAGEPROOF_INSTANTIATE(R)                                                           \
   template double conditioned_error<R>(const Result<R>&, const Truth&, int, const Mp100&); \
   template int furthest_entry<R>(const Result<R>&, const Truth&, int);                     \
-  template double relative_error<R>(const Result<R>&, const Truth&, int);                  \
+  template double relative_error<R>(const Result<R>&, const Truth&, int, const Mp100&);    \
   template double error_over_digits<R>(const Result<R>&, const Truth&, int, double);
 CAGEPROOF_INSTANTIATE(float)
 CAGEPROOF_INSTANTIATE(double)

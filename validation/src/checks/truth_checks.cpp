@@ -78,17 +78,14 @@ class TruthCheck final : public Check {
   }
 };
 
-/// An evaluation that promises its digits whatever the conditioning, against the truth. Of the recommended one hunts
-/// may ask it too: what conditioned units forgive is what they look for there.
+/// An evaluation that promises its digits whatever the conditioning, against the truth.
 class RelativeCheck final : public Check {
  public:
   std::string_view name() const override { return "relative"; }
   std::string_view unit() const override { return "units of u"; }
   std::string_view description() const override { return "plain relative error, norm-wise, in units of rounding"; }
-  bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar,
-               std::string_view regime) const override {
-    const bool hunted = is_recommended(evaluation) && regime == hunted_regime;
-    return is_stated_in(scalar, evaluation) || (hunted && scalar == ScalarKind::Double);
+  bool applies(const Formula&, const Evaluation& evaluation, ScalarKind scalar, std::string_view) const override {
+    return is_stated_in(scalar, evaluation);
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     if (!is_finite(in.sample)) return without_truth(in.order);

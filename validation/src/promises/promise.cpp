@@ -53,6 +53,14 @@ constexpr std::array table{
     // The forms we stand behind.
     Row{"truth", "*", recommended, "double", "*", 0, 2, 64, "backward stable: a few roundings times conditioning"},
     Row{"truth", "*", recommended, "float", "*", 0, 2, 64, "computed in double and rounded"},
+    // Digits, whatever the conditioning.
+    Row{"digits", "quad.@(mean_value|double_layer|biharmonic_double_layer)", "line_form", "double",
+        "@(near-plane|near-line|on-plane|on-line|hunted)", 0, 0, none,
+        "next to the plane of its corners the height over a quad, which the kernel is a multiple of, is what rounding "
+        "leaves of a twist: the line form has it to a rounding of the corners"},
+    Row{"digits", "*", recommended, "double", "*", 0, 2, 1e3,
+        "thirteen digits: some tens of operations on numbers that are exact but for a rounding each; sums of terms "
+        "that cancel ten times over keep it too"},
     Row{"truth", "*", "accurate", "double", "*", 0, 2, 256, "what is small relatively is so with conditioning"},
     Row{"truth", "*", "accurate", "float", "*", 0, 2, 256, "computed in double and rounded"},
     Row{"relative", "*", "accurate", "float", "*", 0, 2, 256, "computed in double and rounded"},

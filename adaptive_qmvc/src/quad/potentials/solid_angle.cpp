@@ -39,9 +39,27 @@ struct SolidAngle {
   Eigen::Matrix<R, 3, 3> hessian;
 };
 
+// The product of a side's start, seen from the point, and the side, in the frame's units. Doubles lose it next to the
+// side's line.
+template <Scalar R>
+Vec3<R> across_side(std::span<const Vec3<R>> corners, const Vec3<R>& point, const QuadFrame<R>& q, int k,
+                    const Vec3<R>& side) {
+  constexpr double enough = 0x1p-8;
+  const Vec3<R>& start = q.seen[k];
+  const Vec3<R> rough = start.cross(side);
+  if constexpr (std::same_as<R, double>)
+    if (rough.squaredNorm() < enough * enough * start.squaredNorm() * side.squaredNorm()) {
+      const auto wide = [&](int i) { return convert<Mp200>(corners[q.unit.corner[i]]); };
+      const Vec3<Mp200> first = wide(k), from = first - convert<Mp200>(point), along = wide((k + 1) % 4) - first;
+      return convert<double>(Vec3<Mp200>(from.cross(along) * ldexp(Mp200(1), -2 * q.unit.exponent)));
+    }
+  return rough;
+}
+
 // Around the sides. False where their parts are many times as large as their sum.
 template <Scalar R>
-bool derive_by_sides(const QuadFrame<R>& q, int order, SolidAngle<R>& result) {
+bool derive_by_sides(std::span<const Vec3<R>> corners, const Vec3<R>& point, const QuadFrame<R>& q, int order,
+                     SolidAngle<R>& result) {
   using std::ldexp;
   // Multiprecision has digits to spare.
   constexpr double kCancel = std::same_as<R, double>  ? 16
@@ -61,8 +79,9 @@ bool derive_by_sides(const QuadFrame<R>& q, int order, SolidAngle<R>& result) {
     Vec3<R> gradient = Vec3<R>::Zero();
     Eigen::Matrix<R, 3, 3> hessian = Eigen::Matrix<R, 3, 3>::Zero();
     const bool turned = end.dot(end) < start.dot(start);
-    add_side_to_solid_angle<R>(turned ? end : start, turned ? Vec3<R>(-sides[k]) : sides[k], order, digits, gradient,
-                               hessian);
+    const Vec3<R> c = across_side<R>(corners, point, q, k, sides[k]);
+    add_side_to_solid_angle<R>(turned ? end : start, turned ? Vec3<R>(-sides[k]) : sides[k], turned ? Vec3<R>(-c) : c,
+                               order, digits, gradient, hessian);
     gradients += static_cast<double>(R(gradient.cwiseAbs().sum()));
     hessians += static_cast<double>(R(hessian.cwiseAbs().sum()));
     result.gradient += turned ? Vec3<R>(-gradient) : gradient;
@@ -125,7 +144,7 @@ void solid_angle(std::span<const Vec3<R>> corners, const Vec3<R>& point, int ord
   result.value = value_of<R>(corners, point, seen == SeenTriangles::Diagonal13);
   // Of a triangle without area.
   const bool has_value = result.value - result.value == R(0);
-  if (has_value && (order == 0 || derive_by_sides<R>(*q, order, result))) return;
+  if (has_value && (order == 0 || derive_by_sides<R>(corners, point, *q, order, result))) return;
   const R value = result.value;
   derive_by_lines<R>(corners, point, order, result);
   if (has_value) result.value = value;

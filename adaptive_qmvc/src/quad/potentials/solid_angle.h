@@ -11,14 +11,14 @@ namespace cageproof::adaptive_qmvc {
 /// Adds one side's part of gradient and Hessian: the gradient is the integral of x x dl/r^3 around the quad.
 /// \param a the side's nearer end, seen from the point
 /// \param d the side from there
+/// \param c a x d, to its last digits
 template <class R>
-void add_side_to_solid_angle(const Vec3<R>& a, const Vec3<R>& d, int order, double digits, Vec3<R>& gradient,
-                             Eigen::Matrix<R, 3, 3>& hessian) {
+void add_side_to_solid_angle(const Vec3<R>& a, const Vec3<R>& d, const Vec3<R>& c, int order, double digits,
+                             Vec3<R>& gradient, Eigen::Matrix<R, 3, 3>& hessian) {
   using std::sqrt;
   const R length2 = d.dot(d);
   if (!(length2 > R(0))) return;
   const Vec3<R> end = a + d;
-  const Vec3<R> c = a.cross(d);
   LinePowers<R> powers;
   Vec3<R> x;
   const auto ends = static_cast<double>(R((sqrt(R(a.dot(a))) + sqrt(R(end.dot(end)))) / sqrt(length2)));

@@ -34,11 +34,11 @@ struct ResultRow : RowKey, RowFigures {
   bool is_ill_posed() const { return bound && total_loss >= 0 && total_loss <= *bound; }
 };
 
-/// Largest error against the regime's parameter: one curve of a picture.
+/// Largest relative error against the regime's parameter: one curve of a picture.
 struct ResultCurve : RowKey {
   std::string parameter_name;      ///< "distance / size", "aspect" ...
   std::vector<double> parameters;  ///< rising or falling, one a decade
-  std::vector<double> errors;      ///< largest found, in conditioned units; infinite where a result was not finite
+  std::vector<double> errors;      ///< largest relative one, in roundings of the scalar; infinite: not finite
   std::string role = {};           ///< of the evaluation, as in RowFigures
 };
 

@@ -54,7 +54,8 @@ struct RowFigures {
 struct Tally : RowFigures {
   ErrorHistogram errors;
   WorstCases worst;
-  /// Largest error by index of the regime's parameter; negative where nothing was measured. Empty: no curve is drawn.
+  /// Largest relative error, in roundings of the scalar, by index of the regime's parameter; negative where nothing was
+  /// measured. Empty: no curve is drawn.
   std::vector<double> by_parameter;
 
   /// Counts a measured error, of which no input is kept; a NaN counts as infinite.

@@ -14,8 +14,9 @@ namespace cageproof::reports {
 inline constexpr const char* summary_file = "summary.json.gz";
 
 /// "schema_version" of the summary. Since 3 rows have the role of their evaluation; since 4 the recommended
-/// evaluations of triangles and segments are called hybrid, and closed_form is another.
-inline constexpr int summary_schema_version = 4;
+/// evaluations of triangles and segments are called hybrid, and closed_form is another; since 5 curves are of relative
+/// errors.
+inline constexpr int summary_schema_version = 5;
 
 /// summary.json: every figure. \param schema what the file is: "cageproof-summary" of a
 /// verification, "cageproof-field" of a field

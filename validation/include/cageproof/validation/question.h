@@ -6,6 +6,7 @@
 #include "cageproof/core/tally.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -72,7 +73,8 @@ void record(const Question<At>& question, const At& at, std::map<RowKey, Tally>&
         return worst;
       });
     else tally.add(found[o].error, found[o].relative);
-    if (curve > 0) tally.add_to_curve(at.number() % curve, curve, found[o].error);
+    if (curve > 0)
+      tally.add_to_curve(at.number() % curve, curve, std::ldexp(found[o].relative, key.scalar == "float" ? 24 : 53));
   }
 }
 

@@ -80,9 +80,9 @@ double score_of_total_loss(const Truth& truth, int order, const Mp100& u);
 template <Scalar R>
 int furthest_entry(const Result<R>& f, const Truth& truth, int order);
 
-/// |f - truth| / |truth|, norm-wise; as conditioned_error.
+/// |f - truth| / max(|truth|, floor), norm-wise; as conditioned_error.
 template <Scalar R>
-double relative_error(const Result<R>& f, const Truth& truth, int order);
+double relative_error(const Result<R>& f, const Truth& truth, int order, const Mp100& floor = 0);
 
 /// |f - truth| / |truth|, norm-wise, in units of what so many decimal digits leave; as conditioned_error, but that one
 /// denormal counts as any other error.

@@ -14,6 +14,7 @@ namespace cageproof::closed_form::segment {
 /// segment, the other's has a limit; Hessians have none: NaN.
 struct AffineSingleLayer {
   static constexpr int components = 2;
+  static LogarithmicPart logarithmic_part(std::span<const double>) { return {1 / (2 * pi<double>()), 0}; }
 
   /// Value and derivatives up to order O, in the caller's units.
   template <int O, class F, class R = typename F::Number>

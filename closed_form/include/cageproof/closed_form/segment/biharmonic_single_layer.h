@@ -17,6 +17,7 @@ namespace cageproof::closed_form::segment {
 /// All have limits on the segment and at its ends, and are continuous.
 struct BiharmonicSingleLayer {
   static constexpr int components = 1;
+  static LogarithmicPart logarithmic_part(std::span<const double>) { return {1 / (8 * pi<double>()), 2}; }
 
   /// Value and derivatives up to order O, in the caller's units.
   template <int O, class F, class R = typename F::Number>

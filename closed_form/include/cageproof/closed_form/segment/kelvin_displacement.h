@@ -20,6 +20,10 @@ namespace cageproof::closed_form::segment {
 struct KelvinDisplacement {
   static constexpr int components = 4, parameter_count = 2;
   static constexpr bool has_signs_at_ends = true;
+  static LogarithmicPart logarithmic_part(std::span<const double> parameters) {
+    const double bulk = KelvinShares<double>(parameters[1]).bulk;
+    return {(1 - bulk / 2) / (2 * pi<double>()) / parameters[0], 0};
+  }
 
   /// Value and derivatives up to order O, in the caller's units.
   template <int O, class F, class R = typename F::Number>

@@ -13,6 +13,10 @@ namespace cageproof::closed_form::segment {
 /// Laplacian is that of s - 1. From s = 2 on everything has a limit on the segment and at its ends.
 struct PolyharmonicSingleLayer {
   static constexpr int components = 1, parameter_count = 1;
+  static LogarithmicPart logarithmic_part(std::span<const double> parameters) {
+    const Radial<double> g = polyharmonic_green_function<double>(static_cast<int>(parameters[0]));
+    return {g.log / (2 * pi<double>()), 2 * g.power};
+  }
 
   /// Value and derivatives up to order O, in the caller's units.
   template <int O, class F, class R = typename F::Number>

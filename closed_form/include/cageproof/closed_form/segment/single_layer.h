@@ -18,6 +18,7 @@ namespace cageproof::closed_form::segment {
 /// others; the Hessian has none: NaN.
 struct SingleLayer {
   static constexpr int components = 1;
+  static LogarithmicPart logarithmic_part(std::span<const double>) { return {1 / (2 * pi<double>()), 0}; }
 
   /// Value and derivatives up to order O, in the caller's units.
   template <int O, class F, class R = typename F::Number>

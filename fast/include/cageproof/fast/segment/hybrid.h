@@ -38,6 +38,24 @@ bool is_next_to_nothing(const Frame<double>& frame, const std::array<double, C>&
   return size > 0 && size < 0x1p-900 && !frame.is_far();
 }
 
+/// Whether a tensor of the order is small beside the logarithms it is made of, as next to a potential's zeros, which
+/// depend on the unit of length. The logarithms have their roundings there, whatever their sum is.
+template <int C>
+bool is_next_to_zero(const Frame<double>& frame, const LogarithmicPart& part, int order, const Jet<double, C, 2>& jet) {
+  if (part.power < order) return false;
+  constexpr double small = 0x1p-6;
+  double largest = 0;
+  for (int c = 0; c < C; ++c)
+    largest = std::max(largest, order == 0   ? std::abs(jet.value[c])
+                                : order == 1 ? jet.gradient[c].cwiseAbs().maxCoeff()
+                                             : jet.hessian[c].cwiseAbs().maxCoeff());
+  double size = small * std::abs(part.factor) * frame.length;
+  for (int i = 0; i < order; ++i) size *= std::max(1, part.power - i);
+  for (int i = 0; i < part.power - order; ++i)
+    size *= part.over_height && order == 0 && i == 0 ? std::abs(frame.h) : frame.far_r();
+  return largest < std::ldexp(size, frame.exponent * (1 + part.power - order));
+}
+
 /// Whether a formula's powers of the height over the segment's line leave double's range.
 template <class F>
 bool is_next_to_line(const Frame<double>& frame) {
@@ -68,6 +86,9 @@ std::optional<Jet<double, F::components, 2>> hybrid(const SeenSegment& seen, std
   if (seen.extreme || (frame.at_end && has_signs_at_ends<F>) || is_next_to_line<F>(frame)) return std::nullopt;
   auto jet = jet_at<F, O>(frame, parameters, finite_part);
   if (is_next_to_nothing(frame, jet.value)) return std::nullopt;
+  if constexpr (requires { F::logarithmic_part(parameters); })
+    for (int order = 0; order <= O; ++order)
+      if (is_next_to_zero(frame, F::logarithmic_part(parameters), order, jet)) return std::nullopt;
   // Far from a tiny segment second derivatives overflow first: infinities times a normal's zeros have no sign.
   if (O >= 2 && !frame.at_end && !std::ranges::all_of(jet.hessian, [](const auto& h) { return h.allFinite(); }))
     return std::nullopt;

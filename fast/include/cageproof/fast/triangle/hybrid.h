@@ -82,6 +82,21 @@ Hybrid<F> from_panels(HybridMoments<O>& at, const Panels& panels, std::span<cons
                                  3)};
 }
 
+/// Whether a Hessian, in the frame's units, is much smaller than its terms: next to a zero.
+template <class F, int O>
+bool has_small_hessian(const Components<F, double, O>& components) {
+  if constexpr (O == 2 && requires { F::terms_of_hessian; }) {
+    double largest = 0;
+    for (const auto& polynomial : components)
+      for (int m = 0; m < Monomials<O>::count; ++m)
+        if (const auto& e = Monomials<O>::exponents[m]; e[0] + e[1] + e[2] == 2)
+          largest = std::max(largest, std::abs(polynomial.c[m]));
+    return largest < F::terms_of_hessian / 32;
+  } else {
+    return false;
+  }
+}
+
 /// In double, at a point whose moments other formulas may share; the result does not depend on which do.
 template <class F, int O>
 Hybrid<F> hybrid(HybridMoments<O>& at, std::span<const double> parameters) {
@@ -90,9 +105,10 @@ Hybrid<F> hybrid(HybridMoments<O>& at, std::span<const double> parameters) {
   if (closed_form::triangle::first_divergent<F>(f) < 3) return Hybrid<F>(Route::Border);
   const Panels& few = at.on_panels().panels(panels_wanted<F, O>(f));
   if (!few.empty()) return from_panels<F>(at, few, parameters);
-  if (!F::cancels_nearby && f.shape() >= kThinShape)
-    return {Route::Near,
-            finish<F, O, double>(composed<F, O, double>(at.near().template near<F>(), parameters), f.unit, 3)};
+  if (!F::cancels_nearby && f.shape() >= kThinShape) {
+    const auto components = composed<F, O, double>(at.near().template near<F>(), parameters);
+    if (!has_small_hessian<F, O>(components)) return {Route::Near, finish<F, O, double>(components, f.unit, 3)};
+  }
   Hybrid<F> near{Route::Tracked, closed_form::triangle::tracked_near<F, double, O>(at.algebra(), parameters, 3)};
   if (near.jet) return near;
   const Panels& many = at.on_panels().panels(panels_wanted<F, O>(f, kMostPoints));

@@ -16,6 +16,14 @@
 
 namespace cageproof::closed_form::segment {
 
+/// The logarithm in a kernel, |factor| r^power |ln r|, of whose size a potential's terms are next to its zeros too.
+/// Formulas that have one state it as `logarithmic_part(std::span<const double> parameters)`.
+struct LogarithmicPart {
+  double factor;
+  int power;
+  bool over_height = false;  ///< the height over the line takes the place of one r
+};
+
 /// The input of a formula with parameters, beside the geometry.
 template <Scalar R>
 struct Given {
