@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <typeinfo>
 #include <stdexcept>
 
 namespace cageproof {
@@ -47,10 +48,12 @@ void Evaluation::operator()(const Batch<R>& batch, const BatchOutput<R>& output)
 template <Scalar R>
 void Evaluation::together(std::span<const Evaluation* const> members, const Batch<R>& batch,
                           std::span<const BatchOutput<R>> outputs) {
-  const typename EvaluationFunctions<R>::Joint joint = members.front()->of<R>().joint;
-  const bool shared = joint != nullptr && members.size() > 1 &&
-                      std::ranges::all_of(members, [&](const Evaluation* e) { return e->of<R>().joint == joint; });
-  if (shared) return joint(members, batch, outputs);
+  std::vector<const JointForm<R>*> forms;
+  for (const Evaluation* member : members)
+    if (const JointForm<R>* form = member->of<R>().joint.get();
+        form != nullptr && (forms.empty() || typeid(*form) == typeid(*forms.front())))
+      forms.push_back(form);
+  if (forms.size() > 1 && forms.size() == members.size()) return forms.front()->together(forms, batch, outputs);
   for (std::size_t m = 0; m < members.size(); ++m) (*members[m])(batch, outputs[m]);
 }
 

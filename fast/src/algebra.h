@@ -28,16 +28,24 @@ struct Algebra {
   }
 };
 
-/// EvaluationFunctions::Joint of hybrids in multiprecision: their closed forms, jointly.
+/// Hybrids in multiprecision: their closed forms, jointly.
 template <Scalar R>
-void run_closed_forms(std::span<const Evaluation* const> hybrids, const Batch<R>& batch,
-                      std::span<const BatchOutput<R>> outputs) {
-  std::vector<Evaluation> forms;
-  std::vector<const Evaluation*> members;
-  for (const Evaluation* hybrid : hybrids) forms.push_back(evaluation_named(hybrid->formula().name, "closed_form"));
-  for (const Evaluation& form : forms) members.push_back(&form);
-  Evaluation::together<R>(members, batch, outputs);
-}
+class JointAlgebra final : public JointForm<R> {
+ public:
+  using ClosedForm = const Evaluation& (*)();
+  explicit JointAlgebra(ClosedForm closed_form) : closed_form_(closed_form) {}
+  void together(std::span<const JointForm<R>* const> hybrids, const Batch<R>& batch,
+                std::span<const BatchOutput<R>> outputs) const override {
+    std::vector<const Evaluation*> members;
+    members.reserve(hybrids.size());
+    for (const JointForm<R>* hybrid : hybrids)
+      members.push_back(&static_cast<const JointAlgebra*>(hybrid)->closed_form_());
+    Evaluation::together<R>(members, batch, outputs);
+  }
+
+ private:
+  ClosedForm closed_form_;
+};
 
 /// Gives a hybrid its functions: float's and double's are the member's, multiprecision's those of the closed form.
 template <class F, class Shared>
@@ -46,7 +54,7 @@ void set_hybrid(Evaluation& evaluation, const closed_form::Member<Shared>& membe
   const auto set = [&]<Scalar R>() {
     evaluation.set_batch<R>(
         [](const Batch<R>& batch, const BatchOutput<R>& output) { Algebra<F>::closed_form()(batch, output); });
-    evaluation.set_joint<R>(&run_closed_forms<R>, &member);
+    evaluation.set_joint<R>(std::make_shared<JointAlgebra<R>>(&Algebra<F>::closed_form));
   };
   set.template operator()<Mp50>();
   set.template operator()<Mp100>();

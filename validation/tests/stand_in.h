@@ -22,23 +22,15 @@ struct FaultyPoint {
 using Fault = void (*)(const FaultyPoint& at, std::vector<Result<double>>& blocks);
 
 /// Sums in multiprecision, rounded once, with a fault; calls itself "batched", as promises know it.
-class StandIn final : public PreparedCoordinates {
+class StandIn final : public BesideSums {
  public:
   StandIn(std::shared_ptr<const CageElements> elements, std::shared_ptr<const PreparedCoordinates> summed, Fault fault)
-      : elements_(std::move(elements)), summed_(std::move(summed)), fault_(fault) {}
-  const std::vector<CoordinateBlock>& blocks() const override { return summed_->blocks(); }
-  int max_order() const override { return summed_->max_order(); }
+      : BesideSums(summed, elements->dimension()),
+        elements_(std::move(elements)),
+        summed_(std::move(summed)),
+        fault_(fault) {}
   std::string evaluation() const override { return "batched"; }
-  bool is_exact_in(ScalarKind scalar) const override { return summed_->is_exact_in(scalar); }
-  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
-    summed_->fill(points, order, tables);
-  }
-  void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
-    summed_->fill(points, order, tables);
-  }
-  void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const override {
-    summed_->fill(points, order, tables);
-  }
+  using BesideSums::fill;
   void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
     for (std::size_t p = 0; p < points.size(); ++p) {
       std::vector<Result<double>> found = rounded(points[p], order, tables);

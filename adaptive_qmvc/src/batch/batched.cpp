@@ -14,42 +14,26 @@ namespace {
 
 constexpr std::string_view kName = "batched";
 
-class BatchedQuadCoordinates final : public PreparedCoordinates {
+class BatchedQuadCoordinates final : public BesideSums, public AppliesData {
  public:
   BatchedQuadCoordinates(std::shared_ptr<const CageElements> elements,
                          std::shared_ptr<const PreparedCoordinates> summed)
-      : elements_(std::move(elements)), summed_(std::move(summed)), geometry_(*elements_) {}
+      : BesideSums(std::move(summed), 3), elements_(std::move(elements)), geometry_(*elements_) {}
 
-  const std::vector<CoordinateBlock>& blocks() const override { return summed_->blocks(); }
-  int max_order() const override { return summed_->max_order(); }
   std::string evaluation() const override { return std::string(kName); }
-  bool is_exact_in(ScalarKind scalar) const override { return summed_->is_exact_in(scalar); }
-
-  bool overwrites() const override { return true; }
-  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
-    compute_in_double(points, tables, [&](auto wide, auto in_double) { fill(wide, order, in_double); });
-  }
+  using BesideSums::fill;
   void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
-    if (!computes(order)) {
-      for (std::vector<double>& tensor : tables[0].tensors) std::ranges::fill(tensor, 0.0);
-      return summed_->fill(points, order, tables);
-    }
+    if (!computes(order)) return fill_with_sums(points, order, tables);
     const std::size_t stride = tables[0].stride[0];
     std::vector<double>& to = tables[0].tensors[0];
     over_chunks(points, [&](std::size_t p, const double* coordinates, std::size_t step) {
       for (std::size_t v = 0; v < stride; ++v) to[p * stride + v] = coordinates[v * step];
     });
   }
-  void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
-    summed_->fill(points, order, tables);
-  }
-  void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const override {
-    summed_->fill(points, order, tables);
-  }
 
-  bool apply(std::span<const Vec3<double>> points, int order, const CageData& data,
+  const AppliesData* products(int order) const override { return computes(order) ? this : nullptr; }
+  void apply(std::span<const Vec3<double>> points, int /*order*/, const CageData& data,
              AppliedTable& table) const override {
-    if (!computes(order)) return false;
     const std::size_t stride = table.stride[0], sets = data.sets, vertices = blocks()[0].size;
     const std::vector<double>& from = data.blocks[0];
     over_chunks(points, [&](std::size_t p, const double* coordinates, std::size_t step) {
@@ -57,20 +41,6 @@ class BatchedQuadCoordinates final : public PreparedCoordinates {
       for (std::size_t v = 0; v < vertices; ++v)
         for (std::size_t set = 0; set < sets; ++set) to[set] += coordinates[v * step] * from[v * sets + set];
     });
-    return true;
-  }
-
-  bool fill_limits(std::span<const Touching> places, int order,
-                   std::span<CoordinateTable<double>> tables) const override {
-    return summed_->fill_limits(places, order, tables);
-  }
-  bool fill_limits(std::span<const Touching> places, int order,
-                   std::span<CoordinateTable<Mp50>> tables) const override {
-    return summed_->fill_limits(places, order, tables);
-  }
-  bool fill_terms(std::span<const Vec3<double>> points, int order,
-                  std::span<CoordinateTable<double>> tables) const override {
-    return summed_->fill_terms(points, order, tables);
   }
 
  private:
@@ -94,16 +64,13 @@ class BatchedQuadCoordinates final : public PreparedCoordinates {
             continue;
           }
           // On the cage, and at the ends of double's range: by sums of closed forms.
-          auto tables = zero_tables<double>(blocks(), 3, 1, 0);
-          summed_->fill(here.subspan(p, 1), 0, tables);
-          put(first + p, tables[0].tensors[0].data(), 1);
+          put(first + p, sums_at(here[p], 0)[0].tensors[0].data(), 1);
         }
       }
     });
   }
 
   std::shared_ptr<const CageElements> elements_;
-  std::shared_ptr<const PreparedCoordinates> summed_;
   Geometry geometry_;
 };
 

@@ -122,7 +122,10 @@ AppliedTable CageCoordinates::apply(std::span<const Vec3<double>> points, int or
     result.stride[o] = rows * sets * derivative_count(dimension(), o);
     result.tensors[o].assign(points.size() * result.stride[o], 0.0);
   }
-  if (prepared_->apply(points, order, data, result)) return result;
+  if (const AppliesData* products = prepared_->products(order)) {
+    products->apply(points, order, data, result);
+    return result;
+  }
   constexpr std::size_t block_size = 64;
   for (std::size_t first = 0; first < points.size(); first += block_size) {
     const auto here = points.subspan(first, std::min(block_size, points.size() - first));
@@ -140,17 +143,21 @@ AppliedTable CageCoordinates::apply(std::span<const Vec3<double>> points, int or
 
 template <Scalar R>
 std::vector<CoordinateTable<R>> CageCoordinates::limits_at(std::span<const Touching> places, int order) const {
-  auto tables = zero_tables<R>(blocks(), dimension(), places.size(), order);
-  if (!prepared_->fill_limits(places, order, tables))
+  const HasLimits* limits = prepared_->limits();
+  if (limits == nullptr)
     throw InputError(fmt::format("{} coordinates have no limits at points within elements", kind_->name));
+  auto tables = zero_tables<R>(blocks(), dimension(), places.size(), order);
+  limits->fill_limits(places, order, tables);
   return tables;
 }
 
 template <Scalar R>
 std::vector<CoordinateTable<R>> CageCoordinates::boundary_laplacians() const {
-  std::vector<CoordinateTable<R>> tables;
-  if (!prepared_->fill_boundary_laplacians(tables))
+  const SolvesLaplacians* laplacians = prepared_->boundary_laplacians();
+  if (laplacians == nullptr)
     throw InputError(fmt::format("{} coordinates are not solved for by Laplacians on the boundary", kind_->name));
+  std::vector<CoordinateTable<R>> tables;
+  laplacians->fill_boundary_laplacians(tables);
   return tables;
 }
 
@@ -160,8 +167,10 @@ std::vector<Result<R>> CageCoordinates::at(const Vec3<R>& point, int order) cons
 }
 
 std::vector<Result<double>> CageCoordinates::terms_at(const Vec3<double>& point, int order) const {
+  const HasTerms* terms = prepared_->terms();
+  if (terms == nullptr) return at<double>(point, order);
   auto tables = zero_tables<double>(blocks(), dimension(), 1, order);
-  if (!prepared_->fill_terms(std::span(&point, 1), order, tables)) return at<double>(point, order);
+  terms->fill_terms(std::span(&point, 1), order, tables);
   return results_of(std::move(tables), order);
 }
 

@@ -52,7 +52,7 @@ int largest_exponent(const std::vector<Vec3<double>>& points) {
   return largest > 0 ? std::ilogb(largest) : 0;
 }
 
-class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
+class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public HasLimits, public HasTerms {
  public:
   SummedCoordinates(const CoordinateKind& kind, std::shared_ptr<const CageElements> elements,
                     const CoordinateOptions& options)
@@ -108,19 +108,23 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
     if (any_on) times_area_elements_on(on, order, tables);
   }
 
-  bool fill_limits(std::span<const Touching> places, int order,
-                   std::span<CoordinateTable<double>> tables) const override {
-    return put_limits<double>(places, order, tables);
+  const HasLimits* limits() const override {
+    const auto is_number = [](const CoordinateBlock& block) { return block.entries() == 1; };
+    return normalised_ || !std::ranges::all_of(blocks_, is_number) ? nullptr : this;
   }
-  bool fill_limits(std::span<const Touching> places, int order,
+  const HasTerms* terms() const override { return normalised_ ? nullptr : this; }
+  void fill_limits(std::span<const Touching> places, int order,
+                   std::span<CoordinateTable<double>> tables) const override {
+    put_limits<double>(places, order, tables);
+  }
+  void fill_limits(std::span<const Touching> places, int order,
                    std::span<CoordinateTable<Mp50>> tables) const override {
-    return put_limits<Mp50>(places, order, tables);
+    put_limits<Mp50>(places, order, tables);
   }
 
   // One a corner of each element. What is not finite, as derivatives at points on the cage, is no term.
-  bool fill_terms(std::span<const Vec3<double>> points, int order,
+  void fill_terms(std::span<const Vec3<double>> points, int order,
                   std::span<CoordinateTable<double>> tables) const override {
-    if (normalised_) return false;
     std::array<Vec3<double>, 4> storage;
     Result<double> part;
     for (std::size_t e = 0; e < elements_->count(); ++e) {
@@ -137,7 +141,6 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
         }
     }
     times_area_elements(points.size(), order, tables);
-    return true;
   }
 
  private:
@@ -364,12 +367,9 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates> {
   }
 
   template <Scalar R>
-  bool put_limits(std::span<const Touching> places, int order, std::span<CoordinateTable<R>> tables) const {
-    const auto is_number = [](const CoordinateBlock& block) { return block.entries() == 1; };
-    if (normalised_ || !std::ranges::all_of(blocks_, is_number)) return false;
+  void put_limits(std::span<const Touching> places, int order, std::span<CoordinateTable<R>> tables) const {
     for (std::size_t p = 0; p < places.size(); ++p) put_limit<R>(places[p], p, order, tables);
     times_area_elements(places.size(), order, tables);
-    return true;
   }
 
   // Other elements see the point as rounding leaves it. Its own is seen in its own plane, where the point's height is

@@ -11,7 +11,10 @@
 namespace cageproof::deformation {
 namespace {
 
-class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates> {
+class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates>,
+                                     public SolvesSystems,
+                                     public HasLimits,
+                                     public HasTerms {
  public:
   RegularisedCoordinates(Construction construction, const Cage& cage, const CoordinateOptions& options)
       : construction_(construction),
@@ -46,20 +49,21 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
     const double unknowns = blocks_[0].size + blocks_[1].size;
     return 2 * samples * unknowns * unknowns < 1e5;
   }
+  const SolvesSystems* systems() const override { return this; }
+  const HasLimits* limits() const override { return this; }
+  const HasTerms* terms() const override { return this; }
   std::vector<SolvedSystem> solved() const override { return regularisation<double>(Account::Systems).solved; }
 
-  bool fill_limits(std::span<const Touching> places, int order,
+  void fill_limits(std::span<const Touching> places, int order,
                    std::span<CoordinateTable<double>> tables) const override {
     put<double>(layers_.limits_at<double>(places, order), places.size(), order, tables);
-    return true;
   }
-  bool fill_limits(std::span<const Touching> places, int order,
+  void fill_limits(std::span<const Touching> places, int order,
                    std::span<CoordinateTable<Mp50>> tables) const override {
     put<Mp50>(layers_.limits_at<Mp50>(places, order), places.size(), order, tables);
-    return true;
   }
 
-  bool fill_terms(std::span<const Vec3<double>> points, int order,
+  void fill_terms(std::span<const Vec3<double>> points, int order,
                   std::span<CoordinateTable<double>> tables) const override {
     std::call_once(terms_made_, [&] { terms_ = transposed(regularisation<double>(Account::Terms).terms); });
     for (std::size_t p = 0; p < points.size(); ++p) {
@@ -67,7 +71,6 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
       put_point<double>(
           terms_, p, order, [&](std::size_t b, int o) { return layers[b].of(o).data(); }, tables);
     }
-    return true;
   }
 
   template <Scalar R>

@@ -62,11 +62,14 @@ struct Plane {
 };
 
 template <class Shape>
-class BatchedCoordinates final : public PreparedCoordinates {
+class BatchedCoordinates final : public BesideSums, public AppliesData {
  public:
   BatchedCoordinates(Layers layers, std::shared_ptr<const CageElements> elements, const CoordinateOptions& options,
                      std::shared_ptr<const PreparedCoordinates> summed)
-      : layers_(layers), elements_(std::move(elements)), summed_(std::move(summed)), geometry_(*elements_) {
+      : BesideSums(std::move(summed), Shape::dimension),
+        layers_(layers),
+        elements_(std::move(elements)),
+        geometry_(*elements_) {
     if (layers_ == Layers::Kelvin) {
       mu_ = options.parameters[0];
       const double nu = options.parameters[1];
@@ -74,21 +77,10 @@ class BatchedCoordinates final : public PreparedCoordinates {
     }
   }
 
-  const std::vector<CoordinateBlock>& blocks() const override { return summed_->blocks(); }
-  int max_order() const override { return summed_->max_order(); }
   std::string evaluation() const override { return std::string(kName); }
-  bool is_exact_in(ScalarKind scalar) const override { return summed_->is_exact_in(scalar); }
-
-  bool overwrites() const override { return true; }
-  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
-    compute_in_double(points, tables, [&](auto wide, auto in_double) { fill(wide, order, in_double); });
-  }
+  using BesideSums::fill;
   void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
-    if (!computes(order)) {
-      for (CoordinateTable<double>& table : tables)
-        for (std::vector<double>& tensor : table.tensors) std::ranges::fill(tensor, 0.0);
-      return summed_->fill(points, order, tables);
-    }
+    if (!computes(order)) return fill_with_sums(points, order, tables);
     std::size_t numbers = 0;
     for (const CoordinateTable<double>& table : tables)
       for (const std::vector<double>& tensor : table.tensors) numbers += tensor.size();
@@ -114,16 +106,10 @@ class BatchedCoordinates final : public PreparedCoordinates {
                                 tables[b].tensors[o].begin() + static_cast<std::ptrdiff_t>(p * tables[b].stride[o]));
         });
   }
-  void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
-    summed_->fill(points, order, tables);
-  }
-  void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const override {
-    summed_->fill(points, order, tables);
-  }
 
-  bool apply(std::span<const Vec3<double>> points, int order, const CageData& data,
+  const AppliesData* products(int order) const override { return computes(order) ? this : nullptr; }
+  void apply(std::span<const Vec3<double>> points, int order, const CageData& data,
              AppliedTable& table) const override {
-    if (!computes(order)) return false;
     over_blocks(
         points, order,
         [&](const double* columns, const Request& request, std::size_t first, int count) {
@@ -150,20 +136,6 @@ class BatchedCoordinates final : public PreparedCoordinates {
                            derivative_count(Shape::dimension, o), to);
           }
         });
-    return true;
-  }
-
-  bool fill_limits(std::span<const Touching> places, int order,
-                   std::span<CoordinateTable<double>> tables) const override {
-    return summed_->fill_limits(places, order, tables);
-  }
-  bool fill_limits(std::span<const Touching> places, int order,
-                   std::span<CoordinateTable<Mp50>> tables) const override {
-    return summed_->fill_limits(places, order, tables);
-  }
-  bool fill_terms(std::span<const Vec3<double>> points, int order,
-                  std::span<CoordinateTable<double>> tables) const override {
-    return summed_->fill_terms(points, order, tables);
   }
 
  private:
@@ -193,13 +165,6 @@ class BatchedCoordinates final : public PreparedCoordinates {
     return std::ldexp(factor, (blocks()[b].degree - order) * geometry_.exponent());
   }
 
-  // One point by sums of closed forms.
-  std::vector<CoordinateTable<double>> summed_at(const Vec3<double>& point, int order) const {
-    auto tables = zero_tables<double>(blocks(), Shape::dimension, 1, order);
-    summed_->fill(std::span(&point, 1), order, tables);
-    return tables;
-  }
-
   // put: (columns, request, first point, points). alone: (point, its tables), of what blocks leave out.
   template <class Put, class Alone>
   void over_blocks(std::span<const Vec3<double>> points, int order, Put put, Alone alone) const {
@@ -213,14 +178,13 @@ class BatchedCoordinates final : public PreparedCoordinates {
         const unsigned left = runner.run(here);
         put(runner.columns(), request, first, static_cast<int>(here.size()));
         for (std::size_t p = 0; left != 0 && p < here.size(); ++p)
-          if ((left >> p & 1u) != 0) alone(first + p, summed_at(here[p], order));
+          if ((left >> p & 1u) != 0) alone(first + p, sums_at(here[p], order));
       }
     });
   }
 
   Layers layers_;
   std::shared_ptr<const CageElements> elements_;
-  std::shared_ptr<const PreparedCoordinates> summed_;
   typename Shape::Geometry geometry_;
   double mu_ = 1;
   Mp200 beta_ = 0;

@@ -50,7 +50,11 @@ inline constexpr std::string_view offset_evaluation = "offset-1e-6";
 /// edges, too, 3 for triharmonic ones of Laplacians at vertices, too; `unknown`, the layers that densities are of;
 /// `label` of the first block; solve<R>(polygon, layers, parameters, inset, whether to describe the systems).
 template <class Scheme>
-class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Scheme>> {
+class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Scheme>>,
+                                  public SolvesSystems,
+                                  public HasLimits,
+                                  public HasTerms,
+                                  public SolvesLaplacians {
  public:
   BoundaryCoordinates(const Cage& cage, const CoordinateOptions& options)
       : inset_(has_normals && options.evaluation == offset_evaluation ? 1e-6 : 0),
@@ -99,7 +103,11 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     // Solving takes the cube of the number of nodes.
     return scalar == ScalarKind::Float || scalar == ScalarKind::Double || polygon_.nodes() <= 64;
   }
-  bool fill_terms(std::span<const Vec3<double>> points, int order,
+  const SolvesSystems* systems() const override { return this; }
+  const HasLimits* limits() const override { return this; }
+  const HasTerms* terms() const override { return this; }
+  const SolvesLaplacians* boundary_laplacians() const override { return has_normals ? this : nullptr; }
+  void fill_terms(std::span<const Vec3<double>> points, int order,
                   std::span<CoordinateTable<double>> tables) const override {
     Densities<double> sizes = prepared<double>().densities;
     sizes.own = sizes.own.cwiseAbs().eval();
@@ -112,21 +120,20 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
       for (CoordinateTable<double>& table : *part) std::ranges::for_each(table.tensors, make_sizes);
     make_sizes(parts.single);
     put(sizes, parts, points.size(), 0, order, tables);
-    return true;
   }
-  bool fill_limits(std::span<const Touching> places, int order,
+  void fill_limits(std::span<const Touching> places, int order,
                    std::span<CoordinateTable<double>> tables) const override {
-    return put_limits<double>(places, order, tables);
+    put_limits<double>(places, order, tables);
   }
-  bool fill_limits(std::span<const Touching> places, int order,
+  void fill_limits(std::span<const Touching> places, int order,
                    std::span<CoordinateTable<Mp50>> tables) const override {
-    return put_limits<Mp50>(places, order, tables);
+    put_limits<Mp50>(places, order, tables);
   }
-  bool fill_boundary_laplacians(std::vector<CoordinateTable<double>>& tables) const override {
-    return put_laplacians<double>(tables);
+  void fill_boundary_laplacians(std::vector<CoordinateTable<double>>& tables) const override {
+    put_laplacians<double>(tables);
   }
-  bool fill_boundary_laplacians(std::vector<CoordinateTable<Mp50>>& tables) const override {
-    return put_laplacians<Mp50>(tables);
+  void fill_boundary_laplacians(std::vector<CoordinateTable<Mp50>>& tables) const override {
+    put_laplacians<Mp50>(tables);
   }
   std::vector<SolvedSystem> solved() const override {
     // Singular values take longer than solving does, and few ask for them.
@@ -206,7 +213,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
 
   // Of places on edges; those of the cage's own layers are where the basis functions say, too.
   template <Scalar R>
-  bool put_limits(std::span<const Touching> places, int order, std::span<CoordinateTable<R>> tables) const {
+  void put_limits(std::span<const Touching> places, int order, std::span<CoordinateTable<R>> tables) const {
     const BoundaryLayers<R>& layers = *prepared<R>().layers;
     for (std::size_t p = 0; p < places.size(); ++p) {
       const OnEdge<R> on{places[p].element, R(places[p].basis[1]) * polygon_.pieces_an_edge()};
@@ -219,13 +226,11 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
       if (has_normals) parts.single = single_layer_in_frame<R>(std::span(&in_frame, 1));
       put(prepared<R>().densities, parts, 1, p, order, tables);
     }
-    return true;
   }
 
   // What was solved for has a row a coordinate here, in the frame's unit.
   template <Scalar R>
-  bool put_laplacians(std::vector<CoordinateTable<R>>& tables) const {
-    if (!has_normals) return false;
+  void put_laplacians(std::vector<CoordinateTable<R>>& tables) const {
     const Matrix<R>& own = prepared<R>().densities.own;
     tables.clear();
     Eigen::Index above = 0;
@@ -238,7 +243,6 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
         for (Eigen::Index k = 0; k < block.size; ++k) table.tensors[0].push_back(unit * own(above + k, node));
       above += block.size;
     }
-    return true;
   }
 
   template <Scalar R>

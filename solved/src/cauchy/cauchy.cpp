@@ -14,7 +14,7 @@ namespace {
 // In f(z) = sum phi_j f_j + sum psi_j d_j of Green coordinates, a similarity of the edge gives d_j = -i (f_next - f_j)
 // / length_j for the outward normal. So C_j = phi_j + i (psi_j / length_j - psi_before / length_before): the complex
 // number that vertex j is multiplied with. What the single layers' logarithm makes of a unit of length drops out.
-class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates> {
+class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates>, public HasTerms {
  public:
   CauchyCoordinates(const Cage& cage, const CoordinateOptions& options)
       : exponent_(exponent_of(cage)),
@@ -38,8 +38,9 @@ class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates> {
     return scalar != ScalarKind::Digits200 && green_.is_exact_in(scalar);
   }
 
+  const HasTerms* terms() const override { return this; }
   // Both layers of each edge: next to a vertex those of its two edges are larger than their sum.
-  bool fill_terms(std::span<const Vec3<double>> points, int order,
+  void fill_terms(std::span<const Vec3<double>> points, int order,
                   std::span<CoordinateTable<double>> tables) const override {
     const CageElements& elements = green_.elements();
     const auto& known = EvaluationRegister::instance();
@@ -70,7 +71,6 @@ class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates> {
         }
       }
     }
-    return true;
   }
 
   template <Scalar R>

@@ -77,7 +77,7 @@ Solutions& solutions() {
   return all;
 }
 
-class GoursatCoordinates final : public CoordinatesIn<GoursatCoordinates> {
+class GoursatCoordinates final : public CoordinatesIn<GoursatCoordinates>, public SolvesSystems {
  public:
   GoursatCoordinates(const Cage& cage, Equation equation)
       : equation_(equation), elements_(cage, false, {}), solution_(solutions().of(cage, equation)) {
@@ -102,6 +102,7 @@ class GoursatCoordinates final : public CoordinatesIn<GoursatCoordinates> {
   int max_order() const override { return 2; }
   std::string evaluation() const override { return std::string(kEvaluation); }
   bool is_exact_in(ScalarKind) const override { return false; }
+  const SolvesSystems* systems() const override { return this; }
   bool measures_boundary() const override { return true; }
   std::vector<SolvedSystem> solved() const override {
     const DirichletReport& r = solution_->report();

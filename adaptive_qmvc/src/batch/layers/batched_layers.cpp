@@ -21,28 +21,17 @@ constexpr int kLargestUnit = 240;
 constexpr std::size_t kTile = 8, kGroup = 4;
 using SetGroup = double __attribute__((vector_size(kGroup * sizeof(double))));
 
-class BatchedQuadLayers final : public PreparedCoordinates {
+class BatchedQuadLayers final : public BesideSums, public AppliesData {
  public:
   BatchedQuadLayers(std::shared_ptr<const CageElements> elements, std::shared_ptr<const PreparedCoordinates> summed)
-      : elements_(std::move(elements)), summed_(std::move(summed)), geometry_(*elements_) {
+      : BesideSums(std::move(summed), 3), elements_(std::move(elements)), geometry_(*elements_) {
     if (geometry_.is_sound() && std::abs(geometry_.exponent()) <= kLargestUnit) tables_.emplace(geometry_, *elements_);
   }
 
-  const std::vector<CoordinateBlock>& blocks() const override { return summed_->blocks(); }
-  int max_order() const override { return summed_->max_order(); }
   std::string evaluation() const override { return std::string(kLayersName); }
-  bool is_exact_in(ScalarKind scalar) const override { return summed_->is_exact_in(scalar); }
-
-  bool overwrites() const override { return true; }
-  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
-    compute_in_double(points, tables, [&](auto wide, auto in_double) { fill(wide, order, in_double); });
-  }
+  using BesideSums::fill;
   void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
-    if (!computes(order)) {
-      for (CoordinateTable<double>& table : tables)
-        for (std::vector<double>& tensor : table.tensors) std::ranges::fill(tensor, 0.0);
-      return summed_->fill(points, order, tables);
-    }
+    if (!computes(order)) return fill_with_sums(points, order, tables);
     over_points(
         points,
         [&](std::size_t p, std::size_t count, const double* row) {
@@ -60,16 +49,10 @@ class BatchedQuadLayers final : public PreparedCoordinates {
                               tables[b].tensors[0].begin() + static_cast<std::ptrdiff_t>(p * tables[b].stride[0]));
         });
   }
-  void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
-    summed_->fill(points, order, tables);
-  }
-  void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const override {
-    summed_->fill(points, order, tables);
-  }
 
-  bool apply(std::span<const Vec3<double>> points, int order, const CageData& data,
+  const AppliesData* products(int order) const override { return computes(order) ? this : nullptr; }
+  void apply(std::span<const Vec3<double>> points, int /*order*/, const CageData& data,
              AppliedTable& table) const override {
-    if (!computes(order)) return false;
     const std::size_t vertices = blocks()[0].size, numbers = vertices + blocks()[1].size;
     // By fours, [group][number][4], of both blocks together.
     const std::size_t groups = (data.sets + kGroup - 1) / kGroup;
@@ -95,20 +78,6 @@ class BatchedQuadLayers final : public PreparedCoordinates {
           for (std::size_t b = 0; b < own.size(); ++b)
             add_products(own[b].tensors[0], blocks()[b], data.blocks[b], data.sets, 1, to);
         });
-    return true;
-  }
-
-  bool fill_limits(std::span<const Touching> places, int order,
-                   std::span<CoordinateTable<double>> tables) const override {
-    return summed_->fill_limits(places, order, tables);
-  }
-  bool fill_limits(std::span<const Touching> places, int order,
-                   std::span<CoordinateTable<Mp50>> tables) const override {
-    return summed_->fill_limits(places, order, tables);
-  }
-  bool fill_terms(std::span<const Vec3<double>> points, int order,
-                  std::span<CoordinateTable<double>> tables) const override {
-    return summed_->fill_terms(points, order, tables);
   }
 
  private:
@@ -132,17 +101,12 @@ class BatchedQuadLayers final : public PreparedCoordinates {
           sums.put(p, tile, {rows.data(), numbers}, {rows.data() + blocks()[0].size, numbers});
           put(first + p, tile, rows.data());
         }
-        for (const int p : sums.left()) {
-          auto tables = zero_tables<double>(blocks(), 3, 1, 0);
-          summed_->fill(here.subspan(p, 1), 0, tables);
-          alone(first + p, tables);
-        }
+        for (const int p : sums.left()) alone(first + p, sums_at(here[p], 0));
       }
     });
   }
 
   std::shared_ptr<const CageElements> elements_;
-  std::shared_ptr<const PreparedCoordinates> summed_;
   Geometry geometry_;
   std::optional<LayerTables> tables_;  // nothing where double's range does not hold them
 };

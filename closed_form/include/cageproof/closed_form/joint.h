@@ -70,15 +70,23 @@ void run_members(std::size_t count, const MemberAt& member, const Batch<R>& batc
   });
 }
 
-/// EvaluationFunctions::Joint for evaluations whose payload is a Member<Shared>.
+/// A member as Evaluation::together takes it.
 template <class Shared, Scalar R>
-void run_jointly(std::span<const Evaluation* const> members, const Batch<R>& batch,
-                 std::span<const BatchOutput<R>> outputs) {
-  const auto member = [&](std::size_t m) -> const Member<Shared>& {
-    return *static_cast<const Member<Shared>*>(members[m]->joint_payload());
-  };
-  run_members<Shared, R>(members.size(), member, batch, outputs);
-}
+class JointMember final : public JointForm<R> {
+ public:
+  /// \param member lives as long as the program
+  explicit JointMember(const Member<Shared>& member) : member_(member) {}
+  void together(std::span<const JointForm<R>* const> members, const Batch<R>& batch,
+                std::span<const BatchOutput<R>> outputs) const override {
+    const auto member = [&](std::size_t m) -> const Member<Shared>& {
+      return static_cast<const JointMember*>(members[m])->member_;
+    };
+    run_members<Shared, R>(members.size(), member, batch, outputs);
+  }
+
+ private:
+  const Member<Shared>& member_;
+};
 
 /// Gives an evaluation its functions in the scalars R. \param member lives as long as the program
 template <Scalar... R, class Shared>
@@ -88,7 +96,7 @@ void set_member(Evaluation& evaluation, const Member<Shared>& member) {
       run_members<Shared, S>(
           1, [&](std::size_t) -> const Member<Shared>& { return member; }, batch, std::span(&output, 1));
     });
-    evaluation.set_joint<S>(&run_jointly<Shared, S>, &member);
+    evaluation.set_joint<S>(std::make_shared<JointMember<Shared, S>>(member));
   };
   (set.template operator()<R>(), ...);
 }

@@ -3,18 +3,13 @@
 // elements, a system solved once a cage, directly) is the kind's own affair.
 #pragma once
 
-#include "cageproof/core/cage_elements.h"
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/prepared_coordinates.h"
 
 #include <cmath>
 #include <list>
 #include <memory>
 
 namespace cageproof {
-
-/// What a block of coordinates multiplies when a linear map is reproduced. TurnedVertices, in the plane: vertices
-/// turned by a quarter counter-clockwise, as the imaginary parts of complex coordinates do.
-enum class Reproduces { Vertices, TurnedVertices, Normals, Nothing };
 
 /// One block of a kind that is a sum over elements. The kernel is resolved to `<element>.<kernel>` on each element of
 /// the cage.
@@ -29,147 +24,6 @@ struct SummedBlock {
   /// Whether there is one a normal (Owner::Normal): of quads one a corner, integrated over du dv, times the area
   /// element |N_k| there, so that unit normals are what all coordinates multiply; of triangles one.
   bool one_a_normal = false;
-};
-
-/// One block of prepared coordinates: a coordinate (a number, or a matrix) a vertex, an element, or a corner of one.
-struct CoordinateBlock {
-  std::string label;
-  Owner owner;
-  int size;     ///< coordinates: the number of owners
-  Shape shape;  ///< of one coordinate
-  Reproduces reproduces = Reproduces::Nothing;
-  double normal_factor = 1;  ///< of blocks that reproduce normals
-  /// The power of the unit of length that coordinates grow with, and what stands before the logarithm:
-  /// Formula::behaviour.
-  int degree = 0;
-  Logarithm logarithmic = {};
-  /// The trace of the Hessian: nothing known, zero, or another block.
-  struct Trace {
-    enum class Kind { Unknown, Zero, Block } kind = Kind::Unknown;
-    std::size_t block = 0;
-  } trace = {};
-
-  /// Numbers of a coordinate.
-  int entries() const { return shape.entries(); }
-};
-
-/// All coordinates of one block at a block of points: tensors[o] is [point][coordinate][entry][derivatives].
-template <Scalar R>
-struct CoordinateTable {
-  std::array<std::vector<R>, 3> tensors;
-  std::array<std::size_t, 3> stride{};  ///< numbers a point
-};
-
-/// What coordinates are multiplied with: deformed vertices and normals, say. Block b's numbers lie as
-/// [coordinate][column][set], where a coordinate that is a number counts as one column.
-struct CageData {
-  int sets = 3;
-  std::vector<std::vector<double>> blocks;
-};
-
-/// The functions that coordinates make of cage data at a block of points: tensors[o] is [point][row][set][derivatives],
-/// where coordinates that are numbers have one row.
-struct AppliedTable {
-  std::array<std::vector<double>, 3> tensors;
-  std::array<std::size_t, 3> stride{};  ///< numbers a point
-};
-
-/// A linear system that was solved to prepare a kind for its cage.
-struct SolvedSystem {
-  std::string name;   ///< "Psi^H k = (H - Phi^H) l"
-  int rows, columns;  ///< equations and unknowns
-  int rank;           ///< as found; columns where the solution is unique
-  double condition;   ///< largest over smallest singular value; infinite where the smallest is zero
-  /// What the solution leaves of the right sides, over these: the largest of their columns, in Euclidean norms.
-  double residual;
-  /// Of least squares on the cage's boundary: the largest differences of values and of gradients there, between the
-  /// points that were solved for, over the largest number of each right side. NaN where nobody measured.
-  double boundary_values = std::numeric_limits<double>::quiet_NaN();
-  double boundary_gradients = std::numeric_limits<double>::quiet_NaN();
-
-  bool is_singular() const { return rank < columns; }
-};
-
-/// A kind prepared for one cage. Safe from any thread.
-class PreparedCoordinates {
- public:
-  virtual ~PreparedCoordinates() = default;
-  virtual const std::vector<CoordinateBlock>& blocks() const = 0;
-  virtual int max_order() const = 0;
-  /// What results call the way the coordinates are computed: the name of the formulas' evaluation.
-  virtual std::string evaluation() const { return std::string(name_of(Role::Recommended)); }
-  /// Whether values in multiprecision have that precision's digits.
-  virtual bool is_exact_in(ScalarKind scalar) const = 0;
-  /// Whether what is prepared once a cage in that scalar takes a second or so: not where large systems are solved in
-  /// multiprecision.
-  virtual bool is_prompt_in(ScalarKind /*scalar*/) const { return true; }
-  /// Whether `solved` states how well the data on the boundary are met.
-  virtual bool measures_boundary() const { return false; }
-  /// The systems that were solved in double; none for kinds that solve none.
-  virtual std::vector<SolvedSystem> solved() const { return {}; }
-  /// One table a block, sized and set to zero by the caller. Where a point is exactly a double and lies on the cage,
-  /// values are the limits from inside: interpolating kinds give the basis functions; derivatives that do not exist are
-  /// NaN. Points without coordinates are NaN. \pre order <= max_order()
-  virtual void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const = 0;
-  virtual void fill(std::span<const Vec3<double>> points, int order,
-                    std::span<CoordinateTable<double>> tables) const = 0;
-  virtual void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const = 0;
-  virtual void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const = 0;
-  /// Whether `fill` in double stores what it computes, and takes tables that are not zero.
-  virtual bool overwrites() const { return false; }
-  /// Adds the sums of coordinates times data to a table that the caller sized and set to zero, without keeping
-  /// coordinates. False, and nothing done, for kinds that know no quicker way than coordinates first.
-  virtual bool apply(std::span<const Vec3<double>> /*points*/, int /*order*/, const CageData& /*data*/,
-                     AppliedTable& /*table*/) const {
-    return false;
-  }
-  /// Limits from inside at points within elements, which are given by their basis functions there, whatever rounding
-  /// makes of the points themselves: for these are seldom doubles. False, and nothing done, for kinds that do not have
-  /// such limits: those whose coordinates are no numbers, normalised ones, and those that are neither sums over
-  /// elements nor solved for on the boundary.
-  virtual bool fill_limits(std::span<const Touching> /*places*/, int /*order*/,
-                           std::span<CoordinateTable<double>> /*tables*/) const {
-    return false;
-  }
-  virtual bool fill_limits(std::span<const Touching> /*places*/, int /*order*/,
-                           std::span<CoordinateTable<Mp50>> /*tables*/) const {
-    return false;
-  }
-  /// Of kinds whose blocks multiply data on the boundary, and that solve for the Laplacian there: the Laplacians at the
-  /// nodes that it is solved at, in the user's unit of length, as linear maps from the data. One table a block, of
-  /// values alone, [node][coordinate]: l = sum over blocks of table times data ([W12] Eq 17-19: B U_f and C U_d). Nodes
-  /// are the cage's vertices, then what divides its edges. False, and nothing done, for other kinds.
-  virtual bool fill_boundary_laplacians(std::vector<CoordinateTable<double>>& /*tables*/) const { return false; }
-  virtual bool fill_boundary_laplacians(std::vector<CoordinateTable<Mp50>>& /*tables*/) const { return false; }
-  /// The same tables with the sums of the absolute values of the terms that coordinates are summed from, at least
-  /// about: what a rounding of each of them costs. False, and nothing done, for kinds that know of no terms but the
-  /// coordinates themselves.
-  virtual bool fill_terms(std::span<const Vec3<double>> /*points*/, int /*order*/,
-                          std::span<CoordinateTable<double>> /*tables*/) const {
-    return false;
-  }
-};
-
-/// Implements PreparedCoordinates::fill by `template <Scalar R> void compute(points, order, tables) const` of the
-/// derived class.
-template <class Derived>
-class CoordinatesIn : public PreparedCoordinates {
- public:
-  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
-    own().compute(points, order, tables);
-  }
-  void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
-    own().compute(points, order, tables);
-  }
-  void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
-    own().compute(points, order, tables);
-  }
-  void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const override {
-    own().compute(points, order, tables);
-  }
-
- private:
-  const Derived& own() const { return static_cast<const Derived&>(*this); }
 };
 
 /// A parameter of a kind of coordinates: a number, a whole number, or one of several names, which stand for 0, 1, ...
@@ -289,8 +143,13 @@ class CageCoordinates {
   std::string evaluation() const { return prepared_->evaluation(); }
   bool is_exact_in(ScalarKind scalar) const { return prepared_->is_exact_in(scalar); }
   bool is_prompt_in(ScalarKind scalar) const { return prepared_->is_prompt_in(scalar); }
-  bool measures_boundary() const { return prepared_->measures_boundary(); }
-  std::vector<SolvedSystem> solved() const { return prepared_->solved(); }
+  bool measures_boundary() const {
+    return prepared_->systems() != nullptr && prepared_->systems()->measures_boundary();
+  }
+  /// The systems that were solved in double; none for kinds that solve none.
+  std::vector<SolvedSystem> solved() const {
+    return prepared_->systems() != nullptr ? prepared_->systems()->solved() : std::vector<SolvedSystem>();
+  }
 
   /// A block of points: one table a block of coordinates, as PreparedCoordinates::fill.
   template <Scalar R>
@@ -299,12 +158,12 @@ class CageCoordinates {
   /// The same in double, into tables of an earlier call, whose memory is kept where it is large enough.
   void at(std::span<const Vec3<double>> points, int order, std::vector<CoordinateTable<double>>& tables) const;
 
-  /// Limits from inside at points within elements (PreparedCoordinates::fill_limits). R: double or Mp50
+  /// Limits from inside at points within elements (HasLimits). R: double or Mp50
   /// \throws InputError for kinds that have none
   template <Scalar R>
   std::vector<CoordinateTable<R>> limits_at(std::span<const Touching> places, int order) const;
 
-  /// The Laplacians at boundary nodes as linear maps from the data (PreparedCoordinates::fill_boundary_laplacians).
+  /// The Laplacians at boundary nodes as linear maps from the data (SolvesLaplacians).
   /// R: double or Mp50 \throws InputError for kinds that do not solve for them
   template <Scalar R>
   std::vector<CoordinateTable<R>> boundary_laplacians() const;
@@ -318,7 +177,7 @@ class CageCoordinates {
   template <Scalar R>
   std::vector<Result<R>> at(const Vec3<R>& point, int order) const;
 
-  /// The sizes of the terms of one point's coordinates (PreparedCoordinates::fill_terms), or those of the coordinates.
+  /// The sizes of the terms of one point's coordinates (HasTerms), or those of the coordinates.
   std::vector<Result<double>> terms_at(const Vec3<double>& point, int order) const;
 
  private:

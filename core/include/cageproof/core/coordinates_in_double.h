@@ -2,7 +2,7 @@
 // Coordinates in float: those in double, rounded.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/prepared_coordinates.h"
 
 #include <algorithm>
 #include <vector>

@@ -15,8 +15,6 @@
 
 namespace cageproof {
 
-class Evaluation;
-
 /// What an evaluation says of itself.
 struct EvaluationFacts {
   std::string description;
@@ -32,6 +30,17 @@ struct EvaluationFacts {
   } substitutes = {};
 };
 
+/// A formula among others that are computed at once on one element, and share what they have in common there (the
+/// element as the point sees it, moments). Formulas of one type share.
+template <Scalar R>
+class JointForm {
+ public:
+  virtual ~JointForm() = default;
+  /// Computes members for a block of points, one output each. \pre this is one of them, and all are of its type
+  virtual void together(std::span<const JointForm* const> members, const Batch<R>& batch,
+                        std::span<const BatchOutput<R>> outputs) const = 0;
+};
+
 /// How an evaluation computes in one scalar; at least one of `batch` and `point` is set where it does. Thread-safe,
 /// without memory of earlier calls.
 template <Scalar R>
@@ -40,11 +49,7 @@ struct EvaluationFunctions {
   std::function<void(const Batch<R>&, const BatchOutput<R>&)> batch;
   /// Computes one point; gives radii too.
   std::function<void(const Query<R>&, Result<R>&)> point;
-  /// Computes several formulas of one element for a block of points at once and shares between them what they have in
-  /// common (the element as the point sees it, moments). Given: evaluations with this same function, one output each.
-  using Joint = void (*)(std::span<const Evaluation* const> members, const Batch<R>& batch,
-                         std::span<const BatchOutput<R>> outputs);
-  Joint joint = nullptr;
+  std::shared_ptr<const JointForm<R>> joint = {};  ///< null where it shares nothing
 };
 
 /// One way to compute one formula.
@@ -71,13 +76,10 @@ class Evaluation {
   void set_point(std::function<void(const Query<R>&, Result<R>&)> f) {
     of<R>().point = std::move(f);
   }
-  /// \param payload what the function needs to know of this member, alive for the whole program
   template <Scalar R>
-  void set_joint(typename EvaluationFunctions<R>::Joint f, const void* payload) {
-    of<R>().joint = f;
-    payload_ = payload;
+  void set_joint(std::shared_ptr<const JointForm<R>> form) {
+    of<R>().joint = std::move(form);
   }
-  const void* joint_payload() const { return payload_; }
 
   template <Scalar R>
   bool supports() const {
@@ -110,7 +112,6 @@ class Evaluation {
   const Formula* formula_ = nullptr;
   std::string name_;
   std::shared_ptr<const EvaluationFacts> facts_;
-  const void* payload_ = nullptr;
   std::tuple<EvaluationFunctions<float>, EvaluationFunctions<double>, EvaluationFunctions<Mp50>,
              EvaluationFunctions<Mp100>, EvaluationFunctions<Mp200>>
       functions_;
