@@ -5,6 +5,7 @@
 #include "cageproof/adaptive_qmvc/quad/potentials/potential_form.h"
 
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_form.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/more_digits.h"
 #include "cageproof/adaptive_qmvc/quad/potentials/potential_sums.h"
 #include "inside_step.h"
 #include "normal_axes.h"
@@ -49,33 +50,30 @@ Statement potential_form_in(std::span<const Vec3<R>> corners, const Vec3<W>& poi
 
 /// The digits of an integral, relative to the sizes of its terms, that a scalar can be asked for.
 template <class R>
-inline constexpr double kMostDigits = std::same_as<R, Mp200>   ? 185
-                                      : std::same_as<R, Mp100> ? 90
-                                      : std::same_as<R, Mp50>  ? 42
-                                                               : 17;
+inline constexpr double kMostDigits = std::same_as<R, Mp200>         ? 185
+                                      : std::same_as<R, Mp100>       ? 90
+                                      : std::same_as<R, Mp50>        ? 42
+                                      : std::same_as<R, long double> ? 17
+                                                                     : 15;
 
 /// As potential_form, in a scalar that has as many digits more as cancel, and in 50 digits at least.
 /// \param cancelled how many times as large as the result its terms are known to be
 template <Scalar R, class W>
 Statement potential_form_in_more_digits(std::span<const Vec3<R>> corners, const Vec3<W>& point,
                                         const PotentialTask<R>& task, double cancelled, PotentialTensors<R>& tensors) {
-  for (double asked = task.digits;;) {
-    if (cancelled > kPotentialCancelled[0])
-      asked = std::min(kMostDigits<Mp200>, std::max(asked, task.digits + 1 + std::log10(cancelled)));
-    Statement statement;
-    if (std::max(asked, kMostDigits<W>) <= kMostDigits<Mp50>)
-      statement = potential_form_in<Mp50, R>(corners, convert<Mp50>(point), task, asked, tensors);
-    else if (std::max(asked, kMostDigits<W>) <= kMostDigits<Mp100>)
-      statement = potential_form_in<Mp100, R>(corners, convert<Mp100>(point), task, asked, tensors);
-    else statement = potential_form_in<Mp200, R>(corners, convert<Mp200>(point), task, asked, tensors);
-    cancelled = tensors.cancelled;
-    if (asked >= kMostDigits<Mp200> || cancelled <= kPotentialCancelled[0] ||
-        asked >= task.digits + std::log10(cancelled)) {
-      // What cancels is made good.
-      tensors.cancelled = 1;
-      return statement;
-    }
-  }
+  const Statement statement = with_what_cancels(
+      task.digits, kMostDigits<Mp200>, kPotentialCancelled[0], cancelled, [&](double asked) -> Cancelled {
+        const auto in = [&]<class N>() -> std::optional<Statement> {
+          const bool holds = std::same_as<N, Mp200> || std::max(asked, kMostDigits<W>) <= kMostDigits<N>;
+          if (!holds) return std::nullopt;
+          return potential_form_in<N, R>(corners, convert<N>(point), task, asked, tensors);
+        };
+        const Statement found = in_first_of<Mp50, Mp100, Mp200>(in);
+        return {found, tensors.cancelled};
+      });
+  // What cancels is made good.
+  tensors.cancelled = 1;
+  return statement;
 }
 
 /// Whether a rule's derivatives along the quad are moved onto its border.
@@ -144,16 +142,15 @@ std::optional<Statement> potential_of_seen_in(const SeenQuad& seen, const Potent
 template <Scalar R>
 Statement potential_of_seen_to_digits(const SeenQuad& seen, const PotentialTask<R>& task, bool distant,
                                       PotentialTensors<R>& tensors) {
-  std::optional<Statement> found;
-  if constexpr (is_multiprecision<R>) {
-    if (task.digits <= 15 && !distant) found = potential_of_seen_in<double>(seen, task, tensors);
-    if (!found && task.digits <= 17) found = potential_of_seen_in<long double>(seen, task, tensors);
-    if constexpr (!std::same_as<R, Mp50>)
-      if (!found && task.digits <= kMostDigits<Mp50>) found = potential_of_seen_in<Mp50>(seen, task, tensors);
-    if constexpr (std::same_as<R, Mp200>)
-      if (!found && task.digits <= kMostDigits<Mp100>) found = potential_of_seen_in<Mp100>(seen, task, tensors);
-  }
-  return found ? *found : potential_of_seen<R>(seen, task, tensors);
+  const auto in = [&]<class N>() -> std::optional<Statement> {
+    if constexpr (std::same_as<N, R>) return potential_of_seen<R>(seen, task, tensors);
+    else if (task.digits > kMostDigits<N> || (std::same_as<N, double> && distant)) return std::nullopt;
+    else return potential_of_seen_in<N>(seen, task, tensors);
+  };
+  if constexpr (std::same_as<R, Mp200>) return in_first_of<double, long double, Mp50, Mp100, Mp200>(in);
+  else if constexpr (std::same_as<R, Mp100>) return in_first_of<double, long double, Mp50, Mp100>(in);
+  else if constexpr (std::same_as<R, Mp50>) return in_first_of<double, long double, Mp50>(in);
+  else return in_first_of<R>(in);
 }
 
 /// As potential_to_digits, for a point in more digits than R has: differences are taken in those.

@@ -86,9 +86,11 @@ std::optional<Jet<double, F::components, 2>> hybrid(const SeenSegment& seen, std
   if (seen.extreme || (frame.at_end && has_signs_at_ends<F>) || is_next_to_line<F>(frame)) return std::nullopt;
   auto jet = jet_at<F, O>(frame, parameters, finite_part);
   if (is_next_to_nothing(frame, jet.value)) return std::nullopt;
-  if constexpr (requires { F::logarithmic_part(parameters); })
+  if constexpr (requires { F::logarithmic_part(parameters); }) {
+    const LogarithmicPart part = F::logarithmic_part(parameters);
     for (int order = 0; order <= O; ++order)
-      if (is_next_to_zero(frame, F::logarithmic_part(parameters), order, jet)) return std::nullopt;
+      if (is_next_to_zero(frame, part, order, jet)) return std::nullopt;
+  }
   // Far from a tiny segment second derivatives overflow first: infinities times a normal's zeros have no sign.
   if (O >= 2 && !frame.at_end && !std::ranges::all_of(jet.hessian, [](const auto& h) { return h.allFinite(); }))
     return std::nullopt;

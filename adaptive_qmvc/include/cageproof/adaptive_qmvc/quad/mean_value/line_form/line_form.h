@@ -7,6 +7,7 @@
 
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_sums.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
+#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/more_digits.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/seen_quad.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
 #include "cageproof/adaptive_qmvc/quad/mean_value/line_form/weight_sums.h"
@@ -145,16 +146,16 @@ Statement line_form_in_more_digits(std::span<const Vec3<R>> corners, const Vec3<
                                    double cancelled, WeightTensors<R>& weights) {
   // Relative to the terms, each scalar gives as many digits as its closed form is asked for, and no integral more than
   // 90. What rounding leaves of a sum that cancels altogether tells no more than that there is more to ask for.
-  constexpr double kIn50 = 36, kIn100 = 70, kMost = 90;
-  for (double asked = digits;;) {
-    if (cancelled > kCancelled) asked = std::min(kMost, std::max(asked, digits + 1 + std::log10(cancelled)));
-    Statement statement;
-    if (asked <= kIn50) statement = line_form_in<Mp50, Order, R>(corners, point, asked, weights);
-    else if (asked <= kIn100) statement = line_form_in<Mp100, Order, R>(corners, point, asked, weights);
-    else statement = line_form_in<Mp200, Order, R>(corners, point, asked, weights);
-    cancelled = weights.cancelled;
-    if (asked >= kMost || cancelled <= kCancelled || asked >= digits + std::log10(cancelled)) return statement;
-  }
+  constexpr double most = 90;
+  return with_what_cancels(digits, most, kCancelled, cancelled, [&](double asked) -> Cancelled {
+    const auto in = [&]<class W>() -> std::optional<Statement> {
+      constexpr double holds = std::same_as<W, Mp50> ? 36 : 70;
+      if (!std::same_as<W, Mp200> && asked > holds) return std::nullopt;
+      return line_form_in<W, Order, R>(corners, point, asked, weights);
+    };
+    const Statement found = in_first_of<Mp50, Mp100, Mp200>(in);
+    return {found, weights.cancelled};
+  });
 }
 
 /// As line_form, for coordinates whose exponents are far apart.
