@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Quad, spherical and maximum entropy coordinates against their definitions, by ways of their own.
-#include "cageproof/adaptive_qmvc/coordinates/maximum_entropy.h"
+#include "coordinates/maximum_entropy.h"
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/embedded_cages.h"
 #include "cageproof/core/gauss_legendre.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The line form against the integral in two dimensions, and its parts against plain quadrature.
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_form.h"
+#include "quad/mean_value/line_form/line_form.h"
 #include "cageproof/core/evaluation.h"
 #include "cageproof/core/random_stream.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "quads.h"
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/misprints.h"
+#include "quad/mean_value/riemann/misprints.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // The potentials on bilinear quads against the integrals of their kernels as plain sums in two dimensions, against
 // relations that share nothing with them, and in double against 200 digits.
 #include "../src/quad/potentials/potential_parts.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
+#include "quad/engine/singular_pairs.h"
 #include "quads.h"
 
 #include <gtest/gtest.h>

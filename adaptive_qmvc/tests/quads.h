@@ -2,7 +2,7 @@
 // What the room's tests share: quads, points, and the definition as a plain sum in two dimensions.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/riemann.h"
+#include "quad/mean_value/riemann/riemann.h"
 #include "cageproof/core/evaluation.h"
 #include "cageproof/core/gauss_legendre.h"
 #include "cageproof/core/random_stream.h"

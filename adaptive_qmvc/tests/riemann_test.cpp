@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "quads.h"
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/misprints.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/singular_solution.h"
+#include "quad/mean_value/riemann/misprints.h"
+#include "quad/mean_value/riemann/singular_solution.h"
 
 #include <gtest/gtest.h>
 

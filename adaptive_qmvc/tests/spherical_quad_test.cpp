@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Weights where the formula is 0/0.
-#include "cageproof/adaptive_qmvc/coordinates/spherical_quad.h"
+#include "coordinates/spherical_quad.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "chunk_size.h"
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/outer_rule.h"
+#include "quad/engine/outer_rule.h"
 #include "cageproof/core/gauss_legendre.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // maximum_entropy for any scalar; compiled one file a scalar.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/coordinates/maximum_entropy.h"
+#include "coordinates/maximum_entropy.h"
 
 #include <Eigen/Cholesky>
 

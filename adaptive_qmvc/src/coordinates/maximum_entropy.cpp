@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Registers maximum entropy coordinates, whose prior is quad mean value coordinates.
-#include "cageproof/adaptive_qmvc/coordinates/maximum_entropy.h"
+#include "coordinates/maximum_entropy.h"
 
 #include "cageproof/core/coordinates.h"
 #include "cageproof/core/coordinates_in_double.h"

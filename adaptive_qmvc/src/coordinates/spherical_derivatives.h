@@ -2,7 +2,7 @@
 // A quad's spherical weights with derivatives, also where its mean vector nearly vanishes.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/coordinates/spherical_quad.h"
+#include "coordinates/spherical_quad.h"
 
 namespace cageproof::adaptive_qmvc {
 

@@ -3,7 +3,7 @@
 
 #include "../chunk_size.h"
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
+#include "quad/engine/singular_pairs.h"
 #include "cageproof/core/gauss_legendre.h"
 
 #include <algorithm>

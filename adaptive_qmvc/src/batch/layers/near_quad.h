@@ -5,7 +5,7 @@
 #include "../kernels.h"
 #include "../plans.h"
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
+#include "quad/engine/local_frame.h"
 #include "cageproof/core/linear.h"
 
 #include <array>

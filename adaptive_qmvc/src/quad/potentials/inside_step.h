@@ -3,8 +3,8 @@
 // computed at.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_form.h"
-#include "cageproof/adaptive_qmvc/quad/potentials/kernel_terms.h"
+#include "quad/mean_value/line_form/line_form.h"
+#include "quad/potentials/kernel_terms.h"
 #include "cageproof/core/linear.h"
 #include "cageproof/core/quad_geometry.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/adaptive_qmvc/quad/potentials/kernel_terms.h"
+#include "quad/potentials/kernel_terms.h"
 
 #include "line_terms.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Registers the line form of the potentials: `line_form`, which `closed_form` is another name of, and `line-<digits>`.
-#include "cageproof/adaptive_qmvc/quad/potentials/potential_form.h"
+#include "quad/potentials/potential_form.h"
 
 #include "cageproof/core/evaluation.h"
 #include "line_rule.h"

@@ -2,7 +2,7 @@
 // Sums of products along lines, before they are numbered: what tapes are made of.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/potentials/kernel_terms.h"
+#include "quad/potentials/kernel_terms.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // Coordinates whose third axis is the quad's normal at the point that lines are taken about.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/quad_frame.h"
+#include "quad/engine/local_frame.h"
+#include "quad/engine/quad_frame.h"
 
 #include <algorithm>
 

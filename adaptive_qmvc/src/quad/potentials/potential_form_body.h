@@ -2,11 +2,11 @@
 // potential_form's body, compiled one file a scalar.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/potentials/potential_form.h"
+#include "quad/potentials/potential_form.h"
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_form.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/more_digits.h"
-#include "cageproof/adaptive_qmvc/quad/potentials/potential_sums.h"
+#include "quad/mean_value/line_form/line_form.h"
+#include "quad/engine/more_digits.h"
+#include "quad/potentials/potential_sums.h"
 #include "inside_step.h"
 #include "normal_axes.h"
 #include "potential_parts.h"

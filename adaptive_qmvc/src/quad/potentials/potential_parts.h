@@ -4,8 +4,8 @@
 
 #include "normal_axes.h"
 
-#include "cageproof/adaptive_qmvc/quad/potentials/potential_form.h"
-#include "cageproof/adaptive_qmvc/quad/potentials/potential_sums.h"
+#include "quad/potentials/potential_form.h"
+#include "quad/potentials/potential_sums.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // Registers the solid angle of a bilinear quad.
 #include "solid_angle.h"
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_form.h"
-#include "cageproof/adaptive_qmvc/quad/potentials/potential_form.h"
+#include "quad/mean_value/line_form/line_form.h"
+#include "quad/potentials/potential_form.h"
 #include "cageproof/core/evaluation.h"
 #include "line_rule.h"
 

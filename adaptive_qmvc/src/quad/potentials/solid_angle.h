@@ -2,8 +2,8 @@
 // The solid angle of a bilinear quad: of two triangles, and its derivatives as sums over the four sides.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
-#include "cageproof/adaptive_qmvc/quad/potentials/line_powers.h"
+#include "quad/engine/line_moments.h"
+#include "quad/potentials/line_powers.h"
 #include "cageproof/core/linear.h"
 
 namespace cageproof::adaptive_qmvc {

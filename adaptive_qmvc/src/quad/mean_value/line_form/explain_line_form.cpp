@@ -14,14 +14,13 @@ using closed_form::CountedTape;
 using closed_form::Explanation;
 
 constexpr double kDigits = 17;  // as line_form asks for in double
-constexpr const char* kFrame = "adaptive_qmvc/include/cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h";
+constexpr const char* kFrame = "adaptive_qmvc/src/quad/engine/local_frame.h";
 
 // Where a line's map begins or ends: the only numbers of a rule whose roundings matter.
 Counted end_of(const OuterRule<double>& rule, double value, double v) {
   if (rule.plain) return value;
   const Mp200 exact = asinh((Mp200(v) - Mp200(rule.centre)) / Mp200(rule.width));
-  return Counted::seen(value, exact, "asinh",
-                       "adaptive_qmvc/include/cageproof/adaptive_qmvc/quad/mean_value/line_form/outer_rule.h");
+  return Counted::seen(value, exact, "asinh", "adaptive_qmvc/src/quad/engine/outer_rule.h");
 }
 
 OuterRule<Counted> counted_rule(const OuterRule<double>& rule) {

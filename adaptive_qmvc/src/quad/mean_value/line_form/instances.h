@@ -2,7 +2,7 @@
 // The line form for a block of points at every order, compiled one file a scalar.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_form.h"
+#include "quad/mean_value/line_form/line_form.h"
 
 namespace cageproof::adaptive_qmvc {
 

@@ -2,7 +2,7 @@
 // The paper's scheme for a block of points, compiled one file a scalar.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/riemann.h"
+#include "quad/mean_value/riemann/riemann.h"
 #include "cageproof/core/batch.h"
 
 namespace cageproof::adaptive_qmvc {

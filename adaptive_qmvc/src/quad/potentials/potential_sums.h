@@ -2,11 +2,11 @@
 // The integrals of a potential's tape, summed over the lines of rules.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_references.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/outer_rule.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/weight_sums.h"
-#include "cageproof/adaptive_qmvc/quad/potentials/kernel_terms.h"
-#include "cageproof/adaptive_qmvc/quad/potentials/line_powers.h"
+#include "quad/engine/line_references.h"
+#include "quad/engine/outer_rule.h"
+#include "quad/mean_value/line_form/weight_sums.h"
+#include "quad/potentials/kernel_terms.h"
+#include "quad/potentials/line_powers.h"
 
 #include <algorithm>
 #include <vector>

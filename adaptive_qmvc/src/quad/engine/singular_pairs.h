@@ -2,9 +2,9 @@
 // Where the integral along the lines of a bilinear quad is singular, as a function of the line.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/outer_rule.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/quad_frame.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/quartic_zeros.h"
+#include "quad/engine/outer_rule.h"
+#include "quad/engine/quad_frame.h"
+#include "quad/engine/quartic_zeros.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 // one of them is close.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_references.h"
+#include "quad/engine/line_moments.h"
+#include "quad/engine/line_references.h"
 
 #include <algorithm>
 #include <array>

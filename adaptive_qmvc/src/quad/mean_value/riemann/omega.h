@@ -2,7 +2,7 @@
 // The Riemann sum of a quad's mean value weights on a grid that follows the point ([T18] Section 3.4.3, Eq 22-23).
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/linear_solution.h"
+#include "quad/mean_value/riemann/linear_solution.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // Mean vectors: the integral of the unit vectors from a point towards a surface that its border alone determines.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/pair_frame.h"
+#include "quad/mean_value/riemann/pair_frame.h"
 
 namespace cageproof::adaptive_qmvc {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/seen_quad.h"
+#include "quad/engine/seen_quad.h"
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/quad_frame.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
+#include "quad/engine/quad_frame.h"
+#include "quad/engine/singular_pairs.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // cancel.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
+#include "quad/engine/line_moments.h"
 #include "cageproof/core/gauss_legendre.h"
 #include "cageproof/core/linear.h"
 

@@ -2,7 +2,7 @@
 // The solutions of A w = m from the singular values of A: what linear_solution.h has in closed form.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/linear_solution.h"
+#include "quad/mean_value/riemann/linear_solution.h"
 
 #include <Eigen/SVD>
 

@@ -2,11 +2,11 @@
 // Sums of the weights' terms over the lines of a rule.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_references.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_values.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/weight_sums.h"
+#include "quad/engine/line_moments.h"
+#include "quad/engine/line_references.h"
+#include "quad/mean_value/line_form/line_values.h"
+#include "quad/engine/singular_pairs.h"
+#include "quad/mean_value/line_form/weight_sums.h"
 
 #include <algorithm>
 

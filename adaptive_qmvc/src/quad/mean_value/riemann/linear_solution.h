@@ -2,7 +2,7 @@
 // The solutions of A w = m in closed form: the null vector of A, and the solution of smallest norm.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/mean_vector.h"
+#include "quad/mean_value/riemann/mean_vector.h"
 
 namespace cageproof::adaptive_qmvc {
 

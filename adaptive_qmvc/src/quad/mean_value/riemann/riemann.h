@@ -3,10 +3,10 @@
 // sum estimates.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/omega.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/quad_contact.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/projection.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/reflections.h"
+#include "quad/mean_value/riemann/omega.h"
+#include "quad/mean_value/riemann/quad_contact.h"
+#include "quad/mean_value/riemann/projection.h"
+#include "quad/mean_value/riemann/reflections.h"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 // uses them.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/riemann.h"
+#include "quad/mean_value/riemann/riemann.h"
 
 namespace cageproof::adaptive_qmvc::as_printed {
 

@@ -5,12 +5,12 @@
 // the lines Gauss-Legendre panels do the rest (outer_rule.h).
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_sums.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/more_digits.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/seen_quad.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/weight_sums.h"
+#include "quad/mean_value/line_form/line_sums.h"
+#include "quad/engine/local_frame.h"
+#include "quad/engine/more_digits.h"
+#include "quad/engine/seen_quad.h"
+#include "quad/engine/singular_pairs.h"
+#include "quad/mean_value/line_form/weight_sums.h"
 #include "cageproof/core/batch.h"
 #include "cageproof/core/quad_geometry.h"
 

@@ -3,7 +3,7 @@
 // corrections).
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/linear_solution.h"
+#include "quad/mean_value/riemann/linear_solution.h"
 
 #include <limits>
 #include <utility>

@@ -2,7 +2,7 @@
 // The line form of potentials on bilinear quads: elementary along lines, Gauss-Legendre across them.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/potentials/kernel_terms.h"
+#include "quad/potentials/kernel_terms.h"
 #include "cageproof/core/batch.h"
 
 #include <array>

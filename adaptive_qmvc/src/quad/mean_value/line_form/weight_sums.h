@@ -2,8 +2,8 @@
 // The weights' sums over lines, and how much of them cancels where a quad folds over.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
+#include "quad/engine/line_moments.h"
+#include "quad/engine/local_frame.h"
 
 #include <algorithm>
 #include <array>

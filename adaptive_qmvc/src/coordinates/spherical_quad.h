@@ -3,7 +3,7 @@
 // in mean value coordinates on the sphere. For plain numbers, or for numbers that carry derivatives by the point.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/line_moments.h"
+#include "quad/engine/line_moments.h"
 #include "cageproof/core/element.h"
 #include "cageproof/core/second_order.h"
 

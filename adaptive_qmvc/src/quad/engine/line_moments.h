@@ -2,7 +2,7 @@
 // Integrals of s^j / r^(2p) along one straight line of a bilinear quad: elementary, in forms whose terms do not cancel.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/outer_rule.h"
+#include "quad/engine/outer_rule.h"
 #include "cageproof/core/gauss_legendre.h"
 #include "cageproof/core/linear.h"
 

@@ -2,9 +2,9 @@
 // The points of a bilinear quad that its lines are taken about.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/quad_frame.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/singular_pairs.h"
+#include "quad/engine/local_frame.h"
+#include "quad/engine/quad_frame.h"
+#include "quad/engine/singular_pairs.h"
 #include "cageproof/core/scalar.h"
 
 #include <boost/container/static_vector.hpp>

@@ -2,7 +2,7 @@
 // Where a point is to a quad, as far as the weights are special there.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/riemann/linear_solution.h"
+#include "quad/mean_value/riemann/linear_solution.h"
 #include "cageproof/core/orientation.h"
 #include "cageproof/core/quad_geometry.h"
 

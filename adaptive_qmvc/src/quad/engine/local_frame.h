@@ -3,7 +3,7 @@
 // its own rounding, not to that of the quad's size.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/quad_frame.h"
+#include "quad/engine/quad_frame.h"
 #include "cageproof/closed_form/arithmetic/double_double.h"
 #include "cageproof/core/linear.h"
 

@@ -3,8 +3,8 @@
 // distances, need more digits or a wider range than the scalars that weights are computed in.
 #pragma once
 
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/local_frame.h"
-#include "cageproof/adaptive_qmvc/quad/mean_value/line_form/outer_rule.h"
+#include "quad/engine/local_frame.h"
+#include "quad/engine/outer_rule.h"
 
 #include <array>
 #include <cmath>
