@@ -85,6 +85,7 @@ class CageMeasurement final : public Measurement {
     std::vector<CagePoint> off, on;
     int order = 0;
     std::size_t stride = 1;
+    std::vector<std::size_t> routed;  // points off the cage that second routes are asked at
     std::map<Place, std::vector<CageQuestion>> questions;
   };
 
@@ -104,6 +105,11 @@ class CageMeasurement final : public Measurement {
     // Matrices of nine numbers in multiprecision cost as much as a quarter of the points does for single ones.
     const int truth_points = coordinates.blocks()[0].entries() == 1 ? o.truth_points : (o.truth_points + 3) / 4;
     setup.stride = std::max<std::size_t>(1, setup.off.size() / std::max(1, truth_points)) | 1;
+    // Second routes are the same code everywhere: one point a place says whether they agree.
+    for (const Place place : {Place::Inside, Place::Outside}) {
+      const auto first = std::ranges::find(setup.off, place, &CagePoint::place);
+      if (first != setup.off.end()) setup.routed.push_back(first - setup.off.begin());
+    }
     for (const Place place : {Place::Inside, Place::Outside, Place::OnFace, Place::OnEdge, Place::OnVertex}) {
       std::vector<CageQuestion>& questions = setup.questions[place];
       questions = cage_questions(*setup.subject, name_of(place), order_at(name_of(place), coordinates, setup.order));
@@ -115,6 +121,7 @@ class CageMeasurement final : public Measurement {
   bool takes(const Setup& setup, CageQuestion::Cost cost, std::size_t i) const {
     if (cost == CageQuestion::Cost::Relation || options_.properties_alone) return cost == CageQuestion::Cost::Relation;
     if (cost == CageQuestion::Cost::Point) return true;
+    if (cost == CageQuestion::Cost::SecondRoute) return std::ranges::find(setup.routed, i) != setup.routed.end();
     if (i % setup.stride != 0) return false;
     // Seven sums in 100 digits: a quarter of these points.
     return cost == CageQuestion::Cost::Truth || (options_.differences && i / setup.stride % 4 == 0);

@@ -3,6 +3,7 @@
 
 #include "cageproof/validation/cage_errors.h"
 #include "cages/inside_limit.h"
+#include "cages/second_route_error.h"
 #include "cageproof/validation/scheme_errors.h"
 
 #include <algorithm>
@@ -100,6 +101,13 @@ class Factory {
       for (int o = 0; o <= at.order(); ++o) found[o] = finding_of(errors[o], at);
       return found;
     }).cost = CageQuestion::Cost::Truth;
+    if (subject.second_route()) {
+      CageQuestion& question = add_relative("second_route", [&subject](const CageAt& at) {
+        return Found{finding_of(second_route_error_at(subject.coordinates(), subject.second_route(), at.point), at)};
+      });
+      question.key.scalar = name_of(ScalarKind::Digits100);
+      question.cost = CageQuestion::Cost::SecondRoute;
+    }
     for (const std::string& check : CageSymmetries::checks_of(subject.coordinates()))
       add_roundings(check, [check](const CageAt& at) {
         return Found{finding_of(at.symmetries().at(check), at)};
@@ -168,7 +176,11 @@ CageSubject::CageSubject(std::shared_ptr<const Cage> cage, const CoordinateKind&
       plain_([this] { return CageTerms(*cage_, recommended_.get()); }),
       prior_([this, rule] { return prior_of(*cage_, kind_, rule); }),
       symmetries_([this, evaluation] { return CageSymmetries(*cage_, evaluation, coordinates_, terms_.get()); }),
-      approximated_([this, rule] { return approximated_by(*cage_, kind_, rule); }) {}
+      approximated_([this, rule] { return approximated_by(*cage_, kind_, rule); }) {
+  // Integrals in 100 digits take a hundredth of a second a face.
+  constexpr std::size_t most_faces = 50;
+  if (cage_->faces().size() <= most_faces) second_route_ = second_routes::cage_route(kind_, *cage_);
+}
 
 CageAt::CageAt(const CageSubject& subject, const Vec3<double>& where, std::uint64_t sample, std::string_view place,
                int order, bool exact)

@@ -7,6 +7,7 @@
 #include "cageproof/core/lazy.h"
 #include "cageproof/validation/cage_errors.h"
 #include "cageproof/validation/question.h"
+#include "second_routes/cage_routes.h"
 
 #include <map>
 #include <memory>
@@ -39,6 +40,8 @@ class CageSubject {
   const CageSymmetries& symmetries() const { return symmetries_.get(); }
   /// What the kind's scheme is to come near; see approximated_by().
   const std::optional<CageCoordinates>& approximated() const { return approximated_.get(); }
+  /// From the kind's definition; empty where it has no such route, or the cage has too many faces for it.
+  const second_routes::CageRoute& second_route() const { return second_route_; }
 
  private:
   std::shared_ptr<const Cage> cage_;
@@ -50,6 +53,7 @@ class CageSubject {
   Lazy<std::optional<CageCoordinates>> prior_;
   Lazy<CageSymmetries> symmetries_;
   Lazy<std::optional<CageCoordinates>> approximated_;
+  second_routes::CageRoute second_route_;
 };
 
 /// A point of a cage, and what several questions share there, found when first asked for.
@@ -84,7 +88,7 @@ class CageAt : public PointAt {
 
 struct CageQuestion : Question<CageAt> {
   /// What an answer costs, which decides how many points a campaign takes.
-  enum class Cost { Relation, Point, Truth, Differences } cost = Cost::Point;
+  enum class Cost { Relation, Point, Truth, Differences, SecondRoute } cost = Cost::Point;
 };
 
 /// The highest derivative that relations are asked of at a place.

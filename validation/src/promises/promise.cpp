@@ -252,6 +252,10 @@ constexpr std::array table{
         "a fixed rule misses the mean vector of a near quad"},
     Row{"linear_reproduction", "quad_mean_value", "*", "double", "*", 0, 0, 64,
         "weights that keep a quad's mean vector, Eq 17 of [T18]"},
+    Row{"second_route", "spherical_mean_value", "*", "*", "*", 0, 0, 1e-30,
+        "30 digits, 1e14 roundings of double below one: the integrals have 45, of which a face's mean vector loses "
+        "what "
+        "cancels in it"},
     Row{"zero_outside", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity"},
     Row{"limit_from_inside", "*", of_cages, "double", "*", 0, 0, 1e-6,
         "1e-11 sizes inside, coordinates differ by that times their gradient, which small faces and a logarithm "
