@@ -1,14 +1,63 @@
 // SPDX-License-Identifier: MIT
 #include "cage_routes.h"
 
+#include "entropy_route.h"
 #include "spherical_route.h"
 
-namespace cageproof::second_routes {
+#include <algorithm>
 
-CageRoute cage_route(const CoordinateKind& kind, const Cage& cage) {
-  if (kind.name == "spherical_mean_value")
-    return [&cage](const Vec3<double>& point) { return spherical_coordinates(cage, point); };
-  return {};
+namespace cageproof::second_routes {
+namespace {
+
+class OfSphericalPolygons final : public CageRoute {
+ public:
+  explicit OfSphericalPolygons(const Cage& cage) : cage_(cage) {}
+  ScalarKind compared_in() const override { return ScalarKind::Digits100; }
+  double error_at(const Vec3<double>& point, std::span<const Mp100> first) const override {
+    return relative_distance(first, spherical_coordinates(cage_, point));
+  }
+
+ private:
+  const Cage& cage_;
+};
+
+// The prior is the definition's own input: quad mean value coordinates, where they are positive.
+class OfEntropy final : public CageRoute {
+ public:
+  explicit OfEntropy(const Cage& cage)
+      : cage_(cage), prior_(cage, coordinate_kind_named("quad_mean_value"), CoordinateOptions{}) {}
+  ScalarKind compared_in() const override { return ScalarKind::Digits50; }
+  double error_at(const Vec3<double>& point, std::span<const Mp100> first) const override {
+    const auto prior = prior_.at<Mp50>(convert<Mp50>(point), 0).front().value;
+    const EntropyProblem problem(cage_.vertices(), {prior.begin(), prior.end()}, point, cage_.size());
+    const double unmet = unmet_optimality(problem, first);
+    if (std::isnan(unmet)) return unmet;
+    return std::max(unmet, relative_distance(first, entropy_coordinates(problem)));
+  }
+
+ private:
+  const Cage& cage_;
+  CageCoordinates prior_;
+};
+
+}  // namespace
+
+double relative_distance(std::span<const Mp100> found, std::span<const Mp100> expected) {
+  Mp100 error = 0, size = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Mp100 difference = found[i] - expected[i];
+    error += difference * difference;
+    size += expected[i] * expected[i];
+  }
+  return static_cast<double>(Mp100(sqrt(Mp100(error / size))));
+}
+
+std::shared_ptr<const CageRoute> cage_route(const CoordinateKind& kind, const Cage& cage) {
+  constexpr std::size_t most_faces = 50;
+  if (cage.faces().size() > most_faces) return nullptr;
+  if (kind.name == "spherical_mean_value") return std::make_shared<const OfSphericalPolygons>(cage);
+  if (kind.name == "maximum_entropy") return std::make_shared<const OfEntropy>(cage);
+  return nullptr;
 }
 
 }  // namespace cageproof::second_routes

@@ -4,9 +4,12 @@
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/promise.h"
 #include "cages/second_route_error.h"
+#include "second_routes/entropy_route.h"
 #include "second_routes/spherical_route.h"
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 namespace cageproof::validation {
 namespace {
@@ -46,35 +49,64 @@ TEST(second_routes, share_out_directions_by_half_tangents) {
     EXPECT_LT(distance(share, Mp100(2)), 1e-40);  // twice tan(pi/4)
 }
 
+// Four vertices leave no choice, whatever the prior; a cube seen from its centre with one large prior does.
+TEST(second_routes, minimise_the_entropy) {
+  using second_routes::EntropyProblem;
+  const std::vector<Vec3<double>> corners{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
+  const EntropyProblem simplex(corners, {Mp100(5), Mp100(1), Mp100(1), Mp100(1)}, {1, 1, 1}, 4);
+  const std::vector<Mp100> found = second_routes::entropy_coordinates(simplex);
+  for (const Mp100& lambda : found) EXPECT_LT(distance(lambda, Mp100(0.25)), 1e-75);
+  EXPECT_LT(second_routes::unmet_optimality(simplex, found), 1e-75);
+  const Cage cube = embedded_cage("cube");
+  std::vector<Mp100> prior(8, Mp100(1));
+  prior[3] = 7;
+  const EntropyProblem problem(cube.vertices(), prior, {0.1, 0, -0.2}, cube.size());
+  std::vector<Mp100> lambda = second_routes::entropy_coordinates(problem);
+  EXPECT_LT(second_routes::unmet_optimality(problem, lambda), 1e-75);
+  // Signs by the parity of a corner: all linear functions sum to zero over them, so that conditions but one are met.
+  for (std::size_t i = 0; i < 8; ++i) lambda[i] += (cube.vertices()[i].prod() > 0 ? 1 : -1) * Mp100("1e-20");
+  EXPECT_GT(second_routes::unmet_optimality(problem, lambda), 1e-20);
+  EXPECT_LT(second_routes::unmet_optimality(problem, lambda), 1e-15);
+  lambda[0] = -1;
+  EXPECT_EQ(second_routes::unmet_optimality(problem, lambda), std::numeric_limits<double>::infinity());
+}
+
+TEST(second_routes, have_no_coordinates_outside_of_the_hull) {
+  const Cage cube = embedded_cage("cube");
+  const second_routes::EntropyProblem problem(cube.vertices(), std::vector<Mp100>(8, Mp100(1)), {0.75, 0, 0},
+                                              cube.size());
+  EXPECT_TRUE(isnan(second_routes::entropy_coordinates(problem).front()));
+}
+
 TEST(second_routes, agree_with_the_first) {
+  const auto expect = [](const char* kind, const char* cage, std::size_t places) {
+    const std::vector<ResultRow> rows = second_route_rows(kind, cage);
+    EXPECT_EQ(rows.size(), places) << kind << ' ' << cage;
+    for (const ResultRow& row : rows)
+      EXPECT_EQ(row.verdict, Verdict::Kept) << kind << ' ' << cage << ' ' << row.place << ' ' << row.max;
+  };
   for (const char* cage : {"cube", "twisted-bar"}) {
-    const std::vector<ResultRow> rows = second_route_rows("spherical_mean_value", cage);
-    EXPECT_EQ(rows.size(), 2) << cage;
-    for (const ResultRow& row : rows) {
-      EXPECT_EQ(row.verdict, Verdict::Kept) << cage << ' ' << row.place << ' ' << row.max;
-      EXPECT_EQ(row.scalar, "mp100");
-    }
+    expect("spherical_mean_value", cage, 2);
+    expect("maximum_entropy", cage, 1);
   }
-  EXPECT_TRUE(second_route_rows("spherical_mean_value", "icosphere").empty()) << "80 faces are too many";
+  expect("spherical_mean_value", "icosphere", 0);  // 80 faces are too many
 }
 
 // One coordinate in the twentieth digit.
 TEST(second_routes, see_a_first_route_that_is_off_by_less_than_double_shows) {
   const Cage cage = embedded_cage("twisted-bar");
-  for (const char* name : {"spherical_mean_value"}) {
+  const Vec3<double> point(0.1, 0.2, 0.15);
+  for (const char* name : {"spherical_mean_value", "maximum_entropy"}) {
     const CoordinateKind& kind = coordinate_kind_named(name);
     const CageCoordinates coordinates(cage, kind, CoordinateOptions{});
-    const second_routes::CageRoute route = second_routes::cage_route(kind, cage);
-    const auto bound = promise_for({"second_route", name, coordinates.evaluation(), "mp100", cage.name(), 0}).bound;
+    const auto route = second_routes::cage_route(kind, cage);
+    const std::string scalar(name_of(route->compared_in()));
+    const auto bound = promise_for({"second_route", name, coordinates.evaluation(), scalar, cage.name(), 0}).bound;
     ASSERT_TRUE(bound) << name;
-    const Vec3<double> point(0.1, 0.2, 0.15);
-    EXPECT_LE(second_route_error_at(coordinates, route, point), *bound) << name;
-    const auto off = [&](const Vec3<double>& at) {
-      std::vector<Mp100> found = route(at);
-      found.front() *= 1 + Mp100("1e-20");
-      return found;
-    };
-    EXPECT_GT(second_route_error_at(coordinates, off, point), *bound) << name;
+    EXPECT_LE(second_route_error_at(coordinates, *route, point), *bound) << name;
+    std::vector<Mp100> found = coordinates.at<Mp100>(convert<Mp100>(point), 0).front().value;
+    found.front() *= 1 + Mp100("1e-20");
+    EXPECT_GT(route->error_at(point, found), *bound) << name;
   }
 }
 

@@ -101,11 +101,12 @@ class Factory {
       for (int o = 0; o <= at.order(); ++o) found[o] = finding_of(errors[o], at);
       return found;
     }).cost = CageQuestion::Cost::Truth;
-    if (subject.second_route()) {
+    // Outside, where some kinds have no coordinates, such a point would say nothing.
+    if (subject.second_route() && (kind_.missing_because.empty() || place_ == name_of(Place::Inside))) {
       CageQuestion& question = add_relative("second_route", [&subject](const CageAt& at) {
-        return Found{finding_of(second_route_error_at(subject.coordinates(), subject.second_route(), at.point), at)};
+        return Found{finding_of(second_route_error_at(subject.coordinates(), *subject.second_route(), at.point), at)};
       });
-      question.key.scalar = name_of(ScalarKind::Digits100);
+      question.key.scalar = name_of(subject.second_route()->compared_in());
       question.cost = CageQuestion::Cost::SecondRoute;
     }
     for (const std::string& check : CageSymmetries::checks_of(subject.coordinates()))
@@ -176,11 +177,8 @@ CageSubject::CageSubject(std::shared_ptr<const Cage> cage, const CoordinateKind&
       plain_([this] { return CageTerms(*cage_, recommended_.get()); }),
       prior_([this, rule] { return prior_of(*cage_, kind_, rule); }),
       symmetries_([this, evaluation] { return CageSymmetries(*cage_, evaluation, coordinates_, terms_.get()); }),
-      approximated_([this, rule] { return approximated_by(*cage_, kind_, rule); }) {
-  // Integrals in 100 digits take a hundredth of a second a face.
-  constexpr std::size_t most_faces = 50;
-  if (cage_->faces().size() <= most_faces) second_route_ = second_routes::cage_route(kind_, *cage_);
-}
+      approximated_([this, rule] { return approximated_by(*cage_, kind_, rule); }),
+      second_route_(second_routes::cage_route(kind_, *cage_)) {}
 
 CageAt::CageAt(const CageSubject& subject, const Vec3<double>& where, std::uint64_t sample, std::string_view place,
                int order, bool exact)

@@ -2,18 +2,20 @@
 #include "cages/second_route_error.h"
 
 namespace cageproof::validation {
+namespace {
+
+template <class R>
+std::vector<Mp100> values_at(const CageCoordinates& coordinates, const Vec3<double>& point) {
+  const std::vector<R> found = coordinates.at<R>(convert<R>(point), 0).front().value;
+  return {found.begin(), found.end()};
+}
+
+}  // namespace
 
 double second_route_error_at(const CageCoordinates& coordinates, const second_routes::CageRoute& route,
                              const Vec3<double>& point) {
-  const std::vector<Mp100> found = coordinates.at<Mp100>(convert<Mp100>(point), 0).front().value;
-  const std::vector<Mp100> expected = route(point);
-  Mp100 error = 0, size = 0;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const Mp100 difference = found[i] - expected[i];
-    error += difference * difference;
-    size += expected[i] * expected[i];
-  }
-  return static_cast<double>(Mp100(sqrt(Mp100(error / size))));
+  const bool in_50 = route.compared_in() == ScalarKind::Digits50;
+  return route.error_at(point, in_50 ? values_at<Mp50>(coordinates, point) : values_at<Mp100>(coordinates, point));
 }
 
 }  // namespace cageproof::validation

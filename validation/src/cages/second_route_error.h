@@ -6,8 +6,7 @@
 
 namespace cageproof::validation {
 
-/// Of values in 100 digits, relative, norm-wise over all vertices: roundings hide nothing there. NaN where either has
-/// no coordinates.
+/// Of values in the route's scalar, in which roundings hide nothing. NaN where either has no coordinates.
 double second_route_error_at(const CageCoordinates& coordinates, const second_routes::CageRoute& route,
                              const Vec3<double>& point);
 

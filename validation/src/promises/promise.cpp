@@ -256,6 +256,10 @@ constexpr std::array table{
         "30 digits, 1e14 roundings of double below one: the integrals have 45, of which a face's mean vector loses "
         "what "
         "cancels in it"},
+    Row{"second_route", "maximum_entropy", "*", "*", "*", 0, 0, 1e-30,
+        "30 digits: the minimum is accepted at 900 roundings of 50 digits, which its condition next to the hull's "
+        "border "
+        "enlarges"},
     Row{"zero_outside", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity"},
     Row{"limit_from_inside", "*", of_cages, "double", "*", 0, 0, 1e-6,
         "1e-11 sizes inside, coordinates differ by that times their gradient, which small faces and a logarithm "
