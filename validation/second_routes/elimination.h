@@ -45,4 +45,41 @@ Table<R> eliminated(Table<R> matrix, Table<R> right) {
   return right;
 }
 
+template <class R>
+Table<R> product(const Table<R>& a, const Table<R>& b) {
+  Table<R> found(a.rows, b.columns);
+  for (std::size_t r = 0; r < a.rows; ++r)
+    for (std::size_t k = 0; k < a.columns; ++k)
+      for (std::size_t c = 0; c < b.columns; ++c) found(r, c) += a(r, k) * b(k, c);
+  return found;
+}
+
+/// Sums of squares |row X - value|^2, by their normal equations.
+template <class R>
+class NormalEquations {
+ public:
+  NormalEquations(std::size_t unknowns, std::size_t columns)
+      : matrix_(unknowns, unknowns), right_(unknowns, columns), row_(unknowns, R(0)), value_(columns, R(0)) {}
+
+  /// The row and its value that are added next, which start at zero.
+  R& row(std::size_t unknown) { return row_[unknown]; }
+  R& value(std::size_t column) { return value_[column]; }
+  void add(const R& weight = R(1)) {
+    for (std::size_t r = 0; r < row_.size(); ++r) {
+      if (row_[r] == 0) continue;
+      const R factor = weight * row_[r];
+      for (std::size_t c = 0; c < row_.size(); ++c) matrix_(r, c) += factor * row_[c];
+      for (std::size_t c = 0; c < value_.size(); ++c) right_(r, c) += factor * value_[c];
+    }
+    row_.assign(row_.size(), R(0));
+    value_.assign(value_.size(), R(0));
+  }
+  /// Where the sum is least. \pre one X makes it so
+  Table<R> solution() const { return eliminated(matrix_, right_); }
+
+ private:
+  Table<R> matrix_, right_;
+  std::vector<R> row_, value_;
+};
+
 }  // namespace cageproof::second_routes

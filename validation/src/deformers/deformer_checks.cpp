@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/deformer_checks.h"
 
+#include "deformers/deformer_route.h"
+
 #include "cageproof/core/unknown_name.h"
 #include "cageproof/deformation/stretch.h"
 #include "cageproof/validation/cage_errors.h"
@@ -191,6 +193,8 @@ std::vector<Question<PointAt>> DeformerChecks::questions() const {
                            prompt ? differences<Mp50>() : differences<double>()));
   if (quadrature())
     all.push_back(question("deformer_by_quadrature", bent_pose, in_double, 0, 0, compared_with_quadrature()));
+  if (has_second_route())
+    all.push_back(question("second_route", bent_pose, ScalarKind::Digits50, 0, 0, compared_with_second_route()));
   return all;
 }
 
@@ -260,6 +264,27 @@ DeformerChecks::Errors DeformerChecks::compared(const Images<double>& images, co
     errors[o] = error_over_condition(std::sqrt(static_cast<double>(sum)) * std::pow(cage_->size(), o - 1), condition);
   }
   return errors;
+}
+
+bool DeformerChecks::has_second_route() const {
+  // In the plane all variants take a moment, in space each half a second.
+  if (!has_few_elements() || (cage_->dimension() == 3 && !variant_.is_default)) return false;
+  return layer_method_of(variant_, cage_->size()).has_value();
+}
+
+DeformerChecks::Ask DeformerChecks::compared_with_second_route() const {
+  const auto posed = lazily([this] { return in_50_digits_.get()->pose({in<Mp50>(bent(*cage_))}); });
+  const auto route = lazily([this] {
+    return std::make_shared<const second_routes::LayerRoute>(in_50_digits_.get()->coordinates(),
+                                                             *layer_method_of(variant_, cage_->size()), bent(*cage_));
+  });
+  return [this, posed, route](const Vec3<double>& point) {
+    const Images<Mp50> images = images_at(*in_50_digits_.get(), *posed->get(), convert<Mp50>(point), 0);
+    Vec3<Mp200> difference = route->get()->image_of(point);
+    for (int c = 0; c < cage_->dimension(); ++c) difference[c] -= Mp200(images.tensors[0][c]);
+    const auto error = static_cast<double>(Mp200(sqrt(Mp200(difference.dot(difference)))));
+    return Errors{error_over_condition(error / cage_->size(), 1)};
+  };
 }
 
 template <class R>

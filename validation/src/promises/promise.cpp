@@ -330,6 +330,8 @@ constexpr std::array table{
     Row{"deformer_jacobian", "*", "*", "double", "*", 1, 2, none, "differences in double have few digits"},
     Row{"deformer_jacobian", "*", "*", "*", "*", 1, 2, 1e-25,
         "central differences of step 1e-16 sizes in 50 digits, 2e-2 sizes inside"},
+    Row{"second_route", "*", "*", "mp50", "*", 0, 0, 1e-30,
+        "30 digits: 50 less those of the squared condition of what is solved, 1e4 and less"},
     Row{"deformer_by_quadrature", "*", "*", "double", "*", 0, 0, 1e-12,
         "the adaptive rule's tolerance on each coordinate"},
     // Deformers by constraints: energies over those before, or in a unit in which the cage's size is one; images in

@@ -66,6 +66,8 @@ class DeformerChecks {
   /// deformer_jacobian: derivatives with central differences of the images and of the Jacobian, in 50 digits where
   /// these are prompt, else in double.
   /// deformer_by_quadrature: images with those that an adaptive rule gives, on small cages, by default parameters.
+  /// second_route: images in 50 digits with those of second_routes::LayerRoute, of methods that solve for densities; in
+  /// space by default parameters.
   /// A question's place is its pose, which is solved for when the question is first asked. Valid while this lives.
   std::vector<Question<PointAt>> questions() const;
 
@@ -88,6 +90,8 @@ class DeformerChecks {
   Ask mirrored(const MirrorSymmetry& mirror) const;
   Ask compared_with_truth(int order) const;
   Ask compared_with_quadrature() const;
+  bool has_second_route() const;
+  Ask compared_with_second_route() const;
   template <class R>
   Ask differences() const;
   template <class R>

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The densities L' and D' that [T24] gives biharmonic layers for posed vertices V' and normal derivatives N', from the
+// printed sums of squares by their normal equations: Eq 24 for (1,3), D.1 for (1,2), Eq 63-65 for Weber's.
+#pragma once
+
+#include "cage_samples.h"
+
+namespace cageproof::second_routes {
+
+/// What is required of the function on the cage.
+enum class Required { ValuesAndLaplacians, ValuesAndSlopes, ValuesByLaplacians };
+
+struct DensityMethod {
+  Required required;
+  int level;     ///< times that elements are split for samples
+  Wide gamma_d;  ///< of ValuesAndLaplacians: the weight of values
+};
+
+/// (L'; D') for each column of V' and N', which are data for the same columns.
+/// \param layers of kind biharmonic
+Table<Wide> densities_of(const CageCoordinates& layers, const DensityMethod& method, const Table<Wide>& vertices,
+                         const Table<Wide>& normals);
+
+}  // namespace cageproof::second_routes
