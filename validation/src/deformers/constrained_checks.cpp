@@ -2,6 +2,7 @@
 #include "cageproof/validation/constrained_checks.h"
 
 #include "deformers/constrained_problem.h"
+#include "deformers/constrained_route.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +59,7 @@ Question<PointAt> ConstrainedChecks::energy(std::string_view check, std::string_
 std::vector<Question<PointAt>> ConstrainedChecks::questions() const {
   std::vector<Question<PointAt>> all{energy("energy_falls", bent_pose, &ConstrainedChecks::largest_rise),
                                      energy("rigid_energy", rigid_pose, &ConstrainedChecks::what_is_left)};
+  all.push_back(energy("second_route", bent_pose, &ConstrainedChecks::slope_left));
   if (!variant_.method->positions_alone)
     all.push_back(energy("energy_is_flat", bent_pose, &ConstrainedChecks::flatness));
   // In the plane biharmonic layers have logarithms, times what no layer is: maps in other units are others.
@@ -80,6 +82,11 @@ double ConstrainedChecks::largest_rise(std::string_view pose) const {
     if (!(rise <= worst)) worst = rise;
   }
   return worst;
+}
+
+double ConstrainedChecks::slope_left(std::string_view pose) const {
+  // Turned, so that no component of a normal is zero.
+  return unmet_stationarity(problem(pose).under(turn(cage_->dimension()), 1), variant_, rule_);
 }
 
 double ConstrainedChecks::what_is_left(std::string_view pose) const {

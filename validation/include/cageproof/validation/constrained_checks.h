@@ -43,6 +43,7 @@ class ConstrainedChecks {
   /// rigid_energy: the energy that targets moved rigidly leave, in a unit in which the cage's size is one.
   /// energy_is_flat, of methods whose energy is quadratic in their coefficients: its gradient after the first step over
   /// that before it.
+  /// second_route: unmet_stationarity(): slopes and sums of energies that are written another time.
   /// constrained_unit: images with those of the cage that is ten times as large, weights adapted; not of biharmonic
   /// maps of the plane, which are others in other units.
   /// constrained_motion: images with those of the cage and its constraints turned.
@@ -59,6 +60,7 @@ class ConstrainedChecks {
   ConstrainedProblem problem(std::string_view pose) const;
   double largest_rise(std::string_view pose) const;
   double what_is_left(std::string_view pose) const;
+  double slope_left(std::string_view pose) const;
   double flatness(std::string_view pose) const;
   Ask moved(std::string_view pose, const SpaceMap& map, double length) const;
 
