@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cage_routes.h"
 
+#include "boundary_route.h"
 #include "entropy_route.h"
 #include "spherical_route.h"
 
+#include "cageproof/core/lazy.h"
+
 #include <algorithm>
+#include <array>
 
 namespace cageproof::second_routes {
 namespace {
@@ -13,8 +17,8 @@ class OfSphericalPolygons final : public CageRoute {
  public:
   explicit OfSphericalPolygons(const Cage& cage) : cage_(cage) {}
   ScalarKind compared_in() const override { return ScalarKind::Digits100; }
-  double error_at(const Vec3<double>& point, std::span<const Mp100> first) const override {
-    return relative_distance(first, spherical_coordinates(cage_, point));
+  double error_at(const Vec3<double>& point, const Blocks& first) const override {
+    return relative_distance(first.front(), spherical_coordinates(cage_, point));
   }
 
  private:
@@ -27,17 +31,35 @@ class OfEntropy final : public CageRoute {
   explicit OfEntropy(const Cage& cage)
       : cage_(cage), prior_(cage, coordinate_kind_named("quad_mean_value"), CoordinateOptions{}) {}
   ScalarKind compared_in() const override { return ScalarKind::Digits50; }
-  double error_at(const Vec3<double>& point, std::span<const Mp100> first) const override {
+  double error_at(const Vec3<double>& point, const Blocks& first) const override {
     const auto prior = prior_.at<Mp50>(convert<Mp50>(point), 0).front().value;
     const EntropyProblem problem(cage_.vertices(), {prior.begin(), prior.end()}, point, cage_.size());
-    const double unmet = unmet_optimality(problem, first);
+    const double unmet = unmet_optimality(problem, first.front());
     if (std::isnan(unmet)) return unmet;
-    return std::max(unmet, relative_distance(first, entropy_coordinates(problem)));
+    return std::max(unmet, relative_distance(first.front(), entropy_coordinates(problem)));
   }
 
  private:
   const Cage& cage_;
   CageCoordinates prior_;
+};
+
+class OfBoundaryEquations final : public CageRoute {
+ public:
+  OfBoundaryEquations(const Cage& cage, int order) : route_([&cage, order] { return BoundaryRoute(cage, order); }) {}
+  ScalarKind compared_in() const override { return ScalarKind::Digits50; }
+  double error_at(const Vec3<double>& point, const Blocks& first) const override {
+    double worst = 0;
+    const auto expected = route_.get().at(point);
+    for (std::size_t b = 0; b < first.size(); ++b) {
+      const std::vector<Mp100> block(expected[b].begin(), expected[b].end());
+      worst = std::max(worst, relative_distance(first[b], block));
+    }
+    return worst;
+  }
+
+ private:
+  Lazy<BoundaryRoute> route_;
 };
 
 }  // namespace
@@ -56,6 +78,11 @@ std::shared_ptr<const CageRoute> cage_route(const CoordinateKind& kind, const Ca
   constexpr std::size_t most_faces = 50;
   if (cage.faces().size() > most_faces) return nullptr;
   if (kind.name == "spherical_mean_value") return std::make_shared<const OfSphericalPolygons>(cage);
+  constexpr std::size_t most_edges = 8;
+  static constexpr std::array by_order{"harmonic", "biharmonic_boundary", "triharmonic_boundary"};
+  for (int k = 0; k < 3; ++k)
+    if (kind.name == by_order[k] && cage.faces().size() <= most_edges)
+      return std::make_shared<const OfBoundaryEquations>(cage, k + 1);
   if (kind.name == "maximum_entropy") return std::make_shared<const OfEntropy>(cage);
   return nullptr;
 }

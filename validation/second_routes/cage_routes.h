@@ -10,22 +10,27 @@
 
 namespace cageproof::second_routes {
 
+/// All coordinates of a point.
+using Blocks = std::vector<std::vector<Mp100>>;
+
 /// A kind's route on a cage. Safe from any thread.
 class CageRoute {
  public:
   virtual ~CageRoute() = default;
   /// The scalar in which the first route is compared: fewer digits where what the definition takes as given is slow.
   virtual ScalarKind compared_in() const = 0;
-  /// How far the first route's coordinates of a point off the cage, one a vertex, are from this route's: relative,
-  /// norm-wise; or from the conditions of the definition, where that is more. NaN where one of them has none.
-  virtual double error_at(const Vec3<double>& point, std::span<const Mp100> first) const = 0;
+  /// How far the first route's coordinates of a point off the cage, block by block, are from this route's: relative,
+  /// norm-wise, of the worst block; or from the conditions of the definition, where that is more. NaN where one of them
+  /// has none.
+  virtual double error_at(const Vec3<double>& point, const Blocks& first) const = 0;
 };
 
 /// Norm-wise over all entries, relative to the expected ones. NaN where an entry is.
 double relative_distance(std::span<const Mp100> found, std::span<const Mp100> expected);
 
 /// The route of a kind on a cage; null for kinds that have none, and on cages with more than 50 faces, where integrals
-/// in 100 digits take half a second a point. \param cage outlives the route
+/// in 100 digits take half a second a point, or, of kinds that solve equations, more than eight edges. \param cage
+/// outlives the route
 std::shared_ptr<const CageRoute> cage_route(const CoordinateKind& kind, const Cage& cage);
 
 }  // namespace cageproof::second_routes

@@ -2,6 +2,7 @@
 // Square systems by Gaussian elimination with row pivoting, for any number.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>

@@ -40,7 +40,7 @@ std::array<Mp50, 2> ThicknessEnergy::at_row(const Row& row, const Unknowns& vert
     for (std::size_t c = 0; c < 2; ++c) sum[c] += row.of_vertices[i] * vertices[2 * i + c];
   for (std::size_t e = 0; e < row.of_normals.size(); ++e) {
     const auto ends = elements_.vertices_of(e);
-    const auto from = static_cast<std::size_t>(2 * ends[0]), to = static_cast<std::size_t>(2 * ends[1]);
+    const auto from = 2 * static_cast<std::size_t>(ends[0]), to = 2 * static_cast<std::size_t>(ends[1]);
     const Mp50 x = vertices[to] - vertices[from], y = vertices[to + 1] - vertices[from + 1],
                length = sqrt(Mp50(x * x + y * y));
     sum[0] += row.of_normals[e] * y / length;

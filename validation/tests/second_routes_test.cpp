@@ -4,6 +4,7 @@
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/promise.h"
 #include "cages/second_route_error.h"
+#include "second_routes/boundary_route.h"
 #include "second_routes/entropy_route.h"
 #include "second_routes/spherical_route.h"
 
@@ -78,6 +79,24 @@ TEST(second_routes, have_no_coordinates_outside_of_the_hull) {
   EXPECT_TRUE(isnan(second_routes::entropy_coordinates(problem).front()));
 }
 
+TEST(second_routes, reproduce_affine_functions_by_boundary_equations) {
+  const Cage cage = embedded_cage("l-shape");
+  const CageElements elements(cage, true, Triangulation::Shortest);
+  const Vec3<double> point(0.6, 0.7, 0);
+  for (const int order : {1, 2, 3}) {
+    const auto blocks = second_routes::BoundaryRoute(cage, order).at(point);
+    ASSERT_EQ(blocks.size(), order);
+    Mp200 ones = -1, along = -Mp200(point[0]);
+    for (std::size_t v = 0; v < blocks[0].size(); ++v) {
+      ones += blocks[0][v];
+      along += blocks[0][v] * cage.vertices()[v][0];
+    }
+    for (std::size_t e = 0; order > 1 && e < blocks[1].size(); ++e) along += blocks[1][e] * elements.normals()[e][0];
+    EXPECT_LT(abs(ones), 1e-35) << order;
+    EXPECT_LT(abs(along), 1e-35) << order;
+  }
+}
+
 TEST(second_routes, agree_with_the_first) {
   const auto expect = [](const char* kind, const char* cage, std::size_t places) {
     const std::vector<ResultRow> rows = second_route_rows(kind, cage);
@@ -89,23 +108,38 @@ TEST(second_routes, agree_with_the_first) {
     expect("spherical_mean_value", cage, 2);
     expect("maximum_entropy", cage, 1);
   }
+  for (const char* kind : {"harmonic", "biharmonic_boundary", "triharmonic_boundary"}) {
+    expect(kind, "square", 2);
+    expect(kind, "l-shape", 2);
+    expect(kind, "star", 0);  // ten edges are too many
+  }
   expect("spherical_mean_value", "icosphere", 0);  // 80 faces are too many
 }
 
-// One coordinate in the twentieth digit.
+TEST(second_routes, are_of_recommended_evaluations) {
+  CageCampaignOptions options;
+  options.kinds = "biharmonic_boundary";
+  options.evaluation = "offset-1e-6";
+  options.points = 40;
+  options.jobs = 1;
+  for (const ResultRow& row : run_cage_campaign(embedded_cage("square"), options)) EXPECT_NE(row.check, "second_route");
+}
+
+// One coordinate in the twentieth digit, of the last block.
 TEST(second_routes, see_a_first_route_that_is_off_by_less_than_double_shows) {
-  const Cage cage = embedded_cage("twisted-bar");
-  const Vec3<double> point(0.1, 0.2, 0.15);
-  for (const char* name : {"spherical_mean_value", "maximum_entropy"}) {
+  for (const char* name : {"spherical_mean_value", "maximum_entropy", "harmonic", "triharmonic_boundary"}) {
     const CoordinateKind& kind = coordinate_kind_named(name);
+    const Cage cage = embedded_cage(kind.own_dimension == 2 ? "l-shape" : "twisted-bar");
+    const Vec3<double> point(0.1, 0.2, kind.own_dimension == 2 ? 0 : 0.15);
     const CageCoordinates coordinates(cage, kind, CoordinateOptions{});
     const auto route = second_routes::cage_route(kind, cage);
     const std::string scalar(name_of(route->compared_in()));
     const auto bound = promise_for({"second_route", name, coordinates.evaluation(), scalar, cage.name(), 0}).bound;
     ASSERT_TRUE(bound) << name;
     EXPECT_LE(second_route_error_at(coordinates, *route, point), *bound) << name;
-    std::vector<Mp100> found = coordinates.at<Mp100>(convert<Mp100>(point), 0).front().value;
-    found.front() *= 1 + Mp100("1e-20");
+    second_routes::Blocks found;
+    for (const Result<Mp100>& block : coordinates.at<Mp100>(convert<Mp100>(point), 0)) found.push_back(block.value);
+    found.back().front() *= 1 + Mp100("1e-20");
     EXPECT_GT(route->error_at(point, found), *bound) << name;
   }
 }

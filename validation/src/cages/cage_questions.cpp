@@ -178,7 +178,11 @@ CageSubject::CageSubject(std::shared_ptr<const Cage> cage, const CoordinateKind&
       prior_([this, rule] { return prior_of(*cage_, kind_, rule); }),
       symmetries_([this, evaluation] { return CageSymmetries(*cage_, evaluation, coordinates_, terms_.get()); }),
       approximated_([this, rule] { return approximated_by(*cage_, kind_, rule); }),
-      second_route_(second_routes::cage_route(kind_, *cage_)) {}
+      second_route_([this] {
+        // Other evaluations of kinds that solve equations are other coordinates.
+        const bool is_defined = coordinates_.evaluation() == recommended_.get().evaluation();
+        return is_defined ? second_routes::cage_route(kind_, *cage_) : nullptr;
+      }) {}
 
 CageAt::CageAt(const CageSubject& subject, const Vec3<double>& where, std::uint64_t sample, std::string_view place,
                int order, bool exact)

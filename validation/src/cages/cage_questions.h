@@ -40,8 +40,9 @@ class CageSubject {
   const CageSymmetries& symmetries() const { return symmetries_.get(); }
   /// What the kind's scheme is to come near; see approximated_by().
   const std::optional<CageCoordinates>& approximated() const { return approximated_.get(); }
-  /// From the kind's definition; null where it has no such route, or the cage has too many faces for it.
-  const second_routes::CageRoute* second_route() const { return second_route_.get(); }
+  /// From the kind's definition; null where it has no such route, the cage has too many faces for it, or the
+  /// coordinates are by another evaluation than the recommended one.
+  const second_routes::CageRoute* second_route() const { return second_route_.get().get(); }
 
  private:
   std::shared_ptr<const Cage> cage_;
@@ -53,7 +54,7 @@ class CageSubject {
   Lazy<std::optional<CageCoordinates>> prior_;
   Lazy<CageSymmetries> symmetries_;
   Lazy<std::optional<CageCoordinates>> approximated_;
-  std::shared_ptr<const second_routes::CageRoute> second_route_;
+  Lazy<std::shared_ptr<const second_routes::CageRoute>> second_route_;
 };
 
 /// A point of a cage, and what several questions share there, found when first asked for.

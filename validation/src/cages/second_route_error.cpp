@@ -5,9 +5,11 @@ namespace cageproof::validation {
 namespace {
 
 template <class R>
-std::vector<Mp100> values_at(const CageCoordinates& coordinates, const Vec3<double>& point) {
-  const std::vector<R> found = coordinates.at<R>(convert<R>(point), 0).front().value;
-  return {found.begin(), found.end()};
+second_routes::Blocks values_at(const CageCoordinates& coordinates, const Vec3<double>& point) {
+  second_routes::Blocks found;
+  for (const Result<R>& block : coordinates.at<R>(convert<R>(point), 0))
+    found.emplace_back(block.value.begin(), block.value.end());
+  return found;
 }
 
 }  // namespace

@@ -273,13 +273,25 @@ bool DeformerChecks::has_second_route() const {
 }
 
 DeformerChecks::Ask DeformerChecks::compared_with_second_route() const {
-  const auto posed = lazily([this] { return in_50_digits_.get()->pose({in<Mp50>(bent(*cage_))}); });
-  const auto route = lazily([this] {
-    return std::make_shared<const second_routes::LayerRoute>(in_50_digits_.get()->coordinates(),
-                                                             *layer_method_of(variant_, cage_->size()), bent(*cage_));
+  // In the plane, where preparing takes a moment, of a turned cage: of axis-parallel edges, which most polygons have,
+  // half of the normals' components are zero. In space the deformer is that of deformer_truth.
+  const bool is_turned = cage_->dimension() == 2;
+  const auto maps = space_maps(cage_->dimension());
+  const SpaceMap map = is_turned ? *std::ranges::find(maps, "rotation", &SpaceMap::pose) : SpaceMap{};
+  const auto cage = lazily([this, map] { return cage_->with(posed_by(map, *cage_), cage_->faces()); });
+  const auto deformer = lazily([this, is_turned, cage] {
+    if (!is_turned) return in_50_digits_.get();
+    return deformation::prepare_deformer<Mp50>(*variant_.method, cage->get(),
+                                               {.triangulation = rule_, .parameters = variant_.parameters});
   });
-  return [this, posed, route](const Vec3<double>& point) {
-    const Images<Mp50> images = images_at(*in_50_digits_.get(), *posed->get(), convert<Mp50>(point), 0);
+  const auto posed = lazily([cage, deformer] { return deformer->get()->pose({in<Mp50>(bent(cage->get()))}); });
+  const auto route = lazily([this, cage, deformer] {
+    return std::make_shared<const second_routes::LayerRoute>(
+        deformer->get()->coordinates(), *layer_method_of(variant_, cage_->size()), bent(cage->get()));
+  });
+  return [this, map, deformer, posed, route](const Vec3<double>& at) {
+    const Vec3<double> point = map(at, cage_->size());
+    const Images<Mp50> images = images_at(*deformer->get(), *posed->get(), convert<Mp50>(point), 0);
     Vec3<Mp200> difference = route->get()->image_of(point);
     for (int c = 0; c < cage_->dimension(); ++c) difference[c] -= Mp200(images.tensors[0][c]);
     const auto error = static_cast<double>(Mp200(sqrt(Mp200(difference.dot(difference)))));

@@ -260,6 +260,10 @@ constexpr std::array table{
         "30 digits: the minimum is accepted at 900 roundings of 50 digits, which its condition next to the hull's "
         "border "
         "enlarges"},
+    Row{"second_route", "@(harmonic|biharmonic_boundary|triharmonic_boundary)", "*", "*", "*", 0, 0, 1e-30,
+        "30 digits: the route takes layers 1e-42 inside for their limits, which systems enlarge by their condition, "
+        "1e5 "
+        "and less"},
     Row{"zero_outside", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity"},
     Row{"limit_from_inside", "*", of_cages, "double", "*", 0, 0, 1e-6,
         "1e-11 sizes inside, coordinates differ by that times their gradient, which small faces and a logarithm "

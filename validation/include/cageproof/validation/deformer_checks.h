@@ -67,7 +67,7 @@ class DeformerChecks {
   /// these are prompt, else in double.
   /// deformer_by_quadrature: images with those that an adaptive rule gives, on small cages, by default parameters.
   /// second_route: images in 50 digits with those of second_routes::LayerRoute, of methods that solve for densities; in
-  /// space by default parameters.
+  /// space by default parameters, in the plane of the cage turned.
   /// A question's place is its pose, which is solved for when the question is first asked. Valid while this lives.
   std::vector<Question<PointAt>> questions() const;
 
