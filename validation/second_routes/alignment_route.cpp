@@ -7,7 +7,7 @@ namespace cageproof::second_routes {
 namespace {
 
 // Lam_V beside Lam_N: the energy's rows for each vertex and each normal derivative.
-Table<Wide> energy_rows(const CageCoordinates& layers, const DensityMethod& densities, const AlignmentMethod& method) {
+Table<Wide> energy_rows(const CageCoordinates& layers, const Table<Wide>& densities, const AlignmentMethod& method) {
   const CageElements& elements = layers.elements();
   const std::size_t n = elements.vertices().size(), m = elements.count();
   const int d = layers.dimension();
@@ -35,11 +35,7 @@ Table<Wide> energy_rows(const CageCoordinates& layers, const DensityMethod& dens
         }
       }
   }
-  // alpha and beta take their densities from data that are one at a vertex, or of an element, and zero elsewhere.
-  Table<Wide> vertices(n, n + m), normals(m, n + m);
-  for (std::size_t k = 0; k < n; ++k) vertices(k, k) = 1;
-  for (std::size_t k = 0; k < m; ++k) normals(k, n + k) = 1;
-  const Table<Wide> free = product(of_densities, densities_of(layers, densities, vertices, normals));
+  const Table<Wide> free = product(of_densities, densities);
   for (std::size_t k = 0; k < free.entries.size(); ++k) of_data.entries[k] += free.entries[k];
   return of_data;
 }
@@ -94,8 +90,8 @@ Table<Wide> along_units(const Normalised& given, const Table<Wide>& units, bool 
 
 }  // namespace
 
-Table<Wide> aligned_normals(const CageCoordinates& layers, const DensityMethod& densities,
-                            const AlignmentMethod& method, const Table<Wide>& vertices, const Table<Wide>& units) {
+Table<Wide> aligned_normals(const CageCoordinates& layers, const Table<Wide>& densities, const AlignmentMethod& method,
+                            const Table<Wide>& vertices, const Table<Wide>& units) {
   const Normalised given(energy_rows(layers, densities, method), vertices);
   if (method.along == Along::Free) return softly(given, Wide(0), units);
   if (method.along == Along::Soft) return softly(given, method.gamma_a, units);

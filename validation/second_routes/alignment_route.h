@@ -20,9 +20,10 @@ struct AlignmentMethod {
   Wide gamma_a;  ///< of Soft
 };
 
-/// N', a row an element and a column a coordinate. \param units the posed unit normals, likewise
-Table<Wide> aligned_normals(const CageCoordinates& layers, const DensityMethod& densities,
-                            const AlignmentMethod& method, const Table<Wide>& vertices, const Table<Wide>& units);
+/// N', a row an element and a column a coordinate. \param densities densities_by_data() \param units the posed unit
+/// normals, likewise
+Table<Wide> aligned_normals(const CageCoordinates& layers, const Table<Wide>& densities, const AlignmentMethod& method,
+                            const Table<Wide>& vertices, const Table<Wide>& units);
 
 /// The s >= 0 of least s.Gs/2 - g.s for a positive definite G: of all sets of unknowns the one whose solution, with the
 /// others zero, satisfies the conditions of Karush, Kuhn and Tucker. \pre at most 12 unknowns

@@ -115,8 +115,12 @@ class Densities {
 
 }  // namespace
 
-Table<Wide> densities_of(const CageCoordinates& layers, const DensityMethod& method, const Table<Wide>& vertices,
-                         const Table<Wide>& normals) {
+Table<Wide> densities_by_data(const CageCoordinates& layers, const DensityMethod& method) {
+  // Data that are one at a vertex, or of an element, and zero elsewhere.
+  const std::size_t n = layers.elements().vertices().size(), m = layers.elements().count();
+  Table<Wide> vertices(n, n + m), normals(m, n + m);
+  for (std::size_t k = 0; k < n; ++k) vertices(k, k) = 1;
+  for (std::size_t k = 0; k < m; ++k) normals(k, n + k) = 1;
   const Densities densities(layers, method, vertices, normals);
   switch (method.required) {
     case Required::ValuesAndSlopes: return densities.by_values_and_slopes();

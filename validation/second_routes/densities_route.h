@@ -16,9 +16,7 @@ struct DensityMethod {
   Wide gamma_d;  ///< of ValuesAndLaplacians: the weight of values
 };
 
-/// (L'; D') for each column of V' and N', which are data for the same columns.
-/// \param layers of kind biharmonic
-Table<Wide> densities_of(const CageCoordinates& layers, const DensityMethod& method, const Table<Wide>& vertices,
-                         const Table<Wide>& normals);
+/// (L'; D') as a linear map of (V'; N'): a column a vertex, then an element. \param layers of kind biharmonic
+Table<Wide> densities_by_data(const CageCoordinates& layers, const DensityMethod& method);
 
 }  // namespace cageproof::second_routes

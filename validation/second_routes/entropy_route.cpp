@@ -35,6 +35,7 @@ std::optional<Affine> affine_through(const EntropyProblem& problem, const std::v
                                      const std::vector<Mp100>& values) {
   Table<Mp100> matrix(4, 4), right(4, 1);
   std::vector<Affine> left;  // what is left of each vertex's factors, orthogonal to those taken
+  left.reserve(vertices.size());
   for (const std::size_t v : vertices) left.push_back(factors_of(problem.offsets[v]));
   const auto dot = [](const Affine& a, const Affine& b) {
     Mp100 sum = 0;
@@ -111,6 +112,7 @@ double unmet_optimality(const EntropyProblem& problem, std::span<const Mp100> la
     sum += lambda[i];
     mean += lambda[i] * problem.offsets[i];
   }
+  logarithms.reserve(vertices.size());
   for (const std::size_t v : vertices) logarithms.push_back(log(Mp100(lambda[v] / problem.prior[v])));
   Mp100 worst = std::max(Mp100(abs(sum)), Mp100(sqrt(Mp100(mean.dot(mean)))));
   // Where the vertices with a prior lie in a plane, the others' conditions hold there or nowhere.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "layer_route.h"
 
+#include <algorithm>
+
 namespace cageproof::second_routes {
 namespace {
 
@@ -44,9 +46,13 @@ LayerRoute::LayerRoute(const CageCoordinates& layers, const LayerMethod& method,
     const Vec3<Wide> normal = length_of_normal(method.length, elements, posed, j) * unit_normal_of(elements, posed, j);
     for (std::size_t c = 0; c < vertices_.columns; ++c) normals_(j, c) = normal[static_cast<Eigen::Index>(c)];
   }
+  const Table<Wide> by_data = densities_by_data(layers, method.densities);
   if (method.alignment)
-    normals_ = aligned_normals(layers, method.densities, *method.alignment, vertices_, Table<Wide>(normals_));
-  densities_ = densities_of(layers, method.densities, vertices_, normals_);
+    normals_ = aligned_normals(layers, by_data, *method.alignment, vertices_, Table<Wide>(normals_));
+  Table<Wide> data(by_data.columns, vertices_.columns);
+  std::ranges::copy(vertices_.entries, data.entries.begin());
+  std::ranges::copy(normals_.entries, data.entries.begin() + static_cast<std::ptrdiff_t>(vertices_.entries.size()));
+  densities_ = product(by_data, data);
 }
 
 Vec3<Wide> LayerRoute::image_of(const Vec3<double>& point) const {

@@ -115,6 +115,7 @@ std::vector<Mp100> spherical_coordinates(const Cage& cage, const Vec3<double>& p
   std::vector<Mp100> found(cage.vertices().size());
   for (const Face& face : cage.faces()) {
     std::vector<Vec> to_corner;
+    to_corner.reserve(face.size());
     for (int k = 0; k < face.size(); ++k) to_corner.push_back(convert<Mp100>(cage.vertices()[face.vertices[k]]) - x);
     const std::vector<Mp100> weights = weights_of(to_corner);
     for (int k = 0; k < face.size(); ++k) found[face.vertices[k]] += weights[k];

@@ -94,13 +94,14 @@ TEST(constrained_routes, see_a_pose_that_is_not_stationary) {
   const ConstrainedProblem problem = problem_of(method, cage, bent_pose);
   const auto model = problem.prepared(variants_of(method).front(), Triangulation::Shortest, 400);
   std::vector<Vec3<double>> at;
+  at.reserve(problem.constraints.positions.size());
   for (const auto& position : problem.constraints.positions) at.push_back(position.at);
   const second_routes::ThicknessEnergy energy(model->coordinates(), 4, at);
   second_routes::ThicknessEnergy::Unknowns vertices;
   for (const Vec3<double>& v : model->pose()->vertices()) vertices.insert(vertices.end(), {Mp50(v[0]), Mp50(v[1])});
-  EXPECT_LT(energy.slope_along_constraints(vertices), 1e-8);
+  EXPECT_LT(energy.slope_along_constraints(vertices), 1e-7);
   vertices[3] += 1e-6;
-  EXPECT_GT(energy.slope_along_constraints(vertices), 1e-8);
+  EXPECT_GT(energy.slope_along_constraints(vertices), 1e-7);
   // At rest nothing bends.
   second_routes::ThicknessEnergy::Unknowns rest;
   for (const Vec3<double>& v : cage.vertices()) rest.insert(rest.end(), {Mp50(v[0]), Mp50(v[1])});

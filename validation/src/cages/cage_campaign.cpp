@@ -105,8 +105,11 @@ class CageMeasurement final : public Measurement {
     // Matrices of nine numbers in multiprecision cost as much as a quarter of the points does for single ones.
     const int truth_points = coordinates.blocks()[0].entries() == 1 ? o.truth_points : (o.truth_points + 3) / 4;
     setup.stride = std::max<std::size_t>(1, setup.off.size() / std::max(1, truth_points)) | 1;
-    // Second routes are the same code everywhere: one point a place says whether they agree.
+    // Second routes are the same code everywhere: one point a place says whether they agree, of larger cages one
+    // inside.
+    constexpr std::size_t many_faces = 20;
     for (const Place place : {Place::Inside, Place::Outside}) {
+      if (place == Place::Outside && cage_->faces().size() > many_faces) continue;
       const auto first = std::ranges::find(setup.off, place, &CagePoint::place);
       if (first != setup.off.end()) setup.routed.push_back(first - setup.off.begin());
     }

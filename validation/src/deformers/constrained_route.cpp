@@ -136,6 +136,7 @@ double of_thickness(const ConstrainedProblem& problem, const ConstrainedVariant&
   const auto model = problem.prepared(variant, rule, steps);
   const auto posed = model->pose();
   std::vector<Vec3<double>> at;
+  at.reserve(problem.constraints.positions.size());
   for (const auto& position : problem.constraints.positions) at.push_back(position.at);
   const ThicknessEnergy energy(model->coordinates(), static_cast<int>(parameter_of(variant, "samples")), at);
   ThicknessEnergy::Unknowns vertices;
