@@ -100,7 +100,7 @@ TEST(replayed, cages_are_what_was_measured) {
     const auto checks = expect_the_same_again(cage_measurements(cage_named(cage), few_points()));
     for (const char* check :
          {"partition_of_unity", "zero_outside", "linear_reproduction", "cage_laplacian", "cage_truth", "cage_scaling",
-          "cage_subdivision", "cage_differences", "limit_from_inside"})
+          "cage_subdivision", "cage_differences", "limit_from_inside", "second_route"})
       EXPECT_TRUE(checks.contains(check)) << cage << ' ' << check;
   }
 }
@@ -145,7 +145,7 @@ TEST(replayed, deformers_and_constrained_methods_are_what_was_measured) {
     if (cage_named(cage)->dimension() == 3) options.methods = "green,mean_value,biharmonic_1_3,somigliana,variational*";
     const auto checks = expect_the_same_again(deformer_measurements(cage_named(cage), options));
     for (const char* check : {"keeps_rigid", "keeps_mirror", "deformer_truth", "deformer_jacobian",
-                              "deformer_by_quadrature", "energy_falls", "constrained_motion"})
+                              "deformer_by_quadrature", "energy_falls", "constrained_motion", "second_route"})
       EXPECT_TRUE(checks.contains(check)) << cage << ' ' << check;
   }
 }
