@@ -28,7 +28,7 @@ GaussRule::GaussRule(int count) {
 }
 
 const GaussRule& gauss_rule() {
-  constexpr int count = 40;
+  constexpr int count = 52;
   static const GaussRule rule(count);
   return rule;
 }

@@ -253,9 +253,7 @@ constexpr std::array table{
     Row{"linear_reproduction", "quad_mean_value", "*", "double", "*", 0, 0, 64,
         "weights that keep a quad's mean vector, Eq 17 of [T18]"},
     Row{"second_route", "spherical_mean_value", "*", "*", "*", 0, 0, 1e-30,
-        "30 digits, 1e14 roundings of double below one: the integrals have 45, of which a face's mean vector loses "
-        "what "
-        "cancels in it"},
+        "30 digits, 1e14 roundings of double below one: integrals have 57, less what cancels in a face's mean vector"},
     Row{"second_route", "maximum_entropy", "*", "*", "*", 0, 0, 1e-30,
         "30 digits: the minimum is accepted at 900 roundings of 50 digits, which its condition next to the hull's "
         "border "
