@@ -2,6 +2,7 @@
 #include "cageproof/quadrature_ref/certified.h"
 
 #include "assemble.h"
+#include "quad/enclose.h"
 #include "segment/moments.h"
 
 #include <algorithm>
@@ -119,6 +120,25 @@ std::optional<Attempt> attempt(const DifferentiatedKernel& kernel, const Query<R
   return found;
 }
 
+template <Scalar R>
+std::optional<Attempt> attempt_quad(const Formula& formula, const Query<R>& query, int bits, double& work_left) {
+  const WorkingBits working(bits);
+  auto enclosure = enclose_quad(formula.name, query, bits - guard_bits, work_left);
+  if (!enclosure) return std::nullopt;
+  Attempt found;
+  found.nodes = enclosure->nodes;
+  found.tensors = std::move(enclosure->tensors);
+  for (int o = 0; o <= query.order; ++o) found.bits = std::min(found.bits, bits_of(found.tensors[o]));
+  return found;
+}
+
+// Of an element that has a definition.
+template <Scalar R>
+std::optional<Attempt> attempt(const Formula& formula, const Query<R>& query, int bits, double& work_left) {
+  if (formula.element == ElementKind::Quad) return attempt_quad(formula, query, bits, work_left);
+  return attempt(kernel_of(formula.name), query, bits, work_left);
+}
+
 int next_bits(int bits, double reached, int wanted) {
   if (reached == -infinity) return 2 * bits;
   const int missing = wanted + 8 - static_cast<int>(std::max(reached, 0.0));
@@ -131,8 +151,7 @@ template <Scalar R>
 void integrate_certified(std::string_view formula, const Query<R>& query, Result<R>& result,
                          const CertifiedEffort& effort) {
   [[maybe_unused]] static thread_local const ThreadCaches caches;
-  const DifferentiatedKernel& kernel = kernel_of(formula);
-  const Formula& row = kernel.formula();
+  const Formula& row = formula_named(formula);
   result.reset(row.components(), row.dim(), query.order);
   // A segment's moments take microseconds, and cancel next to its line what a triangle's do not.
   const int most_bits = row.element == ElementKind::Segment ? effort.most_bits * kBitsOfSegments : effort.most_bits;
@@ -140,7 +159,7 @@ void integrate_certified(std::string_view formula, const Query<R>& query, Result
   std::size_t nodes = 0;
   double work_left = effort.most_work;
   for (int bits = effort.first_bits; bits <= most_bits;) {
-    auto found = attempt(kernel, query, bits, work_left);
+    auto found = attempt(row, query, bits, work_left);
     if (!found) break;
     nodes += found->nodes;
     const double reached = found->bits;
@@ -178,8 +197,9 @@ namespace {
 
 // A family a definition. None is standard: the check `enclosure` asks for as many as a campaign can afford.
 [[maybe_unused]] const bool registered = [] {
-  for (const Definition& definition : definitions()) {
-    const std::string formula(definition.formula);
+  std::vector<std::string> enclosed = formulas_enclosed_on_quads();
+  for (const Definition& definition : definitions()) enclosed.emplace_back(definition.formula);
+  for (const std::string& formula : enclosed)
     EvaluationRegister::instance().add(
         single_family(formula, "certified",
                       {.description = "a ball that contains the integral, by ball arithmetic",
@@ -193,7 +213,6 @@ namespace {
                             });
                           });
                       }));
-  }
   return true;
 }();
 

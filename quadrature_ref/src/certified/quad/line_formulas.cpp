@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "line_formulas.h"
+
+#include <map>
+#include <numeric>
+#include <stdexcept>
+
+namespace cageproof::quadrature_ref::certified {
+namespace {
+
+enum Symbol { A, B, W, S };
+
+struct Fraction {
+  long top = 0, bottom = 1;
+};
+Fraction operator*(const Fraction& x, const Fraction& y) {
+  const long p = x.top * y.top, q = x.bottom * y.bottom, common = std::gcd(p, q);
+  return {p / common, q / common};
+}
+Fraction operator+(const Fraction& x, const Fraction& y) {
+  const long p = x.top * y.bottom + y.top * x.bottom, q = x.bottom * y.bottom, common = std::gcd(p, q);
+  return {p / common, q / common};
+}
+
+using LineSum = std::map<LineProduct, Fraction>;
+
+void add_to(LineSum& sum, const LineProduct& product, const Fraction& factor) {
+  Fraction& at = sum[product];
+  at = at + factor;
+  if (at.top == 0) sum.erase(product);
+}
+
+LineProduct times(LineProduct product, Symbol symbol, int power) {
+  product.powers[symbol] += power;
+  return product;
+}
+LineProduct function(int number) { return {{}, number, 0}; }
+
+LineSum operator*(const Fraction& factor, const LineSum& sum) {
+  LineSum scaled;
+  for (const auto& [product, f] : sum) add_to(scaled, product, factor * f);
+  return scaled;
+}
+LineSum operator+(LineSum sum, const LineSum& other) {
+  for (const auto& [product, f] : other) add_to(sum, product, f);
+  return sum;
+}
+// By polynomials in a and b, which hold no function.
+LineSum operator*(const LineSum& polynomial, const LineSum& sum) {
+  LineSum all;
+  for (const auto& [p, f] : polynomial)
+    for (const auto& [product, h] : sum) {
+      LineProduct both = product;
+      for (int i = 0; i < 4; ++i) both.powers[i] += p.powers[i];
+      add_to(all, both, f * h);
+    }
+  return all;
+}
+
+// What is left of a derivative of G where S and w stand before it: -j! S^(-2m)/(2w)^(j+1), less the factor.
+LineProduct without_function(const LineProduct& product) {
+  LineProduct rest = product;
+  rest.powers[S] -= 2 * product.function;
+  rest.powers[W] -= product.derivative + 1;
+  rest.function = -1;
+  rest.derivative = 0;
+  return rest;
+}
+Fraction of_rest(const LineProduct& product) {
+  Fraction f{-1, 2};
+  for (int i = 1; i <= product.derivative; ++i) f = f * Fraction{i, 2};
+  return f;
+}
+
+// (1/a) d/da, with b and g fixed: twice the derivative by a^2; or the same with b for a.
+LineSum by_square(const LineSum& sum, Symbol end) {
+  const Symbol other = end == A ? B : A;
+  LineSum derivative;
+  for (const auto& [product, f] : sum) {
+    const auto& p = product.powers;
+    add_to(derivative, times(product, end, -2), f * Fraction{p[end]});
+    add_to(derivative, times(times(product, S, -1), end, -1), f * Fraction{p[S]});
+    add_to(derivative, times(times(times(product, W, -1), other, 1), end, -1), f * Fraction{p[W]});
+    if (product.function < 0) continue;
+    LineProduct steeper = product;
+    ++steeper.derivative;
+    add_to(derivative, steeper, f * Fraction{2});
+    add_to(derivative, times(without_function(product), end, -1), f * of_rest(product));
+  }
+  return derivative;
+}
+
+// d/dg, with a and b fixed.
+LineSum by_product(const LineSum& sum) {
+  LineSum derivative;
+  for (const auto& [product, f] : sum) {
+    add_to(derivative, times(product, W, -1), f * Fraction{product.powers[W]});
+    if (product.function < 0) continue;
+    LineProduct steeper = product;
+    ++steeper.derivative;
+    add_to(derivative, steeper, f * Fraction{-2});
+  }
+  return derivative;
+}
+
+// int r du = S/4 + w G_0/2 + (b-a)^2 (G_0 - S^2 G_1)/4.
+LineSum mean_distance() {
+  LineSum square, sum, bracket;
+  add_to(square, {{2, 0, 0, 0}}, {1});
+  add_to(square, {{0, 2, 0, 0}}, {1});
+  add_to(square, {{1, 1, 0, 0}}, {-2});
+  add_to(sum, {{0, 0, 0, 1}}, {1, 4});
+  add_to(sum, times(function(0), W, 1), {1, 2});
+  add_to(bracket, function(0), {1, 4});
+  add_to(bracket, times(function(1), S, 2), {-1, 4});
+  return sum + square * bracket;
+}
+
+// The integrals that all others are derivatives of (docs/certified.md).
+LineSum base(int i, int j, int q) {
+  LineSum sum;
+  if (q == 3) {
+    add_to(sum, times(times({}, W, -1), i == 1 ? A : B, -1), {1});
+    return sum;
+  }
+  if (q == 1 && i + j == 0) {
+    add_to(sum, function(0), {2});
+    return sum;
+  }
+  LineSum difference;  // of the end that the weight is largest at, and the other
+  add_to(difference, times({}, j == 1 ? B : A, 1), {1});
+  add_to(difference, times({}, j == 1 ? A : B, 1), {-1});
+  if (q == 1) {
+    add_to(sum, times(function(1), S, 1), {-1});
+    sum = difference * sum;
+    add_to(sum, function(0), {1});
+    return sum;
+  }
+  if (i + j == 0) return mean_distance();
+  LineSum first, cubic;
+  add_to(first, times(function(0), S, 1), {1, 8});
+  add_to(first, times(function(1), S, 3), {-1, 8});
+  add_to(cubic, times(function(1), S, 1), {-1, 8});
+  add_to(cubic, times(function(2), S, 3), {1, 8});
+  return Fraction{1, 2} * mean_distance() + difference * (first + difference * (difference * cubic));
+}
+
+LineSum line_sum(int i, int j, int q) {
+  const bool is_base = (q == 3 && i + j == 1) || (q == 1 && i + j <= 1) || (q == -1 && i + j <= 1);
+  if (is_base) return base(i, j, q);
+  // d r^(2-q) = -(q-2) r^(-q) times (1-u)^2 by a^2/2, times u^2 by b^2/2, times u(1-u) by g.
+  const Fraction over{-1, q - 2};
+  if (i >= 2) return over * by_square(line_sum(i - 2, j, q - 2), A);
+  if (j >= 2) return over * by_square(line_sum(i, j - 2, q - 2), B);
+  return over * by_product(line_sum(i - 1, j - 1, q - 2));
+}
+
+}  // namespace
+
+LineFormula line_formula(int i, int j, int q) {
+  const int excess = i + j - q;
+  if (q % 2 == 0 || q < -1 || excess < kLeastExcess || excess > kMostExcess || i < 0 || j < 0)
+    throw std::logic_error("no formula along a line");
+  LineFormula formula;
+  const LineSum sum = line_sum(i, j, q);
+  for (const auto& [product, f] : sum) formula.denominator = std::lcm(formula.denominator, f.bottom);
+  for (const auto& [product, f] : sum)
+    formula.terms.push_back({product, f.top * (formula.denominator / f.bottom)});
+  return formula;
+}
+
+}  // namespace cageproof::quadrature_ref::certified
