@@ -26,7 +26,7 @@ class QuadIntegrand {
   std::size_t size(int order) const { return orders_[order].size() * weights(); }
   std::size_t weights() const { return weights_; }
   bool vanishes(int order) const;  ///< all entries are exactly zero
-  double cost() const { return cost_; }
+  double cost() const { return cost_; }  ///< of an evaluation in a word, in CertifiedEffort::most_work's unit
 
   /// At middle + t of the stretch; [order][...].
   const std::vector<std::vector<Real>>& operator()(const QuadStretch& stretch, const SeenQuad& quad, const Real& t);

@@ -11,7 +11,7 @@ namespace {
 constexpr slong planning_bits = 512;
 constexpr int deepest = 450;             // bisections
 constexpr double least_reach = 1.25;     // semi-major axis over half: rho is two
-constexpr double planning_cost = 500;    // of a stretch
+constexpr double planning_cost = 60;    // of a stretch
 
 // As an exact ball; zero where there is none above.
 Real lower_bound(const Real& a) {
