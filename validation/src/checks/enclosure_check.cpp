@@ -46,7 +46,7 @@ class EnclosureCheck final : public Check {
   static const Mp100& rounding_of(const Evaluation& evaluation) {
     static const Mp100 of_algebra("1e-60"), of_lines("1e-45");
     return evaluation.formula().element == ElementKind::Quad && evaluation.role() != Role::ClosedForm ? of_lines
-                                                                                                     : of_algebra;
+                                                                                                      : of_algebra;
   }
 
   static double distance_over_radius(const std::vector<Mp100>& closed, const Result<Mp100>& ball, int order,

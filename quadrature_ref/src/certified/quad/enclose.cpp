@@ -73,7 +73,7 @@ std::optional<QuadEnclosure> enclose_quad(std::string_view formula, const Query<
   return found;
 }
 
-#define CAGEPROOF_INSTANTIATE(R)                                                                           \
+#define CAGEPROOF_INSTANTIATE(R) \
   template std::optional<QuadEnclosure> enclose_quad<R>(std::string_view, const Query<R>&, int, double&);
 CAGEPROOF_INSTANTIATE(float)
 CAGEPROOF_INSTANTIATE(double)

@@ -18,12 +18,11 @@ struct QuadEnclosure {
 /// At the working_bits (docs/certified.md). Nothing where the point is on the quad, or too close to it, of a quad whose
 /// normals vanish all over it, of an input that is not finite, and where work_left would not suffice.
 ///
-/// \param goal truncation error wanted, in bits below the largest contribution: a wish; what was reached is in the radii
-/// \param work_left CertifiedEffort::most_work's unit; what is spent is taken off
-/// \throws std::out_of_range when the formula has no definition
+/// \param goal truncation error wanted, in bits below the largest contribution: a wish; what was reached is in the
+/// radii \param work_left CertifiedEffort::most_work's unit; what is spent is taken off \throws std::out_of_range when
+/// the formula has no definition
 template <Scalar R>
-std::optional<QuadEnclosure> enclose_quad(std::string_view formula, const Query<R>& query, int goal,
-                                          double& work_left);
+std::optional<QuadEnclosure> enclose_quad(std::string_view formula, const Query<R>& query, int goal, double& work_left);
 
 /// The formulas that there are definitions of.
 std::vector<std::string> formulas_enclosed_on_quads();

@@ -22,10 +22,11 @@ class QuadIntegrand {
   QuadIntegrand(const QuadKernel& kernel, int order, const std::vector<Real>& parameters, bool flat);
 
   int orders() const { return static_cast<int>(orders_.size()); }
-  /// Integrals along a line: of an order's entries, [entry * weights() + weight], weights 1 - u and u, or one that is 1.
+  /// Integrals along a line: of an order's entries, [entry * weights() + weight], weights 1 - u and u, or one that
+  /// is 1.
   std::size_t size(int order) const { return orders_[order].size() * weights(); }
   std::size_t weights() const { return weights_; }
-  bool vanishes(int order) const;  ///< all entries are exactly zero
+  bool vanishes(int order) const;        ///< all entries are exactly zero
   double cost() const { return cost_; }  ///< of an evaluation in a word, in CertifiedEffort::most_work's unit
 
   /// At middle + t of the stretch; [order][...].
@@ -35,9 +36,9 @@ class QuadIntegrand {
 
  private:
   struct Term {
-    int x;         // place of its product of coordinates
-    int q, y;      // place of what it is integrated with
-    int degree;    // of the product of coordinates
+    int x;       // place of its product of coordinates
+    int q, y;    // place of what it is integrated with
+    int degree;  // of the product of coordinates
     int factor, constant;
     QuadFactor with;
   };

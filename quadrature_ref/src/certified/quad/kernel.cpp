@@ -31,9 +31,7 @@ QuadKernel::Constants fixed(int numerator, int denominator) {
 // 1/(4 (1 - nu)), zero in the limits nu = +-infinity.
 Real beta(const Real& nu) { return nu.is_finite() ? Real(1) / ((Real(1) - nu) * 4) : Real(0); }
 // 1 - 2 beta = (1 - 2 nu)/(2 (1 - nu)): exactly zero at nu = 1/2.
-Real one_less_two_beta(const Real& nu) {
-  return nu.is_finite() ? (Real(1) - nu * 2) / ((Real(1) - nu) * 2) : Real(1);
-}
+Real one_less_two_beta(const Real& nu) { return nu.is_finite() ? (Real(1) - nu * 2) / ((Real(1) - nu) * 2) : Real(1); }
 
 // (a - b)/r I + b x x'/r^3, a = 1/(4 pi mu), b = a beta. Constants: a - b, b.
 std::vector<QuadPolynomial> displacement_on_quads() {
@@ -67,8 +65,7 @@ std::vector<QuadKernel> typed_in() {
   const auto height = [](const Polynomial& p) { return std::vector{QuadPolynomial{{QuadFactor::Height, p}}}; };
   const auto over_r = [](int q) { return constant(1) * inverse_distance(q); };
   std::vector<QuadKernel> all;
-  const auto add = [&](std::string_view name, std::vector<QuadPolynomial> components,
-                       QuadKernel::Constants constants) {
+  const auto add = [&](std::string_view name, std::vector<QuadPolynomial> components, QuadKernel::Constants constants) {
     all.emplace_back(formula_named(name), std::move(components), std::move(constants));
   };
   add("quad.single_layer", one(over_r(1)), fixed(1, 4));

@@ -164,8 +164,7 @@ LineFormula line_formula(int i, int j, int q) {
   LineFormula formula;
   const LineSum sum = line_sum(i, j, q);
   for (const auto& [product, f] : sum) formula.denominator = std::lcm(formula.denominator, f.bottom);
-  for (const auto& [product, f] : sum)
-    formula.terms.push_back({product, f.top * (formula.denominator / f.bottom)});
+  for (const auto& [product, f] : sum) formula.terms.push_back({product, f.top * (formula.denominator / f.bottom)});
   return formula;
 }
 

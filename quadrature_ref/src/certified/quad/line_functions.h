@@ -17,8 +17,8 @@ struct SeenLine {
   Real c;     ///< squared length: S^2 - 2w
 };
 
-/// G[m][j] is the j-th derivative of G_m by c, at the working_bits, for m < functions, j < derivatives. Not finite where
-/// w is not known to be positive.
+/// G[m][j] is the j-th derivative of G_m by c, at the working_bits, for m < functions, j < derivatives. Not finite
+/// where w is not known to be positive.
 std::vector<std::vector<Real>> line_functions(const SeenLine& line, int functions, int derivatives);
 
 }  // namespace cageproof::quadrature_ref::certified

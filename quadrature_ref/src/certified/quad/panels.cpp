@@ -9,9 +9,9 @@ namespace cageproof::quadrature_ref::certified {
 namespace {
 
 constexpr slong planning_bits = 512;
-constexpr int deepest = 450;             // bisections
-constexpr double least_reach = 1.25;     // semi-major axis over half: rho is two
-constexpr double planning_cost = 60;    // of a stretch
+constexpr int deepest = 450;          // bisections
+constexpr double least_reach = 1.25;  // semi-major axis over half: rho is two
+constexpr double planning_cost = 60;  // of a stretch
 
 // As an exact ball; zero where there is none above.
 Real lower_bound(const Real& a) {
@@ -27,7 +27,7 @@ Real larger(const Real& a, const Real& b) { return arb_lt(a.raw(), b.raw()) != 0
 // |across(u)| where x.x = 0 has no root, since the roots of x.x in v - middle are |x(u, middle)|/|across(u)| away.
 struct Surroundings {
   LineBounds line;
-  Real across;  // upper bound of |across(u)|
+  Real across;       // upper bound of |across(u)|
   double reach = 0;  // nearest/(across half), an estimate
 };
 
@@ -45,8 +45,7 @@ Surroundings surroundings_of(const SeenQuad& quad, const QuadStretch& stretch) {
   else if (arb_is_nonpositive(dot(last, along).raw()) != 0) s.line.nearest = root_below(b);
   else if (!s.line.length.is_zero()) s.line.nearest = root_below(dot(perpendicular, perpendicular) / squared);
   s.across = larger(root_above(dot(quad.across[0], quad.across[0])), root_above(dot(quad.across[1], quad.across[1])));
-  if (!s.line.nearest.is_zero())
-    s.reach = std::exp2((s.line.nearest / (s.across * stretch.half)).log2_size());
+  if (!s.line.nearest.is_zero()) s.reach = std::exp2((s.line.nearest / (s.across * stretch.half)).log2_size());
   return s;
 }
 

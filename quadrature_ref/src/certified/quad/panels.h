@@ -10,9 +10,9 @@ namespace cageproof::quadrature_ref::certified {
 
 struct QuadPanel {
   QuadStretch stretch;
-  int depth;           ///< bisections that made it
-  int nodes = 0;       ///< even
-  Real rho;            ///< sum of an ellipse's semi-axes over half, the foci at the panel's ends
+  int depth;                 ///< bisections that made it
+  int nodes = 0;             ///< even
+  Real rho;                  ///< sum of an ellipse's semi-axes over half, the foci at the panel's ends
   std::vector<Real> errors;  ///< per order, an upper bound of each integral's truncation error
 };
 
