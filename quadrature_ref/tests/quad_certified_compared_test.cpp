@@ -55,15 +55,16 @@ TEST(CertifiedQuad, independent_integrator_lies_inside_and_nothing_near_it) {
   std::size_t index = 0;
   for (const QuadView& view : views(3)) {
     const std::string& formula = enclosed_formulas()[index++ % enclosed_formulas().size()];
-    const auto ball = enclosed_quad(formula, view.corners, view.point, 2);
+    const int order = formula.find("kelvin") == std::string::npos ? 2 : 1;  // the integral's Hessians take seconds
+    const auto ball = enclosed_quad(formula, view.corners, view.point, order);
     EXPECT_TRUE(ball.converged) << formula << ' ' << view.kind;
     const auto& c = view.corners;
     const Quad<Mp50> corners{convert<Mp50>(c[0]), convert<Mp50>(c[1]), convert<Mp50>(c[2]), convert<Mp50>(c[3])};
     const std::vector<Mp50> parameters = parameters_for<Mp50>(formula, .25);
     Result<Mp50> integral;
     (*EvaluationRegister::instance().find(formula, "multiprecision"))(
-        {corners, convert<Mp50>(view.point), 2, parameters}, integral);
-    for (int o = 0; o <= 2; ++o) {
+        {corners, convert<Mp50>(view.point), order, parameters}, integral);
+    for (int o = 0; o <= order; ++o) {
       Mp100 norm = 0, widest = 0;
       for (const Mp50& x : integral.of(o)) norm = std::max(norm, Mp100(abs(x)));
       const Mp100 slack = norm * Mp100("1e-30");  // what the integral promises
@@ -86,7 +87,7 @@ TEST(CertifiedQuad, precisions_agree) {
   std::size_t index = 0;
   for (const int bits : {96, 128})
     for (const QuadView& view : views(static_cast<std::uint64_t>(bits))) {
-      const std::string& formula = enclosed_formulas()[index++ % 3];
+      const std::string& formula = enclosed_formulas()[index++ % 4];
       const CertifiedEffort few{.first_bits = bits, .most_bits = bits}, many{.first_bits = 512, .most_bits = 512};
       const auto coarse = enclosed_quad<Mp200>(formula, view.corners, view.point, 2, few);
       const auto fine = enclosed_quad<Mp200>(formula, view.corners, view.point, 2, many);

@@ -19,6 +19,7 @@ inline const std::vector<std::string>& enclosed_formulas() {
   static const std::vector<std::string> all{"quad.single_layer",
                                             "quad.double_layer",
                                             "quad.solid_angle",
+                                            "quad.mean_value",
                                             "quad.biharmonic_single_layer",
                                             "quad.biharmonic_double_layer",
                                             "quad.kelvin_displacement",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rigorous enclosures of a triangle's or segment's formula's defining integral, in ball arithmetic (FLINT/Arb).
+// Rigorous enclosures of formulas' defining integrals over segments, triangles and quads, in ball arithmetic
+// (FLINT/Arb).
 #pragma once
 
 #include "cageproof/core/evaluation.h"
@@ -18,15 +19,15 @@ struct CertifiedEffort {
 
 /// Value, gradient and Hessian of a formula as balls that contain them: `Result::of(order)` the midpoints,
 /// `radius_of(order)` the radii, the rounding of the midpoint to R included. Derivatives are taken under the integral
-/// sign. Inputs are taken exactly. docs/certified.md has the proof, and what it costs: 1 to 250 ms on a triangle, a
-/// fraction of one on a segment.
+/// sign. Inputs are taken exactly. docs/certified.md has the proof, and what it costs: 1 to 250 ms on a triangle, 1 to
+/// 1000 on a quad, a fraction of one on a segment.
 ///
 /// Precision grows until the radius is below 2^-bits_wanted of the tensor, norm-wise, in every order asked; `converged`
 /// is false where most_bits, or most_work, do not reach that, and the enclosure, wide as it is, still holds.
 /// `stated_digits` come from the radius before rounding to R. On the element, an order whose kernel is weakly singular
 /// is enclosed; all others are NaN with infinite radius, and `converged` is false. So is all of an element without
-/// area or length, and of an input that is not finite. In its plane, or on its line, outside it nothing is special. A
-/// function of its input alone, thread-safe.
+/// area or length, of an input that is not finite, and of any order on a quad. In its plane, or on its line, outside it
+/// nothing is special. A function of its input alone, thread-safe.
 ///
 /// \throws std::out_of_range when the formula has no definition
 template <Scalar R>

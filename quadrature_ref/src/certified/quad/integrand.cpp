@@ -107,13 +107,11 @@ const std::vector<std::vector<Real>>& QuadIntegrand::operator()(const QuadStretc
   line.b = sqrt(dot(p[1], p[1]));
   line.S = line.a + line.b;
   line.c = dot(along, along);
-  const Real ab = line.a * line.b, cosine = dot(p[0], p[1]);
-  if (arb_is_negative(cosine.raw()) != 0) {
-    const Vector perpendicular = cross(p[0], along);
-    line.w = dot(perpendicular, perpendicular) / (ab - cosine);
-  } else {
-    line.w = ab + cosine;
-  }
+  line.g = dot(p[0], p[1]);
+  const Vector perpendicular = cross(p[0], along);
+  line.D = dot(perpendicular, perpendicular);
+  const Real ab = line.a * line.b;
+  line.w = arb_is_negative(line.g.raw()) != 0 ? line.D / (ab - line.g) : ab + line.g;
   LineMoments& moments = moments_.front();
   moments.set(line);
   for (std::size_t i = 0; i < products_.size(); ++i) {

@@ -70,7 +70,9 @@ std::vector<QuadKernel> typed_in() {
   };
   add("quad.single_layer", one(over_r(1)), fixed(1, 4));
   add("quad.double_layer", height(over_r(3)), fixed(1, 4));
-  add("quad.solid_angle", height(inverse_distance(3)), [](const std::vector<Real>&) { return std::vector<Real>{}; });
+  const auto none = [](const std::vector<Real>&) { return std::vector<Real>{}; };
+  add("quad.solid_angle", height(inverse_distance(3)), none);
+  add("quad.mean_value", height(inverse_distance(4)), none);
   add("quad.biharmonic_single_layer", one(over_r(-1)), fixed(1, 8));
   add("quad.biharmonic_double_layer", height(over_r(1)), fixed(-1, 8));
   add("quad.kelvin_displacement", displacement_on_quads(), [](const std::vector<Real>& p) {

@@ -4,11 +4,12 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace cageproof::quadrature_ref::certified {
 namespace {
 
-enum Symbol { A, B, W, S };
+enum Symbol { A, B, W, S, G };
 
 struct Fraction {
   long top = 0, bottom = 1;
@@ -51,7 +52,7 @@ LineSum operator*(const LineSum& polynomial, const LineSum& sum) {
   for (const auto& [p, f] : polynomial)
     for (const auto& [product, h] : sum) {
       LineProduct both = product;
-      for (int i = 0; i < 4; ++i) both.powers[i] += p.powers[i];
+      for (int i = 0; i < kLineSymbols; ++i) both.powers[i] += p.powers[i];
       add_to(all, both, f * h);
     }
   return all;
@@ -145,26 +146,70 @@ LineSum base(int i, int j, int q) {
   return Fraction{1, 2} * mean_distance() + difference * (first + difference * (difference * cubic));
 }
 
+// The angle's function of D = a^2 b^2 - g^2 and g: by a^2 and b^2, as by_square, and by g, where its own derivative is
+// -(-1)^j j! (ab)^(-2(j+1)).
+LineSum angle_by_square(const LineSum& sum, Symbol end) {
+  LineSum derivative;
+  for (const auto& [product, f] : sum) {
+    add_to(derivative, times(product, end, -2), f * Fraction{product.powers[end]});
+    if (product.function < 0) continue;
+    LineProduct steeper = times(product, end == A ? B : A, 2);
+    ++steeper.derivative;
+    add_to(derivative, steeper, f * Fraction{2});
+  }
+  return derivative;
+}
+LineSum angle_by_product(const LineSum& sum) {
+  LineSum derivative;
+  for (const auto& [product, f] : sum) {
+    add_to(derivative, times(product, G, -1), f * Fraction{product.powers[G]});
+    if (product.function < 0) continue;
+    LineProduct steeper = times(product, G, 1);
+    ++steeper.derivative;
+    add_to(derivative, steeper, f * Fraction{-2});
+    LineProduct rest = times(times(product, A, -2 * (product.derivative + 1)), B, -2 * (product.derivative + 1));
+    rest.function = -1;
+    rest.derivative = 0;
+    Fraction of_angle{-1};
+    for (int i = 1; i <= product.derivative; ++i) of_angle = of_angle * Fraction{-i};
+    add_to(derivative, rest, f * of_angle);
+  }
+  return derivative;
+}
+
 LineSum line_sum(int i, int j, int q) {
+  const bool even = q % 2 == 0;
+  if (even && q == 2) {
+    LineSum angle;
+    add_to(angle, function(0), {1});
+    return angle;
+  }
   const bool is_base = (q == 3 && i + j == 1) || (q == 1 && i + j <= 1) || (q == -1 && i + j <= 1);
   if (is_base) return base(i, j, q);
   // d r^(2-q) = -(q-2) r^(-q) times (1-u)^2 by a^2/2, times u^2 by b^2/2, times u(1-u) by g.
   const Fraction over{-1, q - 2};
-  if (i >= 2) return over * by_square(line_sum(i - 2, j, q - 2), A);
-  if (j >= 2) return over * by_square(line_sum(i, j - 2, q - 2), B);
-  return over * by_product(line_sum(i - 1, j - 1, q - 2));
+  const auto squared = even ? angle_by_square : by_square;
+  if (i >= 2) return over * squared(line_sum(i - 2, j, q - 2), A);
+  if (j >= 2) return over * squared(line_sum(i, j - 2, q - 2), B);
+  return over * (even ? angle_by_product : by_product)(line_sum(i - 1, j - 1, q - 2));
 }
 
 }  // namespace
 
 LineFormula line_formula(int i, int j, int q) {
   const int excess = i + j - q;
-  if (q % 2 == 0 || q < -1 || excess < kLeastExcess || excess > kMostExcess || i < 0 || j < 0)
+  const bool even = q % 2 == 0;
+  if (q < (even ? 2 : -1) || excess < kLeastExcess || excess > (even ? kLeastExcess : kMostExcess) || i < 0 || j < 0)
     throw std::logic_error("no formula along a line");
   LineFormula formula;
   const LineSum sum = line_sum(i, j, q);
   for (const auto& [product, f] : sum) formula.denominator = std::lcm(formula.denominator, f.bottom);
-  for (const auto& [product, f] : sum) formula.terms.push_back({product, f.top * (formula.denominator / f.bottom)});
+  for (const auto& [product, f] : sum) {
+    const long factor = f.top * (formula.denominator / f.bottom);
+    if (!std::in_range<int>(factor)) throw std::overflow_error("a factor along a line is too large");
+    formula.terms.push_back({product, static_cast<int>(factor)});
+  }
+  if (!std::in_range<int>(formula.denominator)) throw std::overflow_error("a denominator along a line is too large");
   return formula;
 }
 

@@ -57,4 +57,28 @@ std::vector<std::vector<Real>> line_functions(const SeenLine& line, int function
   return G;
 }
 
+std::vector<Real> line_angles(const SeenLine& line, int derivatives) {
+  std::vector<Real> angles(derivatives);
+  if (arb_is_positive(line.g.raw()) != 0) {
+    const Real inverse = Real(1) / line.g, square = inverse * inverse, z = line.D * square;
+    if (z.log2_size() < kSmallRatio) {
+      // (1/g) sum of (-D/g^2)^k/(2k+1).
+      Real scale = inverse;
+      for (int j = 0; j < derivatives; ++j, scale = -(scale * square)) angles[j] = scale * function_series(-z, 0, j);
+      return angles;
+    }
+  }
+  const Real root = sqrt(line.D), ab = line.a * line.b, over = Real(1) / (ab * ab);
+  Real angle;
+  arb_atan2(angle.raw(), root.raw(), line.g.raw(), working_bits);
+  angles[0] = angle / root;
+  // g d/dg + 2D d/dD = -1, and d/dg = -1/(D + g^2).
+  Real boundary = line.g * over;  // g (-1)^j j! (ab)^(-2(j+1))
+  for (int j = 0; j + 1 < derivatives; ++j) {
+    angles[j + 1] = (boundary - angles[j] * (1 + 2 * j)) / (line.D * 2);
+    boundary = boundary * over * -(j + 1);
+  }
+  return angles;
+}
+
 }  // namespace cageproof::quadrature_ref::certified

@@ -13,7 +13,8 @@ namespace cageproof::quadrature_ref::certified {
 /// The integrals of some powers q, each up to a degree.
 class LineMoments {
  public:
-  /// \param degrees per power q the highest degree. \pre line_formula has formulas of q + kMostExcess, or less
+  /// \param degrees per power q the highest degree, for which there is a line_formula or one of more. \pre all q are
+  /// odd, or all even
   explicit LineMoments(const std::map<int, int>& degrees);
   /// At the working_bits.
   void set(const SeenLine& line);
@@ -30,10 +31,11 @@ class LineMoments {
     int lowest = 0, highest = 0;
     std::vector<Real> values;
   };
-  Real sum_of(const LineFormula& formula, const std::vector<std::vector<Real>>& G) const;
+  Real sum_of(const LineFormula& formula, const std::vector<std::vector<Real>>& known) const;
 
   std::map<int, Table> tables_;
-  std::array<Powers, 4> powers_;
+  std::array<Powers, kLineSymbols> powers_;
+  bool even_ = false;
   int functions_ = 0, derivatives_ = 0;
 };
 

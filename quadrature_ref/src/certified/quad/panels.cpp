@@ -21,7 +21,12 @@ Real lower_bound(const Real& a) {
 }
 Real root_below(const Real& square) { return lower_bound(sqrt(lower_bound(square))); }
 Real root_above(const Real& square) { return upper_bound(sqrt(upper_bound(square))); }
-Real larger(const Real& a, const Real& b) { return arb_lt(a.raw(), b.raw()) != 0 ? b : a; }
+// An upper bound of both.
+Real larger(const Real& a, const Real& b) {
+  Real c;
+  arb_max(c.raw(), a.raw(), b.raw(), working_bits);
+  return upper_bound(c);
+}
 
 // The stretch's middle line, and how far complex v may be from the middle: |x(u, v)| >= |x(u, middle)| - |v - middle|
 // |across(u)| where x.x = 0 has no root, since the roots of x.x in v - middle are |x(u, middle)|/|across(u)| away.
