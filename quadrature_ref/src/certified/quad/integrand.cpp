@@ -160,7 +160,7 @@ Real QuadIntegrand::bound(int order, const LineBounds& line) const {
   // int |x|^(-s) du along the middle's line, where |x|^2 >= nearest^2 + length^2 (u - u_nearest)^2.
   const auto integral = [&](int s) {
     if (s <= 0) return power_of(line.farthest, -s);
-    const Real height = power_of(line.nearest, -s);
+    Real height = power_of(line.nearest, -s);
     if (s < 2 || line.length.is_zero()) return height;
     return smaller(height, pi_ball() * power_of(line.nearest, 1 - s) / line.length);
   };

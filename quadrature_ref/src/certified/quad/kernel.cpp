@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kernel.h"
 
+#include "cageproof/core/evaluation.h"
+
 #include <stdexcept>
 
 namespace cageproof::quadrature_ref::certified {
@@ -65,8 +67,9 @@ std::vector<QuadKernel> typed_in() {
   const auto height = [](const Polynomial& p) { return std::vector{QuadPolynomial{{QuadFactor::Height, p}}}; };
   const auto over_r = [](int q) { return constant(1) * inverse_distance(q); };
   std::vector<QuadKernel> all;
-  const auto add = [&](std::string_view name, std::vector<QuadPolynomial> components, QuadKernel::Constants constants) {
-    all.emplace_back(formula_named(name), std::move(components), std::move(constants));
+  const auto add = [&](std::string_view name, const std::vector<QuadPolynomial>& components,
+                       QuadKernel::Constants constants) {
+    all.emplace_back(formula_named(name), components, std::move(constants));
   };
   add("quad.single_layer", one(over_r(1)), fixed(1, 4));
   add("quad.double_layer", height(over_r(3)), fixed(1, 4));
@@ -88,7 +91,7 @@ std::vector<QuadKernel> typed_in() {
 
 }  // namespace
 
-QuadKernel::QuadKernel(const Formula& formula, std::vector<QuadPolynomial> components, Constants constants)
+QuadKernel::QuadKernel(const Formula& formula, const std::vector<QuadPolynomial>& components, Constants constants)
     : formula_(&formula), constants_(std::move(constants)) {
   for (const QuadPolynomial& component : components) {
     auto& gradient = terms_[1].emplace_back();

@@ -20,7 +20,7 @@ class QuadKernel {
  public:
   using Constants = std::function<std::vector<Real>(const std::vector<Real>& parameters)>;
   /// \param components one, or a matrix row by row
-  QuadKernel(const Formula& formula, std::vector<QuadPolynomial> components, Constants constants);
+  QuadKernel(const Formula& formula, const std::vector<QuadPolynomial>& components, Constants constants);
 
   const Formula& formula() const { return *formula_; }
   std::vector<Real> constants(const std::vector<Real>& parameters) const { return constants_(parameters); }

@@ -71,8 +71,8 @@ class Planner {
     if (!cut({stretch_of(quad_, half, half), 0, 0, {}, {}}, coarse)) return std::nullopt;
     for (const QuadPanel& panel : coarse) note_scale(panel);
     std::vector<QuadPanel> panels;
-    for (QuadPanel& panel : coarse)
-      if (!refine(std::move(panel), panels)) return std::nullopt;
+    for (const QuadPanel& panel : coarse)
+      if (!refine(panel, panels)) return std::nullopt;
     return panels;
   }
 
@@ -121,7 +121,7 @@ class Planner {
       }
   }
 
-  bool refine(QuadPanel panel, std::vector<QuadPanel>& into) {
+  bool refine(const QuadPanel& panel, std::vector<QuadPanel>& into) {
     if (!spend(planning_cost)) return false;
     const Surroundings around = surroundings_of(quad_, panel.stretch);
     QuadPanel best = panel;
@@ -135,8 +135,8 @@ class Planner {
       return true;
     }
     if (panel.depth >= deepest) return false;
-    for (QuadPanel& part : halves_of(panel))
-      if (!refine(std::move(part), into)) return false;
+    for (const QuadPanel& part : halves_of(panel))
+      if (!refine(part, into)) return false;
     return true;
   }
 
@@ -168,7 +168,7 @@ class Planner {
     const int step = least <= 32 ? 2 : 8;  // few rules, computed once
     panel.nodes = (least + step - 1) / step * step;
     Real power;
-    arb_pow_ui(power.raw(), inverse.raw(), static_cast<ulong>(2 * panel.nodes), working_bits);
+    arb_pow_ui(power.raw(), inverse.raw(), 2 * static_cast<ulong>(panel.nodes), working_bits);
     for (Real& error : panel.errors) error = upper_bound(error * power);
     return true;
   }
