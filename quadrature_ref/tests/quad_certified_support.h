@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tests of enclosures over bilinear quads share.
+// Quads, points and a function that tests of enclosures over bilinear quads share.
 #pragma once
 
 #include "certified_support.h"

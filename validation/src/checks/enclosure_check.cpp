@@ -42,7 +42,7 @@ class EnclosureCheck final : public Check {
     return isfinite(radius) && radius <= width * norm(ball.of(order));
   }
 
-  // Of the closed form in 100 digits; sums over lines ask for 48 of them.
+  // The closed form's rounding in 100 digits; sums over lines ask for 48 of them.
   static const Mp100& rounding_of(const Evaluation& evaluation) {
     static const Mp100 of_algebra("1e-60"), of_lines("1e-45");
     return evaluation.formula().element == ElementKind::Quad && evaluation.role() != Role::ClosedForm ? of_lines

@@ -29,7 +29,7 @@ struct CertifiedEffort {
 /// area or length, of an input that is not finite, and of any order on a quad. In its plane, or on its line, outside it
 /// nothing is special. A function of its input alone, thread-safe.
 ///
-/// \throws std::out_of_range when the formula has no definition
+/// \throws InputError for an unknown formula, std::out_of_range for one that has no definition
 template <Scalar R>
 void integrate_certified(std::string_view formula, const Query<R>& query, Result<R>& result,
                          const CertifiedEffort& effort = {});

@@ -34,7 +34,7 @@ std::vector<Real> tensor_of(const Across& sums, const Formula& formula, int orde
   constexpr std::array<std::size_t, 4> along{0, 1, 1, 0}, across{0, 0, 1, 1};
   const std::size_t derivatives = order == 0 ? 1 : order == 1 ? 3 : 6;
   const std::size_t entries = static_cast<std::size_t>(formula.shape.entries()) * derivatives;
-  // Of a Hessian's upper half, row by row.
+  // Places in a Hessian's upper half, row by row.
   constexpr std::array<std::size_t, 9> of_half{0, 1, 2, 1, 3, 4, 2, 4, 5};
   std::vector<Real> tensor;
   for (int corner = 0; corner < formula.tensors(); ++corner)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is integrated across a quad's lines: per order the kernel's derivatives, integrated along the line v.
+// The integrand across a quad's lines: per order the kernel's derivatives, integrated along the line v.
 #pragma once
 
 #include "kernel.h"
@@ -8,7 +8,7 @@
 
 namespace cageproof::quadrature_ref::certified {
 
-/// What bounds a line's integrals: what its points are from the point, at all of a disc of complex v.
+/// Bounds of a line's integrals: how far its points are from the point, in all of a disc of complex v.
 struct LineBounds {
   Real nearest;   ///< lower bound of |x| on the line in the disc's middle
   Real farthest;  ///< upper bound there

@@ -9,7 +9,7 @@
 
 namespace cageproof::quadrature_ref::certified {
 
-/// What a term is multiplied with. N does not depend on the point; N.x does.
+/// A term's factor. N does not depend on the point; N.x does.
 enum class QuadFactor { One, NormalX, NormalY, NormalZ, Height };
 
 /// A sum of factor * polynomial.

@@ -58,7 +58,7 @@ LineSum operator*(const LineSum& polynomial, const LineSum& sum) {
   return all;
 }
 
-// What is left of a derivative of G where S and w stand before it: -j! S^(-2m)/(2w)^(j+1), less the factor.
+// The derivative of G by S, as S and w, less the factor: -j! S^(-2m)/(2w)^(j+1).
 LineProduct without_function(const LineProduct& product) {
   LineProduct rest = product;
   rest.powers[S] -= 2 * product.function;
