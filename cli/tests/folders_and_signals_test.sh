@@ -136,8 +136,8 @@ options=(--suite quick --formulas '*.solid_angle,triangle.single_layer' --regime
 mkdir scratch && export TMPDIR=$work/scratch
 number=0 drawn=0 stopped=0
 for signal in INT TERM HUP; do
-  # At some times, and while the report is drawn.
-  for delay in 0.1 0.6 1.2 drawn; do
+  # At some times, as soon as something was measured, and while the report is drawn.
+  for delay in 0.1 0.6 measured drawn; do
     number=$((number + 1))
     rm -rf run
     # A shell starts background jobs with SIGINT ignored; this does not.
@@ -147,6 +147,15 @@ for signal in INT TERM HUP; do
     if [ $delay = drawn ]; then
       while kill -0 $process 2>/dev/null && [ -z "$(find . -maxdepth 1 -name '.run.partial-*')" ]; do sleep 0.01; done
       sleep 0.0$((number % 10))
+    elif [ $delay = measured ]; then
+      # The journal begins with what the run is, and grows with what it found.
+      begun=0
+      while kill -0 $process 2>/dev/null; do
+        size=$(stat -c %s run/journal 2>/dev/null || echo 0)
+        [ $begun -eq 0 ] && begun=$size
+        [ "$size" -gt "$begun" ] && break
+        sleep 0.01
+      done
     else
       sleep $delay
     fi
