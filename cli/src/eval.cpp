@@ -34,6 +34,19 @@ std::string array_text(const std::vector<R>& values) {
   return text + ']';
 }
 
+// Radii about the numbers as they are printed, which are rounded to decimals once more.
+template <Scalar R>
+std::vector<R> radii_of_text(const std::vector<R>& values, std::vector<R> radii) {
+  using std::abs, std::isfinite;
+  R half_digit = unit_roundoff<R>(), least = 0;
+  if constexpr (is_multiprecision<R>) half_digit = 5 * pow(R(10), -std::numeric_limits<R>::max_digits10);
+  else least = std::numeric_limits<R>::denorm_min();
+  for (std::size_t i = 0; i < radii.size(); ++i)
+    if (isfinite(radii[i]) && isfinite(values[i]))
+      radii[i] = (radii[i] + abs(values[i]) * half_digit + least) * (1 + 8 * half_digit);
+  return radii;
+}
+
 template <Scalar R>
 std::string evaluated(const QueryText& text, const Formula& formula, const Evaluation& evaluation, int order) {
   const QueryNumbers<R> numbers(text, formula);
@@ -45,7 +58,7 @@ std::string evaluated(const QueryText& text, const Formula& formula, const Evalu
   constexpr std::array<const char*, 3> radius_keys{"value_radius", "gradient_radius", "hessian_radius"};
   for (int o = 0; o <= order; ++o)
     if (!result.radius_of(o).empty())
-      line += fmt::format(",\"{}\":{}", radius_keys[o], array_text(result.radius_of(o)));
+      line += fmt::format(",\"{}\":{}", radius_keys[o], array_text(radii_of_text(result.of(o), result.radius_of(o))));
   // Rounded down: 15.95 digits are not 16.
   if (!std::isnan(result.stated_digits))
     line += fmt::format(",\"stated_digits\":{:.1f}", std::max(0., std::floor(10 * result.stated_digits) / 10));

@@ -15,20 +15,31 @@
 namespace cageproof::adaptive_qmvc {
 namespace {
 
-// The value: of the two triangles that the point sees under the quad's own solid angle.
+// Values this many times smaller than their terms are taken in 50 digits.
+constexpr double kNextToZero = 16;
+
+// The value: the sum of the two triangles that the point sees under the quad's own solid angle. Where they cancel in
+// double, as next to a twisted quad's zeros, it is taken in 50 digits.
 template <Scalar R>
 R value_of(std::span<const Vec3<R>> corners, const Vec3<R>& point, bool other) {
   static const Evaluation triangle =
       *EvaluationRegister::instance().with_role("triangle.solid_angle", Role::Recommended);
   thread_local Result<R> part;
-  R sum = R(0);
+  R sum = R(0), sizes = R(0);
   for (int t = 0; t < 2; ++t) {
     // 0 1 2 and 0 2 3, or 1 2 3 and 1 3 0.
     const int first = other ? 1 : 0;
     const std::array<Vec3<R>, 3> of{corners[first], corners[first + 1 + t], corners[(first + 2 + t) % 4]};
     triangle(Query<R>{.corners = of, .point = point}, part);
     sum += part.value[0];
+    sizes += part.value[0] < R(0) ? R(-part.value[0]) : part.value[0];
   }
+  if constexpr (std::same_as<R, double>)
+    if (std::abs(sum) < sizes / kNextToZero) {
+      std::array<Vec3<Mp50>, 4> wide;
+      for (int k = 0; k < 4; ++k) wide[k] = convert<Mp50>(corners[k]);
+      return static_cast<double>(value_of<Mp50>(wide, convert<Mp50>(point), other));
+    }
   return sum;
 }
 
@@ -124,6 +135,16 @@ void derive_by_lines(std::span<const Vec3<R>> corners, const Vec3<R>& point, int
   }
 }
 
+// The value from a point off the quad in a plane of three corners, where heights are roundings in double.
+double coplanar_value(const Quad<double>& quad, const Vec3<double>& point) {
+  if (is_planar(quad)) return 0;
+  std::array<Vec3<Mp50>, 4> corners;
+  for (int k = 0; k < 4; ++k) corners[k] = convert<Mp50>(quad[k]);
+  SolidAngle<Mp50> wide;
+  derive_by_lines<Mp50>(corners, convert<Mp50>(point), 0, wide);
+  return static_cast<double>(wide.value);
+}
+
 template <Scalar R>
 void solid_angle(std::span<const Vec3<R>> corners, const Vec3<R>& point, int order, SolidAngle<R>& result) {
   const Exponents exponents = exponents_of(corners, point);
@@ -139,6 +160,7 @@ void solid_angle(std::span<const Vec3<R>> corners, const Vec3<R>& point, int ord
   const SeenTriangles seen = seen_triangles(quad, convert<W>(point));
   if (seen == SeenTriangles::Coplanar) {
     derive_by_lines<R>(corners, point, order, result);
+    if constexpr (std::same_as<R, double>) result.value = coplanar_value(quad, point);
     return;
   }
   result.value = value_of<R>(corners, point, seen == SeenTriangles::Diagonal13);

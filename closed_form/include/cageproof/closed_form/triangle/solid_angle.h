@@ -11,9 +11,9 @@ namespace cageproof::closed_form::triangle {
 /// corner.
 struct SolidAngle : OddPowers {
   static constexpr int components = 1, degree = 0, border_order = 1, far_power = -3;
-  /// The Hessian is zero over the centre of an equilateral triangle, where its terms are of this size, in the longest
-  /// edge's units.
-  static constexpr double terms_of_hessian = 8;
+  /// The Hessian is zero over one point of every triangle (the centre, if it is equilateral), where its terms are of
+  /// this size, in the longest edge's units.
+  static constexpr double terms_of_hessian = 32;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R>, std::array<Taylor<R, N>, 1>& out) {
     out[0].add(R(1), s.omega());

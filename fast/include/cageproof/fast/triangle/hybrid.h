@@ -82,19 +82,30 @@ Hybrid<F> from_panels(HybridMoments<O>& at, const Panels& panels, std::span<cons
                                  3)};
 }
 
-/// Whether a Hessian, in the frame's units, is much smaller than its terms: next to a zero.
+/// The size of a formula's terms in its derivatives of an order, in the longest edge's units, next to points where they
+/// add up to zero; 0 where none vanish.
+template <class F>
+constexpr double terms_of_derivatives(int order) {
+  if constexpr (requires { F::terms_of_gradient; })
+    if (order == 1) return F::terms_of_gradient;
+  if constexpr (requires { F::terms_of_hessian; })
+    if (order == 2) return F::terms_of_hessian;
+  return 0;
+}
+
+/// Whether derivatives, in the frame's units, are much smaller than their terms: next to a zero.
 template <class F, int O>
-bool has_small_hessian(const Components<F, double, O>& components) {
-  if constexpr (O == 2 && requires { F::terms_of_hessian; }) {
+bool has_small_derivatives(const Components<F, double, O>& components) {
+  for (int order = 1; order <= O; ++order) {
+    if (terms_of_derivatives<F>(order) == 0) continue;
     double largest = 0;
     for (const auto& polynomial : components)
       for (int m = 0; m < Monomials<O>::count; ++m)
-        if (const auto& e = Monomials<O>::exponents[m]; e[0] + e[1] + e[2] == 2)
+        if (const auto& e = Monomials<O>::exponents[m]; e[0] + e[1] + e[2] == order)
           largest = std::max(largest, std::abs(polynomial.c[m]));
-    return largest < F::terms_of_hessian / 32;
-  } else {
-    return false;
+    if (largest < terms_of_derivatives<F>(order) / 32) return true;
   }
+  return false;
 }
 
 /// In double, at a point whose moments other formulas may share; the result does not depend on which do.
@@ -107,7 +118,7 @@ Hybrid<F> hybrid(HybridMoments<O>& at, std::span<const double> parameters) {
   if (!few.empty()) return from_panels<F>(at, few, parameters);
   if (!F::cancels_nearby && f.shape() >= kThinShape) {
     const auto components = composed<F, O, double>(at.near().template near<F>(), parameters);
-    if (!has_small_hessian<F, O>(components)) return {Route::Near, finish<F, O, double>(components, f.unit, 3)};
+    if (!has_small_derivatives<F, O>(components)) return {Route::Near, finish<F, O, double>(components, f.unit, 3)};
   }
   Hybrid<F> near{Route::Tracked, closed_form::triangle::tracked_near<F, double, O>(at.algebra(), parameters, 3)};
   if (near.jet) return near;
