@@ -5,6 +5,7 @@
 #include "quad/mean_value/line_form/line_form.h"
 #include "quad/potentials/potential_form.h"
 #include "cageproof/core/evaluation.h"
+#include "inside_step.h"
 #include "line_rule.h"
 
 #include <algorithm>
@@ -67,16 +68,18 @@ Vec3<R> across_side(std::span<const Vec3<R>> corners, const Vec3<R>& point, cons
   return rough;
 }
 
-// Around the sides. False where their parts are many times as large as their sum.
+// How many times as large as their sum the sides' parts may be: multiprecision has digits to spare.
+template <Scalar R>
+inline constexpr double kMostCancelled = std::same_as<R, double>  ? 16
+                                         : std::same_as<R, Mp50>  ? 1e10
+                                         : std::same_as<R, Mp100> ? 1e40
+                                                                  : 1e90;
+
+// Around the sides. False where their parts are more than `most` times as large as their sum.
 template <Scalar R>
 bool derive_by_sides(std::span<const Vec3<R>> corners, const Vec3<R>& point, const QuadFrame<R>& q, int order,
-                     SolidAngle<R>& result) {
+                     SolidAngle<R>& result, double most = kMostCancelled<R>) {
   using std::ldexp;
-  // Multiprecision has digits to spare.
-  constexpr double kCancel = std::same_as<R, double>  ? 16
-                             : std::same_as<R, Mp50>  ? 1e10
-                             : std::same_as<R, Mp100> ? 1e40
-                                                      : 1e90;
   constexpr double digits = std::same_as<R, double>  ? 17
                             : std::same_as<R, Mp50>  ? 48
                             : std::same_as<R, Mp100> ? 98
@@ -99,7 +102,7 @@ bool derive_by_sides(std::span<const Vec3<R>> corners, const Vec3<R>& point, con
     result.hessian += turned ? Eigen::Matrix<R, 3, 3>(-hessian) : hessian;
   }
   // What overflows keeps nothing.
-  const auto keeps = [](double terms, double sum) { return std::isfinite(terms) && terms <= kCancel * sum; };
+  const auto keeps = [most](double terms, double sum) { return std::isfinite(terms) && terms <= most * sum; };
   const bool kept = keeps(gradients, static_cast<double>(R(result.gradient.cwiseAbs().sum()))) &&
                     (order < 2 || keeps(hessians, static_cast<double>(R(result.hessian.cwiseAbs().sum()))));
   result.gradient *= ldexp(R(q.unit.sign), -q.unit.exponent);
@@ -135,14 +138,45 @@ void derive_by_lines(std::span<const Vec3<R>> corners, const Vec3<R>& point, int
   }
 }
 
-// The value from a point off the quad in a plane of three corners, where heights are roundings in double.
-double coplanar_value(const Quad<double>& quad, const Vec3<double>& point) {
-  if (is_planar(quad)) return 0;
-  std::array<Vec3<Mp50>, 4> corners;
-  for (int k = 0; k < 4; ++k) corners[k] = convert<Mp50>(quad[k]);
+// The same in 50 digits, rounded once: where heights are roundings in double, or no doubles, as in a plane of three
+// corners and at the ends of the exponent range. \pre the point is off the quad
+template <class Derive>
+void in_50_digits(std::span<const Vec3<double>> corners, const Vec3<double>& point, int order,
+                  SolidAngle<double>& result, const Derive& derive) {
+  std::array<Vec3<Mp50>, 4> wide_corners;
+  for (int k = 0; k < 4; ++k) wide_corners[k] = convert<Mp50>(corners[k]);
   SolidAngle<Mp50> wide;
-  derive_by_lines<Mp50>(corners, convert<Mp50>(point), 0, wide);
-  return static_cast<double>(wide.value);
+  derive(std::span<const Vec3<Mp50>>(wide_corners), convert<Mp50>(point), wide);
+  result.value = is_in_plane<double>(corners, point) ? 0 : static_cast<double>(wide.value);
+  if (order >= 1) result.gradient = convert<double>(wide.gradient);
+  for (int i = 0; order >= 2 && i < 9; ++i)
+    result.hessian(i / 3, i % 3) = static_cast<double>(wide.hessian(i / 3, i % 3));
+}
+void by_lines_in_50_digits(std::span<const Vec3<double>> corners, const Vec3<double>& point, int order,
+                           SolidAngle<double>& result) {
+  in_50_digits(corners, point, order, result,
+               [&](auto wide_corners, const Vec3<Mp50>& wide_point, SolidAngle<Mp50>& wide) {
+                 derive_by_lines<Mp50>(wide_corners, wide_point, order, wide);
+               });
+}
+
+// Derivatives depend on the border only. By sides, in more digits where these cancel, and then by lines.
+template <Scalar R>
+void derive(std::span<const Vec3<R>> corners, const Vec3<R>& point, const QuadFrame<R>& q, int order,
+            SolidAngle<R>& result) {
+  if (derive_by_sides<R>(corners, point, q, order, result)) return;
+  if constexpr (std::same_as<R, double>) {
+    constexpr double enough = 1e30;
+    bool kept = false;
+    in_50_digits(corners, point, order, result,
+                 [&](auto wide_corners, const Vec3<Mp50>& wide_point, SolidAngle<Mp50>& wide) {
+                   const auto frame = quad_frame<Mp50>(wide_corners, wide_point);
+                   wide.value = 0;
+                   kept = frame && derive_by_sides<Mp50>(wide_corners, wide_point, *frame, order, wide, enough);
+                 });
+    if (kept) return;
+  }
+  derive_by_lines<R>(corners, point, order, result);
 }
 
 template <Scalar R>
@@ -150,26 +184,36 @@ void solid_angle(std::span<const Vec3<R>> corners, const Vec3<R>& point, int ord
   const Exponents exponents = exponents_of(corners, point);
   const auto q = quad_frame<R>(corners, point);
   // On the quad limits from inside; where exponents are far apart the lines have the digits and the range.
-  if (!q || exponents.are_extreme() || exponents.are_distant() || place_on_quad<R>(corners, point)) {
+  const bool far_apart = exponents.are_extreme() || exponents.are_distant();
+  if (!q || far_apart || place_on_quad<R>(corners, point)) {
     derive_by_lines<R>(corners, point, order, result);
+    if constexpr (std::same_as<R, double>)
+      if (q && far_apart && !place_on_quad<double>(corners, point))
+        by_lines_in_50_digits(corners, point, order, result);
     return;
   }
   using W = std::conditional_t<std::same_as<R, double>, double, Mp200>;
   Quad<W> quad;
   for (int k = 0; k < 4; ++k) quad[k] = convert<W>(corners[k]);
+  if (order > 0) derive<R>(corners, point, *q, order, result);
   const SeenTriangles seen = seen_triangles(quad, convert<W>(point));
-  if (seen == SeenTriangles::Coplanar) {
-    derive_by_lines<R>(corners, point, order, result);
-    if constexpr (std::same_as<R, double>) result.value = coplanar_value(quad, point);
-    return;
+  if (seen != SeenTriangles::Coplanar) {
+    const R value = value_of<R>(corners, point, seen == SeenTriangles::Diagonal13);
+    // Not of a triangle without area.
+    if (value - value == R(0)) {
+      result.value = value;
+      return;
+    }
   }
-  result.value = value_of<R>(corners, point, seen == SeenTriangles::Diagonal13);
-  // Of a triangle without area.
-  const bool has_value = result.value - result.value == R(0);
-  if (has_value && (order == 0 || derive_by_sides<R>(corners, point, *q, order, result))) return;
-  const R value = result.value;
-  derive_by_lines<R>(corners, point, order, result);
-  if (has_value) result.value = value;
+  if constexpr (std::same_as<R, double>) {
+    SolidAngle<double> value;
+    by_lines_in_50_digits(corners, point, 0, value);
+    result.value = value.value;
+  } else {
+    SolidAngle<R> by_lines;
+    derive_by_lines<R>(corners, point, 0, by_lines);
+    result.value = by_lines.value;
+  }
 }
 
 /// \param digits of the lines' form, where it is asked for; else the recommended evaluation
