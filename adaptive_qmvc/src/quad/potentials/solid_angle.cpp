@@ -58,7 +58,7 @@ Vec3<R> across_side(std::span<const Vec3<R>> corners, const Vec3<R>& point, cons
                     const Vec3<R>& side) {
   constexpr double enough = 0x1p-8;
   const Vec3<R>& start = q.seen[k];
-  const Vec3<R> rough = start.cross(side);
+  Vec3<R> rough = start.cross(side);
   if constexpr (std::same_as<R, double>)
     if (rough.squaredNorm() < enough * enough * start.squaredNorm() * side.squaredNorm()) {
       const auto wide = [&](int i) { return convert<Mp200>(corners[q.unit.corner[i]]); };
