@@ -89,6 +89,7 @@ const std::vector<Case>& cases() {
 template <Scalar R>
 double error(const Case& c, std::string_view name) {
   std::vector<Vec3<R>> q;
+  q.reserve(c.corners.size());
   for (const Vec& corner : c.corners) q.push_back(convert<R>(corner));
   Result<R> result;
   (*EvaluationRegister::instance().find("quad.mean_value", name))(Query<R>{q, convert<R>(c.point), 0, {}}, result);

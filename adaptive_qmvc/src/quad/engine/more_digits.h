@@ -11,7 +11,7 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// What an attempt says of its result: how many times as large as the result its terms are, at least about.
+/// An attempt's statement, and how many times as large as the result its terms are, roughly.
 struct Cancelled {
   Statement statement;
   double times = 1;

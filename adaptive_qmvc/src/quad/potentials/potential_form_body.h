@@ -71,7 +71,7 @@ Statement potential_form_in_more_digits(std::span<const Vec3<R>> corners, const 
         const Statement found = in_first_of<Mp50, Mp100, Mp200>(in);
         return {found, tensors.cancelled};
       });
-  // What cancels is made good.
+  // The digits that cancelled were added.
   tensors.cancelled = 1;
   return statement;
 }

@@ -16,7 +16,13 @@
 namespace cageproof::adaptive_qmvc {
 namespace {
 
-// Values this many times smaller than their terms are taken in 50 digits.
+std::array<Vec3<Mp50>, 4> in_50_digits(std::span<const Vec3<double>> corners) {
+  std::array<Vec3<Mp50>, 4> wide;
+  for (int k = 0; k < 4; ++k) wide[k] = convert<Mp50>(corners[k]);
+  return wide;
+}
+
+// Values that are smaller than their terms by more than this factor are taken in 50 digits.
 constexpr double kNextToZero = 16;
 
 // The value: the sum of the two triangles that the point sees under the quad's own solid angle. Where they cancel in
@@ -36,11 +42,8 @@ R value_of(std::span<const Vec3<R>> corners, const Vec3<R>& point, bool other) {
     sizes += part.value[0] < R(0) ? R(-part.value[0]) : part.value[0];
   }
   if constexpr (std::same_as<R, double>)
-    if (std::abs(sum) < sizes / kNextToZero) {
-      std::array<Vec3<Mp50>, 4> wide;
-      for (int k = 0; k < 4; ++k) wide[k] = convert<Mp50>(corners[k]);
-      return static_cast<double>(value_of<Mp50>(wide, convert<Mp50>(point), other));
-    }
+    if (std::abs(sum) < sizes / kNextToZero)
+      return static_cast<double>(value_of<Mp50>(in_50_digits(corners), convert<Mp50>(point), other));
   return sum;
 }
 
@@ -138,43 +141,38 @@ void derive_by_lines(std::span<const Vec3<R>> corners, const Vec3<R>& point, int
   }
 }
 
-// The same in 50 digits, rounded once: where heights are roundings in double, or no doubles, as in a plane of three
-// corners and at the ends of the exponent range. \pre the point is off the quad
-template <class Derive>
-void in_50_digits(std::span<const Vec3<double>> corners, const Vec3<double>& point, int order,
-                  SolidAngle<double>& result, const Derive& derive) {
-  std::array<Vec3<Mp50>, 4> wide_corners;
-  for (int k = 0; k < 4; ++k) wide_corners[k] = convert<Mp50>(corners[k]);
-  SolidAngle<Mp50> wide;
-  derive(std::span<const Vec3<Mp50>>(wide_corners), convert<Mp50>(point), wide);
-  result.value = is_in_plane<double>(corners, point) ? 0 : static_cast<double>(wide.value);
+void round_derivatives(const SolidAngle<Mp50>& wide, int order, SolidAngle<double>& result) {
   if (order >= 1) result.gradient = convert<double>(wide.gradient);
   for (int i = 0; order >= 2 && i < 9; ++i)
     result.hessian(i / 3, i % 3) = static_cast<double>(wide.hessian(i / 3, i % 3));
 }
+
+// By lines in 50 digits, rounded once: where heights are roundings in double, or no doubles, as in a plane of three
+// corners and at the ends of the exponent range. \pre the point is off the quad
 void by_lines_in_50_digits(std::span<const Vec3<double>> corners, const Vec3<double>& point, int order,
                            SolidAngle<double>& result) {
-  in_50_digits(corners, point, order, result,
-               [&](auto wide_corners, const Vec3<Mp50>& wide_point, SolidAngle<Mp50>& wide) {
-                 derive_by_lines<Mp50>(wide_corners, wide_point, order, wide);
-               });
+  const bool in_plane = is_in_plane<double>(corners, point);
+  result.value = 0;
+  if (in_plane && order == 0) return;
+  SolidAngle<Mp50> wide;
+  derive_by_lines<Mp50>(in_50_digits(corners), convert<Mp50>(point), order, wide);
+  if (!in_plane) result.value = static_cast<double>(wide.value);
+  round_derivatives(wide, order, result);
 }
 
-// Derivatives depend on the border only. By sides, in more digits where these cancel, and then by lines.
+// Derivatives depend on the border only: they are taken by sides, in more digits where these cancel, and then by lines.
 template <Scalar R>
 void derive(std::span<const Vec3<R>> corners, const Vec3<R>& point, const QuadFrame<R>& q, int order,
             SolidAngle<R>& result) {
   if (derive_by_sides<R>(corners, point, q, order, result)) return;
   if constexpr (std::same_as<R, double>) {
     constexpr double enough = 1e30;
-    bool kept = false;
-    in_50_digits(corners, point, order, result,
-                 [&](auto wide_corners, const Vec3<Mp50>& wide_point, SolidAngle<Mp50>& wide) {
-                   const auto frame = quad_frame<Mp50>(wide_corners, wide_point);
-                   wide.value = 0;
-                   kept = frame && derive_by_sides<Mp50>(wide_corners, wide_point, *frame, order, wide, enough);
-                 });
-    if (kept) return;
+    const auto wide_corners = in_50_digits(corners);
+    const Vec3<Mp50> wide_point = convert<Mp50>(point);
+    SolidAngle<Mp50> wide;
+    const auto frame = quad_frame<Mp50>(wide_corners, wide_point);
+    if (frame && derive_by_sides<Mp50>(wide_corners, wide_point, *frame, order, wide, enough))
+      return round_derivatives(wide, order, result);
   }
   derive_by_lines<R>(corners, point, order, result);
 }
@@ -186,10 +184,10 @@ void solid_angle(std::span<const Vec3<R>> corners, const Vec3<R>& point, int ord
   // On the quad limits from inside; where exponents are far apart the lines have the digits and the range.
   const bool far_apart = exponents.are_extreme() || exponents.are_distant();
   if (!q || far_apart || place_on_quad<R>(corners, point)) {
-    derive_by_lines<R>(corners, point, order, result);
     if constexpr (std::same_as<R, double>)
       if (q && far_apart && !place_on_quad<double>(corners, point))
-        by_lines_in_50_digits(corners, point, order, result);
+        return by_lines_in_50_digits(corners, point, order, result);
+    derive_by_lines<R>(corners, point, order, result);
     return;
   }
   using W = std::conditional_t<std::same_as<R, double>, double, Mp200>;
@@ -199,7 +197,7 @@ void solid_angle(std::span<const Vec3<R>> corners, const Vec3<R>& point, int ord
   const SeenTriangles seen = seen_triangles(quad, convert<W>(point));
   if (seen != SeenTriangles::Coplanar) {
     const R value = value_of<R>(corners, point, seen == SeenTriangles::Diagonal13);
-    // Not of a triangle without area.
+    // A triangle without area has none.
     if (value - value == R(0)) {
       result.value = value;
       return;
