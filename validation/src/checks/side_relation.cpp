@@ -48,13 +48,18 @@ Vec3<Mp100> around_sides(const SideRelation& relation, std::span<const Vec3<doub
   return rounded;
 }
 
-// What each of the single layer's numbers is times: of a flat element its unit normal.
-std::vector<Vec3<Mp100>> normals_of(const Formula& single, const std::vector<Vec3<Mp100>>& x) {
+// The vectors that the single layer's numbers are multiplied by; for a flat element its unit normal.
+std::vector<Vec3<Mp100>> normals_of(const Formula& single, std::span<const Vec3<double>> corners) {
   std::vector<Vec3<Mp100>> normals;
   normals.reserve(single.tensors());
-  const std::size_t count = x.size();
-  for (int k = 0; k < single.tensors(); ++k)
-    normals.push_back((x[(k + 1) % count] - x[k]).cross(x[(k + count - 1) % count] - x[k]));
+  const std::size_t count = corners.size();
+  const auto side = [&](std::size_t from, std::size_t to) {
+    return Vec3<Wide>(corners[to].cast<Wide>() - corners[from].cast<Wide>());
+  };
+  for (std::size_t k = 0; k < static_cast<std::size_t>(single.tensors()); ++k) {
+    const Vec3<Wide> normal = side(k, (k + 1) % count).cross(side(k, (k + count - 1) % count));
+    normals.emplace_back(Mp100(normal[0]), Mp100(normal[1]), Mp100(normal[2]));
+  }
   if (!single.shape.per_corner) normals[0] /= length_of(normals[0]);
   return normals;
 }
@@ -100,7 +105,8 @@ class SideRelationCheck final : public Check {
     const Vec3<Mp100> point = convert<Mp100>(in.sample.point);
     for (const Vec3<double>& corner : in.sample.corners) x.push_back(convert<Mp100>(corner) - point);
     const Moments positions(evaluate<double>(in.evaluation, in.sample, 0).value, x);
-    const Moments normals(evaluate<double>(*single, in.sample, 0).value, normals_of(single->formula(), x));
+    const Moments normals(evaluate<double>(*single, in.sample, 0).value,
+                          normals_of(single->formula(), in.sample.corners));
     const Vec3<Mp100> sum = positions.sum + relation.factor * normals.sum,
                       expected = around_sides(relation, in.sample.corners, in.sample.point);
     const Mp100 unit =

@@ -31,10 +31,11 @@ struct SingularPair {
   bool beyond = false;  ///< the integrand has it only where it is continued past another one
 };
 
-/// At most ten of them: one of each side across the lines, and of the lines two, or what their search adds by rounding.
+/// One of each side across the lines, one where lines have no length, and two where lines pass the point, or up to
+/// eight that rounding makes of these.
 template <class R>
 struct SingularPairs {
-  static constexpr int most = 10;
+  static constexpr int most_of_lines = 8, most = most_of_lines + 3;
   std::array<SingularPair<R>, most> pair;
   int count = 0;
   void add(const SingularPair<R>& p) { pair[count++] = p; }

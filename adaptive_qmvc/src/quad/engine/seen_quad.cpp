@@ -22,9 +22,9 @@ LocalFrame<W> frame_about(const QuadFrame<W>& q, const W& v) {
 }  // namespace
 
 template <class W>
-SeenQuad see_frame(const QuadFrame<W>& q, const SingularPairs<W>& singular, double order, double digits, bool decays) {
+SeenQuad see_frame(const QuadFrame<W>& q, const SingularPairs<W>& singular, double order, double digits) {
   OuterRules<W> across;
-  find_outer_rules(singular, order, digits, static_cast<int>(3 * digits), across, decays);
+  find_outer_rules(singular, order, digits, static_cast<int>(3 * digits), across, false);
   SeenQuad seen{QuadFrame<Mp200>(q), {}, is_folded(q)};
   for (const OuterRule<W>& rule : across.rules) {
     const auto frame = rule.plain ? LocalFrame<W>(q) : frame_about(q, W(std::clamp(rule.centre, rule.lo, rule.hi)));
@@ -38,26 +38,25 @@ SeenQuad see_frame(const QuadFrame<W>& q, const SingularPairs<W>& singular, doub
 }
 
 template <class W>
-SeenQuad see_in_digits(const std::array<Vec3<W>, 4>& corners, const Vec3<W>& point, double order, double digits,
-                       bool decays) {
+SeenQuad see_in_digits(const std::array<Vec3<W>, 4>& corners, const Vec3<W>& point, double order, double digits) {
   const auto q = quad_frame<W>(corners, point);
-  return see_frame(*q, singular_pairs(*q), order, digits, decays);
+  return see_frame(*q, singular_pairs(*q), order, digits);
 }
 
-#define CAGEPROOF_SEE(W)                                                                              \
-  template SeenQuad see_frame<W>(const QuadFrame<W>&, const SingularPairs<W>&, double, double, bool); \
-  template SeenQuad see_in_digits<W>(const std::array<Vec3<W>, 4>&, const Vec3<W>&, double, double, bool);
+#define CAGEPROOF_SEE(W)                                                                        \
+  template SeenQuad see_frame<W>(const QuadFrame<W>&, const SingularPairs<W>&, double, double); \
+  template SeenQuad see_in_digits<W>(const std::array<Vec3<W>, 4>&, const Vec3<W>&, double, double);
 CAGEPROOF_SEE(Mp50)
 CAGEPROOF_SEE(Mp100)
 CAGEPROOF_SEE(Mp200)
 CAGEPROOF_SEE(Mp800)
 #undef CAGEPROOF_SEE
 
-SeenQuad see_in_800_digits(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point, double order, double digits,
-                           bool decays) {
+SeenQuad see_in_800_digits(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point, double order,
+                           double digits) {
   std::array<Vec3<Mp800>, 4> wide;
   for (int k = 0; k < 4; ++k) wide[k] = corners[k].cast<Mp800>();
-  return see_in_digits<Mp800>(wide, Vec3<Mp800>(point.cast<Mp800>()), order, digits, decays);
+  return see_in_digits<Mp800>(wide, Vec3<Mp800>(point.cast<Mp800>()), order, digits);
 }
 
 }  // namespace cageproof::adaptive_qmvc

@@ -63,22 +63,19 @@ struct SeenQuad {
 
 /// The rules for `digits` digits of an integrand with singularities of that order. What is small next to the point is
 /// computed in 800 digits and rounded once. \pre coordinates are finite and, exactly or not, doubles
-/// \param decays as in add_rules()
-SeenQuad see_in_800_digits(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point, double order, double digits,
-                           bool decays = true);
+SeenQuad see_in_800_digits(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point, double order, double digits);
 
 /// The same in as many digits as W has, for coordinates that need no more: differences are taken in those.
 template <class W>
-SeenQuad see_in_digits(const std::array<Vec3<W>, 4>& corners, const Vec3<W>& point, double order, double digits,
-                       bool decays);
+SeenQuad see_in_digits(const std::array<Vec3<W>, 4>& corners, const Vec3<W>& point, double order, double digits);
 
 /// The same from a frame and its singularities.
 template <class W>
-SeenQuad see_frame(const QuadFrame<W>& q, const SingularPairs<W>& singular, double order, double digits, bool decays);
+SeenQuad see_frame(const QuadFrame<W>& q, const SingularPairs<W>& singular, double order, double digits);
 
-#define CAGEPROOF_SEE(W)                                                                                     \
-  extern template SeenQuad see_frame<W>(const QuadFrame<W>&, const SingularPairs<W>&, double, double, bool); \
-  extern template SeenQuad see_in_digits<W>(const std::array<Vec3<W>, 4>&, const Vec3<W>&, double, double, bool);
+#define CAGEPROOF_SEE(W)                                                                               \
+  extern template SeenQuad see_frame<W>(const QuadFrame<W>&, const SingularPairs<W>&, double, double); \
+  extern template SeenQuad see_in_digits<W>(const std::array<Vec3<W>, 4>&, const Vec3<W>&, double, double);
 CAGEPROOF_SEE(Mp50)
 CAGEPROOF_SEE(Mp100)
 CAGEPROOF_SEE(Mp200)

@@ -77,7 +77,7 @@ void find_pairs_one_by_one(const QuadFrame<R>& q, const R& line, const Add& add)
   constexpr double kSeen = 30;
   const auto zeros_at = [&](const R& centre) { return zeros_of(LineArea<R>(q, centre).polynomial()); };
   // A pair that is all but on the axis is found more than once, at different roundings.
-  constexpr int kMost = SingularPairs<R>::most - 2;
+  constexpr int kMost = SingularPairs<R>::most_of_lines;
   std::array<SingularPair<R>, kMost> known;
   int count = 0;
   const auto add_new = [&](const SingularPair<R>& pair) {
@@ -113,14 +113,14 @@ void find_pairs_one_by_one(const QuadFrame<R>& q, const R& line, const Add& add)
   }
 }
 
-/// Where a straight side p + v d passes eta.
+//// The zeros of |p + v d|^2; nothing where d is zero.
 template <class R>
-void add_side(const Vec3<R>& p, const Vec3<R>& d, SingularPairs<R>& pairs) {
+std::optional<SingularPair<R>> zeros_along(const Vec3<R>& p, const Vec3<R>& d) {
   using std::sqrt;
   const R square = d.dot(d);
-  if (!(square > 0)) return;
+  if (!(square > 0)) return std::nullopt;
   const Vec3<R> c = p.cross(d);
-  pairs.add({R(-p.dot(d) / square), static_cast<Width<R>>(R(sqrt(c.dot(c)) / square))});
+  return SingularPair<R>{R(-p.dot(d) / square), static_cast<Width<R>>(R(sqrt(c.dot(c)) / square))};
 }
 
 }  // namespace detail
@@ -158,8 +158,14 @@ template <class R>
 SingularPairs<R> singular_pairs(const QuadFrame<R>& q) {
   using F = Width<R>;
   SingularPairs<R> pairs;
-  detail::add_side(q.a, q.b, pairs);
-  detail::add_side(q.seen[1], q.b1, pairs);
+  // Where the sides across the lines pass eta.
+  if (const auto side = detail::zeros_along(q.a, q.b)) pairs.add(*side);
+  if (const auto side = detail::zeros_along(q.seen[1], q.b1)) pairs.add(*side);
+  // A line without length is regular, and a branch point of the logarithm that the integrand has past another pair.
+  if (auto pair = detail::zeros_along(q.e, q.w); pair && std::isfinite(pair->width)) {
+    pair->beyond = true;
+    pairs.add(*pair);
+  }
   const auto keep = [&](SingularPair<R> pair) {
     if (!std::isfinite(pair.width)) return;
     const Vec3<R> a = q.start(pair.centre), e = q.direction(pair.centre);

@@ -23,7 +23,8 @@ struct Nodes {
   std::span<const R> nodes, weights;
 };
 
-/// gauss_rule, for long double too: its range holds powers of distances that a double's does not.
+/// gauss_rule, for long double too: its range holds powers of distances that a double's does not. In 800 digits three
+/// points only.
 template <class R>
 Nodes<R> nodes_of(int n) {
   if constexpr (std::same_as<R, long double>) {
@@ -38,6 +39,11 @@ Nodes<R> nodes_of(int n) {
       for (const Mp50& x : wide.weights) at->second.weights.push_back(static_cast<long double>(x));
     }
     return {at->second.nodes, at->second.weights};
+  } else if constexpr (std::same_as<R, Mp800>) {
+    static const R half = R(1) / 2, off = sqrt(R(R(3) / 20));
+    static const std::array<R, 3> nodes{R(half - off), half, R(half + off)},
+        weights{R(R(5) / 18), R(R(4) / 9), R(R(5) / 18)};
+    return {nodes, weights};
   } else {
     const GaussLegendre<R>& rule = gauss_rule<R>(n);
     return {rule.nodes, rule.weights};

@@ -159,7 +159,7 @@ Statement potential_seen_in(std::span<const Vec3<R>> corners, const Vec3<W>& poi
                             PotentialTensors<R>& tensors) {
   std::array<Vec3<W>, 4> wide;
   for (int k = 0; k < 4; ++k) wide[k] = corners[k].template cast<W>();
-  return potential_of_seen_to_digits<R>(see_in_digits<W>(wide, point, task.order + 1, task.digits, false), task, true,
+  return potential_of_seen_to_digits<R>(see_in_digits<W>(wide, point, task.order + 1, task.digits), task, true,
                                         tensors);
 }
 
@@ -201,7 +201,7 @@ Statement potential_of_distant(std::span<const Vec3<R>> corners, const Vec3<R>& 
   if (const auto on = place<R>(corners, point)) return potential_on_quad<R>(corners, point, *on, task, tensors);
   std::array<Vec3<Mp200>, 4> wide;
   for (int k = 0; k < 4; ++k) wide[k] = convert<Mp200>(corners[k]);
-  const SeenQuad seen = see_in_800_digits(wide, convert<Mp200>(point), order, task.digits, false);
+  const SeenQuad seen = see_in_800_digits(wide, convert<Mp200>(point), order, task.digits);
   if constexpr (is_multiprecision<R>) return potential_of_seen_to_digits<R>(seen, task, true, tensors);
   // Powers of distances leave a double's range.
   else if (const auto found = potential_of_seen_in<long double>(seen, task, tensors)) return *found;
@@ -241,7 +241,7 @@ Statement potential_to_digits(std::span<const Vec3<R>> corners, const Vec3<R>& p
         return potential_seen_in<Mp100, R>(corners, convert<Mp100>(point), task, tensors);
       }
     if constexpr (is_multiprecision<R>)
-      return potential_of_seen_to_digits<R>(see_frame(*q, singular, order, task.digits, false), task, false, tensors);
+      return potential_of_seen_to_digits<R>(see_frame(*q, singular, order, task.digits), task, false, tensors);
     thread_local OuterRules<R> across;
     find_outer_rules(singular, order, task.digits, static_cast<int>(3 * task.digits), across, false);
     for (const OuterRule<R>& rule : across.rules) {

@@ -47,7 +47,7 @@ R value_of(std::span<const Vec3<R>> corners, const Vec3<R>& point, bool other) {
   return sum;
 }
 
-template <Scalar R>
+template <class R>
 struct SolidAngle {
   R value;
   Vec3<R> gradient;
@@ -56,7 +56,7 @@ struct SolidAngle {
 
 // The product of a side's start, seen from the point, and the side, in the frame's units. Doubles lose it next to the
 // side's line.
-template <Scalar R>
+template <class R>
 Vec3<R> across_side(std::span<const Vec3<R>> corners, const Vec3<R>& point, const QuadFrame<R>& q, int k,
                     const Vec3<R>& side) {
   constexpr double enough = 0x1p-8;
@@ -72,17 +72,17 @@ Vec3<R> across_side(std::span<const Vec3<R>> corners, const Vec3<R>& point, cons
 }
 
 // How many times as large as their sum the sides' parts may be: multiprecision has digits to spare.
-template <Scalar R>
-inline constexpr double kMostCancelled = std::same_as<R, double>  ? 16
-                                         : std::same_as<R, Mp50>  ? 1e10
-                                         : std::same_as<R, Mp100> ? 1e40
-                                                                  : 1e90;
+template <class R>
+R most_cancelled() {
+  if constexpr (std::same_as<R, Mp800>) return ldexp(R(1), 2000);
+  return std::same_as<R, double> ? R(16) : std::same_as<R, Mp50> ? R(1e10) : std::same_as<R, Mp100> ? R(1e40) : R(1e90);
+}
 
 // Around the sides. False where their parts are more than `most` times as large as their sum.
-template <Scalar R>
+template <class R>
 bool derive_by_sides(std::span<const Vec3<R>> corners, const Vec3<R>& point, const QuadFrame<R>& q, int order,
-                     SolidAngle<R>& result, double most = kMostCancelled<R>) {
-  using std::ldexp;
+                     SolidAngle<R>& result, const R& most = most_cancelled<R>()) {
+  using std::isfinite, std::ldexp;
   constexpr double digits = std::same_as<R, double>  ? 17
                             : std::same_as<R, Mp50>  ? 48
                             : std::same_as<R, Mp100> ? 98
@@ -90,7 +90,7 @@ bool derive_by_sides(std::span<const Vec3<R>> corners, const Vec3<R>& point, con
   const std::array<Vec3<R>, 4> sides{q.e, q.b1, Vec3<R>(-q.e1), Vec3<R>(-q.b)};
   result.gradient.setZero();
   result.hessian.setZero();
-  double gradients = 0, hessians = 0;
+  R gradients(0), hessians(0);
   for (int k = 0; k < 4; ++k) {
     const Vec3<R>&start = q.seen[k], &end = q.seen[(k + 1) % 4];
     Vec3<R> gradient = Vec3<R>::Zero();
@@ -99,24 +99,44 @@ bool derive_by_sides(std::span<const Vec3<R>> corners, const Vec3<R>& point, con
     const Vec3<R> c = across_side<R>(corners, point, q, k, sides[k]);
     add_side_to_solid_angle<R>(turned ? end : start, turned ? Vec3<R>(-sides[k]) : sides[k], turned ? Vec3<R>(-c) : c,
                                order, digits, gradient, hessian);
-    gradients += static_cast<double>(R(gradient.cwiseAbs().sum()));
-    hessians += static_cast<double>(R(hessian.cwiseAbs().sum()));
+    gradients += gradient.cwiseAbs().sum();
+    hessians += hessian.cwiseAbs().sum();
     result.gradient += turned ? Vec3<R>(-gradient) : gradient;
     result.hessian += turned ? Eigen::Matrix<R, 3, 3>(-hessian) : hessian;
   }
   // What overflows keeps nothing.
-  const auto keeps = [most](double terms, double sum) { return std::isfinite(terms) && terms <= most * sum; };
-  const bool kept = keeps(gradients, static_cast<double>(R(result.gradient.cwiseAbs().sum()))) &&
-                    (order < 2 || keeps(hessians, static_cast<double>(R(result.hessian.cwiseAbs().sum()))));
+  const auto keeps = [&most](const R& terms, const R& sum) { return isfinite(terms) && terms <= most * sum; };
+  const bool kept = keeps(gradients, R(result.gradient.cwiseAbs().sum())) &&
+                    (order < 2 || keeps(hessians, R(result.hessian.cwiseAbs().sum())));
   result.gradient *= ldexp(R(q.unit.sign), -q.unit.exponent);
   result.hessian *= ldexp(R(q.unit.sign), -2 * q.unit.exponent);
   return kept;
 }
 
-// As 4 pi times the sum of the double layer's four numbers.
+// By sides in 800 digits, for derivatives that are all but zero by the quad's symmetry: what cancels to the last of
+// these digits is zero.
 template <Scalar R>
-void derive_by_lines(std::span<const Vec3<R>> corners, const Vec3<R>& point, int order, SolidAngle<R>& result,
-                     double digits = own_digits<R>()) {
+void derive_by_sides_in_800_digits(std::span<const Vec3<R>> corners, const Vec3<R>& point, int order,
+                                   SolidAngle<R>& result) {
+  std::array<Vec3<Mp800>, 4> wide;
+  for (int k = 0; k < 4; ++k) wide[k] = corners[k].template cast<Mp800>();
+  const Vec3<Mp800> from = point.template cast<Mp800>();
+  const auto frame = quad_frame<Mp800>(wide, from);
+  if (!frame) return;
+  SolidAngle<Mp800> derived;
+  for (int o = 1; o <= order; ++o) {
+    const bool kept = derive_by_sides<Mp800>(wide, from, *frame, o, derived);
+    if (o == 1) result.gradient = kept ? Vec3<R>(derived.gradient.template cast<R>()) : Vec3<R>(Vec3<R>::Zero());
+    else result.hessian = derived.hessian.template cast<R>();
+    if (o == 2 && !kept) result.hessian.setZero();
+  }
+}
+
+// As 4 pi times the sum of the double layer's four numbers.
+// \returns how many times as large as a derivative these are
+template <Scalar R>
+double derive_by_lines(std::span<const Vec3<R>> corners, const Vec3<R>& point, int order, SolidAngle<R>& result,
+                       double digits = own_digits<R>()) {
   const PotentialTask<R> task{Potential::DoubleLayer, order, digits, {R(1), R(1)}};
   PotentialTensors<R> layers;
   potential_form<R>(corners, point, task, layers);
@@ -129,16 +149,35 @@ void derive_by_lines(std::span<const Vec3<R>> corners, const Vec3<R>& point, int
   for (int i = 0; order >= 2 && i < 9; ++i) result.hessian(i / 3, i % 3) = sum(2, i);
   if constexpr (std::same_as<R, double>) {
     const bool finite = (order < 1 || result.gradient.allFinite()) && (order < 2 || result.hessian.allFinite());
-    if (finite) return;
-    // Corners may be infinite with different signs where their sum's sign is known.
-    std::array<Vec3<Mp100>, 4> wide_corners;
-    for (int k = 0; k < 4; ++k) wide_corners[k] = convert<Mp100>(corners[k]);
-    SolidAngle<Mp100> wide;
-    derive_by_lines<Mp100>(wide_corners, convert<Mp100>(point), order, wide, digits);
-    if (order >= 1) result.gradient = convert<double>(wide.gradient);
-    for (int i = 0; order >= 2 && i < 9; ++i)
-      result.hessian(i / 3, i % 3) = static_cast<double>(wide.hessian(i / 3, i % 3));
+    if (!finite) {
+      // Corners may be infinite with different signs where their sum's sign is known.
+      std::array<Vec3<Mp100>, 4> wide_corners;
+      for (int k = 0; k < 4; ++k) wide_corners[k] = convert<Mp100>(corners[k]);
+      SolidAngle<Mp100> wide;
+      derive_by_lines<Mp100>(wide_corners, convert<Mp100>(point), order, wide, digits);
+      if (order >= 1) result.gradient = convert<double>(wide.gradient);
+      for (int i = 0; order >= 2 && i < 9; ++i)
+        result.hessian(i / 3, i % 3) = static_cast<double>(wide.hessian(i / 3, i % 3));
+      return 1;
+    }
   }
+  const auto cancelled = [&](int o, const R& of) {
+    R terms(0);
+    for (const R& x : layers.of[o]) terms += x < R(0) ? R(-x) : x;
+    return terms > R(0) ? static_cast<double>(R(terms / of)) : 1.0;
+  };
+  double most = 1;
+  if (order >= 1) most = std::max(most, cancelled(1, result.gradient.cwiseAbs().sum()));
+  if (order >= 2) most = std::max(most, cancelled(2, result.hessian.cwiseAbs().sum()));
+  return most;
+}
+
+// As derive_by_lines, and in more digits where the corners' derivatives cancel. \pre the point is off the quad
+template <Scalar R>
+void derive_by_lines_or_more(std::span<const Vec3<R>> corners, const Vec3<R>& point, int order, SolidAngle<R>& result) {
+  constexpr double enough = std::same_as<R, double> ? 16 : 1e6;
+  if (derive_by_lines<R>(corners, point, order, result) > enough)
+    derive_by_sides_in_800_digits<R>(corners, point, order, result);
 }
 
 void round_derivatives(const SolidAngle<Mp50>& wide, int order, SolidAngle<double>& result) {
@@ -155,7 +194,7 @@ void by_lines_in_50_digits(std::span<const Vec3<double>> corners, const Vec3<dou
   result.value = 0;
   if (in_plane && order == 0) return;
   SolidAngle<Mp50> wide;
-  derive_by_lines<Mp50>(in_50_digits(corners), convert<Mp50>(point), order, wide);
+  derive_by_lines_or_more<Mp50>(in_50_digits(corners), convert<Mp50>(point), order, wide);
   if (!in_plane) result.value = static_cast<double>(wide.value);
   round_derivatives(wide, order, result);
 }
@@ -166,7 +205,7 @@ void derive(std::span<const Vec3<R>> corners, const Vec3<R>& point, const QuadFr
             SolidAngle<R>& result) {
   if (derive_by_sides<R>(corners, point, q, order, result)) return;
   if constexpr (std::same_as<R, double>) {
-    constexpr double enough = 1e30;
+    const Mp50 enough(1e30);
     const auto wide_corners = in_50_digits(corners);
     const Vec3<Mp50> wide_point = convert<Mp50>(point);
     SolidAngle<Mp50> wide;
@@ -174,7 +213,7 @@ void derive(std::span<const Vec3<R>> corners, const Vec3<R>& point, const QuadFr
     if (frame && derive_by_sides<Mp50>(wide_corners, wide_point, *frame, order, wide, enough))
       return round_derivatives(wide, order, result);
   }
-  derive_by_lines<R>(corners, point, order, result);
+  derive_by_lines_or_more<R>(corners, point, order, result);
 }
 
 template <Scalar R>
@@ -184,10 +223,12 @@ void solid_angle(std::span<const Vec3<R>> corners, const Vec3<R>& point, int ord
   // On the quad limits from inside; where exponents are far apart the lines have the digits and the range.
   const bool far_apart = exponents.are_extreme() || exponents.are_distant();
   if (!q || far_apart || place_on_quad<R>(corners, point)) {
-    if constexpr (std::same_as<R, double>)
-      if (q && far_apart && !place_on_quad<double>(corners, point))
-        return by_lines_in_50_digits(corners, point, order, result);
-    derive_by_lines<R>(corners, point, order, result);
+    if (q && !place_on_quad<R>(corners, point)) {
+      if constexpr (std::same_as<R, double>) by_lines_in_50_digits(corners, point, order, result);
+      else derive_by_lines_or_more<R>(corners, point, order, result);
+    } else {
+      derive_by_lines<R>(corners, point, order, result);
+    }
     return;
   }
   using W = std::conditional_t<std::same_as<R, double>, double, Mp200>;

@@ -12,6 +12,7 @@ namespace cageproof::adaptive_qmvc {
 /// \param a the side's nearer end, seen from the point
 /// \param d the side from there
 /// \param c a x d, to its last digits
+/// \param digits of the Gauss rule that far sides take, whose terms cancel otherwise; 800 digits have some to spare
 template <class R>
 void add_side_to_solid_angle(const Vec3<R>& a, const Vec3<R>& d, const Vec3<R>& c, int order, double digits,
                              Vec3<R>& gradient, Eigen::Matrix<R, 3, 3>& hessian) {
@@ -22,9 +23,14 @@ void add_side_to_solid_angle(const Vec3<R>& a, const Vec3<R>& d, const Vec3<R>& 
   LinePowers<R> powers;
   Vec3<R> x;
   const auto ends = static_cast<double>(R((sqrt(R(a.dot(a))) + sqrt(R(end.dot(end)))) / sqrt(length2)));
-  if (ends < kFarAlongLine) {
+  const auto about_foot = [&] {
     line_powers_about_foot<R>(a, d, R(0), R(1), R(c.dot(c)), 2, powers);
     x = d.cross(c) / length2;
+  };
+  if constexpr (std::same_as<R, Mp800>) {
+    about_foot();
+  } else if (ends < kFarAlongLine) {
+    about_foot();
   } else {
     line_powers_by_gauss<R>(a, d, R(0), nodes_of<R>(plain_nodes(ends, 2.5, digits)), 2, powers);
     x = a + powers.origin * d;

@@ -170,6 +170,7 @@ Statement line_form_of_distant(std::span<const Vec3<R>> corners, const Vec3<R>& 
   WeightSums<R, Order> sums;
   std::array<Vec3<Mp200>, 4> wide;
   for (int k = 0; k < 4; ++k) wide[k] = convert<Mp200>(corners[k]);
+  // All but in the plane, N.x vanishes next to the point, and lines far from it add the most.
   const SeenQuad seen = see_in_800_digits(wide, convert<Mp200>(point), order, digits);
   sums.watched = seen.folded;
   for (const SeenRule& rule : seen.rules) {
