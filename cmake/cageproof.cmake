@@ -46,7 +46,7 @@ function(cageproof_room name)
   add_library(cageproof_${name} OBJECT ${sources})
   # The files of an element's kind say the same things of different kinds, in the same words.
   set(of_kinds ${sources})
-  list(FILTER of_kinds INCLUDE REGEX "/src/element/")
+  list(FILTER of_kinds INCLUDE REGEX "/src/(element|geometry)/(table.cpp|(quad|segment|triangle)/)")
   set_source_files_properties(${of_kinds} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(ARG_INSTANCES)
     set(instances ${sources})
@@ -65,15 +65,15 @@ function(cageproof_room name)
     set_target_properties(cageproof_${name} PROPERTIES UNITY_BUILD_MODE GROUP)
   endif()
   target_include_directories(cageproof_${name} PUBLIC
-    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>)
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_link_libraries(cageproof_${name} PUBLIC ${ARG_LINK} PRIVATE cageproof_flags)
   # Reading headers is a quarter of a build, and five seconds a file, without it.
   # GCC takes a precompiled header only with the very definitions that it was made with, so there each room has its own.
   if(ARG_HEADERS_OF AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)
     target_precompile_headers(cageproof_${name} REUSE_FROM ${ARG_HEADERS_OF})
   else()
-    target_precompile_headers(cageproof_${name} PRIVATE <cageproof/core/linear.h> <cageproof/core/evaluation.h> <fmt/format.h> <filesystem>
-      <cageproof/core/coordinates.h> ${ARG_PRECOMPILE})
+    target_precompile_headers(cageproof_${name} PRIVATE <cageproof/core/numbers/linear.h> <cageproof/core/catalogue/evaluation.h> <fmt/format.h> <filesystem>
+      <cageproof/core/coordinates/coordinates.h> ${ARG_PRECOMPILE})
   endif()
 endfunction()
 
@@ -133,7 +133,8 @@ function(cageproof_tests name)
   add_executable(${name}_tests ${sources} ${PROJECT_SOURCE_DIR}/cmake/test_main.cpp)
   set_target_properties(${name}_tests PROPERTIES UNITY_BUILD OFF)
   target_link_libraries(${name}_tests PRIVATE ${ARG_LINK} cageproof_flags GTest::gtest)
-  target_precompile_headers(${name}_tests PRIVATE <cageproof/core/linear.h> <gtest/gtest.h>)
+  target_include_directories(${name}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  target_precompile_headers(${name}_tests PRIVATE <cageproof/core/numbers/linear.h> <gtest/gtest.h>)
   target_compile_definitions(${name}_tests PRIVATE
     CAGEPROOF_SHARED_DATA="${CMAKE_SOURCE_DIR}/../shared/data")
   set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)

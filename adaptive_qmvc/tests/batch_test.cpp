@@ -3,12 +3,12 @@
 #include "../src/batch/chunk_sums.h"
 #include "../src/batch/pair_sums.h"
 
-#include "cageproof/core/coordinate_tables.h"
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/gauss_legendre.h"
-#include "cageproof/core/random_stream.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/coordinate_tables.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
+#include "cageproof/core/numbers/random_stream.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Derivatives of spherical and maximum entropy coordinates: against differences of their values in multiprecision, and
 // what they must add up to.
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
 #include <gtest/gtest.h>
 

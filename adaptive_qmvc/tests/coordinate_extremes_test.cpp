@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Coordinates of points so close to a cage that weights, or squares of distances, leave doubles' range, and in cages at
 // its ends: they are one in sum and reproduce the point.
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Quad, spherical and maximum entropy coordinates against their definitions, by ways of their own.
 #include "coordinates/maximum_entropy.h"
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/gauss_legendre.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
 #include "cageproof/core/input_error.h"
 
 #include <gtest/gtest.h>

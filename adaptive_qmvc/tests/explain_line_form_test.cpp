@@ -2,8 +2,8 @@
 // What is explained must be what the line form computes: bit for bit for derivatives; its values in double take four
 // lines at a time, and those that are explained one.
 #include "cageproof/closed_form/explain.h"
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Green, biharmonic and Somigliana coordinates of cages that keep their quads: what their sums reproduce, in, on and
 // outside cages of twisted, planar and mixed faces.
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // The line form where sheets of a quad that folds over or crosses itself cancel next to the point.
 #include "line_form_fold_truths.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // are no rectangles.
 #include "line_form_truths.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The line form at distances whose squares underflow, and in units whose reciprocals do. So close to a quad, all but a
 // part as small as the distance is the integral over its tangent plane, half of it, or a quarter.
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <gtest/gtest.h>
 

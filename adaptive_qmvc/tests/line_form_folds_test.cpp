@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The line form where two sheets of a quad, or two singularities of one, are next to the point. Truths: the definition
 // integrated in two dimensions by adaptive Gauss-Legendre in 80-bit arithmetic, apart from this project's code.
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The line form against the integral in two dimensions, and its parts against plain quadrature.
 #include "quad/mean_value/line_form/line_form.h"
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

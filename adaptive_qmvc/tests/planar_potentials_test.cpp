@@ -3,7 +3,7 @@
 // forms, though no corner's own number has.
 #include "quads.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <gtest/gtest.h>
 

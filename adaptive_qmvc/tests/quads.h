@@ -3,9 +3,9 @@
 #pragma once
 
 #include "quad/mean_value/riemann/riemann.h"
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/gauss_legendre.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -3,7 +3,7 @@
 // input lost its truth once.
 #include "quads.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <gtest/gtest.h>
 

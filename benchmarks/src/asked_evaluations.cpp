@@ -2,8 +2,8 @@
 #include "asked_evaluations.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/name_pattern.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/name_pattern.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/benchmarks/work_precision.h"
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/box.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/geometry/box.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "cageproof/benchmarks/work_precision.h"
 
 #include <fmt/format.h>

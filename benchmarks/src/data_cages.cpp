@@ -2,7 +2,7 @@
 #include "data_cages.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 #include <fmt/format.h>
 

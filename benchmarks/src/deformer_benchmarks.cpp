@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "deformer_benchmarks.h"
 
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/random_stream.h"
-#include "cageproof/core/winding_number.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/numbers/random_stream.h"
+#include "cageproof/core/geometry/winding_number.h"
 #include "cageproof/deformation/constrained.h"
 
 #include <benchmark/benchmark.h>

@@ -2,7 +2,7 @@
 // What deformers cost: preparing a method for a cage, coordinates of points, poses, and images of points.
 #pragma once
 
-#include "cageproof/core/cage.h"
+#include "cageproof/core/cage/cage.h"
 
 #include <memory>
 #include <string>

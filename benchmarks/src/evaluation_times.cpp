@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/benchmarks/evaluation_times.h"
 
-#include "cageproof/core/name_pattern.h"
+#include "cageproof/core/catalogue/name_pattern.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/regime.h"
 #include "pair_times.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gauss_loop.h"
 
-#include "cageproof/core/gauss_legendre.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
 
 #include <fmt/format.h>
 

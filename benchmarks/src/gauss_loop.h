@@ -4,7 +4,7 @@
 
 #include "gauss_kernels.h"
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 namespace cageproof::benchmarks {
 

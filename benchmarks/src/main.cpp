@@ -9,7 +9,7 @@
 #include "yardstick.h"
 
 #include "cageproof/closed_form/batch/instruction_set.h"
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 #include <CLI/CLI.hpp>
 #include <benchmark/benchmark.h>

@@ -2,8 +2,8 @@
 // How long evaluations take for one pair of an element and a point, pair by pair.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/work_precision.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/results/work_precision.h"
 #include "cageproof/validation/sample.h"
 
 #include <vector>

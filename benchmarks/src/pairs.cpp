@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pairs.h"
 
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <algorithm>
 

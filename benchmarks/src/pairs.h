@@ -2,7 +2,7 @@
 // The inputs that all evaluations of a formula are timed on.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 // How long all coordinates of a point take.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <algorithm>
 #include <chrono>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/benchmarks/work_precision.h"
-#include "cageproof/core/work_precision.h"
+#include "cageproof/core/results/work_precision.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "deformer_benchmarks.h"
 
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 
 namespace cageproof::benchmarks {
 

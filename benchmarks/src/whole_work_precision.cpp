@@ -2,7 +2,7 @@
 #include "whole_work_precision.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/name_pattern.h"
+#include "cageproof/core/catalogue/name_pattern.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/core/parallel.h"
 #include "cageproof/validation/cage_errors.h"

@@ -2,7 +2,7 @@
 #include "cageproof/benchmarks/work_precision.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/core/parallel.h"
 #include "cageproof/validation/cage_errors.h"

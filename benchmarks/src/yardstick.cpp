@@ -4,7 +4,7 @@
 #include "timed_run.h"
 #include "yardstick_avx2.h"
 
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 namespace cageproof::benchmarks {
 

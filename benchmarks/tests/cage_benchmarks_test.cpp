@@ -7,7 +7,7 @@
 #include "yardstick_avx2.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 
 #include "deformer_benchmarks.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include "inputs_outside.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/name_pattern.h"
-#include "cageproof/core/named_parameters.h"
+#include "cageproof/core/catalogue/name_pattern.h"
+#include "cageproof/core/catalogue/named_parameters.h"
 #include "cageproof/reports/work_precision.h"
 #include "cageproof/benchmarks/coordinate_times.h"
 #include "cageproof/validation/machine_facts.h"

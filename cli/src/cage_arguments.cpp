@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/named_parameters.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/named_parameters.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,10 +3,10 @@
 
 #include "catalogue_names.h"
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 #include "cageproof/deformation/constrained.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/hunt.h"

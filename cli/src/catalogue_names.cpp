@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue_names.h"
 
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/promise.h"
 

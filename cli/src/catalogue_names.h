@@ -2,7 +2,7 @@
 // What `list` says of the catalogue, in both its forms.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <string_view>
 #include <vector>

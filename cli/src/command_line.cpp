@@ -7,7 +7,7 @@
 
 #include "cageproof/closed_form/batch/instruction_set.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "command_words.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -4,10 +4,10 @@
 
 #include "command_line.h"
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/formula.h"
-#include "cageproof/core/mesh_io.h"
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/catalogue/formula.h"
+#include "cageproof/core/cage/mesh_io.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <string>
 #include <string_view>

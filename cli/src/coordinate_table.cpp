@@ -2,7 +2,7 @@
 #include "coordinate_table.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/scalar_text.h"
+#include "cageproof/core/numbers/scalar_text.h"
 #include "cageproof/reports/vtk_text.h"
 #include "cageproof/core/parallel.h"
 

@@ -2,8 +2,8 @@
 // Coordinates of many points as one table, and its text in each file format.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/cage/mesh_io.h"
 #include "cageproof/reports/cage_vtp.h"
 
 #include <functional>

@@ -6,7 +6,7 @@
 #include "summary_lines.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/reports/checked_file.h"
 
 #include <fmt/format.h>

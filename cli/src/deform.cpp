@@ -4,9 +4,9 @@
 #include "deformation_report.h"
 #include "image_columns.h"
 
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 #include "cageproof/reports/checked_file.h"
 
 #include <fmt/format.h>

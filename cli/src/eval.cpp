@@ -4,7 +4,7 @@
 #include "query_numbers.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/scalar_text.h"
+#include "cageproof/core/numbers/scalar_text.h"
 
 #include <fmt/format.h>
 

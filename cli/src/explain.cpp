@@ -3,7 +3,7 @@
 #include "query_numbers.h"
 
 #include "cageproof/closed_form/explain.h"
-#include "cageproof/core/named_parameters.h"
+#include "cageproof/core/catalogue/named_parameters.h"
 #include "cageproof/validation/truth.h"
 
 #include <fmt/format.h>

@@ -3,9 +3,9 @@
 #include "inputs_outside.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/name_pattern.h"
-#include "cageproof/core/unknown_name.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/catalogue/name_pattern.h"
+#include "cageproof/core/catalogue/unknown_name.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/reports/report_writer.h"
 #include "cageproof/validation/compared_fields.h"
 #include "cageproof/validation/error_fields.h"

@@ -2,8 +2,8 @@
 #include "commands.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/name_pattern.h"
-#include "cageproof/core/scalar_text.h"
+#include "cageproof/core/catalogue/name_pattern.h"
+#include "cageproof/core/numbers/scalar_text.h"
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/hunt.h"

@@ -2,7 +2,7 @@
 // Lines of `eval`'s input, with numbers kept as text so that no scalar loses digits, and what answers a bad one.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <string>
 

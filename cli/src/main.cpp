@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 
-#include "cageproof/core/build_facts.h"
+#include "cageproof/core/results/build_facts.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/clean_end.h"
 

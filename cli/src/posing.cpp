@@ -4,7 +4,7 @@
 #include "commands.h"
 #include "constraints.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/deformation/stretch.h"
 

@@ -5,7 +5,7 @@
 #include "json_line.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/scalar_text.h"
+#include "cageproof/core/numbers/scalar_text.h"
 
 #include <cmath>
 #include <optional>

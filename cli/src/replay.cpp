@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/mesh_io.h"
-#include "cageproof/core/scalar_text.h"
+#include "cageproof/core/cage/mesh_io.h"
+#include "cageproof/core/numbers/scalar_text.h"
 #include "cageproof/core/whole_file.h"
 #include "cageproof/reports/packed_file.h"
 #include "cageproof/reports/worst_file.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "value_names.h"
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/deformation/constrained.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/hunt.h"

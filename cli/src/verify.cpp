@@ -5,7 +5,7 @@
 
 #include "cageproof/benchmarks/evaluation_times.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 #include "cageproof/validation/verify.h"
 
 #include <fmt/format.h>

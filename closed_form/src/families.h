@@ -2,7 +2,7 @@
 // The families of evaluations that every closed form has.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <utility>
 

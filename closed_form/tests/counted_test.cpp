@@ -2,7 +2,7 @@
 // A number that counts must be the double that it stands for, know what that double should have been, and say where it
 // came to differ.
 #include "cageproof/closed_form/arithmetic/counted_tape.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

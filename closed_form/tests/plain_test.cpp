@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Plain closed forms against values that are known, and against what only a plain form does.
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <gtest/gtest.h>
 

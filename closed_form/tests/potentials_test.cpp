@@ -9,7 +9,7 @@
 #include "cageproof/closed_form/triangle/mean_value.h"
 #include "cageproof/closed_form/triangle/single_layer.h"
 #include "cageproof/closed_form/triangle/solid_angle.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

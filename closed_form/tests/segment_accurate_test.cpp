@@ -10,7 +10,7 @@
 #include "cageproof/closed_form/segment/mean_value.h"
 #include "cageproof/closed_form/segment/single_layer.h"
 #include "cageproof/closed_form/segment/winding_angle.h"
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 #include "segment_kernels.h"
 
 #include <gtest/gtest.h>

@@ -6,8 +6,8 @@
 #include "cageproof/closed_form/segment/kelvin_traction.h"
 #include "cageproof/closed_form/segment/polyharmonic_double_layer.h"
 #include "cageproof/closed_form/segment/polyharmonic_single_layer.h"
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/second_order.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/numbers/second_order.h"
 #include "segment_truth.h"
 
 #include <numbers>

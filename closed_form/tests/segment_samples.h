@@ -2,9 +2,9 @@
 // Samples of segments and points, one regime after another.
 #pragma once
 
-#include "cageproof/core/element.h"
-#include "cageproof/core/gauss_legendre.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/geometry/element.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <functional>
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Running error bounds must hold, and the arithmetic in pairs must have its digits.
 #include "cageproof/closed_form/arithmetic/tracked.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/closed_form/triangle/engine/exact_frame.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

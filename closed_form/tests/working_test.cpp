@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fifty digits are computed in more: they must all be there, also where fifty would cancel, and parameters must arrive.
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <gtest/gtest.h>
 

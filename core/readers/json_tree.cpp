@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "json_tree.h"
 
-#include "../src/mesh_files.h"
+#include "cage/mesh_files.h"
 
 #include <fmt/format.h>
 #include <boost/iterator/iterator_adaptor.hpp>

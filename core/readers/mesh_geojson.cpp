@@ -2,7 +2,7 @@
 // Polygons of GeoJSON files (RFC 7946), through nlohmann-json: rings, whose last position repeats the first and is no
 // vertex of its own; line strings, which are polygons when they close; points, which are vertices alone. Features
 // without a geometry, and empty geometries, are passed over, as are all members that say nothing of a shape.
-#include "../src/mesh_files.h"
+#include "cage/mesh_files.h"
 #include "json_tree.h"
 #include "outline.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Walks a PLY file's header and body, and makes the copy of it that VTK's reader can bear.
-#include "../src/mesh_files.h"
+#include "cage/mesh_files.h"
 
 #include <fmt/format.h>
 

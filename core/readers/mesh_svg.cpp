@@ -3,7 +3,7 @@
 // edges, polygons, polylines and rectangles, moved by the transforms of all elements that they stand in, with y turned
 // up. Coordinates are user units of the outermost element, whose viewBox changes none. Every other element that draws
 // something, or may, is refused by name.
-#include "../src/mesh_files.h"
+#include "cage/mesh_files.h"
 #include "outline.h"
 #include "svg_text.h"
 

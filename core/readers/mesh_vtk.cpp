@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // PLY, STL and VTP through VTK. What VTK says becomes an InputError and never reaches the terminal.
-#include "../src/mesh_files.h"
+#include "cage/mesh_files.h"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>

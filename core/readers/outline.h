@@ -2,7 +2,7 @@
 // Polylines that are written as places, one after the other, and become the vertices and segments of a mesh.
 #pragma once
 
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 namespace cageproof::mesh_files {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "svg_scanner.h"
 
-#include "../src/mesh_files.h"
-#include "cageproof/core/scalar_text.h"
+#include "cage/mesh_files.h"
+#include "cageproof/core/numbers/scalar_text.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 namespace cageproof::svg {
 namespace {
 
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using exact::Integer;
 
 constexpr std::string_view kBlanks = " \t\n\f\r", kDigits = "0123456789";
 

@@ -4,7 +4,7 @@
 // edge is refused by name. All arithmetic is rational: relative coordinates and transforms are exact, and rounded once.
 #pragma once
 
-#include "../src/exact_signs.h"
+#include "geometry/exact_signs.h"
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a cage's elements share, in a cage of quads and triangles.
-#include "cageproof/core/cage_elements.h"
+#include "cageproof/core/cage/cage_elements.h"
 
 #include <gtest/gtest.h>
 

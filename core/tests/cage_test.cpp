@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/cage.h"
+#include "cageproof/core/cage/cage.h"
 
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/face_crossings.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/cage/face_crossings.h"
 #include "cageproof/core/input_error.h"
 #include "support.h"
 

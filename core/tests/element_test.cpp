@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An element's own geometry against its definition: corners are small integers, basis functions sixteenths, so that
 // points are exact.
-#include "cageproof/core/element.h"
+#include "cageproof/core/geometry/element.h"
 
 #include <gtest/gtest.h>
 

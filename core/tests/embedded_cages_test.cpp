@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
-#include "cageproof/core/element.h"
+#include "cageproof/core/geometry/element.h"
 #include "support.h"
 
 #include <fmt/format.h>

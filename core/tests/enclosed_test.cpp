@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Contents of meshes whose volumes and areas are known, and meshes that are open.
-#include "cageproof/core/enclosed.h"
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/enclosed.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 #include <gtest/gtest.h>
 

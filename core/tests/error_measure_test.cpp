@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/error_measure.h"
+#include "cageproof/core/results/error_measure.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/exact_geometry.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/geometry/exact_geometry.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

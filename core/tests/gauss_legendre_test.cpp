@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/gauss_legendre.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
 
 #include <gtest/gtest.h>
 

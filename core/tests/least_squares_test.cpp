@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Least squares: against normal equations in 100 digits, in any unit, and what is said of ranks and conditions.
-#include "cageproof/core/least_squares.h"
+#include "cageproof/core/numbers/least_squares.h"
 
 #include "cageproof/core/input_error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "../src/meeting_boxes.h"
+#include "geometry/meeting_boxes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 #include "support.h"
 

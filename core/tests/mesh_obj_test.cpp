@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "support.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // PLY, STL and VTP, whole and broken.
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 #include "support.h"
 

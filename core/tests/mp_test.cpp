@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The multiprecision type against Boost.Multiprecision's own numbers, whose work it hands on.
-#include "cageproof/core/linear.h"
-#include "cageproof/core/mp_number.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/linear.h"
+#include "cageproof/core/numbers/mp_number.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

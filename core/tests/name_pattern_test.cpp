@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/name_pattern.h"
+#include "cageproof/core/catalogue/name_pattern.h"
 
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parameters from texts: values, defaults, combinations, and what is refused in whose words.
-#include "cageproof/core/named_parameters.h"
+#include "cageproof/core/catalogue/named_parameters.h"
 
 #include "support.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/orientation.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/geometry/orientation.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Polygons through all formats, and those of OBJ and VTP.
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "support.h"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/cage.h"
+#include "cageproof/core/cage/cage.h"
 
-#include "cageproof/core/element.h"
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/random_stream.h"
-#include "cageproof/core/winding_number.h"
+#include "cageproof/core/geometry/element.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/numbers/random_stream.h"
+#include "cageproof/core/geometry/winding_number.h"
 #include "support.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/role.h"
+#include "cageproof/core/catalogue/role.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/second_order.h"
+#include "cageproof/core/numbers/second_order.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Real cages and meshes ([T18]'s data set), where they lie beside the project; generated files prove the same
 // elsewhere.
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 #include "support.h"
 

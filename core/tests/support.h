@@ -2,7 +2,7 @@
 // What the tests of this room share.
 #pragma once
 
-#include "cageproof/core/cage.h"
+#include "cageproof/core/cage/cage.h"
 #include "cageproof/core/input_error.h"
 
 #include <gtest/gtest.h>

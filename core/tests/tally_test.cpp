@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/partial_result.h"
+#include "cageproof/core/results/partial_result.h"
 
 #include <gtest/gtest.h>
 

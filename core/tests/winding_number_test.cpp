@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/winding_number.h"
+#include "cageproof/core/geometry/winding_number.h"
 
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "support.h"
 
 #include <cmath>

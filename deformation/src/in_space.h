@@ -2,7 +2,7 @@
 // Vectors and matrices in as many dimensions as the space has.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <Eigen/LU>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/deformation/inside.h"
 
-#include "cageproof/core/quad_geometry.h"
-#include "cageproof/core/winding_number.h"
+#include "cageproof/core/geometry/quad_geometry.h"
+#include "cageproof/core/geometry/winding_number.h"
 
 #include <optional>
 

@@ -3,7 +3,7 @@
 
 #include "in_space.h"
 
-#include "cageproof/core/enclosed.h"
+#include "cageproof/core/cage/enclosed.h"
 
 #include <Eigen/SVD>
 

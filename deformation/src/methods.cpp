@@ -2,7 +2,7 @@
 #include "cageproof/deformation/constrained.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

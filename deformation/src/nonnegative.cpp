@@ -3,7 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/numbers/scalar.h"
 
 #include <nlopt.h>
 

@@ -2,8 +2,8 @@
 // Units of length that are a cage's own.
 #pragma once
 
-#include "cageproof/core/box.h"
-#include "cageproof/core/cage_elements.h"
+#include "cageproof/core/geometry/box.h"
+#include "cageproof/core/cage/cage_elements.h"
 
 #include <cmath>
 

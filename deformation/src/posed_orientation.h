@@ -2,8 +2,8 @@
 // Posed cages that are inside out.
 #pragma once
 
-#include "cageproof/core/cage_elements.h"
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/cage/cage_elements.h"
+#include "cageproof/core/numbers/scalar.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "quad_normals.h"
 
-#include "cageproof/core/gauss_legendre.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
 #include "cageproof/core/input_error.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // constraints one by one, and what they share with constant ones.
 #include "somigliana_routes.h"
 
-#include "cageproof/core/gauss_legendre.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/deformation/stretch.h"
 

@@ -2,7 +2,7 @@
 // Points inside cages whose quads are kept: between a bilinear quad and the triangles that it could be split in.
 #include "quad_cases.h"
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/deformation/inside.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "support.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

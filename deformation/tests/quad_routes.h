@@ -5,7 +5,7 @@
 
 #include "regularised_routes.h"
 
-#include "cageproof/core/gauss_legendre.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
 
 #include <Eigen/Eigenvalues>
 

@@ -2,8 +2,8 @@
 // Reference cases: rest cages, poses and points.
 #pragma once
 
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/cage/mesh_io.h"
 #include "cageproof/deformation/deformer.h"
 
 #include <algorithm>

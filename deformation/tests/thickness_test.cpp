@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Deformation that keeps thickness ([W12] Section 5.4): the specification's bar, what must hold of a minimum, and what
 // is refused.
-#include "cageproof/deformation/thickness.h"
+#include "plane/thickness.h"
 
 #include "support.h"
 #include "thickness_loops.h"

@@ -4,7 +4,7 @@
 
 #include "support.h"
 
-#include "cageproof/deformation/variational.h"
+#include "variational/variational.h"
 
 #include <cmath>
 

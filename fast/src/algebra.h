@@ -4,7 +4,7 @@
 
 #include "cageproof/closed_form/joint.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 namespace cageproof::fast {
 

@@ -3,10 +3,10 @@
 #include "../src/batch/blocks.h"
 #include "block_errors.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/random_stream.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/numbers/random_stream.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -2,8 +2,8 @@
 // The error of a whole block of coordinates, for tests of whole evaluations.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 // What is explained must be what the recommended evaluation computes: bit for bit, wherever it computes in double.
 #include "cageproof/closed_form/explain.h"
 #include "cageproof/closed_form/triangle/single_layer.h"
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "cageproof/fast/triangle/hybrid.h"
 #include "segment_samples.h"
 

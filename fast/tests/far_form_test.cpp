@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The far form's error bound, against the edge form in 50 digits.
 #include "cageproof/fast/triangle/hybrid.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Several formulas together must give what each gives alone, bit for bit, whatever they share.
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

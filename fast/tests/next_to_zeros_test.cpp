@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where a formula is next to a zero, what cancels has roundings of its own: results against enclosures.
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "../src/batch/plane_blocks.h"
 #include "block_errors.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
 #include <gtest/gtest.h>
 

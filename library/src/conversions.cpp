@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "conversions.h"
 
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/mesh_io.h"
-#include "cageproof/core/named_parameters.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/cage/mesh_io.h"
+#include "cageproof/core/catalogue/named_parameters.h"
 #include "cageproof/core/parallel.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/cageproof.h"
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "conversions.h"
 
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/deformation/deformer.h"
 #include "cageproof/deformation/point_images.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The adaptive rule keeps its word: where it says that it converged, it did.
-#include "cageproof/quadrature_ref/triangle_rules.h"
+#include "rules/triangle/triangle_rules.h"
 #include "support.h"
 
 namespace cageproof::quadrature_ref {

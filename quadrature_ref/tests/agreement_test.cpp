@@ -2,7 +2,7 @@
 // The rules against each other, and against numbers from elsewhere.
 #include "support.h"
 
-#include "cageproof/core/scalar_text.h"
+#include "cageproof/core/numbers/scalar_text.h"
 
 namespace cageproof::quadrature_ref {
 namespace {

@@ -2,7 +2,7 @@
 // What tests ask of enclosures.
 #pragma once
 
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/numbers/scalar.h"
 
 namespace cageproof::quadrature_ref {
 

@@ -3,7 +3,7 @@
 #include "certified_support.h"
 #include "support.h"
 
-#include "cageproof/quadrature_ref/certified.h"
+#include "certified/certified.h"
 
 namespace cageproof::quadrature_ref {
 namespace {

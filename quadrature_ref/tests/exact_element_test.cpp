@@ -3,8 +3,8 @@
 // once.
 #include "../src/rules/exact_element.h"
 
-#include "cageproof/core/exact_geometry.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/geometry/exact_geometry.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

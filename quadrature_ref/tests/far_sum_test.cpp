@@ -3,7 +3,7 @@
 // the comparison would cost attempts, and might find two that are wrong alike.
 #include "../src/rules/triangle/triangle_sums.h"
 
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "cageproof/quadrature_ref/scalar_kernel.h"
 
 #include <gtest/gtest.h>

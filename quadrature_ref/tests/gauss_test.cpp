@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The fixed rules: names, exactness, symmetry, and kernels against finite differences.
-#include "cageproof/quadrature_ref/triangle_rules.h"
+#include "rules/triangle/triangle_rules.h"
 #include "support.h"
 
 #include <numbers>

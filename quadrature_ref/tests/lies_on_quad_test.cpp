@@ -2,8 +2,8 @@
 // Whether points lie on quads: by hand, and as core says, with which the integral's decision shares no code.
 #include "../src/rules/quad/inside_quad.h"
 
-#include "cageproof/core/quad_geometry.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/geometry/quad_geometry.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

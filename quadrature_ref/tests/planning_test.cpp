@@ -7,7 +7,7 @@
 #include "../src/rules/quad/polynomial_zeros.h"
 #include "../src/rules/triangle/polar_cells.h"
 
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

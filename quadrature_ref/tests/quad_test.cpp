@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The weights of a quad, integrated over both parameters, against relations that do not know how they were integrated.
-#include "cageproof/quadrature_ref/quad_rules.h"
+#include "rules/quad/quad_rules.h"
 #include "support.h"
 
 namespace cageproof::quadrature_ref {

@@ -4,7 +4,7 @@
 #include "certified_support.h"
 #include "segment_support.h"
 
-#include "cageproof/quadrature_ref/certified.h"
+#include "certified/certified.h"
 
 namespace cageproof::quadrature_ref {
 namespace {

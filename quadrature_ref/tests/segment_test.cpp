@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The rules on segments, against the single layer's antiderivative and numbers from elsewhere.
-#include "cageproof/quadrature_ref/segment_rules.h"
+#include "rules/segment/segment_rules.h"
 #include "segment_support.h"
 
-#include "cageproof/core/scalar_text.h"
+#include "cageproof/core/numbers/scalar_text.h"
 
 namespace cageproof::quadrature_ref {
 namespace {

@@ -2,8 +2,8 @@
 // What the room's tests share: evaluating by name, norm-wise comparison, and one sample of every regime.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 

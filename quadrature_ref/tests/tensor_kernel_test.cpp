@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A jet times a coordinate, without the multiplications by zero, against the general product of two jets.
-#include "cageproof/quadrature_ref/tensor_kernel.h"
+#include "kernel/tensor_kernel.h"
 
 #include <gtest/gtest.h>
 

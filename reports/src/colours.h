@@ -2,7 +2,7 @@
 // A field's values as colours: what is drawn, between which limits, with which legend.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 #include "cageproof/reports/report_writer.h"
 
 #include <array>

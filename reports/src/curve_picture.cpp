@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "curve_picture.h"
 
-#include "cageproof/core/role.h"
+#include "cageproof/core/catalogue/role.h"
 #include "colours.h"
 #include "digest.h"
 #include "figure.h"

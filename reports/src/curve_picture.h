@@ -2,7 +2,7 @@
 // Error against a regime's parameter: value, gradient and Hessian side by side, one curve an evaluation and scalar.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 #include "gnuplot.h"
 
 #include <string>

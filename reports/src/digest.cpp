@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "digest.h"
 
-#include "cageproof/core/formula.h"
-#include "cageproof/core/role.h"
+#include "cageproof/core/catalogue/formula.h"
+#include "cageproof/core/catalogue/role.h"
 #include "figure.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // The rows of a run in the order people read them: shared by the Markdown summary and the page.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <algorithm>
 #include <compare>

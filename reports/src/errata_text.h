@@ -2,7 +2,7 @@
 // How an erratum's figures read.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <string>
 

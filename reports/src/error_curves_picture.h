@@ -2,7 +2,7 @@
 // Largest error over what a regime sweeps, a line for each evaluation.
 #pragma once
 
-#include "cageproof/core/work_precision.h"
+#include "cageproof/core/results/work_precision.h"
 #include "gnuplot.h"
 
 namespace cageproof::reports {

@@ -2,7 +2,7 @@
 // Where a cage stood, as files had it before cases had a frame: the unit and the shift as four parameters.
 #pragma once
 
-#include "cageproof/core/error_measure.h"
+#include "cageproof/core/results/error_measure.h"
 
 #include <utility>
 #include <vector>

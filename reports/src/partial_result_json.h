@@ -2,7 +2,7 @@
 // Partial results as JSON: doubles survive exactly, and what JSON has no number for is a string.
 #pragma once
 
-#include "cageproof/core/partial_result.h"
+#include "cageproof/core/results/partial_result.h"
 #include "json_value.h"
 
 namespace cageproof::reports {

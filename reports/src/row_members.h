@@ -3,7 +3,7 @@
 // comparison of reports, and the journal, whose tallies have some of them.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 #include "json_value.h"
 
 #include <variant>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/formula.h"
+#include "cageproof/core/catalogue/formula.h"
 #include "cageproof/reports/broken_groups.h"
 #include "digest.h"
 #include "errata_text.h"

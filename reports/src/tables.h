@@ -2,7 +2,7 @@
 // Files of a report, as text; summary.json is in cageproof/reports/summary.h.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 #include "cageproof/reports/figure_sheet.h"
 
 #include <string>

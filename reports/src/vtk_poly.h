@@ -2,7 +2,7 @@
 // A mesh with its arrays as VTK's own object, for those who add to it before it is written.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 #include "cageproof/reports/vtk_text.h"
 
 #include <vtkPolyData.h>

@@ -2,7 +2,7 @@
 // Largest error against nodes and against time, both axes logarithmic.
 #pragma once
 
-#include "cageproof/core/work_precision.h"
+#include "cageproof/core/results/work_precision.h"
 #include "gnuplot.h"
 
 namespace cageproof::reports {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/worst_file.h"
 
-#include "cageproof/core/cage.h"
-#include "cageproof/core/formula.h"
+#include "cageproof/core/cage/cage.h"
+#include "cageproof/core/catalogue/formula.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/scalar_text.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/numbers/scalar_text.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 #include "cageproof/reports/packed_file.h"
 #include "json_value.h"
 #include "older_frame.h"

@@ -2,7 +2,7 @@
 // Where the worst inputs of a run lie: a file a formula, cage and deformed cage, of which each row has some lines.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <map>
 #include <string>

@@ -2,7 +2,7 @@
 // Figures of several panels: where points come to lie, what hides what, and what is on the disk.
 #include "cageproof/reports/figure_sheet.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 #include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/mesh_thinning.h"

@@ -3,7 +3,7 @@
 #include "cageproof/reports/energy_history.h"
 #include "cageproof/reports/mesh_text.h"
 
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 #include "cageproof/reports/checked_file.h"
 
 #include <gtest/gtest.h>

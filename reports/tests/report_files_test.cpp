@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/formula.h"
+#include "cageproof/core/catalogue/formula.h"
 #include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/packed_file.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sample_run.h"
 
-#include "cageproof/core/formula.h"
-#include "cageproof/core/random_stream.h"
-#include "cageproof/core/role.h"
+#include "cageproof/core/catalogue/formula.h"
+#include "cageproof/core/numbers/random_stream.h"
+#include "cageproof/core/catalogue/role.h"
 #include "cageproof/core/whole_file.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // A made-up run that looks like a real one, for the tests of what people see.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 #include "cageproof/reports/report_writer.h"
 
 namespace cageproof::reports {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/worst_file.h"
 
-#include "cageproof/core/formula.h"
+#include "cageproof/core/catalogue/formula.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/checked_file.h"
 #include "sample_run.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the true biharmonic and harmonic coordinates of polygons must fulfil.
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/winding_number.h"
+#include "cageproof/core/geometry/winding_number.h"
 #include "goursat_polygons.h"
 
 #include <gtest/gtest.h>

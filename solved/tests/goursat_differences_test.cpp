@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The coordinates of the L by finite differences, which know no function of the basis and no corner.
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 #include "goursat_polygons.h"
 
 #include <gtest/gtest.h>

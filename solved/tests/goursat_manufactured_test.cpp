@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Functions whose values are known everywhere, from their exact data on the boundary alone.
-#include "cageproof/solved/goursat/dirichlet_solver.h"
+#include "goursat/dirichlet_solver.h"
 #include "goursat_polygons.h"
 
 #include <gtest/gtest.h>

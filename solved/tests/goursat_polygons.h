@@ -2,7 +2,7 @@
 // Polygons that solvers are tried on.
 #pragma once
 
-#include "cageproof/core/cage.h"
+#include "cageproof/core/cage/cage.h"
 
 #include <cmath>
 #include <numbers>

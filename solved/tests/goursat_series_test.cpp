@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The coordinates of the unit square by another way: the plate's two Fourier series, superposed. And known figures of
 // clamped plates.
-#include "cageproof/core/coordinates.h"
-#include "cageproof/solved/goursat/dirichlet_solver.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "goursat/dirichlet_solver.h"
 #include "goursat_polygons.h"
 
 #include <gtest/gtest.h>

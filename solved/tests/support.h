@@ -2,7 +2,7 @@
 // Polygons, and functions whose boundary data are known exactly.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <algorithm>
 #include <array>

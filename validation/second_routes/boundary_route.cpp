@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "boundary_route.h"
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 
 #include "elimination.h"
 
-#include "cageproof/core/cage.h"
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/cage/cage.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <vector>
 

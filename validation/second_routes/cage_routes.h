@@ -3,7 +3,7 @@
 // nothing of the first route but number types and, where the definition takes them, another kind's coordinates.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <memory>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include "elimination.h"
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <array>
 #include <vector>

@@ -3,7 +3,7 @@
 // another minimiser.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <span>
 #include <vector>

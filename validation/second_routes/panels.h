@@ -2,7 +2,7 @@
 // Integrals over [0, 1] of functions that are smooth but for complex poles, by Gauss points on panels.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <complex>
 #include <vector>

@@ -3,8 +3,8 @@
 // polygons and over the directions around a point of the sphere, by quadrature.
 #pragma once
 
-#include "cageproof/core/cage.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/cage/cage.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <span>
 #include <vector>

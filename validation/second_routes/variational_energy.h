@@ -2,7 +2,7 @@
 // The energy of variational maps as [T24] Eq 37-40 print it, of what a map is at the places of constraints.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <vector>
 

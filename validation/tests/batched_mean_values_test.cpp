@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Mean value coordinates of whole cages where their integrals would cancel: next to planes of faces beside these, and
 // to lines of edges beyond their ends. Truth in 100 digits, by the judge's own units.
-#include "cageproof/validation/block_error.h"
+#include "cages/block_error.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
 #include <gtest/gtest.h>
 

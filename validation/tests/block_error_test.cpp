@@ -3,12 +3,12 @@
 // of the program's own evaluation are to be tried in the same way: take one away (sums of closed forms next to edges,
 // no test for far points, angles that are not refined next to faces) and `cageproof verify --evaluations batched` must
 // break the rows of that place.
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/validation/block_campaign.h"
+#include "cages/block_campaign.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/replay.h"
-#include "cageproof/validation/verdicts.h"
+#include "promises/verdicts.h"
 #include "stand_in.h"
 
 #include <gtest/gtest.h>

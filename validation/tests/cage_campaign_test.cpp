@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/cage/mesh_io.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/cage_errors.h"
 #include "cages/inside_limit.h"
-#include "cageproof/validation/cage_symmetries.h"
+#include "cages/cage_symmetries.h"
 
 #include <gtest/gtest.h>
 

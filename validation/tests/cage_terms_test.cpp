@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/cage_terms.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/validation/cage_errors.h"
 #include "cageproof/validation/cage_campaign.h"
 

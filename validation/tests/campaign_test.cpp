@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/worst_file.h"
-#include "cageproof/validation/campaign.h"
+#include "run/campaign.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/replay.h"
 #include "cageproof/validation/verify.h"

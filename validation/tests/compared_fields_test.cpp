@@ -2,7 +2,7 @@
 // Scenes of errors: the errors are those that sums over the cage's triangles have, worked out here by themselves.
 #include "cageproof/validation/compared_fields.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 
 #include <fmt/format.h>

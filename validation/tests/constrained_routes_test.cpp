@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Energies of maps by constraints, written another time: known turns and energies, and maps that are stationary.
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/validation/deformer_poses.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "deformers/deformer_poses.h"
 #include "cageproof/validation/promise.h"
 #include "deformers/constrained_route.h"
 #include "second_routes/thickness_energy.h"

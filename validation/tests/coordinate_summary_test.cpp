@@ -3,7 +3,7 @@
 // purpose.
 #include "cageproof/validation/coordinate_summary.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What deformers keep, and what they must not keep: a deformer that does is another one ([T24], [C23], Lipman et al.).
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/validation/constrained_checks.h"
-#include "cageproof/validation/deformer_campaign.h"
+#include "deformers/constrained_checks.h"
+#include "deformers/deformer_campaign.h"
 #include "cageproof/validation/replay.h"
-#include "cageproof/validation/verdicts.h"
+#include "promises/verdicts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Second routes of deformers that solve for densities: what they are made of, agreement with the first route, and a
 // disagreement that is seen.
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/validation/deformer_campaign.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "deformers/deformer_campaign.h"
 #include "cageproof/validation/promise.h"
 #include "deformers/deformer_route.h"
 

@@ -2,9 +2,9 @@
 // What the table of element sampling says of each kind of element is true of it.
 #include "element/element_sampling.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/quad_geometry.h"
+#include "cageproof/core/geometry/quad_geometry.h"
 #include "cageproof/validation/regime.h"
 #include "cageproof/validation/truth.h"
 #include "checks/turn.h"

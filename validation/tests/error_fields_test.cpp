@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/error_fields.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 
 #include <gtest/gtest.h>

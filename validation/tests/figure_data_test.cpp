@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Figures of cages and meshes from files, and what is refused.
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/validation/paper_figures.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Units of work: the same whoever takes them, few whatever the samples, dealt out evenly.
-#include "cageproof/validation/campaign.h"
+#include "run/campaign.h"
 #include "cageproof/validation/measurement.h"
 
 #include <gtest/gtest.h>

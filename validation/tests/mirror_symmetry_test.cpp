@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Cages that are their own mirror images: their vertices, and their elements.
-#include "cageproof/validation/mirror_symmetry.h"
+#include "cages/mirror_symmetry.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
 #include <gtest/gtest.h>
 

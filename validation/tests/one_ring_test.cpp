@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The curl form's gradient is wrong triangle by triangle and right for a closed cage's sums; a gradient is right in
 // both.
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/catalogue/evaluation.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/validation/one_ring.h"
+#include "cages/one_ring.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include "figures/embedded_figures.h"
 #include "figures/figure_measures.h"
 
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/enclosed.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/cage/enclosed.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/deformation/deformer.h"
 #include "cageproof/reports/journal.h"

@@ -3,7 +3,7 @@
 // plane are shown.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 namespace cageproof::validation::test {
 

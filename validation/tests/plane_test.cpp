@@ -2,9 +2,9 @@
 // Checks of elements and cages in the plane, shown a form that is right and forms that are wrong.
 #include "plane_form.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/validation/cage_points.h"
-#include "cageproof/validation/cage_symmetries.h"
+#include "cages/cage_symmetries.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/cage_errors.h"
 #include "cageproof/validation/regime.h"

@@ -4,7 +4,7 @@
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/regime.h"
 #include "cageproof/validation/truth.h"
-#include "cageproof/validation/verdicts.h"
+#include "promises/verdicts.h"
 
 #include <gtest/gtest.h>
 

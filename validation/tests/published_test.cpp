@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The printed forms after the errata are the integrals they stand for; the misprints are not.
-#include "cageproof/validation/errata.h"
+#include "promises/errata.h"
 #include "cageproof/validation/regime.h"
 #include "cageproof/validation/truth.h"
 

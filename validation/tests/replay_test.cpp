@@ -2,14 +2,14 @@
 // Every stored worst case replays to the bits that were stored.
 #include "cageproof/validation/replay.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/whole_evaluation.h"
-#include "cageproof/validation/block_campaign.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
+#include "cages/block_campaign.h"
 #include "cageproof/validation/cage_campaign.h"
-#include "cageproof/validation/campaign.h"
-#include "cageproof/validation/deformer_campaign.h"
-#include "cageproof/validation/one_ring.h"
+#include "run/campaign.h"
+#include "deformers/deformer_campaign.h"
+#include "cages/one_ring.h"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 // The order in which a report has its rows: that of the lists which the names are from, unknown names last.
 #include "run/report_order.h"
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/embedded_cages.h"
-#include "cageproof/core/formula.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/catalogue/formula.h"
 #include "cageproof/validation/check.h"
-#include "cageproof/validation/deformer_checks.h"
+#include "deformers/deformer_checks.h"
 #include "cageproof/validation/regime.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Where a limit must exist, against where the reference integral finds one: it takes limits by itself.
 #include "truth/required_limits.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // What a run measures, from its options alone: which cages get error fields.
 #include "run/run_plan.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Second routes of kinds: known integrals, agreement with the first route, and a disagreement that is seen.
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/promise.h"
 #include "cages/second_route_error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Kinds that are solved for in the plane, on polygons of several shapes.
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/scheme_errors.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Kinds that are solved once a cage, judged like all others.
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/promise.h"
 

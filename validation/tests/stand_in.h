@@ -2,7 +2,7 @@
 // Evaluations of whole coordinates that are right or wrong in a known way, to be judged in place of the program's own.
 #pragma once
 
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Errors entry by entry: what is infinite, what has no limit, and what leaves a scalar's range.
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/truth.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The one way from a tally to a judged row, and what replay makes of samples that were not measured.
-#include "cageproof/validation/verdicts.h"
+#include "promises/verdicts.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/worst_file.h"

@@ -6,7 +6,7 @@
 #include "kernels.h"
 #include "points_by_plan.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <optional>
 #include <span>

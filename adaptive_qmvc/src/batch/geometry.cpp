@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry.h"
 
-#include "cageproof/core/box.h"
-#include "cageproof/core/mp.h"
+#include "cageproof/core/geometry/box.h"
+#include "cageproof/core/numbers/mp.h"
 
 #include <algorithm>
 #include <cmath>

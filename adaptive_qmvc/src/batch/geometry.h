@@ -4,7 +4,7 @@
 
 #include "tables.h"
 
-#include "cageproof/core/cage_elements.h"
+#include "cageproof/core/cage/cage_elements.h"
 
 #include <array>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "chunk_size.h"
 
 #include "quad/engine/outer_rule.h"
-#include "cageproof/core/gauss_legendre.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // Registers maximum entropy coordinates, whose prior is quad mean value coordinates.
 #include "coordinates/maximum_entropy.h"
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/coordinates/coordinates_in_double.h"
 
 #include <memory>
 

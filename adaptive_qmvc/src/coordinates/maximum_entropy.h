@@ -2,7 +2,7 @@
 // Maximum entropy coordinates: the positive coordinates that reproduce linear functions and are nearest to a prior.
 #pragma once
 
-#include "cageproof/core/batch.h"
+#include "cageproof/core/catalogue/batch.h"
 
 #include <span>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "spherical_derivatives.h"
 
-#include "cageproof/core/quad_geometry.h"
+#include "cageproof/core/geometry/quad_geometry.h"
 
 #include <algorithm>
 

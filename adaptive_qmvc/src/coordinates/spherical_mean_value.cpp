@@ -2,10 +2,10 @@
 // Spherical mean value coordinates (Langer, Belyaev, Seidel 2006; [T18] Section 5).
 #include "spherical_derivatives.h"
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/coordinates/coordinates_in_double.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/quad_geometry.h"
+#include "cageproof/core/geometry/quad_geometry.h"
 
 #include <fmt/format.h>
 

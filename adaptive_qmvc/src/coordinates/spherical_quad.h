@@ -4,8 +4,8 @@
 #pragma once
 
 #include "quad/engine/line_moments.h"
-#include "cageproof/core/element.h"
-#include "cageproof/core/second_order.h"
+#include "cageproof/core/geometry/element.h"
+#include "cageproof/core/numbers/second_order.h"
 
 #include <array>
 #include <cmath>

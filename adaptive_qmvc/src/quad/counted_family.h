@@ -2,9 +2,9 @@
 // Registers evaluations of quads whose name ends in a count.
 #pragma once
 
-#include "cageproof/core/counted_name.h"
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/counted_name.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 
 namespace cageproof::adaptive_qmvc {
 

@@ -183,11 +183,12 @@ Counted ldexp(const Counted& x, int exponent) {
 
 template <>
 cageproof::closed_form::Counted cageproof::pi<cageproof::closed_form::Counted>() {
-  return closed_form::Counted::seen(pi<double>(), pi<Mp200>(), "pi", "core/include/cageproof/core/scalar_names.h");
+  return closed_form::Counted::seen(pi<double>(), pi<Mp200>(), "pi",
+                                    "core/include/cageproof/core/numbers/scalar_names.h");
 }
 
 template <>
 cageproof::closed_form::Counted cageproof::ln_two<cageproof::closed_form::Counted>() {
   return closed_form::Counted::seen(ln_two<double>(), ln_two<Mp200>(), "ln 2",
-                                    "core/include/cageproof/core/scalar_names.h");
+                                    "core/include/cageproof/core/numbers/scalar_names.h");
 }

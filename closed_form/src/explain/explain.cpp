@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/closed_form/explain.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 #include "cageproof/core/input_error.h"
 
 #include <cmath>

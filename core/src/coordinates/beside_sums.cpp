@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/coordinate_tables.h"
-#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/coordinates/coordinate_tables.h"
+#include "cageproof/core/coordinates/coordinates_in_double.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include "summed.h"
 
-#include "cageproof/core/coordinate_tables.h"
+#include "cageproof/core/coordinates/coordinate_tables.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/unknown_name.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/catalogue/unknown_name.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 
 #include <fmt/format.h>
 

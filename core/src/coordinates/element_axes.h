@@ -2,7 +2,7 @@
 // A flat element seen along itself.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <cmath>
 #include <vector>

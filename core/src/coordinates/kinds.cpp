@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/named_parameters.h"
-#include "cageproof/core/scalar_text.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/named_parameters.h"
+#include "cageproof/core/numbers/scalar_text.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 
 #include <fmt/format.h>
 

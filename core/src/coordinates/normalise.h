@@ -2,7 +2,7 @@
 // Weights divided by their sum, with derivatives.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <array>
 #include <cstddef>

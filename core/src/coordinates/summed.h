@@ -2,7 +2,7 @@
 // Coordinates that are sums over a cage's elements.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 namespace cageproof {
 

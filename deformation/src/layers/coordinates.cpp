@@ -3,7 +3,7 @@
 // + phibar C21 + psibar C22 of elements.
 #include "construction.h"
 
-#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/coordinates/coordinates_in_double.h"
 
 #include <mutex>
 #include <tuple>

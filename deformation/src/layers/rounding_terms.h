@@ -2,7 +2,7 @@
 // How large the roundings of a least squares solution are.
 #pragma once
 
-#include "cageproof/core/least_squares.h"
+#include "cageproof/core/numbers/least_squares.h"
 
 namespace cageproof::deformation {
 

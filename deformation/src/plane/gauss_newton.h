@@ -2,7 +2,7 @@
 // Steps of Gauss and Newton with constraints.
 #pragma once
 
-#include "cageproof/core/least_squares.h"
+#include "cageproof/core/numbers/least_squares.h"
 
 namespace cageproof::deformation {
 

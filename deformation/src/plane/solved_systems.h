@@ -2,7 +2,7 @@
 // What there is to say of coordinates that are solved for on the boundary of a polygon.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/deformation/thickness.h"
+#include "thickness.h"
 
 #include "../constraint_checks.h"
 #include "gauss_newton.h"

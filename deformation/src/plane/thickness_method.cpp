@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Deformation that keeps thickness, as users name it.
-#include "cageproof/deformation/thickness.h"
+#include "thickness.h"
 
 namespace cageproof::deformation {
 namespace {

@@ -2,7 +2,7 @@
 // What thickness is measured and held by: linear in the posed vertices F and the posed edges' unit normals n'.
 #pragma once
 
-#include "cageproof/deformation/thickness.h"
+#include "thickness.h"
 
 namespace cageproof::deformation {
 

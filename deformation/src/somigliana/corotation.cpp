@@ -5,7 +5,7 @@
 #include "../turns.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/least_squares.h"
+#include "cageproof/core/numbers/least_squares.h"
 #include "cageproof/deformation/stretch.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // Somigliana coordinates for every Poisson's ratio at once ([C23] Section 5).
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 namespace cageproof::deformation {
 

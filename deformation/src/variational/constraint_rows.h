@@ -2,7 +2,7 @@
 // The linear part of [T24] Eq 37-40: basis functions and their derivatives at the places of constraints.
 #pragma once
 
-#include "cageproof/deformation/variational.h"
+#include "variational.h"
 
 namespace cageproof::deformation {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Variational deformation, as users name it.
-#include "cageproof/deformation/variational.h"
+#include "variational.h"
 
 namespace cageproof::deformation {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/deformation/variational.h"
+#include "variational.h"
 
 #include "../constraint_checks.h"
 #include "../linear_posed.h"

@@ -2,10 +2,10 @@
 // Whole coordinates of closed triangle cages and of polygons, a vector of points at a time.
 #include "plane_blocks.h"
 
-#include "cageproof/core/coordinate_tables.h"
-#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/coordinates/coordinate_tables.h"
+#include "cageproof/core/coordinates/coordinates_in_double.h"
 #include "cageproof/core/parallel.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 
 #include <algorithm>
 #include <array>

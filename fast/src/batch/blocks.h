@@ -6,7 +6,7 @@
 #include "geometry.h"
 #include "kernels.h"
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <cstddef>
 #include <span>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "faces_alone.h"
 
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/mp.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/numbers/mp.h"
 
 #include <array>
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/box.h"
+#include "cageproof/core/geometry/box.h"
 #include "geometry.h"
 
 #include <algorithm>

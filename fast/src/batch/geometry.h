@@ -4,8 +4,8 @@
 
 #include "cageproof/closed_form/batch/tables.h"
 
-#include "cageproof/core/cage_elements.h"
-#include "cageproof/core/mp.h"
+#include "cageproof/core/cage/cage_elements.h"
+#include "cageproof/core/numbers/mp.h"
 
 #include <array>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plane_blocks.h"
 
-#include "cageproof/core/orientation.h"
+#include "cageproof/core/geometry/orientation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,7 @@
 #include "cageproof/closed_form/segment/polyharmonic_single_layer.h"
 #include "cageproof/closed_form/segment/single_layer.h"
 #include "cageproof/closed_form/segment/winding_angle.h"
-#include "cageproof/fast/segment/hybrid.h"
+#include "segment/hybrid.h"
 
 namespace cageproof::closed_form::segment {
 

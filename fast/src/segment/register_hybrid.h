@@ -5,7 +5,7 @@
 #include "../algebra.h"
 
 #include "cageproof/closed_form/joint.h"
-#include "cageproof/fast/segment/hybrid.h"
+#include "hybrid.h"
 
 namespace cageproof::fast::segment {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A program that asks for formulas themselves, by the headers that take Eigen: the solid angle of an octant's triangle.
-#include <cageproof/core/evaluation.h>
+#include <cageproof/core/catalogue/evaluation.h>
 
 #include <cmath>
 #include <cstdio>

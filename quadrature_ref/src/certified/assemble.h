@@ -5,7 +5,7 @@
 #include "moments.h"
 #include "seen_element.h"
 
-#include "cageproof/core/formula.h"
+#include "cageproof/core/catalogue/formula.h"
 
 namespace cageproof::quadrature_ref::certified {
 

@@ -2,7 +2,7 @@
 // Real and complex balls (FLINT/Arb) with the operators of numbers: every result encloses the exact one.
 #pragma once
 
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/numbers/scalar.h"
 
 #include <acb.h>
 #include <arb.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/quadrature_ref/certified.h"
+#include "certified.h"
 
 #include "assemble.h"
 #include "quad/enclose.h"

@@ -2,7 +2,7 @@
 // The catalogue's kernels in the frame whose last axis is the outward normal.
 #include "kernel_terms.h"
 
-#include "cageproof/core/formula.h"
+#include "cageproof/core/catalogue/formula.h"
 
 #include <stdexcept>
 #include <string>

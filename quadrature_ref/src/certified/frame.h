@@ -5,7 +5,7 @@
 
 #include "ball.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <array>
 #include <optional>

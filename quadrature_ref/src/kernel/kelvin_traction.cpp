@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/quadrature_ref/tensor_kernel.h"
+#include "tensor_kernel.h"
 
 namespace cageproof::quadrature_ref {
 namespace {

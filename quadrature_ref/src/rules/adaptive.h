@@ -5,7 +5,7 @@
 
 #include "norms.h"
 
-#include "cageproof/quadrature_ref/adaptive_limits.h"
+#include "adaptive_limits.h"
 #include "cageproof/quadrature_ref/kernel.h"
 
 #include <algorithm>

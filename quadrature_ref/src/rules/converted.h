@@ -2,7 +2,7 @@
 // Inputs in another scalar, with their own storage.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 namespace cageproof::quadrature_ref {
 

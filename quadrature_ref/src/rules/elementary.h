@@ -2,7 +2,7 @@
 // Functions that the standard library or Boost.Multiprecision lacks at some precision.
 #pragma once
 
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/numbers/scalar.h"
 
 #include <cmath>
 #include <numbers>

@@ -4,7 +4,7 @@
 // exact geometry, on which the closed forms stand.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <array>
 #include <optional>

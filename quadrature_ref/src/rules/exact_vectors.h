@@ -4,7 +4,7 @@
 
 #include "../certified/ball.h"
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <array>
 #include <span>

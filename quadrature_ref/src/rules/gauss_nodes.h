@@ -3,7 +3,7 @@
 // from core.
 #pragma once
 
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/numbers/scalar.h"
 
 #include <vector>
 

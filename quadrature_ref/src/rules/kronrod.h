@@ -2,8 +2,8 @@
 // A Gauss-Kronrod rule, whose embedded rule tells its error.
 #pragma once
 
-#include "cageproof/core/mp_number.h"
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/numbers/mp_number.h"
+#include "cageproof/core/numbers/scalar.h"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 

@@ -2,7 +2,7 @@
 // Sizes of tensors.
 #pragma once
 
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/numbers/scalar.h"
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rule_family.h"
 
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 
 #include <map>
 

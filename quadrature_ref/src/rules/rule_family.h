@@ -2,7 +2,7 @@
 // The rules of each kind of element, as data: what becomes an evaluation when a kernel is registered.
 #pragma once
 
-#include "cageproof/core/counted_name.h"
+#include "cageproof/core/catalogue/counted_name.h"
 #include "cageproof/quadrature_ref/kernel.h"
 
 #include <functional>

@@ -2,7 +2,7 @@
 // Products of vectors in the order of operations that all rules share.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "advice.h"
 
-#include "cageproof/core/role.h"
+#include "cageproof/core/catalogue/role.h"
 #include "digest.h"
 #include "figure.h"
 #include "page_data.h"

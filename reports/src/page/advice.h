@@ -2,7 +2,7 @@
 // What a user should take: errors and times of a formula's evaluations side by side.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <optional>
 #include <string>

@@ -2,7 +2,7 @@
 // pictures.html: error fields and the papers' figures, with the files that hold their data.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 #include "cageproof/reports/figure_sheet.h"
 
 #include <string>

@@ -4,7 +4,7 @@
 // script.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 #include "cageproof/reports/figure_sheet.h"
 #include "curve_picture.h"
 

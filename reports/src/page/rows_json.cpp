@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "rows_json.h"
 
-#include "cageproof/core/formula.h"
-#include "cageproof/core/scalar_text.h"
+#include "cageproof/core/catalogue/formula.h"
+#include "cageproof/core/numbers/scalar_text.h"
 #include "figure.h"
 #include "page_data.h"
 #include "row_members.h"

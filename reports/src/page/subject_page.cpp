@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "subject_page.h"
 
-#include "cageproof/core/formula.h"
+#include "cageproof/core/catalogue/formula.h"
 #include "cageproof/reports/packed_file.h"
 #include "advice.h"
 #include "base64.h"

@@ -6,7 +6,7 @@
 #include "boundary_parameters.h"
 #include "collocation.h"
 
-#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/coordinates/coordinates_in_double.h"
 #include "cageproof/core/input_error.h"
 
 #include <fmt/format.h>

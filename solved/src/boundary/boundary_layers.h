@@ -4,7 +4,7 @@
 
 #include "refined_polygon.h"
 
-#include "cageproof/core/least_squares.h"
+#include "cageproof/core/numbers/least_squares.h"
 
 #include <span>
 #include <vector>

@@ -4,7 +4,7 @@
 
 #include "refined_polygon.h"
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 namespace cageproof::solved {
 

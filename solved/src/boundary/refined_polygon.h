@@ -2,8 +2,8 @@
 // A polygon cut into boundary elements ([W12] Section 4.3: virtual vertices), in a frame of its own.
 #pragma once
 
-#include "cageproof/core/cage.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/cage/cage.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Cauchy coordinates: Green coordinates of the plane as complex numbers (Weber, Ben-Chen, Gotsman 2009; [W12] Section
 // 5.2 after the errata).
-#include "cageproof/core/box.h"
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/geometry/box.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/coordinates/coordinates_in_double.h"
 
 #include <algorithm>
 #include <cmath>

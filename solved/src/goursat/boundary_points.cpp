@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "boundary_points.h"
 
-#include "cageproof/core/vector.h"
+#include "cageproof/core/numbers/vector.h"
 
 #include <algorithm>
 #include <cmath>

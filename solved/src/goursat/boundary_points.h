@@ -4,7 +4,7 @@
 
 #include "polygon_frame.h"
 
-#include "cageproof/solved/goursat/dirichlet_solver.h"
+#include "dirichlet_solver.h"
 
 namespace cageproof::solved::goursat {
 

@@ -3,7 +3,7 @@
 // infinities.
 #pragma once
 
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/numbers/scalar.h"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include "corner_exponents.h"
 #include "goursat_jet.h"
 
-#include "cageproof/solved/goursat/dirichlet_solver.h"
+#include "dirichlet_solver.h"
 
 namespace cageproof::solved::goursat {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/solved/goursat/dirichlet_solver.h"
+#include "dirichlet_solver.h"
 
 #include "boundary_points.h"
 #include "goursat_basis.h"
 #include "least_squares.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/linear.h"
-#include "cageproof/core/winding_number.h"
+#include "cageproof/core/numbers/linear.h"
+#include "cageproof/core/geometry/winding_number.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Registers the true biharmonic and harmonic coordinates of polygons, solved by least squares in a Goursat basis.
-#include "cageproof/solved/goursat/dirichlet_solver.h"
+#include "dirichlet_solver.h"
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/coordinates/coordinates_in_double.h"
 #include "cageproof/core/input_error.h"
 
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "polygon_frame.h"
 
-#include "cageproof/core/box.h"
+#include "cageproof/core/geometry/box.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/linear.h"
-#include "cageproof/core/orientation.h"
-#include "cageproof/solved/goursat/dirichlet_solver.h"
+#include "cageproof/core/numbers/linear.h"
+#include "cageproof/core/geometry/orientation.h"
+#include "dirichlet_solver.h"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 
 #include "complex.h"
 
-#include "cageproof/core/cage.h"
-#include "cageproof/core/element.h"
+#include "cageproof/core/cage/cage.h"
+#include "cageproof/core/geometry/element.h"
 
 #include <vector>
 

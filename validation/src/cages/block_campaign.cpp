@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/block_campaign.h"
+#include "block_campaign.h"
 
-#include "cageproof/core/box.h"
+#include "cageproof/core/geometry/box.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/lazy.h"
 #include "cageproof/validation/promise.h"

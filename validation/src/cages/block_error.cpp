@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/block_error.h"
+#include "block_error.h"
 
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "cageproof/validation/cage_points.h"
 #include "cages/point_inside.h"
 

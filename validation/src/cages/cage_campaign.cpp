@@ -3,11 +3,11 @@
 
 #include "cages/cage_questions.h"
 
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/lazy.h"
-#include "cageproof/core/name_pattern.h"
-#include "cageproof/validation/verdicts.h"
+#include "cageproof/core/catalogue/name_pattern.h"
+#include "promises/verdicts.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/cage_points.h"
 
-#include "cageproof/core/box.h"
-#include "cageproof/core/random_stream.h"
-#include "cageproof/core/winding_number.h"
+#include "cageproof/core/geometry/box.h"
+#include "cageproof/core/numbers/random_stream.h"
+#include "cageproof/core/geometry/winding_number.h"
 #include "element/element_sampling.h"
 
 #include <fmt/format.h>

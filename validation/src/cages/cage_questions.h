@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/validation/cage_campaign.h"
-#include "cageproof/validation/cage_symmetries.h"
+#include "cage_symmetries.h"
 #include "cageproof/core/lazy.h"
 #include "cageproof/validation/cage_errors.h"
 #include "cageproof/validation/question.h"

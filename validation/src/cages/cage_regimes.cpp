@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/cage_regimes.h"
+#include "cage_regimes.h"
 
-#include "cageproof/core/box.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/geometry/box.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "element/element_sampling.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/cage_errors.h"
-#include "cageproof/validation/cage_symmetries.h"
+#include "cage_symmetries.h"
 
 #include "element/element_sampling.h"
 #include "truth/logarithmic_part.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/cage_terms.h"
 
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 
 #include <algorithm>
 #include <cmath>

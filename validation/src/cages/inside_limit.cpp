@@ -3,7 +3,7 @@
 #include "cages/inside_limit.h"
 #include "cageproof/validation/cage_campaign.h"
 
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "cages/point_inside.h"
 
 #include <cmath>

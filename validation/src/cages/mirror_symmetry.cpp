@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/box.h"
-#include "cageproof/validation/mirror_symmetry.h"
+#include "cageproof/core/geometry/box.h"
+#include "mirror_symmetry.h"
 
 #include <algorithm>
 #include <set>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/one_ring.h"
+#include "one_ring.h"
 
 #include "cageproof/validation/cage_points.h"
 #include "cageproof/validation/truth.h"
-#include "cageproof/validation/verdicts.h"
+#include "promises/verdicts.h"
 
 #include <fmt/format.h>
 

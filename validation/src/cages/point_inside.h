@@ -2,7 +2,7 @@
 // A point just inside a cage, next to one on it.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/validation/cage_points.h"
 
 #include <optional>

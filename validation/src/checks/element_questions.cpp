@@ -2,8 +2,8 @@
 #include "checks/element_questions.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/scalar_text.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/numbers/scalar_text.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/regime.h"
 

@@ -2,7 +2,7 @@
 // Rotations that permute the axes with signs, so that a turned input is exact.
 #pragma once
 
-#include "cageproof/core/vector.h"
+#include "cageproof/core/numbers/vector.h"
 
 #include <array>
 #include <vector>

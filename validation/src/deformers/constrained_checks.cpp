@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/constrained_checks.h"
+#include "constrained_checks.h"
 
 #include "deformers/constrained_problem.h"
 #include "deformers/constrained_route.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "deformers/constrained_problem.h"
 
-#include "cageproof/core/random_stream.h"
-#include "cageproof/core/unknown_name.h"
-#include "cageproof/validation/deformer_campaign.h"
+#include "cageproof/core/numbers/random_stream.h"
+#include "cageproof/core/catalogue/unknown_name.h"
+#include "deformer_campaign.h"
 
 #include <fmt/format.h>
 

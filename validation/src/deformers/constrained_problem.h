@@ -3,7 +3,7 @@
 // with its size.
 #pragma once
 
-#include "cageproof/validation/constrained_checks.h"
+#include "constrained_checks.h"
 
 namespace cageproof::validation {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/deformer_campaign.h"
+#include "deformer_campaign.h"
 
-#include "cageproof/core/box.h"
-#include "cageproof/core/random_stream.h"
-#include "cageproof/validation/constrained_checks.h"
+#include "cageproof/core/geometry/box.h"
+#include "cageproof/core/numbers/random_stream.h"
+#include "constrained_checks.h"
 #include "cageproof/validation/promise.h"
-#include "cageproof/validation/verdicts.h"
+#include "promises/verdicts.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/deformer_checks.h"
+#include "deformer_checks.h"
 
 #include "deformers/deformer_route.h"
 
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 #include "cageproof/deformation/stretch.h"
 #include "cageproof/validation/cage_errors.h"
 

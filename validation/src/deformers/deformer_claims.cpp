@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "deformers/deformer_claims.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/deformation/deformer.h"
-#include "cageproof/validation/deformer_campaign.h"
+#include "deformer_campaign.h"
 
 #include <algorithm>
 #include <string_view>

@@ -2,7 +2,7 @@
 // What the papers claim of deformers and is not so (formulas/deformation.md, Section 9), measured.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/deformer_poses.h"
+#include "deformer_poses.h"
 
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <fmt/format.h>
 

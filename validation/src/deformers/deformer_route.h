@@ -2,7 +2,7 @@
 // Which second route a deformer has, by what its parameters mean.
 #pragma once
 
-#include "cageproof/validation/deformer_checks.h"
+#include "deformer_checks.h"
 #include "second_routes/layer_route.h"
 
 #include <optional>

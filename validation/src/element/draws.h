@@ -3,8 +3,8 @@
 // order of function arguments and of most operands open.
 #pragma once
 
-#include "cageproof/core/element.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/geometry/element.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "cageproof/validation/sample.h"
 
 #include <algorithm>

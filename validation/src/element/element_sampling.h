@@ -2,8 +2,8 @@
 // How elements are sampled, searched and located: one table of all that validation knows of an element's kind.
 #pragma once
 
-#include "cageproof/core/element.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/geometry/element.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "cageproof/validation/cage_points.h"
 #include "cageproof/validation/sample.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/compared_fields.h"
 
-#include "cageproof/core/box.h"
+#include "cageproof/core/geometry/box.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/cage_points.h"

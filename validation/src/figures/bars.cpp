@@ -2,7 +2,7 @@
 // Figures of bars, in space and in the plane.
 #include "embedded_figures.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
 #include <fmt/format.h>
 

@@ -2,10 +2,10 @@
 // Figures of cages and meshes from files.
 #include "embedded_figures.h"
 
-#include "cageproof/core/cage_elements.h"
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/cage/cage_elements.h"
+#include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/winding_number.h"
+#include "cageproof/core/geometry/winding_number.h"
 #include "cageproof/reports/mesh_thinning.h"
 
 #include <fmt/format.h>

@@ -3,9 +3,9 @@
 
 #include "figure_measures.h"
 
-#include "cageproof/core/enclosed.h"
+#include "cageproof/core/cage/enclosed.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/named_parameters.h"
+#include "cageproof/core/catalogue/named_parameters.h"
 #include "cageproof/deformation/point_images.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // What captions of figures state.
 #pragma once
 
-#include "cageproof/core/vector.h"
+#include "cageproof/core/numbers/vector.h"
 
 #include <vector>
 

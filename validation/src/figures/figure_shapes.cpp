@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure_shapes.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // Cages, poses and meshes of figures, made in code.
 #pragma once
 
-#include "cageproof/core/cage.h"
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/cage.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 namespace cageproof::validation {
 

@@ -2,8 +2,8 @@
 // [C23] Figure 3: fields that the kernels of an edge and of a vertex make of normals, in the plane.
 #include "embedded_figures.h"
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/winding_number.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/geometry/winding_number.h"
 
 #include <fmt/format.h>
 

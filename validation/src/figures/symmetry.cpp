@@ -2,7 +2,7 @@
 // Figures of quad cages and of their triangulations, whose diagonals break symmetries.
 #include "embedded_figures.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/errata.h"
+#include "errata.h"
 
 #include "cageproof/closed_form/published/errata.h"
 #include "cageproof/validation/promise.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/verdicts.h"
+#include "verdicts.h"
 
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/regime.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "run/asked_names.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/name_pattern.h"
-#include "cageproof/core/unknown_name.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/catalogue/name_pattern.h"
+#include "cageproof/core/catalogue/unknown_name.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/regime.h"
 

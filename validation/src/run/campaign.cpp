@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/validation/campaign.h"
+#include "campaign.h"
 
 #include "checks/element_questions.h"
 

@@ -2,7 +2,7 @@
 // Tells inputs apart that have the same name.
 #pragma once
 
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 #include <cstdint>
 #include <string>

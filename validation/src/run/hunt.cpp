@@ -2,7 +2,7 @@
 #include "cageproof/validation/hunt.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/name_pattern.h"
+#include "cageproof/core/catalogue/name_pattern.h"
 #include "cageproof/core/parallel.h"
 #include "cageproof/validation/promise.h"
 #include "checks/element_questions.h"

@@ -3,8 +3,8 @@
 
 #include "run/build_id.h"
 #include "cageproof/closed_form/batch/instruction_set.h"
-#include "cageproof/core/build_facts.h"
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/results/build_facts.h"
+#include "cageproof/core/numbers/scalar.h"
 #include "cageproof/core/parallel.h"
 
 #include <Eigen/Core>

@@ -6,12 +6,12 @@
 #include "run/stored_cage.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/whole_evaluation.h"
-#include "cageproof/validation/block_campaign.h"
-#include "cageproof/validation/cage_regimes.h"
-#include "cageproof/validation/constrained_checks.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
+#include "cages/block_campaign.h"
+#include "cages/cage_regimes.h"
+#include "deformers/constrained_checks.h"
 #include "cageproof/validation/hunt.h"
-#include "cageproof/validation/one_ring.h"
+#include "cages/one_ring.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

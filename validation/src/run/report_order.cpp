@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "run/report_order.h"
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/validation/check.h"
-#include "cageproof/validation/deformer_checks.h"
+#include "deformers/deformer_checks.h"
 #include "cageproof/validation/regime.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "cageproof/validation/compared_fields.h"
 #include "cageproof/validation/machine_facts.h"
 #include "cageproof/validation/paper_figures.h"
-#include "cageproof/validation/verdicts.h"
+#include "promises/verdicts.h"
 #include "cageproof/validation/verify.h"
 
 #include <fmt/format.h>

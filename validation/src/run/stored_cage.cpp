@@ -3,9 +3,9 @@
 
 #include "run/fingerprint.h"
 
-#include "cageproof/core/embedded_cages.h"
+#include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "cageproof/core/cage.h"
+#include "cageproof/core/cage/cage.h"
 #include "cageproof/validation/replay.h"
 
 namespace cageproof::validation {

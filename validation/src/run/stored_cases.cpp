@@ -7,7 +7,7 @@
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/replay.h"
-#include "cageproof/validation/verdicts.h"
+#include "promises/verdicts.h"
 
 #include <fmt/format.h>
 

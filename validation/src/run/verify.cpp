@@ -3,7 +3,7 @@
 
 #include "run/build_id.h"
 #include "run/run_plan.h"
-#include "cageproof/validation/verdicts.h"
+#include "promises/verdicts.h"
 #include "run/run_report.h"
 #include "run/timings.h"
 #include "truth/truth_cache.h"

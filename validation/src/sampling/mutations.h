@@ -2,7 +2,7 @@
 // Small and large changes of an input, for searches.
 #pragma once
 
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "cageproof/validation/sample.h"
 
 namespace cageproof::validation {

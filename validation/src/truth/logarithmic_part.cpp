@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "truth/logarithmic_part.h"
 
-#include "cageproof/core/exact_geometry.h"
-#include "cageproof/core/gauss_legendre.h"
+#include "cageproof/core/geometry/exact_geometry.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
 
 #include <array>
 #include <cmath>

@@ -2,8 +2,8 @@
 // What a change of the unit of length adds to kernels with the logarithm of the distance.
 #pragma once
 
-#include "cageproof/core/formula.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/catalogue/formula.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <span>
 #include <vector>

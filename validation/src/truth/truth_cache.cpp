@@ -2,7 +2,7 @@
 #include "truth/truth_cache.h"
 
 #include "cageproof/core/input_error.h"
-#include "cageproof/core/scalar_text.h"
+#include "cageproof/core/numbers/scalar_text.h"
 #include "cageproof/core/whole_file.h"
 
 #include <fmt/format.h>

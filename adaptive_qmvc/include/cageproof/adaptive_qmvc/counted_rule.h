@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/counted.h"
-#include "cageproof/core/gauss_legendre.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
 
 template <>
 const cageproof::GaussLegendre<cageproof::closed_form::Counted>&

@@ -2,10 +2,10 @@
 // Green coordinates of cages whose quads stay bilinear surfaces, many points at a time.
 #include "layer_sums.h"
 
-#include "cageproof/core/coordinate_tables.h"
-#include "cageproof/core/coordinates_in_double.h"
+#include "cageproof/core/coordinates/coordinate_tables.h"
+#include "cageproof/core/coordinates/coordinates_in_double.h"
 #include "cageproof/core/parallel.h"
-#include "cageproof/core/whole_evaluation.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 
 #include <algorithm>
 

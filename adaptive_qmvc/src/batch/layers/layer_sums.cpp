@@ -3,7 +3,7 @@
 
 #include "../chunk_size.h"
 
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/numbers/scalar.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "../points_by_plan.h"
 #include "near_quad.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <array>
 #include <optional>

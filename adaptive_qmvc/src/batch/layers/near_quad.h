@@ -6,7 +6,7 @@
 #include "../plans.h"
 
 #include "quad/engine/local_frame.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <array>
 #include <span>

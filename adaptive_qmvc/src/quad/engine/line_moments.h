@@ -3,8 +3,8 @@
 #pragma once
 
 #include "quad/engine/outer_rule.h"
-#include "cageproof/core/gauss_legendre.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <array>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "quad/engine/local_frame.h"
 #include "quad/engine/quad_frame.h"
 #include "quad/engine/singular_pairs.h"
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/numbers/scalar.h"
 
 #include <boost/container/static_vector.hpp>
 

@@ -5,7 +5,7 @@
 
 #include "quad/engine/quad_frame.h"
 #include "cageproof/closed_form/arithmetic/double_double.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <algorithm>
 #include <array>

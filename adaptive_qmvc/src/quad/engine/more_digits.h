@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/climb.h"
-#include "cageproof/core/batch.h"
+#include "cageproof/core/catalogue/batch.h"
 
 #include <algorithm>
 #include <cmath>

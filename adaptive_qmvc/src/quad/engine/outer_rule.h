@@ -3,7 +3,7 @@
 // points as a bound asks for.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <algorithm>
 #include <array>

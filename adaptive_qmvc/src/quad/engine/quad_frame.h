@@ -2,7 +2,7 @@
 // A bilinear quad as its point sees it, the nearest corner first, with lines along its longer sides.
 #pragma once
 
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <array>
 #include <cmath>

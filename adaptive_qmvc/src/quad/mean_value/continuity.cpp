@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/adaptive_qmvc/quad/mean_value/continuity.h"
 
-#include "cageproof/core/orientation.h"
-#include "cageproof/core/quad_geometry.h"
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/geometry/orientation.h"
+#include "cageproof/core/geometry/quad_geometry.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <algorithm>
 #include <cmath>

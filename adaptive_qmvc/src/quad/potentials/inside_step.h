@@ -5,8 +5,8 @@
 
 #include "quad/mean_value/line_form/line_form.h"
 #include "quad/potentials/kernel_terms.h"
-#include "cageproof/core/linear.h"
-#include "cageproof/core/quad_geometry.h"
+#include "cageproof/core/numbers/linear.h"
+#include "cageproof/core/geometry/quad_geometry.h"
 
 #include <algorithm>
 #include <array>

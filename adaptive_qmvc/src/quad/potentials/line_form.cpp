@@ -2,7 +2,7 @@
 // Registers the line form of the potentials: `line_form`, which `closed_form` is another name of, and `line-<digits>`.
 #include "quad/potentials/potential_form.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 #include "line_rule.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "quad/engine/line_moments.h"
-#include "cageproof/core/gauss_legendre.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // How many digits the line form has of its own, and the family `line-<digits>` of a formula.
 #pragma once
 
-#include "cageproof/core/counted_name.h"
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/counted_name.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <functional>
 #include <optional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "quad/potentials/kernel_terms.h"
-#include "cageproof/core/batch.h"
+#include "cageproof/core/catalogue/batch.h"
 
 #include <array>
 #include <span>

@@ -4,7 +4,7 @@
 
 #include "quad/mean_value/line_form/line_form.h"
 #include "quad/potentials/potential_form.h"
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 #include "inside_step.h"
 #include "line_rule.h"
 

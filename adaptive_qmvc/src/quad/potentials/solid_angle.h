@@ -4,7 +4,7 @@
 
 #include "quad/engine/line_moments.h"
 #include "quad/potentials/line_powers.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 namespace cageproof::adaptive_qmvc {
 

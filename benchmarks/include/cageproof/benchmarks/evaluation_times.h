@@ -2,7 +2,7 @@
 // What each evaluation takes, for the report of a verification to stand beside its errors.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <string>
 #include <vector>

@@ -2,8 +2,8 @@
 // Work-precision: the error of evaluations and the time they take, measured on the same inputs.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/work_precision.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/results/work_precision.h"
 #include "cageproof/validation/cage_points.h"
 #include "cageproof/validation/regime.h"
 

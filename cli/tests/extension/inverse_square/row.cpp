@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A formula without a closed form: its row, and its kernel beside it; its truth is then the integral.
-#include "cageproof/core/formula.h"
+#include "cageproof/core/catalogue/formula.h"
 
 namespace cageproof {
 namespace {

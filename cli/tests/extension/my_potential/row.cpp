@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A formula from outside the catalogue's file, first of its three edits: the row.
-#include "cageproof/core/formula.h"
+#include "cageproof/core/catalogue/formula.h"
 
 namespace cageproof {
 namespace {

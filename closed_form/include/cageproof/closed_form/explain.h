@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/counted_tape.h"
-#include "cageproof/core/batch.h"
+#include "cageproof/core/catalogue/batch.h"
 
 #include <optional>
 #include <span>

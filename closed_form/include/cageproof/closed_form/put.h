@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"
-#include "cageproof/core/batch.h"
+#include "cageproof/core/catalogue/batch.h"
 
 namespace cageproof::closed_form {
 

@@ -7,7 +7,7 @@
 #include "cageproof/closed_form/segment/biharmonic_single_layer.h"
 #include "cageproof/closed_form/segment/double_layer.h"
 #include "cageproof/closed_form/segment/single_layer.h"
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 namespace cageproof::closed_form::published {
 namespace {

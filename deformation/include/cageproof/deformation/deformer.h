@@ -3,7 +3,7 @@
 // as one likes; points are asked through their coordinates, which outlive poses.
 #pragma once
 
-#include "cageproof/core/least_squares.h"
+#include "cageproof/core/numbers/least_squares.h"
 
 #include <limits>
 #include <list>

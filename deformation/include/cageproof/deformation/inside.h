@@ -2,7 +2,7 @@
 // Whether points are inside a cage, for those who deform meshes that may poke out of it.
 #pragma once
 
-#include "cageproof/core/cage_elements.h"
+#include "cageproof/core/cage/cage_elements.h"
 
 #include <vector>
 

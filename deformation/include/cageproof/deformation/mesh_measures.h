@@ -2,7 +2,7 @@
 // A few numbers of a mesh and its image under a map.
 #pragma once
 
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 #include "cageproof/deformation/point_images.h"
 
 #include <cstddef>

@@ -2,8 +2,8 @@
 // How much the elements of a posed cage are stretched, and their normals.
 #pragma once
 
-#include "cageproof/core/cage_elements.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/cage/cage_elements.h"
+#include "cageproof/core/numbers/linear.h"
 #include "cageproof/deformation/deformer.h"
 
 #include <string_view>

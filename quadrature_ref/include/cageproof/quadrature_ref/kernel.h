@@ -2,8 +2,8 @@
 // The integrand of a formula, with its derivatives taken under the integral sign; rules feed it batches of nodes.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <array>
 #include <memory>

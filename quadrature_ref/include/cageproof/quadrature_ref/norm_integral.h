@@ -2,7 +2,7 @@
 // How large a value is before its parts cancel: the integral of the kernel's norm.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 namespace cageproof::quadrature_ref {
 

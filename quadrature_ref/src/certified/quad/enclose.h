@@ -4,7 +4,7 @@
 
 #include "../ball.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kernel.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <stdexcept>
 

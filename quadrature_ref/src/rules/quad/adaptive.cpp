@@ -5,7 +5,7 @@
 #include "inside_quad.h"
 #include "quad_cells.h"
 
-#include "cageproof/quadrature_ref/quad_rules.h"
+#include "quad_rules.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "../rule_family.h"
 
-#include "cageproof/quadrature_ref/quad_rules.h"
+#include "quad_rules.h"
 
 namespace cageproof::quadrature_ref {
 

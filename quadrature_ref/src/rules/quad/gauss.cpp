@@ -3,7 +3,7 @@
 #include "../gauss_nodes.h"
 #include "quad_frame.h"
 
-#include "cageproof/quadrature_ref/quad_rules.h"
+#include "quad_rules.h"
 
 #include <span>
 

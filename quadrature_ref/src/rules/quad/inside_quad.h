@@ -4,7 +4,7 @@
 
 #include "closest_point.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 namespace cageproof::quadrature_ref {
 

@@ -3,7 +3,7 @@
 #include "inside_quad.h"
 #include "quad_sum.h"
 
-#include "cageproof/quadrature_ref/quad_rules.h"
+#include "quad_rules.h"
 
 #include <algorithm>
 

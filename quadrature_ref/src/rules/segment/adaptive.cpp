@@ -4,7 +4,7 @@
 #include "../kronrod.h"
 #include "arm_caster.h"
 
-#include "cageproof/quadrature_ref/segment_rules.h"
+#include "segment_rules.h"
 
 namespace cageproof::quadrature_ref {
 namespace {

@@ -3,7 +3,7 @@
 #include "../gauss_nodes.h"
 #include "segment_frame.h"
 
-#include "cageproof/quadrature_ref/segment_rules.h"
+#include "segment_rules.h"
 
 namespace cageproof::quadrature_ref {
 

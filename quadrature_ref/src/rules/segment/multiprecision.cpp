@@ -2,7 +2,7 @@
 #include "../converted.h"
 #include "segment_sum.h"
 
-#include "cageproof/quadrature_ref/segment_rules.h"
+#include "segment_rules.h"
 
 namespace cageproof::quadrature_ref {
 namespace {

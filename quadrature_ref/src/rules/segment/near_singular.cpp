@@ -3,7 +3,7 @@
 #include "../converted.h"
 #include "arm_caster.h"
 
-#include "cageproof/quadrature_ref/segment_rules.h"
+#include "segment_rules.h"
 
 namespace cageproof::quadrature_ref {
 namespace {

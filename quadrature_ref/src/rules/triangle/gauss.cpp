@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gauss.h"
 
-#include "cageproof/quadrature_ref/triangle_rules.h"
+#include "triangle_rules.h"
 
 namespace cageproof::quadrature_ref {
 namespace {

@@ -2,7 +2,7 @@
 #include "../converted.h"
 #include "triangle_sums.h"
 
-#include "cageproof/quadrature_ref/triangle_rules.h"
+#include "triangle_rules.h"
 
 namespace cageproof::quadrature_ref {
 namespace {

@@ -2,7 +2,7 @@
 #include "moved_inward.h"
 #include "polar_cells.h"
 
-#include "cageproof/quadrature_ref/triangle_rules.h"
+#include "triangle_rules.h"
 
 namespace cageproof::quadrature_ref {
 

@@ -2,7 +2,7 @@
 // Broken rows in the order in which to look at them: what others rest on first, and together what one fault may break.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <string>
 #include <vector>

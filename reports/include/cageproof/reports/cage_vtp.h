@@ -2,7 +2,7 @@
 // A cage beside what was computed with it: as geometry of its own, and as field data of a mesh.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <string>
 #include <string_view>

@@ -3,7 +3,7 @@
 // to.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 // from above, grids, outlines and arrows of the plane. Drawn by cairo into memory, without a display.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <array>
 #include <filesystem>

@@ -4,7 +4,7 @@
 // dropped on reading. A finished journal is packed (packed_file.h).
 #pragma once
 
-#include "cageproof/core/partial_result.h"
+#include "cageproof/core/results/partial_result.h"
 
 #include <algorithm>
 #include <filesystem>

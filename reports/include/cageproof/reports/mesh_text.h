@@ -2,7 +2,7 @@
 // Meshes as text of the usual formats.
 #pragma once
 
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 // Meshes with fewer faces, for pictures.
 #pragma once
 
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 
 namespace cageproof::reports {
 

@@ -2,7 +2,7 @@
 // Everything a person sees of a run: a folder of figures, tables, fields, pictures and one page.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 #include "cageproof/reports/field_scene.h"
 #include "cageproof/reports/figure_sheet.h"
 #include "cageproof/reports/journal.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <functional>
 #include <string>

@@ -2,7 +2,7 @@
 // Fields as VTK XML, compressed; array names carry units: "relative error [1]". Facts are field data, a text each.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <string>
 

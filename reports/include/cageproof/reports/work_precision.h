@@ -2,7 +2,7 @@
 // Time and error side by side, as a person sees them.
 #pragma once
 
-#include "cageproof/core/work_precision.h"
+#include "cageproof/core/results/work_precision.h"
 
 #include <filesystem>
 #include <memory>

@@ -2,7 +2,7 @@
 // worst.jsonl: the worst inputs of a run, exactly, one JSON object a line.
 #pragma once
 
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <filesystem>
 #include <string_view>

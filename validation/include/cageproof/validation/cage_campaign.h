@@ -2,8 +2,8 @@
 // The properties of cage coordinates on a whole cage, and the recommended evaluation against truth there.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/cage/mesh_io.h"
 #include "cageproof/validation/measurement.h"
 
 namespace cageproof::validation {

@@ -2,7 +2,7 @@
 // Points to try a cage at, and where they lie, found without any coordinate formula.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <cstdint>
 #include <string_view>

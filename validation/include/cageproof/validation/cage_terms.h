@@ -2,7 +2,7 @@
 // The terms that cage coordinates are summed from: what their rounding is counted in.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <limits>
 

@@ -2,7 +2,7 @@
 // Errors of several evaluations of one kind of coordinates around a cage: scenes, to be seen side by side.
 #pragma once
 
-#include "cageproof/core/mesh_io.h"
+#include "cageproof/core/cage/mesh_io.h"
 #include "cageproof/reports/field_scene.h"
 #include "cageproof/validation/error_fields.h"
 

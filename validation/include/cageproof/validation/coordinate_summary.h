@@ -3,7 +3,7 @@
 // others reproduce.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <cstddef>
 #include <span>

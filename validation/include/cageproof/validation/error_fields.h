@@ -2,7 +2,7 @@
 // Fields on slices, of errors and of coordinates themselves: through a cage, or across one element.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/validation/measurement.h"
 #include "cageproof/validation/sample.h"
 

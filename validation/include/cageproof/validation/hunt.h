@@ -2,7 +2,7 @@
 // The hunt for evaluations' worst inputs: samples of the regimes, and local search from the worst of them.
 #pragma once
 
-#include "cageproof/core/error_measure.h"
+#include "cageproof/core/results/error_measure.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/regime.h"
 

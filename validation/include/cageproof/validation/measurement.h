@@ -3,7 +3,7 @@
 // matter who measures it, when, or beside what.
 #pragma once
 
-#include "cageproof/core/partial_result.h"
+#include "cageproof/core/results/partial_result.h"
 
 #include <atomic>
 #include <functional>

@@ -2,8 +2,8 @@
 // The table of promised bounds: the one place where a bound is written.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/name_pattern.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/catalogue/name_pattern.h"
 
 #include <optional>
 #include <string>

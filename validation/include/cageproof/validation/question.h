@@ -3,7 +3,7 @@
 // inputs times questions, recorded here; `replay` and `hunt` take the same question from the subject's factory.
 #pragma once
 
-#include "cageproof/core/tally.h"
+#include "cageproof/core/results/tally.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Regimes: how a point sits to an element, with a parameter swept by decades.
 #pragma once
 
-#include "cageproof/core/random_stream.h"
+#include "cageproof/core/numbers/random_stream.h"
 #include "cageproof/validation/sample.h"
 
 namespace cageproof::validation {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "cageproof/core/cage.h"
-#include "cageproof/core/tally.h"
+#include "cageproof/core/cage/cage.h"
+#include "cageproof/core/results/tally.h"
 #include "cageproof/validation/check.h"
 
 #include <filesystem>

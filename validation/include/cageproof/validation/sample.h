@@ -2,7 +2,7 @@
 // One input of a campaign.
 #pragma once
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 // it that would be seen, and what it is measured with is good to worst_truth.
 #pragma once
 
-#include "cageproof/core/coordinates.h"
+#include "cageproof/core/coordinates/coordinates.h"
 
 #include <array>
 #include <optional>

@@ -3,9 +3,9 @@
 // a journal.
 #pragma once
 
-#include "cageproof/core/cage.h"
-#include "cageproof/core/mesh_io.h"
-#include "cageproof/core/run_result.h"
+#include "cageproof/core/cage/cage.h"
+#include "cageproof/core/cage/mesh_io.h"
+#include "cageproof/core/results/run_result.h"
 
 #include <filesystem>
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include "../draws.h"
 
-#include "cageproof/core/quad_geometry.h"
+#include "cageproof/core/geometry/quad_geometry.h"
 
 #include <algorithm>
 #include <array>

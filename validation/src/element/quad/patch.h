@@ -2,7 +2,7 @@
 // A bilinear quad as a surface in space: distance to it, and where a ray meets it.
 #pragma once
 
-#include "cageproof/core/element.h"
+#include "cageproof/core/geometry/element.h"
 
 namespace cageproof::validation {
 

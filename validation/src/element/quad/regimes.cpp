@@ -5,7 +5,7 @@
 #include "../draws.h"
 #include "../grid.h"
 
-#include "cageproof/core/quad_geometry.h"
+#include "cageproof/core/geometry/quad_geometry.h"
 
 #include <numbers>
 

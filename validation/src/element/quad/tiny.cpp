@@ -4,7 +4,7 @@
 
 #include "../tiny.h"
 
-#include "cageproof/core/quad_geometry.h"
+#include "cageproof/core/geometry/quad_geometry.h"
 
 namespace cageproof::validation::quads {
 namespace {

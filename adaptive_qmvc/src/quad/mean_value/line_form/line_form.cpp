@@ -3,9 +3,9 @@
 // fewer digits sooner.
 #include "instances.h"
 
-#include "cageproof/core/counted_name.h"
-#include "cageproof/core/evaluation.h"
-#include "cageproof/core/unknown_name.h"
+#include "cageproof/core/catalogue/counted_name.h"
+#include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/catalogue/unknown_name.h"
 
 namespace cageproof::adaptive_qmvc {
 namespace {

@@ -11,8 +11,8 @@
 #include "quad/engine/seen_quad.h"
 #include "quad/engine/singular_pairs.h"
 #include "quad/mean_value/line_form/weight_sums.h"
-#include "cageproof/core/batch.h"
-#include "cageproof/core/quad_geometry.h"
+#include "cageproof/core/catalogue/batch.h"
+#include "cageproof/core/geometry/quad_geometry.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "quad/mean_value/riemann/riemann.h"
-#include "cageproof/core/batch.h"
+#include "cageproof/core/catalogue/batch.h"
 
 namespace cageproof::adaptive_qmvc {
 

@@ -2,7 +2,7 @@
 // A quad as a point sees it: corners relative to the point, and what every step of the scheme needs of their pairs.
 #pragma once
 
-#include "cageproof/core/element.h"
+#include "cageproof/core/geometry/element.h"
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "quad/mean_value/riemann/linear_solution.h"
-#include "cageproof/core/orientation.h"
-#include "cageproof/core/quad_geometry.h"
+#include "cageproof/core/geometry/orientation.h"
+#include "cageproof/core/geometry/quad_geometry.h"
 
 #include <limits>
 

@@ -3,7 +3,7 @@
 // the closed form.
 #pragma once
 
-#include "cageproof/core/element.h"
+#include "cageproof/core/geometry/element.h"
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Constants in whatever a form is computed in.
 #pragma once
 
-#include "cageproof/core/scalar_names.h"
+#include "cageproof/core/numbers/scalar_names.h"
 
 namespace cageproof::closed_form {
 

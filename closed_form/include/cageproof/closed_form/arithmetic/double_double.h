@@ -2,7 +2,7 @@
 // Twice the digits of double.
 #pragma once
 
-#include "cageproof/core/scalar.h"
+#include "cageproof/core/numbers/scalar.h"
 
 #include <cmath>
 

@@ -2,8 +2,8 @@
 // Value, gradient and Hessian of a few scalars at one point.
 #pragma once
 
-#include "cageproof/core/scalar_names.h"
-#include "cageproof/core/vector.h"
+#include "cageproof/core/numbers/scalar_names.h"
+#include "cageproof/core/numbers/vector.h"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 // The names of the numbers that forms are computed in beside scalars, for code that needs none of them itself.
 #pragma once
 
-#include "cageproof/core/mp_names.h"
+#include "cageproof/core/numbers/mp_names.h"
 
 namespace cageproof::closed_form {
 

@@ -5,7 +5,7 @@
 #include "cageproof/closed_form/arithmetic/constants.h"
 #include "cageproof/closed_form/arithmetic/double_double.h"
 #include "cageproof/closed_form/arithmetic/names.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <algorithm>
 #include <bit>

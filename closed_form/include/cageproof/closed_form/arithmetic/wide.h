@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/double_double.h"
-#include "cageproof/core/linear.h"
+#include "cageproof/core/numbers/linear.h"
 
 #include <array>
 #include <type_traits>

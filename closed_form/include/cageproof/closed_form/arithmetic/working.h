@@ -2,7 +2,7 @@
 // The scalars that closed forms compute in.
 #pragma once
 
-#include "cageproof/core/scalar_names.h"
+#include "cageproof/core/numbers/scalar_names.h"
 
 namespace cageproof::closed_form {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/published/segment/engine/edge.h"
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <initializer_list>
 #include <string>

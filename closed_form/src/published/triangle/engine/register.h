@@ -5,7 +5,7 @@
 #include "cageproof/closed_form/put.h"
 #include "instances.h"
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <algorithm>
 #include <array>

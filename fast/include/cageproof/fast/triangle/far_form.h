@@ -5,7 +5,7 @@
 
 #include "cageproof/closed_form/arithmetic/taylor.h"
 #include "cageproof/closed_form/triangle/engine/frame.h"
-#include "cageproof/core/gauss_legendre.h"
+#include "cageproof/core/numbers/gauss_legendre.h"
 
 #include <algorithm>
 #include <cmath>

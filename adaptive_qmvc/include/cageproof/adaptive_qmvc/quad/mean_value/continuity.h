@@ -3,7 +3,7 @@
 // only ([T18] Lemma 3.4).
 #pragma once
 
-#include "cageproof/core/evaluation.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <functional>
 #include <vector>

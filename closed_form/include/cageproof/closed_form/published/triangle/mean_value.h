@@ -2,7 +2,7 @@
 // triangle.mean_value as [T18] prints it, after Ju, Schaefer and Warren 2005: angles, mean vector, edge normals.
 #pragma once
 
-#include "cageproof/core/element.h"
+#include "cageproof/core/geometry/element.h"
 
 #include <array>
 #include <cmath>

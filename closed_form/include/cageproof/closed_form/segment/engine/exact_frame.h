@@ -5,8 +5,8 @@
 #include "cageproof/closed_form/arithmetic/tracked.h"
 #include "cageproof/closed_form/arithmetic/wide.h"
 #include "cageproof/closed_form/segment/engine/frame.h"
-#include "cageproof/core/exact_geometry.h"
-#include "cageproof/core/orientation.h"
+#include "cageproof/core/geometry/exact_geometry.h"
+#include "cageproof/core/geometry/orientation.h"
 
 #include <algorithm>
 #include <numbers>

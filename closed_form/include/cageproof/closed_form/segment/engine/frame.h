@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cageproof/closed_form/segment/engine/scalar.h"
-#include "cageproof/core/vector.h"
+#include "cageproof/core/numbers/vector.h"
 
 #include <array>
 #include <cmath>

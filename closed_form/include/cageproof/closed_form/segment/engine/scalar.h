@@ -4,7 +4,7 @@
 
 #include "cageproof/closed_form/arithmetic/constants.h"
 #include "cageproof/closed_form/arithmetic/names.h"
-#include "cageproof/core/scalar_names.h"
+#include "cageproof/core/numbers/scalar_names.h"
 
 namespace cageproof::closed_form::segment {
 

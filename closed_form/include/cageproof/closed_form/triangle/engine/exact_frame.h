@@ -5,7 +5,7 @@
 #include "cageproof/closed_form/arithmetic/tracked.h"
 #include "cageproof/closed_form/arithmetic/wide.h"
 #include "cageproof/closed_form/triangle/engine/frame.h"
-#include "cageproof/core/exact_geometry.h"
+#include "cageproof/core/geometry/exact_geometry.h"
 
 #include <optional>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/names.h"
-#include "cageproof/core/scalar_names.h"
-#include "cageproof/core/vector.h"
+#include "cageproof/core/numbers/scalar_names.h"
+#include "cageproof/core/numbers/vector.h"
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/published/misprint.h"
-#include "cageproof/core/element.h"
+#include "cageproof/core/geometry/element.h"
 
 #include <cmath>
 

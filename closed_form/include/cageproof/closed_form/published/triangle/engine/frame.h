@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"
-#include "cageproof/core/element.h"
+#include "cageproof/core/geometry/element.h"
 
 #include <cmath>
 

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// A cage: a closed, oriented boundary, validated once: in space a manifold surface of triangles and quads, in the plane
+// polygons.
+#pragma once
+
+#include "cageproof/core/numbers/vector.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cageproof {
+
+enum class ElementKind;
+
+/// One element of a cage's boundary: as many vertex indices as it has corners, the others -1. Triangles and quads run
+/// counter-clockwise seen from outside; segments have the cage on their left.
+struct Face {
+  std::array<int, 4> vertices{-1, -1, -1, -1};
+  /// Corners: indices that are not -1.
+  int size() const {
+    int count = 0;
+    while (count < 4 && vertices[count] >= 0) ++count;
+    return count;
+  }
+  /// The element with so many corners.
+  ElementKind kind() const;
+};
+
+/// What may be repaired instead of rejected.
+struct CageOptions {
+  /// Reverse the faces of parts that are oriented the wrong way: outer shells whose normals point inward, and cavities
+  /// whose normals point into the solid. In the plane also single segments, so that all of a polygon follow each other.
+  bool flip_inward = false;
+  /// Quads may have coinciding corners, three on a line, cross themselves or fold over; for coordinates that keep
+  /// quads.
+  bool allow_invalid_quads = false;
+  /// Of the file that the faces come from, one a face, for messages; empty where nobody knows.
+  std::vector<std::size_t> face_lines = {};
+};
+
+/// How quads become triangles: by the shorter of the two diagonals (compared exactly; ties: the one at the quad's first
+/// corner), or always the one at the quad's first corner. The chosen diagonal of an arrowhead may lie outside it.
+enum class Triangulation { Shortest, Fan };
+
+/// "shortest", "fan".
+std::string_view name_of(Triangulation rule);
+
+/// A valid cage. Immutable; made by `make` alone.
+class Cage {
+ public:
+  /// Validates and builds.
+  /// \param name shown in messages and reports (a file's path, or an embedded cage's name)
+  /// \throws InputError naming the first face (or vertex) at fault, counted from 0, and the reason: empty input,
+  ///   non-finite coordinate; index out of range or repeated within a face, unused vertex; two corners of a face that
+  ///   coincide, three on a line, a quad that crosses itself or folds by more than a right angle along both diagonals;
+  ///   edge with one face (hole) or more than two (non-manifold), inconsistent orientation, vertex whose faces form
+  ///   more than one fan; a part without volume, or oriented the wrong way unless options.flip_inward. These tests are
+  ///   exact: no threshold depends on the unit of length.
+  /// Faces that are connected are a part of the cage. Parts that lie within no other, or within an even number of
+  /// others, are shells, and their normals point outward (positive volume); the others bound cavities, and their
+  /// normals point into them. Parts that cross lie beside each other, not within. Anything else would make coordinates
+  /// sum to 2 or -1 somewhere. Faces may cross each other: crossing_faces names them.
+  static Cage make(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> faces,
+                   CageOptions options = {});
+
+  /// A polygon in the plane, or several: those within an odd number of others bound holes, and run clockwise.
+  /// \param vertices with third coordinate zero \param segments from vertex to vertex, in any order
+  /// \throws InputError naming the first vertex or segment at fault, and the reason: empty input, a coordinate that is
+  ///   not finite or not in the plane; index out of range or repeated, unused vertex; a segment without length, two
+  ///   vertices at one place; a vertex where not exactly one segment ends and one begins; two segments that cross,
+  ///   touch or overlap; a polygon that runs the wrong way. With options.flip_inward segments and polygons that run the
+  ///   wrong way are turned instead. Exact, as make is.
+  /// In space faces that cross bring a warning, in the plane an error: a polygon is drawn in one piece, by hand or by a
+  /// program, and one that crosses itself is an accident.
+  static Cage make_polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
+                           CageOptions options = {});
+
+  const std::string& name() const { return name_; }
+  /// Of the space that the cage lies in: 2 or 3.
+  int dimension() const { return dimension_; }
+  const std::vector<Vec3<double>>& vertices() const { return vertices_; }
+  const std::vector<Face>& faces() const { return faces_; }
+  /// CageOptions::face_lines.
+  const std::vector<std::size_t>& face_lines() const { return face_lines_; }
+  bool has_quads() const;
+  /// Whether it was made with CageOptions::allow_invalid_quads.
+  bool allows_invalid_quads() const { return allows_invalid_quads_; }
+  /// The corners of face f. \pre it is a quad
+  std::array<Vec3<double>, 4> quad(std::size_t f) const;
+  /// Length of the bounding box's diagonal.
+  double size() const;
+  /// The faces as triangles; quads are split by `rule`. `face_of[t]` is the face that triangle t comes from.
+  struct Triangles {
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<int> face_of;
+  };
+  Triangles triangulate(Triangulation rule) const;
+  /// The faces as elements: as they are, or quads split by `rule`. `face_of[e]` is the face that element e is, or is
+  /// part of.
+  struct Parts {
+    std::vector<Face> elements;
+    std::vector<int> face_of;
+  };
+  Parts parts(bool keep_quads, Triangulation rule) const;
+  /// The same cage with other vertices and faces, of the same dimension: moved, turned, subdivided. \throws InputError
+  /// as make and make_polygon, which look for no contacts here: walls as thin as a rounding may have come to touch.
+  Cage with(std::vector<Vec3<double>> vertices, std::vector<Face> faces) const;
+
+ private:
+  Cage() = default;
+  static Cage polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
+                      CageOptions options, bool look_for_contacts);
+  int dimension_ = 3;
+  std::string name_;
+  std::vector<Vec3<double>> vertices_;
+  std::vector<Face> faces_;
+  std::vector<std::size_t> face_lines_;
+  bool allows_invalid_quads_ = false;
+};
+
+/// The quads that are not valid (invalid_because), each as "face f: reason"; empty for none.
+std::vector<std::string> invalid_quads(const Cage& cage);
+
+/// The pairs of faces that cross or touch each other (face_crossings), each as "faces f and g", with the lines of the
+/// file where they are known; empty for none, and in the plane, where make_polygon refuses them. No error: integrals
+/// over such a surface exist and agree with all that is said of them, but for the number that they sum to, which is how
+/// often the cage winds around the point, 2 where two parts of it overlap.
+std::vector<std::string> crossing_faces(const Cage& cage);
+
+/// One line that names the first of them and says what it means; nothing where no faces cross.
+std::optional<std::string> crossing_warning(const Cage& cage);
+
+}  // namespace cageproof

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Cages made in code, so that verification needs no file.
+#pragma once
+
+#include "cageproof/core/cage/cage.h"
+
+namespace cageproof {
+
+/// Names of the embedded cages, in report order: cube, icosphere, torus, l-block, twisted-bar, thin-box, spiky-box; in
+/// the plane square, l-shape, star, comb, thin-bar, frame (a square with a hole), figure (of a person, 100 edges).
+std::vector<std::string_view> embedded_cage_names();
+
+/// Names of the extreme ones, in report order, each family swept by decades of its thickness, opening or width, 1e-3
+/// for a thousandth: thin-wall-1e-1 ... thin-wall-1e-12 (a box open at the top), wedge-1e-2 ..., crack-1e-2 ...,
+/// hollow-1e-3
+/// ... (a cube around a cavity), gap-1e-3 ... (two cubes), nested (shells and cavities in turn), fan (64 triangles at a
+/// vertex).
+std::vector<std::string_view> extreme_cage_names();
+
+/// Whether embedded_cage knows the name.
+bool is_embedded_cage(std::string_view name);
+
+/// The embedded cage of that name, ordinary or extreme.
+/// \throws InputError listing the names there are
+Cage embedded_cage(std::string_view name);
+
+}  // namespace cageproof

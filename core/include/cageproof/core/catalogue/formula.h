@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// A formula: a kernel on an element, a row of the catalogue, and everything that checks, benchmarks and reports may
+// know of it.
+#pragma once
+
+#include "cageproof/core/geometry/element.h"
+
+#include <cmath>
+#include <cstddef>
+#include <list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cageproof {
+
+/// A formula's parameter (Poisson ratio, shear modulus): name, default and open range, with the limits that exist
+/// beside it.
+struct Parameter {
+  std::string_view name;
+  double preset;
+  double lowest;
+  double highest;
+  bool includes_highest = false;   ///< the limit `highest` itself is allowed
+  bool includes_infinity = false;  ///< the limits +-infinity are allowed
+  bool whole = false;              ///< only whole numbers are allowed
+
+  /// Whether the formula is defined for this value.
+  bool allows(double value) const {
+    if (whole && value != std::floor(value)) return false;
+    if (std::isinf(value)) return includes_infinity;
+    return lowest < value && (value < highest || (includes_highest && value == highest));
+  }
+};
+
+/// How a formula's tensor is made up: one tensor an element, or one a corner; the tensor has rows x columns entries,
+/// each 1 (a number) or the dimension of the space.
+struct Shape {
+  bool per_corner = false;
+  int rows = 1;
+  int columns = 1;
+
+  int entries() const { return rows * columns; }
+  /// How many of rows and columns run over space, and turn with it: 0 for numbers, 2 for matrices.
+  int space_indices() const { return (rows > 1) + (columns > 1); }
+};
+
+/// What taking the trace of the Hessian must give: nothing known, zero (harmonic), another formula (biharmonic), or the
+/// formula itself with its last parameter one less, which is zero where that would be zero (polyharmonic).
+struct Laplacian {
+  enum class Kind { Unknown, Zero, Formula, LowerOrder } kind = Kind::Unknown;
+  std::string_view formula = {};
+};
+
+/// Value just inside minus value just outside a face: number + pi_multiple pi, times the corner's basis function if per
+/// corner, times the identity if the tensor is a matrix.
+struct FaceJump {
+  double number = 0;
+  double pi_multiple = 0;
+  bool diverges = false;
+};
+
+/// What stands before ln r in a kernel of the plane: factor r^(2 squares), times x.n or not; of matrices, times the
+/// identity. The factor is zero for kernels without logarithm.
+struct Logarithm {
+  double factor = 0;
+  int squares = 0;
+  bool height = false;
+};
+
+/// What a double layer's moments and a single layer add up to around the sides of an element in space, seen from the
+/// point, x_k its corners: sum_k f_k x_k + factor sum_k g_k N_k = 1/(weight pi) sum over sides of (x_k cross side)
+/// times the mean of r^power along the side. Of flat elements, g N is the one number times the unit normal.
+struct SideRelation {
+  std::string_view single_layer = {};  ///< g; none where empty
+  double factor = 1;
+  double weight = 4;
+  int power = -1;  ///< -1 or 1
+};
+
+/// What a formula does for given parameters. With the unit of length: f(s element, s point) = s^degree f(element,
+/// point), s > 0, or, of kernels with the logarithm of the distance, s^degree (f(element, point) + log(s) times the
+/// integral of what stands before the logarithm), and derivatives alike. And across the element.
+struct Behaviour {
+  int degree;
+  Logarithm logarithmic = {};
+  FaceJump face_jump = {};
+};
+
+/// One row of the catalogue. Every relation a campaign checks is stated here as data, so that no check knows a formula.
+struct Formula {
+  std::string_view name;        ///< stable, `<element>.<kernel>`
+  std::string_view symbol;      ///< the papers' symbol
+  std::string_view source;      ///< paper keys and equations
+  std::string_view definition;  ///< the defining integral, in one line
+  ElementKind element;
+  Shape shape;
+  int degree;     ///< Behaviour::degree
+  int flip_sign;  ///< +1 or -1: the factor when the element's orientation is reversed
+  Laplacian laplacian;
+  FaceJump face_jump;
+  std::vector<Parameter> parameters;
+  Logarithm logarithmic = {};
+  /// Integrated over the element's own parameters, u and v in [0, 1], without the area element: of an element in four
+  /// alike parts each adds a quarter.
+  bool by_parameters = false;
+  SideRelation side_relation = {};
+  /// Of formulas whose degree, logarithm or jump depends on their parameters; null elsewhere.
+  Behaviour (*behaviour_of)(std::span<const double> parameters) = nullptr;
+
+  Behaviour behaviour(std::span<const double> given) const {
+    return behaviour_of ? behaviour_of(given) : Behaviour{degree, logarithmic, face_jump};
+  }
+  int corners() const { return corner_count(element); }
+  /// Number of scalars of the value: (corners or 1) x rows x columns.
+  int components() const { return tensors() * shape.entries(); }
+  /// Tensors of an element: one a corner, or one.
+  int tensors() const { return shape.per_corner ? corners() : 1; }
+  int dim() const { return dimension(element); }
+  /// The second half of the name: what is integrated.
+  std::string_view kernel() const { return name.substr(name.find('.') + 1); }
+};
+
+/// Derivatives of one number: dim^order.
+constexpr std::size_t derivative_count(int dim, int order) {
+  std::size_t count = 1;
+  for (int o = 0; o < order; ++o) count *= static_cast<std::size_t>(dim);
+  return count;
+}
+
+/// All formulas, in the order in which reports list them: the catalogue's own, then those that others have added, by
+/// name. Rows stay where they are.
+const std::list<Formula>& catalogue();
+
+/// The formula of that name, or null.
+const Formula* find_formula(std::string_view name);
+
+/// The formula of a kernel on an element, or null where there is none.
+const Formula* find_formula(ElementKind element, std::string_view kernel);
+
+/// The place of a formula in the catalogue; the catalogue's length for an unknown name.
+std::size_t rank_of(std::string_view formula);
+
+/// Adds a row at program start: `const RegisterFormula r{{.name = ...}};` at namespace scope of a .cpp.
+struct RegisterFormula {
+  /// \throws std::logic_error when there is a formula of that name, or the name does not begin with its element's
+  explicit RegisterFormula(Formula formula);
+};
+
+}  // namespace cageproof

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// A kind of coordinates prepared for one cage: its blocks, their tables, and what a kind can do beside filling them.
+#pragma once
+
+#include "cageproof/core/cage/cage_elements.h"
+#include "cageproof/core/catalogue/evaluation.h"
+
+#include <limits>
+#include <memory>
+
+namespace cageproof {
+
+/// What a block of coordinates multiplies when a linear map is reproduced. TurnedVertices, in the plane: vertices
+/// turned by a quarter counter-clockwise, as the imaginary parts of complex coordinates do.
+enum class Reproduces { Vertices, TurnedVertices, Normals, Nothing };
+
+/// One block of prepared coordinates: a coordinate (a number, or a matrix) a vertex, an element, or a corner of one.
+struct CoordinateBlock {
+  std::string label;
+  Owner owner;
+  int size;     ///< coordinates: the number of owners
+  Shape shape;  ///< of one coordinate
+  Reproduces reproduces = Reproduces::Nothing;
+  double normal_factor = 1;  ///< of blocks that reproduce normals
+  /// The power of the unit of length that coordinates grow with, and what stands before the logarithm:
+  /// Formula::behaviour.
+  int degree = 0;
+  Logarithm logarithmic = {};
+  /// The trace of the Hessian: nothing known, zero, or another block.
+  struct Trace {
+    enum class Kind { Unknown, Zero, Block } kind = Kind::Unknown;
+    std::size_t block = 0;
+  } trace = {};
+
+  /// Numbers of a coordinate.
+  int entries() const { return shape.entries(); }
+};
+
+/// All coordinates of one block at a block of points: tensors[o] is [point][coordinate][entry][derivatives].
+template <Scalar R>
+struct CoordinateTable {
+  std::array<std::vector<R>, 3> tensors;
+  std::array<std::size_t, 3> stride{};  ///< numbers a point
+};
+
+/// What coordinates are multiplied with: deformed vertices and normals, say. Block b's numbers lie as
+/// [coordinate][column][set], where a coordinate that is a number counts as one column.
+struct CageData {
+  int sets = 3;
+  std::vector<std::vector<double>> blocks;
+};
+
+/// The functions that coordinates make of cage data at a block of points: tensors[o] is [point][row][set][derivatives],
+/// where coordinates that are numbers have one row.
+struct AppliedTable {
+  std::array<std::vector<double>, 3> tensors;
+  std::array<std::size_t, 3> stride{};  ///< numbers a point
+};
+
+/// A linear system that was solved to prepare a kind for its cage.
+struct SolvedSystem {
+  std::string name;   ///< "Psi^H k = (H - Phi^H) l"
+  int rows, columns;  ///< equations and unknowns
+  int rank;           ///< as found; columns where the solution is unique
+  double condition;   ///< largest over smallest singular value; infinite where the smallest is zero
+  /// What the solution leaves of the right sides, over these: the largest of their columns, in Euclidean norms.
+  double residual;
+  /// Of least squares on the cage's boundary: the largest differences of values and of gradients there, between the
+  /// points that were solved for, over the largest number of each right side. NaN where nobody measured.
+  double boundary_values = std::numeric_limits<double>::quiet_NaN();
+  double boundary_gradients = std::numeric_limits<double>::quiet_NaN();
+
+  bool is_singular() const { return rank < columns; }
+};
+
+/// The systems that were solved to prepare a kind for its cage, in double.
+class SolvesSystems {
+ public:
+  virtual std::vector<SolvedSystem> solved() const = 0;
+  /// Whether `solved` states how well the data on the boundary are met.
+  virtual bool measures_boundary() const { return false; }
+
+ protected:
+  ~SolvesSystems() = default;
+};
+
+/// Limits from inside at points within elements, which are given by their basis functions there, whatever rounding
+/// makes of the points themselves: for these are seldom doubles.
+class HasLimits {
+ public:
+  virtual void fill_limits(std::span<const Touching> places, int order,
+                           std::span<CoordinateTable<double>> tables) const = 0;
+  virtual void fill_limits(std::span<const Touching> places, int order,
+                           std::span<CoordinateTable<Mp50>> tables) const = 0;
+
+ protected:
+  ~HasLimits() = default;
+};
+
+/// The terms that coordinates are summed from.
+class HasTerms {
+ public:
+  /// The tables of PreparedCoordinates::fill with the sums of the terms' absolute values, at least about: what a
+  /// rounding of each of them costs.
+  virtual void fill_terms(std::span<const Vec3<double>> points, int order,
+                          std::span<CoordinateTable<double>> tables) const = 0;
+
+ protected:
+  ~HasTerms() = default;
+};
+
+/// Sums of coordinates times data, without keeping coordinates.
+class AppliesData {
+ public:
+  /// Adds them to a table that the caller sized and set to zero.
+  virtual void apply(std::span<const Vec3<double>> points, int order, const CageData& data,
+                     AppliedTable& table) const = 0;
+
+ protected:
+  ~AppliesData() = default;
+};
+
+/// Laplacians on the boundary, which were solved for, as linear maps from the data that blocks multiply there.
+class SolvesLaplacians {
+ public:
+  /// At the nodes that it is solved at, in the user's unit of length. One table a block, of values only,
+  /// [node][coordinate]: l = sum over blocks of table times data ([W12] Eq 17-19: B U_f and C U_d). Nodes are the
+  /// cage's vertices, then what divides its edges.
+  virtual void fill_boundary_laplacians(std::vector<CoordinateTable<double>>& tables) const = 0;
+  virtual void fill_boundary_laplacians(std::vector<CoordinateTable<Mp50>>& tables) const = 0;
+
+ protected:
+  ~SolvesLaplacians() = default;
+};
+
+/// A kind prepared for one cage. Safe from any thread. Beside coordinates a kind may have more, which it names by a
+/// pointer to itself.
+class PreparedCoordinates {
+ public:
+  virtual ~PreparedCoordinates() = default;
+  virtual const std::vector<CoordinateBlock>& blocks() const = 0;
+  virtual int max_order() const = 0;
+  /// What results call the way the coordinates are computed: the name of the formulas' evaluation.
+  virtual std::string evaluation() const { return std::string(name_of(Role::Recommended)); }
+  /// Whether values in multiprecision have that precision's digits.
+  virtual bool is_exact_in(ScalarKind scalar) const = 0;
+  /// Whether what is prepared once a cage in that scalar takes a second or so: not where large systems are solved in
+  /// multiprecision.
+  virtual bool is_prompt_in(ScalarKind /*scalar*/) const { return true; }
+  /// One table a block, sized and set to zero by the caller. Where a point is exactly a double and lies on the cage,
+  /// values are the limits from inside: interpolating kinds give the basis functions; derivatives that do not exist are
+  /// NaN. Points without coordinates are NaN. \pre order <= max_order()
+  virtual void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const = 0;
+  virtual void fill(std::span<const Vec3<double>> points, int order,
+                    std::span<CoordinateTable<double>> tables) const = 0;
+  virtual void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const = 0;
+  virtual void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const = 0;
+  /// Whether `fill` in double stores what it computes, and takes tables that are not zero.
+  virtual bool overwrites() const { return false; }
+
+  virtual const SolvesSystems* systems() const { return nullptr; }
+  /// Null where coordinates are no numbers, or are normalised.
+  virtual const HasLimits* limits() const { return nullptr; }
+  /// Null where no terms are known but the coordinates.
+  virtual const HasTerms* terms() const { return nullptr; }
+  /// Null where coordinates come first, up to that order.
+  virtual const AppliesData* products(int /*order*/) const { return nullptr; }
+  virtual const SolvesLaplacians* boundary_laplacians() const { return nullptr; }
+};
+
+/// Implements PreparedCoordinates::fill by `template <Scalar R> void compute(points, order, tables) const` of the
+/// derived class.
+template <class Derived>
+class CoordinatesIn : public PreparedCoordinates {
+ public:
+  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override {
+    own().compute(points, order, tables);
+  }
+  void fill(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const override {
+    own().compute(points, order, tables);
+  }
+  void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
+    own().compute(points, order, tables);
+  }
+  void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const override {
+    own().compute(points, order, tables);
+  }
+
+ private:
+  const Derived& own() const { return static_cast<const Derived&>(*this); }
+};
+
+/// Coordinates in double that are computed all at once, beside the sums over elements that have all else: other
+/// scalars, limits and terms.
+class BesideSums : public PreparedCoordinates {
+ public:
+  /// \param dimension of the cage
+  BesideSums(std::shared_ptr<const PreparedCoordinates> summed, int dimension)
+      : summed_(std::move(summed)), dimension_(dimension) {}
+
+  const std::vector<CoordinateBlock>& blocks() const override { return summed_->blocks(); }
+  int max_order() const override { return summed_->max_order(); }
+  bool is_exact_in(ScalarKind scalar) const override { return summed_->is_exact_in(scalar); }
+  bool overwrites() const override { return true; }
+  using PreparedCoordinates::fill;
+  /// Those in double, rounded.
+  void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override;
+  void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
+    summed_->fill(points, order, tables);
+  }
+  void fill(std::span<const Vec3<Mp100>> points, int order, std::span<CoordinateTable<Mp100>> tables) const override {
+    summed_->fill(points, order, tables);
+  }
+  const HasLimits* limits() const override { return summed_->limits(); }
+  const HasTerms* terms() const override { return summed_->terms(); }
+
+ protected:
+  /// In double, into tables that may hold anything.
+  void fill_with_sums(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const;
+  /// At one point: one table a block.
+  std::vector<CoordinateTable<double>> sums_at(const Vec3<double>& point, int order) const;
+
+ private:
+  std::shared_ptr<const PreparedCoordinates> summed_;
+  int dimension_;
+};
+
+}  // namespace cageproof

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What a multiprecision number is made of: a number of Boost.Multiprecision, for code that needs Boost's own functions.
+#pragma once
+
+#include "cageproof/core/numbers/mp.h"
+
+#include <boost/multiprecision/mpfr.hpp>
+
+#include <memory>
+
+namespace cageproof {
+
+/// MPFR, stored in place, expression templates off.
+template <unsigned Digits>
+using MpNumber = boost::multiprecision::number<
+    boost::multiprecision::mpfr_float_backend<Digits, boost::multiprecision::allocate_stack>,
+    boost::multiprecision::et_off>;
+
+/// The number as Boost's.
+template <unsigned D>
+const MpNumber<D>& number_of(const Mp<D>& x) {
+  return *reinterpret_cast<const MpNumber<D>*>(x.data());
+}
+
+/// Boost's number as ours.
+template <unsigned D>
+Mp<D> from_number(const MpNumber<D>& x) {
+  Mp<D> result;
+  *reinterpret_cast<MpNumber<D>*>(result.data()) = x;
+  return result;
+}
+
+/// The type that Boost's functions take for a scalar, and what converts to it and back.
+template <class R>
+struct BoostReal {
+  using Number = R;
+  static const R& to(const R& x) { return x; }
+  static const R& from(const R& x) { return x; }
+};
+template <unsigned D>
+struct BoostReal<Mp<D>> {
+  using Number = MpNumber<D>;
+  static const Number& to(const Mp<D>& x) { return number_of(x); }
+  static Mp<D> from(const Number& x) { return from_number(x); }
+};
+
+}  // namespace cageproof

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "cage_checks.h"
+
+#include "cageproof/core/geometry/element.h"
+#include "cageproof/core/geometry/orientation.h"
+
+#include "cageproof/core/input_error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace cageproof::cage_checks {
+namespace {
+
+// Calls f(from, to) for the edges of a face, in order.
+template <class F>
+void for_each_edge(const Face& face, F&& f) {
+  for (int k = 0; k < face.size(); ++k) f(face.vertices[k], face.vertices[(k + 1) % face.size()]);
+}
+
+void check_shape(const Candidate& cage, std::size_t index) {
+  const Face& face = cage.faces[index];
+  const int n = face.size();
+  std::array<Triangle<double>, 4> at_corner;
+  for (int k = 0; k < n; ++k) {
+    const int vertex = face.vertices[k], before = face.vertices[(k + n - 1) % n], after = face.vertices[(k + 1) % n];
+    at_corner[k] = {cage.vertices[before], cage.vertices[vertex], cage.vertices[after]};
+    if (cage.vertices[vertex] == cage.vertices[after])
+      fail_face(cage, index, fmt::format("degenerate: vertices {} and {} coincide", vertex, after));
+    if (on_a_line(at_corner[k]))
+      fail_face(cage, index, fmt::format("degenerate: vertices {}, {} and {} lie on a line", before, vertex, after));
+  }
+  // The diagonal from corner 0 leaves the triangles at corners 1 and 3, the other one those at 0 and 2.
+  if (n == 4 && sign_of_normals(at_corner[1], at_corner[3]) < 0 && sign_of_normals(at_corner[0], at_corner[2]) < 0)
+    fail_face(cage, index,
+              "the quad crosses itself (a bow-tie), or folds by more than a right angle along both diagonals");
+}
+
+// What the numbers in a message count.
+std::string counted(const Candidate& cage) {
+  return fmt::format("({} and vertices counted from 0)", is_plane(cage) ? "segments" : "faces");
+}
+
+}  // namespace
+
+void fail(const Candidate& cage, const std::string& reason) { throw InputError(cage.name + ": " + reason); }
+
+void fail_face(const Candidate& cage, std::size_t face, const std::string& reason) {
+  fail(cage, fmt::format("{}: {} {}", face_label(cage, face), reason, counted(cage)));
+}
+
+void fail_vertex(const Candidate& cage, std::size_t vertex, const std::string& reason) {
+  fail(cage, fmt::format("vertex {}: {} {}", vertex, reason, counted(cage)));
+}
+
+std::string face_label(const Candidate& cage, std::size_t face) {
+  const std::string_view element = is_plane(cage) ? "segment" : "face";
+  return face < cage.face_lines.size() ? fmt::format("{} {} (line {})", element, face, cage.face_lines[face])
+                                       : fmt::format("{} {}", element, face);
+}
+
+void check_coordinates(const Candidate& cage) {
+  if (cage.vertices.empty()) fail(cage, "no vertices");
+  if (cage.faces.empty()) fail(cage, is_plane(cage) ? "no segments" : "no faces");
+  for (std::size_t i = 0; i < cage.vertices.size(); ++i)
+    if (!cage.vertices[i].allFinite()) fail_vertex(cage, i, "a coordinate is not finite");
+}
+
+void check_indices(const Candidate& cage) {
+  const int count = static_cast<int>(cage.vertices.size());
+  std::vector<bool> used(count, false);
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    const Face& face = cage.faces[f];
+    for (int k = 0; k < 4; ++k) {
+      const int vertex = face.vertices[k];
+      if (k >= cage.least_corners && vertex == -1) continue;
+      if (vertex < 0 || vertex >= count)
+        fail_face(cage, f, fmt::format("index {} is out of range, there are {} vertices", vertex, count));
+      if (std::find(face.vertices.begin(), face.vertices.begin() + k, vertex) != face.vertices.begin() + k)
+        fail_face(cage, f, fmt::format("vertex {} occurs twice", vertex));
+      used[vertex] = true;
+    }
+  }
+  const auto loose = std::ranges::find(used, false);
+  if (loose != used.end())
+    fail_vertex(cage, loose - used.begin(),
+                fmt::format("no {} uses it; remove it from the cage", is_plane(cage) ? "segment" : "face"));
+}
+
+void check_shapes(const Candidate& cage, bool allow_invalid_quads) {
+  for (std::size_t f = 0; f < cage.faces.size(); ++f)
+    if (!allow_invalid_quads || type_of(cage.faces[f].kind()).splits.empty()) check_shape(cage, f);
+}
+
+void check_edges(const Candidate& cage) {
+  struct Uses {
+    int rising = 0, falling = 0;  // faces that run along the edge towards its higher or its lower vertex
+  };
+  std::map<std::pair<int, int>, Uses> edges;
+  for (const Face& face : cage.faces)
+    for_each_edge(face, [&](int from, int to) {
+      Uses& uses = edges[std::minmax(from, to)];
+      ++(from < to ? uses.rising : uses.falling);
+    });
+  for (std::size_t f = 0; f < cage.faces.size(); ++f)
+    for_each_edge(cage.faces[f], [&](int from, int to) {
+      const Uses uses = edges.at(std::minmax(from, to));
+      const std::string edge = fmt::format("edge between vertices {} and {}", from, to);
+      if (uses.rising + uses.falling == 1) fail_face(cage, f, edge + " belongs to no other face: the cage has a hole");
+      if (uses.rising + uses.falling > 2)
+        fail_face(cage, f, fmt::format("{} belongs to {} faces: not a manifold", edge, uses.rising + uses.falling));
+      if (uses.rising != 1)
+        fail_face(cage, f, edge + " runs the same way in its neighbour: the faces are oriented inconsistently");
+    });
+}
+
+void check_fans(const Candidate& cage) {
+  std::map<std::pair<int, int>, std::size_t> face_along;  // a directed edge's face
+  std::vector<std::size_t> faces_at(cage.vertices.size(), 0);
+  std::vector<int> any_neighbour(cage.vertices.size(), -1);
+  for (std::size_t f = 0; f < cage.faces.size(); ++f)
+    for_each_edge(cage.faces[f], [&](int from, int to) {
+      face_along[{from, to}] = f;
+      ++faces_at[from];
+      any_neighbour[from] = to;
+    });
+  for (int v = 0; v < static_cast<int>(cage.vertices.size()); ++v) {
+    std::size_t walked = 0;
+    int neighbour = any_neighbour[v];
+    do {
+      // In the face that runs v -> neighbour, the corner before v is the next neighbour.
+      const Face& face = cage.faces[face_along.at({v, neighbour})];
+      for_each_edge(face, [&](int from, int to) {
+        if (to == v) neighbour = from;
+      });
+      ++walked;
+    } while (neighbour != any_neighbour[v]);
+    if (walked != faces_at[v])
+      fail_vertex(cage, v, fmt::format("its {} faces form more than one fan: not a manifold", faces_at[v]));
+  }
+}
+
+int orientation(const Candidate& cage, std::span<const int> faces) {
+  std::vector<Triangle<double>> triangles;
+  for (const int f : faces) {
+    const auto& vertices = cage.faces[f].vertices;
+    const auto add = [&](int a, int b, int c) {
+      triangles.push_back({cage.vertices[vertices[a]], cage.vertices[vertices[b]], cage.vertices[vertices[c]]});
+    };
+    // Twice a bilinear quad's volume is the sum over both of its splits: twice everything.
+    const auto splits = type_of(cage.faces[f].kind()).splits;
+    if (splits.empty())
+      for (int twice = 0; twice < 2; ++twice) add(0, 1, 2);
+    for (const ElementSplit& split : splits)
+      for (const auto& t : split.triangles) add(t[0], t[1], t[2]);
+  }
+  return sign_of_volume(triangles);
+}
+
+}  // namespace cageproof::cage_checks

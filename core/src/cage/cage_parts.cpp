@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "cage_parts.h"
+
+#include "cageproof/core/geometry/element.h"
+#include "cageproof/core/cage/face_crossings.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/geometry/winding_number.h"
+#include "face_pieces.h"
+#include "polygon_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace cageproof::cage_checks {
+namespace {
+
+// Which of some vertices are connected.
+class Connected {
+ public:
+  explicit Connected(std::size_t count) : towards_(count) { std::iota(towards_.begin(), towards_.end(), 0); }
+  int root(int v) {
+    while (towards_[v] != v) v = towards_[v] = towards_[towards_[v]];
+    return v;
+  }
+  void join(int a, int b) { towards_[root(a)] = root(b); }
+
+ private:
+  std::vector<int> towards_;
+};
+
+std::vector<Part> connected_parts(const Candidate& cage) {
+  Connected connected(cage.vertices.size());
+  for (const Face& face : cage.faces)
+    for (int k = 1; k < face.size(); ++k) connected.join(face.vertices[0], face.vertices[k]);
+  std::vector<Part> parts;
+  std::vector<int> part_of(cage.vertices.size(), -1);  // by root
+  for (std::size_t f = 0; f < cage.faces.size(); ++f) {
+    int& part = part_of[connected.root(cage.faces[f].vertices[0])];
+    if (part < 0) {
+      part = static_cast<int>(parts.size());
+      parts.emplace_back();
+    }
+    parts[part].faces.push_back(static_cast<int>(f));
+  }
+  return parts;
+}
+
+// What a part encloses, ready to be asked for points.
+class Region {
+ public:
+  Region(const Candidate& cage, const Part& part) : cage_(cage) {
+    for (const int f : part.faces) {
+      const auto& v = cage.faces[f].vertices;
+      const auto at = [&](int k) { return cage.vertices[v[k]]; };
+      for (int k = 0; k < cage.faces[f].size(); ++k) vertices_.push_back(v[k]);
+      if (cage.faces[f].size() == 2) segments_.push_back({at(0), at(1)});
+      else
+        for (const auto& [a, b, c] : pieces_of(cage.vertices, cage.faces[f]))
+          triangles_.push_back({cage.vertices[a], cage.vertices[b], cage.vertices[c]});
+    }
+    std::ranges::sort(vertices_);
+    const auto repeated = std::ranges::unique(vertices_);
+    vertices_.erase(repeated.begin(), repeated.end());
+    low_ = high_ = cage.vertices[vertices_.front()];
+    for (const int v : vertices_) {
+      low_ = low_.cwiseMin(cage.vertices[v]);
+      high_ = high_.cwiseMax(cage.vertices[v]);
+    }
+  }
+
+  /// \param crossing whether their faces cross or touch: else one vertex answers for all
+  bool holds(const Region& other, bool crossing) const {
+    if ((other.low_.array() < low_.array()).any() || (other.high_.array() > high_.array()).any()) return false;
+    bool any = false;
+    for (const int v : other.vertices_) {
+      const auto winding = segments_.empty() ? winding_number(triangles_, cage_.vertices[v])
+                                             : winding_number(segments_, cage_.vertices[v]);
+      if (!winding) continue;
+      if (*winding == 0) return false;
+      any = true;
+      if (!crossing) break;
+    }
+    return any;
+  }
+
+ private:
+  const Candidate& cage_;
+  std::vector<int> vertices_;
+  std::vector<Triangle<double>> triangles_;
+  std::vector<Segment<double>> segments_;
+  Vec3<double> low_, high_;
+};
+
+// Pairs of parts whose faces cross or touch, the lower one first.
+std::vector<std::pair<int, int>> crossing_parts(const Candidate& cage, const std::vector<Part>& parts) {
+  std::vector<int> part_of(cage.faces.size());
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (const int f : parts[p].faces) part_of[f] = static_cast<int>(p);
+  std::vector<std::pair<int, int>> pairs;
+  for (const FaceCrossing& c : face_crossings(cage.vertices, cage.faces))
+    pairs.push_back(std::minmax({part_of[c.first], part_of[c.second]}));
+  std::ranges::sort(pairs);
+  const auto repeated = std::ranges::unique(pairs);
+  pairs.erase(repeated.begin(), repeated.end());
+  return pairs;
+}
+
+void nest(const Candidate& cage, std::vector<Part>& parts) {
+  std::vector<Region> regions;
+  regions.reserve(parts.size());
+  for (const Part& part : parts) regions.emplace_back(cage, part);
+  // Polygons do not cross.
+  const auto crossings = is_plane(cage) ? std::vector<std::pair<int, int>>() : crossing_parts(cage, parts);
+  const int count = static_cast<int>(parts.size());
+  for (int inner = 0; inner < count; ++inner)
+    for (int outer = 0; outer < count; ++outer) {
+      if (inner == outer) continue;
+      const bool crossing = std::ranges::binary_search(crossings, std::minmax({inner, outer}));
+      if (regions[outer].holds(regions[inner], crossing)) parts[inner].around.push_back(outer);
+    }
+}
+
+std::string label(const Candidate& cage, const Part& part) {
+  return fmt::format("the part of {} {} from {} on", part.faces.size(), is_plane(cage) ? "segments" : "faces",
+                     face_label(cage, part.faces.front()));
+}
+
+}  // namespace
+
+std::vector<Part> parts_of(const Candidate& cage) {
+  std::vector<Part> parts = connected_parts(cage);
+  for (Part& part : parts) {
+    part.orientation = is_plane(cage) ? turning(cage, part.faces) : orientation(cage, part.faces);
+    if (part.orientation == 0)
+      throw InputError(
+          fmt::format("{}: {} encloses no volume", cage.name, parts.size() == 1 ? "the cage" : label(cage, part)));
+  }
+  if (parts.size() > 1) nest(cage, parts);
+  return parts;
+}
+
+std::string wrong_way(const Candidate& cage, const std::vector<Part>& parts, const Part& part) {
+  const std::string_view inward = is_plane(cage) ? "run clockwise (negative area)" : "point inward (negative volume)";
+  const std::string_view elements = is_plane(cage) ? "segments" : "faces";
+  if (std::ranges::all_of(parts, [](const Part& p) { return p.orientation != p.expected(); }))
+    return fmt::format("{}: the {} {}, from {} on; --flip-inward reverses them", cage.name, elements, inward,
+                       face_label(cage, 0));
+  const std::string where =
+      part.around.empty()
+          ? "within no other part"
+          : fmt::format("within {} other part{}, the first from {} on", part.around.size(),
+                        part.around.size() == 1 ? "" : "s", face_label(cage, parts[part.around.front()].faces.front()));
+  const bool plane = is_plane(cage);
+  const std::string_view how = part.orientation < 0 ? (plane ? "bounds no hole, though it runs clockwise"
+                                                             : "bounds no cavity, though its normals point inward")
+                                                    : (plane ? "bounds a hole, so it should run clockwise"
+                                                             : "bounds a cavity, so its normals should point into it");
+  return fmt::format("{}: {} lies {}: it {}; --flip-inward reverses such parts", cage.name, label(cage, part), where,
+                     how);
+}
+
+}  // namespace cageproof::cage_checks

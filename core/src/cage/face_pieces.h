@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Faces as triangles for tests of where a surface lies.
+#pragma once
+
+#include "cageproof/core/cage/cage.h"
+
+namespace cageproof {
+
+/// Vertices of triangles.
+using Pieces = std::vector<std::array<int, 3>>;
+
+/// A face's triangles. A quad is cut by the diagonal at its first corner, or by the other one where that folds it, as
+/// in an arrowhead. Triangles without area are left out.
+Pieces pieces_of(const std::vector<Vec3<double>>& vertices, const Face& face);
+
+/// The triangles of a quad by every diagonal that does not fold it, planar ones too: what touches a diagonal touches no
+/// edge. None for a quad that each diagonal folds.
+Pieces all_pieces_of(const std::vector<Vec3<double>>& vertices, const Face& face);
+
+}  // namespace cageproof

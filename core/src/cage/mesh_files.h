@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// What the readers of the file formats share: whole files, lines, tokens, and messages that name the place.
+#pragma once
+
+#include "cageproof/core/cage/mesh_io.h"
+
+#include <string>
+#include <string_view>
+
+namespace cageproof::mesh_files {
+
+/// Where in a file something is wrong. \p line counts from 1; 0 means the whole file.
+struct FileLine {
+  const std::filesystem::path& file;
+  std::size_t line = 0;
+  /// \throws InputError "file:line: reason"
+  [[noreturn]] void fail(const std::string& reason) const;
+};
+
+/// The whole file. \throws InputError when it is missing, no file, unreadable or empty
+std::string read_mesh_file(const std::filesystem::path& path);
+
+/// A token as messages show it: quoted, printable, at most 40 characters.
+std::string shown(std::string_view token);
+
+/// Takes the next line off `rest`, without its end (LF, CRLF or CR); false at the end of the text.
+bool take_line(std::string_view& rest, std::string_view& line);
+
+/// Takes the next token off `rest`, empty at the end. Tokens stand between blanks and tabs.
+std::string_view take_token(std::string_view& rest);
+
+/// The text without a UTF-8 byte order mark.
+std::string_view without_mark(std::string_view text);
+
+/// The correctly rounded finite number a token states. \throws InputError at `at` when it is none
+double finite_number(std::string_view token, const FileLine& at);
+
+/// The extension, in lower case: ".obj".
+std::string extension_of(const std::filesystem::path& path);
+
+Mesh read_obj(const std::filesystem::path& path);
+
+/// A PLY file after its check. VTK 9.1's reader crashes on what is not whole, and on legal files too (colours that are
+/// not all bytes, lines that end in CR, a last line without end); it takes other elements for faces, knows no point
+/// sets and rounds coordinates to float. So it is given a copy with nothing but the faces, and the coordinates come
+/// from the check.
+struct CheckedPly {
+  std::vector<Vec3<double>> vertices;
+  std::size_t face_count = 0;
+  std::string for_vtk;  ///< a binary PLY with the same faces, and zeros for coordinates
+};
+/// \throws InputError for what read_mesh rejects
+CheckedPly check_ply(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace cageproof::mesh_files

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Every deformer on a cage: which maps of space it keeps, its derivatives and its truth.
+#pragma once
+
+#include "cageproof/validation/cage_points.h"
+#include "deformer_checks.h"
+#include "cageproof/validation/measurement.h"
+
+namespace cageproof::validation {
+
+struct DeformerCampaignOptions {
+  std::string methods = "*";
+  Triangulation triangulation = Triangulation::Shortest;
+  std::uint64_t seed = 1;
+  int points = 12;     ///< inside the cage, for the maps that are kept
+  int few_points = 2;  ///< of these, for derivatives and what takes 50 digits or quadrature; one on larger cages
+  int jobs = 0;
+};
+
+/// The embedded cages that runs judge deformers on, in report order: small ones, so that all variants of all methods
+/// are prepared in seconds.
+const std::vector<std::string_view>& deformer_cage_names();
+
+/// Points inside a cage, at least 2e-2 of its size from it; point i is a function of (seed, cage name, i).
+/// Fewer, or none, of cages so thin that none is found.
+std::vector<Vec3<double>> interior_points(const Cage& cage, Triangulation rule, std::uint64_t seed, int count);
+
+/// One a variant of each method that matches and does not refuse the cage; on cages with more than few_elements of the
+/// first and last variants alone.
+Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options);
+
+/// Measures and judges them.
+std::vector<ResultRow> run_deformer_campaign(const Cage& cage, const DeformerCampaignOptions& options);
+
+}  // namespace cageproof::validation

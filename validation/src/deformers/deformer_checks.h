@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// What is asked of a deformer on a cage: which maps of space it keeps, and whether its images and their derivatives are
+// what they say.
+#pragma once
+
+#include "cageproof/deformation/deformer.h"
+#include "cageproof/validation/cage_campaign.h"
+#include "deformer_poses.h"
+#include "cages/mirror_symmetry.h"
+#include "cageproof/core/lazy.h"
+#include "cageproof/validation/question.h"
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cageproof::validation {
+
+/// A method with one of the values of its own parameters that have names, the others at their defaults.
+struct DeformerVariant {
+  const deformation::DeformMethod* method;
+  std::string name;                ///< "stretch=rms"; empty for methods without such parameters
+  std::vector<double> parameters;  ///< DeformOptions::parameters
+  bool is_default = true;          ///< whether all of them are at their defaults
+};
+
+/// Cages with so many elements at most are asked for what takes seconds on larger ones.
+inline constexpr std::size_t few_elements = 12;
+
+/// All variants of a method, in the order of the parameters and their names.
+std::vector<DeformerVariant> variants_of(const deformation::DeformMethod& method);
+
+/// The variant of that name. \throws InputError where there is none
+DeformerVariant variant_named(const deformation::DeformMethod& method, std::string_view name);
+
+/// An error of an image, by what it may be.
+struct DeformerError {
+  /// In cage sizes (Jacobians: as they are; second derivatives: times the size), over a thousandth of the condition of
+  /// the worst system that was solved, where that is above one.
+  double error = std::numeric_limits<double>::quiet_NaN();
+  double plain = std::numeric_limits<double>::quiet_NaN();  ///< without regard to the condition
+};
+
+/// \param plain in cage sizes \param condition of the worst system that was solved; no more than 1e8 of it is excused
+DeformerError error_over_condition(double plain, double condition);
+
+/// A deformer and its questions. Safe from any thread.
+class DeformerChecks {
+ public:
+  /// \param like the method prepared for the same cage with other parameters, whose coordinates are taken where they
+  /// serve; null for none \throws InputError for a cage that the method refuses
+  DeformerChecks(std::shared_ptr<const Cage> cage, DeformerVariant variant, Triangulation rule,
+                 const deformation::Deformer<double>* like = nullptr);
+
+  /// keeps_rigid, keeps_scale, keeps_mirror, keeps_linear: images with those of the map that poses the cage, in double.
+  /// keeps_linear_with_normals, of methods that take normal derivatives: the same with those of the map.
+  /// keeps_symmetry, on cages that are their own mirror images across an axis, and posed symmetrically: images of
+  /// mirrored points with the mirrored images, where the deformer's elements are symmetric, too.
+  /// keeps_symmetry_of_quads: the same where the quads are, and not the triangles that they are split in.
+  /// deformer_truth: images and their derivatives in double with those in 50 digits, where these are prompt: of methods
+  /// that solve systems for the cage on small cages alone, and by default parameters; of those that keep quads by
+  /// default parameters.
+  /// deformer_jacobian: derivatives with central differences of the images and of the Jacobian, in 50 digits where
+  /// these are prompt, else in double.
+  /// deformer_by_quadrature: images with those that an adaptive rule gives, on small cages, by default parameters.
+  /// second_route: images in 50 digits with those of second_routes::LayerRoute, of methods that solve for densities; in
+  /// space by default parameters, in the plane of the cage turned.
+  /// A question's place is its pose, which is solved for when the question is first asked. Valid while this lives.
+  std::vector<Question<PointAt>> questions() const;
+
+ private:
+  /// Errors by order; NaN where there is no image.
+  using Errors = std::array<DeformerError, 3>;
+  /// Of a point.
+  using Ask = std::function<Errors(const Vec3<double>&)>;
+  template <class R>
+  using Prepared = std::shared_ptr<const deformation::Deformer<R>>;
+  template <class R>
+  Prepared<R> prepared(const std::string& evaluation) const;
+  /// Few elements and, where quads are kept, few corners of them.
+  bool has_few_elements() const;
+  bool is_prompt_in_50_digits() const;
+  std::optional<std::string> quadrature() const;
+  Question<PointAt> question(std::string_view check, std::string_view pose, ScalarKind scalar, int lowest, int highest,
+                             Ask ask) const;
+  Ask kept(const SpaceMap& map, bool with_normals) const;
+  Ask mirrored(const MirrorSymmetry& mirror) const;
+  Ask compared_with_truth(int order) const;
+  Ask compared_with_quadrature() const;
+  bool has_second_route() const;
+  Ask compared_with_second_route() const;
+  template <class R>
+  Ask differences() const;
+  template <class R>
+  const deformation::Deformer<R>& deformer_in() const;
+  Errors compared(const deformation::Images<double>& images, const deformation::Images<Mp50>& with, int order,
+                  double condition) const;
+
+  std::shared_ptr<const Cage> cage_;
+  DeformerVariant variant_;
+  Triangulation rule_;
+  Prepared<double> deformer_;
+  Lazy<Prepared<Mp50>> in_50_digits_;
+  std::optional<CageCoordinates> prior_;
+};
+
+}  // namespace cageproof::validation

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Poses that deformers are judged with: maps of space, which some of them keep, and one that is no such map.
+#pragma once
+
+#include "cageproof/core/cage/cage.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace cageproof::validation {
+
+/// A map of space x -> linear x + shift that a cage is posed by, and the check that asks whether deformers keep it.
+struct SpaceMap {
+  std::string_view check, pose;
+  Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
+  Vec3<double> shift = Vec3<double>::Zero();  ///< in cage sizes
+
+  Vec3<double> operator()(const Vec3<double>& x, double size) const { return linear * x + size * shift; }
+};
+
+/// Identity, shift and rotation (keeps_rigid), scale 1.5 (keeps_scale), the last axis reversed (keeps_mirror), and a
+/// general linear map (keeps_linear), in a space of that dimension.
+std::vector<SpaceMap> space_maps(int dimension);
+
+/// The cage's vertices under a map.
+std::vector<Vec3<double>> posed_by(const SpaceMap& map, const Cage& cage);
+
+/// The name of the pose that is no map of space.
+inline constexpr std::string_view bent_pose = "bent";
+
+/// The names of the same pose made symmetric across each axis.
+inline constexpr std::array<std::string_view, 3> symmetric_poses{"symmetric in x", "symmetric in y", "symmetric in z"};
+
+/// Each vertex moved by itself, by up to a twentieth of the cage's size along each axis: a function of the cage's name
+/// and the vertex's number.
+std::vector<Vec3<double>> bent(const Cage& cage);
+
+}  // namespace cageproof::validation

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// From tallies to judged rows: the one way in which a row of results is made.
+#pragma once
+
+#include "cageproof/core/results/partial_result.h"
+
+namespace cageproof::validation {
+
+/// The role of a row's evaluation by the program's register, as RowFigures has it.
+std::string role_of(const RowKey& key);
+
+/// The row of a tally: its figures, and bound, reason and verdict from the table of promises.
+ResultRow row_of(const RowKey& key, const Tally& tally);
+
+/// Sets bound, reason and verdict of a row from the table of promises.
+void judge(ResultRow& row);
+
+/// How many samples a row should have measured and did not: those whose truth was not reached, those that an evaluation
+/// declined which may not, and those that nothing is known of.
+std::uint64_t lost_samples(const ResultRow& row);
+
+/// What findings amount to, in the order in which reports list them.
+struct Judged {
+  std::vector<ResultRow> rows;
+  std::vector<ResultCurve> curves;
+  std::vector<std::string> notes;  ///< where the closed form in multiprecision is not the integral
+};
+
+/// Judges all tallies of a run together: where the truth is not confirmed by the integral, nothing that was measured
+/// against it counts, and if anything was promised there the integral's own row is broken.
+Judged judged(const std::map<RowKey, Tally>& tallies);
+
+}  // namespace cageproof::validation
