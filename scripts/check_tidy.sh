@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # scripts/check_tidy.sh [--minutes N] [--all | BASE]: clang-tidy over the C++ files that commits since BASE changed, the last ones first; --all: over all sources.
-# A header is checked with a source that includes it. BASE: the branch's start off origin/main; on origin/main itself, ten commits back.
+# A header is checked with a source that includes it; moves, and changes of #include lines only, are not looked at. BASE: the branch's start off origin/main; on origin/main itself, ten commits back.
 # --minutes: stops then, and fails when it did not reach all files. Exit 0: all were looked at, nothing found; 1: something was found, or a file not reached;
 # 2: it cannot run.
 set -euo pipefail
@@ -21,6 +21,9 @@ while (($#)); do
   esac
   shift
 done
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 
 # Sources compiled for other processors, or against the installed library, have no command here.
 has_command() { [[ -f $1 && $1 != scripts/* && $1 != docs/* && $1 != */tests/consumer/* ]]; }
@@ -60,7 +63,10 @@ else
     exit 2
   }
   since=$base
-  changed=$(git log --format= --name-only --diff-filter=d "$base..HEAD" -- '*.cpp' '*.h' | awk '!seen[$0]++')
+  # Files that were moved, or of which only #include lines changed, are the same code.
+  git diff --find-renames -l5000 --unified=0 "$base" HEAD -- '*.cpp' '*.h' |
+    awk '/^\+\+\+ / {file = substr($0, 7); next} /^--- / {next} /^[-+]/ && !/^[-+][ \t]*(#include .*)?$/ && !seen[file]++ {print file}' >"$work/code"
+  changed=$(git log --format= --name-only --diff-filter=d "$base..HEAD" -- '*.cpp' '*.h' | awk '!seen[$0]++' | grep -Fxf "$work/code" || true)
 fi
 mapfile -t files < <(for file in $changed; do if [[ -f $file ]]; then source_of "$file"; fi; done | awk '!seen[$0]++')
 ((${#files[@]})) || {
@@ -69,8 +75,6 @@ mapfile -t files < <(for file in $changed; do if [[ -f $file ]]; then source_of 
 }
 
 # Commands of single files: no unity build, no precompiled headers.
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 cmake -S . -B "$work/commands" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang-16 -DCMAKE_CXX_COMPILER=clang++-16 \
   -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >"$work/log" 2>&1 || {
   cat "$work/log" >&2

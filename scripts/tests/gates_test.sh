@@ -50,6 +50,14 @@ if command -v clang-tidy-16 >/dev/null; then
   printf 'int one();\ninline char* none() { return nullptr; }\n' >core/src/one.h
   commit mended
   expect 0 '1 of 1 sources are clean' scripts/check_tidy.sh HEAD~1
+  # A move is the same code; a move and a changed line are not.
+  git mv core/src/one.h core/src/first.h
+  sed -i 's/one.h/first.h/' core/src/one.cpp
+  commit moved
+  expect 0 'no C++ file was changed' scripts/check_tidy.sh HEAD~1
+  printf 'int one();\ninline char* none() { return 0; }\n' >core/src/first.h
+  commit broken
+  expect 1 '0 of 1 sources are clean, 1 are not' scripts/check_tidy.sh HEAD~2
 fi
 
 expect 2 'names no formula' "$root/scripts/hunt_all" 10 "$work/hunt" /bin/false
