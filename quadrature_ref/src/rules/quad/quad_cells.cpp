@@ -3,6 +3,7 @@
 #include "polynomial_zeros.h"
 
 #include <complex>
+#include <numbers>
 
 namespace cageproof::quadrature_ref {
 namespace {
@@ -36,13 +37,18 @@ double ellipse(const std::vector<Complex>& zeros, double lo, double hi) {
   return least;
 }
 
-// Gauss-Legendre's n for an integrand with poles at the ellipse, which grows like exp(6 x) or a polynomial inside.
+// log sinh x
+double log_sinh(double x) { return x + std::log1p(-std::exp(-2 * x)) - std::numbers::ln2; }
+
+// Gauss-Legendre's n for an integrand with poles at the ellipse, which inside grows like the sixth power of sinh: as a
+// polynomial in short cells, and exponentially in long ones.
 // Cells that hold a near-singularity must cost the more the nearer it is, or halving them would seem to gain nothing.
 double points(double digits, double half, double largest) {
   double least = kCannot;
   for (double excess = .85 * (largest - 1); excess > 0; excess *= .7) {
     const double sum = 1 + excess;
-    const double growth = std::min(3 * half * (sum + 1 / sum - 2), 9 * std::log(1 + sum / 2));
+    const double axis = half * (sum + 1 / sum) / 2;
+    const double growth = half > 0 ? 6 * (log_sinh(axis) - log_sinh(half)) : 0;
     least = std::min(least, (digits + .4343 * growth) / (2 * std::log10(sum)));
     if (excess < .01) break;
   }
