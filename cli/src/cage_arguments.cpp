@@ -39,6 +39,7 @@ Cage CageArguments::load() const {
                     file, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), fmt::join(names, ", ")));
   }
   Cage cage = read_cage(file, {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
+  if (const auto warning = folding_warning(cage)) fmt::print(stderr, "warning: {}\n", *warning);
   if (const auto warning = crossing_warning(cage)) fmt::print(stderr, "warning: {}\n", *warning);
   return cage;
 }

@@ -423,6 +423,48 @@ TEST(triangulation, shortest_takes_the_shorter_diagonal) {
   EXPECT_EQ(base(cage.triangulate(Triangulation::Fan)), (std::array{std::array{0, 3, 2}, std::array{0, 2, 1}}));
 }
 
+// The concave corner is each of the four in turn, so that the diagonal outside is the shorter one and, for two of them,
+// that of the first corner.
+TEST(triangulation, takes_the_diagonal_inside_a_concave_quad) {
+  constexpr std::array<std::pair<double, double>, 4> arrowhead{{{0, 0}, {0.5, 2}, {0, 1.5}, {-0.5, 2}}};
+  for (std::size_t first = 0; first < 4; ++first) {
+    std::array<std::pair<double, double>, 4> base;
+    for (std::size_t k = 0; k < 4; ++k) base[k] = arrowhead[(k + first) % 4];
+    const Cage cage = prism(base);
+    for (const Triangulation rule : {Triangulation::Shortest, Triangulation::Fan}) {
+      const Cage::Triangles split = cage.triangulate(rule);
+      for (std::size_t t = 0; t < split.triangles.size(); ++t) {
+        const auto corner = [&](int k) { return cage.vertices()[split.triangles[t][k]]; };
+        const Vec3<double> normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+        const auto& face = cage.faces()[split.face_of[t]].vertices;
+        const auto at = [&](int k) { return cage.vertices()[face[k]]; };
+        // As the face's area vector.
+        EXPECT_GT(normal.dot((at(2) - at(0)).cross(at(3) - at(1))), 0) << first << ' ' << name_of(rule) << ' ' << t;
+      }
+    }
+    EXPECT_FALSE(folding_warning(cage));
+  }
+}
+
+TEST(triangulation, says_which_quads_fold_along_either_diagonal) {
+  // A bow-tie, one wing larger than the other, as base and top.
+  std::vector<Vec3<double>> vertices;
+  for (const double z : {0.0, 1.0})
+    for (const auto& [x, y] : {std::array{0.0, 0.0}, {2.0, 0.0}, {0.0, 1.0}, {1.0, 2.0}}) vertices.push_back({x, y, z});
+  CageOptions options{.flip_inward = true, .allow_invalid_quads = true, .face_lines = {9, 10, 11, 12, 13, 14}};
+  const auto warning = [&]() -> std::optional<std::string> {
+    try {
+      return folding_warning(Cage::make(
+          "bow-tie", vertices,
+          {{{0, 3, 2, 1}}, {{4, 5, 6, 7}}, {{0, 1, 5, 4}}, {{1, 2, 6, 5}}, {{2, 3, 7, 6}}, {{3, 0, 4, 7}}}, options));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  }();
+  ASSERT_TRUE(warning);
+  EXPECT_NE(warning->find("face 0 (line 9)"), std::string::npos) << *warning;
+}
+
 TEST(triangulation, ties_go_to_the_first_corner) {
   const Cage cage = embedded_cage("cube");
   EXPECT_EQ(cage.triangulate(Triangulation::Shortest).triangles, cage.triangulate(Triangulation::Fan).triangles);

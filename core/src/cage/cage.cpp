@@ -8,6 +8,7 @@
 #include "cageproof/core/geometry/quad_geometry.h"
 #include "cage_checks.h"
 #include "cage_parts.h"
+#include "face_pieces.h"
 #include "polygon_checks.h"
 
 #include <fmt/format.h>
@@ -124,6 +125,24 @@ std::vector<std::string> invalid_quads(const Cage& cage) {
   return faults;
 }
 
+std::optional<std::string> folding_warning(const Cage& cage) {
+  std::vector<std::string> found;
+  for (std::size_t f = 0; f < cage.faces().size(); ++f) {
+    const auto splits = type_of(cage.faces()[f].kind()).splits;
+    if (splits.empty() || !std::ranges::all_of(splits, [&](const ElementSplit& split) {
+          return folds(cage.vertices(), cage.faces()[f], split);
+        }))
+      continue;
+    const std::string line = f < cage.face_lines().size() ? fmt::format(" (line {})", cage.face_lines()[f]) : "";
+    found.push_back(fmt::format("face {}{}", f, line));
+  }
+  if (found.empty()) return std::nullopt;
+  return fmt::format(
+      "{}: {} of its quads fold along either diagonal, {} the first; kinds that split quads take the "
+      "shorter diagonal there, and one triangle is turned inside out",
+      cage.name(), found.size(), found.front());
+}
+
 std::vector<std::string> crossing_faces(const Cage& cage) {
   std::vector<std::string> found;
   if (cage.dimension() == 2) return found;
@@ -173,7 +192,12 @@ Cage::Triangles Cage::triangulate(Triangulation rule) const {
       const auto& vertex = faces_[f].vertices;
       return squared_distance(vertices_[vertex[split.diagonal[0]]], vertices_[vertex[split.diagonal[1]]]);
     };
-    const auto chosen = rule == Triangulation::Shortest ? std::ranges::min_element(splits, {}, length) : splits.begin();
+    auto chosen = rule == Triangulation::Shortest ? std::ranges::min_element(splits, {}, length) : splits.begin();
+    if (folds(vertices_, faces_[f], *chosen)) {
+      const auto unfolded =
+          std::ranges::find_if(splits, [&](const ElementSplit& split) { return !folds(vertices_, faces_[f], split); });
+      if (unfolded != splits.end()) chosen = unfolded;
+    }
     for (const auto& triangle : chosen->triangles) add(f, triangle);
   }
   return result;

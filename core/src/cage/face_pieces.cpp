@@ -1,50 +1,52 @@
 // SPDX-License-Identifier: MIT
 #include "face_pieces.h"
 
-#include "cageproof/core/geometry/element.h"
 #include "cageproof/core/geometry/orientation.h"
 
 namespace cageproof {
 namespace {
 
-struct Halves {
-  Pieces pieces;
-  bool folded;
-};
+std::array<Triangle<double>, 2> halves_of(const std::vector<Vec3<double>>& vertices, const Face& face,
+                                          const ElementSplit& split) {
+  std::array<Triangle<double>, 2> halves;
+  for (int i = 0; i < 2; ++i)
+    for (int k = 0; k < 3; ++k) halves[i][k] = vertices[face.vertices[split.triangles[i][k]]];
+  return halves;
+}
 
-Halves halves_by(const std::vector<Vec3<double>>& vertices, const Face& face, const ElementSplit& split) {
-  Halves halves;
-  std::array<Triangle<double>, 2> sides;
+// Those of both triangles that have an area.
+void add_pieces(const std::vector<Vec3<double>>& vertices, const Face& face, const ElementSplit& split,
+                Pieces& pieces) {
+  const auto halves = halves_of(vertices, face, split);
   for (int i = 0; i < 2; ++i) {
     const auto& corners = split.triangles[i];
-    const std::array<int, 3> t{face.vertices[corners[0]], face.vertices[corners[1]], face.vertices[corners[2]]};
-    sides[i] = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
-    if (!on_a_line(sides[i])) halves.pieces.push_back(t);
+    if (!on_a_line(halves[i]))
+      pieces.push_back({face.vertices[corners[0]], face.vertices[corners[1]], face.vertices[corners[2]]});
   }
-  halves.folded = sign_of_normals(sides[0], sides[1]) < 0;
-  return halves;
 }
 
 }  // namespace
 
+bool folds(const std::vector<Vec3<double>>& vertices, const Face& face, const ElementSplit& split) {
+  const auto [first, second] = halves_of(vertices, face, split);
+  return sign_with_both_normals(first, second) < 0 || sign_with_both_normals(second, first) < 0;
+}
+
 Pieces pieces_of(const std::vector<Vec3<double>>& vertices, const Face& face) {
   const auto splits = type_of(face.kind()).splits;
   if (splits.empty()) return {{face.vertices[0], face.vertices[1], face.vertices[2]}};
-  Halves first = halves_by(vertices, face, splits[0]);
-  if (!first.folded) return std::move(first.pieces);
-  Halves second = halves_by(vertices, face, splits[1]);
-  return std::move(second.folded ? first.pieces : second.pieces);
+  const bool other = folds(vertices, face, splits[0]) && !folds(vertices, face, splits[1]);
+  Pieces pieces;
+  add_pieces(vertices, face, splits[other ? 1 : 0], pieces);
+  return pieces;
 }
 
 Pieces all_pieces_of(const std::vector<Vec3<double>>& vertices, const Face& face) {
   const auto splits = type_of(face.kind()).splits;
   if (splits.empty()) return pieces_of(vertices, face);
   Pieces all;
-  for (const ElementSplit& split : splits) {
-    const Halves halves = halves_by(vertices, face, split);
-    if (halves.folded) continue;
-    all.insert(all.end(), halves.pieces.begin(), halves.pieces.end());
-  }
+  for (const ElementSplit& split : splits)
+    if (!folds(vertices, face, split)) add_pieces(vertices, face, split, all);
   return all;
 }
 

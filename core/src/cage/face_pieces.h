@@ -3,11 +3,16 @@
 #pragma once
 
 #include "cageproof/core/cage/cage.h"
+#include "cageproof/core/geometry/element.h"
 
 namespace cageproof {
 
 /// Vertices of triangles.
 using Pieces = std::vector<std::array<int, 3>>;
+
+/// Whether a diagonal cuts a quad in two triangles of which one is turned against both: it lies outside a planar quad
+/// that is concave.
+bool folds(const std::vector<Vec3<double>>& vertices, const Face& face, const ElementSplit& split);
 
 /// A face's triangles. A quad is cut by the diagonal at its first corner, or by the other one where that folds it, as
 /// in an arrowhead. Triangles without area are left out.

@@ -69,6 +69,13 @@ int sign_of_normals(const Triangle<double>& a, const Triangle<double>& b) {
   return exact_sign([&]<class T>() { return scalar_product(normal_of<T>(a), normal_of<T>(b)); });
 }
 
+int sign_with_both_normals(const Triangle<double>& a, const Triangle<double>& b) {
+  return exact_sign([&]<class T>() {
+    const std::array<T, 3> own = normal_of<T>(a);
+    return scalar_product(own, own) + scalar_product(own, normal_of<T>(b));
+  });
+}
+
 int sign_of_volume(std::span<const Triangle<double>> triangles) {
   if (triangles.empty()) return 0;
   const Vec3<double>& origin = triangles.front()[0];

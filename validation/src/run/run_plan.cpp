@@ -96,6 +96,7 @@ class Planner {
       add(hull_measurements(options_.evaluations, options_.seed));
     if (options_.cage) {
       const auto cage = std::make_shared<const Cage>(*options_.cage);
+      if (auto warning = folding_warning(*cage)) plan_.header.notes.push_back(std::move(*warning));
       if (auto warning = crossing_warning(*cage)) plan_.header.notes.push_back(std::move(*warning));
       add_cage(cage);
       if (std::ranges::none_of(coordinate_kinds(), [&](const CoordinateKind& kind) { return is_asked(kind, *cage); }))

@@ -42,7 +42,8 @@ struct CageOptions {
 };
 
 /// How quads become triangles: by the shorter of the two diagonals (compared exactly; ties: the one at the quad's first
-/// corner), or always the one at the quad's first corner. The chosen diagonal of an arrowhead may lie outside it.
+/// corner), or the one at the quad's first corner. Where a triangle of the chosen one would be turned against both, as
+/// the diagonal outside an arrowhead makes it, the other one is taken.
 enum class Triangulation { Shortest, Fan };
 
 /// "shortest", "fan".
@@ -123,6 +124,10 @@ class Cage {
 
 /// The quads that are not valid (invalid_because), each as "face f: reason"; empty for none.
 std::vector<std::string> invalid_quads(const Cage& cage);
+
+/// One line that counts the quads that fold along either diagonal and names the first of them; nothing where none does.
+/// Only cages that were made with CageOptions::allow_invalid_quads have some.
+std::optional<std::string> folding_warning(const Cage& cage);
 
 /// The pairs of faces that cross or touch each other (face_crossings), each as "faces f and g", with the lines of the
 /// file where they are known; empty for none, and in the plane, where make_polygon refuses them. No error: integrals

@@ -28,6 +28,10 @@ bool on_a_line(const Triangle<double>& t);
 /// other.
 int sign_of_normals(const Triangle<double>& a, const Triangle<double>& b);
 
+/// The sign of the product of triangle `a`'s normal with the sum of both normals, each as long as its triangle's area:
+/// -1 where `a` is turned against the surface that both make.
+int sign_with_both_normals(const Triangle<double>& a, const Triangle<double>& b);
+
 /// The sign of the volume that closed triangles enclose, positive where their normals point outward: of the sum of
 /// (t0 - o) . ((t1 - o) x (t2 - o)), o any point.
 int sign_of_volume(std::span<const Triangle<double>> triangles);
