@@ -73,7 +73,7 @@ Posing posing_by(const DeformArguments& a, const Chosen& chosen, const Cage& cag
   DeformOptions options{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(),
                         chosen.parameters.front(), chosen.varied};
   if (!chosen.constrained)
-    return posed_by_cages(method_of(a), cage, std::move(options), chosen.parameters, a.posed, a.data);
+    return posed_by_cages(method_of(a), cage, std::move(options), chosen.parameters, a.posed, a.data, a.strict);
   return posed_by_constraints(*chosen.constrained, cage, options, a.constraints, [](int step, double energy) {
     fmt::print(stderr, "step {}: energy {:.6g}\n", step, energy);
   });
@@ -250,6 +250,8 @@ void add_deform(CommandLine& line) {
   command.option("--outside", a->outside, "points without image: an error, left at rest, or nan")
       .one_of({"error", "rest", "nan"})
       .showing_default();
+  command.flag("--strict", a->strict,
+               "refuse a posed cage whose faces are not the cage's, of which a warning tells otherwise");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
   command.example("cageproof deform --cage cube --posed posed.obj --points mesh.obj --method green --out deformed.obj");
   command.runs([a] { return run(*a); });

@@ -5,6 +5,7 @@
 #include "constraints.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/cage/posed_faces.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/deformation/stretch.h"
 
@@ -46,13 +47,23 @@ void check_rows(const DataFiles& files, const Pose<double>& pose, const CageCoor
 
 Posing posed_by_cages(const DeformMethod& method, const Cage& cage, DeformOptions options,
                       const std::vector<std::vector<double>>& parameters, const std::vector<std::string>& files,
-                      const DataFiles& data) {
+                      const DataFiles& data, bool strict) {
   Pose<double> pose = pose_with(data, method, cage.dimension());
   std::vector<std::vector<Vec3<double>>> cages;
   cages.reserve(files.size());
-  for (const std::string& file : files)
-    cages.push_back(is_embedded_cage(file) ? embedded_cage(file).vertices()
-                                           : load_points(file, cage.dimension()).vertices);
+  for (const std::string& file : files) {
+    Mesh posed =
+        is_embedded_cage(file) ? Mesh{embedded_cage(file).vertices(), {}} : load_points(file, cage.dimension());
+    if (const auto foreign = foreign_face(cage, posed)) {
+      const std::string said = fmt::format(
+          "{}: {}: its vertices seem to be numbered otherwise, and must be in the cage's "
+          "order",
+          file, *foreign);
+      if (strict) throw InputError(said);
+      fmt::print(stderr, "warning: {}\n", said);
+    }
+    cages.push_back(std::move(posed.vertices));
+  }
   options.parameters = parameters.front();
   std::vector<std::shared_ptr<const Deformer<double>>> deformers{prepare_deformer<double>(method, cage, options)};
   Posing found{deformers[0], &deformers[0]->coordinates(), deformers[0]->max_order(), {}};

@@ -34,11 +34,12 @@ struct DataFiles {
 /// posed cage come before those of the next.
 /// \param options of all maps but for parameters; varied names those that the sets differ in
 /// \param parameters sets of them, at least one
+/// \param strict whether a posed cage whose faces are not the cage's is an error; else a warning on standard error
 /// \throws InputError naming the file of a pose that the method does not take, or the option that it does not, and for
 /// sets that have no coordinates in common
 Posing posed_by_cages(const deformation::DeformMethod& method, const Cage& cage, deformation::DeformOptions options,
                       const std::vector<std::vector<double>>& parameters, const std::vector<std::string>& files,
-                      const DataFiles& data);
+                      const DataFiles& data, bool strict);
 
 /// One map, by constraints. \throws InputError naming the file
 Posing posed_by_constraints(const deformation::ConstraintMethod& method, const Cage& cage,

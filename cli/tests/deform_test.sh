@@ -56,6 +56,12 @@ for map in 1:0.0:0.0 2:0.0:1.0 3:0.25:0.0 4:0.25:1.0; do
 done
 mv bent.obj pulled_far.obj
 
+# A posed cage that numbers its vertices otherwise says so by its faces.
+printf 'f 1 2 8\nf 2 3 4\n' | cat large.obj - >numbered.obj
+"$cageproof" deform --cage cube --posed numbered.obj --points mesh.obj --method mean_value --out numbered.csv 2>said || fail "a pose with other faces"
+grep -q '^warning: numbered.obj: face [01] (line [0-9]*) joins vertices .* numbered otherwise' said || fail "no warning: $(cat said)"
+refuses 'numbered.obj' 'numbered otherwise' -- --cage cube --posed numbered.obj --points mesh.obj --method mean_value --strict --out n.csv
+
 # An order that coordinates do not have is refused before the pose is read, or anything is solved.
 refuses 'order 1' 'quad_mean_value by riemann-4' 'order 0' -- --cage cube --posed nowhere.obj --points mesh.obj --method quad_mean_value --evaluation riemann-4 --order 1 --out o.csv
 "$cageproof" deform "${common[@]}" --method ahap --parameter alignment=hard,free --out 'swept_{n}.csv' || fail "a sweep of names"
