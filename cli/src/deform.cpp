@@ -164,15 +164,16 @@ int run(const DeformArguments& a) {
   std::vector<std::pair<std::filesystem::path, std::string>> files;
   std::set<std::string> said;
   Mesh deformed = mesh;
+  MeshSource source(a.points);
   for (std::size_t k = 0; k < posing.maps.size(); ++k) {
     const DescribedMap& map = posing.maps[k];
     deformed.vertices = vertices_of(images.maps[k], cage.dimension());
     const CoordinateColumns table = image_columns(images.maps[k], cage.dimension(), a.order);
     const std::filesystem::path out = numbered(a.out, k + 1);
-    files.emplace_back(out, text_for(out, deformed, table));
+    files.emplace_back(out, text_for(out, deformed, table, source));
     if (!a.derivatives.empty()) {
       const std::filesystem::path derivatives = numbered(a.derivatives, k + 1);
-      files.emplace_back(derivatives, text_for(derivatives, deformed, table));
+      files.emplace_back(derivatives, text_for(derivatives, deformed, table, source));
     }
     Json json = report_of(a, chosen, coordinates, map);
     const DeformationReport& pose = map.map->report();

@@ -3,6 +3,7 @@
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
+#include "cageproof/reports/carried_mesh.h"
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/energy_history.h"
 #include "cageproof/reports/mesh_text.h"
@@ -93,8 +94,33 @@ void check_names(const DeformArguments& a, std::size_t maps) {
   check_distinct(a, maps);
 }
 
-std::string text_for(const std::filesystem::path& file, const Mesh& mesh, const CoordinateColumns& images) {
+MeshSource::MeshSource(const std::string& points) : file_(points) {
+  const std::string extension = std::filesystem::path(points).extension();
+  if (extension == ".obj" || extension == ".OBJ") text_ = read_file(points);
+}
+
+std::string MeshSource::obj_with(const std::vector<Vec3<double>>& vertices) {
+  reports::CarriedMesh carried = reports::obj_with_vertices(text_, vertices);
+  say_left_out(carried.left_out, "which turn with the surface");
+  return std::move(carried.text);
+}
+
+void MeshSource::say_left_out_of(std::string_view extension) {
+  say_left_out(reports::beside_places(file_),
+               fmt::format("since {} files are written with vertices, faces and polylines only", extension));
+}
+
+void MeshSource::say_left_out(const std::vector<std::string>& what, std::string_view why) {
+  if (what.empty() || is_said_) return;
+  fmt::print(stderr, "note: {}: left out: {}, {}\n", file_, fmt::join(what, ", "), why);
+  is_said_ = true;
+}
+
+std::string text_for(const std::filesystem::path& file, const Mesh& mesh, const CoordinateColumns& images,
+                     MeshSource& source) {
   const std::string extension = file.extension();
+  if (extension == ".obj" && source.is_obj()) return source.obj_with(mesh.vertices);
+  if (is_one_of(mesh_extensions, file) || extension == ".vtp") source.say_left_out_of(extension);
   if (extension == ".obj") return reports::obj_text(mesh);
   if (extension == ".ply") return reports::ply_text(mesh);
   if (extension == ".npy") return npy_text(images);

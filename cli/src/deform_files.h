@@ -33,8 +33,28 @@ std::vector<std::pair<std::string, std::string>> given_data(const DeformArgument
 /// written, whose folder does not exist, or that is read or written, too
 void check_names(const DeformArguments& a, std::size_t maps);
 
+/// The file of --points, of which images take along what does not depend on places, and what of it is left out, said
+/// once on standard error.
+class MeshSource {
+ public:
+  explicit MeshSource(const std::string& points);
+
+  bool is_obj() const { return !text_.empty(); }
+  /// Its text with other vertices. \pre is_obj()
+  std::string obj_with(const std::vector<Vec3<double>>& vertices);
+  /// Says what files of that extension do not take along.
+  void say_left_out_of(std::string_view extension);
+
+ private:
+  void say_left_out(const std::vector<std::string>& what, std::string_view why);
+
+  std::string file_, text_;  // text_ of an OBJ
+  bool is_said_ = false;
+};
+
 /// A file's whole text, in the format of its extension.
-std::string text_for(const std::filesystem::path& file, const Mesh& mesh, const CoordinateColumns& images);
+std::string text_for(const std::filesystem::path& file, const Mesh& mesh, const CoordinateColumns& images,
+                     MeshSource& source);
 
 /// The file of --energies: CSV, or a picture with that title.
 std::string energies_text(const DeformArguments& a, const std::string& title, const std::vector<double>& energies);

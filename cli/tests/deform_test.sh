@@ -56,6 +56,18 @@ for map in 1:0.0:0.0 2:0.0:1.0 3:0.25:0.0 4:0.25:1.0; do
 done
 mv bent.obj pulled_far.obj
 
+# What a mesh has beside places stays, or is named where it does not.
+{ printf 'mtllib paint.mtl\nvt 0 0\nvn 0 0 1\ng front\n' && sed 's#^f 1 2 3 4#f 1/1/1 2/1/1 3/1/1 4/1/1#' mesh.obj; } >painted.obj
+"$cageproof" deform --cage cube --posed large.obj --points painted.obj --method mean_value --out kept.obj 2>said || fail "a painted mesh"
+for line in 'mtllib paint.mtl' 'g front' 'f 1/1 2/1 3/1 4/1' 'f 1 3 5'; do grep -qx "$line" kept.obj || fail "lost: $line"; done
+grep -qx 'note: painted.obj: left out: normals, which turn with the surface' said || fail "no note of normals: $(cat said)"
+"$cageproof" deform --cage cube --posed large.obj --points painted.obj --method mean_value --out kept.ply 2>said || fail "a painted mesh as PLY"
+grep -q '^note: painted.obj: left out: materials, texture coordinates, normals, groups, since .ply files' said || fail "no note: $(cat said)"
+# A PLY has the digits of an OBJ.
+"$cageproof" deform --cage cube --posed cube --points kept.ply --method mean_value --outside rest --out again.csv || fail "a PLY read again"
+"$cageproof" deform --cage cube --posed cube --points kept.obj --method mean_value --outside rest --out other.csv || fail "an OBJ read again"
+cmp -s again.csv other.csv || fail "PLY and OBJ differ"
+
 # A posed cage that numbers its vertices otherwise says so by its faces.
 printf 'f 1 2 8\nf 2 3 4\n' | cat large.obj - >numbered.obj
 "$cageproof" deform --cage cube --posed numbered.obj --points mesh.obj --method mean_value --out numbered.csv 2>said || fail "a pose with other faces"

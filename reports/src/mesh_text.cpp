@@ -7,10 +7,13 @@
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkOBJWriter.h>
-#include <vtkPLYWriter.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
 #include <stdexcept>
 
 namespace cageproof::reports {
@@ -34,34 +37,44 @@ void fill(const Mesh& mesh, vtkPolyData& data) {
   if (!mesh.segments.empty()) data.SetLines(lines);
 }
 
-// By a writer that knows files alone.
-template <class Writer>
-std::string written(const Mesh& mesh, const char* name, const auto& set) {
+}  // namespace
+
+std::string obj_text(const Mesh& mesh) {
   vtkNew<vtkPolyData> data;
   fill(mesh, *data);
   const TemporaryFolder scratch;
-  const std::string file = (scratch.path() / name).string();
-  vtkNew<Writer> writer;
+  // VTK's writer knows files only.
+  const std::string file = (scratch.path() / "mesh.obj").string();
+  vtkNew<vtkOBJWriter> writer;
   writer->SetInputData(data);
   writer->SetFileName(file.c_str());
-  set(*writer);
   if (!writer->Write()) throw std::runtime_error("VTK could not write a mesh");
   std::string text = read_file(file);
   if (text.empty()) throw std::runtime_error("VTK wrote no mesh");
   return text;
 }
 
-}  // namespace
-
-std::string obj_text(const Mesh& mesh) {
-  return written<vtkOBJWriter>(mesh, "mesh.obj", [](vtkOBJWriter&) {});
-}
-
 std::string ply_text(const Mesh& mesh) {
-  return written<vtkPLYWriter>(mesh, "mesh.ply", [](vtkPLYWriter& writer) {
-    writer.SetFileTypeToBinary();
-    writer.SetDataByteOrderToLittleEndian();
-  });
+  static_assert(std::endian::native == std::endian::little);
+  std::string text = fmt::format(
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+      "property double z\n",
+      mesh.vertices.size());
+  if (!mesh.faces.empty())
+    text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", mesh.faces.size());
+  if (!mesh.segments.empty())
+    text += fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", mesh.segments.size());
+  text += "end_header\n";
+  const auto append = [&](const auto& x) { text.append(reinterpret_cast<const char*>(&x), sizeof x); };
+  for (const Vec3<double>& vertex : mesh.vertices)
+    for (const double x : vertex) append(x);
+  for (const auto& face : mesh.faces) {
+    append(static_cast<std::uint8_t>(face.size()));
+    for (const std::int32_t v : face) append(v);
+  }
+  for (const auto& segment : mesh.segments)
+    for (const std::int32_t v : segment) append(v);
+  return text;
 }
 
 }  // namespace cageproof::reports

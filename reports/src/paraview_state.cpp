@@ -34,9 +34,9 @@ Element& child(Element& parent, const char* name) {
   return *element;
 }
 
-std::string value_text(const std::string& value) { return value; }
-std::string value_text(int value) { return fmt::format("{}", value); }
-std::string value_text(double value) { return fmt::format("{}", value); }
+std::string property_text(const std::string& value) { return value; }
+std::string property_text(int value) { return fmt::format("{}", value); }
+std::string property_text(double value) { return fmt::format("{}", value); }
 
 // The numbers that proxies go by.
 enum Id { kImage = 100, kCage, kMesh, kPoints, kColours, kOpacity, kLayout, kFirstView = 200 };
@@ -56,7 +56,7 @@ class Proxy {
     for (std::size_t i = 0; i < values.size(); ++i) {
       Element& element = child(property, "Element");
       element.SetIntAttribute("index", static_cast<int>(i));
-      element.SetAttribute("value", value_text(values[i]).c_str());
+      element.SetAttribute("value", property_text(values[i]).c_str());
     }
     return *this;
   }
@@ -257,7 +257,7 @@ class State {
     for (const auto& [direction, fraction, id] : nodes) {
       Element& item = child(tree, "Item");
       item.SetIntAttribute("direction", static_cast<int>(direction));
-      item.SetAttribute("fraction", value_text(fraction).c_str());
+      item.SetAttribute("fraction", property_text(fraction).c_str());
       item.SetIntAttribute("view", static_cast<int>(id));
     }
   }
