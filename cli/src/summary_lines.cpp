@@ -24,11 +24,17 @@ std::vector<std::string> lines_of(const validation::CoordinateSummary& s, const 
         fmt::format("warning: {} coordinates sum to zero outside the cage: what is deformed with them "
                     "collapses to the origin at {} (normalised kinds, as mean_value, do not)",
                     kind.name, points_of(s.outside)));
-  if (s.inexact > 0)
+  if (s.inexact > 0) {
+    const std::string_view far = "far from the cage their weights cancel",
+                           near = "weights of walls that are close to each other have opposite signs and cancel";
+    const std::string reason = !kind.normalised             ? ""
+                               : s.inexact_far == s.inexact ? fmt::format(": {}", far)
+                               : s.inexact_far == 0         ? fmt::format(": {}", near)
+                                                            : fmt::format(": {}, or {}", far, near);
     lines.push_back(fmt::format("warning: {} coordinates of {} of {} points sum to {} to fewer than 8 digits{}",
                                 kind.name, s.inexact, s.points,
-                                kind.normalised || s.outside == 0 ? "one" : "one, or zero outside,",
-                                kind.normalised ? ": far from the cage their weights cancel" : ""));
+                                kind.normalised || s.outside == 0 ? "one" : "one, or zero outside,", reason));
+  }
   const std::string_view lost = kind.normalised ? "the sum of their weights is zero in double, or leaves its range"
                                                 : "terms of theirs leave the range of double";
   if (s.missing > 0) {

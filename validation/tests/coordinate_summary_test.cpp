@@ -33,7 +33,7 @@ struct Summarised {
   const int order;
   const CageCoordinates coordinates{cage, kind, CoordinateOptions{}};
   // Inside, inside, on a face, on a vertex, outside, inside.
-  const std::vector<Vec> points{{.1, .2, .3}, {0, 0, 0}, {.5, .125, -.25}, {.5, .5, .5}, {2, 0, 0}, {-.3, .1, .2}};
+  std::vector<Vec> points{{.1, .2, .3}, {0, 0, 0}, {.5, .125, -.25}, {.5, .5, .5}, {2, 0, 0}, {-.3, .1, .2}};
   std::vector<double> table;
 };
 
@@ -64,6 +64,16 @@ TEST(CoordinateSummary, what_is_not_finite_counts_once_and_has_no_residual) {
   EXPECT_EQ(found.unusable, 2U);
   EXPECT_EQ(found.inexact, 0U);
   EXPECT_LT(found.partition.value, 1e-13);
+}
+
+TEST(CoordinateSummary, counts_what_is_inexact_far_from_the_cage) {
+  Summarised s("mean_value");
+  s.at(1, 0) += 1e-7;
+  s.at(5, 7) -= 3e-7;
+  EXPECT_EQ(s.summary().inexact_far, 0U);
+  s.points[1] = Vec(0, -100, 0);
+  EXPECT_EQ(s.summary().inexact, 2U);
+  EXPECT_EQ(s.summary().inexact_far, 1U);
 }
 
 TEST(CoordinateSummary, residuals_are_the_largest_and_name_their_points) {

@@ -4,6 +4,7 @@
 #include "cageproof/validation/cage_campaign.h"
 #include "cageproof/validation/cage_errors.h"
 #include "cageproof/validation/cage_points.h"
+#include "cageproof/core/geometry/box.h"
 #include "cageproof/core/parallel.h"
 
 #include <algorithm>
@@ -49,6 +50,7 @@ void add_part(CoordinateSummary& sum, const CoordinateSummary& part) {
   sum.infinite += part.infinite;
   sum.unusable += part.unusable;
   sum.inexact += part.inexact;
+  sum.inexact_far += part.inexact_far;
   keep(sum.partition, part.partition.value, part.partition.point);
   keep(sum.reproduction, part.reproduction.value, part.reproduction.point);
 }
@@ -72,6 +74,7 @@ CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cag
   CoordinateSummary sum;
   sum.points = points.size();
   sum.reproduces = reproduces_points(coordinates);
+  const Box box = box_of(cage.vertices());
   std::mutex adding;
   for_each_parallel((points.size() + kTogether - 1) / kTogether, jobs, [&](std::size_t part) {
     CoordinateSummary mine;
@@ -89,7 +92,11 @@ CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cag
       if (nan || infinite || !sum.reproduces) continue;
       const double expected = kind.normalised ? 1 : winding;
       const CageErrors errors = errors_of(coordinates, cage, blocks, points[p], expected, 0);
-      if (!(errors.partition[0].relative <= kExactSum)) ++mine.inexact;
+      if (!(errors.partition[0].relative <= kExactSum)) {
+        ++mine.inexact;
+        const Vec3<double> nearest = points[p].cwiseMax(box.low).cwiseMin(box.high);
+        if ((points[p] - nearest).stableNorm() > cage.size()) ++mine.inexact_far;
+      }
       keep(mine.partition, errors.partition[0].relative, p);
       keep(mine.reproduction, errors.reproduction[0].relative, p);
     }

@@ -22,10 +22,11 @@ struct CoordinateSummary {
   std::size_t inside = 0, on = 0, outside = 0;  ///< the cage, on it decided exactly
   std::size_t missing = 0;                      ///< points with NaN among their values
   std::size_t infinite = 0;                     ///< points with an infinity among them, and no NaN
-  std::size_t inexact = 0;  ///< points with values whose sum is wrong in the eighth digit, or before
-  Largest partition;        ///< |sum - 1|, or |sum| outside kinds that vanish there
-  Largest reproduction;     ///< distance of the reproduced point, in cage sizes
-  bool reproduces = false;  ///< whether the kind reproduces points at all
+  std::size_t inexact = 0;      ///< points with values whose sum is wrong in the eighth digit, or before
+  std::size_t inexact_far = 0;  ///< those of them that are further than the cage's size from its bounding box
+  Largest partition;            ///< |sum - 1|, or |sum| outside kinds that vanish there
+  Largest reproduction;         ///< distance of the reproduced point, in cage sizes
+  bool reproduces = false;      ///< whether the kind reproduces points at all
 
   /// Points that a mesh cannot be deformed at: without finite coordinates, or where the coordinates' sum is zero.
   std::size_t unusable = 0;
