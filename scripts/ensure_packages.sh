@@ -18,9 +18,8 @@ libgmp-dev               integers under MPFR
 libcgal-dev              exact predicates: on which side of a plane or an edge a point lies
 libflint-arb-dev         ball arithmetic (Arb): enclosures that are proofs
 libflint-dev             integers and polynomials under Arb
-libvtk9-dev              reads PLY, STL and VTP; writes fields for ParaView and pictures
+libvtk9-dev              reads PLY and VTP; writes fields for ParaView and pictures
 libxml2-dev              reads SVG
-libtinyobjloader-dev     reads OBJ, keeping quads and the order of vertices
 libcli11-dev             command line
 nlohmann-json3-dev       JSON in and out
 libfmt-dev               text formatting

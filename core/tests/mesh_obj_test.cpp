@@ -36,8 +36,8 @@ TEST(obj_rejects, files_that_are_none) {
   expect_parts(input_error_of([&] { read_mesh(folder.path() / "folder.obj"); }), {"folder.obj: is a directory"});
   expect_parts(error_of(""), {"case.obj: the file is empty"});
   expect_parts(error_of("# nothing\n"), {"case.obj: no vertices"});
-  expect_parts(input_error_of([&] { read_mesh(folder.write("cage.off", "OFF")); }),
-               {"cage.off", "\".off\"", ".obj, .ply, .stl or .vtp", ".svg, .geojson"});
+  expect_parts(input_error_of([&] { read_mesh(folder.write("cage.blend", "OFF")); }),
+               {"cage.blend", "\".blend\"", ".obj, .ply, .stl, .off or .vtp", ".svg, .geojson"});
 }
 
 TEST(obj_rejects, truncated_lines) {
@@ -55,6 +55,51 @@ TEST(obj_rejects, text_where_numbers_belong) {
   expect_parts(error_of(replaced(kTetrahedron, "f 1 2 4", "f 1/a 2 4")), {"case.obj:6: ", "\"1/a\""});
   expect_parts(error_of(replaced(kTetrahedron, "v 1 0 0", "1 0 0")), {"case.obj:2: ", "\"1\"", "keyword"});
   expect_parts(error_of(std::string("v 0 0 0\nv 1 \0001 2\n", 17)), {"case.obj:2: ", "number"});
+}
+
+TEST(obj_rejects, lines_that_it_does_not_know) {
+  expect_parts(error_of("# a\nmtllib a\nsolid b\nfacet c\n"), {"case.obj:3: \"solid\"", "v x y z"});
+  expect_parts(error_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nface 1 2 3\n"), {"case.obj:4: \"face\"", "f 1 2 3"});
+  expect_parts(error_of("V 0 0 0\n"), {"case.obj:1: \"V\"", "write \"v\""});
+  expect_parts(error_of(replaced(kTetrahedron, "f 1 2 4", "F 1 2 4")), {"case.obj:6: \"F\"", "write \"f\""});
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_mesh(folder.write("own.obj", kTetrahedron + "word_of_its_own 1\n")).faces, kTetrahedronFaces);
+  EXPECT_EQ(read_mesh(folder.write("points.obj", "g a\nv 0 0 0\np 1\n")).vertices.size(), 1U);
+}
+
+TEST(obj_rejects, weights_that_make_no_point) {
+  for (const char* w : {"0", "-0", "nan", "inf"})
+    expect_parts(error_of(replaced(kTetrahedron, "v 1 0 0", fmt::format("v 1 0 0 {}", w))), {"case.obj:2: "});
+  expect_parts(error_of(replaced(kTetrahedron, "v 1 0 0", "v 1 0 0 0")), {"weight w is 0"});
+  expect_parts(error_of(replaced(kTetrahedron, "v 1 0 0", "v 1e300 0 0 1e-300")), {"case.obj:2: ", "not finite"});
+  for (const char* more : {"1 1", "1 1 1 1 1"})
+    expect_parts(error_of(replaced(kTetrahedron, "v 1 0 0", fmt::format("v 1 0 0 {}", more))),
+                 {"case.obj:2: ", "numbers in a vertex", "colour"});
+}
+
+TEST(obj_reads, weights_and_colours) {
+  const TemporaryFolder folder;
+  const Mesh mesh = read_mesh(
+      folder.write("w.obj", "v 1 2 3 2\nv 1 2 3 -0.5\nv 1 2 3 1\nv 1 2 3 0 0.5 0.5\nv 1 2 3 0 0.5 0.5 0.25\n"));
+  EXPECT_EQ(mesh.vertices, (std::vector<Vec3<double>>{{0.5, 1, 1.5}, {-2, -4, -6}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}}));
+}
+
+TEST(obj_reads, continued_lines_and_comments_behind_data) {
+  const TemporaryFolder folder;
+  std::string text =
+      "# C:\\not\\continued\\\nv 0 0 0 # here\nv 1 \\\n0\\\n 0\nv 0 1 0#\nv 0 0 1\nf 1 3\\\n 2 # \\\nf 1 2 4\nf 2 3 "
+      "4\nf 1 \\\n"
+      "\\\n4 3\\";
+  std::string windows;
+  for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  for (const std::string& each : {text, windows}) {
+    const Mesh mesh = read_mesh(folder.write("continued.obj", each));
+    EXPECT_EQ(mesh.vertices, (std::vector<Vec3<double>>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+    EXPECT_EQ(mesh.faces, kTetrahedronFaces);
+    EXPECT_EQ(mesh.face_lines, (std::vector<std::size_t>{8, 10, 11, 12}));
+  }
+  expect_parts(error_of("v 0 0 0\nl 1 \\\n x\n"), {"case.obj:2: ", "\"x\""});
+  expect_parts(error_of("v 0 0 \\ \n0\n"), {"case.obj:1: ", "\"\\\""});
 }
 
 TEST(obj_rejects, numbers_that_are_not_finite) {

@@ -72,6 +72,7 @@ TEST(points_rejects, fields_that_are_no_number) {
   expect_parts(error_of("p.csv", "1,2,3,\n"), {"p.csv:1: ", "empty"});
   expect_parts(error_of("p.csv", "1 2,3\n"), {"p.csv:1: ", "field"});
   expect_parts(error_of("p.csv", "nan,nan,nan\n"), {"p.csv:1: ", "\"nan\""});
+  expect_parts(error_of("p.csv", "1,2,1.#IND\n"), {"p.csv:1: ", "\"1.#IND\""});
   expect_parts(error_of("p.csv", "1,2,1e999\n"), {"p.csv:1: ", "\"1e999\""});
 }
 

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace cageproof::mesh_files {
@@ -26,6 +25,8 @@ std::string read_mesh_file(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(status)) at.fail("is a directory");
   std::string text = read_file(path);
   if (text.empty()) at.fail("the file is empty");
+  if (text.starts_with("version https://git-lfs"))
+    at.fail("a Git LFS pointer, not the file; `git lfs pull` fetches it");
   return text;
 }
 
@@ -47,11 +48,26 @@ bool take_line(std::string_view& rest, std::string_view& line) {
 }
 
 std::string_view take_token(std::string_view& rest) {
-  constexpr std::string_view blanks = " \t";
+  constexpr std::string_view blanks = " \t\v\f";
   rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
   const std::string_view token = rest.substr(0, rest.find_first_of(blanks));
   rest.remove_prefix(token.size());
   return token;
+}
+
+std::string_view without_comment(std::string_view line) {
+  std::size_t at = line.find('#');
+  while (at != std::string_view::npos && at > 0 && line[at - 1] == '.') at = line.find('#', at + 1);
+  return line.substr(0, at);
+}
+
+std::string_view Tokens::take() {
+  for (;;) {
+    if (const std::string_view token = take_token(line); !token.empty()) return token;
+    if (!take_line(rest, line)) return {};
+    ++at.line;
+    if (has_comments) line = without_comment(line);
+  }
 }
 
 std::string_view without_mark(std::string_view text) {
@@ -65,11 +81,10 @@ double finite_number(std::string_view token, const FileLine& at) {
   return *x;
 }
 
-std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  return lower;
 }
 
 }  // namespace cageproof::mesh_files

@@ -17,7 +17,7 @@ struct FileLine {
   [[noreturn]] void fail(const std::string& reason) const;
 };
 
-/// The whole file. \throws InputError when it is missing, no file, unreadable or empty
+/// The whole file. \throws InputError when it is missing, no file, unreadable, empty, or a pointer of Git LFS
 std::string read_mesh_file(const std::filesystem::path& path);
 
 /// A token as messages show it: quoted, printable, at most 40 characters.
@@ -26,8 +26,21 @@ std::string shown(std::string_view token);
 /// Takes the next line off `rest`, without its end (LF, CRLF or CR); false at the end of the text.
 bool take_line(std::string_view& rest, std::string_view& line);
 
-/// Takes the next token off `rest`, empty at the end. Tokens stand between blanks and tabs.
+/// Takes the next token off `rest`, empty at the end. Tokens stand between blanks, tabs, vertical tabs and form feeds.
 std::string_view take_token(std::string_view& rest);
+
+/// The line up to a comment, which `#` begins, except in "1.#IND" and the like, which are one token and no number.
+std::string_view without_comment(std::string_view line);
+
+/// Tokens of a text, in whatever lines they stand.
+struct Tokens {
+  std::string_view rest;      ///< behind `line`
+  FileLine& at;               ///< its line is that of the last token
+  bool has_comments = false;  ///< as without_comment has them
+  std::string_view line{};    ///< what is left of the line of the last token
+  /// The next token; empty at the text's end.
+  std::string_view take();
+};
 
 /// The text without a UTF-8 byte order mark.
 std::string_view without_mark(std::string_view text);
@@ -35,8 +48,8 @@ std::string_view without_mark(std::string_view text);
 /// The correctly rounded finite number a token states. \throws InputError at `at` when it is none
 double finite_number(std::string_view token, const FileLine& at);
 
-/// The extension, in lower case: ".obj".
-std::string extension_of(const std::filesystem::path& path);
+/// The text with A to Z in lower case.
+std::string lower_case(std::string_view text);
 
 Mesh read_obj(const std::filesystem::path& path);
 
@@ -47,7 +60,8 @@ Mesh read_obj(const std::filesystem::path& path);
 struct CheckedPly {
   std::vector<Vec3<double>> vertices;
   std::size_t face_count = 0;
-  std::string for_vtk;  ///< a binary PLY with the same faces, and zeros for coordinates
+  std::vector<std::string> warnings;  ///< as a mesh's
+  std::string for_vtk;                ///< a binary PLY with the same faces, and zeros for coordinates
 };
 /// \throws InputError for what read_mesh rejects
 CheckedPly check_ply(const std::filesystem::path& path, std::string_view text);

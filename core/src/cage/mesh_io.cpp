@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace cageproof {
@@ -50,7 +51,7 @@ std::vector<Vec3<double>> read_text_points(const std::filesystem::path& path, in
   bool is_first = true;
   for (std::string_view line; mesh_files::take_line(text, line);) {
     ++at.line;
-    line = line.substr(0, line.find('#'));
+    line = mesh_files::without_comment(line);
     if (line.find_first_not_of(" \t") == std::string_view::npos) continue;
     const auto fields = fields_of(line, at);
     // A header names columns; what begins like a number is one that is spelled wrongly.
@@ -81,23 +82,42 @@ std::map<std::string, MeshReader, std::less<>>& readers() {
                   mesh.faces.size(), place(mesh.face_lines), mesh.segments.size(), place(mesh.segment_lines)));
 }
 
+// Rhino writes a triangle as a quad whose last two corners are one. Where fewer than three are left, they stay.
+void join_equal_corners(std::vector<int>& face) {
+  std::vector<int> corners;
+  std::ranges::unique_copy(face, std::back_inserter(corners));
+  while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
+  if (corners.size() >= 3) face = std::move(corners);
+}
+
 }  // namespace
+
+std::string extension_of(const std::filesystem::path& path) {
+  return mesh_files::lower_case(path.extension().string());
+}
 
 RegisterMeshReader::RegisterMeshReader(std::string_view extension, MeshReader reader) {
   readers().emplace(extension, reader);
 }
 
 Mesh read_mesh(const std::filesystem::path& path) {
-  const std::string extension = mesh_files::extension_of(path);
-  if (const auto reader = readers().find(extension); reader != readers().end()) return reader->second(path);
-  FileLine{path}.fail(
-      fmt::format("unknown extension \"{}\"; meshes are .obj, .ply, .stl or .vtp, polygons .svg, .geojson, .obj or "
-                  ".vtp, points also .csv, .xyz or .txt",
-                  extension));
+  const std::string extension = extension_of(path);
+  const auto reader = readers().find(extension);
+  if (reader == readers().end())
+    FileLine{path}.fail(fmt::format(
+        "unknown extension \"{}\"; meshes are .obj, .ply, .stl, .off or .vtp, polygons .svg, .geojson, .obj "
+        "or .vtp, points also .csv, .xyz or .txt",
+        extension));
+  Mesh mesh = reader->second(path);
+  for (std::vector<int>& face : mesh.faces) join_equal_corners(face);
+  return mesh;
 }
 
 Cage read_cage(const std::filesystem::path& path, CageOptions options) {
-  Mesh mesh = read_mesh(path);
+  return cage_from(read_mesh(path), path, std::move(options));
+}
+
+Cage cage_from(Mesh mesh, const std::filesystem::path& path, CageOptions options) {
   if (!mesh.segments.empty()) {
     if (!mesh.faces.empty()) fail_mixed(mesh, path);
     std::vector<Face> segments;
@@ -123,7 +143,7 @@ Cage read_cage(const std::filesystem::path& path, CageOptions options) {
 }
 
 bool is_text_of_points(const std::filesystem::path& path) {
-  const std::string extension = mesh_files::extension_of(path);
+  const std::string extension = extension_of(path);
   return extension == ".csv" || extension == ".xyz" || extension == ".txt";
 }
 

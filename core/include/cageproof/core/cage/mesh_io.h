@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading cages, meshes and points from files, through libraries (tinyobjloader, VTK).
+// Reading cages, meshes and points from files.
 #pragma once
 
 #include "cageproof/core/cage/cage.h"
@@ -16,33 +16,43 @@ struct Mesh {
       {};  ///< one a face; empty where the file has no lines, or the reader tells none
   std::vector<std::array<int, 2>> segments = {};  ///< of polylines, from vertex to vertex, in file order
   std::vector<std::size_t> segment_lines = {};    ///< one a segment, as face_lines
+  std::vector<std::string> warnings = {};         ///< what was left out of the file, which they name
 };
+
+/// The extension of a file's name, in lower case: ".obj".
+std::string extension_of(const std::filesystem::path& path);
 
 /// Reads the meshes of one extension (".ply"), throwing what read_mesh says.
 using MeshReader = Mesh (*)(const std::filesystem::path& path);
 
 /// Adds a reader at program start: `const RegisterMeshReader r{...};` at namespace scope of a .cpp. OBJ is core's own;
-/// the library cageproof_mesh_readers adds PLY, STL and VTP, for which it needs VTK, SVG (libxml2) and GeoJSON
+/// the library cageproof_mesh_readers adds STL and OFF, PLY and VTP, for which it needs VTK, SVG (libxml2) and GeoJSON
 /// (nlohmann-json).
 struct RegisterMeshReader {
   RegisterMeshReader(std::string_view extension, MeshReader reader);
 };
 
-/// Reads OBJ, PLY, STL (equal vertices merged), VTP, SVG or GeoJSON, by extension; polygons and vertex order are kept.
-/// Coordinates are correctly rounded to double, except that STL is single precision. Relative OBJ indices count back
-/// from the last vertex; materials, normals and texture coordinates are ignored. It redirects VTK's messages, so one
-/// call at a time. Polylines are read from OBJ (`l`), VTP, SVG (subpaths of straight edges, `polygon`, `polyline` and
-/// `rect`, with all transforms applied and y turned up) and GeoJSON (rings and line strings).
-/// \throws InputError naming the file (and line, for OBJ, text PLY, SVG and GeoJSON) and the reason: missing, a
-///   directory, empty, unreadable, unknown extension, no vertices, text where a number belongs, truncated line or file,
-///   non-finite number, fewer than three coordinates (two, in an OBJ file of polylines alone), index out of range;
-///   triangle strips (VTP); a PLY face of more than 255 corners; what of SVG is neither polygon nor without a shape:
-///   curves, arcs, text, `use`, an unknown element or transform; what is no GeoJSON geometry, an open ring
+/// Reads OBJ, PLY, STL (equal vertices merged), OFF, VTP, SVG or GeoJSON, by extension in any case; polygons and vertex
+/// order are kept, but consecutive equal corners of a face become one where three are left. Coordinates are correctly
+/// rounded to double, except that STL is single precision, and that an OBJ vertex with a weight w is x/w, y/w, z/w.
+/// Relative OBJ indices count back from the last vertex; materials, colours, normals and texture coordinates are
+/// ignored. It redirects VTK's messages, so one call at a time. Polylines are read from OBJ (`l`), VTP, SVG (subpaths
+/// of straight edges, `polygon`, `polyline` and `rect`, with all transforms applied and y turned up) and GeoJSON (rings
+/// and line strings).
+/// \throws InputError naming the file (and line, for OBJ, OFF, text PLY and STL, SVG and GeoJSON) and the reason:
+///   missing, a directory, empty, unreadable, a Git LFS pointer, unknown extension, no vertices, text where a number
+///   belongs, truncated line or file, non-finite number, fewer than three coordinates (two, in an OBJ file of polylines
+///   alone), a weight of zero, index out of range; triangle strips (PLY, VTP); binary OFF; a PLY face of more than 255
+///   corners; what of SVG is neither polygon nor without a shape: curves, arcs, text, `use`, an unknown element or
+///   transform; what is no GeoJSON geometry, an open ring
 Mesh read_mesh(const std::filesystem::path& path);
 
 /// Reads a mesh and validates it as a cage: of faces of 3 or 4 corners in space, of polylines in the plane.
 /// \throws InputError as read_mesh, Cage::make and Cage::make_polygon, and for a file with both faces and polylines
 Cage read_cage(const std::filesystem::path& path, CageOptions options = {});
+
+/// Validates a mesh that read_mesh gave of `path` as a cage. \throws InputError as read_cage
+Cage cage_from(Mesh mesh, const std::filesystem::path& path, CageOptions options = {});
 
 /// Whether the file is text of points (`.csv`, `.xyz`, `.txt`), by its extension.
 bool is_text_of_points(const std::filesystem::path& path);
