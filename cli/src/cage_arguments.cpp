@@ -10,15 +10,23 @@
 #include <fmt/ranges.h>
 
 namespace cageproof::cli {
+namespace {
+
+Mesh read_mesh_aloud(const std::string& file) {
+  Mesh mesh = read_mesh(file);
+  for (const std::string& warning : mesh.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  return mesh;
+}
+
+}  // namespace
 
 Option CageArguments::add_to(Command command, bool required) {
-  Option cage =
-      command
-          .option(
-              "--cage", file,
-              "cage: a file (OBJ, PLY, STL, VTP; polygons: SVG, GeoJSON, OBJ, VTP), or the name of an embedded cage")
-          .required(required)
-          .taking("CAGE");
+  Option cage = command
+                    .option("--cage", file,
+                            "cage: a file (OBJ, PLY, STL, OFF, VTP; polygons: SVG, GeoJSON, OBJ, VTP), or the name of "
+                            "an embedded cage")
+                    .required(required)
+                    .taking("CAGE");
   command.flag("--flip-inward", flip_inward, "turn a cage whose normals point inward, a polygon that runs clockwise");
   command
       .option("--triangulate", triangulate,
@@ -38,7 +46,8 @@ Cage CageArguments::load() const {
                     "see `cageproof list`)",
                     file, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), fmt::join(names, ", ")));
   }
-  Cage cage = read_cage(file, {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
+  Cage cage =
+      cage_from(read_mesh_aloud(file), file, {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
   if (const auto warning = folding_warning(cage)) fmt::print(stderr, "warning: {}\n", *warning);
   if (const auto warning = crossing_warning(cage)) fmt::print(stderr, "warning: {}\n", *warning);
   return cage;
@@ -56,7 +65,7 @@ std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::stri
 
 Mesh load_points(const std::string& file, int dimension) {
   if (is_text_of_points(file)) return {read_points(file, dimension), {}};
-  Mesh mesh = read_mesh(file);
+  Mesh mesh = read_mesh_aloud(file);
   if (dimension == 2) check_plane(mesh, file);
   return mesh;
 }

@@ -102,7 +102,8 @@ Header parse_header(std::string_view& rest, FileLine& at) {
     ++at.line;
     const std::string_view keyword = take_token(line);
     if (at.line == 1) {
-      if (keyword != "ply" || !line.empty()) at.fail("not a PLY file");
+      if (keyword != "ply" || !take_token(line).empty())
+        at.fail(fmt::format("not a PLY file: it begins with {}, not with a line \"ply\"", shown(keyword)));
     } else if (keyword == "format") {
       header.format = take_token(line);
       take_last(line, at);
@@ -114,17 +115,17 @@ Header parse_header(std::string_view& rest, FileLine& at) {
       for (const Element& element : header.elements)
         if (element.properties.empty()) at.fail("element " + shown(element.name) + " has no properties");
       return header;
-    } else if (keyword != "comment" && keyword != "obj_info") {
+    } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
       at.fail(shown(keyword) + " is not a PLY keyword");
     }
   }
   at.fail("the header has no end");
 }
 
-// The body's numbers, one after the other.
+// The body's numbers, one after the other. In text white space separates them, whatever lines they stand in.
 class Body {
  public:
-  Body(std::string_view format, std::string_view rest, FileLine& at) : rest_(rest), at_(at) {
+  Body(std::string_view format, std::string_view rest, FileLine& at) : tokens_{rest, at}, at_(at) {
     is_text_ = format == "ascii";
     if (!is_text_ && format != "binary_little_endian" && format != "binary_big_endian")
       FileLine{at.file}.fail("unknown PLY format " + shown(format));
@@ -134,17 +135,15 @@ class Body {
   void begin_record(std::string_view element, std::size_t index) {
     element_ = element;
     index_ = index;
-    if (!is_text_) return;
-    ++at_.line;
-    if (!take_line(rest_, line_)) fail_short();
+    first_line_ = 0;
   }
   double next(const Type& type) {
     if (is_text_) return finite_number(next_token(), at_);
-    if (rest_.size() < type.size) fail_short();
+    if (tokens_.rest.size() < type.size) fail_short();
     std::array<char, 8> bytes{};
-    std::copy_n(rest_.begin(), type.size, bytes.begin());
+    std::copy_n(tokens_.rest.begin(), type.size, bytes.begin());
     if (is_swapped_) std::reverse(bytes.begin(), bytes.begin() + type.size);
-    rest_.remove_prefix(type.size);
+    tokens_.rest.remove_prefix(type.size);
     return type.decode(bytes.data());
   }
   /// Passes over a number that nobody asks for; it may be NaN.
@@ -153,23 +152,37 @@ class Body {
     else next(type);
   }
   void end_record() {
-    if (is_text_ && !take_token(line_).empty()) fail("more numbers than the header states");
+    std::string_view behind = tokens_.line;
+    if (ragged_line_ == 0 && (first_line_ != at_.line || !take_token(behind).empty())) ragged_line_ = first_line_;
   }
+  /// Behind the last element. \return how many bytes a binary file has there
+  std::size_t end() {
+    if (!is_text_) return tokens_.rest.size();
+    if (!tokens_.take().empty()) fail("more numbers than the header states");
+    return 0;
+  }
+  /// A number too many or too few in text may be noticed lines behind it.
   [[noreturn]] void fail(const std::string& reason) const {
-    at_.fail(fmt::format("{} {}: {}", element_, index_, reason));
+    at_.fail(fmt::format("{} {}: {}{}", element_, index_, reason,
+                         ragged_line_ == 0 ? ""
+                                           : fmt::format("; line {} is the first one with more or fewer numbers "
+                                                         "than an element has",
+                                                         ragged_line_)));
   }
 
  private:
   std::string_view next_token() {
-    const std::string_view token = take_token(line_);
+    const std::string_view token = tokens_.take();
     if (token.empty()) fail_short();
+    if (first_line_ == 0) first_line_ = at_.line;
     return token;
   }
-  [[noreturn]] void fail_short() const { fail("the file ends, or the line has fewer numbers than the header states"); }
+  [[noreturn]] void fail_short() const { fail("the file ends, it has fewer numbers than the header states"); }
 
-  std::string_view rest_, line_;
+  Tokens tokens_;
   std::string_view element_;
   std::size_t index_ = 0;
+  std::size_t first_line_ = 0, ragged_line_ = 0;  // of the record, and of the first one that is not one line
   FileLine& at_;
   bool is_text_ = false, is_swapped_ = false;
 };
@@ -228,6 +241,8 @@ Layout layout_of(const Header& header, const std::filesystem::path& path) {
       if (corners == element.properties.end()) FileLine{path}.fail("faces have no list \"vertex_indices\"");
       layout.corners = &*corners;
       layout.face_count = element.count;
+    } else if (element.name.starts_with("tristrip") && element.count > 0) {
+      FileLine{path}.fail("triangle strips; write them as triangles");
     }
   }
   if (layout.vertex_count == 0) FileLine{path}.fail("no vertices");
@@ -270,6 +285,8 @@ CheckedPly check_ply(const std::filesystem::path& path, std::string_view text) {
       checked.vertices.push_back(vertex);
     }
   }
+  if (const std::size_t left = body.end(); left > 0)
+    checked.warnings.push_back(fmt::format("{}: {} bytes behind the last element are left out", path.string(), left));
   constexpr std::size_t bytes_a_vertex = 3 * sizeof(float);
   checked.for_vtk = header_for_vtk(layout) + std::string(bytes_a_vertex * layout.vertex_count, '\0') + faces;
   return checked;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PLY, STL and VTP through VTK. What VTK says becomes an InputError and never reaches the terminal.
+// PLY and VTP through VTK. What VTK says becomes an InputError and never reaches the terminal.
 #include "cage/mesh_files.h"
 
 #include <fmt/format.h>
@@ -8,14 +8,11 @@
 #include <vtkNew.h>
 #include <vtkPLYReader.h>
 #include <vtkPolyData.h>
-#include <vtkSTLReader.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringOutputWindow.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <limits>
 #include <new>
 #include <span>
@@ -105,37 +102,20 @@ Mesh read_with(const std::filesystem::path& path, Open&& open) {
   return to_mesh(reader->GetOutput(), at);
 }
 
-// Binary: 80 bytes, the number of triangles, 50 bytes each. VTK drops the triangles that a cut file lacks.
-bool is_whole_binary_stl(std::string_view bytes) {
-  static_assert(std::endian::native == std::endian::little);
-  constexpr std::size_t header = 84, record = 50;
-  if (bytes.size() < header) return false;
-  std::uint32_t count = 0;
-  std::memcpy(&count, bytes.data() + header - sizeof count, sizeof count);
-  return bytes.size() == header + record * count;
-}
-
 Mesh read_ply(const std::filesystem::path& path) {
   CheckedPly checked = check_ply(path, read_mesh_file(path));
-  if (checked.face_count == 0) return {std::move(checked.vertices), {}};
-  Mesh mesh = read_with<vtkPLYReader>(path, [&](vtkPLYReader& reader) {
+  Mesh mesh{std::move(checked.vertices), {}};
+  mesh.warnings = std::move(checked.warnings);
+  if (checked.face_count == 0) return mesh;
+  Mesh faces = read_with<vtkPLYReader>(path, [&](vtkPLYReader& reader) {
     reader.SetReadFromInputString(true);
     reader.SetInputString(checked.for_vtk);
   });
-  if (mesh.vertices.size() != checked.vertices.size() || mesh.faces.size() != checked.face_count)
-    FileLine{path}.fail(fmt::format("VTK read {} vertices and {} faces of {} and {}", mesh.vertices.size(),
-                                    mesh.faces.size(), checked.vertices.size(), checked.face_count));
-  mesh.vertices = std::move(checked.vertices);
+  if (faces.vertices.size() != mesh.vertices.size() || faces.faces.size() != checked.face_count)
+    FileLine{path}.fail(fmt::format("VTK read {} vertices and {} faces of {} and {}", faces.vertices.size(),
+                                    faces.faces.size(), mesh.vertices.size(), checked.face_count));
+  mesh.faces = std::move(faces.faces);
   return mesh;
-}
-
-Mesh read_stl(const std::filesystem::path& path) {
-  const std::string bytes = read_mesh_file(path);
-  const bool is_text =
-      bytes.starts_with("solid") && std::ranges::all_of(bytes, [](unsigned char c) { return c < 0x80; });
-  if (!is_text && !is_whole_binary_stl(bytes))
-    FileLine{path}.fail("neither a text STL nor a binary one of the length that it states (cut off?)");
-  return read_with<vtkSTLReader>(path, [&](vtkSTLReader& reader) { reader.SetFileName(path.c_str()); });
 }
 
 Mesh read_vtp(const std::filesystem::path& path) {
@@ -151,7 +131,7 @@ Mesh read_vtp(const std::filesystem::path& path) {
   });
 }
 
-const RegisterMeshReader ply{".ply", read_ply}, stl{".stl", read_stl}, vtp{".vtp", read_vtp};
+const RegisterMeshReader ply{".ply", read_ply}, vtp{".vtp", read_vtp};
 
 }  // namespace
 }  // namespace cageproof::mesh_files

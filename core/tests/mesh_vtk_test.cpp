@@ -18,6 +18,8 @@ using testing_support::TemporaryFolder;
 
 const std::vector<Vec3<double>> kVertices{{0.1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 const std::vector<std::vector<int>> kFaces{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+// With vertices as they come in these faces.
+const std::vector<std::vector<int>> kStlFaces{{0, 1, 2}, {0, 2, 3}, {2, 1, 3}, {0, 3, 1}};
 
 template <class T>
 void append(std::string& bytes, T x, bool is_big = false) {
@@ -171,9 +173,9 @@ TEST(ply_rejects, bad_content_naming_line_or_element) {
   expect_parts(error_of("case.ply", replaced(text, "\n1 0 0 255", "\n1 abc 0 255")), {"case.ply:13: ", "\"abc\""});
   expect_parts(error_of("case.ply", replaced(text, "\n1 0 0 255", "\n1 nan 0 255")), {"case.ply:13: ", "\"nan\""});
   expect_parts(error_of("case.ply", replaced(text, "\n1 0 0 255", "\n1 0 255")),
-               {"case.ply:13: ", "vertex 1", "fewer"});
+               {"case.ply:16: ", "face 0: 0 corners", "line 13", "fewer"});
   expect_parts(error_of("case.ply", replaced(text, "\n1 0 0 255", "\n1 0 0 0 255")),
-               {"case.ply:13: ", "vertex 1", "more"});
+               {"case.ply:", "face 0", "line 13"});
   expect_parts(error_of("case.ply", replaced(text, "3 0 1 3", "3 0 1 1000000000000")),
                {"case.ply:17: ", "face 1", "out of range"});
   expect_parts(error_of("case.ply", replaced(text, "3 0 1 3", "3 0 1 -1")), {"case.ply:17: ", "out of range"});
@@ -194,6 +196,76 @@ TEST(ply_rejects, bad_content_naming_line_or_element) {
   expect_parts(error_of("case.ply", binary), {"case.ply: ", "vertex 1", "not finite"});
 }
 
+TEST(ply_reads, numbers_in_whatever_lines_they_stand) {
+  const TemporaryFolder folder;
+  const std::string text = text_ply();
+  const std::size_t body = text.find("end_header") + 11;
+  std::string one_line = text, a_line_each = text;
+  std::replace(one_line.begin() + body, one_line.end(), '\n', ' ');
+  std::replace(a_line_each.begin() + body, a_line_each.end(), ' ', '\n');
+  const std::string blank =
+      replaced(replaced(text, "end_header\n", "\nend_header\n\n"), "255\n3 0", "255\n\n \t\n3 0") + "\n\n";
+  for (const std::string& content : {one_line, a_line_each, blank}) {
+    const Mesh mesh = read_mesh(folder.write("free.ply", content));
+    EXPECT_EQ(mesh.vertices, kVertices);
+    EXPECT_EQ(mesh.faces, kFaces);
+  }
+  expect_parts(error_of("more.ply", text + "\n7\n"), {"more.ply:21: ", "face 3", "more numbers"});
+}
+
+TEST(ply_rejects, triangle_strips) {
+  const std::string strips = replaced(text_ply(), "element face 4", "element tristrips 1");
+  expect_parts(error_of("strip.ply", replaced(strips, "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2", "4 0 1 2 3")),
+               {"triangle strips; write them as triangles"});
+}
+
+TEST(binary_files, warn_of_bytes_behind_the_last_element) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(read_mesh(folder.write("whole.stl", binary_stl())).warnings.empty());
+  EXPECT_TRUE(read_mesh(folder.write("whole.ply", binary_ply(false))).warnings.empty());
+  for (const auto& [name, bytes] : {std::pair{"more.stl", binary_stl()}, std::pair{"more.ply", binary_ply(true)}}) {
+    const Mesh mesh = read_mesh(folder.write(name, bytes + "\r\n"));
+    EXPECT_EQ(mesh.faces, std::string_view(name) == "more.stl" ? kStlFaces : kFaces);
+    ASSERT_EQ(mesh.warnings.size(), 1U) << name;
+    expect_parts(mesh.warnings[0], {name, ": 2 bytes behind the last"});
+  }
+  const Mesh mesh = read_mesh(folder.write("more.stl", binary_stl() + "\r\n"));
+  expect_parts(mesh.warnings[0], {"4 triangles need 284"});
+}
+
+TEST(stl_reads, keywords_in_any_case_and_spelling) {
+  const TemporaryFolder folder;
+  const std::string text = text_stl();
+  std::string capitals = text;
+  std::ranges::transform(capitals, capitals.begin(), [](unsigned char c) { return std::toupper(c); });
+  std::string apart = text;
+  for (const std::string_view word : {"endloop", "endfacet", "endsolid"})
+    for (std::size_t at = 0; (at = apart.find(word, at)) != std::string::npos; at += 3) apart.insert(at + 3, " ");
+  const std::string twice =
+      replaced(text, "facet normal 0 0 0\nouter loop\nvertex 0.1 0 0\nvertex 1 0 0",
+               "endsolid one\nsolid two\nfacet normal 0 0 0\nouter loop\nvertex 0.1 0 0\nvertex 1 0 0");
+  for (const std::string& content :
+       {capitals, apart, twice, replaced(text, "solid", "Solid"), "\n \n\n" + text, "\xEF\xBB\xBF" + text,
+        replaced(text, "solid tetrahedron", "solid"),
+        replaced(text, "solid tetrahedron",
+                 "solid Gr\xC3\xB6\xC3\x9F"
+                 "e"),
+        replaced(text, "normal 0 0 0", "normal nan -nan nan"), replaced(text, "endsolid tetrahedron\n", "endsolid")}) {
+    const Mesh mesh = read_mesh(folder.write("mesh.STL", content));
+    EXPECT_EQ(mesh.vertices.size(), 4U) << content;
+    EXPECT_EQ(mesh.faces.size(), 4U) << content;
+  }
+}
+
+TEST(stl_reads, binary_files_that_begin_with_solid) {
+  const TemporaryFolder folder;
+  std::string bytes = binary_stl();
+  for (const std::string_view begin : {"solid ", "SOLID by a program", "solid\nfacet normal 0 0 0"}) {
+    bytes.replace(0, begin.size(), begin);
+    EXPECT_EQ(read_mesh(folder.write("mesh.stl", bytes)).faces, kStlFaces) << begin;
+  }
+}
+
 TEST(stl_reads, text_and_binary_with_equal_vertices_merged) {
   const TemporaryFolder folder;
   for (const std::string& content : {text_stl(), binary_stl()}) {
@@ -211,14 +283,24 @@ TEST(stl_rejects, everything_that_is_not_whole) {
 }
 
 TEST(stl_rejects, bad_content) {
-  expect_parts(error_of("case.stl", replaced(text_stl(), "vertex 1 0 0", "vertex 1 abc 0")), {"case.stl", "line 6"});
-  expect_parts(error_of("case.stl", replaced(text_stl(), "vertex 1 0 0", "vertex 1 0")), {"case.stl", "line"});
+  expect_parts(error_of("case.stl", replaced(text_stl(), "vertex 1 0 0", "vertex 1 abc 0")),
+               {"case.stl:6: ", "\"abc\""});
+  expect_parts(error_of("case.stl", replaced(text_stl(), "vertex 1 0 0", "vertex 1 0")),
+               {"case.stl:7: ", "\"endloop\""});
   expect_parts(error_of("case.stl", replaced(text_stl(), "vertex 1 0 0", "vertex 1 nan 0")),
-               {"case.stl", "not finite"});
+               {"case.stl:", "\"nan\" is not a finite number"});
+  expect_parts(error_of("case.stl", replaced(text_stl(), "vertex 1 0 0", "vertex 1e39 0 0")), {"single precision"});
+  expect_parts(error_of("case.stl", replaced(text_stl(), "endloop", "vertex 1 1 1")), {"\"vertex\"", "\"endloop\""});
+  expect_parts(error_of("case.stl", "facet normal 0 0 0\n"), {"case.stl:1: \"facet\" where \"solid\" is wanted"});
+  expect_parts(error_of("case.stl", "solid\nendsolid\n"), {"case.stl: no triangles"});
+  std::string infinite = binary_stl();
+  const float infinity = std::numeric_limits<float>::infinity();
+  std::memcpy(infinite.data() + 84 + 50 + 12, &infinity, sizeof infinity);
+  expect_parts(error_of("case.stl", infinite), {"triangle 1", "not finite"});
   std::string huge = binary_stl();
   const std::uint32_t count = 2000000000;
   std::memcpy(huge.data() + 80, &count, sizeof count);
-  expect_parts(error_of("case.stl", huge), {"case.stl", "length"});
+  expect_parts(error_of("case.stl", huge), {"case.stl: 284 bytes", "2000000000 triangles need 100000000084"});
 }
 
 TEST(vtp_reads, doubles_exactly) {
