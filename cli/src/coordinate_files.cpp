@@ -100,14 +100,14 @@ std::string npz_text(const CoordinateColumns& table, const Mesh& mesh, const rep
 std::string coordinate_extensions() { return ".csv, .npy, .npz or .vtp"; }
 
 std::filesystem::path companion_of(const std::filesystem::path& out) {
-  const std::string extension = out.extension();
+  const std::string extension = extension_of(out);
   if (extension == ".npz") return {};
   return std::filesystem::path(out).replace_extension(extension == ".vtp" ? ".cage.vtp" : ".json");
 }
 
 void check_coordinate_files(const std::filesystem::path& out,
                             const std::vector<std::pair<std::string, std::string>>& others) {
-  const std::string extension = out.extension();
+  const std::string extension = extension_of(out);
   if (extension != ".csv" && extension != ".npy" && extension != ".npz" && extension != ".vtp")
     throw InputError(
         fmt::format("{}: cannot write '{}' files; use {}", out.string(), extension, coordinate_extensions()));
@@ -134,7 +134,7 @@ void check_coordinate_files(const std::filesystem::path& out,
 std::vector<std::pair<std::filesystem::path, std::string>> coordinate_files(
     const std::filesystem::path& out, const CoordinateColumns& table, const Mesh& mesh, reports::DescribedCage cage,
     const Json& description, const CageCoordinates& coordinates) {
-  const std::string extension = out.extension();
+  const std::string extension = extension_of(out);
   cage.metadata = description.dump(2);
   if (extension == ".npz") return {{out, npz_text(table, mesh, cage, coordinates)}};
   if (extension == ".vtp")

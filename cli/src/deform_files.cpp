@@ -23,7 +23,7 @@ constexpr std::array table_extensions{".csv", ".npy", ".vtp"};
 constexpr std::array energy_extensions{".csv", ".png"};
 
 bool is_one_of(std::span<const char* const> extensions, const std::string& file) {
-  return std::ranges::find(extensions, std::filesystem::path(file).extension().string()) != extensions.end();
+  return std::ranges::find(extensions, extension_of(file)) != extensions.end();
 }
 
 // Files that this run reads or writes twice.
@@ -81,22 +81,21 @@ void check_names(const DeformArguments& a, std::size_t maps) {
     throw InputError(fmt::format("--derivatives {}: use {}", a.derivatives, fmt::join(table_extensions, ", ")));
   if (a.order > 0 && is_one_of(mesh_extensions, a.out) && a.derivatives.empty())
     throw InputError(fmt::format("--order {}: '{}' files hold no derivatives; --derivatives FILE takes them", a.order,
-                                 std::filesystem::path(a.out).extension().string()));
+                                 extension_of(a.out)));
   if (a.order == 0 && !a.derivatives.empty()) throw InputError("--derivatives: --order says which, 1 or 2");
   for (const std::string* name : {&a.out, &a.derivatives})
     if (maps > 1 && !name->empty() && name->find("{n}") == std::string::npos)
       throw InputError(fmt::format("{}: {} maps need a name with {{n}} for their number", *name, maps));
   if (is_one_of(mesh_extensions, a.out) && a.outside == "nan")
-    throw InputError(fmt::format("--outside nan: '{}' files hold no nan; use {}",
-                                 std::filesystem::path(a.out).extension().string(), fmt::join(table_extensions, ", ")));
+    throw InputError(fmt::format("--outside nan: '{}' files hold no nan; use {}", extension_of(a.out),
+                                 fmt::join(table_extensions, ", ")));
   if (!a.energies.empty() && !is_one_of(energy_extensions, a.energies))
     throw InputError(fmt::format("--energies {}: use {}", a.energies, fmt::join(energy_extensions, ", ")));
   check_distinct(a, maps);
 }
 
 MeshSource::MeshSource(const std::string& points) : file_(points) {
-  const std::string extension = std::filesystem::path(points).extension();
-  if (extension == ".obj" || extension == ".OBJ") text_ = read_file(points);
+  if (extension_of(points) == ".obj") text_ = read_file(points);
 }
 
 std::string MeshSource::obj_with(const std::vector<Vec3<double>>& vertices) {
@@ -118,7 +117,7 @@ void MeshSource::say_left_out(const std::vector<std::string>& what, std::string_
 
 std::string text_for(const std::filesystem::path& file, const Mesh& mesh, const CoordinateColumns& images,
                      MeshSource& source) {
-  const std::string extension = file.extension();
+  const std::string extension = extension_of(file);
   if (extension == ".obj" && source.is_obj()) return source.obj_with(mesh.vertices);
   if (is_one_of(mesh_extensions, file) || extension == ".vtp") source.say_left_out_of(extension);
   if (extension == ".obj") return reports::obj_text(mesh);

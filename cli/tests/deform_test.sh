@@ -259,6 +259,26 @@ grep -q '1 of 2 points have no image' rest.json || fail "no word of it in the re
 [ "$(tail -n 1 nan.csv)" = nan,nan,nan ] || fail "not nan: $(tail -n 1 nan.csv)"
 "$cageproof" deform --cage cube --posed large.obj --points outside.csv --method mean_value --out all.csv || fail "mean value coordinates exist outside"
 
+# Suffixes in capitals are the same formats.
+for out in moved.obj moved.ply moved.csv moved.npy moved.vtp; do
+  capital=CAPITAL.${out#*.}
+  capital=${capital^^}
+  "$cageproof" deform "${common[@]}" --method mean_value --out $out || fail "$out"
+  "$cageproof" deform "${common[@]}" --method mean_value --out "$capital" || fail "$capital"
+  cmp -s $out "$capital" || fail "$capital differs from $out"
+  rm -f $out "$capital" CAPITAL.json
+done
+
+# Points, a cage and a pose of OFF files.
+{ echo OFF 8 6 0; sed 's/^v //' large.obj; printf '%s\n' '4 0 2 3 1' '4 4 5 7 6' '4 0 1 5 4' '4 2 6 7 3' '4 0 4 6 2' '4 1 3 7 5'; } >cube.off
+"$cageproof" deform --cage cube.off --posed cube.off --points cube.off --method mean_value --out off.obj || fail "OFF"
+[ "$(grep -c '^f ' off.obj)" -eq 6 ] || fail "faces of an OFF file are lost"
+
+# Bytes behind a binary STL's triangles are told.
+{ head -c 80 /dev/zero; printf '\1\0\0\0'; head -c 24 /dev/zero; printf '\0\0\200\76'; head -c 16 /dev/zero; printf '\0\0\200\76\0\0more'; } >more.stl
+"$cageproof" deform --cage cube --posed large.obj --points more.stl --method mean_value --out more.csv 2>stderr || fail "a long STL: $(cat stderr)"
+grep -q '^warning: more.stl: 4 bytes behind the last triangle are left out; 1 triangles need 134$' stderr || fail "no warning: $(cat stderr)"
+
 # What is refused.
 refuses "unknown deformer 'grean'" -- "${common[@]}" --method grean --out out.obj
 refuses stretch rms -- "${common[@]}" --method green --parameter stretch=most --out out.obj

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/carried_mesh.h"
 
+#include "cageproof/core/cage/mesh_io.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace cageproof::reports {
 namespace {
@@ -154,8 +154,7 @@ CarriedMesh obj_with_vertices(std::string_view text, std::span<const Vec3<double
 }
 
 std::vector<std::string> beside_places(const std::filesystem::path& file) {
-  std::string extension = file.extension();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string extension = extension_of(file);
   if (extension == ".obj") return beside_places_in_obj(read_file(file));
   if (extension == ".ply") return beside_places_in_ply(read_file(file));
   if (extension == ".vtp") return beside_places_in_vtp(read_file(file));
