@@ -41,8 +41,9 @@ class OffText {
   // Passes over the keyword, which some files lack. \return the token behind it
   std::string_view read_keyword() {
     const std::string_view first = take("\"OFF\"");
-    if (first.front() >= '0' && first.front() <= '9' && first.find_first_not_of("0123456789") == std::string_view::npos)
-      return first;
+    if (first.find_first_not_of("0123456789") == std::string_view::npos) return first;
+    // ModelNet's files have the keyword and the number of vertices in one: "OFF490 518 0".
+    if (first.starts_with("OFF") && first.size() > 3 && first[3] >= '0' && first[3] <= '9') return first.substr(3);
     if (std::ranges::find(kOffKeywords, first) == kOffKeywords.end())
       at_.fail(fmt::format("{} where \"OFF\" is wanted, or one of COFF, NOFF, CNOFF, STOFF", shown(first)));
     has_more_ = first != "OFF";

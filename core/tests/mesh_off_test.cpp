@@ -30,6 +30,7 @@ TEST(off_reads, every_header_and_passes_over_what_it_does_not_need) {
   std::vector<std::string> texts{
       "OFF\n4 4 6\n" + kPlaces + kIndices,
       "OFF 4 4 6\n" + kPlaces + kIndices,
+      "OFF4 4 6\n" + kPlaces + kIndices,
       "OFF\n4 4\n" + kPlaces + kIndices,
       "4 4 0\n" + kPlaces + kIndices,
       "\n# made by hand\nOFF # text\n# counts\n\n4 4 0\n\n" + kPlaces + "\n# faces\n" + kIndices,
