@@ -12,8 +12,7 @@
 namespace cageproof::cli {
 namespace {
 
-Mesh read_mesh_aloud(const std::string& file) {
-  Mesh mesh = read_mesh(file);
+Mesh say_warnings(Mesh mesh) {
   for (const std::string& warning : mesh.warnings) fmt::print(stderr, "warning: {}\n", warning);
   return mesh;
 }
@@ -46,8 +45,8 @@ Cage CageArguments::load() const {
                     "see `cageproof list`)",
                     file, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), fmt::join(names, ", ")));
   }
-  Cage cage =
-      cage_from(read_mesh_aloud(file), file, {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
+  Cage cage = cage_from(say_warnings(as_cage_mesh(read_mesh(file), file)), file,
+                        {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
   if (const auto warning = folding_warning(cage)) fmt::print(stderr, "warning: {}\n", *warning);
   if (const auto warning = crossing_warning(cage)) fmt::print(stderr, "warning: {}\n", *warning);
   return cage;
@@ -65,7 +64,7 @@ std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::stri
 
 Mesh load_points(const std::string& file, int dimension) {
   if (is_text_of_points(file)) return {read_points(file, dimension), {}};
-  Mesh mesh = read_mesh_aloud(file);
+  Mesh mesh = say_warnings(read_mesh(file));
   if (dimension == 2) check_plane(mesh, file);
   return mesh;
 }

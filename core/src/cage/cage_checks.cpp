@@ -94,6 +94,27 @@ void check_shapes(const Candidate& cage, bool allow_invalid_quads) {
     if (!allow_invalid_quads || type_of(cage.faces[f].kind()).splits.empty()) check_shape(cage, f);
 }
 
+namespace {
+
+// Why an edge may have no other face: vertices that lie in one place, as where each face has its own.
+std::string hole_because(const Candidate& cage) {
+  std::map<std::array<double, 3>, std::size_t> first;
+  std::string named;
+  std::size_t more = 0;
+  for (std::size_t v = 0; v < cage.vertices.size(); ++v) {
+    const Vec3<double>& p = cage.vertices[v];
+    const auto [at, added] = first.try_emplace({p[0], p[1], p[2]}, v);
+    if (added) continue;
+    if (named.empty()) named = fmt::format("vertices {} and {} lie in one place", at->second, v);
+    else ++more;
+  }
+  if (named.empty()) return "the cage has a hole";
+  const std::string others = more > 0 ? fmt::format(", and so do {} more", more) : "";
+  return fmt::format("{}{}: join them where the file was written (\"merge by distance\", \"weld\")", named, others);
+}
+
+}  // namespace
+
 void check_edges(const Candidate& cage) {
   struct Uses {
     int rising = 0, falling = 0;  // faces that run along the edge towards its higher or its lower vertex
@@ -108,7 +129,8 @@ void check_edges(const Candidate& cage) {
     for_each_edge(cage.faces[f], [&](int from, int to) {
       const Uses uses = edges.at(std::minmax(from, to));
       const std::string edge = fmt::format("edge between vertices {} and {}", from, to);
-      if (uses.rising + uses.falling == 1) fail_face(cage, f, edge + " belongs to no other face: the cage has a hole");
+      if (uses.rising + uses.falling == 1)
+        fail_face(cage, f, fmt::format("{} belongs to no other face: {}", edge, hole_because(cage)));
       if (uses.rising + uses.falling > 2)
         fail_face(cage, f, fmt::format("{} belongs to {} faces: not a manifold", edge, uses.rising + uses.falling));
       if (uses.rising != 1)

@@ -73,15 +73,6 @@ std::map<std::string, MeshReader, std::less<>>& readers() {
   return instance;
 }
 
-[[noreturn]] void fail_mixed(const Mesh& mesh, const std::filesystem::path& path) {
-  const auto place = [](const std::vector<std::size_t>& lines) {
-    return lines.empty() ? "" : fmt::format(" (the first in line {})", lines.front());
-  };
-  FileLine{path}.fail(
-      fmt::format("{} faces{} and {} segments of polylines{}: a cage has faces, in space, or polylines, in the plane",
-                  mesh.faces.size(), place(mesh.face_lines), mesh.segments.size(), place(mesh.segment_lines)));
-}
-
 // Rhino writes a triangle as a quad whose last two corners are one. Where fewer than three are left, they stay.
 void join_equal_corners(std::vector<int>& face) {
   std::vector<int> corners;
@@ -111,35 +102,6 @@ Mesh read_mesh(const std::filesystem::path& path) {
   Mesh mesh = reader->second(path);
   for (std::vector<int>& face : mesh.faces) join_equal_corners(face);
   return mesh;
-}
-
-Cage read_cage(const std::filesystem::path& path, CageOptions options) {
-  return cage_from(read_mesh(path), path, std::move(options));
-}
-
-Cage cage_from(Mesh mesh, const std::filesystem::path& path, CageOptions options) {
-  if (!mesh.segments.empty()) {
-    if (!mesh.faces.empty()) fail_mixed(mesh, path);
-    std::vector<Face> segments;
-    segments.reserve(mesh.segments.size());
-    for (const auto& [from, to] : mesh.segments) segments.push_back({{from, to, -1, -1}});
-    options.face_lines = std::move(mesh.segment_lines);
-    return Cage::make_polygon(path.string(), std::move(mesh.vertices), std::move(segments), std::move(options));
-  }
-  if (mesh.faces.empty()) FileLine{path}.fail("no faces, and no polylines");
-  std::vector<Face> faces;
-  for (const std::vector<int>& polygon : mesh.faces) {
-    if (polygon.size() != 3 && polygon.size() != 4) {
-      const std::size_t f = faces.size();
-      const std::string line = f < mesh.face_lines.size() ? fmt::format(" (line {})", mesh.face_lines[f]) : "";
-      FileLine{path}.fail(
-          fmt::format("face {}{}: {} corners, a cage's faces have 3 or 4 (faces and vertices counted from 0)", f, line,
-                      polygon.size()));
-    }
-    std::ranges::copy(polygon, faces.emplace_back().vertices.begin());
-  }
-  options.face_lines = std::move(mesh.face_lines);
-  return Cage::make(path.string(), std::move(mesh.vertices), std::move(faces), std::move(options));
 }
 
 bool is_text_of_points(const std::filesystem::path& path) {

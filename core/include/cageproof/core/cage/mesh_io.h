@@ -47,7 +47,13 @@ struct RegisterMeshReader {
 ///   transform; what is no GeoJSON geometry, an open ring
 Mesh read_mesh(const std::filesystem::path& path);
 
-/// Reads a mesh and validates it as a cage: of faces of 3 or 4 corners in space, of polylines in the plane.
+/// A mesh as cages are made of: faces of more than four corners are cut in triangles, and a mesh whose vertices all
+/// have z = 0 becomes the polylines of its boundary; either with a warning. \throws InputError naming the face that
+/// crosses itself, or, of a flat mesh, the face that is turned otherwise or the
+///   vertex that is not on the boundary
+Mesh as_cage_mesh(Mesh mesh, const std::filesystem::path& path);
+
+/// Reads a mesh and validates it as a cage: of as_cage_mesh's faces in space, of polylines in the plane.
 /// \throws InputError as read_mesh, Cage::make and Cage::make_polygon, and for a file with both faces and polylines
 Cage read_cage(const std::filesystem::path& path, CageOptions options = {});
 
