@@ -63,9 +63,7 @@ std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::stri
 }
 
 Mesh load_points(const std::string& file, int dimension) {
-  if (is_text_of_points(file)) return {read_points(file, dimension), {}};
-  Mesh mesh = say_warnings(read_mesh(file));
-  if (dimension == 2) check_plane(mesh, file);
+  Mesh mesh = say_warnings(read_points_and_faces(file, dimension));
   return mesh;
 }
 

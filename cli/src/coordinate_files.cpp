@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "coordinate_files.h"
 
+#include "inputs_outside.h"
 #include "npz.h"
 
 #include "cageproof/core/input_error.h"
@@ -114,10 +115,9 @@ void check_coordinate_files(const std::filesystem::path& out,
   const std::filesystem::path companion = companion_of(out);
   for (const auto& [file, option] : others) {
     if (file.empty()) continue;
-    const auto other = std::filesystem::weakly_canonical(file);
-    if (other == std::filesystem::weakly_canonical(out))
-      throw InputError(fmt::format("{}: --out is the file of {}, too", out.string(), option));
-    if (!companion.empty() && other == std::filesystem::weakly_canonical(companion))
+    const auto other = place_of(file);
+    if (other == place_of(out)) throw InputError(fmt::format("{}: --out is the file of {}, too", out.string(), option));
+    if (!companion.empty() && other == place_of(companion))
       throw InputError(fmt::format("{}: is written beside {}, and is the file of {}, too", companion.string(),
                                    out.string(), option));
   }

@@ -2,6 +2,7 @@
 #include "boundary_data.h"
 #include "commands.h"
 #include "coordinate_files.h"
+#include "inputs_outside.h"
 #include "progress.h"
 #include "summary_lines.h"
 
@@ -76,9 +77,9 @@ nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
 void check_solved_file(const Arguments& a) {
   if (a.solved.empty()) return;
   reports::require_writable({a.solved});
-  const auto solved = std::filesystem::weakly_canonical(a.solved);
+  const auto solved = place_of(a.solved);
   for (const auto& [file, option] : {std::pair(a.cage.file, "--cage"), {a.points, "--points"}, {a.data, "--data"}})
-    if (!file.empty() && std::filesystem::weakly_canonical(file) == solved)
+    if (!file.empty() && place_of(file) == solved)
       throw InputError(fmt::format("{}: --solved is the file of {}, too", a.solved, option));
 }
 
@@ -139,7 +140,9 @@ void add_coordinates(CommandLine& line) {
   Command command = line.command("coordinates", "coordinates of points in a cage");
   auto a = std::make_shared<Arguments>();
   a->cage.add_to(command, true);
-  command.option("--points", a->points, "a mesh, or text with three numbers a line, for polygons two")
+  command
+      .option("--points", a->points,
+              "a mesh, .npy, .npz, or text with three numbers a line, for polygons two; - is standard input")
       .taking("FILE")
       .required();
   command.option("--kind", a->kind, names_of_kinds()).taking("KIND").required();

@@ -221,7 +221,9 @@ void add_deform(CommandLine& line) {
       .option("--laplacian-derivatives", a->data.laplacian_derivatives,
               "the same, a line a triangle or segment: densities of biharmonic_direct")
       .taking("FILE");
-  command.option("--points", a->points, "a mesh, or text with three numbers a line, for polygons two")
+  command
+      .option("--points", a->points,
+              "a mesh, .npy, .npz, or text with three numbers a line, for polygons two; - is standard input")
       .taking("FILE")
       .required();
   command.option("--method", a->method, names_of_methods()).taking("METHOD").required();

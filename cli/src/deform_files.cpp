@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "deform_files.h"
 
+#include "inputs_outside.h"
+
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
 #include "cageproof/reports/carried_mesh.h"
@@ -32,11 +34,11 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
   for (const std::string& posed : a.posed) known.emplace_back(posed, "--posed");
   if (!a.constraints.empty()) known.emplace_back(a.constraints, "--constraints");
   for (const auto& [option, file] : given_data(a)) known.emplace_back(file, "--" + option);
-  for (auto& [path, option] : known) path = std::filesystem::weakly_canonical(path);
+  for (auto& [path, option] : known) path = place_of(path);
   std::vector<std::filesystem::path> written;
   const auto write = [&](const std::filesystem::path& name, const std::string& option) {
     written.push_back(name);
-    const std::filesystem::path path = std::filesystem::weakly_canonical(name);
+    const std::filesystem::path path = place_of(name);
     for (const auto& [other, its_option] : known)
       if (path == other)
         throw InputError(fmt::format("{}: {} is the file of {}, too", name.string(), option, its_option));
@@ -111,7 +113,7 @@ void MeshSource::say_left_out_of(std::string_view extension) {
 
 void MeshSource::say_left_out(const std::vector<std::string>& what, std::string_view why) {
   if (what.empty() || is_said_) return;
-  fmt::print(stderr, "note: {}: left out: {}, {}\n", file_, fmt::join(what, ", "), why);
+  fmt::print(stderr, "warning: {}: left out: {}, {}\n", file_, fmt::join(what, ", "), why);
   is_said_ = true;
 }
 

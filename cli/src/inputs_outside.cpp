@@ -11,6 +11,12 @@
 
 namespace cageproof::cli {
 
+std::filesystem::path place_of(const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::path place = std::filesystem::weakly_canonical(file, error);
+  return error ? file : place;
+}
+
 void require_outside(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& inputs) {
   std::error_code ignored;
   const auto place = [&](const std::string& name) {

@@ -142,6 +142,34 @@ else
   echo "no Blender here: its example ran with a stand-in alone"
 fi
 
+# Points come from NumPy, and through pipes.
+"$python" - <<'PY' || fail "NumPy writes no points"
+import numpy as np
+p = np.array([[0.1, 0.2, 0.05], [-0.2, 0.1, 0.3]])
+np.savetxt("p.txt", p)
+np.save("rows.npy", p)
+np.save("columns.npy", np.asfortranarray(p).astype(">f8"))
+np.savez_compressed("one.npz", anything=p)
+np.savez("two.npz", a=p, b=p)
+PY
+coordinates_of() { "$cageproof" coordinates --cage cage.obj --kind green --points "$@" 2>/dev/null; }
+coordinates_of p.txt >expected.csv
+for file in rows.npy columns.npy one.npz; do coordinates_of $file | cmp - expected.csv || fail "$file: other points"; done
+coordinates_of - <p.txt | cmp - expected.csv || fail "other points on standard input"
+coordinates_of - <rows.npy | cmp - expected.csv || fail "another array on standard input"
+# shellcheck disable=SC2002
+cat p.txt | coordinates_of /dev/stdin | cmp - expected.csv || fail "other points through a pipe"
+coordinates_of <(cat p.txt) | cmp - expected.csv || fail "other points by process substitution"
+refuses 'two.npz' '2 arrays (a, b)' -- --cage cage.obj --kind green --points two.npz
+sed 's/$/ 255 0 0/' p.txt >coloured.xyz
+coordinates_of coloured.xyz | cmp - expected.csv || fail "colours are taken for coordinates"
+"$cageproof" coordinates --cage cage.obj --kind green --points coloured.xyz 2>&1 >/dev/null | grep -q '^note: coloured.xyz: 3 of 6 columns' || fail "colours are left out in silence"
+sed -n 's/^v //p' posed.obj >posed.xyz
+for posed in posed.obj posed.xyz; do "$cageproof" deform --cage cage.obj --posed $posed --points p.txt --method green --out $posed.csv 2>/dev/null; done
+"$cageproof" deform --cage cage.obj --posed <(cat posed.xyz) --points - --method green --out piped.csv <p.txt 2>/dev/null
+cmp posed.obj.csv piped.csv || fail "a pose through a pipe is another one"
+cmp posed.obj.csv posed.xyz.csv || fail "a pose as text is another one"
+
 # The page shows the example that was run.
 awk '/^```$/ && inside {exit} inside {print} /^```python$/ {inside = 1}' "$examples/../apply.md" | cmp - "$examples/apply_npz.py" || fail "docs/apply.md shows another example"
 

@@ -60,9 +60,9 @@ mv bent.obj pulled_far.obj
 { printf 'mtllib paint.mtl\nvt 0 0\nvn 0 0 1\ng front\n' && sed 's#^f 1 2 3 4#f 1/1/1 2/1/1 3/1/1 4/1/1#' mesh.obj; } >painted.obj
 "$cageproof" deform --cage cube --posed large.obj --points painted.obj --method mean_value --out kept.obj 2>said || fail "a painted mesh"
 for line in 'mtllib paint.mtl' 'g front' 'f 1/1 2/1 3/1 4/1' 'f 1 3 5'; do grep -qx "$line" kept.obj || fail "lost: $line"; done
-grep -qx 'note: painted.obj: left out: normals, which turn with the surface' said || fail "no note of normals: $(cat said)"
+grep -qx 'warning: painted.obj: left out: normals, which turn with the surface' said || fail "no note of normals: $(cat said)"
 "$cageproof" deform --cage cube --posed large.obj --points painted.obj --method mean_value --out kept.ply 2>said || fail "a painted mesh as PLY"
-grep -q '^note: painted.obj: left out: materials, texture coordinates, normals, groups, since .ply files' said || fail "no note: $(cat said)"
+grep -q '^warning: painted.obj: left out: materials, texture coordinates, normals, groups, since .ply files' said || fail "no note: $(cat said)"
 # A PLY has the digits of an OBJ.
 "$cageproof" deform --cage cube --posed cube --points kept.ply --method mean_value --outside rest --out again.csv || fail "a PLY read again"
 "$cageproof" deform --cage cube --posed cube --points kept.obj --method mean_value --outside rest --out other.csv || fail "an OBJ read again"

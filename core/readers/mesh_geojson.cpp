@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Polygons of GeoJSON files (RFC 7946), through nlohmann-json: rings, whose last position repeats the first and is no
-// vertex of its own; line strings, which are polygons when they close; points, which are vertices alone. Features
-// without a geometry, and empty geometries, are passed over, as are all members that say nothing of a shape.
+// vertex of its own; line strings, which are polygons when they close; points and open lines, which are vertices alone,
+// and are left out beside polygons. Features without a geometry, and empty geometries, are passed over, as are all
+// members that say nothing of a shape.
 #include "cage/mesh_files.h"
 #include "json_tree.h"
 #include "outline.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
 
 namespace cageproof::mesh_files {
 namespace {
@@ -21,14 +23,52 @@ struct Place {
   std::string in_words() const { return name.empty() ? "the document" : name; }
 };
 
+// What one array of positions becomes.
+struct Shape {
+  std::vector<OutlineVertex> vertices;
+  std::string name, in;  // "Point", "features[2].geometry"
+  std::size_t line;
+  bool is_polygon() const {
+    return name == "Polygon" || (vertices.size() > 2 && vertices.front().at == vertices.back().at);
+  }
+};
+
 class GeoJsonReader {
  public:
-  GeoJsonReader(const std::filesystem::path& path, Mesh& mesh) : path_(path), mesh_(mesh) {}
+  explicit GeoJsonReader(const std::filesystem::path& path) : path_(path) {}
+
+  Mesh read_document(const JsonValue& root) {
+    read({root, ""});
+    Mesh mesh;
+    const bool polygons = std::ranges::any_of(shapes_, &Shape::is_polygon);
+    std::size_t left_out = 0;
+    for (Shape& shape : shapes_) {
+      if (!polygons || shape.is_polygon()) add(std::move(shape), mesh);
+      else if (++left_out <= kMostNotes)
+        mesh.warnings.push_back(fmt::format("{}:{}: {}: a {} beside polygons is left out", path_.string(), shape.line,
+                                            shape.in, shape.name));
+    }
+    if (left_out > kMostNotes)
+      mesh.warnings.push_back(
+          fmt::format("{}: {} more points and open lines are left out", path_.string(), left_out - kMostNotes));
+    return mesh;
+  }
+
+ private:
+  static constexpr std::size_t kMostNotes = 10;
+
+  static void add(Shape shape, Mesh& mesh) {
+    for (const OutlineVertex& v : shape.vertices)
+      if (v.at[2] != 0 && mesh.first_height == 0) mesh.first_height = v.line;
+    add_outline(std::move(shape.vertices), shape.name == "Polygon", mesh);
+  }
 
   void read(const Place& object) {
-    if (object.value.type != JsonType::Object) fail(object, "is no GeoJSON object");
+    if (object.value.type != JsonType::Object)
+      fail(object, fmt::format("is no GeoJSON object, but {}", kind_of(object.value)));
     const JsonValue* type = object.value.find("type");
-    if (!type || type->type != JsonType::String) fail(object, "has no \"type\"");
+    if (!type || type->type != JsonType::String)
+      fail(object, fmt::format("has no \"type\", as GeoJSON has; its keys are {}", first_keys(object.value)));
     const std::string& name = type->string;
     if (name == "FeatureCollection") return each(object, "features", [&](const Place& p) { read(p); });
     if (name == "GeometryCollection") return each(object, "geometries", [&](const Place& p) { read(p); });
@@ -37,9 +77,12 @@ class GeoJsonReader {
       return geometry.value.type == JsonType::Null ? void() : read(geometry);
     }
     const auto shape = [&](int depth, auto read_one) { nested(member(object, "coordinates"), depth, read_one); };
-    const auto ring = [&](const Place& p) { read_ring(p); };
-    const auto line = [&](const Place& p) { read_line(p); };
-    const auto point = [&](const Place& p) { add_outline({vertex(p)}, false, mesh_); };
+    const auto keep = [&](const Place& p, std::vector<OutlineVertex> vertices, const char* shape) {
+      shapes_.push_back({std::move(vertices), shape, object.in_words(), p.value.line});
+    };
+    const auto ring = [&](const Place& p) { keep(p, ring_at(p), "Polygon"); };
+    const auto line = [&](const Place& p) { keep(p, line_at(p), "LineString"); };
+    const auto point = [&](const Place& p) { keep(p, {vertex(p)}, "Point"); };
     if (name == "Polygon") return shape(1, ring);
     if (name == "MultiPolygon") return shape(2, ring);
     if (name == "LineString") return shape(0, line);
@@ -49,7 +92,22 @@ class GeoJsonReader {
     fail(object, fmt::format("{} is no type of GeoJSON", shown(name)));
   }
 
- private:
+  static std::string_view kind_of(const JsonValue& value) {
+    switch (value.type) {
+      case JsonType::Array: return "an array";
+      case JsonType::String: return "a string";
+      case JsonType::Number: return "a number";
+      case JsonType::Object: return "an object";
+      default: return "null, true or false";
+    }
+  }
+  static std::string first_keys(const JsonValue& object) {
+    constexpr std::size_t most = 5;
+    std::vector<std::string> keys;
+    for (const std::string& key : object.keys) keys.push_back(keys.size() < most ? shown(key) : "...");
+    keys.resize(std::min(keys.size(), most + 1));
+    return keys.empty() ? "none" : fmt::format("{}", fmt::join(keys, ", "));
+  }
   Place member(const Place& object, const std::string& key) const {
     const JsonValue* value = object.value.find(key);
     if (!value) fail(object, fmt::format("has no \"{}\"", key));
@@ -93,17 +151,17 @@ class GeoJsonReader {
     each_item(positions, [&](const Place& p) { found.push_back(vertex(p)); });
     return found;
   }
-  void read_ring(const Place& ring) {
+  std::vector<OutlineVertex> ring_at(const Place& ring) {
     std::vector<OutlineVertex> positions = vertices(ring);
     if (positions.size() < 4)
       fail(ring, fmt::format("a ring has at least four positions, here are {}", positions.size()));
     if (positions.front().at != positions.back().at) fail(ring, "the ring is open: its last position is not its first");
-    add_outline(std::move(positions), true, mesh_);
+    return positions;
   }
-  void read_line(const Place& line) {
+  std::vector<OutlineVertex> line_at(const Place& line) {
     std::vector<OutlineVertex> positions = vertices(line);
     if (positions.size() < 2) fail(line, "a line string has at least two positions, here is one");
-    add_outline(std::move(positions), false, mesh_);
+    return positions;
   }
 
   [[noreturn]] void fail(const Place& place, const std::string& reason) const {
@@ -111,7 +169,7 @@ class GeoJsonReader {
   }
 
   const std::filesystem::path& path_;
-  Mesh& mesh_;
+  std::vector<Shape> shapes_;
 };
 
 Mesh read_geojson(const std::filesystem::path& path) {
@@ -119,7 +177,7 @@ Mesh read_geojson(const std::filesystem::path& path) {
   Mesh mesh;
   try {
     const JsonValue root = parse_json_tree(without_mark(file));
-    GeoJsonReader(path, mesh).read({root, ""});
+    mesh = GeoJsonReader(path).read_document(root);
   } catch (const JsonFault& fault) {
     FileLine{path, fault.line}.fail(fault.reason);
   }
@@ -127,7 +185,7 @@ Mesh read_geojson(const std::filesystem::path& path) {
   return mesh;
 }
 
-const RegisterMeshReader geojson_reader{".geojson", read_geojson};
+const RegisterMeshReader geojson_reader{".geojson", read_geojson}, json_reader{".json", read_geojson};
 
 }  // namespace
 }  // namespace cageproof::mesh_files

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Polygons of SVG files, through libxml2. Shapes are read as they are drawn, whatever their style: paths of straight
+// Polygons of SVG files, through libxml2. Shapes are read as they are drawn, whatever their colours: paths of straight
 // edges, polygons, polylines and rectangles, moved by the transforms of all elements that they stand in, with y turned
-// up. Coordinates are user units of the outermost element, whose viewBox changes none. Every other element that draws
-// something, or may, is refused by name.
+// up. Coordinates are user units of the outermost element, whose viewBox changes none. What is hidden is left out;
+// every other element that draws something, or may, is refused by name.
 #include "cage/mesh_files.h"
 #include "outline.h"
+#include "svg_style.h"
 #include "svg_text.h"
 
 #include <fmt/format.h>
@@ -28,21 +29,13 @@ constexpr std::array<std::string_view, 15> kSilent{"defs",   "title",          "
                                                    "script", "symbol",         "clipPath",       "mask",     "marker",
                                                    "filter", "linearGradient", "radialGradient", "view",     "pattern"};
 
+// These draw, and are read as little as what may stand in them.
+constexpr std::array<std::string_view, 6> kOtherShapes{"circle", "ellipse", "line", "image", "text", "use"};
+
 // Properties of styles that would change what is read.
 constexpr std::array<std::string_view, 7> kMoving{"transform", "-webkit-transform", "translate", "rotate",
                                                   "scale",     "offset-path",       "d"};
 constexpr std::array<std::string_view, 6> kSides{"x", "y", "width", "height", "rx", "ry"};
-
-// The property whose name ends there, but for blanks; empty for other words, as selectors have.
-std::string property_before(const std::string& text, std::size_t end) {
-  const auto is_part = [](char c) { return c == '-' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  while (end > 0 && !is_part(text[end - 1]) && text[end - 1] <= ' ') --end;
-  std::size_t begin = end;
-  while (begin > 0 && is_part(text[begin - 1])) --begin;
-  const bool property =
-      begin == 0 || text[begin - 1] <= ' ' || std::string_view(";{/").find(text[begin - 1]) != std::string_view::npos;
-  return property ? text.substr(begin, end - begin) : "";
-}
 
 std::string_view text_of(const xmlChar* text) { return text ? reinterpret_cast<const char*>(text) : ""; }
 
@@ -65,13 +58,27 @@ std::optional<std::string> attribute(xmlNode& node, const char* name) {
   return std::string(text_of(value.get()));
 }
 
+std::string content_of(xmlNode& node) {
+  const std::unique_ptr<xmlChar, void (*)(void*)> content(xmlNodeGetContent(&node), xmlFree);
+  return std::string(text_of(content.get()));
+}
+
+template <class Names>
+bool is_one_of(std::string_view name, const Names& names) {
+  return std::ranges::find(names, name) != names.end();
+}
+
 class SvgReader {
  public:
   SvgReader(const std::filesystem::path& path, Mesh& mesh) : path_(path), mesh_(mesh) {}
 
   void read(xmlNode& root) {
     if (!is_svg(root) || text_of(root.name) != "svg") fail(root, "the outermost element is not <svg>");
-    read_children(root, transform_of(root, {}));
+    add_sheets(root);
+    set_sides(root);
+    read_container(root, {}, true);
+    if (mesh_.vertices.empty()) fail_empty();
+    if (hidden_ > 0) mesh_.warnings.push_back(fmt::format("{}: left out {}", path_.string(), hidden_shapes()));
   }
 
  private:
@@ -85,30 +92,86 @@ class SvgReader {
     }
   }
 
-  void read_children(xmlNode& parent, const svg::Transform& outer) {
+  void add_sheets(xmlNode& node) {
+    if (node.type != XML_ELEMENT_NODE) return;
+    if (text_of(node.name) == "style" && is_svg(node)) {
+      try {
+        sheets_.add(content_of(node), {kMoving.begin(), kMoving.end()});
+      } catch (const svg::Fault& fault) {
+        fail(node, fault.reason);
+      }
+    }
+    for (xmlNode* child = node.children; child; child = child->next) add_sheets(*child);
+  }
+
+  std::optional<std::string> style_value(xmlNode& node, const char* property) const {
+    const svg::Selected element{std::string(text_of(node.name)), attribute(node, "id").value_or(""),
+                                attribute(node, "class").value_or("")};
+    return sheets_.value_of(property, element, attribute(node, "style").value_or(""), attribute(node, property));
+  }
+  bool is_displayed(xmlNode& node) const { return style_value(node, "display") != "none"; }
+  bool is_visible(xmlNode& node, bool outer) const {
+    const std::string value = style_value(node, "visibility").value_or("");
+    return value == "visible" || value == "initial" || (outer && value != "hidden" && value != "collapse");
+  }
+
+  // How many shapes the element is, or holds.
+  static std::size_t shapes_in(xmlNode& node) {
+    if (node.type != XML_ELEMENT_NODE || !is_svg(node)) return 0;
+    const std::string_view name = text_of(node.name);
+    if (shape_named(name) || is_one_of(name, kOtherShapes)) return 1;
+    std::size_t count = 0;
+    for (xmlNode* child = node.children; child; child = child->next) count += shapes_in(*child);
+    return count;
+  }
+  void leave_out(xmlNode& node) {
+    const std::size_t count = shapes_in(node);
+    if (hidden_ == 0 && count > 0) first_hidden_ = fmt::format("{} in line {}", element_name(node), line_of(node));
+    hidden_ += count;
+  }
+  std::string hidden_shapes() const {
+    return fmt::format("{} shape{} that display or visibility hides (the first: {})", hidden_, hidden_ == 1 ? "" : "s",
+                       first_hidden_);
+  }
+  [[noreturn]] void fail_empty() const {
+    std::string but;
+    if (hidden_ > 0) but = fmt::format("; left out: {}", hidden_shapes());
+    if (defined_ > 0)
+      but += fmt::format("{} {} in elements that draw nothing, as defs, symbol and clipPath",
+                         but.empty() ? "; left out:" : ",", defined_);
+    FileLine{path_}.fail("no path, polygon, polyline or rect in it that is drawn" + but);
+  }
+
+  // A container that is displayed.
+  void read_container(xmlNode& parent, const svg::Transform& outer, bool outer_visible) {
+    if (!is_displayed(parent)) return leave_out(parent);
+    const svg::Transform transform = transform_of(parent, outer);
+    const bool visible = is_visible(parent, outer_visible);
     for (xmlNode* node = parent.children; node; node = node->next) {
       if (node->type == XML_ENTITY_REF_NODE) fail(*node, "an entity in place of elements is not read");
-      if (node->type == XML_ELEMENT_NODE && is_svg(*node)) read_element(*node, outer);
+      if (node->type == XML_ELEMENT_NODE && is_svg(*node)) read_element(*node, transform, visible);
     }
   }
 
-  void read_element(xmlNode& node, const svg::Transform& outer) {
+  void read_element(xmlNode& node, const svg::Transform& outer, bool outer_visible) {
     const std::string_view name = text_of(node.name);
-    if (std::ranges::find(kSilent, name) != kSilent.end()) return check_style(node);
-    const bool container = std::ranges::find(kContainers, name) != kContainers.end();
+    if (is_one_of(name, kSilent)) {
+      defined_ += shapes_in(node);
+      return;
+    }
+    if (is_one_of(name, kContainers)) return read_container(node, outer, outer_visible);
     const auto read_shape = shape_named(name);
-    if (!container && !read_shape)
-      fail(node, "is not read; polygons are path, polygon, polyline and rect, in svg, g and a");
-    const svg::Transform transform = transform_of(node, outer);
-    if (container) return read_children(node, transform);
+    // What stands in other elements may be visible all the same.
+    const bool is_alone = read_shape || (is_one_of(name, kOtherShapes) && name != "use" && name != "text");
+    if (!is_displayed(node) || (is_alone && !is_visible(node, outer_visible))) return leave_out(node);
+    if (!read_shape) fail(node, "is not read; polygons are path, polygon, polyline and rect, in svg, g and a");
     check_children(node);
-    (this->*read_shape)(node, transform);
+    (this->*read_shape)(node, transform_of(node, outer));
   }
   // Descriptions, but no animations.
   void check_children(xmlNode& shape) {
     for (xmlNode* node = shape.children; node; node = node->next)
-      if (node->type == XML_ELEMENT_NODE && is_svg(*node) &&
-          std::ranges::find(kSilent, text_of(node->name)) == kSilent.end())
+      if (node->type == XML_ELEMENT_NODE && is_svg(*node) && !is_one_of(text_of(node->name), kSilent))
         fail(*node, fmt::format("is not read in a {}", text_of(shape.name)));
   }
 
@@ -132,13 +195,30 @@ class SvgReader {
     add(node, parsed(node, "points", "", svg::parse_points), false, transform);
   }
   void read_rectangle(xmlNode& node, const svg::Transform& transform) {
-    for (const char* rounded : {"rx", "ry"})
-      if (attribute(node, rounded) && parsed(node, rounded, "0", svg::parse_number) != 0)
+    const auto length = [&](const char* name, const std::optional<svg::Rational>& whole) {
+      return parsed(node, name, "0", [&](const std::string& text) { return svg::parse_length(text, whole); });
+    };
+    for (const auto& [rounded, whole] : {std::pair{"rx", width_}, {"ry", height_}})
+      if (attribute(node, rounded) != "auto" && length(rounded, whole) != 0)
         fail(node, fmt::format("its corners are round ({}): a polygon's edges are straight", rounded));
-    const auto number = [&](const char* name) { return parsed(node, name, "0", svg::parse_number); };
-    const svg::Rational left = number("x"), top = number("y");
-    const svg::Rational right = left + number("width"), bottom = top + number("height");
+    const svg::Rational left = length("x", width_), top = length("y", height_);
+    const svg::Rational right = left + length("width", width_), bottom = top + length("height", height_);
     add(node, {{left, top}, {left, bottom}, {right, bottom}, {right, top}}, true, transform);
+  }
+
+  // What percentages are of: the viewBox, or the size of the drawing.
+  void set_sides(xmlNode& root) {
+    if (attribute(root, "viewBox")) {
+      const auto numbers = parsed(root, "viewBox", "", svg::parse_points);
+      if (numbers.size() != 2) fail(root, "attribute viewBox: not four numbers");
+      width_ = numbers[1].x;
+      height_ = numbers[1].y;
+      return;
+    }
+    for (const auto& [name, side] : {std::pair{"width", &width_}, {"height", &height_}}) try {
+        if (const auto text = attribute(root, name)) *side = svg::parse_length(*text, std::nullopt);
+      } catch (const svg::Fault&) {  // it is not known, which matters where a percentage is met
+      }
   }
 
   void add(xmlNode& node, const std::vector<svg::Point>& points, bool closed, const svg::Transform& transform) {
@@ -161,31 +241,29 @@ class SvgReader {
   }
   // Shapes and transforms of a style would be lost.
   void check_style(xmlNode& node) {
-    std::string style = attribute(node, "style").value_or("");
-    if (text_of(node.name) == "style") {
-      const std::unique_ptr<xmlChar, void (*)(void*)> sheet(xmlNodeGetContent(&node), xmlFree);
-      style += text_of(sheet.get());
-    }
-    for (std::size_t colon = style.find(':'); colon != std::string::npos; colon = style.find(':', colon + 1)) {
-      const std::string property = property_before(style, colon);
-      const bool moves = std::ranges::find(kMoving, property) != kMoving.end();
-      const bool shapes = text_of(node.name) == "rect" && std::ranges::find(kSides, property) != kSides.end();
-      if (moves || shapes) fail(node, fmt::format("a style with {} is not read; write it as an attribute", property));
-    }
+    for (const svg::Declaration& d : svg::parse_declarations(attribute(node, "style").value_or("")))
+      if (is_one_of(d.property, kMoving) || (text_of(node.name) == "rect" && is_one_of(d.property, kSides)))
+        fail(node, fmt::format("a style with {} is not read; write it as an attribute", d.property));
   }
 
   static std::size_t line_of(const xmlNode& node) {
     return static_cast<std::size_t>(std::max(0L, xmlGetLineNo(&node)));
   }
 
-  [[noreturn]] void fail(xmlNode& node, const std::string& reason) const {
+  static std::string element_name(xmlNode& node) {
     const std::optional<std::string> id = node.type == XML_ELEMENT_NODE ? attribute(node, "id") : std::nullopt;
-    const std::string element = fmt::format("<{}{}>", text_of(node.name), id ? " id=" + shown(*id) : "");
-    FileLine{path_, line_of(node)}.fail(fmt::format("{}: {}", element, reason));
+    return fmt::format("<{}{}>", text_of(node.name), id ? " id=" + shown(*id) : "");
+  }
+  [[noreturn]] void fail(xmlNode& node, const std::string& reason) const {
+    FileLine{path_, line_of(node)}.fail(fmt::format("{}: {}", element_name(node), reason));
   }
 
   const std::filesystem::path& path_;
   Mesh& mesh_;
+  svg::StyleSheets sheets_;
+  std::optional<svg::Rational> width_, height_;
+  std::size_t hidden_ = 0, defined_ = 0;  // shapes that are left out
+  std::string first_hidden_;
 };
 
 Mesh read_svg(const std::filesystem::path& path) {
@@ -206,7 +284,6 @@ Mesh read_svg(const std::filesystem::path& path) {
   }
   Mesh mesh;
   if (xmlNode* root = xmlDocGetRootElement(document.get())) SvgReader(path, mesh).read(*root);
-  if (mesh.vertices.empty()) FileLine{path}.fail("no path, polygon, polyline or rect in it");
   return mesh;
 }
 

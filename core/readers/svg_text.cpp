@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace cageproof::svg {
@@ -198,11 +199,29 @@ std::vector<Point> parse_points(std::string_view text) {
   return points;
 }
 
-Rational parse_number(std::string_view text) {
+Rational parse_length(std::string_view text, const std::optional<Rational>& whole) {
+  static const std::array<std::pair<std::string_view, Rational>, 8> units{{{"", 1},
+                                                                           {"px", 1},
+                                                                           {"in", 96},
+                                                                           {"cm", {4800, 127}},
+                                                                           {"mm", {480, 127}},
+                                                                           {"q", {120, 127}},
+                                                                           {"pt", {4, 3}},
+                                                                           {"pc", 16}}};
   Scanner scanner(text);
-  Rational number = scanner.number();
-  if (!scanner.at_end()) throw Fault{scanner.shown() + " after a number; lengths are in user units"};
-  return number;
+  const Rational number = scanner.number();
+  const std::string rest = scanner.shown();
+  if (scanner.take('%')) {
+    if (!scanner.at_end()) throw Fault{rest + " after a number"};
+    if (!whole) throw Fault{"a percentage of a drawing without viewBox; write it in user units"};
+    return number * *whole / 100;
+  }
+  std::string unit(scanner.take_word());
+  std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto* const found = std::ranges::find(units, unit, [](const auto& u) { return u.first; });
+  if (!scanner.at_end() || found == units.end())
+    throw Fault{rest + " after a number; lengths are in user units, px, in, cm, mm, Q, pt, pc or %"};
+  return number * found->second;
 }
 
 Transform Transform::after(const Transform& inner) const {

@@ -6,6 +6,7 @@
 
 #include "geometry/exact_signs.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,8 +35,9 @@ std::vector<Subpath> parse_path(std::string_view data);
 /// A list of points, as polygons and polylines have. \throws Fault for an odd number of coordinates
 std::vector<Point> parse_points(std::string_view text);
 
-/// One number, as attributes of rectangles are. \throws Fault, for a unit as well
-Rational parse_number(std::string_view text);
+/// A length in user units, as attributes of rectangles are: px is one, cm, mm, Q, in, pt and pc are as many as at 96 an
+/// inch, and % is of `whole`. \throws Fault for other units, and for % where nobody knows the whole
+Rational parse_length(std::string_view text, const std::optional<Rational>& whole);
 
 /// x -> a x + c y + e, y -> b x + d y + f.
 struct Transform {

@@ -99,14 +99,41 @@ TEST(geojson_rejects, rings_that_are_none) {
   expect_parts(error_of(geometry("LineString", "[[0,0]]")), {"at least two positions"});
 }
 
+TEST(geojson_leaves_out, heights_of_polygons) {
+  const TemporaryFolder folder;
+  const auto path = folder.write("high.geojson", geometry("Polygon", "[[[0,0],[4,0],\n[4,4,5],[0,0]]]"));
+  const Mesh mesh = as_cage_mesh(read_mesh(path), path);
+  EXPECT_EQ(cage_from(mesh, path).vertices(), (Vertices{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}));
+  ASSERT_EQ(mesh.warnings.size(), 1u);
+  expect_parts(mesh.warnings[0], {"high.geojson:2: ", "heights", "left out"});
+  EXPECT_EQ(read_points(path, 2)[2], Vec3<double>(4, 4, 0));
+  EXPECT_EQ(read_points(path, 3)[2], Vec3<double>(4, 4, 5));
+}
+
+TEST(geojson_leaves_out, points_and_lines_beside_polygons) {
+  const Mesh mesh = mesh_of("{\"type\":\"FeatureCollection\",\"features\":[\n" + feature(geometry("Point", "[5,6]")) +
+                            ",\n" + feature(geometry("Polygon", "[" + kRing + "]")) + ",\n" +
+                            feature(geometry("MultiLineString", "[[[0,0],[1,1]]]")) + "]}");
+  EXPECT_EQ(mesh.vertices.size(), 3u);
+  ASSERT_EQ(mesh.warnings.size(), 2u);
+  expect_parts(mesh.warnings[0], {"case.geojson:2: features[0].geometry: a Point"});
+  expect_parts(mesh.warnings[1], {"case.geojson:4: features[2].geometry: a LineString"});
+}
+
+TEST(geojson_reads, json_that_is_geojson) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_cage(folder.write("a.json", geometry("Polygon", "[" + kRing + "]"))).faces().size(), 3u);
+  expect_parts(input_error_of([&] { read_mesh(folder.write("b.json", R"({"schema":"x","maps":[]})")); }),
+               {"b.json:1: the document: has no \"type\"", "\"schema\", \"maps\""});
+  expect_parts(input_error_of([&] { read_mesh(folder.write("c.json", "5")); }), {"no GeoJSON object, but a number"});
+}
+
 TEST(geojson_rejects, points_of_space_and_open_lines_as_cages) {
   const TemporaryFolder folder;
   const auto error_of_cage = [&](const std::string& text) {
     const auto path = folder.write("cage.geojson", text);
     return input_error_of([&] { read_cage(path); });
   };
-  expect_parts(error_of_cage(geometry("Polygon", "[[[0,0],[1,0,5],[1,1],[0,0]]]")),
-               {"cage.geojson: vertex 1: 3D points for a polygon"});
   expect_parts(error_of_cage(geometry("LineString", "[[0,0],[1,0],\n[1,1]]")),
                {"cage.geojson: vertex 0: the polyline is open: segment 0 (line 1)"});
   expect_parts(error_of_cage(geometry("Point", "[0,0]")), {"no faces", "polylines"});

@@ -151,6 +151,77 @@ TEST(svg_reads, what_programs_write) {
   }
 }
 
+const std::string kShown = "<path d='M1 2H4V6Z'/>", kHidden = "<path d='M9 9H8V7Z'/>";
+
+void expect_shown_alone(const std::string& body) {
+  const Mesh mesh = mesh_of(svg(body));
+  EXPECT_EQ(mesh.vertices, (Vertices{{1, -2, 0}, {4, -2, 0}, {4, -6, 0}})) << body;
+}
+
+TEST(svg_leaves_out, what_is_not_displayed) {
+  for (const char* hides :
+       {"display='none'", "style='display:none'", "style='fill:red; DISPLAY : None !important'", "visibility='hidden'",
+        "visibility='collapse'", "style='visibility:hidden'", "display='inline' style='display:none'"}) {
+    expect_shown_alone(fmt::format("<g {}>{}</g>{}", hides, kHidden, kShown));
+    expect_shown_alone(fmt::format("<path {} d='M9 9C1 1 2 2 3 3'/><circle {} r='1'/>{}", hides, hides, kShown));
+  }
+  // What is not displayed may be anything, and no child comes back; of what is hidden a child may.
+  expect_shown_alone(kShown + "<g display='none' transform='none'><use/><g display='inline'>" + kHidden + "</g></g>");
+  expect_shown_alone(
+      "<g visibility='hidden' transform='scale(2)'><path visibility='visible' transform='scale(.5)' "
+      "d='M1 2H4V6Z'/>" +
+      kHidden + "</g>");
+  expect_shown_alone("<g display='none' style='display:inline'>" + kShown + "</g>");
+  for (const char* element : {"defs", "symbol", "clipPath", "mask", "marker", "pattern"})
+    expect_shown_alone(fmt::format("<{}>{}</{}>{}", element, kHidden, element, kShown));
+}
+
+TEST(svg_leaves_out, what_style_sheets_hide) {
+  const auto hidden_by = [&](const std::string& sheet) {
+    expect_shown_alone("<defs><style>" + sheet + "</style></defs><g id='i' class='a b'>" + kHidden + "</g>" +
+                       "<a><path d='M1 2H4V6Z' id='shown'/></a>");
+  };
+  for (const char* sheet :
+       {"g{display:none}", ".b{display:none}", "#i { visibility : hidden; }", "rect, g.a.b{display:none}",
+        "/* g{} */ @charset 'x'; #i{fill:url(a;b)}\n*#i{display:none}", "<![CDATA[g{display:none}]]>",
+        "g{display:inline}.a{display:none}g{display:inline}", "#i{display:none}.a{display:inline}",
+        "g{display:none!important}#i{display:inline}", "@font-face{font-display:swap}.a{display:none}"})
+    hidden_by(sheet);
+  expect_parts(error_of(svg("\n<style>g > path{display:none}</style>" + kShown)),
+               {":3: <style>", "display", "\"g > path\""});
+  expect_parts(error_of(svg("<style>@media print{path{display:none}}</style>" + kShown)), {"display", "@media print"});
+  EXPECT_NO_THROW(mesh_of(svg("<style>a:hover{fill:red} g > path{stroke:red}</style>" + kShown)));
+}
+
+TEST(svg_leaves_out, and_says_how_much) {
+  EXPECT_TRUE(mesh_of(svg("<defs>" + kHidden + "</defs>" + kShown)).notes.empty());
+  const Mesh mesh = mesh_of(svg(kShown + "\n<g id='layer' display='none'>" + kHidden + kHidden + "</g>"));
+  ASSERT_EQ(mesh.warnings.size(), 1u);
+  expect_parts(mesh.warnings[0], {"case.svg: left out 2 shapes", "<g id=\"layer\"> in line 3"});
+  expect_parts(
+      error_of(svg("<defs>" + kHidden + "</defs><g display='none'>" + kHidden + "<circle/></g>")),
+      {"case.svg: no path, polygon, polyline or rect in it that is drawn", "2 shapes", "<g> in line 2", "1 in"});
+}
+
+TEST(svg_reads, lengths_with_units) {
+  const auto width = [](const std::string& text, const std::string& drawing = "") {
+    return mesh_of(fmt::format("<svg {}><rect width='{}' height='1'/></svg>", drawing, text)).vertices[2][0];
+  };
+  EXPECT_EQ(width("8px"), 8);
+  EXPECT_EQ(width("1in"), 96);
+  EXPECT_EQ(width("2.54 cm"), 96);
+  EXPECT_EQ(width("25.4mm"), 96);
+  EXPECT_EQ(width("101.6Q"), 96);
+  EXPECT_EQ(width("72pt"), 96);
+  EXPECT_EQ(width("6PC"), 96);
+  EXPECT_EQ(width("1e1px"), 10);
+  EXPECT_EQ(width("50%", "viewBox='0 0 30,40' width='7'"), 15);
+  EXPECT_EQ(width("50%", "width='7px'"), 3.5);
+  for (const char* text : {"1em", "2ex", "1rem", "1px px", "1 2"})
+    expect_parts(error_of(svg(fmt::format("<rect width='{}' height='1'/>", text))), {"attribute width", "user units"});
+  expect_parts(error_of(svg("<rect width='50%' height='1'/>")), {"attribute width", "percentage", "viewBox"});
+}
+
 TEST(svg_rejects, curves_by_name) {
   for (const auto& [data, name] : {std::pair{"M0 0C1 1 2 2 3 3", "a cubic Bezier curve (command C)"},
                                    {"M0 0L1 1c1 1 2 2 3 3", "a cubic Bezier curve (command c)"},
@@ -207,7 +278,6 @@ TEST(svg_rejects, path_data_that_is_none) {
                                      {"none L", "not a path command"}})
     expect_parts(path_error(data), {"case.svg:2: <path id=\"leaf\">: attribute d: ", reason});
   expect_parts(error_of(svg("<polygon points='1 2 3'/>")), {"attribute points", "missing"});
-  expect_parts(error_of(svg("<rect width='2cm' height='1'/>")), {"attribute width", "\"cm\"", "user units"});
   expect_parts(path_error("M0 0H9e307V1Z", "scale(9)"), {"beyond the range of double"});
 }
 

@@ -117,6 +117,40 @@ TEST(polygon_files, give_back_every_embedded_polygon_bit_by_bit) {
     }
 }
 
+Cage polygons(const std::string& coordinates) {
+  const TemporaryFolder folder;
+  return read_cage(folder.write("case.geojson", R"({"type":"MultiPolygon","coordinates":)" + coordinates + "}"));
+}
+std::string polygons_error(const std::string& coordinates) {
+  return input_error_of([&] { polygons(coordinates); });
+}
+
+TEST(polygons, may_touch_in_points) {
+  // Two corners; a corner on an edge; a hole at a corner; a hole whose corners all lie on the edges.
+  const std::string square = "[[0,0],[4,0],[4,4],[0,4],[0,0]]";
+  EXPECT_EQ(polygons("[[" + square + "],[[[4,4],[6,4],[6,6],[4,6],[4,4]]]]").faces().size(), 8u);
+  EXPECT_EQ(polygons("[[" + square + "],[[[4,2],[6,1],[6,3],[4,2]]]]").faces().size(), 7u);
+  EXPECT_EQ(polygons("[[" + square + ",[[0,0],[1,2],[2,1],[0,0]]]]").faces().size(), 7u);
+  EXPECT_EQ(polygons("[[" + square + ",[[2,0],[0,2],[2,4],[4,2],[2,0]]]]").faces().size(), 8u);
+  EXPECT_EQ(polygons("[[" + square + ",[[0,0],[2,3],[4,4],[3,1],[0,0]]]]").faces().size(), 8u);
+  EXPECT_EQ(
+      polygons("[[[[0,0],[2,0],[0,2],[0,0]]],[[[2,0],[4,0],[4,2],[2,0]]],[[[0,2],[4,2],[2,4],[0,2]]]]").faces().size(),
+      9u);
+  expect_parts(polygons_error("[[" + square + "],[[[2,0],[4,2],[2,4],[0,2],[2,0]]]]"), {"bounds a hole"});
+  expect_parts(polygons_error("[[" + square + "],[[[0,0],[2,1],[1,2],[0,0]]]]"), {"bounds a hole"});
+}
+
+TEST(polygons, that_cross_at_a_corner_or_share_an_edge_are_named) {
+  const std::string square = "[[0,0],[4,0],[4,4],[0,4],[0,0]]";
+  expect_parts(polygons_error("[[" + square + "],[[[4,4],[2,3],[6,2],[4,4]]]]"), {"cross"});
+  expect_parts(polygons_error("[[" + square + "],[[[4,2],[6,2],[2,3],[4,2]]]]"), {"cross"});
+  expect_parts(polygons_error("[[" + square + "],[[[4,0],[6,0],[6,4],[4,4],[4,0]]]]"), {"lie on each other"});
+  expect_parts(polygons_error("[[" + square + "],[" + square + "]]"), {"lie on each other"});
+  expect_parts(polygons_error("[[[[0,0],[2,0],[2,2],[4,2],[4,4],[2,2],[0,0]]]]"), {"repeated"});
+  expect_parts(polygons_error("[[[[0,0],[4,0],[2,0],[2,2],[0,0]]]]"), {"lie on each other"});
+  expect_parts(polygons_error("[[[[0,0],[4,0],[4,4],[2,0],[0,4],[0,0]]]]"), {"touch each other, at vertex 3"});
+}
+
 Mesh obj_mesh(const std::string& text) {
   const TemporaryFolder folder;
   return read_mesh(folder.write("case.obj", text));

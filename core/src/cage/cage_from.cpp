@@ -106,6 +106,7 @@ void take_boundary(Mesh& mesh, const std::filesystem::path& path) {
 }  // namespace
 
 Mesh as_cage_mesh(Mesh mesh, const std::filesystem::path& path) {
+  if (!mesh.segments.empty()) mesh_files::leave_out_heights(mesh, path);
   if (mesh.faces.empty() || !mesh.segments.empty()) return mesh;
   if (std::ranges::all_of(mesh.vertices, [](const Vec3<double>& p) { return p[2] == 0; })) take_boundary(mesh, path);
   else cut_polygons(mesh, path);

@@ -1,34 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "cage_parts.h"
 
+#include "connected.h"
+
 #include "cageproof/core/geometry/element.h"
 #include "cageproof/core/cage/face_crossings.h"
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/geometry/orientation.h"
 #include "cageproof/core/geometry/winding_number.h"
 #include "face_pieces.h"
+#include "geometry/segment_contacts.h"
 #include "polygon_checks.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace cageproof::cage_checks {
 namespace {
-
-// Which of some vertices are connected.
-class Connected {
- public:
-  explicit Connected(std::size_t count) : towards_(count) { std::iota(towards_.begin(), towards_.end(), 0); }
-  int root(int v) {
-    while (towards_[v] != v) v = towards_[v] = towards_[towards_[v]];
-    return v;
-  }
-  void join(int a, int b) { towards_[root(a)] = root(b); }
-
- private:
-  std::vector<int> towards_;
-};
 
 std::vector<Part> connected_parts(const Candidate& cage) {
   Connected connected(cage.vertices.size());
@@ -47,10 +36,16 @@ std::vector<Part> connected_parts(const Candidate& cage) {
   return parts;
 }
 
+// Whether a point lies within a segment.
+bool is_between(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& point) {
+  return side_of_line({a, b}, point) == 0 && (a.cwiseMin(b).array() <= point.array()).all() &&
+         (a.cwiseMax(b).array() >= point.array()).all();
+}
+
 // What a part encloses, ready to be asked for points.
 class Region {
  public:
-  Region(const Candidate& cage, const Part& part) : cage_(cage) {
+  Region(const Candidate& cage, const Part& part) : cage_(cage), orientation_(part.orientation) {
     for (const int f : part.faces) {
       const auto& v = cage.faces[f].vertices;
       const auto at = [&](int k) { return cage.vertices[v[k]]; };
@@ -82,11 +77,24 @@ class Region {
       any = true;
       if (!crossing) break;
     }
-    return any;
+    return any || (!segments_.empty() && holds_touching(other));
   }
 
  private:
+  // All vertices of the other polygon lie on this one: it sets out to one of its sides.
+  bool holds_touching(const Region& other) const {
+    const auto& [from, to] = other.segments_.front();
+    Passage way{from, from, from};
+    for (const auto& [a, b] : segments_) {
+      if (b == from) way.before = a;
+      else if (a == from) way.after = b;
+      else if (way.before == from && way.after == from && is_between(a, b, from)) way = {a, from, b};
+    }
+    return is_left(way, to) == (orientation_ > 0);
+  }
+
   const Candidate& cage_;
+  int orientation_;
   std::vector<int> vertices_;
   std::vector<Triangle<double>> triangles_;
   std::vector<Segment<double>> segments_;

@@ -17,7 +17,8 @@ void FileLine::fail(const std::string& reason) const {
                              : fmt::format("{}:{}: {}", file.string(), line, reason));
 }
 
-std::string read_mesh_file(const std::filesystem::path& path) {
+std::string read_mesh_file(const std::filesystem::path& named) {
+  const std::filesystem::path path = named == "-" ? "/dev/stdin" : named;
   const FileLine at{path};
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -85,6 +86,13 @@ std::string lower_case(std::string_view text) {
   std::string lower(text);
   std::ranges::transform(lower, lower.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
   return lower;
+}
+
+void leave_out_heights(Mesh& mesh, const std::filesystem::path& path) {
+  if (mesh.first_height == 0) return;
+  for (Vec3<double>& p : mesh.vertices) p[2] = 0;
+  mesh.warnings.push_back(fmt::format("{}:{}: positions have third numbers, heights, from here on; they are left out",
+                                      path.string(), mesh.first_height));
 }
 
 }  // namespace cageproof::mesh_files

@@ -17,7 +17,8 @@ struct FileLine {
   [[noreturn]] void fail(const std::string& reason) const;
 };
 
-/// The whole file. \throws InputError when it is missing, no file, unreadable, empty, or a pointer of Git LFS
+/// The whole file; of "-" standard input.
+/// \throws InputError when it is missing, no file, unreadable, empty, or a pointer of Git LFS
 std::string read_mesh_file(const std::filesystem::path& path);
 
 /// A token as messages show it: quoted, printable, at most 40 characters.
@@ -52,6 +53,9 @@ double finite_number(std::string_view token, const FileLine& at);
 std::string lower_case(std::string_view text);
 
 Mesh read_obj(const std::filesystem::path& path);
+
+/// Sets third coordinates that are heights over a map to zero, with a warning.
+void leave_out_heights(Mesh& mesh, const std::filesystem::path& path);
 
 /// A PLY file after its check. VTK 9.1's reader crashes on what is not whole, and on legal files too (colours that are
 /// not all bytes, lines that end in CR, a last line without end); it takes other elements for faces, knows no point

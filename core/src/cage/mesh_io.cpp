@@ -3,6 +3,7 @@
 
 #include "cageproof/core/numbers/scalar_text.h"
 #include "mesh_files.h"
+#include "points_files.h"
 
 #include <fmt/format.h>
 
@@ -15,61 +16,10 @@ namespace {
 
 using mesh_files::FileLine;
 
-std::vector<std::string_view> fields_of(std::string_view line, const FileLine& at) {
-  std::vector<std::string_view> fields;
-  const bool has_commas = line.find(',') != std::string_view::npos;
-  for (bool more = true; more;) {
-    const std::size_t comma = line.find(',');
-    std::string_view part = line.substr(0, comma);
-    const std::size_t before = fields.size();
-    for (auto token = mesh_files::take_token(part); !token.empty(); token = mesh_files::take_token(part))
-      fields.push_back(token);
-    if (has_commas && fields.size() != before + 1) at.fail("an empty or blank-separated field between commas");
-    more = comma != std::string_view::npos;
-    if (more) line.remove_prefix(comma + 1);
-  }
-  return fields;
-}
-
-Vec3<double> point_of(const std::vector<std::string_view>& fields, int dimension, const FileLine& at) {
-  const bool right = fields.size() == 3 || (dimension == 2 && fields.size() == 2);
-  if (!right)
-    at.fail(fmt::format("a point has {} coordinates, here are {} numbers", dimension == 3 ? "three" : "two",
-                        fields.size()));
-  Vec3<double> point = Vec3<double>::Zero();
-  for (std::size_t i = 0; i < fields.size(); ++i) point[i] = mesh_files::finite_number(fields[i], at);
-  if (dimension == 2 && point[2] != 0)
-    at.fail(fmt::format("3D points for a polygon: the third number is {}, not 0", mesh_files::shown(fields[2])));
-  return point;
-}
-
-std::vector<Vec3<double>> read_text_points(const std::filesystem::path& path, int dimension) {
-  const std::string file = mesh_files::read_mesh_file(path);
-  std::string_view text = mesh_files::without_mark(file);
-  std::vector<Vec3<double>> points;
-  FileLine at{path};
-  bool is_first = true;
-  for (std::string_view line; mesh_files::take_line(text, line);) {
-    ++at.line;
-    line = mesh_files::without_comment(line);
-    if (line.find_first_not_of(" \t") == std::string_view::npos) continue;
-    const auto fields = fields_of(line, at);
-    // A header names columns; what begins like a number is one that is spelled wrongly.
-    const bool is_header =
-        is_first && std::ranges::none_of(fields, [](std::string_view f) {
-          return f.empty() || f.find_first_of("0123456789.+-") == 0 || parse_scalar<double>(f).has_value();
-        });
-    is_first = false;
-    if (is_header) continue;
-    points.push_back(point_of(fields, dimension, at));
-  }
-  if (points.empty()) FileLine{path}.fail("no points");
-  return points;
-}
-
 // Made when first asked for, so that readers may be added from any file before main.
 std::map<std::string, MeshReader, std::less<>>& readers() {
-  static std::map<std::string, MeshReader, std::less<>> instance{{".obj", mesh_files::read_obj}};
+  static std::map<std::string, MeshReader, std::less<>> instance{{".obj", mesh_files::read_obj},
+                                                                 {".npy", mesh_files::read_npy}};
   return instance;
 }
 
@@ -96,24 +46,27 @@ Mesh read_mesh(const std::filesystem::path& path) {
   const auto reader = readers().find(extension);
   if (reader == readers().end())
     FileLine{path}.fail(fmt::format(
-        "unknown extension \"{}\"; meshes are .obj, .ply, .stl, .off or .vtp, polygons .svg, .geojson, .obj "
-        "or .vtp, points also .csv, .xyz or .txt",
+        "unknown extension \"{}\"; meshes are .obj, .ply, .stl, .off or .vtp, polygons .svg, .geojson, .json, .obj or "
+        ".vtp, points also .npy, .npz, .csv, .tsv, .xyz, .pts or .txt",
         extension));
   Mesh mesh = reader->second(path);
   for (std::vector<int>& face : mesh.faces) join_equal_corners(face);
   return mesh;
 }
 
-bool is_text_of_points(const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
-  return extension == ".csv" || extension == ".xyz" || extension == ".txt";
+Mesh read_points_and_faces(const std::filesystem::path& path, int dimension) {
+  Mesh mesh = mesh_files::is_text_of_points(path) ? mesh_files::read_text_points(path, dimension) : read_mesh(path);
+  if (dimension == 2) {
+    mesh_files::leave_out_heights(mesh, path);
+    check_plane(mesh, path);
+  } else if (mesh.is_flat) {
+    FileLine{path}.fail("points have two coordinates, in space they have three");
+  }
+  return mesh;
 }
 
 std::vector<Vec3<double>> read_points(const std::filesystem::path& path, int dimension) {
-  if (is_text_of_points(path)) return read_text_points(path, dimension);
-  Mesh mesh = read_mesh(path);
-  if (dimension == 2) check_plane(mesh, path);
-  return std::move(mesh.vertices);
+  return std::move(read_points_and_faces(path, dimension).vertices);
 }
 
 void check_plane(const Mesh& mesh, const std::filesystem::path& path) {

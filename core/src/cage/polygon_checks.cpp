@@ -2,6 +2,7 @@
 #include "polygon_checks.h"
 
 #include "cageproof/core/geometry/orientation.h"
+#include "connected.h"
 #include "geometry/segment_contacts.h"
 
 #include <fmt/format.h>
@@ -61,16 +62,18 @@ void check_places(const Candidate& cage) {
   std::vector<int> order(cage.vertices.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, [&](int v, int w) { return is_left_of(cage.vertices[v], cage.vertices[w]); });
+  Connected connected(cage.vertices.size());
+  for (const Face& segment : cage.faces) connected.join(segment.vertices[0], segment.vertices[1]);
   std::optional<std::pair<int, int>> first;
-  for (std::size_t k = 1; k < order.size(); ++k)
-    if (cage.vertices[order[k - 1]] == cage.vertices[order[k]]) {
-      const std::pair pair{order[k - 1], order[k]};
-      first = first ? std::min(*first, pair) : pair;
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (std::size_t n = k + 1; n < order.size() && cage.vertices[order[k]] == cage.vertices[order[n]]; ++n) {
+      const std::pair pair{order[k], order[n]};
+      if (connected.root(pair.first) == connected.root(pair.second)) first = first ? std::min(*first, pair) : pair;
     }
   if (first)
     fail_vertex(cage, first->second,
-                fmt::format("repeated, it lies where vertex {} does; a polygon has one vertex a place, its last "
-                            "segment ends at its first vertex",
+                fmt::format("repeated, it lies where vertex {} does; a closed polyline has one vertex a place, its "
+                            "last segment ends at its first vertex",
                             first->first));
 }
 

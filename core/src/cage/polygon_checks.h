@@ -11,13 +11,14 @@ namespace cageproof::cage_checks {
 void check_plane(const Candidate& cage);
 /// No segment without length. \pre check_indices passed
 void check_lengths(const Candidate& cage);
-/// No two vertices at one place.
+/// No two vertices of one polyline at one place. \pre check_indices passed
 void check_places(const Candidate& cage);
 /// Two segments at every vertex: closed loops, which share no vertex. \pre check_indices passed
 void check_loops(const Candidate& cage);
 /// At every vertex one segment ends and one begins. \pre check_loops passed
 void check_directions(const Candidate& cage);
-/// No segments that cross, touch or overlap. \pre check_lengths and check_places passed
+/// No segments that cross or overlap, none of a loop that touch; loops may touch others in points.
+/// \pre check_directions, check_lengths and check_places passed
 void check_simple(const Candidate& cage);
 
 /// Which way one loop runs: 1 counter-clockwise, -1 clockwise. \pre check_directions and check_simple passed

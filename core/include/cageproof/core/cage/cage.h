@@ -71,9 +71,10 @@ class Cage {
   /// \param vertices with third coordinate zero \param segments from vertex to vertex, in any order
   /// \throws InputError naming the first vertex or segment at fault, and the reason: empty input, a coordinate that is
   ///   not finite or not in the plane; index out of range or repeated, unused vertex; a segment without length, two
-  ///   vertices at one place; a vertex where not exactly one segment ends and one begins; two segments that cross,
-  ///   touch or overlap; a polygon that runs the wrong way. With options.flip_inward segments and polygons that run the
-  ///   wrong way are turned instead. Exact, as make is.
+  ///   vertices of a polygon at one place; a vertex where not exactly one segment ends and one begins; two segments
+  ///   that cross or overlap, or touch within one polygon; a polygon that runs the wrong way. Polygons may touch others
+  ///   in points. With options.flip_inward segments and polygons that run the wrong way are turned instead. Exact, as
+  ///   make is.
   /// In space faces that cross bring a warning, in the plane an error: a polygon is drawn in one piece, by hand or by a
   /// program, and one that crosses itself is an accident.
   static Cage make_polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
