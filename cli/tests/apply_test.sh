@@ -163,7 +163,7 @@ coordinates_of <(cat p.txt) | cmp - expected.csv || fail "other points by proces
 refuses 'two.npz' '2 arrays (a, b)' -- --cage cage.obj --kind green --points two.npz
 sed 's/$/ 255 0 0/' p.txt >coloured.xyz
 coordinates_of coloured.xyz | cmp - expected.csv || fail "colours are taken for coordinates"
-"$cageproof" coordinates --cage cage.obj --kind green --points coloured.xyz 2>&1 >/dev/null | grep -q '^note: coloured.xyz: 3 of 6 columns' || fail "colours are left out in silence"
+"$cageproof" coordinates --cage cage.obj --kind green --points coloured.xyz 2>&1 >/dev/null | grep -q '^warning: coloured.xyz: 3 of 6 columns' || fail "colours are left out in silence"
 sed -n 's/^v //p' posed.obj >posed.xyz
 for posed in posed.obj posed.xyz; do "$cageproof" deform --cage cage.obj --posed $posed --points p.txt --method green --out $posed.csv 2>/dev/null; done
 "$cageproof" deform --cage cage.obj --posed <(cat posed.xyz) --points - --method green --out piped.csv <p.txt 2>/dev/null

@@ -204,12 +204,6 @@ TEST(obj_reads, big_meshes_in_about_a_second) {
   EXPECT_LT(spent.count(), 20) << "linear in the file's size, also under sanitizers on a busy machine";
 }
 
-TEST(read_cage, rejects_polygons_naming_the_face) {
-  const TemporaryFolder folder;
-  const auto path = folder.write("five.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3\nf 1 2 3 4 5\n");
-  expect_parts(input_error_of([&] { read_cage(path); }), {"five.obj: face 1 (line ", "): 5 corners", "3 or 4"});
-}
-
 TEST(read_cage, names_file_and_face_of_invalid_cages) {
   const TemporaryFolder folder;
   const auto hole = folder.write("hole.obj", replaced(kTetrahedron, "f 2 3 4\n", ""));

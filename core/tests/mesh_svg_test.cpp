@@ -194,7 +194,7 @@ TEST(svg_leaves_out, what_style_sheets_hide) {
 }
 
 TEST(svg_leaves_out, and_says_how_much) {
-  EXPECT_TRUE(mesh_of(svg("<defs>" + kHidden + "</defs>" + kShown)).notes.empty());
+  EXPECT_TRUE(mesh_of(svg("<defs>" + kHidden + "</defs>" + kShown)).warnings.empty());
   const Mesh mesh = mesh_of(svg(kShown + "\n<g id='layer' display='none'>" + kHidden + kHidden + "</g>"));
   ASSERT_EQ(mesh.warnings.size(), 1u);
   expect_parts(mesh.warnings[0], {"case.svg: left out 2 shapes", "<g id=\"layer\"> in line 3"});

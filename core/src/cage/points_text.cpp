@@ -62,7 +62,7 @@ class TextReader {
   Mesh read(std::string_view text) {
     for (std::string_view line; take_line(text, line);) {
       ++at_.line;
-      line = line.substr(0, line.find('#'));
+      line = without_comment(line);
       if (line.find_first_not_of(" \t") == line.npos) continue;
       read_line(fields_of(line), line);
       is_first_ = false;

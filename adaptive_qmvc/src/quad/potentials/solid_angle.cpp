@@ -222,12 +222,16 @@ void solid_angle(std::span<const Vec3<R>> corners, const Vec3<R>& point, int ord
   const auto q = quad_frame<R>(corners, point);
   // On the quad limits from inside; where exponents are far apart the lines have the digits and the range.
   const bool far_apart = exponents.are_extreme() || exponents.are_distant();
-  if (!q || far_apart || place_on_quad<R>(corners, point)) {
-    if (q && !place_on_quad<R>(corners, point)) {
+  const auto on = place_on_quad<R>(corners, point);
+  if (!q || far_apart || on) {
+    if (q && !on) {
       if constexpr (std::same_as<R, double>) by_lines_in_50_digits(corners, point, order, result);
       else derive_by_lines_or_more<R>(corners, point, order, result);
     } else {
       derive_by_lines<R>(corners, point, order, result);
+      // Off the border derivatives do not jump.
+      const bool within = q && on && std::ranges::all_of(on->basis, [](double x) { return x > 0; });
+      if (order > 0 && within && !far_apart) derive<R>(corners, point, *q, order, result);
     }
     return;
   }

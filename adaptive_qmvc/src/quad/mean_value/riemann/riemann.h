@@ -8,6 +8,7 @@
 #include "quad/mean_value/riemann/projection.h"
 #include "quad/mean_value/riemann/reflections.h"
 
+#include <algorithm>
 #include <array>
 
 namespace cageproof::adaptive_qmvc {
@@ -72,17 +73,46 @@ void restore_linear_reproduction(const PairFrame<R>& s, const Vec4<R>& kappa, co
   if (correction.allFinite()) w += correction;
 }
 
+/// The four weights, in 1/length, from the Riemann sum Omega in the frame's unit.
+template <Scalar R>
+Vec4<R> weights_from(const PairFrame<R>& s, const Vec4<R>& kappa, const Vec4<R>& sum, const PoleGuard& guard) {
+  const Vec3<R> m = mean_vector(s);
+  const Vec4<R> minimal_norm = minimal_norm_solution(s, kappa, m);
+  const R along = lambda(sum, kappa, minimal_norm, mean_vector_ratio(s, m), guard);
+  Vec4<R> w = minimal_norm + along * kappa;
+  restore_linear_reproduction(s, kappa, m, w);
+  return w / s.unit;
+}
+
 /// The four weights, in 1/length, of a point off the quad and, for a planar one, off its plane.
 template <Scalar R>
 Vec4<R> riemann_weights(const PairFrame<R>& s, const Vec4<R>& kappa, int n, RiemannWorkspace<R>& work,
                         const PoleGuard& guard = {}) {
   const auto [u, v] = project(s, kappa);
-  const Vec3<R> m = mean_vector(s);
-  const Vec4<R> minimal_norm = minimal_norm_solution(s, kappa, m);
-  const R along = lambda(omega(s, n, u, v, work), kappa, minimal_norm, mean_vector_ratio(s, m), guard);
-  Vec4<R> w = minimal_norm + along * kappa;
-  restore_linear_reproduction(s, kappa, m, w);
-  return w / s.unit;
+  return weights_from<R>(s, kappa, omega(s, n, u, v, work), guard);
+}
+
+/// The same from far away, where the linear system loses the square of the distance over the size: it is solved in 50
+/// digits, and only the sum is in R.
+template <Scalar R>
+Vec4<R> riemann_weights_from_afar(const Quad<R>& q, const Vec3<R>& point, const PairFrame<R>& s, const Vec4<R>& kappa,
+                                  int n, RiemannWorkspace<R>& work, const PoleGuard& guard) {
+  const auto [u, v] = project(s, kappa);
+  Quad<Mp50> quad;
+  for (int i = 0; i < 4; ++i) quad[i] = convert<Mp50>(q[i]);
+  const PairFrame<Mp50> wide(quad, convert<Mp50>(point));
+  const Vec4<Mp50> sum = omega(s, n, u, v, work).template cast<Mp50>() * Mp50(wide.unit / Mp50(s.unit));
+  const Vec4<Mp50> w = weights_from<Mp50>(wide, null_vector(wide), sum, guard);
+  Vec4<R> rounded;
+  for (int i = 0; i < 4; ++i) rounded[i] = static_cast<R>(w[i]);
+  return rounded;
+}
+
+/// Whether the quad is so small, seen from the point, that the linear system costs half of a double's digits.
+template <Scalar R>
+bool is_far(const PairFrame<R>& s) {
+  constexpr double enough = 0x1p-12;
+  return std::ranges::all_of(s.along, [](const Vec3<R>& side) { return side.squaredNorm() < R(enough * enough); });
 }
 
 /// The four weights of any point: infinite on the quad where the basis function is positive, and zero for the other
@@ -98,6 +128,7 @@ Vec4<R> quad_weights(const Quad<R>& q, const Vec3<R>& point, int n, RiemannWorks
     for (int i = 0; i < 4; ++i)
       if (contact.on->basis[i] > 0) w[i] = std::numeric_limits<R>::infinity();
   } else if (!contact.in_plane) {
+    if (!is_multiprecision<R> && is_far(s)) return riemann_weights_from_afar(q, point, s, kappa, n, work, guard);
     w = riemann_weights(s, kappa, n, work, guard);
   }
   return w;
