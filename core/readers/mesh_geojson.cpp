@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <span>
 
 namespace cageproof::mesh_files {
 namespace {
@@ -104,8 +105,10 @@ class GeoJsonReader {
   static std::string first_keys(const JsonValue& object) {
     constexpr std::size_t most = 5;
     std::vector<std::string> keys;
-    for (const std::string& key : object.keys) keys.push_back(keys.size() < most ? shown(key) : "...");
-    keys.resize(std::min(keys.size(), most + 1));
+    keys.reserve(most + 1);
+    for (const std::string& key : std::span(object.keys).first(std::min(object.keys.size(), most)))
+      keys.push_back(shown(key));
+    if (object.keys.size() > most) keys.emplace_back("...");
     return keys.empty() ? "none" : fmt::format("{}", fmt::join(keys, ", "));
   }
   Place member(const Place& object, const std::string& key) const {

@@ -3,6 +3,8 @@
 
 #include "support.h"
 
+#include <fmt/format.h>
+
 namespace cageproof {
 namespace {
 
@@ -38,7 +40,7 @@ TEST(off_reads, every_header_and_passes_over_what_it_does_not_need) {
       "OFF\n4 4 0\n" + kPlaces + coloured,
       windows};
   for (const char* keyword : {"COFF", "NOFF", "CNOFF", "STOFF"})
-    texts.push_back(std::string(keyword) + "\n4 4 0\n" + more + coloured);
+    texts.push_back(fmt::format("{}\n4 4 0\n{}{}", keyword, more, coloured));
   for (const std::string& text : texts)
     for (const char* name : {"mesh.off", "mesh.OFF"}) {
       const Mesh mesh = read_mesh(folder.write(name, text));

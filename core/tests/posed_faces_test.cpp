@@ -63,6 +63,7 @@ TEST(PosedFaces, name_the_first_that_a_symmetric_numbering_moves) {
   const std::vector<std::vector<int>> faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                             {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   std::vector<Face> of_cage;
+  of_cage.reserve(faces.size());
   for (const auto& f : faces) of_cage.push_back({{f[0], f[1], f[2], f[3]}});
   const Cage cage = Cage::make(
       "box", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, of_cage);

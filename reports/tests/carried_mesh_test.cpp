@@ -40,7 +40,7 @@ TEST(CarriedMesh, names_what_another_format_leaves_out) {
   const auto of = [](const char* name, const std::string& text) {
     const auto file = std::filesystem::path(testing::TempDir()) / name;
     write_file(file, text);
-    const Words found = beside_places(file);
+    Words found = beside_places(file);
     std::filesystem::remove(file);
     return found;
   };

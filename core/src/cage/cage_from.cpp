@@ -46,6 +46,7 @@ void cut_polygons(Mesh& mesh, const std::filesystem::path& path) {
       continue;
     }
     std::vector<Vec3<double>> corners;
+    corners.reserve(polygon.size());
     for (const int v : polygon) corners.push_back(mesh.vertices[v]);
     const auto triangles = ears_of(corners);
     if (triangles.empty())

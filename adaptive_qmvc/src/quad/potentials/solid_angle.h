@@ -23,18 +23,16 @@ void add_side_to_solid_angle(const Vec3<R>& a, const Vec3<R>& d, const Vec3<R>& 
   LinePowers<R> powers;
   Vec3<R> x;
   const auto ends = static_cast<double>(R((sqrt(R(a.dot(a))) + sqrt(R(end.dot(end)))) / sqrt(length2)));
-  const auto about_foot = [&] {
+  const bool is_near = std::same_as<R, Mp800> || ends < kFarAlongLine;
+  if (is_near) {
     line_powers_about_foot<R>(a, d, R(0), R(1), R(c.dot(c)), 2, powers);
     x = d.cross(c) / length2;
-  };
-  if constexpr (std::same_as<R, Mp800>) {
-    about_foot();
-  } else if (ends < kFarAlongLine) {
-    about_foot();
-  } else {
-    line_powers_by_gauss<R>(a, d, R(0), nodes_of<R>(plain_nodes(ends, 2.5, digits)), 2, powers);
-    x = a + powers.origin * d;
   }
+  if constexpr (!std::same_as<R, Mp800>)
+    if (!is_near) {
+      line_powers_by_gauss<R>(a, d, R(0), nodes_of<R>(plain_nodes(ends, 2.5, digits)), 2, powers);
+      x = a + powers.origin * d;
+    }
   gradient += powers.power[2][0] * c;
   if (order < 2) return;
   const Vec3<R> along = 3 * (powers.power[3][0] * x + powers.power[3][1] * d);
