@@ -45,6 +45,24 @@ TEST(PosedFaces, may_be_triangles_of_quads_and_quads_of_triangles) {
   EXPECT_FALSE(foreign_face(Cage::make("split", quads.vertices(), triangles), mesh_of(quads)));
 }
 
+TEST(PosedFaces, may_be_polygons_that_the_cage_cut_in_triangles) {
+  Mesh prism{{{2, 0, 0},
+              {1, 2, 0},
+              {-1, 2, 0},
+              {-2, 0, 0},
+              {0, -2, 0},
+              {2, 0, 1},
+              {1, 2, 1},
+              {-1, 2, 1},
+              {-2, 0, 1},
+              {0, -2, 1}},
+             {{4, 3, 2, 1, 0}, {5, 6, 7, 8, 9}, {0, 1, 6, 5}, {1, 2, 7, 6}, {2, 3, 8, 7}, {3, 4, 9, 8}, {4, 0, 5, 9}}};
+  const Cage cage = cage_from(prism, "prism.obj");
+  EXPECT_FALSE(foreign_face(cage, prism));
+  std::swap(prism.faces[0][0], prism.faces[1][0]);
+  EXPECT_TRUE(foreign_face(cage, prism));
+}
+
 TEST(PosedFaces, name_the_first_that_another_numbering_makes) {
   const Cage cage = embedded_cage("cube");
   Mesh mesh = mesh_of(cage);

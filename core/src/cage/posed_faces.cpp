@@ -54,11 +54,20 @@ std::optional<std::string> foreign_face(const Cage& rest, const Mesh& posed) {
     const auto has = [&](int a, int b, int c) { return known.contains(standing({face[a], face[b], face[c]})); };
     return face.size() == 4 && ((has(0, 1, 2) && has(0, 2, 3)) || (has(1, 2, 3) && has(1, 3, 0)));
   };
+  // A polygon of the pose is known by the triangles that it was cut in.
+  const auto is_cut = [&](const std::vector<int>& face) {
+    if (face.size() < 5) return false;
+    const std::set<int> corners(face.begin(), face.end());
+    const auto parts = std::ranges::count_if(own, [&](const std::vector<int>& part) {
+      return std::ranges::all_of(part, [&](int v) { return corners.contains(v); });
+    });
+    return static_cast<std::size_t>(parts) >= face.size() - 2;
+  };
   const std::string_view word = plane ? "segment" : "face";
   // A symmetric cage has the same faces under other numbers: where there are as many, their order tells.
   const bool in_order = faces.size() == own.size();
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const bool is_known = known.contains(standing(faces[f])) || is_made_of_triangles(faces[f]);
+    const bool is_known = known.contains(standing(faces[f])) || is_made_of_triangles(faces[f]) || is_cut(faces[f]);
     if (is_known && (!in_order || standing(faces[f]) == standing(own[f]))) continue;
     const std::vector<std::size_t>& lines = plane ? posed.segment_lines : posed.face_lines;
     const std::string line = f < lines.size() ? fmt::format(" (line {})", lines[f]) : "";
