@@ -142,7 +142,7 @@ void add_coordinates(CommandLine& line) {
   a->cage.add_to(command, true);
   command
       .option("--points", a->points,
-              "a mesh, .npy, .npz, or text with three numbers a line, for polygons two; - is standard input")
+              "a mesh, .npy, .npz, or text with three numbers per line, for polygons two; - is standard input")
       .taking("FILE")
       .required();
   command.option("--kind", a->kind, names_of_kinds()).taking("KIND").required();

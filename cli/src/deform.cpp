@@ -223,7 +223,7 @@ void add_deform(CommandLine& line) {
       .taking("FILE");
   command
       .option("--points", a->points,
-              "a mesh, .npy, .npz, or text with three numbers a line, for polygons two; - is standard input")
+              "a mesh, .npy, .npz, or text with three numbers per line, for polygons two; - is standard input")
       .taking("FILE")
       .required();
   command.option("--method", a->method, names_of_methods()).taking("METHOD").required();

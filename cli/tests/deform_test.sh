@@ -56,7 +56,7 @@ for map in 1:0.0:0.0 2:0.0:1.0 3:0.25:0.0 4:0.25:1.0; do
 done
 mv bent.obj pulled_far.obj
 
-# What a mesh has beside places stays, or is named where it does not.
+# Materials, groups and texture coordinates of a mesh stay, or are named where they do not.
 { printf 'mtllib paint.mtl\nvt 0 0\nvn 0 0 1\ng front\n' && sed 's#^f 1 2 3 4#f 1/1/1 2/1/1 3/1/1 4/1/1#' mesh.obj; } >painted.obj
 "$cageproof" deform --cage cube --posed large.obj --points painted.obj --method mean_value --out kept.obj 2>said || fail "a painted mesh"
 for line in 'mtllib paint.mtl' 'g front' 'f 1/1 2/1 3/1 4/1' 'f 1 3 5'; do grep -qx "$line" kept.obj || fail "lost: $line"; done

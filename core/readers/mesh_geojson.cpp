@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Polygons of GeoJSON files (RFC 7946), through nlohmann-json: rings, whose last position repeats the first and is no
-// vertex of its own; line strings, which are polygons when they close; points and open lines, which are vertices alone,
+// vertex of its own; line strings, which are polygons when they close; points and open lines, which are vertices only,
 // and are left out beside polygons. Features without a geometry, and empty geometries, are passed over, as are all
 // members that say nothing of a shape.
 #include "cage/mesh_files.h"
@@ -24,7 +24,7 @@ struct Place {
   std::string in_words() const { return name.empty() ? "the document" : name; }
 };
 
-// What one array of positions becomes.
+// A shape, from one array of positions.
 struct Shape {
   std::vector<OutlineVertex> vertices;
   std::string name, in;  // "Point", "features[2].geometry"

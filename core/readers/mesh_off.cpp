@@ -11,7 +11,7 @@
 namespace cageproof::mesh_files {
 namespace {
 
-// Those with more than "OFF" have more numbers behind each vertex.
+// Keywords with letters before "OFF" say that more numbers follow each vertex.
 constexpr std::array<std::string_view, 9> kOffKeywords{"OFF",   "COFF",   "NOFF",   "CNOFF",  "NCOFF",
                                                        "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
 

@@ -161,7 +161,7 @@ class SvgReader {
     }
     if (is_one_of(name, kContainers)) return read_container(node, outer, outer_visible);
     const auto read_shape = shape_named(name);
-    // What stands in other elements may be visible all the same.
+    // Children of other elements may be visible all the same.
     const bool is_alone = read_shape || (is_one_of(name, kOtherShapes) && name != "use" && name != "text");
     if (!is_displayed(node) || (is_alone && !is_visible(node, outer_visible))) return leave_out(node);
     if (!read_shape) fail(node, "is not read; polygons are path, polygon, polyline and rect, in svg, g and a");
@@ -206,7 +206,7 @@ class SvgReader {
     add(node, {{left, top}, {left, bottom}, {right, bottom}, {right, top}}, true, transform);
   }
 
-  // What percentages are of: the viewBox, or the size of the drawing.
+  // The lengths that percentages are parts of: the viewBox, or the size of the drawing.
   void set_sides(xmlNode& root) {
     if (attribute(root, "viewBox")) {
       const auto numbers = parsed(root, "viewBox", "", svg::parse_points);

@@ -50,6 +50,15 @@ TEST(Ears, cover_convex_and_concave_polygons_in_any_plane_and_direction) {
         }
 }
 
+TEST(Ears, cover_a_polygon_of_many_corners) {
+  Corners round;
+  for (int k = 0; k < 2000; ++k) round.emplace_back(std::cos(k * M_PI / 1000), std::sin(k * M_PI / 1000), 0);
+  EXPECT_EQ(ears_of(round).size(), 1998U);
+  // Every second corner is reflex.
+  for (int k = 0; k < 2000; k += 2) round[k] *= 0.999;
+  EXPECT_EQ(ears_of(round).size(), 1998U);
+}
+
 TEST(Ears, pass_corners_on_a_line_and_polygons_a_rounding_off_their_plane) {
   expect_cover({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {0, 2, 0}});
   expect_cover({{0, 0, 0}, {1, 0, 1e-16}, {2, 1, -1e-16}, {1, 2, 0}, {0, 1, 2e-17}});

@@ -92,6 +92,18 @@ TEST_P(EveryCheck, passes_what_is_right_and_fails_a_broken_one) {
   EXPECT_TRUE(any);
 }
 
+TEST(gradient_by_differences, fails_derivatives_that_are_zero_everywhere) {
+  const Evaluation good = evaluation_named("triangle.double_layer", "closed_form");
+  Evaluation flat(good.formula().name, good.name(), good.facts());
+  flat.set_point<Mp200>([good](const Query<Mp200>& query, Result<Mp200>& result) {
+    good(query, result);
+    for (int o = 1; o <= query.order; ++o) std::ranges::fill(result.of(o), Mp200(0));
+  });
+  const Setting setting{find_check("gradient_by_differences"), find_formula("triangle.double_layer"),
+                        ScalarKind::Digits200, find_regime("generic")};
+  EXPECT_GT(largest(setting, flat)[1], 1e-3);
+}
+
 std::vector<std::string> check_names() {
   std::vector<std::string> names;
   for (const auto& check : checks()) names.emplace_back(check->name());

@@ -4,8 +4,9 @@
 #include "cageproof/core/geometry/orientation.h"
 #include "geometry/segment_contacts.h"
 
+#include <algorithm>
 #include <limits>
-#include <numeric>
+#include <set>
 
 namespace cageproof {
 namespace {
@@ -36,66 +37,76 @@ int turn(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
 class Ears {
  public:
   explicit Ears(std::span<const Vec3<double>> corners) : corners_(corners), flat_(seen_flat(corners)) {
-    left_.resize(corners.size());
-    std::iota(left_.begin(), left_.end(), 0);
+    const int count = static_cast<int>(corners.size());
+    for (int k = 0; k < count; ++k) {
+      before_.push_back((k + count - 1) % count);
+      after_.push_back((k + 1) % count);
+    }
+    lengths_.resize(corners.size());
   }
 
   std::vector<std::array<int, 3>> cut() {
-    std::vector<std::array<int, 3>> triangles;
     if (!is_simple()) return {};
-    while (left_.size() > 3) {
-      const int best = shortest_ear();
-      if (best < 0) return {};
+    std::vector<std::array<int, 3>> triangles;
+    const int count = static_cast<int>(corners_.size());
+    for (int k = 0; k < count; ++k)
+      if (!turns_left(k)) reflex_.push_back(k);
+    for (int k = 0; k < count; ++k) measure(k);
+    for (int left = count; left > 3; --left) {
+      const int best = static_cast<int>(std::ranges::min_element(lengths_) - lengths_.begin());
+      if (!(lengths_[best] < kNoEar)) return {};
       triangles.push_back(around(best));
-      left_.erase(left_.begin() + best);
+      const int before = before_[best], after = after_[best];
+      lengths_[best] = kNoEar;
+      after_[before] = after;
+      before_[after] = before;
+      std::erase_if(reflex_, [&](int k) { return (k == before || k == after) && turns_left(k); });
+      // Only the neighbours' ears are others now.
+      measure(before);
+      measure(after);
+      last_ = after;
     }
-    if (!turns_left(around(1))) return {};
-    triangles.push_back({left_[0], left_[1], left_[2]});
+    if (!turns_left(last_)) return {};
+    triangles.push_back(around(last_));
     return triangles;
   }
 
  private:
+  static constexpr double kNoEar = std::numeric_limits<double>::infinity();
+
   bool is_simple() const {
     std::vector<Face> sides;
+    std::set<std::array<double, 2>> places;
     const int count = static_cast<int>(flat_.size());
     for (int k = 0; k < count; ++k) {
-      for (int other = 0; other < k; ++other)
-        if (flat_[k] == flat_[other]) return false;
+      if (!places.insert({flat_[k][0], flat_[k][1]}).second) return false;
       sides.push_back({{k, (k + 1) % count, -1, -1}});
     }
     return !first_contact(flat_, sides);
   }
-  std::array<int, 3> around(int k) const {
-    const int count = static_cast<int>(left_.size());
-    return {left_[(k + count - 1) % count], left_[k], left_[(k + 1) % count]};
-  }
-  bool turns_left(const std::array<int, 3>& t) const { return turn(flat_[t[0]], flat_[t[1]], flat_[t[2]]) > 0; }
-  // Whether no other corner is in the triangle, its border included.
+  std::array<int, 3> around(int k) const { return {before_[k], k, after_[k]}; }
+  bool turns_left(int k) const { return turn(flat_[before_[k]], flat_[k], flat_[after_[k]]) > 0; }
+  // Whether no corner is in the triangle, its border included: one that is not reflex would not be the only one.
   bool is_empty(const std::array<int, 3>& t) const {
-    for (const int v : left_) {
-      if (v == t[0] || v == t[1] || v == t[2]) continue;
-      bool inside = true;
-      for (int e = 0; e < 3; ++e) inside = inside && turn(flat_[t[e]], flat_[t[(e + 1) % 3]], flat_[v]) >= 0;
-      if (inside) return false;
-    }
-    return true;
+    return std::ranges::none_of(reflex_, [&](int v) {
+      if (v == t[0] || v == t[1] || v == t[2]) return false;
+      for (int e = 0; e < 3; ++e)
+        if (turn(flat_[t[e]], flat_[t[(e + 1) % 3]], flat_[v]) < 0) return false;
+      return true;
+    });
   }
-  int shortest_ear() const {
-    int best = -1;
-    double least = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < static_cast<int>(left_.size()); ++k) {
-      const auto t = around(k);
-      const double length = (corners_[t[2]] - corners_[t[0]]).stableNorm();
-      if (!(length < least) || !turns_left(t) || !is_empty(t)) continue;
-      least = length;
-      best = k;
-    }
-    return best;
+  // The length of the diagonal that cuts an ear off.
+  void measure(int k) {
+    lengths_[k] =
+        turns_left(k) && is_empty(around(k)) ? (corners_[after_[k]] - corners_[before_[k]]).stableNorm() : kNoEar;
   }
 
   std::span<const Vec3<double>> corners_;
   std::vector<Vec3<double>> flat_;
-  std::vector<int> left_;  // corners that no ear has cut off
+  std::vector<int> before_, after_;  // neighbours among the corners that are left
+  std::vector<int> reflex_;          // corners that are left and do not turn left
+  std::vector<double> lengths_;      // of each corner's diagonal; kNoEar where it has no ear, or is cut off
+  int last_ = 0;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace cageproof {
@@ -38,37 +39,51 @@ std::set<std::vector<int>> with_triangles(const std::vector<std::vector<int>>& f
   return known;
 }
 
+// What the rest cage knows of a pose's faces in another order, or cut otherwise.
+class KnownFaces {
+ public:
+  explicit KnownFaces(const std::vector<std::vector<int>>& own) : own_(own), known_(with_triangles(own)) {
+    for (std::size_t f = 0; f < own.size(); ++f)
+      for (const int v : own[f]) faces_at_[v].push_back(f);
+  }
+  bool has(const std::vector<int>& face) const { return known_.contains(standing(face)) || is_made_of_parts(face); }
+
+ private:
+  // A quad or a polygon of the pose, by the cage's triangles that have its corners only.
+  bool is_made_of_parts(const std::vector<int>& face) const {
+    const std::set<int> corners(face.begin(), face.end());
+    std::set<std::size_t> parts;
+    for (const int v : corners)
+      if (const auto at = faces_at_.find(v); at != faces_at_.end())
+        for (const std::size_t f : at->second)
+          if (std::ranges::all_of(own_[f], [&](int w) { return corners.contains(w); })) parts.insert(f);
+    return face.size() >= 4 && parts.size() >= face.size() - 2;
+  }
+
+  const std::vector<std::vector<int>>& own_;
+  std::set<std::vector<int>> known_;
+  std::map<int, std::vector<std::size_t>> faces_at_;
+};
+
 }  // namespace
 
 std::optional<std::string> foreign_face(const Cage& rest, const Mesh& posed) {
   const bool plane = rest.dimension() == 2;
-  std::vector<std::vector<int>> faces = posed.faces;
+  std::vector<std::vector<int>> segments;
   if (plane) {
-    faces.clear();
-    for (const auto& [from, to] : posed.segments) faces.push_back({from, to});
+    segments.reserve(posed.segments.size());
+    for (const auto& [from, to] : posed.segments) segments.push_back({from, to});
   }
-  const std::vector<std::vector<int>> own = faces_of(rest);
-  const std::set<std::vector<int>> known = with_triangles(own);
-  // A quad of the pose is known by the rest cage's triangles.
-  const auto is_made_of_triangles = [&](const std::vector<int>& face) {
-    const auto has = [&](int a, int b, int c) { return known.contains(standing({face[a], face[b], face[c]})); };
-    return face.size() == 4 && ((has(0, 1, 2) && has(0, 2, 3)) || (has(1, 2, 3) && has(1, 3, 0)));
-  };
-  // A polygon of the pose is known by the triangles that it was cut in.
-  const auto is_cut = [&](const std::vector<int>& face) {
-    if (face.size() < 5) return false;
-    const std::set<int> corners(face.begin(), face.end());
-    const auto parts = std::ranges::count_if(own, [&](const std::vector<int>& part) {
-      return std::ranges::all_of(part, [&](int v) { return corners.contains(v); });
-    });
-    return static_cast<std::size_t>(parts) >= face.size() - 2;
-  };
+  const std::vector<std::vector<int>>&faces = plane ? segments : posed.faces, own = faces_of(rest);
   const std::string_view word = plane ? "segment" : "face";
   // A symmetric cage has the same faces under other numbers: where there are as many, their order tells.
   const bool in_order = faces.size() == own.size();
+  std::optional<KnownFaces> known;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const bool is_known = known.contains(standing(faces[f])) || is_made_of_triangles(faces[f]) || is_cut(faces[f]);
-    if (is_known && (!in_order || standing(faces[f]) == standing(own[f]))) continue;
+    if (in_order && standing(faces[f]) == standing(own[f])) continue;
+    if (!known) known.emplace(own);
+    const bool is_known = known->has(faces[f]);
+    if (is_known && !in_order) continue;
     const std::vector<std::size_t>& lines = plane ? posed.segment_lines : posed.face_lines;
     const std::string line = f < lines.size() ? fmt::format(" (line {})", lines[f]) : "";
     const std::string other = is_known

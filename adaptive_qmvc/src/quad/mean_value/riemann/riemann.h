@@ -128,7 +128,8 @@ Vec4<R> quad_weights(const Quad<R>& q, const Vec3<R>& point, int n, RiemannWorks
     for (int i = 0; i < 4; ++i)
       if (contact.on->basis[i] > 0) w[i] = std::numeric_limits<R>::infinity();
   } else if (!contact.in_plane) {
-    if (!is_multiprecision<R> && is_far(s)) return riemann_weights_from_afar(q, point, s, kappa, n, work, guard);
+    if constexpr (std::same_as<R, double>)
+      if (is_far(s)) return riemann_weights_from_afar(q, point, s, kappa, n, work, guard);
     w = riemann_weights(s, kappa, n, work, guard);
   }
   return w;
