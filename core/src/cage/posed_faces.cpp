@@ -68,6 +68,8 @@ class KnownFaces {
 }  // namespace
 
 std::optional<std::string> foreign_face(const Cage& rest, const Mesh& posed) {
+  // Another number of vertices is a mistake of its own.
+  if (posed.vertices.size() != rest.vertices().size()) return std::nullopt;
   const bool plane = rest.dimension() == 2;
   std::vector<std::vector<int>> segments;
   if (plane) {
