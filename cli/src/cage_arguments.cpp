@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 namespace cageproof::cli {
 namespace {
 
@@ -28,6 +30,11 @@ Option CageArguments::add_to(Command command, bool required) {
                     .taking("CAGE");
   command.flag("--flip-inward", flip_inward, "turn a cage whose normals point inward, a polygon that runs clockwise");
   command
+      .option("--merge", merge,
+              "join vertices of the cage's file that lie within this distance of each other, in its unit of length; "
+              "0: those in one place")
+      .taking("DISTANCE");
+  command
       .option("--triangulate", triangulate,
               "how quads become triangles: shortest diagonal, or fan from the first corner")
       .one_of({"shortest", "fan"})
@@ -35,9 +42,10 @@ Option CageArguments::add_to(Command command, bool required) {
   return cage;
 }
 
-Cage CageArguments::load() const {
+CageArguments::Merged CageArguments::load_merged() const {
+  if (merge < 0) throw InputError(fmt::format("--merge {}: a distance is 0 or more", merge));
   const auto names = embedded_cage_names();
-  if (is_embedded_cage(file)) return embedded_cage(file);
+  if (is_embedded_cage(file)) return {embedded_cage(file), std::nullopt};
   if (std::filesystem::path(file).extension().empty() && !std::filesystem::exists(file)) {
     const std::string_view nearest = nearest_name(file, names);
     throw InputError(
@@ -45,11 +53,17 @@ Cage CageArguments::load() const {
                     "see `cageproof list`)",
                     file, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), fmt::join(names, ", ")));
   }
-  Cage cage = cage_from(say_warnings(as_cage_mesh(read_mesh(file), file)), file,
+  Mesh mesh = read_mesh(file);
+  std::optional<Merging> merging;
+  if (!std::isnan(merge)) {
+    merging = merging_of(mesh.vertices, merge);
+    mesh = merged(std::move(mesh), *merging, file);
+  }
+  Cage cage = cage_from(say_warnings(as_cage_mesh(std::move(mesh), file)), file,
                         {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
-  if (const auto warning = folding_warning(cage)) fmt::print(stderr, "warning: {}\n", *warning);
-  if (const auto warning = crossing_warning(cage)) fmt::print(stderr, "warning: {}\n", *warning);
-  return cage;
+  for (const auto& warning : {folding_warning(cage), meeting_warning(cage), crossing_warning(cage)})
+    if (warning) fmt::print(stderr, "warning: {}\n", *warning);
+  return {std::move(cage), std::move(merging)};
 }
 
 std::vector<double> parameters_from(const std::vector<std::string>& given, const std::vector<KindParameter>& known,

@@ -6,9 +6,12 @@
 
 #include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/catalogue/formula.h"
+#include "cageproof/core/cage/merged_vertices.h"
 #include "cageproof/core/cage/mesh_io.h"
 #include "cageproof/core/results/run_result.h"
 
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,11 +48,18 @@ struct CageArguments {
   bool flip_inward = false;
   bool allow_invalid_quads = false;  ///< an option of commands whose coordinates keep quads
   std::string triangulate = "shortest";
+  double merge = std::numeric_limits<double>::quiet_NaN();  ///< a distance; NaN where vertices are not to be merged
 
   /// \return the option --cage
   Option add_to(Command command, bool required);
   /// \throws InputError as read_cage; names of embedded cages are taken first
-  Cage load() const;
+  Cage load() const { return load_merged().cage; }
+  /// The same with what --merge joined; nothing without it.
+  struct Merged {
+    Cage cage;
+    std::optional<Merging> merging;
+  };
+  Merged load_merged() const;
   Triangulation rule() const { return triangulate == "fan" ? Triangulation::Fan : Triangulation::Shortest; }
 };
 

@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "coordinate_files.h"
 #include "inputs_outside.h"
+#include "on_cage.h"
 #include "progress.h"
 #include "summary_lines.h"
 
@@ -27,6 +28,7 @@ struct Arguments {
   std::string points, kind, evaluation, out, solved, data;
   std::vector<std::string> parameters;
   int order = 0, jobs = 0;
+  double on = 0;  ///< a share of the cage's size
   bool strict = false, keep_quads = false;
 };
 
@@ -96,11 +98,12 @@ int run(const Arguments& a) {
   if (cage.allows_invalid_quads())
     for (const std::string& fault : invalid_quads(cage))
       warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
-  const Mesh mesh = load_points(a.points, cage.dimension());
+  Mesh mesh = load_points(a.points, cage.dimension());
   const std::vector<double> parameters = parameters_from(a.parameters, parameters_of(kind), kind.name);
   const CageCoordinates coordinates(
       cage, kind,
       CoordinateOptions{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(), parameters});
+  take_onto_cage(a.on, coordinates, cage.size(), mesh.vertices, a.jobs);
   for (const CoordinateBlock& block : coordinates.blocks())
     if (block.reproduces == Reproduces::Normals && !std::isfinite(block.normal_factor))
       warn(fmt::format(
@@ -175,6 +178,7 @@ void add_coordinates(CommandLine& line) {
       .taking("FILE");
   command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system")
       .taking("FILE");
+  add_on(command, a->on);
   command.flag("--strict", a->strict,
                "exit with 1 where a point has no finite coordinates, or lies where they sum to zero");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();

@@ -3,6 +3,7 @@
 #include "deform_files.h"
 #include "deformation_report.h"
 #include "image_columns.h"
+#include "on_cage.h"
 
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
@@ -69,11 +70,13 @@ void require_order(const DeformArguments& a, int highest) {
                                  a.evaluation.empty() ? "" : " by ", a.evaluation, highest));
 }
 
-Posing posing_by(const DeformArguments& a, const Chosen& chosen, const Cage& cage) {
+Posing posing_by(const DeformArguments& a, const Chosen& chosen, const Cage& cage,
+                 const std::optional<Merging>& merging) {
   DeformOptions options{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(),
                         chosen.parameters.front(), chosen.varied};
   if (!chosen.constrained)
-    return posed_by_cages(method_of(a), cage, std::move(options), chosen.parameters, a.posed, a.data, a.strict);
+    return posed_by_cages(method_of(a), cage, std::move(options), chosen.parameters,
+                          {a.posed, merging, a.cage.merge, a.strict}, a.data);
   return posed_by_constraints(*chosen.constrained, cage, options, a.constraints, [](int step, double energy) {
     fmt::print(stderr, "step {}: energy {:.6g}\n", step, energy);
   });
@@ -96,6 +99,9 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
   json["evaluation"] = coordinates.evaluation();
   json["cage"] = a.cage.file;
   json["triangulation"] = coordinates.kind().keeps_quads ? "none" : a.cage.triangulate;
+  if (!std::isnan(a.cage.merge)) json["merge"] = a.cage.merge;
+  if (a.on > 0) json["on"] = a.on;
+  if (a.outside != "error") json["outside"] = a.outside;
   json[chosen.constrained ? "constraints" : "posed_cage"] = map.file;
   for (auto [option, file] : given_data(a)) {
     std::ranges::replace(option, '-', '_');
@@ -118,7 +124,13 @@ PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage
   maps.reserve(posing.maps.size());
   for (const DescribedMap& map : posing.maps) maps.push_back(map.map.get());
   const CageCoordinates& coordinates = *posing.coordinates;
-  PointImages images = images_of(coordinates, mesh.vertices, maps, {a.order, a.jobs}, region_of(coordinates));
+  const bool extend = a.outside == "extend";
+  if (extend && !coordinates.kind().extends)
+    throw InputError(fmt::format(
+        "--outside extend: {} does not continue through faces; green does, without --keep-quads", a.method));
+  ImageRun run{a.order, a.jobs};
+  run.extend = extend;
+  PointImages images = images_of(coordinates, mesh.vertices, maps, run, region_of(coordinates));
   if (const auto place = first_not_finite(images))
     throw InputError(fmt::format(
         "{}the image of point number {} is not finite: the pose or a parameter is beyond what the method can "
@@ -128,8 +140,12 @@ PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage
   if (missing > 0 && a.outside == "error")
     throw InputError(fmt::format(
         "{} of {} points, the first of them number {}, are outside {} or have no coordinates "
-        "there; --outside rest leaves them where they are, --outside nan writes nan",
-        missing, mesh.vertices.size(), std::ranges::find(images.missing, 1) - images.missing.begin(), cage.name()));
+        "there; --outside rest leaves them where they are, --outside nan writes nan{}",
+        missing, mesh.vertices.size(), std::ranges::find(images.missing, 1) - images.missing.begin(), cage.name(),
+        coordinates.kind().extends
+            ? ", --outside extend continues the map through the nearest face, --on 1e-12 takes points that are outside "
+              "by a rounding for points on the cage"
+            : ""));
   fill_missing(images, mesh.vertices, cage.dimension(), a.outside == "rest" ? Missing::Rest : Missing::Nan);
   return images;
 }
@@ -151,14 +167,15 @@ void print_warnings(const Json& warnings, const Chosen& chosen, const DescribedM
 int run(const DeformArguments& a) {
   const Chosen chosen = chosen_by(a);
   check_names(a, chosen.constrained ? 1 : a.posed.size() * chosen.parameters.size());
-  const Cage cage = a.cage.load();
-  const Mesh mesh = load_points(a.points, cage.dimension());
+  const auto [cage, merging] = a.cage.load_merged();
+  Mesh mesh = load_points(a.points, cage.dimension());
   // Solving takes its time: what can be refused before is.
   const std::string_view kind = chosen.constrained ? chosen.constrained->kind : method_of(a).kind;
   if (!kind.empty()) require_order(a, highest_order(coordinate_kind_named(kind), cage, a.evaluation));
-  const Posing posing = posing_by(a, chosen, cage);
+  const Posing posing = posing_by(a, chosen, cage, merging);
   const CageCoordinates& coordinates = *posing.coordinates;
   require_order(a, posing.max_order);
+  take_onto_cage(a.on, coordinates, cage.size(), mesh.vertices, a.jobs);
   const PointImages images = images_by(a, posing, cage, mesh);
   // Everything is made before anything is written.
   std::vector<std::pair<std::filesystem::path, std::string>> files;
@@ -250,9 +267,12 @@ void add_deform(CommandLine& line) {
   command.option("--derivatives", a->derivatives, ".csv, .npy or .vtp, beside a mesh file").taking("FILE");
   command.option("--energies", a->energies, ".csv or .png: of methods that iterate, the energy at every half step")
       .taking("FILE");
-  command.option("--outside", a->outside, "points without image: an error, left at rest, or nan")
-      .one_of({"error", "rest", "nan"})
+  command
+      .option("--outside", a->outside,
+              "points without image: an error, left at rest, or nan; extend: through the nearest face, of green")
+      .one_of({"error", "rest", "nan", "extend"})
       .showing_default();
+  add_on(command, a->on);
   command.flag("--strict", a->strict,
                "refuse a posed cage whose faces are not the cage's, of which a warning tells otherwise");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();

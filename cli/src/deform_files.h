@@ -17,6 +17,7 @@ struct DeformArguments {
   std::vector<std::string> posed, parameters;
   DataFiles data;
   int order = 0, jobs = 0;
+  double on = 0;            ///< a share of the cage's size
   bool strict = false;      ///< a posed cage with other faces is an error
   bool keep_quads = false;  ///< in place of the method, the one that does the same on quads
 };

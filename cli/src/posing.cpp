@@ -43,27 +43,34 @@ void check_rows(const DataFiles& files, const Pose<double>& pose, const CageCoor
   check(files.laplacian_derivatives, pose.laplacian_derivatives.size(), Owner::Element, "elements");
 }
 
+// The vertices of one posed cage, in the rest cage's order.
+std::vector<Vec3<double>> posed_vertices(const Cage& cage, const std::string& file, const PosedFiles& files) {
+  Mesh posed = is_embedded_cage(file) ? Mesh{embedded_cage(file).vertices(), {}} : load_points(file, cage.dimension());
+  if (files.merging) {
+    std::vector<Vec3<double>> vertices = merged_pose(posed.vertices, *files.merging, files.merge_distance, file);
+    posed = merged(std::move(posed), *files.merging, file);
+    posed.vertices = std::move(vertices);
+  }
+  if (const auto foreign = foreign_face(cage, posed)) {
+    const std::string said = fmt::format(
+        "{}: {}: its vertices seem to be numbered otherwise, and must be in the cage's "
+        "order",
+        file, *foreign);
+    if (files.strict) throw InputError(said);
+    fmt::print(stderr, "warning: {}\n", said);
+  }
+  return std::move(posed.vertices);
+}
+
 }  // namespace
 
 Posing posed_by_cages(const DeformMethod& method, const Cage& cage, DeformOptions options,
-                      const std::vector<std::vector<double>>& parameters, const std::vector<std::string>& files,
-                      const DataFiles& data, bool strict) {
+                      const std::vector<std::vector<double>>& parameters, const PosedFiles& files,
+                      const DataFiles& data) {
   Pose<double> pose = pose_with(data, method, cage.dimension());
   std::vector<std::vector<Vec3<double>>> cages;
-  cages.reserve(files.size());
-  for (const std::string& file : files) {
-    Mesh posed =
-        is_embedded_cage(file) ? Mesh{embedded_cage(file).vertices(), {}} : load_points(file, cage.dimension());
-    if (const auto foreign = foreign_face(cage, posed)) {
-      const std::string said = fmt::format(
-          "{}: {}: its vertices seem to be numbered otherwise, and must be in the cage's "
-          "order",
-          file, *foreign);
-      if (strict) throw InputError(said);
-      fmt::print(stderr, "warning: {}\n", said);
-    }
-    cages.push_back(std::move(posed.vertices));
-  }
+  cages.reserve(files.names.size());
+  for (const std::string& file : files.names) cages.push_back(posed_vertices(cage, file, files));
   options.parameters = parameters.front();
   std::vector<std::shared_ptr<const Deformer<double>>> deformers{prepare_deformer<double>(method, cage, options)};
   Posing found{deformers[0], &deformers[0]->coordinates(), deformers[0]->max_order(), {}};
@@ -71,13 +78,14 @@ Posing posed_by_cages(const DeformMethod& method, const Cage& cage, DeformOption
   deformers.reserve(parameters.size());
   for (std::size_t s = 1; s < parameters.size(); ++s)
     deformers.push_back(with_other_parameters<double>(method, *deformers[0], parameters[s]));
-  for (std::size_t k = 0; k < files.size(); ++k)
+  for (std::size_t k = 0; k < files.names.size(); ++k)
     for (std::size_t s = 0; s < parameters.size(); ++s) {
       try {
         pose.vertices = cages[k];
-        found.maps.push_back({deformers[s]->pose(pose), files[k], cages[k], parameters[s], deformers[s]->prepared()});
+        found.maps.push_back(
+            {deformers[s]->pose(pose), files.names[k], cages[k], parameters[s], deformers[s]->prepared()});
       } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", files[k], error.what()));
+        throw InputError(fmt::format("{}: {}", files.names[k], error.what()));
       }
     }
   return found;

@@ -2,8 +2,11 @@
 // Maps of space that users describe: by posed cages, or by constraints.
 #pragma once
 
+#include "cageproof/core/cage/merged_vertices.h"
 #include "cageproof/deformation/constrained.h"
 #include "cageproof/deformation/deformer.h"
+
+#include <optional>
 
 namespace cageproof::cli {
 
@@ -30,16 +33,23 @@ struct DataFiles {
   std::string normal_derivatives, laplacians, laplacian_derivatives;
 };
 
+/// Posed cages, by file.
+struct PosedFiles {
+  const std::vector<std::string>& names;
+  const std::optional<Merging>& merging;  ///< of the rest cage's file, whose poses are merged likewise
+  double merge_distance;                  ///< by --merge
+  bool strict;  ///< whether a posed cage whose faces are not the cage's is an error; else a warning on standard error
+};
+
 /// A map for each posed cage (a mesh, text, or the name of an embedded cage) with each set of parameters; all of one
 /// posed cage come before those of the next.
 /// \param options of all maps but for parameters; varied names those that the sets differ in
 /// \param parameters sets of them, at least one
-/// \param strict whether a posed cage whose faces are not the cage's is an error; else a warning on standard error
 /// \throws InputError naming the file of a pose that the method does not take, or the option that it does not, and for
 /// sets that have no coordinates in common
 Posing posed_by_cages(const deformation::DeformMethod& method, const Cage& cage, deformation::DeformOptions options,
-                      const std::vector<std::vector<double>>& parameters, const std::vector<std::string>& files,
-                      const DataFiles& data, bool strict);
+                      const std::vector<std::vector<double>>& parameters, const PosedFiles& files,
+                      const DataFiles& data);
 
 /// One map, by constraints. \throws InputError naming the file
 Posing posed_by_constraints(const deformation::ConstraintMethod& method, const Cage& cage,

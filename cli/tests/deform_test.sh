@@ -279,6 +279,40 @@ done
 "$cageproof" deform --cage cube --posed large.obj --points more.stl --method mean_value --out more.csv 2>stderr || fail "a long STL: $(cat stderr)"
 grep -q '^warning: more.stl: 4 bytes behind the last triangle are left out; 1 triangles need 134$' stderr || fail "no warning: $(cat stderr)"
 
+# A cube with a vertex for each corner of a face: joined, and a pose must keep them together.
+awk 'BEGIN {split("1 3 4 2 5 6 8 7 1 2 6 5 3 7 8 4 1 5 7 3 2 4 8 6", c, " ")}
+  $1 == "v" {v[++n] = $0} END {for (i = 1; i <= 24; ++i) print v[c[i]]; for (f = 0; f < 6; ++f) print "f", 4 * f + 1, 4 * f + 2, 4 * f + 3, 4 * f + 4}' large.obj >apart.obj
+refuses 'face 0 (line 25)' 'vertices 0 and 8 lie in one place' -- --cage apart.obj --posed apart.obj --points mesh.obj --method green --out out.obj
+refuses '--merge -1' -- --cage apart.obj --merge -1 --posed apart.obj --points mesh.obj --method green --out out.obj
+"$cageproof" deform --cage apart.obj --merge 0 --posed apart.obj --points mesh.obj --method green --out merged.csv 2>stderr || fail "merged: $(cat stderr)"
+[ "$(cat stderr)" = 'warning: apart.obj: 24 vertices are merged to 8' ] || fail "a warning of merging: $(cat stderr)"
+paste -d' ' <(grep '^v' mesh.obj) <(tail -n +2 merged.csv | tr , ' ') | awk '{for (i = 2; i < 5; ++i) {d = $i - $(i + 3); if (d * d > 1e-28) differs = 1}} END {exit differs}' || fail "the identity: $(cat merged.csv)"
+sed '24s/.*/v 9 9 9/' apart.obj >pulled_apart.obj
+"$cageproof" deform --cage apart.obj --merge 0 --posed pulled_apart.obj --points mesh.obj --method green --out out.obj 2>stderr && fail "a pose that pulls merged vertices apart"
+grep -q 'pulled_apart.obj: vertices 5 and 23 are one in the rest cage by --merge, and lie ' stderr || fail "merged vertices: $(cat stderr)"
+
+# Points outside: by a rounding, and beyond a face.
+printf 'v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n' >corner.obj
+printf '0.6666666666666667 0.6666666666666667 0.6666666666666667\n' >slanted.txt
+printf '1 1 1\n' >beyond.txt
+on_corner=(--cage corner.obj --posed corner.obj --method green)
+refuses 'are outside' '--on' -- "${on_corner[@]}" --points slanted.txt --out out.csv
+refuses 'are outside' '--outside extend' -- "${on_corner[@]}" --points beyond.txt --out out.csv
+refuses 'does not continue' -- --cage corner.obj --posed corner.obj --method biharmonic_1_3 --points beyond.txt --outside extend --out out.csv
+"$cageproof" deform "${on_corner[@]}" --points slanted.txt --on 1e-12 --out on.csv 2>stderr || fail "--on: $(cat stderr)"
+grep -q '^1 of 1 points lay outside by at most 1e-12 .* moved onto it, by at most' stderr || fail "what was moved: $(cat stderr)"
+"$cageproof" deform "${on_corner[@]}" --points beyond.txt --outside extend --out beyond.csv || fail "--outside extend"
+for of in on:0.6666666666666667 beyond:1; do
+  tail -n 1 "${of%:*}.csv" | tr , '\n' | awk -v x="${of#*:}" '{d = $1 - x; if (d * d > 1e-28) differs = 1} END {exit differs}' || fail "${of%:*}: $(cat "${of%:*}.csv")"
+done
+"$cageproof" coordinates --cage corner.obj --points slanted.txt --kind green --on 1e-12 --strict >/dev/null 2>stderr || fail "--on of coordinates: $(cat stderr)"
+
+# Two cubes that share an edge.
+{ grep '^v' large.obj && printf 'v 3 1 -1\nv 1 3 -1\nv 3 3 -1\nv 3 1 1\nv 1 3 1\nv 3 3 1\n' &&
+  printf 'f %s\n' '1 3 4 2' '5 6 8 7' '1 2 6 5' '3 7 8 4' '1 5 7 3' '2 4 8 6' '4 10 11 9' '8 12 14 13' '4 9 12 8' '10 13 14 11' '4 8 13 10' '9 11 14 12'; } >joined.obj
+"$cageproof" deform --cage joined.obj --posed joined.obj --points mesh.obj --method green --out joined.csv 2>stderr || fail "parts that meet: $(cat stderr)"
+grep -q '^warning: joined.obj: parts of the surface meet in 1 edge (the first between vertices 3 and 7)' stderr || fail "what meets: $(cat stderr)"
+
 # What is refused.
 refuses "unknown deformer 'grean'" -- "${common[@]}" --method grean --out out.obj
 refuses stretch rms -- "${common[@]}" --method green --parameter stretch=most --out out.obj

@@ -2,6 +2,7 @@
 #include "cageproof/deformation/point_images.h"
 
 #include "cageproof/core/parallel.h"
+#include "extended.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,12 +35,17 @@ PointImages images_of(const CageCoordinates& coordinates, std::span<const Vec3<d
   PointImages all{std::vector<Images<double>>(maps.size()), std::vector<char>(points.size())};
   for (Images<double>& images : all.maps)
     for (int o = 0; o <= order; ++o) images.tensors[o].resize(points.size() * d * derivative_count(d, o));
+  std::optional<Extended> extended;
+  if (run.extend) extended.emplace(coordinates);
   // Blocks of points share what evaluations prepare for an element.
   for_each_parallel((points.size() + run.block - 1) / run.block, run.jobs, [&](std::size_t block) {
     const std::size_t first = block * run.block, count = std::min(run.block, points.size() - first);
-    const auto tables = coordinates.at<double>(points.subspan(first, count), order);
-    for (std::size_t p = 0; p < count; ++p)
-      all.missing[first + p] = (region && !region->holds(points[first + p])) || !has_coordinates(tables, p);
+    auto tables = coordinates.at<double>(points.subspan(first, count), order);
+    for (std::size_t p = 0; p < count; ++p) {
+      const bool outside = region && !region->holds(points[first + p]);
+      if (outside && extended) extended->add_to(tables, p, points[first + p], order);
+      all.missing[first + p] = (outside && !extended) || !has_coordinates(tables, p);
+    }
     for (std::size_t k = 0; k < maps.size(); ++k) {
       const Images<double> found = maps[k]->images(tables, count, order);
       for (int o = 0; o <= order; ++o) {

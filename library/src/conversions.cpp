@@ -27,9 +27,10 @@ Cage plain(const cageproof::Cage& cage) {
 }  // namespace
 
 Cage read_obj(const std::string& file) {
-  const Mesh mesh = read_mesh(file);
+  Mesh mesh = as_cage_mesh(read_mesh(file), file);
   Cage cage;
   cage.name = file;
+  cage.warnings = std::move(mesh.warnings);
   cage.dimension = mesh.faces.empty() && !mesh.segments.empty() ? 2 : 3;
   if (cage.dimension == 2) check_plane(mesh, file);
   for (const Vec3<double>& v : mesh.vertices)

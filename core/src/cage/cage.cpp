@@ -7,6 +7,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/geometry/quad_geometry.h"
 #include "cage_checks.h"
+#include "cage_edges.h"
 #include "cage_parts.h"
 #include "face_pieces.h"
 #include "polygon_checks.h"
@@ -51,7 +52,6 @@ Cage Cage::make(std::string name, std::vector<Vec3<double>> vertices, std::vecto
   cage_checks::check_indices(candidate);
   cage_checks::check_shapes(candidate, options.allow_invalid_quads);
   cage_checks::check_edges(candidate);
-  cage_checks::check_fans(candidate);
   orient_parts(candidate, faces, options.flip_inward);
   Cage cage;
   cage.name_ = std::move(name);
@@ -141,6 +141,24 @@ std::optional<std::string> folding_warning(const Cage& cage) {
       "{}: {} of its quads fold along either diagonal, {} the first; kinds that split quads take the "
       "shorter diagonal there, and one triangle is turned inside out",
       cage.name(), found.size(), found.front());
+}
+
+std::optional<std::string> meeting_warning(const Cage& cage) {
+  if (cage.dimension() == 2) return std::nullopt;
+  const cage_checks::Meetings found = cage_checks::meetings_of(cage.faces(), cage.vertices().size());
+  std::vector<std::string> named;
+  if (!found.edges.empty())
+    named.push_back(fmt::format("{} {} (the first between vertices {} and {})", found.edges.size(),
+                                found.edges.size() == 1 ? "edge" : "edges", found.edges[0].first,
+                                found.edges[0].second));
+  if (!found.vertices.empty())
+    named.push_back(fmt::format("{} {} (the first is {})", found.vertices.size(),
+                                found.vertices.size() == 1 ? "vertex" : "vertices", found.vertices[0]));
+  if (named.empty()) return std::nullopt;
+  return fmt::format(
+      "{}: parts of the surface meet in {}: not a manifold; coordinates exist, as for the same surface "
+      "with one vertex per part there, and a pose moves the parts together (vertices counted from 0)",
+      cage.name(), fmt::join(named, " and "));
 }
 
 std::vector<std::string> crossing_faces(const Cage& cage) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cage_checks.h"
 
+#include "cage_edges.h"
+
 #include "cageproof/core/geometry/element.h"
 #include "cageproof/core/geometry/orientation.h"
 
@@ -13,12 +15,6 @@
 
 namespace cageproof::cage_checks {
 namespace {
-
-// Calls f(from, to) for the edges of a face, in order.
-template <class F>
-void for_each_edge(const Face& face, F&& f) {
-  for (int k = 0; k < face.size(); ++k) f(face.vertices[k], face.vertices[(k + 1) % face.size()]);
-}
 
 void check_shape(const Candidate& cage, std::size_t index) {
   const Face& face = cage.faces[index];
@@ -115,53 +111,49 @@ std::string hole_because(const Candidate& cage) {
 
 }  // namespace
 
-void check_edges(const Candidate& cage) {
-  struct Uses {
-    int rising = 0, falling = 0;  // faces that run along the edge towards its higher or its lower vertex
+namespace {
+
+// Two faces with the same vertices that run along an edge the same way.
+void check_no_face_twice(const Candidate& cage, std::span<const EdgeUse> edge) {
+  const auto corners = [&](int face) {
+    std::array<int, 4> sorted = cage.faces[face].vertices;
+    std::ranges::sort(sorted);
+    return sorted;
   };
-  std::map<std::pair<int, int>, Uses> edges;
-  for (const Face& face : cage.faces)
-    for_each_edge(face, [&](int from, int to) {
-      Uses& uses = edges[std::minmax(from, to)];
-      ++(from < to ? uses.rising : uses.falling);
-    });
-  for (std::size_t f = 0; f < cage.faces.size(); ++f)
-    for_each_edge(cage.faces[f], [&](int from, int to) {
-      const Uses uses = edges.at(std::minmax(from, to));
-      const std::string edge = fmt::format("edge between vertices {} and {}", from, to);
-      if (uses.rising + uses.falling == 1)
-        fail_face(cage, f, fmt::format("{} belongs to no other face: {}", edge, hole_because(cage)));
-      if (uses.rising + uses.falling > 2)
-        fail_face(cage, f, fmt::format("{} belongs to {} faces: not a manifold", edge, uses.rising + uses.falling));
-      if (uses.rising != 1)
-        fail_face(cage, f, edge + " runs the same way in its neighbour: the faces are oriented inconsistently");
-    });
+  for (std::size_t i = 0; i < edge.size(); ++i)
+    for (std::size_t j = i + 1; j < edge.size(); ++j)
+      if (edge[i].way == edge[j].way && corners(edge[i].face) == corners(edge[j].face))
+        fail_face(cage, edge[j].face,
+                  fmt::format("has the vertices of {}, turned the same way: it is there twice",
+                              face_label(cage, edge[i].face)));
 }
 
-void check_fans(const Candidate& cage) {
-  std::map<std::pair<int, int>, std::size_t> face_along;  // a directed edge's face
-  std::vector<std::size_t> faces_at(cage.vertices.size(), 0);
-  std::vector<int> any_neighbour(cage.vertices.size(), -1);
-  for (std::size_t f = 0; f < cage.faces.size(); ++f)
-    for_each_edge(cage.faces[f], [&](int from, int to) {
-      face_along[{from, to}] = f;
-      ++faces_at[from];
-      any_neighbour[from] = to;
-    });
-  for (int v = 0; v < static_cast<int>(cage.vertices.size()); ++v) {
-    std::size_t walked = 0;
-    int neighbour = any_neighbour[v];
-    do {
-      // In the face that runs v -> neighbour, the corner before v is the next neighbour.
-      const Face& face = cage.faces[face_along.at({v, neighbour})];
-      for_each_edge(face, [&](int from, int to) {
-        if (to == v) neighbour = from;
-      });
-      ++walked;
-    } while (neighbour != any_neighbour[v]);
-    if (walked != faces_at[v])
-      fail_vertex(cage, v, fmt::format("its {} faces form more than one fan: not a manifold", faces_at[v]));
-  }
+}  // namespace
+
+void check_edges(const Candidate& cage) {
+  const auto by_face = [](const EdgeUse& use) { return std::pair(use.face, use.corner); };
+  std::span<const EdgeUse> fault;  // of the first face that has one
+  EdgeUse first{};
+  const std::vector<EdgeUse> uses = edge_uses(cage.faces);
+  for_each_edge_of(uses, [&](std::span<const EdgeUse> edge) {
+    if (edge.size() > 2) check_no_face_twice(cage, edge);
+    if (edge.size() > 1 && balance(edge) == 0) return;
+    const EdgeUse at = *std::ranges::min_element(edge, {}, by_face);
+    if (!fault.empty() && by_face(first) < by_face(at)) return;
+    fault = edge;
+    first = at;
+  });
+  if (fault.empty()) return;
+  const auto [from, to] = first.way > 0 ? std::pair(first.low, first.high) : std::pair(first.high, first.low);
+  const std::string edge = fmt::format("edge between vertices {} and {}", from, to);
+  const auto fails = [&](const std::string& reason) { fail_face(cage, first.face, edge + reason); };
+  if (fault.size() == 1) fails(fmt::format(" belongs to no other face: {}", hole_because(cage)));
+  if (fault.size() == 2) fails(" runs the same way in its neighbour: the faces are oriented inconsistently");
+  const auto same = std::ranges::count(fault, first.way, &EdgeUse::way);
+  fails(
+      fmt::format(" belongs to {} faces, of which {} run along it this way and {} the other: not a manifold, and the "
+                  "surface is not closed there",
+                  fault.size(), same, fault.size() - same));
 }
 
 int orientation(const Candidate& cage, std::span<const int> faces) {

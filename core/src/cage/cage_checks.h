@@ -36,10 +36,9 @@ void check_indices(const Candidate& cage);
 /// No edge of length zero, no triangle of area zero in any split of a face, no quad that crosses itself; triangles
 /// alone where quads may be invalid.
 void check_shapes(const Candidate& cage, bool allow_invalid_quads);
-/// Every edge between two faces that run along it in opposite directions.
+/// As many faces run along every edge one way as the other: one, or several where parts of the surface meet; no face is
+/// there twice.
 void check_edges(const Candidate& cage);
-/// The faces around every vertex form one fan. \pre check_edges passed
-void check_fans(const Candidate& cage);
 /// The sign of the volume that closed faces enclose: 1, -1, or 0 for none. In the plane polygon_checks.h says it.
 int orientation(const Candidate& cage, std::span<const int> faces);
 

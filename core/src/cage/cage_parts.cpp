@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cage_parts.h"
 
+#include "cage_edges.h"
 #include "connected.h"
 
 #include "cageproof/core/geometry/element.h"
@@ -15,23 +16,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace cageproof::cage_checks {
 namespace {
 
-std::vector<Part> connected_parts(const Candidate& cage) {
+// By number a face: surfaces in space, loops in the plane.
+std::vector<int> part_numbers(const Candidate& cage) {
+  if (!is_plane(cage)) return surfaces_of(cage.vertices, cage.faces);
   Connected connected(cage.vertices.size());
-  for (const Face& face : cage.faces)
-    for (int k = 1; k < face.size(); ++k) connected.join(face.vertices[0], face.vertices[k]);
+  for (const Face& segment : cage.faces) connected.join(segment.vertices[0], segment.vertices[1]);
+  std::vector<int> numbers;
+  numbers.reserve(cage.faces.size());
+  for (const Face& segment : cage.faces) numbers.push_back(connected.root(segment.vertices[0]));
+  return numbers;
+}
+
+std::vector<Part> connected_parts(const Candidate& cage) {
+  const std::vector<int> numbers = part_numbers(cage);
   std::vector<Part> parts;
-  std::vector<int> part_of(cage.vertices.size(), -1);  // by root
+  std::map<int, int> part_of;  // by number
   for (std::size_t f = 0; f < cage.faces.size(); ++f) {
-    int& part = part_of[connected.root(cage.faces[f].vertices[0])];
-    if (part < 0) {
-      part = static_cast<int>(parts.size());
-      parts.emplace_back();
-    }
-    parts[part].faces.push_back(static_cast<int>(f));
+    const auto [part, added] = part_of.try_emplace(numbers[f], static_cast<int>(parts.size()));
+    if (added) parts.emplace_back();
+    parts[part->second].faces.push_back(static_cast<int>(f));
   }
   return parts;
 }

@@ -6,7 +6,7 @@
 
 namespace cageproof::cage_checks {
 
-/// Faces that are connected by common vertices.
+/// A closed surface (cage_edges.h), or in the plane a loop.
 struct Part {
   std::vector<int> faces;   ///< in rising order; the first one names the part
   int orientation;          ///< +1: its normals point away from what it encloses; -1: into it
@@ -19,7 +19,7 @@ struct Part {
 /// The parts, in the order of their first faces. One lies within another when that winds around those of its vertices
 /// that do not lie on it; so parts that cross each other lie beside each other. Quads are cut by the diagonal at their
 /// first corner, or by the other one where that folds them. Exact.
-/// \pre check_edges and check_fans passed, in the plane all of polygon_checks.h \throws InputError for a part without
+/// \pre check_edges passed, in the plane all of polygon_checks.h \throws InputError for a part without
 /// volume
 std::vector<Part> parts_of(const Candidate& cage);
 

@@ -39,7 +39,7 @@ std::list<CoordinateKind> summed_kinds() {
        .blocks = {{"lambda", "mean_value", Reproduces::Vertices}},
        .normalised = true,
        .keeps_quads = true},
-      {.name = "green", .source = "[T24] Eq 7", .blocks = {phi, psi}},
+      {.name = "green", .source = "[T24] Eq 7", .blocks = {phi, psi}, .extends = true},
       {.name = "biharmonic",
        .source = "[T24] Eq 1, 3",
        .blocks = {phi,

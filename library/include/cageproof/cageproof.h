@@ -20,9 +20,11 @@ struct Cage {
                                         ///< 2, with the inside on the left
   int dimension = 3;                    ///< of space: 3, or 2 for the plane
   std::string name = "cage";            ///< what messages call it
+  std::vector<std::string> warnings = {};  ///< of what a file was read with: what was left out, or cut in triangles
 };
 
-/// A cage from an OBJ file; polylines (`l`) make one in the plane. \throws InputError naming file, line and reason
+/// A cage from an OBJ file; polylines (`l`), and faces whose vertices all have z = 0, make one in the plane. Faces of
+/// more than four corners are cut in triangles. \throws InputError naming file, line and reason
 Cage read_obj(const std::string& file);
 
 /// One of the cages that come with the library: "cube", "twisted-bar" ... \throws InputError naming all of them

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <string>
 
 using namespace cageproof::library;
 
@@ -64,7 +66,7 @@ bool refuses(const char* word, F&& act) {
 
 }  // namespace
 
-int main() {
+int main(int, char** argv) {
   const Cage cube = embedded_cage("cube"), bar = embedded_cage("twisted-bar");
   // Of every room in the library, so that none of what adds itself at the program's start is lost in linking.
   for (const char* kind : {"green", "biharmonic", "biharmonic_affine", "mean_value", "quad_mean_value",
@@ -93,6 +95,14 @@ int main() {
   expect(Coordinates(cube, "green").evaluation() == "batched", "batched evaluation is kept");
   expect(Coordinates(cube, "green").elements().size() == 12, "quads are split");
   expect(Coordinates(bar, "somigliana", {.parameters = {{"nu", "0.3"}}}).blocks()[0].columns == 3, "matrices");
+  // Faces of five corners, cut in triangles, which is said.
+  const std::string prism_file = std::string(argv[0]) + ".obj";
+  std::ofstream(prism_file) << "v 2 0 -1\nv 1 2 -1\nv -1 2 -1\nv -2 0 -1\nv 0 -2 -1\n"
+                               "v 2 0 1\nv 1 2 1\nv -1 2 1\nv -2 0 1\nv 0 -2 1\nf 5 4 3 2 1\nf 6 7 8 9 10\n"
+                               "f 1 2 7 6\nf 2 3 8 7\nf 3 4 9 8\nf 4 5 10 9\nf 5 1 6 10\n";
+  const Cage prism = read_obj(prism_file);
+  expect(prism.warnings.size() == 1 && prism.faces.size() == 11, "faces of five corners");
+  expect(off_identity(prism, Coordinates(prism, "green"), 1) < 1e-12, "a prism");
   const Cage square{{0, 0, 1, 0, 1, 1, 0, 1}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, 2};
   std::vector<double> values(8);
   Coordinates(square, "harmonic", {.parameters = {{"pieces", "4"}}})

@@ -28,10 +28,13 @@ struct ImageRun {
   int jobs = 0;   ///< threads; 0: all cores
   /// Points whose coordinates are computed together; what is multiplied as matrices is rounded by it.
   std::size_t block = 128;
+  /// Points outside the region get images by coordinates that are continued through the nearest element.
+  /// \pre the coordinates' kind extends
+  bool extend = false;
 };
 
 /// Coordinates are computed once a point, whatever the number of maps.
-/// \param region outside which points are missing; nothing: none is for its place
+/// \param region outside which points are missing, unless they are extended to; nothing: none is for its place
 /// \pre the maps are made from the coordinates, which have derivatives of that order
 PointImages images_of(const CageCoordinates& coordinates, std::span<const Vec3<double>> points,
                       std::span<const Posed<double>* const> maps, const ImageRun& run,

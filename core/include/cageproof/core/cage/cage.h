@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A cage: a closed, oriented boundary, validated once: in space a manifold surface of triangles and quads, in the plane
+// A cage: a closed, oriented boundary, validated once: in space a surface of triangles and quads, in the plane
 // polygons.
 #pragma once
 
@@ -57,13 +57,14 @@ class Cage {
   /// \throws InputError naming the first face (or vertex) at fault, counted from 0, and the reason: empty input,
   ///   non-finite coordinate; index out of range or repeated within a face, unused vertex; two corners of a face that
   ///   coincide, three on a line, a quad that crosses itself or folds by more than a right angle along both diagonals;
-  ///   edge with one face (hole) or more than two (non-manifold), inconsistent orientation, vertex whose faces form
-  ///   more than one fan; a part without volume, or oriented the wrong way unless options.flip_inward. These tests are
-  ///   exact: no threshold depends on the unit of length.
-  /// Faces that are connected are a part of the cage. Parts that lie within no other, or within an even number of
-  /// others, are shells, and their normals point outward (positive volume); the others bound cavities, and their
-  /// normals point into them. Parts that cross lie beside each other, not within. Anything else would make coordinates
-  /// sum to 2 or -1 somewhere. Faces may cross each other: crossing_faces names them.
+  ///   edge with one face (hole), or along which other numbers of faces run one way than the other; a face given twice;
+  ///   a part without volume, or oriented the wrong way unless options.flip_inward. These tests are exact: no threshold
+  ///   depends on the unit of length.
+  /// Faces that hang together by edges are a part of the cage; where parts share edges or vertices, meeting_warning
+  /// says so. Parts that lie within no other, or within an even number of others, are shells, and their normals point
+  /// outward (positive volume); the others bound cavities, and their normals point into them. Parts that cross lie
+  /// beside each other, not within. Anything else would make coordinates sum to 2 or -1 somewhere. Faces may cross each
+  /// other: crossing_faces names them.
   static Cage make(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> faces,
                    CageOptions options = {});
 
@@ -129,6 +130,10 @@ std::vector<std::string> invalid_quads(const Cage& cage);
 /// One line that counts the quads that fold along either diagonal and names the first of them; nothing where none does.
 /// Only cages that were made with CageOptions::allow_invalid_quads have some.
 std::optional<std::string> folding_warning(const Cage& cage);
+
+/// One line that counts the edges of more than two faces and the vertices whose faces form more than one fan, and names
+/// the first of them; nothing where the cage is a manifold.
+std::optional<std::string> meeting_warning(const Cage& cage);
 
 /// The pairs of faces that cross or touch each other (face_crossings), each as "faces f and g", with the lines of the
 /// file where they are known; empty for none, and in the plane, where make_polygon refuses them. No error: integrals

@@ -73,6 +73,9 @@ struct CoordinateKind {
   bool solves_on_samples = false;
   /// Whether points outside are those without coordinates, and no others.
   bool inside_alone = false;
+  /// Whether functions of these coordinates continue through a flat element as what they are inside plus the affine map
+  /// of it (Lipman et al. 2008, of Green coordinates): their blocks are of vertices and of elements' normals.
+  bool extends = false;
   /// Why the kind has no coordinates in a cage of its dimension, with its parameters' defaults; empty where it has.
   /// Null for kinds that refuse none. What other parameters make too large, `prepare` refuses.
   std::string (*refuses)(const Cage& cage) = nullptr;

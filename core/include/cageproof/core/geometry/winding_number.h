@@ -11,7 +11,7 @@ namespace cageproof {
 /// The winding number of a closed, oriented surface around a point: 1 inside a surface whose normals point outward, 0
 /// outside, -1 inside one that points inward, sums of these where surfaces or their parts overlap. Nothing for a point
 /// on one of the triangles. Signed crossings of a ray, counted with exact predicates.
-/// \pre triangles have an area, and every edge is run along once in either direction
+/// \pre triangles have an area, and every edge is run along as often in one direction as in the other
 std::optional<int> winding_number(std::span<const Triangle<double>> triangles, const Vec3<double>& point);
 
 /// The same in the plane, of closed polygons that run counter-clockwise around what they hold.

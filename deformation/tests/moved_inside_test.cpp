@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Points on slanted faces, which are next to these but for the rounding of their coordinates.
+#include "quad_cases.h"
+
+#include "cageproof/deformation/moved_inside.h"
+#include "cageproof/deformation/point_images.h"
+
+#include <gtest/gtest.h>
+
+namespace cageproof::deformation::test {
+namespace {
+
+std::vector<Vec> centres_of(const CageElements& elements) {
+  std::vector<Vec> centres;
+  for (std::size_t e = 0; e < elements.count(); ++e) {
+    Vec sum = Vec::Zero();
+    for (const Vec& corner : elements.corners(e)) sum += corner;
+    centres.emplace_back(sum / static_cast<double>(elements.corners(e).size()));
+  }
+  return centres;
+}
+
+TEST(MovedInside, takes_centres_of_faces_onto_the_cage) {
+  int outside_before = 0;
+  for (const std::string name : {"icosphere", "twisted-bar", "l-shape"}) {
+    const Cage cage = embedded_cage(name);
+    const CageElements elements(cage, false, Triangulation::Shortest);
+    const Inside inside(elements);
+    const std::vector<Vec> centres = centres_of(elements);
+    int outside = 0;
+    for (const Vec& p : centres) outside += inside.holds(p) ? 0 : 1;
+    outside_before += outside;
+    const MovedInside found = moved_inside(elements, centres, 1e-12 * cage.size(), 2);
+    EXPECT_EQ(found.count, outside) << name;
+    EXPECT_LT(found.farthest, 1e-14 * cage.size()) << name;
+    for (std::size_t p = 0; p < centres.size(); ++p) {
+      EXPECT_TRUE(inside.holds(found.points[p])) << name << ' ' << p;
+      if (inside.holds(centres[p])) EXPECT_EQ(found.points[p], centres[p]);
+    }
+  }
+  EXPECT_GT(outside_before, 10);
+}
+
+TEST(MovedInside, leaves_points_that_are_further_out) {
+  const Cage cage = embedded_cage("cube");
+  const CageElements elements(cage, false, Triangulation::Shortest);
+  const std::vector<Vec> points{{.5 + 1e-6, .1, .2}, {.1, .2, .3}, {.5, .1, .2}, {-.5 - 1e-3, -.5 - 1e-3, 0}};
+  const MovedInside none = moved_inside(elements, points, 1e-7, 1);
+  EXPECT_EQ(none.points, points);
+  EXPECT_EQ(none.count, 0U);
+  const MovedInside one = moved_inside(elements, points, 2e-6, 1);
+  EXPECT_EQ(one.count, 1U);
+  EXPECT_EQ(one.points[0][0], .5);
+  EXPECT_NEAR((one.points[0] - Vec(.5, .1, .2)).norm(), 0, 1e-15);
+  EXPECT_EQ(one.points[3], points[3]);
+  EXPECT_EQ(moved_inside(elements, points, 2e-3, 1).points[3], Vec(-.5, -.5, 0));
+}
+
+TEST(MovedInside, knows_bilinear_quads) {
+  for (const Case& c : {twisted_cube(), mixed_cage()}) {
+    const CageElements elements(c.cage, true, Triangulation::Shortest);
+    const Inside inside(elements);
+    std::vector<Vec> points;
+    for (std::size_t e = 0; e < elements.count(); ++e) {
+      const auto corners = elements.corners(e);
+      Vec centre = Vec::Zero();
+      for (const Vec& corner : corners) centre += corner / static_cast<double>(corners.size());
+      points.emplace_back(centre + 1e-9 * elements.normals()[e]);
+    }
+    const MovedInside found = moved_inside(elements, points, 1e-8, 1);
+    EXPECT_EQ(found.count, points.size()) << c.name;
+    EXPECT_LT(found.farthest, 1.1e-9) << c.name;
+    for (const Vec& p : found.points) EXPECT_TRUE(inside.holds(p)) << c.name;
+  }
+}
+
+}  // namespace
+}  // namespace cageproof::deformation::test
