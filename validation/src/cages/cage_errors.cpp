@@ -160,7 +160,9 @@ CageErrors errors_with(const CageCoordinates& coordinates, const Cage& cage, con
       ones_size = std::hypot(ones_size, s.ones_size);
       positions_size = std::hypot(positions_size, s.positions_size);
     }
-    errors.partition[o] = error_of(ones, terms ? terms->ones[o] : ones_size, o == 0 ? 1 : ones_size);
+    // A rule's coordinates may be larger than the terms that the recommended ones have.
+    errors.partition[o] =
+        error_of(ones, terms ? std::max(terms->ones[o], ones_size) : ones_size, o == 0 ? 1 : ones_size);
     errors.reproduction[o] =
         error_of(positions, terms ? terms->positions[o] : positions_size, o == 0 ? cage.size() : positions_size);
   }
