@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/geometry/exact_geometry.h"
+#include "cageproof/core/geometry/exact_volume.h"
 #include "cageproof/core/numbers/random_stream.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -66,6 +67,7 @@ void expect_heights(const Triangle<double>& t, const Vec3<double>& point, int ex
   const Vector e0 = minus(from(t[1]), from(t[0])), e1 = minus(from(t[2]), from(t[1])), normal = cross(e0, e1);
   const Rational volume = dot(normal, minus(from(t[2]), from(point)));
   EXPECT_TRUE(is_rounded(heights.volume, heights.volume_sign, volume / (unit * unit * unit)));
+  EXPECT_TRUE(is_rounded(exact_volume(t, point, exponent), heights.volume_sign, volume / (unit * unit * unit)));
   for (int i = 0; i < 3; ++i) {
     const Vector edge = minus(from(t[(i + 1) % 3]), from(t[i]));
     const Rational beside = dot(cross(edge, normal), minus(from(t[i]), from(point)));

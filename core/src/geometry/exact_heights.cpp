@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/geometry/exact_geometry.h"
+#include "cageproof/core/geometry/exact_volume.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -97,6 +98,14 @@ ExactHeights exact_heights(const Triangle<double>& t, const Vec3<double>& point,
     heights.beside_sign[i] = beside.sign();
   }
   return heights;
+}
+
+double exact_volume(const Triangle<double>& t, const Vec3<double>& point, int exponent) {
+  const std::optional<int> unit = lowest_bit({t[0], t[1], t[2], point});
+  if (!unit) return wide_heights(t, point, exponent).volume;
+  const FixedVector first = fixed_integers(t[0], *unit), second = fixed_integers(t[1], *unit);
+  const FixedVector normal = cross_of(difference_of(second, first), difference_of(fixed_integers(t[2], *unit), second));
+  return rounded_times(dot_of(normal, difference_of(first, fixed_integers(point, *unit))), 3 * (*unit - exponent));
 }
 
 }  // namespace cageproof

@@ -54,20 +54,9 @@ constexpr std::array table{
     Row{"truth", "*", recommended, "double", "*", 0, 2, 64, "backward stable: a few roundings times conditioning"},
     Row{"truth", "*", recommended, "float", "*", 0, 2, 64, "computed in double and rounded"},
     // Digits, whatever the conditioning.
-    Row{"digits", "quad.@(mean_value|double_layer|biharmonic_double_layer)", "line_form", "double",
-        "@(near-plane|near-line|on-plane|on-line|hunted)", 0, 0, none,
-        "next to the plane of its corners the height over a quad, which the kernel is a multiple of, is what rounding "
-        "leaves of a twist: the line form has it to a rounding of the corners"},
-    Row{"digits", "quad.@(mean_value|double_layer|biharmonic_double_layer|kelvin_traction)", "line_form", "double",
-        "@(near-plane|near-line|on-plane|on-line|hunted|needle)", 0, 0, none,
-        "over thin quads the height is what rounding leaves of a twist, too"},
-    Row{"digits", "quad.biharmonic_double_layer", "line_form", "double",
-        "@(near-face|near-edge|near-vertex|tiny|sliver)", 0, 0, none,
-        "the integral of the height over the distance is as small as the height next to the quad, which the line form "
-        "has to a rounding of the corners"},
-    Row{"digits", "quad.single_layer", "line_form", "double", "aligned", 1, 2, none,
-        "of quads with small integer corners some have three on a line and fold there: next to the crease double has a "
-        "rounding of the corners"},
+    Row{"digits", "quad.single_layer", "line_form", "double", "aligned", 2, 2, none,
+        "of quads with small integer corners some have three on a line and fold there: next to the crease, where du dv "
+        "is infinitely dense, double has Hessians to a rounding of the corners"},
     Row{"digits", "*", recommended, "double", "*", 0, 2, 1e3,
         "thirteen digits: some tens of operations on numbers that are exact but for a rounding each; sums of terms "
         "that cancel ten times over keep it too"},

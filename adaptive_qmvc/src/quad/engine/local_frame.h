@@ -16,7 +16,7 @@
 namespace cageproof::adaptive_qmvc {
 
 /// xi - eta = a + t e + s b + s t w at (u0 + t, v0 + s), in the units of a QuadFrame. N = n + t n_u + s n_v and
-/// N.x = g00 + s g01 + t (g10 + s g11), to a rounding of their terms.
+/// N.x = g00 + s g01 + t (g10 + s g11), as precise as the frame's.
 template <class R>
 struct LocalFrame {
   R u0 = R(0), v0 = R(0);
@@ -60,18 +60,14 @@ struct LocalFrame {
       g00 = g01 = g10 = g11 = R(0);
       return;
     }
-    // Bilinear, from corner 0, or from `a`: whichever adds the smaller terms. The nearest point may be on a side, and
-    // `a` all but in the quad's plane.
+    // The mean of the corners', or that of `a`, whichever adds the smaller terms: next to a twisted quad `a` is short.
     const auto size = [](const R& x) { return x < R(0) ? R(-x) : x; };
-    const auto sizes = [&](const Vec3<R>& x, const Vec3<R>& y) {
-      return size(x[0] * y[0]) + size(x[1] * y[1]) + size(x[2] * y[2]);
-    };
-    const R from_corner =
-        sizes(q.a, q.n) + size(v) * sizes(q.a, q.n_v) + size(u) * (sizes(q.a, q.n_u) + size(v * q.g11));
-    const bool corner = from_corner < sizes(a, n);
-    g00 = corner ? R(q.g00 + v * q.g01 + u * (q.g10 + v * q.g11)) : R(a.dot(n));
-    g01 = corner ? R(q.g01 + u * q.g11) : R(a.dot(n_v));
-    g10 = corner ? R(q.g10 + v * q.g11) : R(a.dot(n_u));
+    const R from_corners = (1 - v) * ((1 - u) * size(q.height[0]) + u * size(q.height[1])) +
+                           v * (u * size(q.height[2]) + (1 - u) * size(q.height[3]));
+    const R from_place = size(a[0] * n[0]) + size(a[1] * n[1]) + size(a[2] * n[2]);
+    g00 = from_corners < from_place ? q.height_at(u, v) : R(a.dot(n));
+    g01 = q.height_by_v(u);
+    g10 = q.height_by_u(v);
     g11 = q.g11;
   }
 

@@ -2,10 +2,12 @@
 // A bilinear quad as its point sees it, the nearest corner first, with lines along its longer sides.
 #pragma once
 
+#include "quad/engine/corner_heights.h"
 #include "cageproof/core/numbers/linear.h"
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <optional>
 #include <span>
 
@@ -18,8 +20,8 @@ struct FrameUnit {
   int exponent;               ///< lengths are in units of 2^exponent
 };
 
-/// xi - eta = a + u e + v b + u v w, in the frame's units. N = n + u n_u + v n_v and
-/// N.x = g00 + v g01 + u (g10 + v g11), to a rounding of their terms.
+/// xi - eta = a + u e + v b + u v w, in the frame's units. N = n + u n_u + v n_v, to a rounding of its terms, and N.x
+/// is bilinear: g00 + v g01 + u (g10 + v g11), to a rounding of the largest of what it is at the corners.
 template <class R>
 struct QuadFrame {
   Vec3<R> a;                    ///< corner 0 - eta, the nearest one
@@ -29,6 +31,7 @@ struct QuadFrame {
   Vec3<R> w;                    ///< b1 - b: zero for a parallelogram
   Vec3<R> n, n_u, n_v;
   std::array<Vec3<R>, 4> normal;  ///< N at the corners, each from its own sides
+  std::array<R, 4> height;        ///< N.x at the corners: in double to two roundings, whatever cancels
   R g00, g01, g10, g11;
   FrameUnit unit;
 
@@ -51,6 +54,7 @@ struct QuadFrame {
         g11(q.g11),
         unit(q.unit) {
     for (int k = 0; k < 4; ++k) {
+      height[k] = R(q.height[k]);
       seen[k] = q.seen[k].template cast<R>();
       normal[k] = q.normal[k].template cast<R>();
     }
@@ -66,6 +70,12 @@ struct QuadFrame {
   Vec3<R> normal_at(const R& u, const R& v) const {
     return (1 - v) * ((1 - u) * normal[0] + u * normal[1]) + v * (u * normal[2] + (1 - u) * normal[3]);
   }
+  /// N.x and its derivatives by u and v, as means of what the corners have.
+  R height_at(const R& u, const R& v) const {
+    return (1 - v) * ((1 - u) * height[0] + u * height[1]) + v * (u * height[2] + (1 - u) * height[3]);
+  }
+  R height_by_u(const R& v) const { return (1 - v) * (height[1] - height[0]) + v * (height[2] - height[3]); }
+  R height_by_v(const R& u) const { return (1 - u) * (height[3] - height[0]) + u * (height[2] - height[1]); }
 };
 
 /// The cross product of two edges of a triangle p + q + r = 0, in their order, whichever is the longest: the others
@@ -126,10 +136,18 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
   const Vec3<R> across = shorter(q.b, q.b1);
   q.n_u = shorter(q.e, q.e1).cross(q.w);
   q.n_v = q.w.cross(across);
-  q.g00 = q.a.dot(q.n);
-  q.g01 = q.a.dot(q.n_v);
-  q.g10 = q.a.dot(q.n_u);
-  q.g11 = across.dot(q.n_u);
+  for (int k = 0; k < 4; ++k) {
+    if constexpr (std::same_as<R, double>) {
+      const auto corner = [&](int step) -> const Vec3<R>& { return corners[q.unit.corner[(k + step) % 4]]; };
+      q.height[k] = height_at_corner(corner(3), corner(0), corner(1), point, q.unit.exponent);
+    } else {
+      q.height[k] = q.seen[k].dot(q.normal[k]);
+    }
+  }
+  q.g00 = q.height[0];
+  q.g01 = q.height[3] - q.height[0];
+  q.g10 = q.height[1] - q.height[0];
+  q.g11 = (q.height[2] - q.height[3]) - q.g10;
   return q;
 }
 
