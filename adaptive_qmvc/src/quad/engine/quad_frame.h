@@ -60,6 +60,15 @@ struct QuadFrame {
     }
   }
 
+  /// Takes heights over the corners, and what N.x is made of from them.
+  void take(const std::array<R, 4>& heights) {
+    height = heights;
+    g00 = height[0];
+    g01 = height[3] - height[0];
+    g10 = height[1] - height[0];
+    g11 = (height[2] - height[3]) - g10;
+  }
+
   /// Along the line v: its start, seen from eta, and its direction.
   Vec3<R> start(const R& v) const { return a + v * b; }
   Vec3<R> direction(const R& v) const { return e + v * w; }
@@ -136,18 +145,16 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
   const Vec3<R> across = shorter(q.b, q.b1);
   q.n_u = shorter(q.e, q.e1).cross(q.w);
   q.n_v = q.w.cross(across);
+  std::array<R, 4> heights;
   for (int k = 0; k < 4; ++k) {
     if constexpr (std::same_as<R, double>) {
       const auto corner = [&](int step) -> const Vec3<R>& { return corners[q.unit.corner[(k + step) % 4]]; };
-      q.height[k] = height_at_corner(corner(3), corner(0), corner(1), point, q.unit.exponent);
+      heights[k] = height_at_corner(corner(3), corner(0), corner(1), point, q.unit.exponent);
     } else {
-      q.height[k] = q.seen[k].dot(q.normal[k]);
+      heights[k] = q.seen[k].dot(q.normal[k]);
     }
   }
-  q.g00 = q.height[0];
-  q.g01 = q.height[3] - q.height[0];
-  q.g10 = q.height[1] - q.height[0];
-  q.g11 = (q.height[2] - q.height[3]) - q.g10;
+  q.take(heights);
   return q;
 }
 

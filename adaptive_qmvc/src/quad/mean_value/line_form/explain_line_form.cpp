@@ -35,6 +35,23 @@ OuterRule<Counted> counted_rule(const OuterRule<double>& rule) {
   return counted;
 }
 
+// What double has of a quad's heights over its corners, which are exact but for their roundings.
+QuadFrame<Counted> with_heights(QuadFrame<Counted> q, const QuadFrame<double>& plain,
+                                std::span<const Vec3<double>> corners, const Vec3<double>& point) {
+  std::array<Vec3<Mp200>, 4> x;
+  const Vec3<Mp200> from = convert<Mp200>(point);
+  for (int k = 0; k < 4; ++k)
+    x[k] = ldexp(Mp200(1), -q.unit.exponent) * Vec3<Mp200>(convert<Mp200>(corners[q.unit.corner[k]]) - from);
+  std::array<Counted, 4> heights;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3<Mp200> before = x[k] - x[(k + 3) % 4], after = x[(k + 1) % 4] - x[k];
+    heights[k] = Counted::seen(plain.height[k], x[k].dot(before.cross(after)), "height_at_corner",
+                               "adaptive_qmvc/src/quad/engine/corner_heights.h");
+  }
+  q.take(heights);
+  return q;
+}
+
 // frame_at, with double's choice of the point.
 LocalFrame<Counted> counted_frame_at(const QuadFrame<Counted>& q, const QuadFrame<double>& plain,
                                      std::span<const Vec3<double>> corners, const Vec3<double>& point, double line) {
@@ -74,7 +91,8 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   const CountedTape tape;
   std::array<Vec3<Counted>, 4> corners;
   for (int k = 0; k < 4; ++k) corners[k] = convert<Counted>(query.corners[k]);
-  const auto q = *quad_frame<Counted>(corners, convert<Counted>(query.point));
+  const QuadFrame<Counted> q =
+      with_heights(*quad_frame<Counted>(corners, convert<Counted>(query.point)), *plain, query.corners, query.point);
   constexpr double order = Order + 1.5;
   WeightSums<Counted, Order> sums;
   if (far) {
