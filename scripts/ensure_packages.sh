@@ -58,6 +58,7 @@ tests_alone() {
   cat <<'LIST'
 openmpi-bin              starts four ranks that measure one run
 python3                  runs the commands of README.md and docs/
+python3-clang-16         reads sources for scripts/mutate, whose accounting is tested
 python3-numpy            docs/apply.md's examples: what coordinates' files hold, and what is done with it
 pkgconf                  the installed library, found by pkg-config
 chromium                 opens the report's pages, without a display
