@@ -20,6 +20,10 @@ if(CAGEPROOF_SANITIZE STREQUAL address)
   # Indices of the standard library's arrays, which the sanitizers do not see where there is memory behind them.
   target_compile_definitions(cageproof_flags INTERFACE _GLIBCXX_ASSERTIONS)
   target_link_options(cageproof_flags INTERFACE -fsanitize=address,undefined)
+  if(CAGEPROOF_FUZZ)
+    # Tells libFuzzer which branches an input took.
+    target_compile_options(cageproof_flags INTERFACE -fsanitize=fuzzer-no-link)
+  endif()
 elseif(CAGEPROOF_SANITIZE STREQUAL thread)
   target_compile_options(cageproof_flags INTERFACE -fsanitize=thread)
   target_link_options(cageproof_flags INTERFACE -fsanitize=thread)

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace cageproof::mesh_files {
 namespace {
@@ -47,10 +48,8 @@ class TreeBuilder {
   bool end_object() { return close(); }
   bool end_array() { return close(); }
   bool key(std::string& name) {
-    auto& keys = open_.back()->keys;
-    if (std::ranges::find(keys, name) != keys.end())
-      throw JsonFault{line_, fmt::format("the key {} occurs twice", shown(name))};
-    keys.push_back(std::move(name));
+    if (!keys_.back().insert(name).second) throw JsonFault{line_, fmt::format("the key {} occurs twice", shown(name))};
+    open_.back()->keys.push_back(std::move(name));
     return true;
   }
   bool parse_error(std::size_t, const std::string& token, const nlohmann::detail::exception& reason) {
@@ -79,15 +78,18 @@ class TreeBuilder {
     if (open_.size() == deepest) throw JsonFault{line_, fmt::format("nested more than {} deep", deepest)};
     // Items of those that are open do not move: they are the last ones of theirs.
     open_.push_back(add({type, line_}));
+    keys_.emplace_back();
     return true;
   }
   bool close() {
     open_.pop_back();
+    keys_.pop_back();
     return true;
   }
 
   const std::size_t& line_;
   std::vector<JsonValue*> open_;
+  std::vector<std::unordered_set<std::string>> keys_;  // of each that is open
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <set>
 
 namespace cageproof::mesh_files {
 namespace {
@@ -47,11 +48,13 @@ struct Element {
   std::string_view name;
   std::size_t count;
   std::vector<Property> properties;
+  std::set<std::string_view> property_names = {};
 };
 
 struct Header {
   std::string_view format;
   std::vector<Element> elements;
+  std::set<std::string_view> element_names = {};
 };
 
 const Type* type_named(std::string_view name, const FileLine& at) {
@@ -83,17 +86,16 @@ Property parse_property(std::string_view line, const FileLine& at) {
 }
 
 void add_element(Header& header, const Element& element, const FileLine& at) {
-  if (std::ranges::find(header.elements, element.name, &Element::name) != header.elements.end())
-    at.fail("element " + shown(element.name) + " occurs twice");
+  if (!header.element_names.insert(element.name).second) at.fail("element " + shown(element.name) + " occurs twice");
   header.elements.push_back(element);
 }
 
 void add_property(Header& header, const Property& property, const FileLine& at) {
   if (header.elements.empty()) at.fail("a property before the first element");
-  auto& properties = header.elements.back().properties;
-  if (std::ranges::find(properties, property.name, &Property::name) != properties.end())
+  Element& element = header.elements.back();
+  if (!element.property_names.insert(property.name).second)
     at.fail("property " + shown(property.name) + " occurs twice");
-  properties.push_back(property);
+  element.properties.push_back(property);
 }
 
 Header parse_header(std::string_view& rest, FileLine& at) {

@@ -224,6 +224,11 @@ class SvgReader {
   void add(xmlNode& node, const std::vector<svg::Point>& points, bool closed, const svg::Transform& transform) {
     std::vector<OutlineVertex> outline;
     outline.reserve(points.size());
+    // Exact products take their time.
+    constexpr std::size_t most_bits = 400'000'000;
+    moved_bits_ += points.size() * transform.bits();
+    if (moved_bits_ > most_bits)
+      fail(node, "so many points under so many transforms take too long; apply these in the program that wrote it");
     for (const svg::Point& p : points) {
       const svg::Point moved = transform(p);
       // SVG's y points down. A sum, so that no zero is negative.
@@ -237,7 +242,9 @@ class SvgReader {
   svg::Transform transform_of(xmlNode& node, const svg::Transform& outer) {
     check_style(node);
     if (attribute(node, "transform-origin")) fail(node, "transform-origin is not read; use a rotation about a point");
-    return outer.after(parsed(node, "transform", "", svg::parse_transform));
+    svg::Transform all = outer.after(parsed(node, "transform", "", svg::parse_transform));
+    if (all.bits() > svg::Transform::kMostBits) fail(node, svg::Transform::kTooMany);
+    return all;
   }
   // Shapes and transforms of a style would be lost.
   void check_style(xmlNode& node) {
@@ -264,7 +271,21 @@ class SvgReader {
   std::optional<svg::Rational> width_, height_;
   std::size_t hidden_ = 0, defined_ = 0;  // shapes that are left out
   std::string first_hidden_;
+  std::size_t moved_bits_ = 0;  // of transforms, over all points
 };
+
+// Text is put in place of each entity, so that entities within entities make gigabytes of a small file.
+void check_entities(const xmlDoc& document, const FileLine& at) {
+  constexpr std::size_t longest = 200;
+  const xmlNode* node = document.intSubset ? document.intSubset->children : nullptr;
+  for (; node; node = node->next) {
+    if (node->type != XML_ENTITY_DECL) continue;
+    const std::string_view content = text_of(reinterpret_cast<const xmlEntity*>(node)->content);
+    if (content.size() > longest || content.find('&') != content.npos)
+      at.fail(fmt::format("entity {} is longer than {} characters, or holds another one; write its text in its place",
+                          shown(text_of(node->name)), longest));
+  }
+}
 
 Mesh read_svg(const std::filesystem::path& path) {
   const std::string text = read_mesh_file(path);
@@ -283,6 +304,7 @@ Mesh read_svg(const std::filesystem::path& path) {
         fmt::format("libxml2 cannot read it: {}", message));
   }
   Mesh mesh;
+  check_entities(*document, FileLine{path});
   if (xmlNode* root = xmlDocGetRootElement(document.get())) SvgReader(path, mesh).read(*root);
   return mesh;
 }

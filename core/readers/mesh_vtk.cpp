@@ -119,15 +119,20 @@ Mesh read_ply(const std::filesystem::path& path) {
 }
 
 Mesh read_vtp(const std::filesystem::path& path) {
-  read_mesh_file(path);
+  const std::size_t size = read_mesh_file(path).size();
   return read_with<vtkXMLPolyDataReader>(path, [&](vtkXMLPolyDataReader& reader) {
     reader.SetFileName(path.c_str());
     reader.UpdateInformation();
     reader.SetupUpdateExtent(0, 1, 0);
     // VTK makes room for what a file states before it looks at what there is.
     constexpr vtkIdType most = std::numeric_limits<int>::max();
-    if (reader.GetNumberOfPoints() > most || reader.GetNumberOfCells() > most)
+    const vtkIdType points = reader.GetNumberOfPoints(), cells = reader.GetNumberOfCells();
+    if (points < 0 || cells < 0 || points > most || cells > most)
       FileLine{path}.fail("the number of vertices or faces that it states is out of range");
+    constexpr std::size_t bytes = 3 * sizeof(float);
+    if (bytes * static_cast<std::size_t>(std::max(points, cells)) > most_unpacked(size))
+      FileLine{path}.fail(
+          fmt::format("{} vertices and {} cells are stated, more than its {} bytes hold", points, cells, size));
   });
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace cageproof::mesh_files {
@@ -19,15 +20,32 @@ struct FirstArray {
   std::string bytes;
 };
 
-std::string bytes_of(struct archive* zip, const std::filesystem::path& path) {
+// libarchive's last message, on one line.
+std::string reason_of(struct archive* zip, std::string_view none) {
+  const char* message = archive_error_string(zip);
+  std::string_view rest = message ? std::string_view(message) : none, line;
+  take_line(rest, line);
+  return std::string(line);
+}
+
+std::string bytes_of(struct archive* zip, std::size_t packed, const std::filesystem::path& path) {
   std::string bytes;
   char buffer[1 << 16];
   la_ssize_t count = 0;
-  while ((count = archive_read_data(zip, buffer, sizeof buffer)) > 0)
+  while ((count = archive_read_data(zip, buffer, sizeof buffer)) > 0) {
     bytes.append(buffer, static_cast<std::size_t>(count));
-  const char* reason = archive_error_string(zip);
-  if (count < 0) FileLine{path}.fail(fmt::format("libarchive cannot read it: {}", reason ? reason : "no reason known"));
+    if (bytes.size() > most_unpacked(packed))
+      FileLine{path}.fail(
+          fmt::format("its {} bytes unpack to more than {}; write the points as .npy", packed, most_unpacked(packed)));
+  }
+  if (count < 0) FileLine{path}.fail("libarchive cannot read it: " + reason_of(zip, "no reason known"));
   return bytes;
+}
+
+std::string printable(std::string name) {
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return name;
 }
 
 FirstArray first_array(const std::string& file, const std::filesystem::path& path) {
@@ -40,20 +58,20 @@ FirstArray first_array(const std::string& file, const std::filesystem::path& pat
     const std::string name = archive_entry_pathname(entry) ? archive_entry_pathname(entry) : "";
     if (!name.ends_with(".npy")) continue;
     found.names.push_back(name.substr(0, name.size() - std::string_view(".npy").size()));
-    if (found.names.size() == 1) found.bytes = bytes_of(zip.get(), path);
+    if (found.names.size() == 1) found.bytes = bytes_of(zip.get(), file.size(), path);
   }
-  const char* reason = archive_error_string(zip.get());
-  if (code != ARCHIVE_EOF)
-    FileLine{path}.fail(fmt::format("libarchive cannot read it: {}", reason ? reason : "no ZIP file"));
+  if (code != ARCHIVE_EOF) FileLine{path}.fail("libarchive cannot read it: " + reason_of(zip.get(), "no ZIP file"));
   return found;
 }
 
 Mesh read_npz(const std::filesystem::path& path) {
   const FirstArray array = first_array(read_mesh_file(path), path);
   if (array.names.empty()) FileLine{path}.fail("no array in it");
+  std::vector<std::string> names;
+  for (const std::string& name : array.names) names.push_back(printable(name));
   if (array.names.size() > 1)
     FileLine{path}.fail(fmt::format("{} arrays ({}); points are one: numpy.save(\"points.npy\", arrays[NAME])",
-                                    array.names.size(), fmt::join(array.names, ", ")));
+                                    array.names.size(), fmt::join(names, ", ")));
   return points_of_array(array.bytes, path, array.names.front());
 }
 

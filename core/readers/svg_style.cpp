@@ -69,12 +69,27 @@ std::string without_comments(std::string_view text) {
     text.remove_prefix(end == text.npos ? text.size() : end + 2);
     clean += ' ';
   }
-  for (const std::string_view mark : {"<!--", "-->"})
-    for (auto at = clean.find(mark); at != clean.npos; at = clean.find(mark)) clean.erase(at, mark.size());
-  return clean;
+  std::string unmarked;
+  for (std::string_view rest = clean; !rest.empty();) {
+    const bool opens = rest.starts_with("<!--"), closes = rest.starts_with("-->");
+    if (!opens && !closes) unmarked += rest.front();
+    rest.remove_prefix(opens ? 4 : closes ? 3 : 1);
+  }
+  return unmarked;
 }
 
 bool says_what_is_drawn(const Declaration& d) { return d.property == "display" || d.property == "visibility"; }
+
+// Those that say what is drawn, without those that a later one of the same weight replaces.
+std::vector<Declaration> last_of_drawn(const std::vector<Declaration>& all) {
+  std::vector<Declaration> last;
+  for (const Declaration& d : all) {
+    if (!says_what_is_drawn(d)) continue;
+    std::erase_if(last, [&](const Declaration& e) { return e.property == d.property && e.important == d.important; });
+    last.push_back(d);
+  }
+  return last;
+}
 
 // The brace that closes the one at `open`, or the end.
 std::size_t closing(std::string_view text, std::size_t open) {
@@ -129,11 +144,8 @@ std::optional<StyleSheets::Rule> StyleSheets::parse_selector(std::string_view te
   return text.empty() ? std::nullopt : std::optional(rule);
 }
 
-bool StyleSheets::matches(const Rule& rule, const Selected& element) {
-  const auto has_class = [&](const std::string& name) {
-    const auto classes = split(element.classes, " \t\n\r\f");
-    return std::ranges::find(classes, name) != classes.end();
-  };
+bool StyleSheets::matches(const Rule& rule, const Selected& element, const std::set<std::string_view>& classes) {
+  const auto has_class = [&](const std::string& name) { return classes.contains(name); };
   return (rule.name.empty() || rule.name == element.name) && std::ranges::all_of(rule.classes, has_class) &&
          std::ranges::all_of(rule.ids, [&](const std::string& id) { return id == element.id; });
 }
@@ -154,16 +166,21 @@ void StyleSheets::add(std::string_view text, const std::vector<std::string>& ref
     for (const Declaration& d : declarations)
       if (std::ranges::find(refused, d.property) != refused.end())
         throw Fault{fmt::format("a style with {} is not read; write it as an attribute", d.property)};
-    const auto drawn = std::ranges::find_if(declarations, says_what_is_drawn);
-    if (drawn == declarations.end()) continue;
+    const std::vector<Declaration> drawn = last_of_drawn(declarations);
+    if (drawn.empty()) continue;
     for (const std::string_view selector : split(head, ",")) {
       std::optional<Rule> rule = parse_selector(selector);
       if (!rule)
         throw Fault{
             fmt::format("{} for {}: of selectors, element, .class, #id and lists of them are read; write {} as "
                         "an attribute of the elements",
-                        drawn->property, mesh_files::shown(selector), drawn->property)};
-      rule->declarations = declarations;
+                        drawn.front().property, mesh_files::shown(selector), drawn.front().property)};
+      // Each is compared with each element.
+      constexpr std::size_t most = 1000;
+      if (rules_.size() == most)
+        throw Fault{fmt::format("more than {} selectors with {}; write it as an attribute of the elements", most,
+                                drawn.front().property)};
+      rule->declarations = drawn;
       rules_.push_back(std::move(*rule));
     }
   }
@@ -181,8 +198,11 @@ std::optional<std::string> StyleSheets::value_of(const std::string& property, co
     value = d.value;
     heaviest = weight;
   };
+  std::set<std::string_view> classes;
+  if (!rules_.empty())
+    for (const std::string_view name : split(element.classes, " \t\n\r\f")) classes.insert(name);
   for (const Rule& rule : rules_)
-    if (matches(rule, element))
+    if (matches(rule, element, classes))
       for (const Declaration& d : rule.declarations)
         take(d, {d.important, false, rule.ids.size(), rule.classes.size(), !rule.name.empty()});
   for (const Declaration& d : parse_declarations(style)) take(d, {d.important, true, 0, 0, false});

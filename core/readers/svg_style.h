@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,10 +41,10 @@ class StyleSheets {
   struct Rule {
     std::string name;  // empty for any
     std::vector<std::string> ids, classes;
-    std::vector<Declaration> declarations;
+    std::vector<Declaration> declarations;  // at most four, of display and visibility
   };
   static std::optional<Rule> parse_selector(std::string_view text);
-  static bool matches(const Rule& rule, const Selected& element);
+  static bool matches(const Rule& rule, const Selected& element, const std::set<std::string_view>& classes);
 
   std::vector<Rule> rules_;
 };

@@ -229,11 +229,21 @@ Transform Transform::after(const Transform& inner) const {
   return {a * x.x + c * x.y, b * x.x + d * x.y, a * y.x + c * y.y, b * y.x + d * y.y, at.x, at.y};
 }
 
+std::size_t Transform::bits() const {
+  std::size_t most = 0;
+  for (const Rational* x : {&a, &b, &c, &d, &e, &f}) {
+    const mpq_srcptr q = x->backend().data();
+    most = std::max(most, mpz_sizeinbase(mpq_numref(q), 2) + mpz_sizeinbase(mpq_denref(q), 2));
+  }
+  return most;
+}
+
 Transform parse_transform(std::string_view text) {
   Transform all;
   Scanner scanner(text);
   while (!scanner.at_end()) {
     all = all.after(take_transform(scanner));
+    if (all.bits() > Transform::kMostBits) throw Fault{Transform::kTooMany};
     scanner.separate();
   }
   return all;

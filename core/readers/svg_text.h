@@ -46,6 +46,12 @@ struct Transform {
   Point operator()(const Point& p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
   /// First `inner`, then this one.
   Transform after(const Transform& inner) const;
+
+  /// How long its longest number is, numerator and denominator. Products of many transforms grow without end.
+  std::size_t bits() const;
+  static constexpr std::size_t kMostBits = 20000;
+  static constexpr const char* kTooMany =
+      "the product of these transforms has numbers of more than 20000 bits; apply them in the program that wrote it";
 };
 
 /// A list of matrix, translate, scale, rotate, skewX and skewY; angles in degrees, quarter turns exact, others to 200

@@ -35,6 +35,7 @@ void cut_polygons(Mesh& mesh, const std::filesystem::path& path) {
   std::vector<std::size_t> lines;
   std::string first;
   std::size_t count = 0;
+  double work = 0;
   const auto add = [&](std::size_t from, std::vector<int> face) {
     faces.push_back(std::move(face));
     if (from < mesh.face_lines.size()) lines.push_back(mesh.face_lines[from]);
@@ -48,6 +49,14 @@ void cut_polygons(Mesh& mesh, const std::filesystem::path& path) {
     std::vector<Vec3<double>> corners;
     corners.reserve(polygon.size());
     for (const int v : polygon) corners.push_back(mesh.vertices[v]);
+    // Cutting takes the square of the number of corners.
+    constexpr double most = 2e8;
+    work += static_cast<double>(polygon.size()) * static_cast<double>(polygon.size());
+    if (work > most)
+      FileLine{path}.fail(fmt::format(
+          "{}: {} corners: cutting the faces up to here in triangles takes too long; triangulate them in the program "
+          "that wrote the file (faces counted from 0)",
+          label_of(mesh, f), polygon.size()));
     const auto triangles = ears_of(corners);
     if (triangles.empty())
       FileLine{path}.fail(fmt::format(

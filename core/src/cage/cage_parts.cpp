@@ -21,6 +21,15 @@
 namespace cageproof::cage_checks {
 namespace {
 
+// With the cage's name in the error.
+std::vector<FaceCrossing> crossings_of(const Candidate& cage) {
+  try {
+    return face_crossings(cage.vertices, cage.faces);
+  } catch (const InputError& error) {
+    fail(cage, error.what());
+  }
+}
+
 // By number a face: surfaces in space, loops in the plane.
 std::vector<int> part_numbers(const Candidate& cage) {
   if (!is_plane(cage)) return surfaces_of(cage.vertices, cage.faces);
@@ -115,8 +124,7 @@ std::vector<std::pair<int, int>> crossing_parts(const Candidate& cage, const std
   for (std::size_t p = 0; p < parts.size(); ++p)
     for (const int f : parts[p].faces) part_of[f] = static_cast<int>(p);
   std::vector<std::pair<int, int>> pairs;
-  for (const FaceCrossing& c : face_crossings(cage.vertices, cage.faces))
-    pairs.push_back(std::minmax({part_of[c.first], part_of[c.second]}));
+  for (const FaceCrossing& c : crossings_of(cage)) pairs.push_back(std::minmax({part_of[c.first], part_of[c.second]}));
   std::ranges::sort(pairs);
   const auto repeated = std::ranges::unique(pairs);
   pairs.erase(repeated.begin(), repeated.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/cage/face_crossings.h"
 
+#include "cageproof/core/input_error.h"
 #include "face_pieces.h"
 #include "geometry/meeting_boxes.h"
 
@@ -8,6 +9,7 @@
 #include <CGAL/Segment_3.h>
 #include <CGAL/Triangle_3.h>
 #include <CGAL/intersections.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -42,6 +44,12 @@ class Soup {
     for_meeting_boxes(boxes_, [&](int a, int b) {
       const auto pair = std::minmax(pieces_[a].face, pieces_[b].face);
       if (pair.first != pair.second && !found.contains(pair) && meet(pieces_[a], pieces_[b])) found.insert(pair);
+      constexpr std::size_t most = 300'000;
+      if (found.size() > most)
+        throw InputError(
+            fmt::format("more than {} pairs of faces cross or touch each other, as faces {} and {} do: this is no "
+                        "surface; does the file hold it many times? (faces counted from 0)",
+                        most, found.begin()->first, found.begin()->second));
     });
     std::vector<FaceCrossing> result;
     result.reserve(found.size());

@@ -4,6 +4,7 @@
 
 #include "cageproof/core/cage/mesh_io.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -51,6 +52,13 @@ double finite_number(std::string_view token, const FileLine& at);
 
 /// The text with A to Z in lower case.
 std::string lower_case(std::string_view text);
+
+/// How many bytes a packed file of such a size is unpacked to: a hundred times as many, or 16 MB. What unpacks to more
+/// is no points, but zeros to fill the memory with.
+constexpr std::size_t most_unpacked(std::size_t packed) {
+  constexpr std::size_t ratio = 100, at_least = std::size_t{16} << 20;
+  return std::max(at_least, ratio * packed);
+}
 
 Mesh read_obj(const std::filesystem::path& path);
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace cageproof::cage_checks {
@@ -65,11 +66,15 @@ void check_places(const Candidate& cage) {
   Connected connected(cage.vertices.size());
   for (const Face& segment : cage.faces) connected.join(segment.vertices[0], segment.vertices[1]);
   std::optional<std::pair<int, int>> first;
-  for (std::size_t k = 0; k < order.size(); ++k)
-    for (std::size_t n = k + 1; n < order.size() && cage.vertices[order[k]] == cage.vertices[order[n]]; ++n) {
-      const std::pair pair{order[k], order[n]};
-      if (connected.root(pair.first) == connected.root(pair.second)) first = first ? std::min(*first, pair) : pair;
-    }
+  // Of the vertices at one place the first one of each polygon.
+  std::map<int, int> first_of;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const int vertex = order[k];
+    if (k == 0 || cage.vertices[order[k - 1]] != cage.vertices[vertex]) first_of.clear();
+    const auto [found, is_new] = first_of.emplace(connected.root(vertex), vertex);
+    const std::pair pair{found->second, vertex};
+    if (!is_new) first = first ? std::min(*first, pair) : pair;
+  }
   if (first)
     fail_vertex(cage, first->second,
                 fmt::format("repeated, it lies where vertex {} does; a closed polyline has one vertex a place, its "
