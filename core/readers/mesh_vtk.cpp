@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // PLY and VTP through VTK. What VTK says becomes an InputError and never reaches the terminal.
 #include "cage/mesh_files.h"
+#include "vtp_check.h"
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
@@ -119,7 +120,10 @@ Mesh read_ply(const std::filesystem::path& path) {
 }
 
 Mesh read_vtp(const std::filesystem::path& path) {
-  const std::size_t size = read_mesh_file(path).size();
+  const std::string file = read_mesh_file(path);
+  const std::size_t size = file.size();
+  if (size > static_cast<std::size_t>(std::numeric_limits<int>::max())) FileLine{path}.fail("the file is too large");
+  check_blocks(file, FileLine{path});
   return read_with<vtkXMLPolyDataReader>(path, [&](vtkXMLPolyDataReader& reader) {
     reader.SetFileName(path.c_str());
     reader.UpdateInformation();
