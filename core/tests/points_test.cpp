@@ -34,6 +34,19 @@ TEST(points_reads, text_in_its_usual_forms) {
   EXPECT_EQ(points_of("p.TXT", "x y z\n0.1 +2 -3\n1e-300 0 0x5p0\n"), kPoints);
 }
 
+TEST(points_rejects, meshes_without_a_suffix_by_their_format) {
+  const TemporaryFolder folder;
+  for (const auto& [text, format, suffix] :
+       std::initializer_list<std::array<std::string_view, 3>>{{"# made by hand\n\nv 0 0 0\n", "OBJ", ".obj"},
+                                                              {"ply\nformat ascii 1.0\n", "PLY", ".ply"},
+                                                              {"OFF\n1 0 0\n0 0 0\n", "OFF", ".off"},
+                                                              {"solid a\n", "STL", ".stl"},
+                                                              {"<?xml version=\"1.0\"?>\n", "XML", ".svg or .vtp"},
+                                                              {"{\"type\":\"Point\"}", "JSON", ".geojson"}})
+    expect_parts(input_error_of([&] { read_points(folder.write("points", text)); }),
+                 {"points: a file in " + std::string(format) + " format", suffix});
+}
+
 TEST(points_reads, any_separator_and_no_extension) {
   EXPECT_EQ(points_of("p.csv", "x;y;z\n0.1;2;-3\n1e-300 ; 0; 5\n"), kPoints);
   EXPECT_EQ(points_of("p.tsv", "X\tY\tZ\n0.1\t2\t-3\n1e-300\t0\t5\n"), kPoints);

@@ -167,6 +167,38 @@ class TextReader {
   std::size_t count_line_ = 0, width_ = 0;
 };
 
+// The format of a mesh that a text without a suffix seems to be, and its suffix; nothing of points.
+struct MeshFormat {
+  std::string_view first, name, suffix;
+};
+std::optional<MeshFormat> mesh_format_of(std::string_view text) {
+  constexpr std::array<MeshFormat, 14> formats{{{"ply", "PLY", ".ply"},
+                                                {"OFF", "OFF", ".off"},
+                                                {"COFF", "OFF", ".off"},
+                                                {"NOFF", "OFF", ".off"},
+                                                {"STOFF", "OFF", ".off"},
+                                                {"solid", "STL", ".stl"},
+                                                {"v", "OBJ", ".obj"},
+                                                {"o", "OBJ", ".obj"},
+                                                {"g", "OBJ", ".obj"},
+                                                {"mtllib", "OBJ", ".obj"},
+                                                {"<?xml", "XML", ".svg or .vtp"},
+                                                {"<svg", "SVG", ".svg"},
+                                                {"<VTKFile", "VTP", ".vtp"},
+                                                {"{", "JSON", ".geojson"}}};
+  std::string_view line;
+  while (take_line(text, line)) {
+    line = without_comment(line);
+    const std::string_view word = take_token(line);
+    if (word.empty()) continue;
+    const bool opens = word[0] == '<' || word[0] == '{';
+    for (const MeshFormat& format : formats)
+      if (opens ? word.starts_with(format.first) : word == format.first) return format;
+    break;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool is_text_of_points(const std::filesystem::path& path) {
@@ -179,6 +211,11 @@ Mesh read_text_points(const std::filesystem::path& path, int dimension) {
   if (file.starts_with("\x93NUMPY")) return points_of_array(file, path);
   if (file.starts_with("PK\x03\x04"))
     FileLine{path}.fail("a ZIP file; arrays of NumPy's in one are read from .npz files");
+  if (const auto format = path.has_extension() ? std::nullopt : mesh_format_of(without_mark(file)))
+    FileLine{path}.fail(
+        fmt::format("a file in {} format, by its first word, where text with a point per line is read; "
+                    "meshes are read from files whose names say the format: {}",
+                    format->name, format->suffix));
   return TextReader(path, dimension).read(without_mark(file));
 }
 
