@@ -36,9 +36,7 @@ CoordinateColumns coordinate_columns(const CageCoordinates& coordinates, const s
 std::string csv_text(const CoordinateColumns& table);
 /// points x columns.
 std::string npy_text(const CoordinateColumns& table);
-/// The mesh with an array for each group.
-MeshField field_of(const CoordinateColumns& table, const Mesh& mesh);
-/// The same as a file.
+/// The mesh with an array a group.
 std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh);
 /// The same with the cage as field data.
 std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh, const reports::DescribedCage& cage);

@@ -258,9 +258,9 @@ void add_deform(CommandLine& line) {
               "such a one, else as recommended")
       .taking("EVALUATION");
   command
-      .option("--out", a->out,
-              ".obj, .ply, .stl, .svg, .vtp, .csv or .npy, with {n} for the number of the map; a .json beside it says "
-              "what was done")
+      .option(
+          "--out", a->out,
+          ".obj, .ply, .vtp, .csv or .npy, with {n} for the number of the map; a .json beside it says what was done")
       .taking("FILE")
       .required();
   command.option("--order", a->order, "1: Jacobians, 2: Hessians, too").in_range(0, 2).showing_default();

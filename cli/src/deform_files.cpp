@@ -20,7 +20,7 @@
 namespace cageproof::cli {
 namespace {
 
-constexpr std::array mesh_extensions{".obj", ".ply", ".stl", ".svg"};
+constexpr std::array mesh_extensions{".obj", ".ply"};
 constexpr std::array table_extensions{".csv", ".npy", ".vtp"};
 constexpr std::array energy_extensions{".csv", ".png"};
 
@@ -96,15 +96,12 @@ void check_names(const DeformArguments& a, std::size_t maps) {
   check_distinct(a, maps);
 }
 
-MeshSource::MeshSource(const std::string& points) : file_(points), extension_(extension_of(points)) {
-  constexpr std::array carried{".obj", ".ply", ".vtp"};
-  if (is_one_of(carried, points)) text_ = read_file(points);
+MeshSource::MeshSource(const std::string& points) : file_(points) {
+  if (extension_of(points) == ".obj") text_ = read_file(points);
 }
 
-std::string MeshSource::with(const Mesh& mesh, const CoordinateColumns& images) {
-  reports::CarriedMesh carried = extension_ == ".obj"   ? reports::obj_with_vertices(text_, mesh.vertices)
-                                 : extension_ == ".ply" ? reports::ply_with_vertices(text_, mesh.vertices)
-                                                        : reports::vtp_with_vertices(text_, field_of(images, mesh));
+std::string MeshSource::obj_with(const std::vector<Vec3<double>>& vertices) {
+  reports::CarriedMesh carried = reports::obj_with_vertices(text_, vertices);
   say_left_out(carried.left_out, "which turn with the surface");
   return std::move(carried.text);
 }
@@ -112,15 +109,6 @@ std::string MeshSource::with(const Mesh& mesh, const CoordinateColumns& images) 
 void MeshSource::say_left_out_of(std::string_view extension) {
   say_left_out(reports::beside_places(file_),
                fmt::format("since {} files are written with vertices, faces and polylines only", extension));
-}
-
-void MeshSource::say_rounded(const Mesh& mesh) {
-  const auto is_rounded = [](const Vec3<double>& v) { return v.cast<float>().cast<double>() != v; };
-  const auto count = std::ranges::count_if(mesh.vertices, is_rounded);
-  if (count == 0 || is_rounding_said_) return;
-  fmt::print(stderr, "warning: {} of {} vertices are rounded to single precision, which .stl files have\n", count,
-             mesh.vertices.size());
-  is_rounding_said_ = true;
 }
 
 void MeshSource::say_left_out(const std::vector<std::string>& what, std::string_view why) {
@@ -132,20 +120,10 @@ void MeshSource::say_left_out(const std::vector<std::string>& what, std::string_
 std::string text_for(const std::filesystem::path& file, const Mesh& mesh, const CoordinateColumns& images,
                      MeshSource& source) {
   const std::string extension = extension_of(file);
-  if (source.is_carried_to(extension)) return source.with(mesh, images);
+  if (extension == ".obj" && source.is_obj()) return source.obj_with(mesh.vertices);
   if (is_one_of(mesh_extensions, file) || extension == ".vtp") source.say_left_out_of(extension);
-  try {
-    if (extension == ".obj") return reports::obj_text(mesh);
-    if (extension == ".ply") return reports::ply_text(mesh);
-    if (extension == ".stl") {
-      std::string text = reports::stl_text(mesh);
-      source.say_rounded(mesh);
-      return text;
-    }
-    if (extension == ".svg") return reports::svg_text(mesh);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("--out {}: {}", file.string(), error.what()));
-  }
+  if (extension == ".obj") return reports::obj_text(mesh);
+  if (extension == ".ply") return reports::ply_text(mesh);
   if (extension == ".npy") return npy_text(images);
   if (extension == ".vtp") return vtp_text(images, mesh);
   return csv_text(images);

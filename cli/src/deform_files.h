@@ -40,20 +40,17 @@ class MeshSource {
  public:
   explicit MeshSource(const std::string& points);
 
-  /// Whether files of that extension take it along: its own, of a mesh file.
-  bool is_carried_to(std::string_view extension) const { return !text_.empty() && extension == extension_; }
-  /// Its text with other vertices; of a .vtp with arrays of images, too. \pre is_carried_to
-  std::string with(const Mesh& mesh, const CoordinateColumns& images);
+  bool is_obj() const { return !text_.empty(); }
+  /// Its text with other vertices. \pre is_obj()
+  std::string obj_with(const std::vector<Vec3<double>>& vertices);
   /// Says what files of that extension do not take along.
   void say_left_out_of(std::string_view extension);
-  /// Says how many vertices single precision rounds, where any are.
-  void say_rounded(const Mesh& mesh);
 
  private:
   void say_left_out(const std::vector<std::string>& what, std::string_view why);
 
-  std::string file_, extension_, text_;  // the text of files that may be carried
-  bool is_said_ = false, is_rounding_said_ = false;
+  std::string file_, text_;  // text_ of an OBJ
+  bool is_said_ = false;
 };
 
 /// A file's whole text, in the format of its extension.
