@@ -169,6 +169,7 @@ int run(const DeformArguments& a) {
   check_names(a, chosen.constrained ? 1 : a.posed.size() * chosen.parameters.size());
   const auto [cage, merging] = a.cage.load_merged();
   Mesh mesh = load_points(a.points, cage.dimension());
+  check_shapes(a, mesh, cage.dimension());
   // Solving takes its time: what can be refused before is.
   const std::string_view kind = chosen.constrained ? chosen.constrained->kind : method_of(a).kind;
   if (!kind.empty()) require_order(a, highest_order(coordinate_kind_named(kind), cage, a.evaluation));
@@ -258,9 +259,9 @@ void add_deform(CommandLine& line) {
               "such a one, else as recommended")
       .taking("EVALUATION");
   command
-      .option(
-          "--out", a->out,
-          ".obj, .ply, .vtp, .csv or .npy, with {n} for the number of the map; a .json beside it says what was done")
+      .option("--out", a->out,
+              ".obj, .ply, .stl, .svg, .vtp, .csv or .npy, with {n} for the number of the map; a .json beside it says "
+              "what was done")
       .taking("FILE")
       .required();
   command.option("--order", a->order, "1: Jacobians, 2: Hessians, too").in_range(0, 2).showing_default();

@@ -20,7 +20,7 @@
 namespace cageproof::cli {
 namespace {
 
-constexpr std::array mesh_extensions{".obj", ".ply"};
+constexpr std::array mesh_extensions{".obj", ".ply", ".stl", ".svg"};
 constexpr std::array table_extensions{".csv", ".npy", ".vtp"};
 constexpr std::array energy_extensions{".csv", ".png"};
 
@@ -96,6 +96,17 @@ void check_names(const DeformArguments& a, std::size_t maps) {
   check_distinct(a, maps);
 }
 
+void check_shapes(const DeformArguments& a, const Mesh& mesh, int dimension) {
+  const std::string extension = extension_of(a.out);
+  const bool stl = extension == ".stl", svg = extension == ".svg";
+  std::string reason;
+  if (svg && dimension != 2) reason = "drawings lie in the plane, and the cage in space";
+  else if (stl && mesh.faces.empty()) reason = fmt::format("STL is made of faces, and {} has none", a.points);
+  else if (svg && mesh.segments.empty()) reason = fmt::format("SVG is made of polylines, and {} has none", a.points);
+  if (reason.empty()) return;
+  throw InputError(fmt::format("--out {}: {}; use .obj, .ply or {}", a.out, reason, fmt::join(table_extensions, ", ")));
+}
+
 MeshSource::MeshSource(const std::string& points) : file_(points) {
   if (extension_of(points) == ".obj") text_ = read_file(points);
 }
@@ -106,21 +117,41 @@ std::string MeshSource::obj_with(const std::vector<Vec3<double>>& vertices) {
   return std::move(carried.text);
 }
 
-void MeshSource::say_left_out_of(std::string_view extension) {
-  say_left_out(reports::beside_places(file_),
-               fmt::format("since {} files are written with vertices, faces and polylines only", extension));
+void MeshSource::say_left_out_of(std::string_view extension, const std::vector<std::string>& also) {
+  std::vector<std::string> what = reports::beside_places(file_);
+  what.insert(what.end(), also.begin(), also.end());
+  const std::string_view kept = extension == ".stl"   ? "triangles"
+                                : extension == ".svg" ? "polylines"
+                                                      : "vertices, faces and polylines";
+  say_left_out(what, fmt::format("since {} files are written with {} only", extension, kept));
 }
 
 void MeshSource::say_left_out(const std::vector<std::string>& what, std::string_view why) {
-  if (what.empty() || is_said_) return;
-  fmt::print(stderr, "warning: {}: left out: {}, {}\n", file_, fmt::join(what, ", "), why);
-  is_said_ = true;
+  if (!what.empty()) say(fmt::format("left out: {}, {}", fmt::join(what, ", "), why));
+}
+
+void MeshSource::say(const std::string& warning) {
+  if (said_.insert(warning).second) fmt::print(stderr, "warning: {}: {}\n", file_, warning);
+}
+
+std::string MeshSource::text_of(const std::filesystem::path& file, const Mesh& mesh) {
+  const std::string extension = extension_of(file);
+  reports::PartialMeshText made;
+  try {
+    made = extension == ".stl" ? reports::stl_text(mesh) : reports::svg_text(mesh);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+  say_left_out_of(extension, made.left_out);
+  for (const std::string& change : made.changed) say(change);
+  return std::move(made.text);
 }
 
 std::string text_for(const std::filesystem::path& file, const Mesh& mesh, const CoordinateColumns& images,
                      MeshSource& source) {
   const std::string extension = extension_of(file);
   if (extension == ".obj" && source.is_obj()) return source.obj_with(mesh.vertices);
+  if (extension == ".stl" || extension == ".svg") return source.text_of(file, mesh);
   if (is_one_of(mesh_extensions, file) || extension == ".vtp") source.say_left_out_of(extension);
   if (extension == ".obj") return reports::obj_text(mesh);
   if (extension == ".ply") return reports::ply_text(mesh);

@@ -7,6 +7,7 @@
 #include "posing.h"
 
 #include <filesystem>
+#include <set>
 
 namespace cageproof::cli {
 
@@ -34,6 +35,9 @@ std::vector<std::pair<std::string, std::string>> given_data(const DeformArgument
 /// written, whose folder does not exist, or that is read or written, too
 void check_names(const DeformArguments& a, std::size_t maps);
 
+/// \throws InputError where --out is of a format that has no place for what the points are
+void check_shapes(const DeformArguments& a, const Mesh& mesh, int dimension);
+
 /// The file of --points, of which images take along what does not depend on places, and what of it is left out, said
 /// once on standard error.
 class MeshSource {
@@ -43,14 +47,17 @@ class MeshSource {
   bool is_obj() const { return !text_.empty(); }
   /// Its text with other vertices. \pre is_obj()
   std::string obj_with(const std::vector<Vec3<double>>& vertices);
-  /// Says what files of that extension do not take along.
-  void say_left_out_of(std::string_view extension);
+  /// STL or SVG, by the file's extension, which hold parts of a mesh.
+  std::string text_of(const std::filesystem::path& file, const Mesh& mesh);
+  /// Says what files of that extension do not take along. \param also of the mesh
+  void say_left_out_of(std::string_view extension, const std::vector<std::string>& also = {});
 
  private:
   void say_left_out(const std::vector<std::string>& what, std::string_view why);
+  void say(const std::string& warning);
 
   std::string file_, text_;  // text_ of an OBJ
-  bool is_said_ = false;
+  std::set<std::string> said_;
 };
 
 /// A file's whole text, in the format of its extension.

@@ -68,6 +68,26 @@ grep -q '^warning: painted.obj: left out: materials, texture coordinates, normal
 "$cageproof" deform --cage cube --posed cube --points kept.obj --method mean_value --outside rest --out other.csv || fail "an OBJ read again"
 cmp -s again.csv other.csv || fail "PLY and OBJ differ"
 
+# STL: triangles of the faces, in single precision, of which a warning tells once.
+"$cageproof" deform "${common[@]}" --posed cube --method mean_value --out 'moved_{n}.stl' 2>said || fail "STL"
+[ "$(wc -c <moved_1.stl)" -eq $((84 + 3 * 50)) ] || fail "not three triangles: $(wc -c <moved_1.stl) bytes"
+[ "$(cat said)" = 'warning: mesh.obj: STL is single precision: coordinates are rounded to about 7 digits' ] || fail "warnings of STL: $(cat said)"
+grep -q '"method": "mean_value"' moved_1.json || fail "no report beside an STL"
+"$cageproof" deform --cage cube --posed cube --points moved_2.stl --method mean_value --out again.obj || fail "an STL read again"
+[ "$(grep -c '^v ' again.obj) $(grep -c '^f ' again.obj)" = '5 3' ] || fail "not the same surface: $(cat again.obj)"
+awk '$1 == "v" {print $1, $2 * 1e39, $3 * 1e39, $4 * 1e39}' large.obj >huge.obj
+rm -f moved_* said
+
+# SVG: polylines of the plane, which are read again as they were written.
+printf '<svg><path d="M.1,.9 L.1,.2 .3333333333333333,.1z"/><polyline points=".5 .5 .7 .9"/></svg>\n' >drawn.svg
+awk 'BEGIN {print "-0.5,0.5"; print "0.5,0.25"; print "0.25,1.5"; print "-0.5,1.25"}' >bent_square.csv
+"$cageproof" deform --cage square --posed bent_square.csv --points drawn.svg --outside rest --method mean_value --out bent.svg 2>/dev/null || fail "SVG"
+"$cageproof" deform --cage square --posed bent_square.csv --points drawn.svg --outside rest --method mean_value --out bent.csv 2>/dev/null || fail "SVG as CSV"
+[ "$(grep -c '<path.* Z"' bent.svg) $(grep -c '<path' bent.svg)" = '1 2' ] || fail "polylines: $(cat bent.svg)"
+"$cageproof" deform --cage square --posed square --points bent.svg --outside rest --method mean_value --out again.obj 2>/dev/null || fail "an SVG read again"
+[ "$(grep -c '^l ' again.obj)" -eq 4 ] || fail "segments: $(cat again.obj)"
+rm -f bent.* bent_square.csv
+
 # A posed cage that numbers its vertices otherwise says so by its faces.
 printf 'f 1 2 8\nf 2 3 4\n' | cat large.obj - >numbered.obj
 "$cageproof" deform --cage cube --posed numbered.obj --points mesh.obj --method mean_value --out numbered.csv 2>said || fail "a pose with other faces"
@@ -325,7 +345,11 @@ printf '%s\n' '-0.6,-0.5,-0.7' '0.5,-0.5,-0.5' '-0.5,0.5,-0.5' '0.5,0.2,-0.4' '-
 refuses 'number 0' 'not finite' -- --cage cube --posed pulled.csv --points mesh.obj --method somigliana --parameter gamma=900000 --outside rest --out out.csv
 refuses missing.obj -- --cage cube --posed missing.obj --points mesh.obj --method green --out out.obj
 refuses mesh.obj '5 vertices, the rest cage 8' -- --cage cube --posed mesh.obj --points mesh.obj --method green --out out.obj
-refuses .stl -- "${common[@]}" --method green --out out.stl
+refuses .off .stl .svg -- "${common[@]}" --method green --out out.off
+refuses corner.csv faces .csv -- --cage cube --posed large.obj --points corner.csv --method green --out out.stl
+refuses plane -- "${common[@]}" --method green --out out.svg
+refuses points.csv polylines -- --cage square --posed square --points points.csv --method somigliana --out out.svg
+refuses beyond.stl 'vertex 0 ' 'single precision' -- --cage cube --posed huge.obj --points mesh.obj --method mean_value --out beyond.stl
 refuses --derivatives -- "${common[@]}" --method green --order 1 --out out.obj
 refuses '{n}' -- "${common[@]}" --posed cube --method green --out out.obj
 refuses '--outside nan' -- "${common[@]}" --method green --outside nan --out out.obj

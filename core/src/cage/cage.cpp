@@ -21,11 +21,6 @@
 namespace cageproof {
 namespace {
 
-// Exact, so that the split never hangs on a rounding.
-Mp100 squared_distance(const Vec3<double>& a, const Vec3<double>& b) {
-  return Vec3<Mp100>(convert<Mp100>(a) - convert<Mp100>(b)).squaredNorm();
-}
-
 // Turns the parts that face the wrong way, or throws.
 void orient_parts(const cage_checks::Candidate& cage, std::vector<Face>& faces, bool flip_inward) {
   const std::vector<cage_checks::Part> parts = cage_checks::parts_of(cage);
@@ -201,22 +196,11 @@ Cage::Triangles Cage::triangulate(Triangulation rule) const {
     result.face_of.push_back(static_cast<int>(face));
   };
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const std::span<const ElementSplit> splits = type_of(faces_[f].kind()).splits;
-    if (splits.empty()) {
+    if (type_of(faces_[f].kind()).splits.empty()) {
       add(f, {0, 1, 2});
       continue;
     }
-    const auto length = [&](const ElementSplit& split) {
-      const auto& vertex = faces_[f].vertices;
-      return squared_distance(vertices_[vertex[split.diagonal[0]]], vertices_[vertex[split.diagonal[1]]]);
-    };
-    auto chosen = rule == Triangulation::Shortest ? std::ranges::min_element(splits, {}, length) : splits.begin();
-    if (folds(vertices_, faces_[f], *chosen)) {
-      const auto unfolded =
-          std::ranges::find_if(splits, [&](const ElementSplit& split) { return !folds(vertices_, faces_[f], split); });
-      if (unfolded != splits.end()) chosen = unfolded;
-    }
-    for (const auto& triangle : chosen->triangles) add(f, triangle);
+    for (const auto& triangle : split_of(vertices_, faces_[f], rule).triangles) add(f, triangle);
   }
   return result;
 }

@@ -3,8 +3,15 @@
 
 #include "cageproof/core/geometry/orientation.h"
 
+#include <algorithm>
+
 namespace cageproof {
 namespace {
+
+// Exact, so that the split never hangs on a rounding.
+Mp100 squared_distance(const Vec3<double>& a, const Vec3<double>& b) {
+  return Vec3<Mp100>(convert<Mp100>(a) - convert<Mp100>(b)).squaredNorm();
+}
 
 std::array<Triangle<double>, 2> halves_of(const std::vector<Vec3<double>>& vertices, const Face& face,
                                           const ElementSplit& split) {
@@ -30,6 +37,18 @@ void add_pieces(const std::vector<Vec3<double>>& vertices, const Face& face, con
 bool folds(const std::vector<Vec3<double>>& vertices, const Face& face, const ElementSplit& split) {
   const auto [first, second] = halves_of(vertices, face, split);
   return sign_with_both_normals(first, second) < 0 || sign_with_both_normals(second, first) < 0;
+}
+
+const ElementSplit& split_of(const std::vector<Vec3<double>>& vertices, const Face& face, Triangulation rule) {
+  const std::span<const ElementSplit> splits = type_of(face.kind()).splits;
+  const auto length = [&](const ElementSplit& split) {
+    return squared_distance(vertices[face.vertices[split.diagonal[0]]], vertices[face.vertices[split.diagonal[1]]]);
+  };
+  const auto chosen = rule == Triangulation::Shortest ? std::ranges::min_element(splits, {}, length) : splits.begin();
+  if (!folds(vertices, face, *chosen)) return *chosen;
+  const auto unfolded =
+      std::ranges::find_if(splits, [&](const ElementSplit& split) { return !folds(vertices, face, split); });
+  return unfolded != splits.end() ? *unfolded : *chosen;
 }
 
 Pieces pieces_of(const std::vector<Vec3<double>>& vertices, const Face& face) {

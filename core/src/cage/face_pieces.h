@@ -14,6 +14,10 @@ using Pieces = std::vector<std::array<int, 3>>;
 /// that is concave.
 bool folds(const std::vector<Vec3<double>>& vertices, const Face& face, const ElementSplit& split);
 
+/// How a quad is cut: along its shorter diagonal, or at its first corner, but along the other one where that folds it
+/// and the other does not.
+const ElementSplit& split_of(const std::vector<Vec3<double>>& vertices, const Face& face, Triangulation rule);
+
 /// A face's triangles. A quad is cut by the diagonal at its first corner, or by the other one where that folds it, as
 /// in an arrowhead. Triangles without area are left out.
 Pieces pieces_of(const std::vector<Vec3<double>>& vertices, const Face& face);
