@@ -101,8 +101,6 @@ std::string npy_text(const CoordinateColumns& table) {
   return xt::dump_npy(xt::adapt(table.values, shape));
 }
 
-namespace {
-
 MeshField field_of(const CoordinateColumns& table, const Mesh& mesh) {
   MeshField field{"coordinates", mesh.vertices, mesh.faces, {}, mesh.segments};
   const std::size_t columns = table.names.size();
@@ -116,8 +114,6 @@ MeshField field_of(const CoordinateColumns& table, const Mesh& mesh) {
   }
   return field;
 }
-
-}  // namespace
 
 std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh) {
   return reports::vtp_text(field_of(table, mesh));

@@ -37,6 +37,8 @@ std::string csv_text(const CoordinateColumns& table);
 /// points x columns.
 std::string npy_text(const CoordinateColumns& table);
 /// The mesh with an array a group.
+MeshField field_of(const CoordinateColumns& table, const Mesh& mesh);
+/// The same as text.
 std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh);
 /// The same with the cage as field data.
 std::string vtp_text(const CoordinateColumns& table, const Mesh& mesh, const reports::DescribedCage& cage);

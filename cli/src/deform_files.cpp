@@ -107,13 +107,21 @@ void check_shapes(const DeformArguments& a, const Mesh& mesh, int dimension) {
   throw InputError(fmt::format("--out {}: {}; use .obj, .ply or {}", a.out, reason, fmt::join(table_extensions, ", ")));
 }
 
-MeshSource::MeshSource(const std::string& points) : file_(points) {
-  if (extension_of(points) == ".obj") text_ = read_file(points);
+MeshSource::MeshSource(const std::string& points) : file_(points), extension_(extension_of(points)) {
+  if (extension_ == ".obj" || extension_ == ".ply") text_ = read_file(points);
 }
 
-std::string MeshSource::obj_with(const std::vector<Vec3<double>>& vertices) {
-  reports::CarriedMesh carried = reports::obj_with_vertices(text_, vertices);
+bool MeshSource::is_carried_to(std::string_view extension) const {
+  return extension == extension_ && (extension == ".obj" || extension == ".ply" || extension == ".vtp");
+}
+
+std::string MeshSource::with_images(const Mesh& mesh, const CoordinateColumns& images) {
+  reports::CarriedMesh carried = extension_ == ".obj" ? reports::obj_with_vertices(text_, mesh.vertices)
+                                 : extension_ == ".ply"
+                                     ? reports::ply_with_vertices(text_, mesh.vertices)
+                                     : reports::vtp_with_vertices(file_, mesh.vertices, field_of(images, mesh));
   say_left_out(carried.left_out, "which turn with the surface");
+  say_left_out(carried.replaced, "in whose place this run's stand");
   return std::move(carried.text);
 }
 
@@ -150,7 +158,7 @@ std::string MeshSource::text_of(const std::filesystem::path& file, const Mesh& m
 std::string text_for(const std::filesystem::path& file, const Mesh& mesh, const CoordinateColumns& images,
                      MeshSource& source) {
   const std::string extension = extension_of(file);
-  if (extension == ".obj" && source.is_obj()) return source.obj_with(mesh.vertices);
+  if (source.is_carried_to(extension)) return source.with_images(mesh, images);
   if (extension == ".stl" || extension == ".svg") return source.text_of(file, mesh);
   if (is_one_of(mesh_extensions, file) || extension == ".vtp") source.say_left_out_of(extension);
   if (extension == ".obj") return reports::obj_text(mesh);

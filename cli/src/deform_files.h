@@ -44,9 +44,10 @@ class MeshSource {
  public:
   explicit MeshSource(const std::string& points);
 
-  bool is_obj() const { return !text_.empty(); }
-  /// Its text with other vertices. \pre is_obj()
-  std::string obj_with(const std::vector<Vec3<double>>& vertices);
+  /// Whether files of that extension take along what it has.
+  bool is_carried_to(std::string_view extension) const;
+  /// Its text with other vertices; VTP with arrays of the images, too. \pre is_carried_to its own extension
+  std::string with_images(const Mesh& mesh, const CoordinateColumns& images);
   /// STL or SVG, by the file's extension, which hold parts of a mesh.
   std::string text_of(const std::filesystem::path& file, const Mesh& mesh);
   /// Says what files of that extension do not take along. \param also of the mesh
@@ -56,7 +57,7 @@ class MeshSource {
   void say_left_out(const std::vector<std::string>& what, std::string_view why);
   void say(const std::string& warning);
 
-  std::string file_, text_;  // text_ of an OBJ
+  std::string file_, extension_, text_;  // text_ of OBJ and PLY
   std::set<std::string> said_;
 };
 

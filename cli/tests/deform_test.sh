@@ -88,6 +88,34 @@ awk 'BEGIN {print "-0.5,0.5"; print "0.5,0.25"; print "0.25,1.5"; print "-0.5,1.
 [ "$(grep -c '^l ' again.obj)" -eq 4 ] || fail "segments: $(cat again.obj)"
 rm -f bent.* bent_square.csv
 
+# A PLY that is written from a PLY keeps its comments, properties and elements, a VTP its arrays.
+{
+  printf 'ply\nformat ascii 1.0\ncomment TextureFile skin.png\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n'
+  printf 'property float ny\nproperty float nz\nproperty uchar red\nelement face 1\nproperty list uchar int vertex_indices\nproperty float quality\nend_header\n'
+  printf '0 0 0 0 0 1 7\n0.25 0 0 0 0 1 8\n0 0.25 0 0 0 1 9\n3 0 1 2 0.5\n'
+} >scan.ply
+"$cageproof" deform --cage cube --posed large.obj --points scan.ply --method mean_value --out kept.ply 2>said || fail "a PLY of a PLY"
+[ "$(cat said)" = 'warning: scan.ply: left out: normals, which turn with the surface' ] || fail "warnings of PLY: $(cat said)"
+for line in 'comment TextureFile skin.png' 'property double x' 'property uchar red' 'property float quality' '3 0 1 2 0.5'; do grep -qx "$line" kept.ply || fail "lost: $line"; done
+grep -q 'property float n' kept.ply && fail "normals stay: $(cat kept.ply)"
+awk 'NF == 4 && $4 == 8 {found = ($1 - 0.5) ^ 2 + $2 ^ 2 + $3 ^ 2 < 1e-28} END {exit !found}' kept.ply || fail "not twice as large: $(cat kept.ply)"
+cat >scan.vtp <<'VTP'
+<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>
+<Piece NumberOfPoints="3" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="1">
+<PointData Scalars="heat"><DataArray type="Int16" Name="heat" format="ascii">7 8 9</DataArray>
+<DataArray type="Float32" Name="Normals" NumberOfComponents="3" format="ascii">0 0 1 0 0 1 0 0 1</DataArray></PointData>
+<CellData><DataArray type="UInt8" Name="part" format="ascii">5</DataArray></CellData>
+<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">0 0 0 0.25 0 0 0 0.25 0</DataArray></Points>
+<Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2</DataArray><DataArray type="Int32" Name="offsets" format="ascii">3</DataArray></Polys>
+</Piece></PolyData></VTKFile>
+VTP
+"$cageproof" deform --cage cube --posed large.obj --points scan.vtp --method mean_value --out kept.vtp 2>said || fail "a VTP of a VTP"
+[ "$(cat said)" = 'warning: scan.vtp: left out: normals, which turn with the surface' ] || fail "warnings of VTP: $(cat said)"
+for array in 'type="Int16" Name="heat"' 'type="UInt8" Name="part"' 'type="Float64" Name="Points"' 'Name="image \[1\]"'; do grep -qa "$array" kept.vtp || fail "no $array"; done
+grep -qa Normals kept.vtp && fail "normals stay in a VTP"
+"$cageproof" deform --cage cube --posed cube --points kept.vtp --method mean_value --outside rest --out again.vtp 2>said || fail "a VTP read again"
+grep -qx 'warning: kept.vtp: left out: array image \[1\], in whose place this run.s stand' said || fail "no word of an array: $(cat said)"
+
 # A posed cage that numbers its vertices otherwise says so by its faces.
 printf 'f 1 2 8\nf 2 3 4\n' | cat large.obj - >numbered.obj
 "$cageproof" deform --cage cube --posed numbered.obj --points mesh.obj --method mean_value --out numbered.csv 2>said || fail "a pose with other faces"
