@@ -6,17 +6,15 @@
 
 #include <fmt/format.h>
 
+#include <vtkAbstractArray.h>
 #include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkInformation.h>
-#include <vtkInformationDoubleVectorKey.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataReader.h>
-
-#include <algorithm>
-#include <array>
 
 namespace cageproof::reports {
 namespace {
@@ -29,18 +27,6 @@ bool leave_out_normals(vtkDataSetAttributes& arrays) {
     found = true;
   }
   return found;
-}
-
-// VTK's writer stores the range of the vectors' lengths, and its reader takes no infinity or NaN there.
-void make_ranges_finite(vtkDataSetAttributes& arrays) {
-  for (int i = 0; i < arrays.GetNumberOfArrays(); ++i) {
-    vtkDataArray* const array = arrays.GetArray(i);
-    if (!array || array->GetNumberOfComponents() < 2) continue;
-    std::array<double, 2> range{};
-    array->GetFiniteRange(range.data(), -1);
-    if (!(range[0] <= range[1])) range = {0, 0};
-    array->GetInformation()->Set(vtkDataArray::L2_NORM_RANGE(), range.data(), 2);
-  }
 }
 
 }  // namespace
@@ -62,8 +48,6 @@ CarriedMesh vtp_with_vertices(const std::filesystem::path& file, std::span<const
   CarriedMesh carried;
   const bool of_points = leave_out_normals(*data.GetPointData()), of_cells = leave_out_normals(*data.GetCellData());
   if (of_points || of_cells) carried.left_out.emplace_back("normals");
-  make_ranges_finite(*data.GetPointData());
-  make_ranges_finite(*data.GetCellData());
   const vtkSmartPointer<vtkPolyData> fresh = poly_of(images);
   vtkPointData& added = *fresh->GetPointData();
   for (int i = 0; i < added.GetNumberOfArrays(); ++i) {
