@@ -100,9 +100,11 @@ TEST(CarriedMesh, keeps_the_bytes_of_a_binary_ply) {
         "property list int uint vertex_index\nproperty double weight\n";
     const auto byte = [](int x) { return static_cast<std::uint8_t>(x); };
     const auto word = [](int x) { return static_cast<std::uint16_t>(x); };
-    std::string text = format + "property float x\nproperty float y\nproperty float z\nproperty float nz\n" + behind +
-                       "property float nx\nend_header\n";
-    std::string wanted = format + "property double x\nproperty double y\nproperty double z\n" + behind + "end_header\n";
+    std::string text = fmt::format(
+        "{}property float x\nproperty float y\nproperty float z\nproperty float nz\n{}property float nx\nend_header\n",
+        format, behind);
+    std::string wanted =
+        fmt::format("{}property double x\nproperty double y\nproperty double z\n{}end_header\n", format, behind);
     for (int i = 0; i < 3; ++i) {
       const std::string kept = bytes_of(big, byte(10 + i), word(2), word(513), word(7 * i));
       text += bytes_of(big, 1.0F * static_cast<float>(i), 0.0F, 0.0F, 1.0F) + kept;
