@@ -136,7 +136,8 @@ reports::DescribedCage described_cage(const CageCoordinates& coordinates, const 
   reports::DescribedCage described;
   described.dimension = elements.dimension();
   described.vertices = elements.vertices();
-  described.faces = cage.parts(coordinates.kind().keeps_quads, rule).face_of;
+  for (const int f : cage.parts(coordinates.kind().keeps_quads, rule).face_of)
+    described.faces.push_back(cage.face_number(static_cast<std::size_t>(f)));
   described.normals = elements.normals();
   for (std::size_t e = 0; e < elements.count(); ++e) {
     const auto vertices = elements.vertices_of(e);
@@ -158,6 +159,8 @@ Json description_of(const CageCoordinates& coordinates, const CoordinateColumns&
   json["cage"] = run.cage_file;
   json["points"] = run.points_file;
   if (!run.data_file.empty()) json["data"] = run.data_file;
+  if (!std::isnan(run.merge)) json["merge"] = run.merge;
+  if (run.on > 0) json["on"] = run.on;
   json["dimension"] = elements.dimension();
   json["element"] = element_name(elements);
   json["triangulation"] = kind.keeps_quads ? "none" : run.triangulation;

@@ -22,6 +22,7 @@ struct DescribedRun {
   std::string cage_file, points_file, triangulation, data_file;
   std::vector<double> parameters;  ///< in the order of parameters_of(kind); empty for their defaults
   int order = 0;
+  double merge = std::numeric_limits<double>::quiet_NaN(), on = 0;  ///< of --merge and --on
 };
 
 /// The elements that coordinates belong to, as others take them; without metadata.

@@ -91,6 +91,7 @@ int run(const Arguments& a) {
   const CoordinateKind& kind = a.keep_quads ? keeping_quads(named) : named;
   if (a.cage.allow_invalid_quads && !kind.keeps_quads)
     throw InputError(fmt::format("--allow-invalid-quads: {} splits quads in triangles", kind.name));
+  require_one_reader_of_input({{a.cage.file, "--cage"}, {a.points, "--points"}, {a.data, "--data"}});
   if (!a.out.empty())
     check_coordinate_files(
         a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}, {a.data, "--data"}, {a.solved, "--solved"}});
@@ -98,12 +99,13 @@ int run(const Arguments& a) {
   if (cage.allows_invalid_quads())
     for (const std::string& fault : invalid_quads(cage))
       warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
-  Mesh mesh = load_points(a.points, cage.dimension());
+  const Mesh mesh = load_points(a.points, cage.dimension());
   const std::vector<double> parameters = parameters_from(a.parameters, parameters_of(kind), kind.name);
   const CageCoordinates coordinates(
       cage, kind,
       CoordinateOptions{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(), parameters});
-  take_onto_cage(a.on, coordinates, cage.size(), mesh.vertices, a.jobs);
+  std::vector<Vec3<double>> points = mesh.vertices;
+  take_onto_cage(a.on, coordinates, cage.size(), points, a.jobs);
   for (const CoordinateBlock& block : coordinates.blocks())
     if (block.reproduces == Reproduces::Normals && !std::isfinite(block.normal_factor))
       warn(fmt::format(
@@ -113,17 +115,18 @@ int run(const Arguments& a) {
   tell_solved(coordinates);
   if (!a.solved.empty()) reports::replace_file(a.solved, solved_json(coordinates).dump(2) + '\n');
   Progress progress;
-  CoordinateColumns table = coordinate_columns(coordinates, mesh.vertices, a.order, a.jobs, [&](std::size_t done) {
+  CoordinateColumns table = coordinate_columns(coordinates, points, a.order, a.jobs, [&](std::size_t done) {
     progress("coordinates", done, mesh.vertices.size());
   });
   progress.clear();
   const validation::CoordinateSummary summary =
-      validation::summary_of(coordinates, cage, a.cage.rule(), mesh.vertices, table.values, a.jobs);
+      validation::summary_of(coordinates, cage, a.cage.rule(), points, table.values, a.jobs);
   if (!a.data.empty()) table = functions_of(table, coordinates, a.order, data);
   if (a.out.empty()) {
     std::cout << csv_text(table);
   } else {
-    const DescribedRun described{a.cage.file, a.points, a.cage.triangulate, a.data, parameters, a.order};
+    const DescribedRun described{a.cage.file, a.points, a.cage.triangulate, a.data,
+                                 parameters,  a.order,  a.cage.merge,       a.on};
     reports::replace_files(coordinate_files(a.out, table, mesh, described_cage(coordinates, cage, a.cage.rule()),
                                             description_of(coordinates, table, described), coordinates));
   }

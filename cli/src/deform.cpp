@@ -8,6 +8,7 @@
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/catalogue/unknown_name.h"
+#include "cageproof/deformation/nearest_element.h"
 #include "cageproof/reports/checked_file.h"
 
 #include <fmt/format.h>
@@ -118,6 +119,28 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
   return json;
 }
 
+// What may be done with points without image, of which the first is named.
+std::string advice_for(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point) {
+  std::string advice = "--outside rest leaves them where they are, --outside nan writes nan";
+  if (coordinates.kind().extends) advice += ", --outside extend continues the map through the nearest face";
+  const double share = NearestElements(coordinates.elements()).of(point).distance / cage.size();
+  // Roundings of doubles and floats.
+  if (region_of(coordinates) && share > 0 && share < 1e-6)
+    advice +=
+        fmt::format("; it is {:.2g} of the cage's size away, and --on {:.0e} takes such points for points on the cage",
+                    share, std::pow(10., std::ceil(std::log10(share))));
+  return advice;
+}
+
+void tell_continued(const PointImages& images, double size) {
+  const auto count = std::ranges::count_if(images.beyond, [](double way) { return way > 0; });
+  if (count > 0)
+    fmt::print(
+        stderr,
+        "{} of {} points are outside, by at most {:.3g} of the cage's size, and continued through the nearest face\n",
+        count, images.beyond.size(), std::ranges::max(images.beyond) / size);
+}
+
 // Images that can be written, by --outside. \throws InputError for the first point that has none
 PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage& cage, const Mesh& mesh) {
   std::vector<const Posed<double>*> maps;
@@ -137,15 +160,13 @@ PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage
         "take",
         maps.size() > 1 ? fmt::format("map {}: ", place->map + 1) : "", place->point));
   const auto missing = std::ranges::count(images.missing, 1);
+  const auto first = static_cast<std::size_t>(std::ranges::find(images.missing, 1) - images.missing.begin());
   if (missing > 0 && a.outside == "error")
     throw InputError(fmt::format(
         "{} of {} points, the first of them number {}, are outside {} or have no coordinates "
-        "there; --outside rest leaves them where they are, --outside nan writes nan{}",
-        missing, mesh.vertices.size(), std::ranges::find(images.missing, 1) - images.missing.begin(), cage.name(),
-        coordinates.kind().extends
-            ? ", --outside extend continues the map through the nearest face, --on 1e-12 takes points that are outside "
-              "by a rounding for points on the cage"
-            : ""));
+        "there; {}",
+        missing, mesh.vertices.size(), first, cage.name(), advice_for(coordinates, cage, mesh.vertices[first])));
+  tell_continued(images, cage.size());
   fill_missing(images, mesh.vertices, cage.dimension(), a.outside == "rest" ? Missing::Rest : Missing::Nan);
   return images;
 }
@@ -200,6 +221,9 @@ int run(const DeformArguments& a) {
     json.update(deformation_json(measures, mesh.vertices.size(), cage.size(),
                                  chosen.constrained ? map.vertices : std::vector<Vec3<double>>(), cage.dimension(),
                                  map.prepared, pose));
+    if (!images.beyond.empty())
+      json["points_continued"] = {{"count", std::ranges::count_if(images.beyond, [](double way) { return way > 0; })},
+                                  {"farthest_over_cage_size", std::ranges::max(images.beyond) / cage.size()}};
     print_warnings(json["warnings"], chosen, map, out.string(), posing.maps.size() == 1, said);
     files.emplace_back(std::filesystem::path(out).replace_extension(".json"), json.dump(2) + '\n');
     if (!a.energies.empty())

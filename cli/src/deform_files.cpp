@@ -58,6 +58,13 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
   reports::require_writable(written);
 }
 
+void check_standard_input(const DeformArguments& a) {
+  std::vector<std::pair<std::string, std::string>> inputs{{a.cage.file, "--cage"}, {a.points, "--points"}};
+  for (const std::string& posed : a.posed) inputs.emplace_back(posed, "--posed");
+  for (const auto& [option, file] : given_data(a)) inputs.emplace_back(file, "--" + option);
+  require_one_reader_of_input(inputs);
+}
+
 }  // namespace
 
 std::string numbered(const std::string& name, std::size_t k) {
@@ -93,6 +100,7 @@ void check_names(const DeformArguments& a, std::size_t maps) {
                                  fmt::join(table_extensions, ", ")));
   if (!a.energies.empty() && !is_one_of(energy_extensions, a.energies))
     throw InputError(fmt::format("--energies {}: use {}", a.energies, fmt::join(energy_extensions, ", ")));
+  check_standard_input(a);
   check_distinct(a, maps);
 }
 

@@ -33,4 +33,15 @@ void require_outside(const std::string& folder, const std::vector<std::pair<std:
   }
 }
 
+void require_one_reader_of_input(const std::vector<std::pair<std::string, std::string>>& inputs) {
+  std::string reader;
+  for (const auto& [name, option] : inputs) {
+    if (name != "-" && name != "/dev/stdin" && name != "/dev/fd/0") continue;
+    if (!reader.empty())
+      throw InputError(
+          fmt::format("{} and {}: standard input can be read once; give one of them a file", reader, option));
+    reader = option;
+  }
+}
+
 }  // namespace cageproof::cli

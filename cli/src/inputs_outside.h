@@ -15,4 +15,8 @@ std::filesystem::path place_of(const std::filesystem::path& file);
 /// the options that name them \throws InputError names the option
 void require_outside(const std::string& folder, const std::vector<std::pair<std::string, std::string>>& inputs);
 
+/// Standard input can be read once. \param inputs files and the options that name them
+/// \throws InputError naming two options that read it
+void require_one_reader_of_input(const std::vector<std::pair<std::string, std::string>>& inputs);
+
 }  // namespace cageproof::cli

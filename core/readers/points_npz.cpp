@@ -68,6 +68,7 @@ Mesh read_npz(const std::filesystem::path& path) {
   const FirstArray array = first_array(read_mesh_file(path), path);
   if (array.names.empty()) FileLine{path}.fail("no array in it");
   std::vector<std::string> names;
+  names.reserve(array.names.size());
   for (const std::string& name : array.names) names.push_back(printable(name));
   if (array.names.size() > 1)
     FileLine{path}.fail(fmt::format("{} arrays ({}); points are one: numpy.save(\"points.npy\", arrays[NAME])",

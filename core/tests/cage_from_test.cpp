@@ -2,6 +2,7 @@
 // Cages of what files hold that is not yet triangles and quads, or polylines.
 #include "support.h"
 
+#include "cageproof/core/cage/merged_vertices.h"
 #include "cageproof/core/cage/mesh_io.h"
 
 #include <fmt/format.h>
@@ -35,6 +36,27 @@ Mesh prism(int sides) {
   mesh.faces.push_back(top);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) mesh.face_lines.push_back(10 + f);
   return mesh;
+}
+
+TEST(CageFrom, knows_faces_by_the_numbers_of_the_file) {
+  Mesh mesh = prism(6);
+  // The polygons first.
+  std::ranges::rotate(mesh.faces, mesh.faces.end() - 2);
+  const Cage cage = cage_from(mesh, kName);
+  ASSERT_EQ(cage.faces().size(), 14U);
+  for (std::size_t f = 0; f < 14; ++f)
+    EXPECT_EQ(cage.face_number(f), f < 8 ? static_cast<int>(f) / 4 : static_cast<int>(f) - 6) << f;
+  // The last face of the file is a hole's neighbour.
+  mesh.faces.pop_back();
+  expect_parts(input_error_of([&] { cage_from(mesh, kName); }), {"face 0 (line 10)", "hole"});
+  std::ranges::reverse(mesh.faces.back());
+  mesh.faces.push_back(prism(6).faces[5]);
+  expect_parts(input_error_of([&] { cage_from(mesh, kName); }), {"face 0 (line 10)", "inconsistently"});
+  // Faces that vanish leave their numbers behind.
+  Mesh apart = prism(4);
+  apart.faces.insert(apart.faces.begin(), {0, 1, 1});
+  apart.face_lines.clear();
+  EXPECT_EQ(cage_from(merged(apart, merging_of(apart.vertices, 0), kName), kName).face_number(0), 1);
 }
 
 std::string error_of(Mesh mesh) {

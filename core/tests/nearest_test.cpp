@@ -62,6 +62,20 @@ TEST(Nearest, is_as_near_as_any_place) {
     }
 }
 
+TEST(Nearest, is_the_same_in_any_unit) {
+  for (const double unit : {0x1p-500, 0x1p500}) {
+    const std::vector<std::vector<Vec3<double>>> elements{{{0, 0, 0}, {1, 2, 0}},
+                                                          {{0, 0, 0}, {1, 0, 0}, {0.25, 1, 0.5}},
+                                                          {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.25}, {0, 1, 0}}};
+    for (const auto& element : elements) {
+      std::vector<Vec3<double>> scaled;
+      for (const Vec3<double>& corner : element) scaled.emplace_back(unit * corner);
+      const Vec3<double> point(0.4, 0.3, 0.75);
+      EXPECT_EQ(nearest_place(scaled, unit * point).place, unit * nearest_place(element, point).place);
+    }
+  }
+}
+
 TEST(Nearest, of_a_unit_square_is_exact_where_it_is_simple) {
   const std::vector<Vec3<double>> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   EXPECT_EQ(nearest_place(square, {0.25, 0.5, 2}).place, Vec3<double>(0.25, 0.5, 0));

@@ -34,6 +34,21 @@ TEST(points_reads, text_in_its_usual_forms) {
   EXPECT_EQ(points_of("p.TXT", "x y z\n0.1 +2 -3\n1e-300 0 0x5p0\n"), kPoints);
 }
 
+TEST(points_reads, names_of_other_columns_and_says_so) {
+  const TemporaryFolder folder;
+  const auto warnings_of = [&](std::string_view text) {
+    return read_points_and_faces(folder.write("p.csv", text)).warnings;
+  };
+  EXPECT_EQ(warnings_of("id,lat,lon\n1,2,3\n"),
+            std::vector<std::string>{(folder.path() / "p.csv").string() +
+                                     ": the columns id, lat, lon are taken for x, y, z"});
+  EXPECT_EQ(warnings_of("x,y,value\n1,2,3\n").size(), 1U);
+  EXPECT_TRUE(warnings_of("px,py,pz\n1,2,3\n").empty());
+  EXPECT_TRUE(warnings_of("cloud of two points\n1,2,3\n").empty());
+  // As tables are written with an index.
+  EXPECT_EQ(points_of("p.csv", ",x,y,z\n0,0.1,2,-3\n1,1e-300,0,5\n"), kPoints);
+}
+
 TEST(points_rejects, meshes_without_a_suffix_by_their_format) {
   const TemporaryFolder folder;
   for (const auto& [text, format, suffix] :

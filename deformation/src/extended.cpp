@@ -8,10 +8,10 @@ Extended::Extended(const CageCoordinates& coordinates)
       normal_factor_(coordinates.blocks()[1].normal_factor),
       nearest_(coordinates.elements()) {}
 
-void Extended::add_to(std::vector<CoordinateTable<double>>& tables, std::size_t p, const Vec3<double>& point,
-                      int order) const {
+double Extended::add_to(std::vector<CoordinateTable<double>>& tables, std::size_t p, const Vec3<double>& point,
+                        int order) const {
   const int d = elements_.dimension();
-  const std::size_t element = nearest_.of(point).element;
+  const auto [element, place, distance] = nearest_.of(point);
   const auto corners = elements_.corners(element);
   const Vec3<double>&normal = elements_.normals()[element], from = point - corners[0];
   const auto add = [&](std::size_t block, int coordinate, double value, const Vec3<double>& gradient) {
@@ -39,6 +39,7 @@ void Extended::add_to(std::vector<CoordinateTable<double>>& tables, std::size_t 
   }
   add(0, vertices[0], 1 - others, -gradient_of_others);
   add(1, static_cast<int>(element), normal.dot(from) / normal_factor_, normal / normal_factor_);
+  return distance;
 }
 
 }  // namespace cageproof::deformation

@@ -17,7 +17,9 @@ class Extended {
   /// \pre coordinates.kind().extends
   explicit Extended(const CageCoordinates& coordinates);
   /// Adds the map of the nearest element to row p of the point's tables, derivatives up to `order`, too.
-  void add_to(std::vector<CoordinateTable<double>>& tables, std::size_t p, const Vec3<double>& point, int order) const;
+  /// \return the distance from that element
+  double add_to(std::vector<CoordinateTable<double>>& tables, std::size_t p, const Vec3<double>& point,
+                int order) const;
 
  private:
   const CageElements& elements_;

@@ -36,14 +36,17 @@ PointImages images_of(const CageCoordinates& coordinates, std::span<const Vec3<d
   for (Images<double>& images : all.maps)
     for (int o = 0; o <= order; ++o) images.tensors[o].resize(points.size() * d * derivative_count(d, o));
   std::optional<Extended> extended;
-  if (run.extend) extended.emplace(coordinates);
+  if (run.extend) {
+    extended.emplace(coordinates);
+    all.beyond.resize(points.size());
+  }
   // Blocks of points share what evaluations prepare for an element.
   for_each_parallel((points.size() + run.block - 1) / run.block, run.jobs, [&](std::size_t block) {
     const std::size_t first = block * run.block, count = std::min(run.block, points.size() - first);
     auto tables = coordinates.at<double>(points.subspan(first, count), order);
     for (std::size_t p = 0; p < count; ++p) {
       const bool outside = region && !region->holds(points[first + p]);
-      if (outside && extended) extended->add_to(tables, p, points[first + p], order);
+      if (outside && extended) all.beyond[first + p] = extended->add_to(tables, p, points[first + p], order);
       all.missing[first + p] = (outside && !extended) || !has_coordinates(tables, p);
     }
     for (std::size_t k = 0; k < maps.size(); ++k) {

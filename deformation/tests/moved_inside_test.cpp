@@ -56,6 +56,35 @@ TEST(MovedInside, leaves_points_that_are_further_out) {
   EXPECT_EQ(moved_inside(elements, points, 2e-3, 1).points[3], Vec(-.5, -.5, 0));
 }
 
+// Next to edges and vertices, acute ones too, of cages turned anyhow and of any size.
+TEST(MovedInside, takes_points_beside_edges_and_vertices) {
+  for (const std::string name : {"corner", "cube", "icosphere", "spiky-box", "l-block"})
+    for (const double unit : {1., 1e-100, 1e100})
+      for (int turn = 0; turn < 3; ++turn) {
+        const Cage rest = name == "corner"
+                              ? Cage::make("corner", {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}},
+                                           {{{0, 2, 1, -1}}, {{0, 1, 3, -1}}, {{1, 2, 3, -1}}, {{0, 3, 2, -1}}})
+                              : embedded_cage(name);
+        const Eigen::Matrix3d turned = Eigen::AngleAxisd(turn, Vec(1, 2, 3).normalized()).toRotationMatrix();
+        std::vector<Vec> vertices;
+        for (const Vec& v : rest.vertices()) vertices.emplace_back(unit * (turned * v));
+        const Cage cage = rest.with(vertices, rest.faces());
+        const CageElements elements(cage, false, Triangulation::Shortest);
+        const Inside inside(elements);
+        std::vector<Vec> points;
+        for (std::size_t e = 0; e < elements.count(); ++e) {
+          const auto c = elements.corners(e);
+          Vec out = elements.normals()[e];
+          for (const double share : {0., 0.3, 0.5})
+            points.emplace_back((1 - share) * c[0] + share * c[1] + 1e-5 * cage.size() * out);
+        }
+        const MovedInside found = moved_inside(elements, points, 1e-4 * cage.size(), 2);
+        for (std::size_t p = 0; p < points.size(); ++p)
+          EXPECT_TRUE(inside.holds(found.points[p])) << name << ' ' << unit << ' ' << turn << ' ' << p;
+        EXPECT_LT(found.farthest, 2e-5 * cage.size());
+      }
+}
+
 TEST(MovedInside, knows_bilinear_quads) {
   for (const Case& c : {twisted_cube(), mixed_cage()}) {
     const CageElements elements(c.cage, true, Triangulation::Shortest);

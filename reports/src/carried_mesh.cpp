@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <cstring>
 
 namespace cageproof::reports {
 namespace {
@@ -117,6 +119,42 @@ std::vector<std::string> beside_places_in_vtp(std::string_view text) {
   return found;
 }
 
+std::vector<std::string> beside_places_in_svg(std::string_view text) {
+  constexpr std::array<std::array<std::string_view, 2>, 10> marks{{{" id=\"", "ids"},
+                                                                   {" class=\"", "classes"},
+                                                                   {" style=\"", "styles"},
+                                                                   {"<style", "styles"},
+                                                                   {" fill=\"", "styles"},
+                                                                   {" stroke=\"", "styles"},
+                                                                   {"<title", "titles"},
+                                                                   {"<metadata", "metadata"},
+                                                                   {" width=\"", "widths and heights"},
+                                                                   {"<g", "groups"}}};
+  std::vector<std::string> found;
+  for (const auto& [mark, words] : marks)
+    if (text.find(mark) != std::string_view::npos) add_once(found, std::string(words));
+  return found;
+}
+
+// Of a binary file.
+std::vector<std::string> beside_places_in_stl(std::string_view text) {
+  constexpr std::size_t header = 84, triangle = 50;
+  if (text.size() < header) return {};
+  std::uint32_t count = 0;
+  std::memcpy(&count, text.data() + 80, sizeof count);
+  // The number of triangles of a text would be that of its first letters.
+  if (text.size() < header + triangle * static_cast<std::size_t>(count)) return {};
+  std::vector<std::string> found;
+  if (text.substr(0, 80).find_first_not_of(std::string_view(" \0", 2)) != std::string_view::npos)
+    found.emplace_back("header");
+  for (std::size_t k = 0; k < count; ++k)
+    if (text.substr(header + triangle * (k + 1) - 2, 2) != std::string_view("\0\0", 2)) {
+      found.emplace_back("attribute bytes");
+      break;
+    }
+  return found;
+}
+
 }  // namespace
 
 CarriedMesh obj_with_vertices(std::string_view text, std::span<const Vec3<double>> vertices) {
@@ -158,6 +196,10 @@ std::vector<std::string> beside_places(const std::filesystem::path& file) {
   if (extension == ".obj") return beside_places_in_obj(read_file(file));
   if (extension == ".ply") return beside_places_in_ply(read_file(file));
   if (extension == ".vtp") return beside_places_in_vtp(read_file(file));
+  if (extension == ".svg") return beside_places_in_svg(read_file(file));
+  if (extension == ".stl") return beside_places_in_stl(read_file(file));
+  if ((extension == ".geojson" || extension == ".json") && read_file(file).find("\"properties\"") != std::string::npos)
+    return {"properties"};
   return {};
 }
 

@@ -219,6 +219,16 @@ TEST(CarriedMesh, names_what_another_format_leaves_out) {
             (Words{"property red", "element camera"}));
   EXPECT_EQ(of("some.vtp", "<DataArray type=\"Float64\" Name=\"Points\"><DataArray Name=\"heat\" format=\"ascii\">"),
             Words{"array heat"});
+  EXPECT_EQ(
+      of("some.svg", "<svg width=\"10mm\"><title>t</title><g id=\"a\"><path style=\"fill:red\" d=\"\"/></g></svg>"),
+      (Words{"ids", "styles", "titles", "widths and heights", "groups"}));
+  std::string stl(84 + 50, '\0');
+  stl[80] = 1;
+  EXPECT_TRUE(of("plain.stl", stl).empty());
+  stl[0] = 'B';
+  stl.back() = '\x80';
+  EXPECT_EQ(of("some.stl", stl), (Words{"header", "attribute bytes"}));
+  EXPECT_EQ(of("some.geojson", "{\"properties\": {}}"), Words{"properties"});
   EXPECT_TRUE(of("points.csv", "0,0,0\n").empty());
 }
 

@@ -42,7 +42,7 @@ ElementKind Face::kind() const { return kind_with_corners(size()); }
 std::string_view name_of(Triangulation rule) { return rule == Triangulation::Shortest ? "shortest" : "fan"; }
 
 Cage Cage::make(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> faces, CageOptions options) {
-  const cage_checks::Candidate candidate{name, vertices, faces, options.face_lines};
+  const cage_checks::Candidate candidate{name, vertices, faces, options};
   cage_checks::check_coordinates(candidate);
   cage_checks::check_indices(candidate);
   cage_checks::check_shapes(candidate, options.allow_invalid_quads);
@@ -53,6 +53,7 @@ Cage Cage::make(std::string name, std::vector<Vec3<double>> vertices, std::vecto
   cage.vertices_ = std::move(vertices);
   cage.faces_ = std::move(faces);
   cage.face_lines_ = std::move(options.face_lines);
+  cage.face_numbers_ = std::move(options.face_numbers);
   cage.allows_invalid_quads_ = options.allow_invalid_quads;
   return cage;
 }
@@ -64,7 +65,7 @@ Cage Cage::make_polygon(std::string name, std::vector<Vec3<double>> vertices, st
 
 Cage Cage::polygon(std::string name, std::vector<Vec3<double>> vertices, std::vector<Face> segments,
                    CageOptions options, bool look_for_contacts) {
-  const cage_checks::Candidate candidate{name, vertices, segments, options.face_lines, 2};
+  const cage_checks::Candidate candidate{name, vertices, segments, options, 2};
   cage_checks::check_coordinates(candidate);
   cage_checks::check_plane(candidate);
   cage_checks::check_indices(candidate);
@@ -88,6 +89,11 @@ Cage Cage::with(std::vector<Vec3<double>> vertices, std::vector<Face> faces) con
   const CageOptions options{.allow_invalid_quads = allows_invalid_quads_};
   return dimension_ == 2 ? polygon(name_, std::move(vertices), std::move(faces), options, false)
                          : make(name_, std::move(vertices), std::move(faces), options);
+}
+
+std::string Cage::face_label(std::size_t f) const {
+  const std::string line = f < face_lines_.size() ? fmt::format(" (line {})", face_lines_[f]) : "";
+  return fmt::format("face {}{}", face_number(f), line);
 }
 
 Cage::Parts Cage::parts(bool keep_quads, Triangulation rule) const {
@@ -114,8 +120,7 @@ std::vector<std::string> invalid_quads(const Cage& cage) {
     if (cage.faces()[f].size() != 4) continue;
     const auto reason = invalid_because(cage.quad(f));
     if (!reason) continue;
-    const std::string line = f < cage.face_lines().size() ? fmt::format(" (line {})", cage.face_lines()[f]) : "";
-    faults.push_back(fmt::format("face {}{}: {}", f, line, *reason));
+    faults.push_back(fmt::format("{}: {}", cage.face_label(f), *reason));
   }
   return faults;
 }
@@ -128,8 +133,7 @@ std::optional<std::string> folding_warning(const Cage& cage) {
           return folds(cage.vertices(), cage.faces()[f], split);
         }))
       continue;
-    const std::string line = f < cage.face_lines().size() ? fmt::format(" (line {})", cage.face_lines()[f]) : "";
-    found.push_back(fmt::format("face {}{}", f, line));
+    found.push_back(cage.face_label(f));
   }
   if (found.empty()) return std::nullopt;
   return fmt::format(
@@ -162,7 +166,7 @@ std::vector<std::string> crossing_faces(const Cage& cage) {
   const auto& lines = cage.face_lines();
   for (const FaceCrossing& c : face_crossings(cage.vertices(), cage.faces()))
     found.push_back(
-        fmt::format("faces {} and {}{}", c.first, c.second,
+        fmt::format("faces {} and {}{}", cage.face_number(c.first), cage.face_number(c.second),
                     lines.empty() ? "" : fmt::format(" (lines {} and {})", lines[c.first], lines[c.second])));
   return found;
 }

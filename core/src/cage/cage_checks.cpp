@@ -53,8 +53,10 @@ void fail_vertex(const Candidate& cage, std::size_t vertex, const std::string& r
 
 std::string face_label(const Candidate& cage, std::size_t face) {
   const std::string_view element = is_plane(cage) ? "segment" : "face";
-  return face < cage.face_lines.size() ? fmt::format("{} {} (line {})", element, face, cage.face_lines[face])
-                                       : fmt::format("{} {}", element, face);
+  const CageOptions& known = cage.options;
+  const int number = known.face_numbers.empty() ? static_cast<int>(face) : known.face_numbers[face];
+  return face < known.face_lines.size() ? fmt::format("{} {} (line {})", element, number, known.face_lines[face])
+                                        : fmt::format("{} {}", element, number);
 }
 
 void check_coordinates(const Candidate& cage) {
@@ -106,7 +108,10 @@ std::string hole_because(const Candidate& cage) {
   }
   if (named.empty()) return "the cage has a hole";
   const std::string others = more > 0 ? fmt::format(", and so do {} more", more) : "";
-  return fmt::format("{}{}: join them where the file was written (\"merge by distance\", \"weld\")", named, others);
+  return fmt::format(
+      "{}{}: join them where the file was written (\"merge by distance\", \"weld\"), "
+      "or with --merge 0",
+      named, others);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ struct Candidate {
   const std::string& name;
   const std::vector<Vec3<double>>& vertices;
   const std::vector<Face>& faces;
-  const std::vector<std::size_t>& face_lines;  ///< CageOptions::face_lines
-  int least_corners = 3;                       ///< that a face must have
+  const CageOptions& options;  ///< whose face_lines and face_numbers messages have
+  int least_corners = 3;       ///< that a face must have
 };
 
 /// Whether it is a polygon.

@@ -27,18 +27,21 @@ using mesh_files::FileLine;
 // "face 3 (line 12)", or "face 3" where no lines are known.
 std::string label_of(const Mesh& mesh, std::size_t face) {
   const std::string line = face < mesh.face_lines.size() ? fmt::format(" (line {})", mesh.face_lines[face]) : "";
-  return fmt::format("face {}{}", face, line);
+  const int number = mesh.face_numbers.empty() ? static_cast<int>(face) : mesh.face_numbers[face];
+  return fmt::format("face {}{}", number, line);
 }
 
 void cut_polygons(Mesh& mesh, const std::filesystem::path& path) {
   std::vector<std::vector<int>> faces;
   std::vector<std::size_t> lines;
+  std::vector<int> numbers;
   std::string first;
   std::size_t count = 0;
   double work = 0;
   const auto add = [&](std::size_t from, std::vector<int> face) {
     faces.push_back(std::move(face));
     if (from < mesh.face_lines.size()) lines.push_back(mesh.face_lines[from]);
+    numbers.push_back(mesh.face_numbers.empty() ? static_cast<int>(from) : mesh.face_numbers[from]);
   };
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const std::vector<int>& polygon = mesh.faces[f];
@@ -71,6 +74,7 @@ void cut_polygons(Mesh& mesh, const std::filesystem::path& path) {
                                       path.string(), count, first));
   mesh.faces = std::move(faces);
   mesh.face_lines = std::move(lines);
+  mesh.face_numbers = std::move(numbers);
 }
 
 // The boundary of faces that lie in the plane, as polylines that have the faces on their left.
@@ -108,6 +112,7 @@ void take_boundary(Mesh& mesh, const std::filesystem::path& path) {
         *inside.begin()));
   mesh.faces.clear();
   mesh.face_lines.clear();
+  mesh.face_numbers.clear();
   mesh.warnings.push_back(
       fmt::format("{}: all z are 0: the cage is the polygon of the mesh's boundary, {} segments, in the plane",
                   path.string(), mesh.segments.size()));
@@ -147,6 +152,7 @@ Cage cage_from(Mesh given, const std::filesystem::path& path, CageOptions option
     std::ranges::copy(polygon, faces.emplace_back().vertices.begin());
   }
   options.face_lines = std::move(mesh.face_lines);
+  options.face_numbers = std::move(mesh.face_numbers);
   return Cage::make(path.string(), std::move(mesh.vertices), std::move(faces), std::move(options));
 }
 

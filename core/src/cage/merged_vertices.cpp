@@ -62,6 +62,7 @@ Mesh merged(Mesh mesh, const Merging& merging, const std::filesystem::path& path
     if (polygon.size() < 3) continue;
     found.faces.push_back(std::move(polygon));
     keep_line(found.face_lines, mesh.face_lines, f);
+    found.face_numbers.push_back(mesh.face_numbers.empty() ? static_cast<int>(f) : mesh.face_numbers[f]);
   }
   for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
     const auto [from, to] = mesh.segments[s];
@@ -72,6 +73,7 @@ Mesh merged(Mesh mesh, const Merging& merging, const std::filesystem::path& path
   mesh.vertices = std::move(vertices);
   mesh.faces = std::move(found.faces);
   mesh.face_lines = std::move(found.face_lines);
+  mesh.face_numbers = std::move(found.face_numbers);
   mesh.segments = std::move(found.segments);
   mesh.segment_lines = std::move(found.segment_lines);
   const std::size_t lost = elements - mesh.faces.size() - mesh.segments.size();
@@ -85,9 +87,11 @@ Mesh merged(Mesh mesh, const Merging& merging, const std::filesystem::path& path
 
 std::vector<Vec3<double>> merged_pose(const std::vector<Vec3<double>>& posed, const Merging& merging, double distance,
                                       const std::filesystem::path& path) {
+  // Already merged, where the cage's file is not.
+  if (posed.size() == merging.first.size()) return posed;
   if (posed.size() != merging.number.size())
-    throw InputError(fmt::format("{}: {} vertices, the cage has {} before --merge", path.string(), posed.size(),
-                                 merging.number.size()));
+    throw InputError(fmt::format("{}: {} vertices, the cage has {} before --merge and {} after it", path.string(),
+                                 posed.size(), merging.number.size(), merging.first.size()));
   std::vector<Vec3<double>> vertices;
   vertices.reserve(merging.first.size());
   for (const int v : merging.first) vertices.push_back(posed[v]);

@@ -6,6 +6,7 @@
 #include "cageproof/core/numbers/scalar_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -71,6 +72,9 @@ class TextReader {
       FileLine{at_.file, count_line_}.fail(
           fmt::format("{} points are announced, {} follow", *count_, mesh_.vertices.size()));
     if (mesh_.vertices.empty()) FileLine{at_.file}.fail("no points");
+    if (columns_.empty() && !are_named_in_order())
+      mesh_.warnings.push_back(fmt::format("{}: the columns {} are taken for x, y{}", at_.file.string(),
+                                           fmt::join(names_, ", "), names_.size() == 3 ? ", z" : ""));
     if (width_ > used())
       mesh_.warnings.push_back(
           fmt::format("{}: {} of {} columns are left out; {} are taken for x, y{}", at_.file.string(), width_ - used(),
@@ -79,10 +83,19 @@ class TextReader {
   }
 
  private:
+  // Whether names have an x, a y and a z in them, in this order: "x0, y0, z0".
+  bool are_named_in_order() const {
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      if (i >= 3 || names_[i].find("xyz"[i]) == std::string::npos) return false;
+    return true;
+  }
+
   std::size_t used() const { return columns_.empty() ? 3 : columns_.size(); }
 
   void read_line(const Fields& fields, std::string_view line) {
-    if (is_first_ && std::ranges::none_of(fields, begins_as_number)) return read_names(fields);
+    // A column without a name, as of a table's index, names nothing.
+    const auto is_no_name = [](std::string_view field) { return !field.empty() && begins_as_number(field); };
+    if (is_first_ && std::ranges::none_of(fields, is_no_name)) return read_names(fields);
     if (is_first_ && fields.size() == 1 && read_count(fields[0])) return;
     if (mesh_.vertices.empty()) check_names(fields, line);
     check_width(fields);

@@ -26,7 +26,7 @@ std::vector<std::vector<int>> segments_at(const std::vector<Face>& segments, std
 bool is_left_of(const Vec3<double>& p, const Vec3<double>& q) { return p[0] != q[0] ? p[0] < q[0] : p[1] < q[1]; }
 
 std::string both(const Candidate& cage, int first, int second) {
-  const auto& lines = cage.face_lines;
+  const auto& lines = cage.options.face_lines;
   if (lines.empty()) return fmt::format("segments {} and {}", first, second);
   return fmt::format("segments {} and {} (lines {} and {})", first, second, lines[first], lines[second]);
 }

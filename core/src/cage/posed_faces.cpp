@@ -88,9 +88,10 @@ std::optional<std::string> foreign_face(const Cage& rest, const Mesh& posed) {
     if (is_known && !in_order) continue;
     const std::vector<std::size_t>& lines = plane ? posed.segment_lines : posed.face_lines;
     const std::string line = f < lines.size() ? fmt::format(" (line {})", lines[f]) : "";
-    const std::string other = is_known
-                                  ? fmt::format("{} {} of {} joins {}", word, f, rest.name(), fmt::join(own[f], ", "))
-                                  : fmt::format("no {} of {} does", word, rest.name());
+    const std::string other =
+        is_known ? fmt::format("{} {} of {} joins {}", word, plane ? static_cast<int>(f) : rest.face_number(f),
+                               rest.name(), fmt::join(own[f], ", "))
+                 : fmt::format("no {} of {} does", word, rest.name());
     return fmt::format("{} {}{} joins vertices {}, and {}", word, f, line, fmt::join(faces[f], ", "), other);
   }
   return std::nullopt;

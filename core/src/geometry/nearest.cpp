@@ -2,6 +2,7 @@
 #include "cageproof/core/geometry/nearest.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cageproof {
@@ -81,14 +82,25 @@ NearestPlace nearest_on_quad(std::span<const Vec3<double>> corners, const Vec3<d
   return nearest_start < least ? placed(corners, bilinear(best_u, best_v)) : best;
 }
 
-}  // namespace
-
-NearestPlace nearest_place(std::span<const Vec3<double>> corners, const Vec3<double>& point) {
+std::array<double, 4> nearest_basis(std::span<const Vec3<double>> corners, const Vec3<double>& point) {
   if (corners.size() == 2) {
     const double share = share_of_segment(corners[0], corners[1], point);
-    return placed(corners, {1 - share, share, 0, 0});
+    return {1 - share, share, 0, 0};
   }
-  return corners.size() == 3 ? nearest_on_triangle(corners, point) : nearest_on_quad(corners, point);
+  return corners.size() == 3 ? nearest_on_triangle(corners, point).basis : nearest_on_quad(corners, point).basis;
+}
+
+}  // namespace
+
+NearestPlace nearest_place(std::span<const Vec3<double>> given, const Vec3<double>& given_point) {
+  // Products of lengths stay within range in units of the largest.
+  double extent = 0;
+  for (const Vec3<double>& corner : given) extent = std::max(extent, (corner - given_point).cwiseAbs().maxCoeff());
+  const int exponent = extent > 0 && std::isfinite(extent) ? std::ilogb(extent) : 0;
+  std::array<Vec3<double>, 4> scaled;
+  for (std::size_t k = 0; k < given.size(); ++k)
+    for (int i = 0; i < 3; ++i) scaled[k][i] = std::ldexp(given[k][i] - given_point[i], -exponent);
+  return placed(given, nearest_basis(std::span(scaled).first(given.size()), Vec3<double>::Zero()));
 }
 
 }  // namespace cageproof

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
@@ -61,7 +62,12 @@ InsideStep step_inside(std::span<const Vec3<R>> corners, const Vec3<R>& point, c
   step.exists = length > W(0);
   if (!step.exists) return step;
   // In the distance to other sides what is missing is that much; on a side, times its logarithm.
-  const int bits = for_multiprecision ? (step.border ? 140 : 120) : (step.border ? 80 : 70);
+  int bits = for_multiprecision ? (step.border ? 140 : 120) : (step.border ? 80 : 70);
+  // Over a quad that is all but flat, what is sought is as small as its twist.
+  const W twist = abs(W((x[2] - x[0]).dot((x[1] - x[0]).cross(x[3] - x[0])))) / length;
+  constexpr int most_for_twist = 64;
+  if (twist > W(0) && twist < nearest)
+    bits += std::min(most_for_twist, static_cast<int>(-std::log2(static_cast<double>(W(twist / nearest)))));
   const W height = ldexp(nearest, -bits);
   step.tiny = height < ldexp(size, -100);
   step.point = eta - (height / length) * normal;

@@ -14,8 +14,8 @@ struct MovedInside {
 };
 
 /// Moves points that lie outside, by no more than `distance` from the nearest element, to the nearest place of it, or,
-/// where rounding leaves that outside, further in along the normal, by a rounding of the cage's size first and never by
-/// more than `distance`. Others stay where they are. \param distance at least 0 \param jobs threads; 0: all cores
+/// where rounding leaves that outside, further in, by a rounding of the cage's size first and never by more than
+/// `distance`. Others stay where they are. \param distance at least 0 \param jobs threads; 0: all cores
 MovedInside moved_inside(const CageElements& elements, const std::vector<Vec3<double>>& points, double distance,
                          int jobs);
 

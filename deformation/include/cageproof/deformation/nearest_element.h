@@ -22,10 +22,15 @@ class NearestElements {
   explicit NearestElements(const CageElements& elements);
   /// The first of several that are as near. In double (core's nearest_place).
   NearestElement of(const Vec3<double>& point) const;
+  /// Directions that may lead from a place of the surface to its inside, of length one, the likeliest first: against
+  /// the mean normal of the elements within `near` of the place, against each one's, and from the place to the nearest
+  /// element's centre and against its normal in equal parts.
+  std::vector<Vec3<double>> inwards_at(const NearestElement& nearest, double near) const;
 
  private:
   std::vector<std::vector<Vec3<double>>> corners_;
   std::vector<Box> boxes_;
+  std::vector<Vec3<double>> normals_;
 };
 
 }  // namespace cageproof::deformation

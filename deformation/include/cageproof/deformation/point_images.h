@@ -17,6 +17,8 @@ struct PointImages {
   /// A point each: whether it lies where coordinates mean nothing, or has NaN among its coordinates. Its images are
   /// what the maps make of these all the same, until fill_missing.
   std::vector<char> missing;
+  /// A point each: how far outside it is where its image is continued, else 0; empty where none is asked to be.
+  std::vector<double> beyond = {};
 };
 
 /// Where coordinates mean something; nothing for normalised ones, which sum to one everywhere.

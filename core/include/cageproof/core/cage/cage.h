@@ -39,6 +39,9 @@ struct CageOptions {
   bool allow_invalid_quads = false;
   /// Of the file that the faces come from, one a face, for messages; empty where nobody knows.
   std::vector<std::size_t> face_lines = {};
+  /// The number in its file of each face, for messages and for those who have the file's faces; several faces have the
+  /// number of one that was cut in triangles. Empty where faces are those of the file.
+  std::vector<int> face_numbers = {};
 };
 
 /// How quads become triangles: by the shorter of the two diagonals (compared exactly; ties: the one at the quad's first
@@ -88,6 +91,10 @@ class Cage {
   const std::vector<Face>& faces() const { return faces_; }
   /// CageOptions::face_lines.
   const std::vector<std::size_t>& face_lines() const { return face_lines_; }
+  /// The number in its file of face f (CageOptions::face_numbers).
+  int face_number(std::size_t f) const { return face_numbers_.empty() ? static_cast<int>(f) : face_numbers_[f]; }
+  /// "face 3 (line 12)", by the file's number; without the line where it is not known.
+  std::string face_label(std::size_t f) const;
   bool has_quads() const;
   /// Whether it was made with CageOptions::allow_invalid_quads.
   bool allows_invalid_quads() const { return allows_invalid_quads_; }
@@ -121,6 +128,7 @@ class Cage {
   std::vector<Vec3<double>> vertices_;
   std::vector<Face> faces_;
   std::vector<std::size_t> face_lines_;
+  std::vector<int> face_numbers_;
   bool allows_invalid_quads_ = false;
 };
 
