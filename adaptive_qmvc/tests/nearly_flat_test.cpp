@@ -24,7 +24,7 @@ TEST(NearlyFlat, integrals_on_the_border_are_proportional_to_the_twist) {
   const auto places = [](double twist) {
     return std::array<Vec3<double>, 4>{Vec3<double>(1, 1, twist), {0, 0, 0}, {0.5, 1, twist / 2}, {0.25, 0, 0}};
   };
-  // Of which the next term is the twist's square.
+  // The next term is as large as the twist squared.
   constexpr double reference = 0x1p-27;
   for (int k = 0; k < 4; ++k) {
     const std::vector<double> expected = values_over_twist(reference, places(reference)[k]);

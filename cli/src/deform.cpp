@@ -119,7 +119,7 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
   return json;
 }
 
-// What may be done with points without image, of which the first is named.
+// Says what may be done with points without image. \param point the first of them
 std::string advice_for(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point) {
   std::string advice = "--outside rest leaves them where they are, --outside nan writes nan";
   if (coordinates.kind().extends) advice += ", --outside extend continues the map through the nearest face";

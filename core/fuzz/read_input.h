@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the fuzzer and the corpus test ask of a hostile file: an InputError of one line, or a mesh and a cage that are
+// The fuzzer and the corpus test ask this of a hostile file: an InputError of one line, or a mesh and a cage that are
 // whole.
 #pragma once
 

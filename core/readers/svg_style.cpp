@@ -80,7 +80,7 @@ std::string without_comments(std::string_view text) {
 
 bool says_what_is_drawn(const Declaration& d) { return d.property == "display" || d.property == "visibility"; }
 
-// Those that say what is drawn, without those that a later one of the same weight replaces.
+// The declarations that say what is drawn, without those that a later one of the same weight replaces.
 std::vector<Declaration> last_of_drawn(const std::vector<Declaration>& all) {
   std::vector<Declaration> last;
   for (const Declaration& d : all) {

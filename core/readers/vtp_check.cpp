@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What compressed arrays of a VTP file state, before VTK 9.1 walks over as many blocks, be they billions.
+// Checks what compressed arrays of a VTP file state, before VTK 9.1 walks over as many blocks, be they billions.
 #include "vtp_check.h"
 
 #include "cage/mesh_files.h"

@@ -14,7 +14,7 @@ namespace {
 using testing_support::expect_parts;
 using testing_support::input_error_of;
 
-// Boxes of quads by their low and high corners, with a vertex a place.
+// Boxes of quads by their low and high corners, with one vertex per place.
 struct Boxes {
   std::vector<Vec3<double>> vertices;
   std::vector<Face> faces;

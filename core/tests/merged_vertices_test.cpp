@@ -10,7 +10,7 @@ namespace {
 using testing_support::expect_parts;
 using testing_support::input_error_of;
 
-// The embedded cube with a vertex a corner of each face, each moved by so much.
+// The embedded cube with one vertex per corner of each face, each moved by so much.
 Mesh corners_apart(double by) {
   const Cage cage = embedded_cage("cube");
   Mesh mesh;

@@ -21,7 +21,7 @@ double Extended::add_to(std::vector<CoordinateTable<double>>& tables, std::size_
       table.tensors[1][p * table.stride[1] + static_cast<std::size_t>(coordinate * d + axis)] += gradient[axis];
   };
   const auto vertices = elements_.vertices_of(element);
-  // The affine weights of the corners but for the first, as functions of the point, and their sum.
+  // The affine weights of all corners except the first, as functions of the point, and their sum.
   double others = 0;
   Vec3<double> gradient_of_others = Vec3<double>::Zero();
   for (std::size_t k = 1; k < corners.size(); ++k) {

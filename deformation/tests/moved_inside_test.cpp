@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points on slanted faces, which are next to these but for the rounding of their coordinates.
+// Points on slanted faces, which rounding of their coordinates puts next to these.
 #include "quad_cases.h"
 
 #include "cageproof/deformation/moved_inside.h"

@@ -51,7 +51,7 @@ TEST(MeetingParts, have_the_coordinates_of_parts_apart) {
           for (int order = 0; order <= 1; ++order) {
             const std::size_t width = found[b].stride[order] / static_cast<std::size_t>(block.size);
             for (std::size_t p = 0; p < points.size(); ++p) {
-              // Of vertices in one place, the sum.
+              // The sum over vertices in one place.
               std::vector<double> sums(found[b].stride[order], 0);
               for (std::size_t i = 0; i < expected[b].stride[order]; ++i) {
                 std::size_t coordinate = i / width;

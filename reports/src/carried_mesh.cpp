@@ -136,7 +136,7 @@ std::vector<std::string> beside_places_in_svg(std::string_view text) {
   return found;
 }
 
-// Of a binary file.
+// Only binary files have some.
 std::vector<std::string> beside_places_in_stl(std::string_view text) {
   constexpr std::size_t header = 84, triangle = 50;
   if (text.size() < header) return {};

@@ -132,7 +132,7 @@ class PlyCopy {
     else made_.text += fmt::format("property double {}{}", name, end_);
   }
 
-  // Words between blanks, in whatever lines they stand; a line a record is written.
+  // Words between blanks, in whatever lines they stand; one line per record is written.
   void copy_text_record(const PlyElement& element, std::size_t index) {
     std::string_view gap;
     for (const PlyProperty& property : element.properties) {

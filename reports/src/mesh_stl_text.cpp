@@ -55,7 +55,7 @@ StlCorner in_single_precision(const Mesh& mesh, int vertex) {
   return corner;
 }
 
-// Of the corners as they are written; differences and products of such numbers neither overflow nor underflow.
+// Takes the corners as they are written; differences and products of such numbers neither overflow nor underflow.
 StlCorner normal_of(const std::array<StlCorner, 3>& corners) {
   Triangle<double> t;
   for (int k = 0; k < 3; ++k) t[k] = Vec3<double>(corners[k][0], corners[k][1], corners[k][2]);

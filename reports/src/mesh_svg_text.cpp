@@ -30,7 +30,7 @@ class Chains {
     }
   }
 
-  /// Those of the lowest vertices first; vertices of no segment are chains, too.
+  /// Chains of the lowest vertices come first; vertices of no segment are chains, too.
   std::vector<Chain> all() {
     std::vector<Chain> chains;
     for (int v = 0; v < static_cast<int>(at_.size()); ++v) {

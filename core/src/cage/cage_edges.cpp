@@ -44,7 +44,7 @@ std::vector<Leaf> turned_around(std::span<const EdgeUse> edge, const std::vector
   for (const EdgeUse& use : edge) {
     const Face& face = faces[use.face];
     const auto corner = [&](int step) { return vertices[face.vertices[(use.corner + step) % face.size()]]; };
-    // Of quads that may have three corners on a line, one that has not.
+    // A quad may have three corners on a line: then the fourth.
     const bool line = face.size() == 4 && on_a_line({low, high, corner(2)});
     leaves.push_back({use.face, use.way, corner(line ? 3 : 2)});
   }

@@ -34,7 +34,7 @@ void for_each_edge_of(std::span<const EdgeUse> uses, F&& f) {
 /// closed.
 int balance(std::span<const EdgeUse> uses);
 
-/// The closed surfaces that faces make, by a number a face. Faces hang together by edges that belong to two; where
+/// The closed surfaces that faces make, by one number per face. Faces hang together by edges that belong to two; where
 /// more share an edge, they do in pairs that hold the same wedge between them, exactly decided. \pre all edges are
 /// closed
 std::vector<int> surfaces_of(const std::vector<Vec3<double>>& vertices, const std::vector<Face>& faces);

@@ -66,7 +66,7 @@ void check_places(const Candidate& cage) {
   Connected connected(cage.vertices.size());
   for (const Face& segment : cage.faces) connected.join(segment.vertices[0], segment.vertices[1]);
   std::optional<std::pair<int, int>> first;
-  // Of the vertices at one place the first one of each polygon.
+  // The first vertex of each polygon at one place.
   std::map<int, int> first_of;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const int vertex = order[k];

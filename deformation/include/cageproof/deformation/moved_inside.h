@@ -6,7 +6,7 @@
 
 namespace cageproof::deformation {
 
-/// What became of points.
+/// The result of moved_inside.
 struct MovedInside {
   std::vector<Vec3<double>> points;  ///< all of them, in their order
   std::size_t count = 0;             ///< that were moved

@@ -35,7 +35,7 @@ OuterRule<Counted> counted_rule(const OuterRule<double>& rule) {
   return counted;
 }
 
-// What double has of a quad's heights over its corners, which are exact but for their roundings.
+// Takes double's heights over the corners, which are exact except for their roundings.
 QuadFrame<Counted> with_heights(QuadFrame<Counted> q, const QuadFrame<double>& plain,
                                 std::span<const Vec3<double>> corners, const Vec3<double>& point) {
   std::array<Vec3<Mp200>, 4> x;

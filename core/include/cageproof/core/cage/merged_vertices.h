@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices that lie near each other, as one: meshes that were written with a vertex a corner.
+// Vertices that lie near each other, as one: for meshes that were written with one vertex per corner.
 #pragma once
 
 #include "cageproof/core/cage/mesh_io.h"
