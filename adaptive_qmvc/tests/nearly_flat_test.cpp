@@ -16,6 +16,7 @@ std::vector<double> values_over_twist(double twist, const Vec3<double>& point) {
   Result<double> result;
   evaluation_named("quad.biharmonic_double_layer", "line_form")(Query<double>{corners, point, 0}, result);
   std::vector<double> found;
+  found.reserve(result.value.size());
   for (const double value : result.value) found.push_back(value / twist);
   return found;
 }
