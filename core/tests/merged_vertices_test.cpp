@@ -45,6 +45,7 @@ TEST(MergedVertices, are_one_a_place) {
 TEST(MergedVertices, connect_in_chains_at_any_unit) {
   for (const double unit : {1e-200, 1.0, 1e200}) {
     std::vector<Vec3<double>> vertices;
+    vertices.reserve(6);
     for (int k = 0; k < 5; ++k) vertices.emplace_back(unit * Vec3<double>(k, 0, 0));
     vertices.emplace_back(unit * Vec3<double>(5.5, 0, 0));
     const Merging merging = merging_of(vertices, unit);

@@ -69,6 +69,7 @@ TEST(Nearest, is_the_same_in_any_unit) {
                                                           {{0, 0, 0}, {1, 0, 0}, {1, 1, 0.25}, {0, 1, 0}}};
     for (const auto& element : elements) {
       std::vector<Vec3<double>> scaled;
+      scaled.reserve(element.size());
       for (const Vec3<double>& corner : element) scaled.emplace_back(unit * corner);
       const Vec3<double> point(0.4, 0.3, 0.75);
       EXPECT_EQ(nearest_place(scaled, unit * point).place, unit * nearest_place(element, point).place);
