@@ -87,6 +87,7 @@ TEST(exact_heights, are_rational_arithmetics) {
     expect_heights({{{large, small, -large}, {-0.7 * large, -large, small}, {-small, 0.9 * large, large}}},
                    {0.8 * large, -0.6 * large, -small});
   }
+  expect_heights({{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {0, 0, 0});
   expect_heights({{{.1, .7, -.3}, {1e300, 0, 0}, {0, 1e-300, kLeast}}}, {.3, -1e-200, 1e200}, 900);
   expect_heights({{{1, -1, 0}, {0, 1, -1}, {-1, 0, 1}}}, {1e-250, 0, 0});
   // Points computed on the triangle lie a rounding off it, or exactly on it.

@@ -51,6 +51,7 @@ std::optional<int> lowest_bit(const std::array<Vec3<double>, 4>& points) {
       high = std::max(high, exponent);
       low = std::min(low, exponent - kMantissa);
     }
+  if (high < low) return 0;  // all numbers are zero
   if (high - low > kFixedBits) return std::nullopt;
   return low;
 }
