@@ -128,8 +128,16 @@ std::string advice_for(const CageCoordinates& coordinates, const Cage& cage, con
   if (region_of(coordinates) && share > 0 && share < 1e-6)
     advice +=
         fmt::format("; it is {:.2g} of the cage's size away, and --on {:.0e} takes such points for points on the cage",
-                    share, std::pow(10., std::ceil(std::log10(share))));
+                    share, std::max(1e-12, std::pow(10., std::ceil(std::log10(share)))));
   return advice;
+}
+
+std::vector<std::string_view> methods_that_extend() {
+  std::vector<std::string_view> names;
+  for (const DeformMethod& method : deform_methods())
+    if (const CoordinateKind* kind = find_coordinate_kind(method.kind); kind != nullptr && kind->extends)
+      names.push_back(method.name);
+  return names;
 }
 
 void tell_continued(const PointImages& images, double size) {
@@ -149,8 +157,8 @@ PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage
   const CageCoordinates& coordinates = *posing.coordinates;
   const bool extend = a.outside == "extend";
   if (extend && !coordinates.kind().extends)
-    throw InputError(fmt::format(
-        "--outside extend: {} does not continue through faces; green does, without --keep-quads", a.method));
+    throw InputError(fmt::format("--outside extend: {} does not continue through faces; there is {}", a.method,
+                                 fmt::join(methods_that_extend(), ", ")));
   ImageRun run{a.order, a.jobs};
   run.extend = extend;
   PointImages images = images_of(coordinates, mesh.vertices, maps, run, region_of(coordinates));

@@ -46,7 +46,7 @@ void check_rows(const DataFiles& files, const Pose<double>& pose, const CageCoor
 // The vertices of one posed cage, in the rest cage's order.
 std::vector<Vec3<double>> posed_vertices(const Cage& cage, const std::string& file, const PosedFiles& files) {
   Mesh posed = is_embedded_cage(file) ? Mesh{embedded_cage(file).vertices(), {}} : load_points(file, cage.dimension());
-  if (files.merging) {
+  if (files.merging && posed.vertices.size() != files.merging->first.size()) {
     std::vector<Vec3<double>> vertices = merged_pose(posed.vertices, *files.merging, files.merge_distance, file);
     posed = merged(std::move(posed), *files.merging, file);
     posed.vertices = std::move(vertices);

@@ -332,9 +332,12 @@ awk 'BEGIN {split("1 3 4 2 5 6 8 7 1 2 6 5 3 7 8 4 1 5 7 3 2 4 8 6", c, " ")}
   $1 == "v" {v[++n] = $0} END {for (i = 1; i <= 24; ++i) print v[c[i]]; for (f = 0; f < 6; ++f) print "f", 4 * f + 1, 4 * f + 2, 4 * f + 3, 4 * f + 4}' large.obj >apart.obj
 refuses 'face 0 (line 25)' 'vertices 0 and 8 lie in one place' -- --cage apart.obj --posed apart.obj --points mesh.obj --method green --out out.obj
 refuses '--merge -1' -- --cage apart.obj --merge -1 --posed apart.obj --points mesh.obj --method green --out out.obj
+grep '^v' apart.obj | awk '!seen[$0]++ {print $2, $3, $4}' >merged_pose.txt
 "$cageproof" deform --cage apart.obj --merge 0 --posed apart.obj --points mesh.obj --method green --out merged.csv 2>stderr || fail "merged: $(cat stderr)"
 [ "$(cat stderr)" = 'warning: apart.obj: 24 vertices are merged to 8' ] || fail "a warning of merging: $(cat stderr)"
 paste -d' ' <(grep '^v' mesh.obj) <(tail -n +2 merged.csv | tr , ' ') | awk '{for (i = 2; i < 5; ++i) {d = $i - $(i + 3); if (d * d > 1e-28) differs = 1}} END {exit differs}' || fail "the identity: $(cat merged.csv)"
+"$cageproof" deform --cage apart.obj --merge 0 --posed merged_pose.txt --points mesh.obj --method green --out welded.csv 2>stderr || fail "a pose that is merged already: $(cat stderr)"
+cmp -s merged.csv welded.csv || fail "another image by a pose that is merged already: $(cat welded.csv)"
 sed '24s/.*/v 9 9 9/' apart.obj >pulled_apart.obj
 "$cageproof" deform --cage apart.obj --merge 0 --posed pulled_apart.obj --points mesh.obj --method green --out out.obj 2>stderr && fail "a pose that pulls merged vertices apart"
 grep -q 'pulled_apart.obj: vertices 5 and 23 are one in the rest cage by --merge, and lie ' stderr || fail "merged vertices: $(cat stderr)"

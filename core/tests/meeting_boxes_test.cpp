@@ -14,8 +14,19 @@ using Pairs = std::vector<std::pair<int, int>>;
 
 Pairs pairs_of(const std::vector<Eigen::AlignedBox3d>& boxes) {
   Pairs found;
-  for_meeting_boxes(boxes, [&](int a, int b) { found.emplace_back(a, b); });
+  for_meeting_boxes(boxes, [&](int a, int b) {
+    found.emplace_back(a, b);
+    return true;
+  });
   return found;
+}
+
+TEST(MeetingBoxes, ends_where_it_is_told_to) {
+  const std::vector<Eigen::AlignedBox3d> equal(4,
+                                               Eigen::AlignedBox3d(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()));
+  int calls = 0;
+  for_meeting_boxes(equal, [&](int, int) { return ++calls < 2; });
+  EXPECT_EQ(calls, 2);
 }
 
 TEST(MeetingBoxes, one_by_one_and_in_order) {

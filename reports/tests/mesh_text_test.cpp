@@ -158,7 +158,7 @@ TEST(SvgText, gives_vertices_and_segments_back) {
                    {4, 2, 0},
                    {5, 0, 0},
                    {6, 0, 0}};
-  // A closed polyline, a vertex alone, an open one, and there and back.
+  // A closed polyline, a vertex without segments, an open one, and there and back.
   mesh.segments = {{0, 1}, {1, 2}, {2, 0}, {4, 5}, {5, 6}, {6, 7}, {8, 9}, {9, 8}};
   const PartialMeshText svg = svg_text(mesh);
   EXPECT_TRUE(svg.left_out.empty());

@@ -114,23 +114,18 @@ std::string hole_because(const Candidate& cage) {
       named, others);
 }
 
-}  // namespace
-
-namespace {
-
 // Two faces with the same vertices that run along an edge the same way.
 void check_no_face_twice(const Candidate& cage, std::span<const EdgeUse> edge) {
-  const auto corners = [&](int face) {
-    std::array<int, 4> sorted = cage.faces[face].vertices;
+  std::map<std::pair<int, std::array<int, 4>>, int> face_of;  // by way and sorted vertices
+  for (const EdgeUse& use : edge) {
+    std::array<int, 4> sorted = cage.faces[use.face].vertices;
     std::ranges::sort(sorted);
-    return sorted;
-  };
-  for (std::size_t i = 0; i < edge.size(); ++i)
-    for (std::size_t j = i + 1; j < edge.size(); ++j)
-      if (edge[i].way == edge[j].way && corners(edge[i].face) == corners(edge[j].face))
-        fail_face(cage, edge[j].face,
-                  fmt::format("has the vertices of {}, turned the same way: it is there twice",
-                              face_label(cage, edge[i].face)));
+    const auto [found, is_new] = face_of.try_emplace({use.way, sorted}, use.face);
+    if (!is_new)
+      fail_face(cage, use.face,
+                fmt::format("has the vertices of {}, turned the same way: it is there twice",
+                            face_label(cage, found->second)));
+  }
 }
 
 }  // namespace

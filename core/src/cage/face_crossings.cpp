@@ -50,6 +50,7 @@ class Soup {
             fmt::format("more than {} pairs of faces cross or touch each other, as faces {} and {} do: this is no "
                         "surface; does the file hold it many times? (faces counted from 0)",
                         most, found.begin()->first, found.begin()->second));
+      return true;
     });
     std::vector<FaceCrossing> result;
     result.reserve(found.size());

@@ -37,6 +37,7 @@ Merging merging_of(const std::vector<Vec3<double>>& vertices, double distance) {
   cage_checks::Connected connected(vertices.size());
   for_meeting_boxes(boxes, [&](int a, int b) {
     if (vertices[a] == vertices[b] || (vertices[a] - vertices[b]).stableNorm() <= distance) connected.join(a, b);
+    return true;
   });
   Merging merging;
   std::vector<int> new_of(vertices.size(), -1);  // by root
@@ -87,8 +88,6 @@ Mesh merged(Mesh mesh, const Merging& merging, const std::filesystem::path& path
 
 std::vector<Vec3<double>> merged_pose(const std::vector<Vec3<double>>& posed, const Merging& merging, double distance,
                                       const std::filesystem::path& path) {
-  // Already merged, where the cage's file is not.
-  if (posed.size() == merging.first.size()) return posed;
   if (posed.size() != merging.number.size())
     throw InputError(fmt::format("{}: {} vertices, the cage has {} before --merge and {} after it", path.string(),
                                  posed.size(), merging.number.size(), merging.first.size()));

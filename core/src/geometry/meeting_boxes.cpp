@@ -23,7 +23,7 @@ Box box_of(const Eigen::AlignedBox3d& box) {
 
 }  // namespace
 
-void for_meeting_boxes(const std::vector<Eigen::AlignedBox3d>& boxes, const std::function<void(int, int)>& with) {
+void for_meeting_boxes(const std::vector<Eigen::AlignedBox3d>& boxes, const std::function<bool(int, int)>& with) {
   std::vector<std::pair<Box, int>> entries;
   entries.reserve(boxes.size());
   for (const auto& box : boxes) entries.emplace_back(box_of(box), static_cast<int>(entries.size()));
@@ -34,7 +34,8 @@ void for_meeting_boxes(const std::vector<Eigen::AlignedBox3d>& boxes, const std:
     const auto is_later = [first = index](const auto& other) { return other.second > first; };
     tree.query(bg::index::intersects(box) && bg::index::satisfies(is_later), std::back_inserter(found));
     std::ranges::sort(found, {}, &std::pair<Box, int>::second);
-    for (const auto& other : found) with(index, other.second);
+    for (const auto& other : found)
+      if (!with(index, other.second)) return;
   }
 }
 

@@ -10,8 +10,8 @@
 namespace cageproof {
 
 /// Calls `with` once for each pair of boxes that have a point in common, borders included, by their indices, the lower
-/// one first, in ascending order.
+/// one first, in ascending order, until it returns false.
 /// \param boxes of finite corners
-void for_meeting_boxes(const std::vector<Eigen::AlignedBox3d>& boxes, const std::function<void(int, int)>& with);
+void for_meeting_boxes(const std::vector<Eigen::AlignedBox3d>& boxes, const std::function<bool(int, int)>& with);
 
 }  // namespace cageproof

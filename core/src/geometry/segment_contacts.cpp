@@ -119,11 +119,11 @@ std::optional<SegmentContact> first_contact(const std::vector<Vec3<double>>& ver
     boxes.emplace_back(vertices[segment.vertices[0]]).extend(vertices[segment.vertices[1]]);
   std::optional<SegmentContact> found;
   for_meeting_boxes(boxes, [&](int first, int second) {
-    if (found) return;
     found = pairs.contact(segments[first], segments[second]);
-    if (!found) return;
+    if (!found) return true;
     found->first = first;
     found->second = second;
+    return false;
   });
   return found;
 }

@@ -37,9 +37,9 @@ CarriedMesh ply_with_vertices(std::string_view text, std::span<const Vec3<double
 CarriedMesh vtp_with_vertices(const std::filesystem::path& file, std::span<const Vec3<double>> vertices,
                               const MeshField& images);
 
-/// Names what a mesh file (OBJ, PLY, VTP, SVG, STL, GeoJSON) has beside vertices, faces and polylines, each once:
-/// "texture coordinates", "property red", "array temperature". Empty for other formats. \throws InputError where it
-/// cannot be read
+/// Names what a mesh file (OBJ, PLY, VTP, SVG, STL, GeoJSON) holds that is neither vertex, face nor polyline, each
+/// once: "texture coordinates", "property red", "array temperature". Empty for other formats. \throws InputError where
+/// it cannot be read
 std::vector<std::string> beside_places(const std::filesystem::path& file);
 
 }  // namespace cageproof::reports

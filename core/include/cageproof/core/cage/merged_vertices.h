@@ -20,7 +20,7 @@ Merging merging_of(const std::vector<Vec3<double>>& vertices, double distance);
 /// and segments of one are left out. Says how many, and how many vertices are left, in a warning.
 Mesh merged(Mesh mesh, const Merging& merging, const std::filesystem::path& path);
 
-/// The vertices of another pose of the same mesh; as they are where they are as many as merged ones. \param path of the
+/// The vertices of another pose of the same mesh. \param path of the
 /// pose, for messages \throws InputError for another number of vertices, or where vertices that are one lie further
 /// than `distance` from the first of them
 std::vector<Vec3<double>> merged_pose(const std::vector<Vec3<double>>& posed, const Merging& merging, double distance,
