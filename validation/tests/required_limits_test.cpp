@@ -70,6 +70,17 @@ TEST(limits, are_not_asked_of_quads_whose_corners_coincide) {
   EXPECT_EQ(limits_that_must_exist(formula, sample), Limits{});
 }
 
+// A needle that was rounded to float, seen from its second corner. Steps in doubles lead away from there.
+TEST(limits, at_a_corner_that_is_nearly_straight_are_those_of_the_border) {
+  Sample sample;
+  sample.corners = {{0x1.96686ep-1, -0x1.41d0bap-2, 0x1.32713p-1},
+                    {0x1.96687p-1, -0x1.41d0bcp-2, 0x1.32713p-1},
+                    {0x1.966872p-1, -0x1.41d0bep-2, 0x1.32712cp-1},
+                    {0x1.1b574cp-3, -0x1.2e0d96p-2, -0x1.84b2ep-3}};
+  sample.point = sample.corners[1];
+  EXPECT_EQ(limits_that_must_exist(formula_named("quad.solid_angle"), sample), Limits{});
+}
+
 TEST(limits, that_must_exist_are_found_by_the_integral) {
   for (const Formula& formula : catalogue()) {
     const auto integral = EvaluationRegister::instance().with_role(formula.name, Role::Integral);

@@ -50,13 +50,27 @@ std::array<double, 2> rough_foot(Corners q, const Vec& point) {
   return {u, v};
 }
 
-// The same to the digits of R, which each step doubles.
+// The same to the digits of R, which each step doubles. It starts at a corner where that is nearer than the rough foot:
+// next to a corner that is nearly straight the steps in doubles go astray.
 template <Scalar R>
 std::array<R, 2> foot_in(CornersIn<R> q, const Vec3<R>& point) {
   std::array<Vec, 4> rounded;
   for (int k = 0; k < 4; ++k) rounded[k] = convert<double>(q[k]);
   const auto [u, v] = rough_foot(rounded, convert<double>(point));
+  const Surface<R> surface{q};
   std::array<R, 2> at{R(u), R(v)};
+  const auto off = [&](const std::array<R, 2>& start) {
+    const Vec3<R> away = point - surface.at(start[0], start[1]);
+    return R(away.dot(away));
+  };
+  R least = off(at);
+  for (const auto& [cu, cv] : {std::array{0, 0}, std::array{1, 0}, std::array{1, 1}, std::array{0, 1}}) {
+    const std::array<R, 2> corner{R(cu), R(cv)};
+    if (const R squared = off(corner); squared < least) {
+      least = squared;
+      at = corner;
+    }
+  }
   for (int step = 0; step < 5; ++step) approach<R>({q}, point, at[0], at[1]);
   return at;
 }
