@@ -16,15 +16,20 @@ namespace {
 constexpr std::size_t most_rows_shown = 4;
 
 void print_row(const ResultRow& row) {
-  fmt::print("  BROKEN {} {} {} {}{} {} order {}: {}\n", row.subject, row.evaluation, row.scalar, row.setting,
-             row.place.empty() ? "" : " " + row.place, row.check, row.order, reports::breach(row));
+  fmt::print("  {} {} {} {} {}{} {} order {}: {}\n", row.verdict == Verdict::Undecided ? "undecided" : "BROKEN",
+             row.subject, row.evaluation, row.scalar, row.setting, row.place.empty() ? "" : " " + row.place, row.check,
+             row.order, reports::breach(row));
+}
+
+void print_rows(const std::vector<const ResultRow*>& rows) {
+  const std::size_t shown = std::min(rows.size(), most_rows_shown);
+  for (std::size_t i = 0; i < shown; ++i) print_row(*rows[i]);
+  if (shown < rows.size()) fmt::print("  and {} more\n", rows.size() - shown);
 }
 
 void print_group(const reports::BrokenGroup& group) {
   fmt::print("{}\n", reports::title_of(group));
-  const std::size_t shown = std::min(group.rows.size(), most_rows_shown);
-  for (std::size_t i = 0; i < shown; ++i) print_row(*group.rows[i]);
-  if (shown < group.rows.size()) fmt::print("  and {} more\n", group.rows.size() - shown);
+  print_rows(group.rows);
   if (!group.simplest) return;
   const ResultRow& row = *group.simplest_row;
   const std::string origin = row.section == RowKey::Section::Element ? validation::origin_of(row, *group.simplest) : "";
@@ -38,14 +43,21 @@ void print_group(const reports::BrokenGroup& group) {
 ExitCode print_verdict(const RunResult& result, const std::string& out) {
   const std::filesystem::path folder = out;
   std::size_t kept = 0, broken = 0, unpromised = 0;
+  std::vector<const ResultRow*> undecided;
   for (const ResultRow& row : result.rows) {
     kept += row.verdict == Verdict::Kept;
     broken += row.verdict == Verdict::Broken;
     unpromised += row.verdict == Verdict::NotPromised;
+    if (row.verdict == Verdict::Undecided) undecided.push_back(&row);
   }
   for (const reports::BrokenGroup& group : reports::broken_groups(result)) print_group(group);
-  fmt::print("{}: {} promises kept, {} broken, {} rows not promised\n",
-             broken == 0 ? "all promises kept" : "PROMISES BROKEN", kept, broken, unpromised);
+  print_rows(undecided);
+  fmt::print("{}: {} promises kept, {} broken, {} rows not promised{}\n",
+             broken != 0          ? "PROMISES BROKEN"
+             : !undecided.empty() ? "no promise broken"
+                                  : "all promises kept",
+             kept, broken, unpromised,
+             undecided.empty() ? "" : fmt::format(", {} undecided: more --samples would decide", undecided.size()));
   fmt::print("report: {}\n", (folder / "index.html").string());
   if (broken != 0) fmt::print("worst inputs: cageproof replay {}\n", (folder / "worst.jsonl").string());
   for (const std::string& note : result.session_notes) fmt::print(stderr, "cageproof: {}\n", note);

@@ -40,6 +40,7 @@ function commandsOf(row) {
 function meaningOf(row) {
   if (row.ill_posed) return `ill-posed here: a result without a right digit would score at most ${row.total_loss}, which the bound of ${row.bound} allows`;
   if (row.verdict === "not promised") return "not promised";
+  if (row.verdict === "undecided") return "undecided: more samples would decide";
   return row.verdict === "kept" ? "promise kept" : "promise broken";
 }
 

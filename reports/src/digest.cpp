@@ -37,11 +37,15 @@ std::string verdict_line(const RunResult& result) {
   const auto count = [&](Verdict verdict) {
     return static_cast<std::uint64_t>(std::ranges::count(result.rows, verdict, &ResultRow::verdict));
   };
-  const std::uint64_t broken = count(Verdict::Broken), promised = broken + count(Verdict::Kept);
-  if (promised == 0) return "Nothing was promised in this run";
+  const std::uint64_t broken = count(Verdict::Broken), promised = broken + count(Verdict::Kept),
+                      undecided = count(Verdict::Undecided);
+  const std::string open =
+      undecided == 0 ? ""
+                     : fmt::format("; {} {} undecided", grouped(undecided), undecided == 1 ? "row is" : "rows are");
+  if (promised == 0) return "Nothing was promised in this run" + open;
   if (broken == 0)
-    return promised == 1 ? "The one promise is kept" : fmt::format("All {} promises kept", grouped(promised));
-  return fmt::format("{} of {} promises broken", grouped(broken), grouped(promised));
+    return (promised == 1 ? "The one promise is kept" : fmt::format("All {} promises kept", grouped(promised))) + open;
+  return fmt::format("{} of {} promises broken", grouped(broken), grouped(promised)) + open;
 }
 
 double strain(const ResultRow& row) {

@@ -166,31 +166,41 @@ RowKey gate_at(const char* regime) {
   return gate;
 }
 
-TEST(rows, without_an_integral_behind_them_break_its_own_row) {
+TEST(rows, without_an_integral_behind_them_leave_its_own_row_undecided_and_break_it_in_a_whole_suite) {
   Tally declined = tally(-1);
   declined.declined = declined.asked = 2;
-  for (const Tally& none : {declined, tally(-1, 4)}) {
-    std::map<RowKey, Tally> tallies{{gate_at("on-face"), none}, {key("truth", "closed_form", "on-face"), tally(3)}};
-    for (const ResultRow& row : judged(tallies).rows)
-      EXPECT_EQ(row.verdict, row.check == "integral" ? Verdict::Broken : Verdict::NotPromised);
-    // Broken rows were promised, too.
-    tallies[key("truth", "closed_form", "on-face")] = tally(65);
-    for (const ResultRow& row : judged(tallies).rows)
-      EXPECT_EQ(row.verdict, row.check == "integral" ? Verdict::Broken : Verdict::NotPromised);
-    // Where nothing has a limit, nothing rests on it.
-    tallies[key("truth", "closed_form", "on-face")] = tally(-1, 3);
-    for (const ResultRow& row : judged(tallies).rows) EXPECT_EQ(row.verdict, Verdict::NotPromised);
-  }
+  for (const auto& [samples, verdict] :
+       {std::pair(Samples::All, Verdict::Broken), std::pair(Samples::Fewer, Verdict::Undecided)})
+    for (const Tally& none : {declined, tally(-1, 4), tally(-1, 3)}) {
+      std::map<RowKey, Tally> tallies{{gate_at("on-face"), none}, {key("truth", "closed_form", "on-face"), tally(3)}};
+      for (const ResultRow& row : judged(tallies, samples).rows)
+        EXPECT_EQ(row.verdict, row.check == "integral" ? verdict : Verdict::NotPromised);
+      // What is broken stays so.
+      tallies[key("truth", "closed_form", "on-face")] = tally(65);
+      for (const ResultRow& row : judged(tallies, samples).rows)
+        EXPECT_EQ(row.verdict, row.check == "integral" ? verdict : Verdict::Broken);
+      // Where nothing has a limit, nothing rests on it.
+      tallies[key("truth", "closed_form", "on-face")] = tally(-1, 3);
+      for (const ResultRow& row : judged(tallies, samples).rows) EXPECT_EQ(row.verdict, Verdict::NotPromised);
+    }
 }
 
-// Runs of few samples may meet none with a limit.
-TEST(rows, rest_on_nothing_where_few_samples_have_no_limit) {
-  std::map<RowKey, Tally> tallies{{gate_at("on-face"), tally(-1, 3)},
-                                  {key("truth", "closed_form", "on-face"), tally(3)}};
-  for (const ResultRow& row : judged(tallies).rows) {
-    EXPECT_EQ(row.verdict, Verdict::NotPromised);
-    EXPECT_FALSE(row.reason.empty());
-  }
+TEST(rows, that_are_undecided_name_an_input) {
+  Tally found;
+  found.add(3, 3e-16, 7, [](double error) {
+    WorstCase worst;
+    worst.error = error;
+    worst.corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    worst.point = {0.25, 0, 0};
+    return worst;
+  });
+  found.asked = 1;
+  for (const ResultRow& row :
+       judged({{gate_at("on-edge"), tally(-1, 2)}, {key("truth", "closed_form", "on-edge"), found}}).rows)
+    if (row.check == "integral") {
+      EXPECT_TRUE(row.reason.starts_with("not enough samples: ")) << row.reason;
+      EXPECT_NE(row.reason.find("measured for instance at ("), std::string::npos) << row.reason;
+    }
 }
 
 TEST(rows, are_withdrawn_where_the_integral_is_another) {

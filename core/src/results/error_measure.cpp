@@ -113,7 +113,13 @@ void WorstCases::merge(const WorstCases& other) {
 }
 
 std::string_view name_of(Verdict verdict) {
-  return verdict == Verdict::Kept ? "kept" : verdict == Verdict::Broken ? "BROKEN" : "not promised";
+  switch (verdict) {
+    case Verdict::Kept: return "kept";
+    case Verdict::Broken: return "BROKEN";
+    case Verdict::Undecided: return "undecided";
+    case Verdict::NotPromised: break;
+  }
+  return "not promised";
 }
 
 bool RunResult::all_kept() const {

@@ -28,7 +28,7 @@ std::string cell_class(const ResultRow& row) {
                     : row.verdict == Verdict::Kept ? "e0"
                                                    : "plain";
   if (row.verdict == Verdict::Broken) css += " broken";
-  if (row.verdict == Verdict::NotPromised) css += " open";
+  if (row.verdict == Verdict::NotPromised || row.verdict == Verdict::Undecided) css += " open";
   return css;
 }
 

@@ -2,6 +2,7 @@
 #include "verdicts.h"
 
 #include "cageproof/core/coordinates/whole_evaluation.h"
+#include "cageproof/reports/broken_groups.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/regime.h"
@@ -53,22 +54,24 @@ std::string loss(const ResultRow& row) {
   return fmt::format("{} of {} samples are lost: {}", lost_samples(row), row.asked, fmt::join(parts, ", "));
 }
 
-// So many samples of a regime have one with a limit among them. Runs of fewer leave the regime unproven, and with it
-// unpromised; they do not break it.
-constexpr std::uint64_t enough_asked = 4;
-
 // Where the closed form in multiprecision has not agreed with the integral, nothing that was measured against it
-// counts: the gate's own row is broken for all of them.
-void withdraw_unproven(Judged& result) {
+// counts: the gate's own row is broken for all of them. Where the integral was asked and could say nothing, the row is
+// undecided, and broken where the run has all samples of its suite: these are chosen so that it can.
+void withdraw_unproven(Judged& result, Samples samples) {
   const auto same_place = [](const RowKey& a, const RowKey& b) {
     return a.subject == b.subject && a.setting == b.setting && a.order == b.order;
   };
   for (ResultRow& gate : result.rows) {
     if (!has_use(gate, Check::Use::Gate) || gate.verdict == Verdict::Kept) continue;
     std::size_t promised = 0;
+    const WorstCase* example = nullptr;
+    const bool silent = gate.verdict == Verdict::NotPromised;
     for (ResultRow& row : result.rows) {
       if (has_use(row, Check::Use::Gate) || has_use(row, Check::Use::Proof) || !same_place(row, gate)) continue;
       promised += row.verdict != Verdict::NotPromised;
+      if (example == nullptr && row.verdict != Verdict::NotPromised && !row.worst.empty()) example = &row.worst.front();
+      // What is broken without a word of the integral is no less so for it.
+      if (silent && row.verdict == Verdict::Broken) continue;
       row.verdict = Verdict::NotPromised;
       row.reason = "the truth is not confirmed by the integral here";
     }
@@ -77,15 +80,13 @@ void withdraw_unproven(Judged& result) {
           fmt::format("{}, {}, order {}: the closed form in multiprecision is not the integral; nothing measured "
                       "against it counts",
                       gate.subject, gate.setting, gate.order));
-    } else if (promised > 0 && gate.without_truth == gate.asked && gate.asked < enough_asked) {
-      gate.reason =
-          fmt::format("none of {} samples has a limit that the integral could confirm; more samples would", gate.asked);
     } else if (promised > 0) {
-      gate.verdict = Verdict::Broken;
+      gate.verdict = samples == Samples::All ? Verdict::Broken : Verdict::Undecided;
       gate.reason = fmt::format(
-          "the integral confirmed the truth on none of {} samples ({} without a limit, {} declined), and {} promised "
-          "rows rest on it",
-          gate.asked, gate.without_truth, gate.declined, promised);
+          "{}the integral confirmed the truth on none of {} samples ({} without a limit, {} declined), and {} promised "
+          "rows rest on it{}",
+          samples == Samples::All ? "" : "not enough samples: ", gate.asked, gate.without_truth, gate.declined,
+          promised, example ? ", measured for instance at " + reports::input_line(*example) : "");
     }
   }
 }
@@ -161,12 +162,12 @@ ResultRow row_of(const RowKey& key, const Tally& tally) {
   return row;
 }
 
-Judged judged(const std::map<RowKey, Tally>& tallies) {
+Judged judged(const std::map<RowKey, Tally>& tallies, Samples samples) {
   Judged result;
   for (const auto& [key, tally] : tallies)
     if (!tally.empty()) result.rows.push_back(row_of(key, tally));
   sort_for_report(result.rows);
-  withdraw_unproven(result);
+  withdraw_unproven(result, samples);
   for (const ResultRow& row : result.rows)
     if (auto curve = curve_of(row, tallies.at(row))) result.curves.push_back(std::move(*curve));
   return result;

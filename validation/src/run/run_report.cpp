@@ -17,6 +17,7 @@
 #include <malloc.h>
 #endif
 
+#include <algorithm>
 #include <set>
 
 namespace cageproof::validation {
@@ -139,6 +140,13 @@ std::string difference_of_runs(const reports::JournalHeader& before, const repor
   return fmt::format("{}", fmt::join(differences, "; "));
 }
 
+// Fewer where the user asked for fewer than the suite has.
+Samples samples_of(const reports::JournalHeader& header) {
+  const auto suite = std::ranges::find(suites(), header.options.at("suite"), &Suite::name);
+  return suite != suites().end() && std::stoi(header.options.at("samples")) >= suite->samples ? Samples::All
+                                                                                              : Samples::Fewer;
+}
+
 RunResult result_of(const Journal& journal) {
   RunResult result;
   result.version = journal.header.version;
@@ -150,7 +158,7 @@ RunResult result_of(const Journal& journal) {
     result.settings.insert(*content);
   result.sessions = journal.sessions;
   result.session_notes = session_notes(journal.sessions);
-  Judged found = judged(journal.gathered.rows);
+  Judged found = judged(journal.gathered.rows, samples_of(journal.header));
   result.rows = std::move(found.rows);
   result.curves = std::move(found.curves);
   result.notes = std::move(found.notes);

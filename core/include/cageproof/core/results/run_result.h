@@ -11,9 +11,10 @@
 
 namespace cageproof {
 
-enum class Verdict { Kept, Broken, NotPromised };
+/// Undecided: a row that confirms others measured nothing, since the run has fewer samples than its suite.
+enum class Verdict { Kept, Broken, NotPromised, Undecided };
 
-/// "kept", "BROKEN", "not promised".
+/// "kept", "BROKEN", "not promised", "undecided".
 std::string_view name_of(Verdict verdict);
 
 /// One line of the results: a row key and the figures of its tally, judged.
