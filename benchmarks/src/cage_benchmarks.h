@@ -24,7 +24,8 @@ std::vector<std::string> register_cage_benchmarks(const std::shared_ptr<const De
 /// Registers `scaling/<kind>/<points|faces|threads>/<evaluation>/<count>`: values of green, biharmonic, somigliana,
 /// mean_value, quad_mean_value and quad_green by timed_evaluations, whole ones and the recommended one, in an icosphere
 /// (a cube of quads for kinds that keep them): over the number of points, of elements (of subdivided cages), and of
-/// threads. Time is the clock's: counters `ns_per_pair`, `points`, `elements` and `threads`. \returns the names
+/// threads. Time is the clock's: counters `ns_per_pair`, `points`, `elements` and `threads`. And
+/// `scaling/inside/faces/tree/<count>`: exact winding numbers of subdivided icospheres. \returns the names
 std::vector<std::string> register_scaling_benchmarks();
 
 }  // namespace cageproof::benchmarks

@@ -2,6 +2,9 @@
 #include "cage_benchmarks.h"
 #include "timed_run.h"
 
+#include "cageproof/core/cage/winding_numbers.h"
+#include "cageproof/core/numbers/random_stream.h"
+
 #include <fmt/format.h>
 
 #include <map>
@@ -69,11 +72,42 @@ class Scaling {
   std::vector<std::string>& names_;
 };
 
+// Points within the cage's box, in random order.
+std::vector<Vec3<double>> in_box(const Cage& cage, int count) {
+  const auto [low, high] = box_of(cage.vertices());
+  std::vector<Vec3<double>> points;
+  points.reserve(count);
+  for (int i = 0; i < count; ++i) {
+    RandomStream random(7, "in the box", i);
+    points.emplace_back(Vec3<double>(random.uniform(), random.uniform(), random.uniform()).cwiseProduct(high - low) +
+                        low);
+  }
+  return points;
+}
+
+// Exact winding numbers around random points.
+void add_winding_numbers(const Cage& cage, int points, std::vector<std::string>& names) {
+  names.push_back(fmt::format("scaling/inside/faces/tree/{}", cage.faces().size()));
+  const auto windings = std::make_shared<const WindingNumbers>(CageElements(cage, false, Triangulation::Shortest));
+  add_benchmark(names.back(), [windings, asked = in_box(cage, points)](benchmark::State& state) {
+    for (auto iteration : state)
+      for (const Vec3<double>& point : asked) benchmark::DoNotOptimize(windings->around(point));
+    state.counters["points"] = static_cast<double>(asked.size());
+    state.counters["points_per_second"] =
+        benchmark::Counter(static_cast<double>(asked.size()), benchmark::Counter::kIsIterationInvariantRate);
+  });
+}
+
 }  // namespace
 
 std::vector<std::string> register_scaling_benchmarks() {
   constexpr int all_points = 16384;
   std::vector<std::string> names;
+  DeformedCage sphere = embedded_deformed_cage("icosphere", 1);
+  for (int i = 0; i < 6; ++i) {
+    add_winding_numbers(sphere.cage, all_points, names);
+    sphere = subdivided(sphere);
+  }
   for (const char* name : {"green", "biharmonic", "somigliana", "mean_value", "quad_mean_value", "quad_green"}) {
     const CoordinateKind& kind = coordinate_kind_named(name);
     std::vector<DeformedCage> cages{embedded_deformed_cage(kind.keeps_quads ? "cube" : "icosphere", all_points)};

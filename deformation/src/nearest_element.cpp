@@ -3,36 +3,54 @@
 
 #include "cageproof/core/geometry/nearest.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace cageproof::deformation {
 
-NearestElements::NearestElements(const CageElements& elements) : normals_(elements.normals()) {
-  for (std::size_t e = 0; e < elements.count(); ++e) {
-    corners_.push_back(elements.corners(e));
-    boxes_.push_back(box_of(corners_.back()));
-  }
+namespace {
+
+std::vector<std::vector<Vec3<double>>> corners_of(const CageElements& elements) {
+  std::vector<std::vector<Vec3<double>>> all;
+  all.reserve(elements.count());
+  for (std::size_t e = 0; e < elements.count(); ++e) all.push_back(elements.corners(e));
+  return all;
 }
+
+std::vector<Box> boxes_around(const std::vector<std::vector<Vec3<double>>>& elements) {
+  std::vector<Box> boxes;
+  boxes.reserve(elements.size());
+  for (const auto& corners : elements) boxes.push_back(box_of(corners));
+  return boxes;
+}
+
+}  // namespace
+
+NearestElements::NearestElements(const CageElements& elements)
+    : corners_(corners_of(elements)), tree_(boxes_around(corners_)), normals_(elements.normals()) {}
 
 NearestElement NearestElements::of(const Vec3<double>& point) const {
   NearestElement best{0, Vec3<double>::Zero(), std::numeric_limits<double>::infinity()};
-  for (std::size_t e = 0; e < corners_.size(); ++e) {
-    const auto& [low, high] = boxes_[e];
-    if ((point - point.cwiseMax(low).cwiseMin(high)).stableNorm() > best.distance) continue;
+  tree_.by_distance(point, [&](int index) {
+    const auto e = static_cast<std::size_t>(index);
     const NearestPlace found = nearest_place(corners_[e], point);
     const double distance = (found.place - point).stableNorm();
-    if (distance < best.distance) best = {e, found.place, distance};
-  }
+    if (distance < best.distance || (distance == best.distance && e < best.element)) best = {e, found.place, distance};
+    return best.distance;
+  });
   return best;
 }
 
 std::vector<Vec3<double>> NearestElements::inwards_at(const NearestElement& nearest, double near) const {
   std::vector<Vec3<double>> ways{Vec3<double>::Zero()};
-  for (std::size_t e = 0; e < corners_.size(); ++e) {
-    const auto& [low, high] = boxes_[e];
-    const Vec3<double>& place = nearest.place;
-    if ((place - place.cwiseMax(low).cwiseMin(high)).stableNorm() > near) continue;
-    if ((nearest_place(corners_[e], place).place - place).stableNorm() > near) continue;
+  const Vec3<double>& place = nearest.place;
+  std::vector<int> close;
+  tree_.by_distance(place, [&](int e) {
+    if ((nearest_place(corners_[e], place).place - place).stableNorm() <= near) close.push_back(e);
+    return near;
+  });
+  std::ranges::sort(close);
+  for (const int e : close) {
     ways.front() -= normals_[e];
     ways.emplace_back(-normals_[e]);
   }

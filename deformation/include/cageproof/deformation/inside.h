@@ -2,23 +2,19 @@
 // Whether points are inside a cage, for those who deform meshes that may poke out of it.
 #pragma once
 
-#include "cageproof/core/cage/cage_elements.h"
-
-#include <vector>
+#include "cageproof/core/cage/winding_numbers.h"
 
 namespace cageproof::deformation {
 
 /// Decided exactly, of bilinear quads as of triangles and segments.
 class Inside {
  public:
-  explicit Inside(const CageElements& elements);
+  explicit Inside(const CageElements& elements) : windings_(elements) {}
   /// On the cage counts as inside.
   bool holds(const Vec3<double>& point) const;
 
  private:
-  std::vector<Segment<double>> segments_;
-  std::vector<Triangle<double>> triangles_;
-  std::vector<Quad<double>> quads_;
+  WindingNumbers windings_;
 };
 
 }  // namespace cageproof::deformation

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/core/cage/cage_elements.h"
-#include "cageproof/core/geometry/box.h"
+#include "cageproof/core/geometry/box_tree.h"
 
 #include <vector>
 
@@ -29,7 +29,7 @@ class NearestElements {
 
  private:
   std::vector<std::vector<Vec3<double>>> corners_;
-  std::vector<Box> boxes_;
+  BoxTree tree_;
   std::vector<Vec3<double>> normals_;
 };
 
