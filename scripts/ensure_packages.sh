@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # scripts/ensure_packages.sh [tests]: installs the Debian packages that Cageproof needs, or its tests as well, and the machine lacks; silent when nothing is missing.
-# Says before what it installs and why. Exit 0: all there; 2: something is missing and could not be installed.
+# Says before what it installs and why. Exit 0: all there; 2: something is missing and could not be installed, or ParaView's package is in the way.
 # Where there is no dpkg it says what is needed and leaves the verdict to CMake.
 set -euo pipefail
 
@@ -90,6 +90,15 @@ missing_of() {
 }
 
 mapfile -t missing < <(needed | missing_of)
+
+# Debian's python3-paraview conflicts with python3-vtk9, which libvtk9-dev depends on. apt-get refuses or removes one of them, so the user decides.
+if [[ " ${missing[*]} " =~ ' '(libvtk9-dev|python3-vtk9)' ' && -z $(echo python3-paraview | missing_of) ]]; then
+  say "python3-paraview is installed, and Debian's packages conflict: it excludes python3-vtk9, which Cageproof's libvtk9-dev needs."
+  say "Nothing was installed, because only one of the two can be. ParaView's window program can stay, without its Python modules. Run as root:"
+  say "  apt-get install -y --no-install-recommends libvtk9-dev python3-vtk9 python3-paraview-"
+  say "then start again. docs/fields.md has other ways to keep ParaView and pvpython."
+  exit 2
+fi
 mapfile -t wanted < <(helpful | missing_of)
 ((${#missing[@]} + ${#wanted[@]})) || exit 0
 

@@ -19,6 +19,22 @@ expect() {
   fi
 }
 
+# Where ParaView's Python package has removed libvtk9-dev, ensure_packages.sh names the conflict and installs nothing. Stand-ins for dpkg-query and apt-get
+# say what is installed and record that nothing was asked for.
+mkdir -p "$work/bin"
+printf '#!/bin/sh\nshift 2\nfor name; do case " $MISSING " in *" $name "*) ;; *) echo "$name installed" ;; esac; done\n' >"$work/bin/dpkg-query"
+printf '#!/bin/sh\necho "apt-get $*" >>"%s/installed"\n' "$work" >"$work/bin/apt-get"
+printf '#!/bin/sh\nwhile [ "${1#-}" != "$1" ]; do shift; done\nexec "$@"\n' >"$work/bin/sudo"
+chmod +x "$work"/bin/*
+ensure() { MISSING=$1 PATH="$work/bin:$PATH" "$root/scripts/ensure_packages.sh"; }
+expect 2 'python3-paraview is installed' ensure 'libvtk9-dev python3-vtk9'
+expect 2 'apt-get install -y --no-install-recommends libvtk9-dev python3-vtk9 python3-paraview-' ensure 'libvtk9-dev python3-vtk9'
+if [ -e "$work/installed" ]; then
+  echo "FAILED: packages were installed over python3-paraview: $(cat "$work/installed")"
+  failures=$((failures + 1))
+fi
+expect 0 'Installed.' ensure 'libvtk9-dev python3-vtk9 python3-paraview'
+
 # A project of one header and one source, with the gates' scripts.
 mkdir -p "$work/project/scripts" "$work/project/core/src"
 cd "$work/project" || exit 2
