@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The constants of [T24] Eq 48, as the paper means them and as it prints b.
-#include "cageproof/closed_form/published/triangle/engine/elasticity.h"
+#include "published/triangle/engine/elasticity.h"
 
 #include <gtest/gtest.h>
 

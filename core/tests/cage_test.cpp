@@ -2,7 +2,7 @@
 #include "cageproof/core/cage/cage.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
-#include "cageproof/core/cage/face_crossings.h"
+#include "cage/face_crossings.h"
 #include "cageproof/core/input_error.h"
 #include "support.h"
 

@@ -66,6 +66,10 @@ if command -v clang-tidy-16 >/dev/null; then
   printf 'int one();\ninline char* none() { return nullptr; }\n' >core/src/one.h
   commit mended
   expect 0 '1 of 1 sources are clean' scripts/check_tidy.sh HEAD~1
+  printf 'inline char* lost() { return 0; }\n' >core/src/lost.h
+  commit homeless
+  expect 1 'no source includes it, and nothing checked it: core/src/lost.h' scripts/check_tidy.sh HEAD~1
+  git rm -q core/src/lost.h && commit found
   # A move is the same code; a move and a changed line are not.
   git mv core/src/one.h core/src/first.h
   sed -i 's/one.h/first.h/' core/src/one.cpp
@@ -74,6 +78,13 @@ if command -v clang-tidy-16 >/dev/null; then
   printf 'int one();\ninline char* none() { return 0; }\n' >core/src/first.h
   commit broken
   expect 1 '0 of 1 sources are clean, 1 are not' scripts/check_tidy.sh HEAD~2
+fi
+
+# A build of which ninja recorded nothing tells nothing of what is included.
+if command -v ninja >/dev/null; then
+  mkdir "$work/build"
+  printf 'rule c\n  command = touch $out\nbuild closed_form/one.o: c\nbuild cageproof: c closed_form/one.o\n' >"$work/build/build.ninja"
+  expect 2 'no valid record' "$root/scripts/check_rooms" "$work/build"
 fi
 
 expect 2 'names no formula' "$root/scripts/hunt_all" 10 "$work/hunt" /bin/false

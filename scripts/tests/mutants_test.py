@@ -141,7 +141,8 @@ class Accounting(unittest.TestCase):
 
         root = self.folder / "root"
         (root / "docs").mkdir(parents=True)
-        report.write(root, self.folder)
+        missed = report.write(root, self.folder)
+        self.assertEqual([goal.split(";")[1] for goal in missed], [" the goal is 90 %", " the goal is 97 %", " the goal is 95 %"])
         page = (root / "docs/power.md").read_text()
         self.assertIn("9 mutants are drawn. 9 were asked of both", page)
         # Rooms that compute results: 6 mutants, of which verify catches 3 and tests 2.
@@ -176,7 +177,7 @@ class Accounting(unittest.TestCase):
         self.assertEqual(answers.outcome(1), "open")
         root = self.folder / "root"
         (root / "docs").mkdir(parents=True)
-        report.write(root, self.folder)
+        self.assertEqual(report.write(root, self.folder), [])
         self.assertIn("No mutant has been asked of both detectors", (root / "docs/power.md").read_text())
 
     def test_a_compiler_behind_a_launcher_is_found(self):

@@ -3,7 +3,7 @@
 #include "cageproof/core/cage/cage.h"
 
 #include "cageproof/core/geometry/element.h"
-#include "cageproof/core/cage/face_crossings.h"
+#include "face_crossings.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/geometry/quad_geometry.h"
 #include "cage_checks.h"

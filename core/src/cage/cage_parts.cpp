@@ -5,7 +5,7 @@
 #include "connected.h"
 
 #include "cageproof/core/geometry/element.h"
-#include "cageproof/core/cage/face_crossings.h"
+#include "face_crossings.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/geometry/orientation.h"
 #include "cageproof/core/geometry/winding_number.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/core/cage/face_crossings.h"
+#include "face_crossings.h"
 
 #include "cageproof/core/input_error.h"
 #include "face_pieces.h"

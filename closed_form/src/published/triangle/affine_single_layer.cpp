@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/closed_form/published/triangle/affine_single_layer.h"
+#include "published/triangle/affine_single_layer.h"
 
 #include "engine/register.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/closed_form/published/triangle/biharmonic_double_layer.h"
+#include "published/triangle/biharmonic_double_layer.h"
 
 #include "engine/register.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/closed_form/published/triangle/kelvin_displacement.h"
+#include "published/triangle/kelvin_displacement.h"
 
 #include "engine/register.h"
 

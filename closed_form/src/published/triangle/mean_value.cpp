@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/closed_form/published/triangle/mean_value.h"
+#include "published/triangle/mean_value.h"
 
 #include "engine/register.h"
 

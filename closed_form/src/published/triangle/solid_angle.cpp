@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cageproof/closed_form/published/triangle/solid_angle.h"
+#include "published/triangle/solid_angle.h"
 
 #include "engine/register.h"
 

@@ -2,7 +2,7 @@
 // Turns a printed form of [W12] into entries of the register: as it is after the errata, and with a misprint kept.
 #pragma once
 
-#include "cageproof/closed_form/published/segment/engine/edge.h"
+#include "published/segment/engine/edge.h"
 #include "cageproof/core/catalogue/evaluation.h"
 
 #include <initializer_list>

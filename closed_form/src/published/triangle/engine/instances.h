@@ -2,7 +2,7 @@
 // Parts that several printed forms share, instantiated once, in instances.cpp: they compile slowly.
 #pragma once
 
-#include "cageproof/closed_form/published/triangle/affine_single_layer.h"
+#include "published/triangle/affine_single_layer.h"
 
 #define CAGEPROOF_PUBLISHED_PARTS(how, R)                                            \
   how template struct Edge<R>;                                                       \

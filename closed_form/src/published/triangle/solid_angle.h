@@ -2,7 +2,7 @@
 // triangle.solid_angle as [T24] Appendix A and Section 3.1 print it.
 #pragma once
 
-#include "cageproof/closed_form/published/triangle/engine/omega.h"
+#include "published/triangle/engine/omega.h"
 
 namespace cageproof::closed_form::published {
 

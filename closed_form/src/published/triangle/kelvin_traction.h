@@ -2,9 +2,9 @@
 // triangle.kelvin_traction: [T24] Eq 47-49. The paper prints no derivatives.
 #pragma once
 
-#include "cageproof/closed_form/published/triangle/engine/elasticity.h"
-#include "cageproof/closed_form/published/triangle/affine_single_layer.h"
-#include "cageproof/closed_form/published/triangle/double_layer.h"
+#include "published/triangle/engine/elasticity.h"
+#include "published/triangle/affine_single_layer.h"
+#include "published/triangle/double_layer.h"
 
 namespace cageproof::closed_form::published {
 

@@ -2,9 +2,9 @@
 // triangle.kelvin_displacement: [T24] Eq 47-49. The paper prints no derivatives.
 #pragma once
 
-#include "cageproof/closed_form/published/triangle/engine/elasticity.h"
-#include "cageproof/closed_form/published/triangle/biharmonic_single_layer.h"
-#include "cageproof/closed_form/published/triangle/single_layer.h"
+#include "published/triangle/engine/elasticity.h"
+#include "published/triangle/biharmonic_single_layer.h"
+#include "published/triangle/single_layer.h"
 
 namespace cageproof::closed_form::published {
 

@@ -4,7 +4,7 @@
 // wrong or not finite in double.
 #pragma once
 
-#include "cageproof/closed_form/published/triangle/engine/omega.h"
+#include "published/triangle/engine/omega.h"
 
 namespace cageproof::closed_form::published {
 

@@ -2,7 +2,7 @@
 // triangle.biharmonic_single_layer: [T24] Eq 9-14 and Appendix C.
 #pragma once
 
-#include "cageproof/closed_form/published/triangle/engine/distance_integral.h"
+#include "published/triangle/engine/distance_integral.h"
 
 namespace cageproof::closed_form::published {
 

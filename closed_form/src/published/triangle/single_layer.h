@@ -2,7 +2,7 @@
 // triangle.single_layer in Urago's form, which [T24] refers to.
 #pragma once
 
-#include "cageproof/closed_form/published/triangle/engine/urago.h"
+#include "published/triangle/engine/urago.h"
 
 namespace cageproof::closed_form::published {
 

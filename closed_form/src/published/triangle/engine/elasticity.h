@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/published/misprint.h"
-#include "cageproof/closed_form/published/triangle/engine/frame.h"
+#include "published/triangle/engine/frame.h"
 
 namespace cageproof::closed_form::published {
 

@@ -2,9 +2,9 @@
 // triangle.biharmonic_double_layer: [T24] Eq 15-18 and Appendix C.
 #pragma once
 
-#include "cageproof/closed_form/published/triangle/engine/third_derivative.h"
-#include "cageproof/closed_form/published/triangle/biharmonic_single_layer.h"
-#include "cageproof/closed_form/published/triangle/single_layer.h"
+#include "published/triangle/engine/third_derivative.h"
+#include "published/triangle/biharmonic_single_layer.h"
+#include "published/triangle/single_layer.h"
 
 namespace cageproof::closed_form::published {
 

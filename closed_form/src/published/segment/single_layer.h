@@ -2,7 +2,7 @@
 // psi^H of [W12] Appendix A.
 #pragma once
 
-#include "cageproof/closed_form/published/segment/engine/edge.h"
+#include "published/segment/engine/edge.h"
 
 namespace cageproof::closed_form::published {
 

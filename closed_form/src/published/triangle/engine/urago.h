@@ -3,7 +3,7 @@
 // 2009] without printing it. Derivatives are by the product rule.
 #pragma once
 
-#include "cageproof/closed_form/published/triangle/engine/omega.h"
+#include "published/triangle/engine/omega.h"
 
 namespace cageproof::closed_form::published {
 
