@@ -56,7 +56,7 @@ class InOwnPlace final : public Deformer<R> {
     if (place == Vec3<double>::Zero()) return deformer_->pose(pose);
     Pose<R> there = pose;
     for (Vec3<R>& v : there.vertices) v -= convert<R>(place);
-    return std::make_unique<ShiftedPosed<R>>(deformer_->pose(there), place, coordinates().dimension());
+    return shifted<R>(deformer_->pose(there), place, coordinates().dimension());
   }
 
  private:
@@ -83,10 +83,19 @@ Vec3<double> own_place(const std::vector<Vec3<double>>& points) {
 }
 
 template <Scalar R>
+std::unique_ptr<const Posed<R>> shifted(std::unique_ptr<const Posed<R>> posed, const Vec3<double>& by, int dimension) {
+  if (by == Vec3<double>::Zero()) return posed;
+  return std::make_unique<ShiftedPosed<R>>(std::move(posed), by, dimension);
+}
+
+template <Scalar R>
 std::shared_ptr<const Deformer<R>> in_own_place(std::shared_ptr<const Deformer<R>> deformer) {
   return std::make_shared<InOwnPlace<R>>(std::move(deformer));
 }
 
+template std::unique_ptr<const Posed<double>> shifted<double>(std::unique_ptr<const Posed<double>>, const Vec3<double>&,
+                                                              int);
+template std::unique_ptr<const Posed<Mp50>> shifted<Mp50>(std::unique_ptr<const Posed<Mp50>>, const Vec3<double>&, int);
 template std::shared_ptr<const Deformer<double>> in_own_place<double>(std::shared_ptr<const Deformer<double>>);
 template std::shared_ptr<const Deformer<Mp50>> in_own_place<Mp50>(std::shared_ptr<const Deformer<Mp50>>);
 

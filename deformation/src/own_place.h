@@ -11,6 +11,10 @@ namespace cageproof::deformation {
 /// points that are not finite.
 Vec3<double> own_place(const std::vector<Vec3<double>>& points);
 
+/// A pose whose images and vertices are found so far from where they are.
+template <Scalar R>
+std::unique_ptr<const Posed<R>> shifted(std::unique_ptr<const Posed<R>> posed, const Vec3<double>& by, int dimension);
+
 /// The deformer with poses taken to their own place, and images taken back. Images are sums of coordinates times data,
 /// and coordinates are rounded: their roundings are multiplied with the posed vertices' coordinates, which far from the
 /// origin are large beside the cage. All methods commute with shifts of the pose, so that the map is the same.

@@ -447,8 +447,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
   std::vector<Vec3<R>> corners_in(std::size_t e, const Vec3<R>& origin) const {
     std::vector<Vec3<R>> corners;
     corners.reserve(4);
-    for (const int v : elements_->vertices_of(e))
-      corners.push_back(convert<R>(elements_->vertices()[v]) - origin);
+    for (const int v : elements_->vertices_of(e)) corners.push_back(convert<R>(elements_->vertices()[v]) - origin);
     return corners;
   }
 
