@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/deformation/constrained.h"
 
+#include "more_digits.h"
+#include "own_place.h"
+
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/catalogue/unknown_name.h"
 
@@ -132,8 +135,8 @@ std::shared_ptr<const Deformer<R>> prepare_deformer(const DeformMethod& method, 
   options.parameters = checked(method.name, parameters_of(method), std::move(options.parameters));
   if (const std::string reason = why_refused(method, cage); !reason.empty())
     throw InputError(fmt::format("{}: {}", cage.name(), reason));
-  if constexpr (std::same_as<R, double>) return method.prepare(cage, options);
-  else return method.prepare_in_50_digits(cage, options);
+  if constexpr (std::same_as<R, double>) return in_own_place<R>(prepared_in_digits_enough(method, cage, options));
+  else return in_own_place<R>(method.prepare_in_50_digits(cage, options));
 }
 
 template <Scalar R>

@@ -56,6 +56,22 @@ TEST(deformers, of_all_methods_are_asked_what_they_keep) {
   }
 }
 
+TEST(deformers, of_all_methods_are_asked_far_from_the_origin) {
+  for (const std::string_view name : {"cube", "square"}) {
+    const Cage cage = embedded_cage(name);
+    const auto expect_kept = [&](std::string_view method, std::size_t variants) {
+      const auto rows = rows_of_check(std::string(name), "keeps_offset", method);
+      EXPECT_EQ(rows.size(), 2 * variants) << name << ' ' << method;
+      for (const ResultRow& row : rows)
+        EXPECT_EQ(row.verdict, Verdict::Kept) << name << ' ' << method << ' ' << row.place << ' ' << row.max;
+    };
+    for (const deformation::DeformMethod& method : deformation::deform_methods())
+      if (deformation::why_refused(method, cage).empty()) expect_kept(method.name, 1);
+    for (const deformation::ConstraintMethod& method : deformation::constraint_methods())
+      if (can_be_asked(method, cage, Triangulation::Shortest)) expect_kept(method.name, variants_of(method).size());
+  }
+}
+
 // Where nothing is asked, nothing is kept: each of these has rows, and they are kept.
 TEST(deformers, meet_their_truth_their_differences_and_their_integrals) {
   const auto expect_kept = [](const char* cage, const char* check, const char* method, std::size_t orders) {

@@ -372,12 +372,14 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     times_area_elements(places.size(), order, tables);
   }
 
-  // Other elements see the point as rounding leaves it. Its own is seen in its own plane, where the point's height is
-  // zero, exactly.
+  // All is seen from the element's first corner: the point is then rounded by parts of the element, however far off the
+  // origin is, and however small the element is beside the cage. Its own element is seen in its own plane, too, where
+  // the point's height is zero, exactly.
   template <Scalar R>
   void put_limit(const Touching& place, std::size_t p, int order, std::span<CoordinateTable<R>> tables) const {
     if (!elements_->type(place.element).flat) return put_limit_on_quad(place, p, order, tables);
-    const ElementAxes<R> axes(corners_in<R>(place.element));
+    const Vec3<R> origin = first_corner_in<R>(place.element);
+    const ElementAxes<R> axes(corners_in<R>(place.element, origin));
     const std::vector<Vec3<R>>& flat = axes.corners();
     Vec3<R> in_plane = Vec3<R>::Zero();
     for (std::size_t k = 1; k < flat.size(); ++k) in_plane += R(place.basis[k]) * flat[k];
@@ -386,7 +388,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     Result<R> part;
     for (std::size_t e = 0; e < elements_->count(); ++e) {
       const bool own = static_cast<int>(e) == place.element;
-      const std::vector<Vec3<R>> corners = own ? flat : corners_in<R>(e);
+      const std::vector<Vec3<R>> corners = own ? flat : corners_in<R>(e, origin);
       for (std::size_t b = 0; b < blocks_.size(); ++b) {
         evaluations_[static_cast<std::size_t>(elements_->type(e).kind)][b](
             Query<R>{corners, own ? in_plane : point, order, parameters}, part);
@@ -399,12 +401,13 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
   }
 
   // A bilinear quad has no plane to see the point in: it is seen in more digits, from so near inside that the limit is
-  // as good as R.
+  // as good as R. Others see the point from the quad's first corner.
   template <Scalar R>
   void put_limit_on_quad(const Touching& place, std::size_t p, int order, std::span<CoordinateTable<R>> tables) const {
     constexpr bool is_wide = is_multiprecision<R>;
     using W = std::conditional_t<is_wide, Mp100, Mp50>;
-    const std::vector<Vec3<W>> quad = corners_in<W>(place.element);
+    const Vec3<R> origin = first_corner_in<R>(place.element);
+    const std::vector<Vec3<W>> quad = corners_in<W>(place.element, first_corner_in<W>(place.element));
     const W u = W(place.basis[1]) + W(place.basis[2]), v = W(place.basis[2]) + W(place.basis[3]);
     const Vec3<W> along_u = (1 - v) * (quad[1] - quad[0]) + v * (quad[2] - quad[3]),
                   along_v = (1 - u) * (quad[3] - quad[0]) + u * (quad[2] - quad[1]);
@@ -423,7 +426,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
         BatchOutput<R> here = output_for(b, p, tables[b]);
         here.slots = elements_->shares_of(e, blocks_[b].owner);
         if (own) evaluation(Query<W>{quad, inside, order, wide_parameters}, wide);
-        else evaluation(Query<R>{corners_in<R>(e), rounded, order, parameters}, part);
+        else evaluation(Query<R>{corners_in<R>(e, origin), rounded, order, parameters}, part);
         for (int o = 0; o <= order; ++o) {
           if (own) {
             part.of(o).resize(wide.of(o).size());
@@ -436,10 +439,15 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
   }
 
   template <Scalar R>
-  std::vector<Vec3<R>> corners_in(std::size_t e) const {
+  Vec3<R> first_corner_in(std::size_t e) const {
+    return convert<R>(elements_->vertices()[elements_->vertices_of(e)[0]]);
+  }
+
+  template <Scalar R>
+  std::vector<Vec3<R>> corners_in(std::size_t e, const Vec3<R>& origin) const {
     std::vector<Vec3<R>> corners;
     corners.reserve(4);
-    for (const int v : elements_->vertices_of(e)) corners.push_back(convert<R>(elements_->vertices()[v]));
+    for (const int v : elements_->vertices_of(e)) corners.push_back(convert<R>(elements_->vertices()[v]) - origin);
     return corners;
   }
 

@@ -2,6 +2,7 @@
 #include "thickness.h"
 
 #include "../constraint_checks.h"
+#include "../own_place.h"
 #include "gauss_newton.h"
 #include "posed_cage.h"
 #include "solved_systems.h"
@@ -35,6 +36,15 @@ void check_thickness(const Cage& cage, const Constraints& constraints, const Thi
   }
 }
 
+// Points as they are seen from a place.
+template <Scalar R>
+std::vector<Vec3<R>> seen_from_place(const std::vector<Vec3<double>>& points, const Vec3<double>& place) {
+  std::vector<Vec3<R>> found;
+  found.reserve(points.size());
+  for (const Vec3<double>& p : points) found.push_back(convert<R>(p) - convert<R>(place));
+  return found;
+}
+
 // The other way round, Eigen's columns are components: numbers in the order of jacobian's rows and columns.
 template <Scalar R>
 Matrix<R> in_line(const Matrix<R>& points) {
@@ -53,7 +63,8 @@ struct Thickness<R>::Prepared {
                     CoordinateOptions{.evaluation = options.evaluation, .parameters = options.coordinates}),
         thickness(thickness_rows<R>(coordinates, options.samples)),
         at_positions(position_rows<R>(coordinates, constraints.positions)),
-        rest(rows_of(vertices_in<R>(coordinates.elements()), 2)) {
+        place(own_place(coordinates.elements().vertices())),
+        rest(rows_of(seen_from_place<R>(coordinates.elements().vertices(), place), 2)) {
     report.systems = coordinates.solved();
     warn_of_singular_systems(report.systems, report.warnings);
     const NormalsAt<R> normals = normals_at<R>(coordinates.elements(), rest);
@@ -147,10 +158,7 @@ struct Thickness<R>::Prepared {
   }
 
   std::unique_ptr<const Posed<R>> posed_to(const std::vector<Vec3<double>>& targets, const StepWatcher& watch) const {
-    std::vector<Vec3<R>> wide;
-    wide.reserve(targets.size());
-    for (const Vec3<double>& target : targets) wide.push_back(convert<R>(target));
-    const Matrix<R> rows = rows_of(wide, 2);
+    const Matrix<R> rows = rows_of(seen_from_place<R>(targets, place), 2);
     // Begins anew whenever the weight has to grow, so that merits of one weight are compared.
     Run found = run(rows, R(1) / R(size) / R(size) / R(size), watch);
     for (int again = 0; again < 60 && found.wanted > 0; ++again) found = run(rows, R(found.wanted), watch);
@@ -170,7 +178,8 @@ struct Thickness<R>::Prepared {
                     {"projected gradient", static_cast<double>(found.gradient)}};
     said.energies = std::move(found.energies);
     said.merits = std::move(found.merits);
-    return std::make_unique<PosedCage<R>>(found.last.vertices, found.last.normals.normals, std::move(said));
+    return shifted<R>(std::make_unique<PosedCage<R>>(found.last.vertices, found.last.normals.normals, std::move(said)),
+                      place, 2);
   }
 
   Constraints constraints;
@@ -178,7 +187,8 @@ struct Thickness<R>::Prepared {
   double size;
   CageCoordinates coordinates;
   BoundaryRows<R> thickness, at_positions;
-  Matrix<R> rest;
+  Vec3<double> place;  ///< what all is solved from, so that misfits are rounded by parts of the cage
+  Matrix<R> rest;      ///< from there
   DeformationReport report;
 };
 

@@ -4,6 +4,7 @@
 #include "../constraint_checks.h"
 #include "../linear_posed.h"
 #include "../nearest_rotation.h"
+#include "../own_place.h"
 #include "constraint_rows.h"
 
 #include "cageproof/core/input_error.h"
@@ -43,8 +44,11 @@ struct Variational<R>::Prepared {
         factors(rows.matrix) {
     const CageElements& elements = coordinates.elements();
     const std::vector<Vec3<R>> vertices = vertices_in<R>(elements);
+    // What the constraints leave free is taken as the least there is, seen from the origin.
+    if (free_unknowns() == 0) place = own_place(elements.vertices());
     rest = Matrix<R>::Zero(rows.units.size(), dimension());
-    rest.topRows(static_cast<Eigen::Index>(vertices.size())) = rows_of(vertices, dimension());
+    rest.topRows(static_cast<Eigen::Index>(vertices.size())) =
+        rows_of(vertices, dimension()).rowwise() - convert<R>(place).head(dimension()).transpose();
     rest.middleRows(static_cast<Eigen::Index>(vertices.size()), static_cast<Eigen::Index>(elements.count())) =
         rows_of(stretched_normals(Stretch::Unit, elements, vertices), dimension());
     for (Eigen::Index k = 0; k < rest.rows(); ++k) rest.row(k) /= rows.units[k];
@@ -70,7 +74,7 @@ struct Variational<R>::Prepared {
     const int d = dimension();
     Matrix<R> right = Matrix<R>::Zero(rows.matrix.rows(), d);
     for (std::size_t p = 0; p < positions.size(); ++p)
-      right.row(static_cast<Eigen::Index>(p)) = convert<R>(positions[p]).head(d).transpose();
+      right.row(static_cast<Eigen::Index>(p)) = (convert<R>(positions[p]) - convert<R>(place)).head(d).transpose();
     for (std::size_t p = 0; p < constraints.orientations.size(); ++p)
       right.middleRows(rows.orientations + d * static_cast<Eigen::Index>(p), d) =
           rows.root_alpha * constraints.orientations[p].jacobian.topLeftCorner(d, d).transpose().template cast<R>();
@@ -115,7 +119,7 @@ struct Variational<R>::Prepared {
       data.emplace_back(coefficients.middleRows(first, block.size));
       first += block.size;
     }
-    return std::make_unique<LinearPosed<R>>(std::move(data), std::move(report));
+    return shifted<R>(std::make_unique<LinearPosed<R>>(std::move(data), std::move(report)), place, dimension());
   }
 
   std::unique_ptr<const Posed<R>> run(const std::vector<Vec3<double>>& positions, const StepWatcher& watch) const {
@@ -169,8 +173,9 @@ struct Variational<R>::Prepared {
   VariationalOptions options;
   CageCoordinates coordinates;
   ConstraintRows<R> rows;
-  LeastSquares<R> factors;  ///< of the rows' matrix
-  Matrix<R> rest;           ///< the identity's coefficients, in units
+  LeastSquares<R> factors;                    ///< of the rows' matrix
+  Vec3<double> place = Vec3<double>::Zero();  ///< what all is solved from, next to the cage
+  Matrix<R> rest;                             ///< the identity's coefficients from there, in units
 };
 
 template <Scalar R>

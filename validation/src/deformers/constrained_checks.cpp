@@ -12,6 +12,20 @@ namespace {
 
 using deformation::Images;
 
+// A problem's solution, and how well it is determined.
+struct SolvedProblem {
+  std::shared_ptr<const deformation::ConstrainedDeformer<double>> model;
+  std::unique_ptr<const deformation::Posed<double>> posed;
+
+  double condition() const {
+    double worst = 1;
+    for (const auto& report : {model->prepared(), posed->report()})
+      for (const SolvedSystem& system : report.systems)
+        if (!system.is_singular()) worst = std::max(worst, system.condition);
+    return worst;
+  }
+};
+
 constexpr int few_steps = 40, many_steps = 400;
 constexpr double larger = 10;
 
@@ -68,6 +82,10 @@ std::vector<Question<PointAt>> ConstrainedChecks::questions() const {
   if (!has_biharmonic_logarithms)
     all.push_back(question("constrained_unit", bent_pose, moved(bent_pose, SpaceMap{}, larger)));
   all.push_back(question("constrained_motion", bent_pose, moved(bent_pose, turn(cage_->dimension()), 1)));
+  for (const SpaceMap& offset : offsets(cage_->dimension())) {
+    all.push_back(question(offset.check, offset.pose, kept_far_off(offset)));
+    all.back().unit = "roundings";
+  }
   return all;
 }
 
@@ -97,17 +115,12 @@ double ConstrainedChecks::what_is_left(std::string_view pose) const {
 }
 
 ConstrainedChecks::Ask ConstrainedChecks::moved(std::string_view pose, const SpaceMap& map, double length) const {
-  // A problem's solution, and how well it is determined.
-  struct Solved {
-    std::shared_ptr<const deformation::ConstrainedDeformer<double>> model;
-    std::unique_ptr<const deformation::Posed<double>> posed;
-  };
   const auto solved = [this](const ConstrainedProblem& asked) {
-    Solved found{asked.prepared(variant_, rule_, few_steps), {}};
+    SolvedProblem found{asked.prepared(variant_, rule_, few_steps), {}};
     found.posed = found.model->pose();
     return found;
   };
-  const auto both = std::make_shared<const Lazy<std::array<Solved, 2>>>([this, solved, pose, map, length] {
+  const auto both = std::make_shared<const Lazy<std::array<SolvedProblem, 2>>>([this, solved, pose, map, length] {
     const ConstrainedProblem here = problem(pose);
     return std::array{solved(here), solved(here.under(map, length))};
   });
@@ -115,10 +128,6 @@ ConstrainedChecks::Ask ConstrainedChecks::moved(std::string_view pose, const Spa
     const auto& [here, there] = both->get();
     const double size = cage_->size();
     const int d = cage_->dimension();
-    double condition = 1;
-    for (const auto& report : {here.model->prepared(), here.posed->report()})
-      for (const SolvedSystem& system : report.systems)
-        if (!system.is_singular()) condition = std::max(condition, system.condition);
     const Vec3<double> to = length * map(point, size);
     const Images<double> a = here.model->images(*here.posed, std::span(&point, 1), 0),
                          b = there.model->images(*there.posed, std::span(&to, 1), 0);
@@ -126,7 +135,26 @@ ConstrainedChecks::Ask ConstrainedChecks::moved(std::string_view pose, const Spa
     for (int c = 0; c < d; ++c) image[c] = a.tensors[0][c];
     const Vec3<double> expected = map(image, size);
     for (int c = 0; c < d; ++c) difference[c] = b.tensors[0][c] / length - expected[c];
-    return error_over_condition(difference.norm() / size, condition);
+    return error_over_condition(difference.norm() / size, here.condition());
+  };
+}
+
+ConstrainedChecks::Ask ConstrainedChecks::kept_far_off(const SpaceMap& offset) const {
+  const auto vertices = std::make_shared<const std::vector<Vec3<double>>>(posed_by(offset, *cage_));
+  const auto solved = std::make_shared<const Lazy<SolvedProblem>>([this, offset] {
+    const ConstrainedProblem there = problem(rigid_pose).under(offset, 1);
+    SolvedProblem found{there.prepared(variant_, rule_, many_steps), {}};
+    found.posed = found.model->pose();
+    return found;
+  });
+  return [this, offset, vertices, solved](const Vec3<double>& point) {
+    const double size = cage_->size();
+    const SolvedProblem& found = solved->get();
+    const Vec3<double> at = offset(point, size), expected = offset(turn(cage_->dimension())(point, size), size);
+    const Images<double> images = found.model->images(*found.posed, std::span(&at, 1), 0);
+    Vec3<double> difference = Vec3<double>::Zero();
+    for (int c = 0; c < cage_->dimension(); ++c) difference[c] = images.tensors[0][c] - expected[c];
+    return error_over_condition(in_roundings(difference, *vertices), found.condition());
   };
 }
 

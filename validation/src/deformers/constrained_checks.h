@@ -47,6 +47,7 @@ class ConstrainedChecks {
   /// constrained_unit: images with those of the cage that is ten times as large, weights adapted; not of biharmonic
   /// maps of the plane, which are others in other units.
   /// constrained_motion: images with those of the cage and its constraints turned.
+  /// keeps_offset: images of a cage far from the origin, whose targets are moved rigidly, with those of the motion.
   /// A question's place is its pose; what it needs is solved when it is first asked, and an energy is asked for at one
   /// point alone. Valid while this lives.
   std::vector<Question<PointAt>> questions() const;
@@ -62,6 +63,7 @@ class ConstrainedChecks {
   double what_is_left(std::string_view pose) const;
   double slope_left(std::string_view pose) const;
   double flatness(std::string_view pose) const;
+  Ask kept_far_off(const SpaceMap& offset) const;
   Ask moved(std::string_view pose, const SpaceMap& map, double length) const;
 
   std::shared_ptr<const Cage> cage_;

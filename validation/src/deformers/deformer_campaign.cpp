@@ -38,7 +38,7 @@ class DeformerMeasurement final : public Measurement {
     const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
     PartialResult gathered;
     for (const Question<PointAt>& question : checks.questions()) {
-      const bool costly = question.key.place == bent_pose;
+      const bool costly = question.key.place == bent_pose || question.key.check == "keeps_offset";
       const std::size_t count = std::min<std::size_t>(points.size(), costly ? few() : points.size());
       for (std::size_t p = 0; p < count; ++p) record(question, {points[p], p}, gathered.rows);
     }

@@ -177,6 +177,11 @@ std::vector<Question<PointAt>> DeformerChecks::questions() const {
     if (variant_.method->takes_normal_derivatives && map.pose == "linear")
       all.push_back(question("keeps_linear_with_normals", map.pose, in_double, 0, 0, kept(map, true)));
   }
+  if (variant_.is_default && has_few_elements())
+    for (const SpaceMap& offset : offsets(cage_->dimension())) {
+      all.push_back(question(offset.check, offset.pose, in_double, 0, 0, kept_far_off(offset)));
+      all.back().unit = "roundings";
+    }
   const CageElements faces(*cage_, true, rule_);
   for (int axis = 0; axis < cage_->dimension(); ++axis) {
     const auto mirror = mirror_symmetry(cage_->vertices(), axis);
@@ -215,6 +220,22 @@ DeformerChecks::Ask DeformerChecks::kept(const SpaceMap& map, bool with_normals)
     Vec3<double> difference = Vec3<double>::Zero();
     for (int c = 0; c < d; ++c) difference[c] = image[c] - expected[c];
     return Errors{error_over_condition(difference.norm() / size, condition_of(*deformer_, *posed->get()))};
+  };
+}
+
+DeformerChecks::Ask DeformerChecks::kept_far_off(const SpaceMap& offset) const {
+  const auto vertices = std::make_shared<const std::vector<Vec3<double>>>(posed_by(offset, *cage_));
+  const auto deformer = lazily([this, vertices] {
+    return deformation::prepare_deformer<double>(*variant_.method, cage_->with(*vertices, cage_->faces()),
+                                                 {.triangulation = rule_, .parameters = variant_.parameters});
+  });
+  const auto posed = lazily([vertices, deformer] { return deformer->get()->pose({*vertices}); });
+  return [this, offset, vertices, deformer, posed](const Vec3<double>& point) {
+    const int d = cage_->dimension();
+    const Vec3<double> there = offset(point, cage_->size());
+    const Vec3<double> image = image_at(*deformer->get(), *posed->get(), there, d);
+    return Errors{
+        error_over_condition(in_roundings(image - there, *vertices), condition_of(*deformer->get(), *posed->get()))};
   };
 }
 

@@ -57,6 +57,8 @@ class DeformerChecks {
 
   /// keeps_rigid, keeps_scale, keeps_mirror, keeps_linear: images with those of the map that poses the cage, in double.
   /// keeps_linear_with_normals, of methods that take normal derivatives: the same with those of the map.
+  /// keeps_offset, by default parameters on small cages: images of the same cage far from the origin, posed as it is,
+  /// with the points.
   /// keeps_symmetry, on cages that are their own mirror images across an axis, and posed symmetrically: images of
   /// mirrored points with the mirrored images, where the deformer's elements are symmetric, too.
   /// keeps_symmetry_of_quads: the same where the quads are, and not the triangles that they are split in.
@@ -87,6 +89,7 @@ class DeformerChecks {
   Question<PointAt> question(std::string_view check, std::string_view pose, ScalarKind scalar, int lowest, int highest,
                              Ask ask) const;
   Ask kept(const SpaceMap& map, bool with_normals) const;
+  Ask kept_far_off(const SpaceMap& offset) const;
   Ask mirrored(const MirrorSymmetry& mirror) const;
   Ask compared_with_truth(int order) const;
   Ask compared_with_quadrature() const;

@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 namespace cageproof::validation {
 
 std::vector<SpaceMap> space_maps(int dimension) {
@@ -23,6 +25,20 @@ std::vector<SpaceMap> space_maps(int dimension) {
     linear.linear.col(2).setZero();
   }
   return {identity, shift, rotation, scale, mirror, linear};
+}
+
+std::array<SpaceMap, 2> offsets(int dimension) {
+  std::array<SpaceMap, 2> found{SpaceMap{"keeps_offset", "1e3 sizes off"}, SpaceMap{"keeps_offset", "1e6 sizes off"}};
+  const Vec3<double> along(1, -0.7, dimension == 3 ? 0.4 : 0);
+  found[0].shift = 1e3 * along;
+  found[1].shift = 1e6 * along;
+  return found;
+}
+
+double in_roundings(const Vec3<double>& difference, const std::vector<Vec3<double>>& shifted) {
+  double largest = 0;
+  for (const Vec3<double>& v : shifted) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  return difference.norm() / (unit_roundoff<double>() * largest);
 }
 
 std::vector<Vec3<double>> posed_by(const SpaceMap& map, const Cage& cage) {

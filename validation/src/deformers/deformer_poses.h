@@ -25,6 +25,12 @@ struct SpaceMap {
 /// general linear map (keeps_linear), in a space of that dimension.
 std::vector<SpaceMap> space_maps(int dimension);
 
+/// Shifts by a thousand and by a million sizes (keeps_offset), of a cage that is not posed.
+std::array<SpaceMap, 2> offsets(int dimension);
+
+/// An error in roundings of a shifted cage's largest coordinate.
+double in_roundings(const Vec3<double>& difference, const std::vector<Vec3<double>>& shifted);
+
 /// The cage's vertices under a map.
 std::vector<Vec3<double>> posed_by(const SpaceMap& map, const Cage& cage);
 

@@ -323,6 +323,10 @@ constexpr std::array table{
     Row{"keeps_linear", "@(ahap|aaap|tp)", "alignment=@(hard|soft|nonnegative)", "double", "*", 0, 0, none,
         "normal derivatives that are held to the posed normals are not those of the map"},
     Row{"keeps_linear", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_offset", "*", "*", "double", "*", 0, 0, 4,
+        "images are made next to the cage, to 1e-13 of its size, which at 1e3 sizes is one rounding, and rounded once "
+        "a "
+        "component where they are taken back: 1.7"},
     Row{"keeps_symmetry", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
     Row{"keeps_symmetry_of_quads", "*", "*", "double", "*", 0, 0, none,
         "the triangles that quads are split in are not symmetric"},
