@@ -81,6 +81,14 @@ std::filesystem::path usual_truth_cache() {
   return {};
 }
 
+// A cage is verified by itself unless an option of single elements is given with it.
+bool is_only_cage(const Arguments& a) {
+  for (const char* const option : {"--formulas", "--regimes", "--samples", "--enclosures"})
+    if (a.command->given(option)) return false;
+  if (a.options.resume) return validation::options_of_run(a.out).contains("scope");
+  return !a.cage.file.empty();
+}
+
 int run(Arguments& a) {
   auto& options = a.options;
   if (!a.resume.empty()) {
@@ -92,6 +100,7 @@ int run(Arguments& a) {
   const auto suite = std::ranges::find(validation::suites(), a.suite, &validation::Suite::name);
   if (suite == validation::suites().end()) throw unknown_name("suite", a.suite, names_of_suites());
   options.suite = *suite;
+  options.only_cage = is_only_cage(a);
   if (a.samples > 0) options.suite.samples = a.samples;
   if (a.enclosures >= 0) options.suite.enclosures = a.enclosures;
   options.triangulation = a.cage.rule();
@@ -175,6 +184,7 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   command.example("cageproof verify --suite quick --out report");
   command.example("cageproof verify --formulas 'triangle.*' --regimes 'near-*,far' --evaluations closed_form,gauss-8");
   command.example("cageproof verify --cage my-cage.obj --points my-mesh.obj --out my-report");
+  command.example("cageproof verify --formulas '*' --cage my-cage.obj --out cage-and-elements");
   command.example("cageproof verify --resume report");
   command.runs([a] { return run(*a); });
 }

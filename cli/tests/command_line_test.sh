@@ -143,6 +143,18 @@ zcat "$work"/flat_report/worst/*.jsonl.gz >"$work/flat_worst.jsonl"
 grep -q 'ring.svg' "$work/flat_worst.jsonl" || fail "no worst case in a polygon"
 "$cageproof" replay "$work/flat_worst.jsonl" >"$work/stdout" || fail "replay in a polygon: $(tail -n 3 "$work/stdout")"
 
+# A cage is verified by itself, and with single elements when formulas are asked for.
+write two.csv '0.2,0.2' '0.4,0.3'
+rows_of() {
+  "$cageproof" verify --suite quick --out "$work/scope" --cage square --points "$work/two.csv" "$@" >"$work/stdout" || fail "verify of a cage $*"
+  zcat -f "$work"/scope/results.csv* >"$work/rows"
+}
+rows_of
+grep -q square "$work/rows" || fail "no row of the cage"
+! grep -q '^element,' "$work/rows" || fail "single elements without --formulas"
+rows_of --formulas segment.double_layer --samples 1
+grep -q '^element,' "$work/rows" || fail "no single elements with --formulas"
+
 # Bad points and names.
 write points.csv '0.1,0.2,0.3' '0.1,0.2'
 refuses points.csv:2 -- verify_cage cube --points "$work/points.csv"

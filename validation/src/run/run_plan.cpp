@@ -88,12 +88,7 @@ class Planner {
   RunPlan plan() {
     require_known_names(options_);
     if (names_whole_evaluations_alone(options_.evaluations)) return plan_of_whole_evaluations();
-    if (std::ranges::any_of(regimes(), [&](const Regime& one) { return matches(options_.regimes, one.name); }))
-      add(element_measurements(campaign_options()));
-    auto stored = stored_measurement(stored_worst_cases(), stored_cases_file, options_.formulas, options_.evaluations);
-    if (stored.measurement) add(std::move(stored.measurement));
-    if (matches(options_.formulas, hull_formula) && matches(options_.regimes, hull_regime))
-      add(hull_measurements(options_.evaluations, options_.seed));
+    const std::size_t stored_cases = options_.only_cage ? 0 : add_elements();
     if (options_.cage) {
       const auto cage = std::make_shared<const Cage>(*options_.cage);
       if (auto warning = folding_warning(*cage)) plan_.header.notes.push_back(std::move(*warning));
@@ -115,10 +110,10 @@ class Planner {
     // Figures show whole kinds of coordinates, on cages of their own.
     if (!options_.cage && options_.formulas == "*" && options_.evaluations == "*" && options_.regimes == "*")
       add(figure_measurements());
-    add(errata_measurement({.formulas = options_.formulas, .seed = options_.seed}));
+    if (!options_.only_cage) add(errata_measurement({.formulas = options_.formulas, .seed = options_.seed}));
     for (std::string& note : notes_on_truth(options_.formulas)) plan_.header.notes.push_back(std::move(note));
     plan_.units = units_of(plan_.measurements);
-    set_header(stored.cases);
+    set_header(stored_cases);
     return std::move(plan_);
   }
 
@@ -126,6 +121,17 @@ class Planner {
   void add(std::unique_ptr<const Measurement> measurement) { plan_.measurements.push_back(std::move(measurement)); }
   void add(Measurements measurements) {
     for (auto& measurement : measurements) add(std::move(measurement));
+  }
+
+  // Formulas one element at a time, in regimes of the catalogue's own. Returns the number of stored cases.
+  std::size_t add_elements() {
+    if (std::ranges::any_of(regimes(), [&](const Regime& one) { return matches(options_.regimes, one.name); }))
+      add(element_measurements(campaign_options()));
+    auto stored = stored_measurement(stored_worst_cases(), stored_cases_file, options_.formulas, options_.evaluations);
+    if (stored.measurement) add(std::move(stored.measurement));
+    if (matches(options_.formulas, hull_formula) && matches(options_.regimes, hull_regime))
+      add(hull_measurements(options_.evaluations, options_.seed));
+    return stored.cases;
   }
 
   // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
@@ -439,6 +445,11 @@ class Planner {
         {"stored worst cases", fmt::format("{}, replayed in the rows of the regime 'hunted'", stored_cases)}};
     if (options_.cage) header.settings["cage"] = options_.cage->name();
     if (options_.mesh) header.settings["points"] = options_.mesh_name;
+    if (options_.only_cage) {
+      header.options["scope"] = "cage";
+      header.settings["scope"] = "the cage only; `--formulas '*'` asks for formulas on single elements too";
+      header.settings.erase("stored worst cases");
+    }
     header.units = plan_.units.size();
     header.shard = options_.shard;
     header.shards = options_.shards;

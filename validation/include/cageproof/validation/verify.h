@@ -49,6 +49,7 @@ struct VerifyOptions {
   std::optional<Cage> cage;  ///< nothing: the embedded cages
   std::optional<Mesh> mesh;  ///< points to try the cage at
   std::string mesh_name;
+  bool only_cage = false;  ///< of `cage` and `mesh`, without formulas on elements of the catalogue's own
   Triangulation triangulation = Triangulation::Shortest;
   int shard = 0, shards = 1;  ///< measure part `shard` of `shards` alone, and make no report
   bool resume = false;        ///< `out` holds the journal of this run, to go on with
