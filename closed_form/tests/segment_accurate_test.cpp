@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `accurate` on segments: every order to its relative promise, within its own statement, against the kernels'
 // integrals, and in the limits that closed forms have.
+#include "cageproof/closed_form/arithmetic/spacing.h"
 #include "cageproof/closed_form/segment/affine_single_layer.h"
 #include "cageproof/closed_form/segment/biharmonic_double_layer.h"
 #include "cageproof/closed_form/segment/biharmonic_single_layer.h"
@@ -167,6 +168,54 @@ TEST(segment_accurate, states_its_error_in_float) {
       EXPECT_TRUE(found.converged);
     }
   }
+}
+
+// Next to an end of the segment derivatives across it leave the range, and those along it do not: each entry that can
+// be held has its own digits. Against the same in 200 digits, in double and rounded to float.
+template <class F, Scalar R>
+void expect_digits_beside_infinities(const Segment<R>& s, const Vec3<R>& point) {
+  const auto found = closed_form<F, 2, R>(s, point);
+  const auto truth = closed_form<F, 2, Mp200>({convert<Mp200>(s[0]), convert<Mp200>(s[1])}, convert<Mp200>(point));
+  int infinite = 0;
+  Mp200 error = 0, size = 0;
+  for (int c = 0; c < F::components; ++c)
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        const Mp200& expected = truth.hessian[c](i, j);
+        const R got = found.hessian[c](i, j);
+        if (abs(expected) > Mp200(std::numeric_limits<R>::max())) {
+          EXPECT_EQ(got, (expected > 0 ? 1 : -1) * std::numeric_limits<R>::infinity());
+          ++infinite;
+        } else {
+          ASSERT_TRUE(std::isfinite(got));
+          error += (Mp200(got) - expected) * (Mp200(got) - expected);
+          size += expected * expected;
+        }
+      }
+  EXPECT_GT(infinite, 0);
+  EXPECT_LE(static_cast<double>(Mp200(sqrt(Mp200(error / size)))), 64 * static_cast<double>(unit_roundoff<R>()));
+}
+
+TEST(segment_accurate, entries_beside_infinite_ones_keep_their_digits) {
+  expect_digits_beside_infinities<DoubleLayer, double>({Vec(0, 0, 0), Vec(1, 1, 0)}, {0x1.3p-700, 0, 0});
+  expect_digits_beside_infinities<MeanValue, double>({Vec(-0x1.5p-545, 0, 0), Vec(1, 0, 0)},
+                                                     {0x1.f4p-348, 0x1.8p-1019, 0});
+  using Float = Vec3<float>;
+  expect_digits_beside_infinities<DoubleLayer, float>({Float(0, 0, 0), Float(1, 1, 0)}, {0x1.3p-80F, 0, 0});
+}
+
+TEST(segment_accurate, states_no_digits_that_subnormal_numbers_have_not) {
+  Jet<double, 1, 2> jet;
+  jet.value[0] = 0x1p-1064;
+  jet.gradient[0] = {1, 0x1p-1074};
+  EXPECT_EQ(share_of_spacing(jet, 0), 0x1p-10);
+  EXPECT_EQ(share_of_spacing(jet, 1), 0x1p-10);
+  jet.value[0] = 0x1p-1000;
+  EXPECT_EQ(share_of_spacing(jet, 0), 0);
+  EXPECT_EQ(share_of_spacing(jet, 1), 0x1p-1074);
+  Jet<float, 1, 2> in_float;
+  in_float.value[0] = 0x1p-140F;
+  EXPECT_EQ(share_of_spacing(in_float, 0), 0x1p-9);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "../../families.h"
 
+#include "cageproof/closed_form/arithmetic/spacing.h"
 #include "cageproof/closed_form/joint.h"
 #include "cageproof/closed_form/segment/engine/closed_form.h"
 #include "cageproof/closed_form/segment/engine/plain.h"
@@ -43,8 +44,9 @@ struct PutForm {
       const auto found = bounded_form<F, O>(at.frames, given, finite_part, std::numeric_limits<R>::digits10);
       closed_form::put(narrowed<R>(found.jet), O, point, output);
     } else {
-      closed_form::put(narrowed<R>(bounded_form<F, O>(at.frames, given, finite_part, kTolerance).jet), O, point,
-                       output);
+      constexpr double largest = std::numeric_limits<R>::max();
+      closed_form::put(narrowed<R>(bounded_form<F, O>(at.frames, given, finite_part, kTolerance, largest).jet), O,
+                       point, output);
     }
   }
 };
@@ -79,10 +81,13 @@ class RegisterForm {
     const auto u = static_cast<double>(cageproof::unit_roundoff<R>());
     with_order(batch.order, [&]<int O>() {
       for (std::size_t p = 0; p < batch.points.size(); ++p) {
-        const auto f = accurate<F, O>(s, convert<double>(batch.points[p]), parameters, batch.finite_part);
-        closed_form::put(narrowed<R>(f.jet), O, p, output);
+        const auto f = accurate<F, O>(s, convert<double>(batch.points[p]), parameters, batch.finite_part,
+                                      std::numeric_limits<R>::max());
+        const auto jet = narrowed<R>(f.jet);
+        closed_form::put(jet, O, p, output);
         const double rounding = std::same_as<R, double> || f.worst() == 0 ? 0 : 2 * u, worst = f.worst() + rounding;
-        output.state(p, {.digits = worst > 0 ? -std::log10(worst) : std::numeric_limits<double>::quiet_NaN(),
+        const double error = worst + share_of_spacing(jet, O);
+        output.state(p, {.digits = error > 0 ? -std::log10(error) : std::numeric_limits<double>::quiet_NaN(),
                          .converged = worst <= 128 * u});
       }
     });

@@ -2,6 +2,7 @@
 // Enters a triangle formula's evaluations into the register.
 #pragma once
 
+#include "cageproof/closed_form/arithmetic/spacing.h"
 #include "cageproof/closed_form/joint.h"
 #include "../../families.h"
 #include "cageproof/closed_form/triangle/engine/plain.h"
@@ -73,7 +74,8 @@ class RegisterForm {
       for (std::size_t p = 0; p < batch.points.size(); ++p) {
         const auto f = accurate<F, O>(t, batch.points[p], batch.parameters, batch.finite_part);
         closed_form::put(f.jet, O, p, output);
-        output.state(p, {.digits = f.worst() > 0 ? -std::log10(f.worst()) : std::numeric_limits<double>::quiet_NaN(),
+        const double error = f.worst() + share_of_spacing(f.jet, O);
+        output.state(p, {.digits = error > 0 ? -std::log10(error) : std::numeric_limits<double>::quiet_NaN(),
                          .converged = f.worst() <= kAccurateTolerance});
       }
     });

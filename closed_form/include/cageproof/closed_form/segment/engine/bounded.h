@@ -32,9 +32,18 @@ void for_each_entry(int order, const Jet<R, C, 2>& jet, Visit&& visit) {
   }
 }
 
-/// A tracked jet up to order O, rounded to S, with its bound.
+/// Whether a finite number is beyond what the result may hold: `largest`, where that is double's or float's.
+template <cageproof::Scalar S, class T>
+bool is_beyond(const Tracked<T>& x, double largest) {
+  using std::isfinite;
+  if constexpr (is_multiprecision<S>) return false;
+  else return isfinite(x.value) && std::abs(static_cast<double>(x.value)) > largest;
+}
+
+/// A tracked jet up to order O, rounded to S, with its bound. Entries beyond `largest`, which become infinities, are no
+/// part of the norm: those beside them keep digits of their own.
 template <int O, cageproof::Scalar S, class T, int C>
-BoundedJet<S, C> bounded(const Jet<Tracked<T>, C, 2>& from) {
+BoundedJet<S, C> bounded(const Jet<Tracked<T>, C, 2>& from, double largest) {
   using Bound = ErrorOf<S>;
   // Squares of what multiprecision holds may leave double's range.
   using Sum = std::conditional_t<is_multiprecision<T>, T, double>;
@@ -50,6 +59,11 @@ BoundedJet<S, C> bounded(const Jet<Tracked<T>, C, 2>& from) {
     Sum size = 0, error = 0;
     bool overflows = false;
     for_each_entry(o, from, [&](const Tracked<T>& x) {
+      if (is_beyond<S>(x, largest)) {
+        // An infinity of the right sign, where that is certain.
+        overflows = overflows || !(static_cast<ErrorOf<T>>(roundoff_of<T>()) * x.error < size_of(x.value));
+        return;
+      }
       if constexpr (is_multiprecision<T>) {
         if (!isfinite(x.value)) return;  // a limit
         size += x.value * x.value;

@@ -70,22 +70,25 @@ class PointFrames {
 /// In the first arithmetic of the ladder whose bound is at most `tolerance`, else in the last.
 template <class F, int O, class... T, class Frames, cageproof::Scalar S>
 BoundedJet<S, F::components> climbed(Ladder<T...> ladder, Frames& at, std::span<const S> parameters, bool finite_part,
-                                     ErrorOf<S> tolerance) {
+                                     ErrorOf<S> tolerance, double largest = std::numeric_limits<double>::max()) {
   return climb(
       ladder,
-      [&]<class In>() { return bounded<O, S, In>(jet_at<F, O>(at.template tracked<In>(), parameters, finite_part)); },
+      [&]<class In>() {
+        return bounded<O, S, In>(jet_at<F, O>(at.template tracked<In>(), parameters, finite_part), largest);
+      },
       [&](const auto& found) { return found.worst() <= tolerance; });
 }
 
 /// In double, at a point whose frames other formulas may share; the result does not depend on which do.
 /// \param finite_part Batch::finite_part \param tolerance of the relative error of each order
+/// \param largest finite number of the type that the result is narrowed to
 /// \return value and derivatives up to order O with a bound of their error; NaN where a derivative has no limit
 template <class F, int O>
 BoundedJet<double, F::components> bounded_form(PointFrames& at, std::span<const double> parameters, bool finite_part,
-                                               double tolerance) {
+                                               double tolerance, double largest = std::numeric_limits<double>::max()) {
   if (at.is_in_range())
-    return climbed<F, O>(Ladder<double, Mp100, Mp200, Mp400>(), at, parameters, finite_part, tolerance);
-  return climbed<F, O>(Ladder<Mp100, Mp200, Mp400>(), at, parameters, finite_part, tolerance);
+    return climbed<F, O>(Ladder<double, Mp100, Mp200, Mp400>(), at, parameters, finite_part, tolerance, largest);
+  return climbed<F, O>(Ladder<Mp100, Mp200, Mp400>(), at, parameters, finite_part, tolerance, largest);
 }
 
 /// In multiprecision: all of `digits` (50, 100 or 200) digits, unless more than 400 would be needed for them.
@@ -116,7 +119,7 @@ Jet<R, F::components, 2> closed_form(const Segment<R>& s, const Vec3<R>& eta, st
     return narrowed<R>(bounded_form<F, O>(at, given, finite_part, std::numeric_limits<R>::digits10).jet);
   } else {
     PointFrames at(ends, convert<W>(eta));
-    return narrowed<R>(bounded_form<F, O>(at, given, finite_part, kTolerance).jet);
+    return narrowed<R>(bounded_form<F, O>(at, given, finite_part, kTolerance, std::numeric_limits<R>::max()).jet);
   }
 }
 
@@ -124,9 +127,10 @@ Jet<R, F::components, 2> closed_form(const Segment<R>& s, const Vec3<R>& eta, st
 /// ill-posed, with the bound of the error.
 template <class F, int O>
 BoundedJet<double, F::components> accurate(const Segment<double>& s, const Vec3<double>& eta,
-                                           std::span<const double> parameters = {}, bool finite_part = false) {
+                                           std::span<const double> parameters = {}, bool finite_part = false,
+                                           double largest = std::numeric_limits<double>::max()) {
   PointFrames at(s, eta);
-  return bounded_form<F, O>(at, parameters, finite_part, kAccurateTolerance);
+  return bounded_form<F, O>(at, parameters, finite_part, kAccurateTolerance, largest);
 }
 
 }  // namespace cageproof::closed_form::segment
