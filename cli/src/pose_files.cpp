@@ -16,7 +16,9 @@ std::string PoseFiles::name_of(std::size_t k) const {
 }
 
 void PoseFiles::add_report(const std::string& out, const nlohmann::ordered_json& report) {
-  files_.emplace_back(std::filesystem::path(out).replace_extension(".json"), report.dump(2) + '\n');
+  // A file's name may hold bytes that are not UTF-8.
+  const std::string text = report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  files_.emplace_back(std::filesystem::path(out).replace_extension(".json"), text + '\n');
 }
 
 void PoseFiles::add(const std::string& pose, const Mesh& deformed, const CoordinateColumns& images,

@@ -105,6 +105,10 @@ PY
 refuses 'film_{n}.pvd' 'all maps' -- "${poses[@]}" --out 'film_{n}.pvd'
 refuses 'film_{n:2}.pvd' '{n:03d}' -- "${poses[@]}" --out 'film_{n:2}.pvd'
 refuses 'UTF-8' .pvd -- "${poses[@]}" --out $'film\xff.pvd'
+# Reports name poses whose names are not UTF-8 as far as JSON can.
+cp large.obj $'large\xff.obj'
+"$cageproof" deform --cage cube --posed $'large\xff.obj' --points mesh.obj --method green --out strange.obj || fail "a pose's name that is not UTF-8"
+grep -q $'"posed_cage": "large\xef\xbf\xbd.obj"' strange.json || fail "a name that is not UTF-8: $(cat strange.json)"
 mkdir film.pvd
 refuses film.pvd -- "${poses[@]}" --out film.pvd
 rmdir film.pvd
