@@ -4,12 +4,12 @@
 #include "deformation_report.h"
 #include "image_columns.h"
 #include "on_cage.h"
+#include "pose_files.h"
 
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/catalogue/unknown_name.h"
 #include "cageproof/deformation/nearest_element.h"
-#include "cageproof/reports/checked_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -193,7 +193,8 @@ void print_warnings(const Json& warnings, const Chosen& chosen, const DescribedM
   }
 }
 
-int run(const DeformArguments& a) {
+int run(DeformArguments& a) {
+  split_collection(a);
   const Chosen chosen = chosen_by(a);
   check_names(a, chosen.constrained ? 1 : a.posed.size() * chosen.parameters.size());
   const auto [cage, merging] = a.cage.load_merged();
@@ -208,20 +209,12 @@ int run(const DeformArguments& a) {
   take_onto_cage(a.on, coordinates, cage.size(), mesh.vertices, a.jobs);
   const PointImages images = images_by(a, posing, cage, mesh);
   // Everything is made before anything is written.
-  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  PoseFiles files(a);
   std::set<std::string> said;
   Mesh deformed = mesh;
-  MeshSource source(a.points);
   for (std::size_t k = 0; k < posing.maps.size(); ++k) {
     const DescribedMap& map = posing.maps[k];
     deformed.vertices = vertices_of(images.maps[k], cage.dimension());
-    const CoordinateColumns table = image_columns(images.maps[k], cage.dimension(), a.order);
-    const std::filesystem::path out = numbered(a.out, k + 1);
-    files.emplace_back(out, text_for(out, deformed, table, source));
-    if (!a.derivatives.empty()) {
-      const std::filesystem::path derivatives = numbered(a.derivatives, k + 1);
-      files.emplace_back(derivatives, text_for(derivatives, deformed, table, source));
-    }
     Json json = report_of(a, chosen, coordinates, map);
     const DeformationReport& pose = map.map->report();
     const MeshMeasures measures =
@@ -232,12 +225,12 @@ int run(const DeformArguments& a) {
     if (!images.beyond.empty())
       json["points_continued"] = {{"count", std::ranges::count_if(images.beyond, [](double way) { return way > 0; })},
                                   {"farthest_over_cage_size", std::ranges::max(images.beyond) / cage.size()}};
-    print_warnings(json["warnings"], chosen, map, out.string(), posing.maps.size() == 1, said);
-    files.emplace_back(std::filesystem::path(out).replace_extension(".json"), json.dump(2) + '\n');
+    print_warnings(json["warnings"], chosen, map, files.name_of(k + 1), posing.maps.size() == 1, said);
+    files.add(map.file, deformed, image_columns(images.maps[k], cage.dimension(), a.order), json);
     if (!a.energies.empty())
-      files.emplace_back(a.energies, energies_text(a, fmt::format("{}, {}", a.method, cage.name()), pose.energies));
+      files.add(a.energies, energies_text(a, fmt::format("{}, {}", a.method, cage.name()), pose.energies));
   }
-  reports::replace_files(files);
+  files.write();
   return success;
 }
 
@@ -292,10 +285,14 @@ void add_deform(CommandLine& line) {
       .taking("EVALUATION");
   command
       .option("--out", a->out,
-              ".obj, .ply, .stl, .svg, .vtp, .csv or .npy, with {n} for the number of the map; a .json beside it says "
-              "what was done")
+              ".obj, .ply, .stl, .svg, .vtp, .csv or .npy, with {n} or {n:03d} for the number of the map; or all maps "
+              "in one, .pc2 or .mdd with a frame each, or NAME.pvd, which names NAME_001.vtp and so on for ParaView; a "
+              ".json beside it, beside each .vtp of a .pvd, says what was done")
       .taking("FILE")
       .required();
+  command.option("--frame-rate", a->frame_rate, "frames a second, of .mdd")
+      .in_range(1e-3, 1e6)
+      .showing_default(fmt::format("{}", usual_rate));
   command.option("--order", a->order, "1: Jacobians, 2: Hessians, too").in_range(0, 2).showing_default();
   command.option("--derivatives", a->derivatives, ".csv, .npy or .vtp, beside a mesh file").taking("FILE");
   command.option("--energies", a->energies, ".csv or .png: of methods that iterate, the energy at every half step")

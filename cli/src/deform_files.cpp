@@ -2,6 +2,7 @@
 #include "deform_files.h"
 
 #include "inputs_outside.h"
+#include "numbered_name.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr std::array mesh_extensions{".obj", ".ply", ".stl", ".svg"};
 constexpr std::array table_extensions{".csv", ".npy", ".vtp"};
+constexpr std::array cache_extensions{".pc2", ".mdd"};
 constexpr std::array energy_extensions{".csv", ".png"};
 
 bool is_one_of(std::span<const char* const> extensions, const std::string& file) {
@@ -44,16 +46,21 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
         throw InputError(fmt::format("{}: {} is the file of {}, too", name.string(), option, its_option));
     known.emplace_back(path, option);
   };
-  for (std::size_t k = 1; k <= maps; ++k) {
-    const std::filesystem::path out = numbered(a.out, k);
+  const auto write_with_report = [&](const std::filesystem::path& out) {
     write(out, "--out");
     const std::filesystem::path report = std::filesystem::path(out).replace_extension(".json");
     write(report, "the .json beside --out");
     if (std::filesystem::exists(report) && read_file(report).find(deformation_schema) == std::string::npos)
       throw InputError(
           fmt::format("{}: is in the way of the report beside {}, and is none itself", report.string(), out.string()));
+  };
+  const bool in_one = is_point_cache(a.out);
+  if (in_one) write_with_report(a.out);
+  for (std::size_t k = 1; k <= maps; ++k) {
+    if (!in_one) write_with_report(numbered(a.out, k));
     if (!a.derivatives.empty()) write(numbered(a.derivatives, k), "--derivatives");
   }
+  if (!a.collection.empty()) write(a.collection, "--out");
   if (!a.energies.empty()) write(a.energies, "--energies");
   reports::require_writable(written);
 }
@@ -65,13 +72,38 @@ void check_standard_input(const DeformArguments& a) {
   require_one_reader_of_input(inputs);
 }
 
+// Of a file of all maps.
+void require_no_mark(const std::string& out) {
+  require_marks("--out", out);
+  if (has_mark(out))
+    throw InputError(fmt::format("--out {}: one '{}' file holds all maps; leave out {{n}}", out, extension_of(out)));
+}
+
+void check_numbers(const DeformArguments& a, std::size_t maps) {
+  if (is_point_cache(a.out)) require_no_mark(a.out);
+  for (const auto& [option, name] : {std::pair{"--out", &a.out}, std::pair{"--derivatives", &a.derivatives}}) {
+    require_marks(option, *name);
+    const bool holds_all = name == &a.out && is_point_cache(a.out);
+    if (maps > 1 && !name->empty() && !holds_all && !has_mark(*name))
+      throw InputError(fmt::format("{}: {} maps need a name with {{n}} or {{n:03d}} for their number{}", *name, maps,
+                                   name == &a.out ? ", or one file of all: .pc2, .mdd or .pvd" : ""));
+  }
+  if (a.frame_rate > 0 && extension_of(a.out) != ".mdd")
+    throw InputError(fmt::format("--frame-rate: '{}' files hold no times; .mdd files do",
+                                 extension_of(a.collection.empty() ? a.out : a.collection)));
+}
+
 }  // namespace
 
-std::string numbered(const std::string& name, std::size_t k) {
-  std::string found = name;
-  for (auto at = found.find("{n}"); at != std::string::npos; at = found.find("{n}"))
-    found.replace(at, 3, std::to_string(k));
-  return found;
+bool is_point_cache(const std::string& file) { return is_one_of(cache_extensions, file); }
+
+void split_collection(DeformArguments& a) {
+  if (extension_of(a.out) != ".pvd") return;
+  require_no_mark(a.out);
+  a.collection = a.out;
+  std::filesystem::path series = a.out;
+  series.replace_filename(series.stem().string() + "_{n:03d}.vtp");
+  a.out = series.string();
 }
 
 std::vector<std::pair<std::string, std::string>> given_data(const DeformArguments& a) {
@@ -83,19 +115,19 @@ std::vector<std::pair<std::string, std::string>> given_data(const DeformArgument
 }
 
 void check_names(const DeformArguments& a, std::size_t maps) {
-  if (!is_one_of(mesh_extensions, a.out) && !is_one_of(table_extensions, a.out))
-    throw InputError(fmt::format("--out {}: use {} or {}", a.out, fmt::join(mesh_extensions, ", "),
-                                 fmt::join(table_extensions, ", ")));
+  const bool places_only = is_one_of(mesh_extensions, a.out) || is_point_cache(a.out);
+  if (!places_only && !is_one_of(table_extensions, a.out))
+    throw InputError(fmt::format("--out {}: use {} or {}; {} or .pvd for all maps in one", a.out,
+                                 fmt::join(mesh_extensions, ", "), fmt::join(table_extensions, ", "),
+                                 fmt::join(cache_extensions, ", ")));
   if (!a.derivatives.empty() && !is_one_of(table_extensions, a.derivatives))
     throw InputError(fmt::format("--derivatives {}: use {}", a.derivatives, fmt::join(table_extensions, ", ")));
-  if (a.order > 0 && is_one_of(mesh_extensions, a.out) && a.derivatives.empty())
+  if (a.order > 0 && places_only && a.derivatives.empty())
     throw InputError(fmt::format("--order {}: '{}' files hold no derivatives; --derivatives FILE takes them", a.order,
                                  extension_of(a.out)));
   if (a.order == 0 && !a.derivatives.empty()) throw InputError("--derivatives: --order says which, 1 or 2");
-  for (const std::string* name : {&a.out, &a.derivatives})
-    if (maps > 1 && !name->empty() && name->find("{n}") == std::string::npos)
-      throw InputError(fmt::format("{}: {} maps need a name with {{n}} for their number", *name, maps));
-  if (is_one_of(mesh_extensions, a.out) && a.outside == "nan")
+  check_numbers(a, maps);
+  if (places_only && a.outside == "nan")
     throw InputError(fmt::format("--outside nan: '{}' files hold no nan; use {}", extension_of(a.out),
                                  fmt::join(table_extensions, ", ")));
   if (!a.energies.empty() && !is_one_of(energy_extensions, a.energies))

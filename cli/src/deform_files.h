@@ -19,14 +19,24 @@ struct DeformArguments {
   DataFiles data;
   int order = 0, jobs = 0;
   double on = 0;            ///< a share of the cage's size
+  double frame_rate = 0;    ///< frames a second; 0 where the user gave none
+  std::string collection;   ///< a .pvd file that names those of out; by split_collection
   bool strict = false;      ///< a posed cage with other faces is an error
   bool keep_quads = false;  ///< in place of the method, the one that does the same on quads
 };
 
 inline constexpr std::string_view deformation_schema = "cageproof-deformation";
 
-/// The k-th file, from 1 on, where a name has {n} for the number, once or more.
-std::string numbered(const std::string& name, std::size_t k);
+/// Of the report beside a file of several maps.
+inline constexpr std::string_view deformations_schema = "cageproof-deformations";
+/// Frames a second where the user gave none.
+inline constexpr double usual_rate = 24;
+
+/// Whether a file of that name holds all maps as frames: .pc2, .mdd.
+bool is_point_cache(const std::string& file);
+
+/// Takes --out NAME.pvd for the collection of NAME_001.vtp and so on. \throws InputError where the name has a number
+void split_collection(DeformArguments& a);
 
 /// What poses have beside vertices: options without dashes, and their files, of those that are given.
 std::vector<std::pair<std::string, std::string>> given_data(const DeformArguments& a);

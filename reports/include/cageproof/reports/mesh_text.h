@@ -21,13 +21,13 @@ struct PartialMeshText {
 
 /// Binary STL: triangles with their normals by the right-hand rule, or zero where they have no area, in single
 /// precision. Faces of more corners are cut as triangles_of_face does; those that it cannot cut make triangles about
-/// their first corner. \pre all vertices are finite 	hrows InputError for a mesh without faces, for more triangles
+/// their first corner. \pre all vertices are finite \throws InputError for a mesh without faces, for more triangles
 /// than STL counts, and naming a vertex of a face that is beyond single precision
 PartialMeshText stl_text(const Mesh& mesh);
 
 /// SVG: a path for each polyline, and a vertex of no segment as a polyline of one point, in the order of vertices as
 /// far as SVG, which does not number them, can have it; y turned down, shortest decimals that give the same doubles.
-/// \pre all vertices are finite and lie in the plane 	hrows InputError for a mesh without polylines, and for one that
+/// \pre all vertices are finite and lie in the plane \throws InputError for a mesh without polylines, and for one that
 /// is wider than doubles
 PartialMeshText svg_text(const Mesh& mesh);
 
