@@ -48,8 +48,8 @@ std::string evaluation_taken(const RunResult& result, const std::string& kind) {
       if (is_row_of(row, kind) && row.role == name_of(role)) return row.evaluation;
   const CoordinateKind* known = find_coordinate_kind(kind);
   for (const ResultRow& row : result.rows)
-    if (is_row_of(row, kind) &&
-        (known == nullptr || std::ranges::find(known->other_evaluations, row.evaluation) == known->other_evaluations.end()))
+    if (is_row_of(row, kind) && (known == nullptr || std::ranges::find(known->other_evaluations, row.evaluation) ==
+                                                         known->other_evaluations.end()))
       return row.evaluation;
   return {};
 }
@@ -154,8 +154,8 @@ Data pictures_of(const RunResult& result, const std::string& kind) {
   };
   const std::string ending = fmt::format(", {} coordinates: linear reproduction", kind);
   const auto is_of_kind = [&](const FieldEntry& f) {
-    return !f.picture.empty() && (kind.empty() ? f.title.ends_with(" coordinates: linear reproduction")
-                                               : f.title.ends_with(ending));
+    return !f.picture.empty() &&
+           (kind.empty() ? f.title.ends_with(" coordinates: linear reproduction") : f.title.ends_with(ending));
   };
   add([&](const FieldEntry& f) { return is_of_kind(f) && f.data.ends_with(".vtp"); });
   add([&](const FieldEntry& f) { return is_of_kind(f) && f.data.ends_with(".vti"); });
