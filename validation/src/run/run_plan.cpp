@@ -222,11 +222,17 @@ class Planner {
       }
   }
 
+  // One cage is waited for: two samples of each place, where the suite has four.
+  int block_points_of_run() const {
+    const Suite& suite = options_.suite;
+    return options_.only_cage && suite.has_time_limit ? suite.block_points / 2 : suite.block_points;
+  }
+
   BlockCampaignOptions block_options() const {
     return {.evaluation = {},
             .triangulation = options_.triangulation,
             .seed = options_.seed,
-            .points = options_.suite.block_points,
+            .points = block_points_of_run(),
             .milliseconds = options_.suite.block_milliseconds};
   }
 
@@ -351,7 +357,7 @@ class Planner {
   // A verdict on one cage does not wait for a picture that promises nothing.
   int scene_pairs() const {
     const Suite& suite = options_.suite;
-    return options_.only_cage && suite.has_time_limit ? suite.scene_pairs / 4 : suite.scene_pairs;
+    return options_.only_cage && suite.has_time_limit ? suite.scene_pairs / 10 : suite.scene_pairs;
   }
 
   // One scene a run, of the first kind that papers print and of the suite's cage, or the user's; all of them
@@ -422,7 +428,7 @@ class Planner {
         {"points of a cage", text(suite.cage_points)},
         {"truths of a cage", text(suite.truth_points)},
         {"block errors of a cage",
-         fmt::format("{} points, {} ms a kind", suite.block_points, suite.block_milliseconds)},
+         fmt::format("{} points, {} ms a kind", block_points_of_run(), suite.block_milliseconds)},
         {"points of a mesh", text(suite.mesh_points)},
         {"fields",
          fmt::format("{} samples a side, {} truths, {} side by side{}", suite.slice, suite.pairs, scene_pairs(),
