@@ -222,10 +222,10 @@ class Planner {
       }
   }
 
-  // One cage is waited for: two samples of each place, where the suite has four.
+  // Somebody waits for the verdict on one cage. Samples are at least twelve, one of each place.
   int block_points_of_run() const {
     const Suite& suite = options_.suite;
-    return options_.only_cage && suite.has_time_limit ? suite.block_points / 2 : suite.block_points;
+    return options_.only_cage && suite.has_time_limit ? suite.block_points / 3 : suite.block_points;
   }
 
   BlockCampaignOptions block_options() const {
