@@ -4,6 +4,7 @@
 #include "progress.h"
 
 #include "cageproof/benchmarks/evaluation_times.h"
+#include "cageproof/benchmarks/kind_times.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/catalogue/unknown_name.h"
 #include "cageproof/validation/verify.h"
@@ -115,7 +116,11 @@ int run(Arguments& a) {
     options.mesh_name = a.points;
     options.mesh = load_points(a.points, options.cage->dimension());
   }
-  options.take_times = benchmarks::times_of_evaluations;
+  // A report on a cage says what kinds of coordinates take in it, others what formulas do on one element.
+  options.take_times = [&](const std::string& formulas, const std::string& evaluations) {
+    return options.only_cage ? benchmarks::times_of_kinds(*options.cage, options.triangulation)
+                             : benchmarks::times_of_evaluations(formulas, evaluations);
+  };
   Progress progress;
   options.progress = [&](std::size_t done, std::size_t all) { progress("measuring", done, all); };
   const validation::Verified done = validation::verify(options);

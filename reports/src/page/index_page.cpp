@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure.h"
 #include "gallery_page.h"
+#include "given_cage.h"
 #include "page_data.h"
 #include "page_template.h"
 #include "pages.h"
@@ -14,6 +15,7 @@ namespace {
 std::string index_page(const RunResult& result, const std::vector<FigureEntry>& figures) {
   Data data = common_data(result, "");
   set_verdict(data, result);
+  set_given_cage(data, result);
   set_broken(data, result);
   set_proof(data, result);
   set_overview(data, result);

@@ -5,6 +5,7 @@
 namespace cageproof::reports {
 
 extern const char* const kIndexTemplate;
+extern const char* const kGivenCageTemplate;
 extern const char* const kSubjectTemplate;
 extern const char* const kGalleryTemplate;
 extern const char* const kPageStyle;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The head of a page: the verdict, and figures of the rows below it; and on what the verdict rests.
 #include "figure.h"
+#include "given_cage.h"
 #include "page_data.h"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ void set_verdict(Data& page, const RunResult& result) {
   Rows rows;
   for (const ResultRow& row : result.rows) rows.push_back(&row);
   set_tiles(page, rows);
-  page.set("verdict", verdict_line(result));
+  page.set("verdict", is_of_given_cage(result) ? given_cage_verdict(result) : verdict_line(result));
 }
 
 void set_proof(Data& page, const RunResult& result) {

@@ -222,11 +222,17 @@ class Planner {
       }
   }
 
+  // Somebody waits for the verdict on one cage. Samples are at least twelve, one of each place.
+  int block_points_of_run() const {
+    const Suite& suite = options_.suite;
+    return options_.only_cage && suite.has_time_limit ? suite.block_points / 3 : suite.block_points;
+  }
+
   BlockCampaignOptions block_options() const {
     return {.evaluation = {},
             .triangulation = options_.triangulation,
             .seed = options_.seed,
-            .points = options_.suite.block_points,
+            .points = block_points_of_run(),
             .milliseconds = options_.suite.block_milliseconds};
   }
 
@@ -348,6 +354,12 @@ class Planner {
                           fmt::format("{}: error of {}", title, scheme->name()), "difference", common));
   }
 
+  // A verdict on one cage does not wait for a picture that promises nothing.
+  int scene_pairs() const {
+    const Suite& suite = options_.suite;
+    return options_.only_cage && suite.has_time_limit ? suite.scene_pairs / 10 : suite.scene_pairs;
+  }
+
   // One scene a run, of the first kind that papers print and of the suite's cage, or the user's; all of them
   // in suites with time. It takes the place of a slice of the recommended evaluation's rounding noise.
   bool add_scene(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind) {
@@ -359,9 +371,8 @@ class Planner {
     ++scenes_;
     const auto mesh = options_.mesh ? std::make_shared<const Mesh>(*options_.mesh) : nullptr;
     const auto elements = static_cast<double>(cage->parts(false, options_.triangulation).elements.size());
-    const auto points =
-        static_cast<std::size_t>(suite.scene_pairs / (elements * static_cast<double>(kind.blocks.size())));
-    add(scene_measurements(comparison, affordable_side(comparison, suite.scene_pairs, suite.scene_side), mesh,
+    const auto points = static_cast<std::size_t>(scene_pairs() / (elements * static_cast<double>(kind.blocks.size())));
+    add(scene_measurements(comparison, affordable_side(comparison, scene_pairs(), suite.scene_side), mesh,
                            std::max<std::size_t>(100, points), fields_));
     fields_ += mesh ? 2 : 1;
     return true;
@@ -417,10 +428,10 @@ class Planner {
         {"points of a cage", text(suite.cage_points)},
         {"truths of a cage", text(suite.truth_points)},
         {"block errors of a cage",
-         fmt::format("{} points, {} ms a kind", suite.block_points, suite.block_milliseconds)},
+         fmt::format("{} points, {} ms a kind", block_points_of_run(), suite.block_milliseconds)},
         {"points of a mesh", text(suite.mesh_points)},
         {"fields",
-         fmt::format("{} samples a side, {} truths, {} side by side{}", suite.slice, suite.pairs, suite.scene_pairs,
+         fmt::format("{} samples a side, {} truths, {} side by side{}", suite.slice, suite.pairs, scene_pairs(),
                      suite.shown_elements > 0
                          ? fmt::format(", of embedded cages with at most {} elements", suite.shown_elements)
                          : "")},

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "given_cage.h"
+
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/catalogue/role.h"
+#include "figure.h"
+#include "page_template.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace cageproof::reports {
+namespace {
+
+constexpr std::string_view scope_setting = "scope", cage_setting = "cage";
+
+std::string setting_of(const RunResult& result, std::string_view name) {
+  const auto found = result.settings.find(std::string(name));
+  return found == result.settings.end() ? std::string() : found->second;
+}
+
+// A cage's name is its path; people know the file by its last part.
+std::string short_cage_name(const RunResult& result) {
+  const std::string cage = setting_of(result, cage_setting);
+  const std::string file = std::filesystem::path(cage).filename().string();
+  return file.empty() ? cage : file;
+}
+
+bool is_row_of(const ResultRow& row, const std::string& kind) {
+  return row.section == RowKey::Section::Cage && row.subject == kind;
+}
+
+bool is_at_the_cage(const std::string& place) {
+  return place == "inside" || place.starts_with("on-") || place.starts_with("near-");
+}
+
+bool compares_with_truth(const std::string& check) {
+  return check == "cage_block_error" || check == "cage_truth" || check == "scheme_error";
+}
+
+// What commands take: the batched evaluation where there is one, else the recommended one. Kinds that are no sums have
+// one that is none of those measured beside it.
+std::string evaluation_taken(const RunResult& result, const std::string& kind) {
+  for (const Role role : {Role::Batched, Role::Recommended})
+    for (const ResultRow& row : result.rows)
+      if (is_row_of(row, kind) && row.role == name_of(role)) return row.evaluation;
+  const CoordinateKind* known = find_coordinate_kind(kind);
+  for (const ResultRow& row : result.rows)
+    if (is_row_of(row, kind) && (known == nullptr || std::ranges::find(known->other_evaluations, row.evaluation) ==
+                                                         known->other_evaluations.end()))
+      return row.evaluation;
+  return {};
+}
+
+std::optional<double> time_of_kind(const RunResult& result, const std::string& kind) {
+  for (const Session& session : result.sessions)
+    for (const EvaluationTime& time : session.times)
+      if (time.formula == kind) return time.nanoseconds;
+  return std::nullopt;
+}
+
+void raise(std::optional<double>& most, double error) {
+  if (!most || !(error <= *most)) most = error;
+}
+
+void keep_more_telling(const ResultRow*& kept, const ResultRow& row) {
+  if (kept == nullptr || more_telling(row, *kept)) kept = &row;
+}
+
+KindInCage kind_in_cage(const RunResult& result, const std::string& name) {
+  KindInCage found;
+  found.kind = name;
+  found.evaluation = evaluation_taken(result, name);
+  found.nanoseconds = time_of_kind(result, name);
+  bool linear_kept = true;
+  for (const ResultRow& row : result.rows) {
+    if (!is_row_of(row, name)) continue;
+    found.kept += row.verdict == Verdict::Kept ? 1 : 0;
+    found.broken += row.verdict == Verdict::Broken ? 1 : 0;
+    found.undecided += row.verdict == Verdict::Undecided ? 1 : 0;
+    if (row.evaluation != found.evaluation || row.scalar != "double" || row.order != 0) continue;
+    if (compares_with_truth(row.check) && row.samples > 0) {
+      const double error = row.nonfinite > 0 ? HUGE_VAL : row.max_relative;
+      if (is_at_the_cage(row.place)) {
+        raise(found.error_inside, error);
+      } else {
+        const std::optional<double> before = found.error_elsewhere;
+        raise(found.error_elsewhere, error);
+        if (found.error_elsewhere != before) found.worst_elsewhere = row.place;
+      }
+    }
+    if (row.check == "partition_of_unity") keep_more_telling(found.unity, row);
+    if (row.check != "linear_reproduction") continue;
+    keep_more_telling(found.linear, row);
+    linear_kept = linear_kept && row.verdict == Verdict::Kept;
+    if (row.place == "mesh") found.at_points = &row;
+  }
+  found.reproduces_linear = found.linear != nullptr && linear_kept;
+  return found;
+}
+
+std::string digits_text(const std::optional<double>& error) { return error ? digits_kept(*error, "double") : "–"; }
+
+std::string keeps_text(const ResultRow* row) {
+  if (row == nullptr) return "not measured";
+  if (row->verdict == Verdict::Kept) return "yes";
+  if (row->verdict == Verdict::Broken) return "no";
+  return fmt::format("not promised, {}", short_error(row->max_relative));
+}
+
+Data row_of_kind(const KindInCage& one, bool is_taken) {
+  Data data;
+  data.set("kind", one.kind);
+  data.set("evaluation", one.evaluation);
+  data.set("taken", is_taken);
+  data.set("digits", digits_text(one.error_inside));
+  data.set("elsewhere", one.error_elsewhere
+                            ? fmt::format("{} ({})", digits_text(one.error_elsewhere), one.worst_elsewhere)
+                            : std::string("–"));
+  data.set("at_points", one.at_points ? short_error(one.at_points->max_relative) : "–");
+  data.set("unity", keeps_text(one.unity));
+  data.set("linear", keeps_text(one.linear));
+  data.set("time", one.nanoseconds ? duration_text(*one.nanoseconds) : "–");
+  data.set("kept", grouped(one.kept));
+  data.set("broken", grouped(one.broken));
+  data.set("any_broken", one.broken > 0);
+  return data;
+}
+
+std::string advice_of(const std::vector<KindInCage>& kinds, const KindInCage* taken, bool timed) {
+  if (taken != nullptr)
+    return fmt::format("Take {}: it keeps all of its {} promises, reproduces linear functions, and takes {} per point.",
+                       taken->kind, grouped(taken->kept), duration_text(*taken->nanoseconds));
+  if (std::ranges::none_of(kinds, [](const KindInCage& k) { return k.broken == 0 && k.reproduces_linear; }))
+    return "No kind keeps all promises and reproduces linear functions in this cage.";
+  return timed ? "None of the kinds that keep all promises and reproduce linear functions was timed."
+               : "No kind was timed in this run, so none is named as the quickest.";
+}
+
+// The fields that show the cage, of the kind to take where it has some: one at the points given, and a slice.
+Data pictures_of(const RunResult& result, const std::string& kind) {
+  Data list{Data::type::list};
+  const auto add = [&](auto&& shows) {
+    const auto entry = std::ranges::find_if(result.fields, shows);
+    if (entry == result.fields.end()) return;
+    Data data;
+    data.set("picture", entry->picture);
+    data.set("title", entry->title);
+    data.set("page", entry->page);
+    data.set("has_page", !entry->page.empty());
+    list << data;
+  };
+  const std::string ending = fmt::format(", {} coordinates: linear reproduction", kind);
+  const auto is_of_kind = [&](const FieldEntry& f) {
+    return !f.picture.empty() &&
+           (kind.empty() ? f.title.ends_with(" coordinates: linear reproduction") : f.title.ends_with(ending));
+  };
+  add([&](const FieldEntry& f) { return is_of_kind(f) && f.data.ends_with(".vtp"); });
+  add([&](const FieldEntry& f) { return is_of_kind(f) && f.data.ends_with(".vti"); });
+  return list;
+}
+
+Data undecided_rows(const RunResult& result) {
+  Data list{Data::type::list};
+  for (const ResultRow& row : result.rows) {
+    if (row.verdict != Verdict::Undecided) continue;
+    Data data;
+    data.set("text", fmt::format("{} of {} by {}, {}{}, order {}", row.check, row.subject, row.evaluation, row.setting,
+                                 row.place.empty() ? "" : " " + row.place, row.order));
+    data.set("reason", row.reason);
+    list << data;
+  }
+  return list;
+}
+
+}  // namespace
+
+bool is_of_given_cage(const RunResult& result) { return !setting_of(result, scope_setting).empty(); }
+
+std::string given_cage_verdict(const RunResult& result) {
+  return fmt::format("{} for {}", verdict_line(result), short_cage_name(result));
+}
+
+std::vector<KindInCage> kinds_in_cage(const RunResult& result) {
+  std::vector<KindInCage> kinds;
+  for (const std::string& name : subjects(result, RowKey::Section::Cage)) kinds.push_back(kind_in_cage(result, name));
+  std::erase_if(kinds, [](const KindInCage& k) { return find_coordinate_kind(k.kind) == nullptr; });
+  return kinds;
+}
+
+const KindInCage* kind_to_take(const std::vector<KindInCage>& kinds) {
+  const KindInCage* best = nullptr;
+  for (const KindInCage& one : kinds) {
+    if (one.broken > 0 || one.undecided > 0 || !one.reproduces_linear || !one.nanoseconds) continue;
+    if (best == nullptr || *one.nanoseconds < *best->nanoseconds) best = &one;
+  }
+  return best;
+}
+
+void set_given_cage(Data& page, const RunResult& result) {
+  page.set("of_given_cage", is_of_given_cage(result));
+  if (!is_of_given_cage(result)) return;
+  const std::vector<KindInCage> kinds = kinds_in_cage(result);
+  const KindInCage* const taken = kind_to_take(kinds);
+  const bool timed = std::ranges::any_of(kinds, [](const KindInCage& k) { return k.nanoseconds.has_value(); });
+  const bool at_points = std::ranges::any_of(kinds, [](const KindInCage& k) { return k.at_points != nullptr; });
+  Data rows{Data::type::list};
+  for (const KindInCage& one : kinds) {
+    Data row = row_of_kind(one, &one == taken);
+    row.set("page", page_of({RowKey::Section::Cage, "", "", "", setting_of(result, cage_setting), "", "", 0}));
+    row.set("timed", timed);
+    row.set("has_points", at_points);
+    rows << row;
+  }
+  Data section;
+  section.set("name", short_cage_name(result));
+  section.set("points", setting_of(result, "points"));
+  section.set("advice", advice_of(kinds, taken, timed));
+  section.set("timed", timed);
+  section.set("has_points", at_points);
+  set_list(section, "kinds", rows);
+  set_list(section, "pictures", pictures_of(result, taken != nullptr ? taken->kind : ""));
+  set_list(section, "undecided", undecided_rows(result));
+  page.set("given_cage_section", rendered(kGivenCageTemplate, "given_cage.mustache", section));
+}
+
+}  // namespace cageproof::reports
