@@ -47,7 +47,10 @@ nlohmann::ordered_json deformation_json(const MeshMeasures& measures, std::size_
                          {"points_turned_inside_out", jacobians->turned},
                          {"points_without_jacobian", jacobians->without}};
     if (jacobians->without > 0)
-      warnings.push_back(fmt::format("{} points on the cage have images and no Jacobians", jacobians->without));
+      warnings.push_back(
+          fmt::format("{} points have images and no Jacobians: on the cage derivatives may have no limit, and "
+                      "elsewhere they leave double's range",
+                      jacobians->without));
   }
   json["prepared"] = systems_json(prepared.systems);
   json["posed"] = systems_json(pose.systems);
