@@ -34,7 +34,8 @@ TEST(Advice, LeavesOutWhatIsSlowerAndLessAccurate) {
 // Each further choice is slower and reaches further, whatever the choices are.
 TEST(Advice, IsInTheOrderOfPareto) {
   std::vector<Choice> many;
-  for (int i = 0; i < 60; ++i) many.push_back({std::to_string(i), 1.0 + (i + 5) * 37 % 61, 1.0 + (i + 11) * 23 % 59, false});
+  for (int i = 0; i < 60; ++i)
+    many.push_back({std::to_string(i), 1.0 + (i + 5) * 37 % 61, 1.0 + (i + 11) * 23 % 59, false});
   const std::vector<Choice> left = without_dominated(many);
   ASSERT_GT(left.size(), 1u);
   for (std::size_t i = 1; i < left.size(); ++i) {

@@ -18,11 +18,11 @@ double digits_right(const ResultRow& row) {
   return std::isfinite(relative) ? -std::log10(relative) : 0;
 }
 
-Data heat_cell(const ResultRow* row, std::size_t line) {
+Data heat_cell(const ResultRow* row, bool any, std::size_t line) {
   Data data;
-  data.set("any", row != nullptr);
-  data.set("class", row ? heat_class(*row) : "none");
-  data.set("text", row ? heat_text(*row) : "");
+  data.set("any", any);
+  data.set("class", row ? heat_class(*row) : "");
+  data.set("text", row ? heat_text(*row) : "·");
   data.set("line", fmt::format("{}", line));
   return data;
 }
@@ -65,7 +65,7 @@ void set_heat_map(Data& page, const RunResult& result) {
     for (const std::string& regime : regimes) {
       const auto place = std::ranges::find(table.regimes, regime);
       const bool any = place != table.regimes.end();
-      cells << heat_cell(any ? table.at(regime, table.columns.front(), 0) : nullptr,
+      cells << heat_cell(any ? table.at(regime, table.columns.front(), 0) : nullptr, any,
                          first + static_cast<std::size_t>(place - table.regimes.begin()));
     }
     first += table.regimes.size();

@@ -17,6 +17,8 @@ std::string index_page(const RunResult& result, const std::vector<FigureEntry>& 
   Data data = common_data(result, "");
   set_verdict(data, result);
   set_broken(data, result);
+  data.set("front_style", kFrontStyle);
+  data.set("front_script", kFrontScript);
   data.set("what_ran", what_ran(result));
   set_proof(data, result);
   set_heat_map(data, result);
