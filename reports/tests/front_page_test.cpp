@@ -95,6 +95,18 @@ TEST(FrontPage, CellsLeadToTheirLine) {
   EXPECT_EQ(cells, 3 * 4 - 1);
 }
 
+// Words of the rows that say nothing by themselves; what is compared between runs keeps them.
+TEST(FrontPage, SaysUnitsInWords) {
+  RunResult run = sample_run(1, 1);
+  run.rows[0].unit = "of what is stated";
+  run.rows[0].verdict = Verdict::Broken;
+  run.rows[0].bound = 1;
+  const std::string page = page_named("index.html", run);
+  EXPECT_NE(page.find("<td>times the error that it states itself</td>"), page.npos);
+  EXPECT_EQ(page.find("of what is stated"), page.npos);
+  EXPECT_EQ(unit_text("conditioned"), "conditioned");
+}
+
 TEST(FrontPage, FoldsFieldsOfRoundingNoise) {
   FieldEntry field;
   field.largest = 9e-14;

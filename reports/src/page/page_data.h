@@ -28,6 +28,9 @@ std::string cell_id(const RowKey& row);
 /// What a cell shows: its largest error, or a dash where no sample had one.
 std::string cell_text(const ResultRow& row);
 
+/// A row's unit in words that need no manual; most units are such words as they are.
+std::string unit_text(const std::string& unit);
+
 /// How a cell looks: the colour of its error, grey where it is ill-posed or has none, hatched where nothing is
 /// promised.
 std::string cell_class(const ResultRow& row);
