@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tables of the report do once scripts run: they sort and filter, and the overview shows any evaluation.
+// What tables of the report do once scripts run: they sort and filter.
 "use strict";
 
 // What an error's text is as a number, to sort by; text that is no number comes last.
@@ -66,61 +66,6 @@ function rememberFilters(form, change) {
   }
   form.hidden = false;
   change();
-}
-
-const overview = document.querySelector('[data-table="overview"]');
-if (overview) {
-  const data = JSON.parse(document.getElementById("overview-data").textContent);
-  const form = document.querySelector('[data-filters="overview"]');
-  const lines = [...overview.tBodies[0].rows].map((row, place) => ({
-    row,
-    formula: row.cells[0].textContent,
-    page: row.cells[0].firstElementChild.getAttribute("href"),
-    regime: row.cells[1].textContent,
-    cells: data.cells[place],
-    shown: null,
-  }));
-  addChoices(form.elements.formula, lines.map((line) => line.formula));
-  addChoices(form.elements.regime, lines.map((line) => line.regime));
-  addChoices(form.elements.evaluation, data.evaluations);
-
-  const showEvaluation = (line, name) => {
-    // What the page came with is kept once it is to be replaced: keeping all of it would take longer than all else here.
-    if (name === "" && line.shown === null) return true;
-    const cells = [...line.row.cells].slice(2);
-    if (line.shown === null) line.shown = cells.map((cell) => [cell.className, cell.innerHTML]);
-    if (name === "") {
-      cells.forEach((cell, i) => ([cell.className, cell.innerHTML] = line.shown[i]));
-      return true;
-    }
-    const orders = line.cells[data.evaluations.indexOf(name)];
-    if (!orders) return false;
-    cells.forEach((cell) => ((cell.textContent = ""), (cell.className = "")));
-    cells[0].textContent = name;
-    orders.forEach(([text, css, id], order) => {
-      if (text === undefined) return;
-      const link = document.createElement("a");
-      link.textContent = text;
-      link.href = `${line.page}#${id}`;
-      cells[order + 1].className = css;
-      cells[order + 1].append(link);
-    });
-    return true;
-  };
-  rememberFilters(form, () => {
-    const {formula, regime, evaluation, order} = form.elements;
-    let count = 0;
-    for (const line of lines) {
-      const shown = (formula.value === "" || formula.value === line.formula) && (regime.value === "" || regime.value === line.regime) &&
-        showEvaluation(line, evaluation.value);
-      if (line.row.hidden === shown) line.row.hidden = !shown;
-      count += shown;
-    }
-    for (const row of overview.rows)
-      for (const o of [0, 1, 2]) row.cells[3 + o].hidden = order.value !== "" && Number(order.value) !== o;
-    document.querySelector("[data-shown]").textContent = evaluation.value === "" ? "of the recommended evaluation" : `of ${evaluation.value}`;
-    form.querySelector("output").textContent = `${count} of ${lines.length} lines`;
-  });
 }
 
 for (const table of document.querySelectorAll("table[data-sortable]")) sortable(table);

@@ -407,7 +407,7 @@ TEST(ReportFiles, WhatIsGreyIsCounted) {
   RunResult run = sample_run(1, 1);
   ResultRow& row = run.rows[0];
   const std::string page = fmt::format("formulas/{}.html", row.subject), id = "truth.generic.closed_form.double.0";
-  const std::string tile = "ill-posed: no result could break a bound there";
+  const std::string tile = "results that cannot be judged";
   EXPECT_EQ(report(run).at("index.html").find(tile), std::string::npos);
   row.verdict = Verdict::NotPromised;
   row.total_loss = 64;

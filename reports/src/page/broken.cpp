@@ -25,7 +25,7 @@ Data line_of(const ResultRow& row) {
   const bool above = row.bound && row.samples > 0 && !(row.max <= *row.bound);
   data.set("max", above ? short_error(row.max) : "samples lost");
   data.set("bound", row.bound ? short_number(*row.bound) : "");
-  data.set("unit", row.unit);
+  data.set("unit", unit_text(row.unit));
   data.set("reason", row.reason);
   data.set("href", page_of(row) + "#" + cell_id(row));
   data.set("input", row.worst.empty() ? "" : input_line(row.worst.front()));

@@ -29,7 +29,7 @@ Data lines_of(const RunResult& result, RowKey::Section section) {
     data.set("open", grouped(open));
     data.set("cell", error_cell(tightest, "index.html"));
     data.set("bound", tightest ? short_number(*tightest->bound) : "");
-    data.set("unit", tightest ? tightest->unit : "");
+    data.set("unit", tightest ? unit_text(tightest->unit) : "");
     data.set("check", tightest ? tightest->check : "");
     data.set("subject", tightest ? tightest->subject : "");
     data.set("evaluation", tightest ? tightest->evaluation : "");

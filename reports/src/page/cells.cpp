@@ -21,6 +21,13 @@ const char* conditioned_class(double max) {
 
 std::string cell_text(const ResultRow& row) { return row.samples == 0 ? "–" : figure_text(row); }
 
+std::string unit_text(const std::string& unit) {
+  if (unit == "of what is stated") return "times the error that it states itself";
+  if (unit == "of the radius") return "times the enclosure's radius";
+  if (unit == "units of u") return "roundings of the result (u)";
+  return unit;
+}
+
 std::string cell_class(const ResultRow& row) {
   if (row.samples == 0 && row.verdict != Verdict::Broken) return "ill";
   if (row.is_ill_posed() && row.verdict != Verdict::Broken) return "ill";

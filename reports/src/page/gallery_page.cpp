@@ -8,12 +8,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace cageproof::reports {
 namespace {
 
-Data fields_of(const RunResult& result) {
+// Fields that are rounding noise, or those that are not.
+Data fields_of(const RunResult& result, bool noise) {
   Data fields{Data::type::list};
   for (const FieldEntry& field : result.fields) {
+    if (is_rounding_noise(field) != noise) continue;
     Data data;
     data.set("title", field.title);
     data.set("unit", field.unit.empty() || field.unit == "1" ? "" : " " + field.unit);
@@ -51,6 +55,8 @@ Data figure_data(const FigureEntry& entry) {
 
 }  // namespace
 
+bool is_rounding_noise(const FieldEntry& field) { return field.largest < 1e-13; }
+
 std::string facts_text(const FigurePanel& panel) {
   std::string text;
   for (const auto& [name, value] : panel.facts)
@@ -70,7 +76,10 @@ std::string gallery_page(const RunResult& result, const std::vector<FigureEntry>
   Data data = common_data(result, "");
   Data sheets{Data::type::list};
   for (const FigureEntry& entry : figures) sheets << figure_data(entry);
-  set_list(data, "fields", fields_of(result));
+  data.set("has_fields", !result.fields.empty());
+  set_list(data, "telling_fields", fields_of(result, false));
+  set_list(data, "noise", fields_of(result, true));
+  data.set("noise_count", grouped(static_cast<std::uint64_t>(std::ranges::count_if(result.fields, is_rounding_noise))));
   set_list(data, "figures", sheets);
   return rendered(kGalleryTemplate, "gallery.mustache", data);
 }

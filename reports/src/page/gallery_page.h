@@ -10,6 +10,9 @@
 
 namespace cageproof::reports {
 
+/// Whether no finite error of a field reaches 1e-13: its picture shows rounding, and nothing else.
+bool is_rounding_noise(const FieldEntry& field);
+
 /// The page; empty for a run without pictures.
 std::string gallery_page(const RunResult& result, const std::vector<FigureEntry>& figures);
 

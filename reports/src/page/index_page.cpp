@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace cageproof::reports {
 namespace {
 
@@ -17,12 +19,19 @@ std::string index_page(const RunResult& result, const std::vector<FigureEntry>& 
   set_verdict(data, result);
   set_given_cage(data, result);
   set_broken(data, result);
+  data.set("front_style", kFrontStyle);
+  data.set("front_script", kFrontScript);
+  data.set("what_ran", what_ran(result));
   set_proof(data, result);
+  set_heat_map(data, result);
   set_overview(data, result);
   set_cages(data, result);
   set_errata(data, result);
   data.set("has_pictures", !result.fields.empty() || !figures.empty());
   data.set("field_count", grouped(result.fields.size()));
+  const auto noise = static_cast<std::uint64_t>(std::ranges::count_if(result.fields, is_rounding_noise));
+  data.set("has_noise_count", noise > 0);
+  data.set("noise_count", grouped(noise));
   data.set("figure_count", grouped(figures.size()));
   Data notes{Data::type::list};
   for (const std::string& note : result.notes) notes << Data(note);

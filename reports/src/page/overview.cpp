@@ -19,7 +19,7 @@ Column lead_of(const ErrorTable& table) { return table.columns.front(); }
 
 std::string name_of(const Column& column) { return column.evaluation + ", " + column.scalar; }
 
-Data line_of(const std::string& formula, const std::string& regime, const ErrorTable& table) {
+Data line_of(const std::string& formula, const std::string& regime, const ErrorTable& table, std::size_t number) {
   const Column lead = lead_of(table);
   Data line, orders{Data::type::list};
   const ResultRow* telling = nullptr;
@@ -28,6 +28,7 @@ Data line_of(const std::string& formula, const std::string& regime, const ErrorT
     orders << error_cell(row, "index.html");
     if (row && (!telling || more_telling(*row, *telling))) telling = row;
   }
+  line.set("line", fmt::format("{}", number));
   line.set("formula", formula);
   line.set("page", fmt::format("formulas/{}.html", file_name(formula)));
   line.set("regime", regime);
@@ -38,7 +39,7 @@ Data line_of(const std::string& formula, const std::string& regime, const ErrorT
   return line;
 }
 
-// Cells of every evaluation, by the number of its column: text, class and id of each order.
+// Cells of every evaluation, by the number of its column: text and class of each order.
 Json cells_of(const ErrorTable& table, const std::string& regime, const std::vector<std::string>& evaluations) {
   Json cells = Json::object();
   for (const Column& column : table.columns) {
@@ -47,8 +48,12 @@ Json cells_of(const ErrorTable& table, const std::string& regime, const std::vec
     for (int order = 0; order < 3; ++order) {
       const ResultRow* row = table.at(regime, column, order);
       any = any || row;
-      if (row) orders.push_back(Json::array({cell_text(*row), cell_class(*row), cell_id(*row)}));
-      else orders.push_back(Json::array());
+      orders.push_back(Json::array());
+      if (!row) continue;
+      orders.back() = {cell_text(*row), cell_class(*row)};
+      // The script makes the usual id itself; one where names have characters that ids have not is told.
+      const std::string usual = fmt::format("truth.{}.{}.{}.{}", regime, column.evaluation, column.scalar, order);
+      if (const std::string id = cell_id(*row); id != usual) orders.back().push_back(id);
     }
     const auto number = std::ranges::find(evaluations, name_of(column)) - evaluations.begin();
     if (any) cells[fmt::format("{}", number)] = std::move(orders);
@@ -68,7 +73,7 @@ void set_overview(Data& page, const RunResult& result) {
     for (const Column& column : table.columns)
       if (std::ranges::find(evaluations, name_of(column)) == evaluations.end()) evaluations.push_back(name_of(column));
     for (const std::string& regime : table.regimes) {
-      lines << line_of(formula, regime, table);
+      lines << line_of(formula, regime, table, cells.size());
       cells.push_back(cells_of(table, regime, evaluations));
     }
   }

@@ -28,6 +28,9 @@ std::string cell_id(const RowKey& row);
 /// What a cell shows: its largest error, or a dash where no sample had one.
 std::string cell_text(const ResultRow& row);
 
+/// A row's unit in words that need no manual; most units are such words as they are.
+std::string unit_text(const std::string& unit);
+
 /// How a cell looks: the colour of its error, grey where it is ill-posed or has none, hatched where nothing is
 /// promised.
 std::string cell_class(const ResultRow& row);
@@ -50,6 +53,18 @@ void set_broken(Data& page, const RunResult& result);
 
 /// What the truth rests on, in figures.
 void set_proof(Data& page, const RunResult& result);
+
+/// What was run, in one line: formulas and regimes, cages, deformers, suite, samples and seed.
+std::string what_ran(const RunResult& result);
+
+/// Digits that are right at the worst input, "14.9" or "all"; marked where the promise is broken.
+std::string heat_text(const ResultRow& row);
+
+/// How a cell of the heat map looks: coloured by its digits, otherwise as cell_class.
+std::string heat_class(const ResultRow& row);
+
+/// Formulas by regimes, of values in the recommended evaluation.
+void set_heat_map(Data& page, const RunResult& result);
 
 /// One line a formula and regime, and what a script shows in them of other evaluations.
 void set_overview(Data& page, const RunResult& result);

@@ -58,6 +58,7 @@ std::size_t index_in(std::vector<std::string>& texts, const std::string& text) {
 // Figures as they are read, the largest error as it is: scripts sort and draw by it.
 Json page_value(const ResultRow& row, const RowMember& member) {
   const std::string_view name = member.name;
+  if (name == "unit") return unit_text(row.unit);
   Json value = member_json(row, member);
   if (!value.is_number_float() || name == "max") return value;
   return name == "bound" ? short_number(value.get<double>()) : short_error(value.get<double>());

@@ -77,7 +77,7 @@ Matrix relations_matrix(const RunResult& result, const std::string& subject, con
     std::string unit;
     for (const ResultRow* row : rows) {
       cells << error_cell(row, page);
-      if (row) unit = row->unit;
+      if (row) unit = unit_text(row->unit);
     }
     matrix.lines << line(name, unit, cells);
   }
@@ -97,7 +97,7 @@ Matrix cage_matrix(const CageTable& table, const std::string& cage, const std::s
     if (l.cage != cage) continue;
     Data cells{Data::type::list};
     for (const std::size_t c : used) cells << error_cell(l.cells[c], page);
-    matrix.lines << line(l.name, l.unit, cells);
+    matrix.lines << line(l.name, unit_text(l.unit), cells);
   }
   return matrix;
 }

@@ -45,8 +45,10 @@ void set_tiles(Data& page, const Rows& rows) {
   Data tiles{Data::type::list};
   tiles << tile(kept, kept == 1 ? "promise kept" : "promises kept", "kept");
   tiles << tile(broken, broken == 1 ? "promise broken" : "promises broken", broken ? "broken" : "");
-  tiles << tile(open, "stated, not promised", "");
-  if (ill > 0) tiles << tile(ill, "ill-posed: no result could break a bound there", "");
+  tiles << tile(open, "results without a promise, shown for comparison", "");
+  if (ill > 0)
+    tiles << tile(ill, "results that cannot be judged: there even a result without a right digit would keep the bound",
+                  "");
   tiles << tile(samples, "errors measured", "");
   page.set("tiles", tiles);
   page.set("verdict_class", broken ? "broken" : kept ? "kept" : "neutral");

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// What the first page shows to one who opens a report for the first time.
+#include "cageproof/core/whole_file.h"
+#include "page/gallery_page.h"
+#include "page/page_data.h"
+#include "sample_run.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace cageproof::reports {
+namespace {
+
+std::string page_named(const char* name, const RunResult& run) {
+  const ScratchFolder scratch;
+  ReportWriter writer(scratch.path() / "report");
+  writer.write(run);
+  writer.commit();
+  return read_file(scratch.path() / "report" / name);
+}
+
+ResultRow row_of(double max_relative, Verdict verdict = Verdict::Kept) {
+  ResultRow row;
+  row.check = "truth";
+  row.scalar = "double";
+  row.unit = "conditioned";
+  row.samples = 20;
+  row.max = 3;
+  row.bound = 64;
+  row.max_relative = max_relative;
+  row.verdict = verdict;
+  return row;
+}
+
+TEST(FrontPage, SaysFirstWhatWasRunThenTheVerdictThenDigits) {
+  const std::string page = page_named("index.html", sample_run(2, 4));
+  const std::string main = page.substr(page.find("<body>"));
+  const auto heat = main.find("id=\"digits\""), overview = main.find("id=\"formulas\"");
+  EXPECT_LT(main.find("<h1>"), heat);
+  EXPECT_NE(main.find("in 4 regimes; coordinates in 4 cages; deformers of the cages cube, square. Suite standard, seed "
+                      "20240607."),
+            std::string::npos);
+  EXPECT_LT(main.find("Started 2024-06-07 08:09 UTC, took 187 s"), heat);
+  EXPECT_LT(heat, main.find("id=\"how\""));
+  EXPECT_LT(heat, overview);
+}
+
+TEST(FrontPage, ColoursDigitsThatAreRight) {
+  EXPECT_EQ(heat_text(row_of(1e-15)), "15");
+  EXPECT_EQ(heat_class(row_of(1e-15)), "e0");
+  EXPECT_EQ(heat_class(row_of(1e-9)), "e1");
+  EXPECT_EQ(heat_class(row_of(1e-5)), "e2");
+  EXPECT_EQ(heat_class(row_of(1e-2)), "e3");
+  EXPECT_EQ(heat_class(row_of(2)), "e4");
+  EXPECT_EQ(heat_text(row_of(0)), "all");
+  EXPECT_EQ(heat_class(row_of(0)), "e0");
+  EXPECT_EQ(heat_text(row_of(1e-5, Verdict::Broken)), "5 ✗");
+  EXPECT_EQ(heat_class(row_of(1e-5, Verdict::Broken)), "e2 broken");
+  EXPECT_EQ(heat_class(row_of(1e-5, Verdict::NotPromised)), "e2 open");
+  ResultRow infinite = row_of(1e-15, Verdict::Broken);
+  infinite.max = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(heat_text(infinite), "0 ✗");
+  EXPECT_EQ(heat_class(infinite), "e4 broken");
+  ResultRow nothing = row_of(0);
+  nothing.samples = 0;
+  EXPECT_EQ(heat_text(nothing), "–");
+  EXPECT_EQ(heat_class(nothing), "ill");
+}
+
+// Each cell leads to the line of its own formula and regime, also where formulas have different regimes.
+TEST(FrontPage, CellsLeadToTheirLine) {
+  RunResult run = sample_run(3, 4);
+  const std::string first = run.rows[0].subject;
+  std::erase_if(run.rows, [&](const ResultRow& row) {
+    return row.section == RowKey::Section::Element && row.subject == first && row.setting == "near-face";
+  });
+  const std::string page = page_named("index.html", run);
+  int cells = 0;
+  for (auto at = page.find("\"><a href=\"#r"); at != page.npos; at = page.find("\"><a href=\"#r", at + 1)) {
+    const std::string number = page.substr(at + 13, page.find('"', at + 13) - at - 13);
+    const auto heat_line = page.rfind("<th scope=\"row\">", at) + 16;
+    const std::string formula = page.substr(heat_line, page.find("</th>", heat_line) - heat_line);
+    const auto line = page.find(fmt::format("<tr id=\"r{}\">", number));
+    ASSERT_NE(line, page.npos) << number;
+    const std::string text = page.substr(line, page.find("</tr>", line) - line);
+    EXPECT_NE(text.find(">" + formula + "</a>"), text.npos) << formula << text;
+    // The figure is that of the line's first column.
+    const std::string figure =
+        page.substr(page.find('>', at + 13) + 1, page.find("</a>", at) - page.find('>', at + 13) - 1);
+    EXPECT_NE(text.find(figure.substr(0, figure.find(' ')) + " ("), text.npos) << figure << text;
+    ++cells;
+  }
+  EXPECT_EQ(cells, 3 * 4 - 1);
+}
+
+// Words of the rows that say nothing by themselves; what is compared between runs keeps them.
+TEST(FrontPage, SaysUnitsInWords) {
+  RunResult run = sample_run(1, 1);
+  run.rows[0].unit = "of what is stated";
+  run.rows[0].verdict = Verdict::Broken;
+  run.rows[0].bound = 1;
+  const std::string page = page_named("index.html", run);
+  EXPECT_NE(page.find("<td>times the error that it states itself</td>"), page.npos);
+  EXPECT_EQ(page.find("of what is stated"), page.npos);
+  EXPECT_EQ(unit_text("conditioned"), "conditioned");
+}
+
+TEST(FrontPage, FoldsFieldsOfRoundingNoise) {
+  FieldEntry field;
+  field.largest = 9e-14;
+  EXPECT_TRUE(is_rounding_noise(field));
+  field.largest = 1e-13;
+  EXPECT_FALSE(is_rounding_noise(field));
+  RunResult run = sample_run(1, 1);
+  run.fields = {{.title = "noise", .data = "fields/a.vti", .largest = 2e-16},
+                {.title = "telling", .data = "fields/b.vti", .largest = 2e-3}};
+  const std::string page = gallery_page(run, {});
+  EXPECT_LT(page.find("<figcaption>telling"), page.find("Rounding noise: 1"));
+  EXPECT_LT(page.find("Rounding noise: 1"), page.find("<figcaption>noise"));
+}
+
+}  // namespace
+}  // namespace cageproof::reports
