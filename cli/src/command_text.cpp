@@ -18,6 +18,17 @@ std::string whole_description(const OptionText& option) {
   return text;
 }
 
+std::vector<OptionGroup> groups_of(const std::vector<OptionText>& options) {
+  std::vector<OptionGroup> groups;
+  for (const OptionText& option : options) {
+    if (option.positional) continue;
+    auto group = std::ranges::find(groups, option.heading, &OptionGroup::heading);
+    if (group == groups.end()) group = groups.insert(groups.end(), {option.heading, {}});
+    group->options.push_back(option);
+  }
+  return groups;
+}
+
 std::string usage(const ProgramText& program, const CommandText& command) {
   std::string text = program.name + " " + command.name;
   for (const OptionText& option : command.options)

@@ -13,6 +13,7 @@ struct OptionText {
   std::string type;                  ///< what its value is called, "FOLDER"; empty: takes none
   std::string description;           ///< with range and choices
   std::string preset;                ///< the default; empty where none is said
+  std::string heading;               ///< what it stands under; empty: among the first, without a title
   std::vector<std::string> choices;  ///< all values that there are; empty: others too
   std::vector<std::string> needs, excludes;
   bool required = false, positional = false, repeats = false;
@@ -32,6 +33,14 @@ struct ProgramText {
 
 /// The description with what else is to be said: "; default: 1; required; not with --out".
 std::string whole_description(const OptionText& option);
+
+/// The options that stand under one heading, in their order.
+struct OptionGroup {
+  std::string heading;
+  std::vector<OptionText> options;
+};
+/// The options of a command without positionals, by heading, in the order in which headings come first.
+std::vector<OptionGroup> groups_of(const std::vector<OptionText>& options);
 
 /// "cageproof eval --formula FORMULA --evaluation EVALUATION [options]".
 std::string usage(const ProgramText& program, const CommandText& command);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "command_words.h"
 
-#include "cageproof/core/input_error.h"
+#include "cageproof/core/catalogue/field_words.h"
 #include "cageproof/core/catalogue/unknown_name.h"
 
 #include <CLI/CLI.hpp>
@@ -129,6 +129,13 @@ ProgramText text_of(const CLI::App& app) {
   return program;
 }
 
+InputError unknown_command(std::string_view word, const std::vector<std::string>& known) {
+  std::string meant = called_here("command", word, {known.begin(), known.end()});
+  if (meant.empty()) meant = did_you_mean(word, known);
+  if (meant.empty()) meant = fmt::format("; known: {}", fmt::join(known, ", "));
+  return InputError(fmt::format("unknown command '{}'{} (see `cageproof --help`)", word, meant));
+}
+
 void refuse_unknown_command(const CLI::App& app, std::string_view first) {
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands(is_command)) commands.push_back(command->get_name());
@@ -137,11 +144,7 @@ void refuse_unknown_command(const CLI::App& app, std::string_view first) {
         fmt::format("a command is missing: one of {} (see `cageproof --help`)", fmt::join(commands, ", ")));
   if (std::ranges::find(commands, first) != commands.end()) return;
   if (app.get_option_no_throw(std::string(first)) != nullptr) return;
-  if (first.front() != '-') {
-    const std::string meant = did_you_mean(first, commands);
-    throw InputError(fmt::format("unknown command '{}'{} (see `cageproof --help`)", first,
-                                 meant.empty() ? fmt::format("; known: {}", fmt::join(commands, ", ")) : meant));
-  }
+  if (first.front() != '-') throw unknown_command(first, commands);
   for (const CLI::App* command : app.get_subcommands(is_command))
     if (const auto names = option_names(*command); std::ranges::find(names, first) != names.end())
       throw InputError(

@@ -35,7 +35,7 @@ void add_figures(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_hunt(CommandLine& line);
 void add_bench(CommandLine& line, const std::string& command_line);
-/// `man` and `completion`: what the program says of its command line. \param line lives as long as the program
+/// `help`, `version`, `man` and `completion`: what the program says of itself. \param line lives as long as the program
 void add_descriptions(CommandLine& line);
 
 /// Prints what is broken and the verdict on standard output; what is to be said of the run's sessions on standard
