@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cage_text.h"
 #include "catalogue_json.h"
 #include "catalogue_names.h"
 #include "commands.h"
@@ -11,6 +12,7 @@
 #include "cageproof/core/coordinates/purposes.h"
 #include "cageproof/deformation/constrained.h"
 #include "cageproof/deformation/purposes.h"
+#include "cageproof/reports/checked_file.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/regime.h"
@@ -201,23 +203,46 @@ std::vector<std::string> all_names() {
   return all;
 }
 
+void write_cage(const std::string& name, const std::string& out) {
+  if (!is_embedded_cage(name)) {
+    std::vector<std::string_view> known = embedded_cage_names();
+    for (const std::string_view extreme : extreme_cage_names()) known.push_back(extreme);
+    throw unknown_single_name("embedded cage", name, known);
+  }
+  reports::require_writable({out});
+  reports::replace_file(out, cage_text(out, embedded_cage(name)));
+}
+
 }  // namespace
 
 void add_list(CommandLine& line) {
   Command command = line.command(
       "list", "the catalogue: formulas, sources, evaluations, kinds of coordinates, deformers, regimes, checks, cages");
   struct Arguments {
-    std::string names = "*";
+    std::string names = "*", cage, out;
     bool json = false;
   };
   auto a = std::make_shared<Arguments>();
   const Option names =
       command.option("names", a->names, "what has such a name alone, names and globs with commas between; without, all")
           .taking("NAMES");
-  command.flag("--json", a->json, "as JSON, with scalars, ranges and descriptions").excludes(names);
+  Option json = command.flag("--json", a->json, "as JSON, with scalars, ranges and descriptions").excludes(names);
+  Option cage = command.option("--cage", a->cage, "an embedded cage, which is written to --out").taking("CAGE");
+  const Option out =
+      command
+          .option("--out", a->out,
+                  "a file for it: .obj, .ply, .stl or .vtp of cages in space, .obj, .svg or .vtp of polygons")
+          .taking("FILE")
+          .needs(cage);
+  cage.needs(out).excludes(names).excludes(json);
   command.example("cageproof list 'triangle.*'");
   command.example("cageproof list --json");
+  command.example("cageproof list --cage cube --out cube.obj");
   command.runs([a] {
+    if (!a->cage.empty()) {
+      write_cage(a->cage, a->out);
+      return success;
+    }
     const std::vector<std::string> all = all_names();
     a->names = with_families(a->names, all);
     require_known("name", a->names, {all.begin(), all.end()});
