@@ -41,12 +41,12 @@ constexpr double kMetData = 1e-8;
 // by least squares are more than independent ones: their rank says nothing.
 void tell_solved(const CageCoordinates& coordinates) {
   for (const SolvedSystem& s : coordinates.solved()) {
-    fmt::print(stderr, "solved {}: {} x {}, rank {}, condition {:.2g}, residual {:.2g}\n", s.name, s.rows, s.columns,
-               s.rank, s.condition, s.residual);
+    remark(fmt::format("solved {}: {} x {}, rank {}, condition {:.2g}, residual {:.2g}", s.name, s.rows, s.columns,
+                       s.rank, s.condition, s.residual));
     if (!std::isnan(s.boundary_values)) {
       const bool with_gradients = !std::isnan(s.boundary_gradients);
-      fmt::print(stderr, "  meets its data on the boundary to {:.2g}{}\n", s.boundary_values,
-                 with_gradients ? fmt::format(", gradients to {:.2g}", s.boundary_gradients) : "");
+      remark(fmt::format("  meets its data on the boundary to {:.2g}{}", s.boundary_values,
+                         with_gradients ? fmt::format(", gradients to {:.2g}", s.boundary_gradients) : ""));
       if (s.boundary_values > kMetData)
         warn(fmt::format("{}: the data on the boundary are met to {:.2g} alone, and values inside are no better",
                          s.name, s.boundary_values));
@@ -130,7 +130,10 @@ int run(const Arguments& a) {
     reports::replace_files(coordinate_files(a.out, table, mesh, described_cage(coordinates, cage, a.cage.rule()),
                                             description_of(coordinates, table, described), coordinates));
   }
-  for (const std::string& line : lines_of(summary, kind, cage)) fmt::print(stderr, "{}\n", line);
+  for (const std::string& line : lines_of(summary, kind, cage)) {
+    if (line.starts_with("warning: ")) fmt::print(stderr, "{}\n", line);
+    else remark(line);
+  }
   return a.strict && summary.unusable > 0 ? promise_broken : success;
 }
 
@@ -185,6 +188,7 @@ void add_coordinates(CommandLine& line) {
   command.flag("--strict", a->strict,
                "exit with 1 where a point has no finite coordinates, or lies where they sum to zero");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  add_quiet(command);
   command.runs([a] { return run(*a); });
 }
 

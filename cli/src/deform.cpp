@@ -4,6 +4,7 @@
 #include "deformation_report.h"
 #include "image_columns.h"
 #include "on_cage.h"
+#include "progress.h"
 
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
@@ -79,7 +80,7 @@ Posing posing_by(const DeformArguments& a, const Chosen& chosen, const Cage& cag
     return posed_by_cages(method_of(a), cage, std::move(options), chosen.parameters,
                           {a.posed, merging, a.cage.merge, a.strict}, a.data);
   return posed_by_constraints(*chosen.constrained, cage, options, a.constraints, [](int step, double energy) {
-    fmt::print(stderr, "step {}: energy {:.6g}\n", step, energy);
+    remark(fmt::format("step {}: energy {:.6g}", step, energy));
   });
 }
 
@@ -143,10 +144,9 @@ std::vector<std::string_view> methods_that_extend() {
 void tell_continued(const PointImages& images, double size) {
   const auto count = std::ranges::count_if(images.beyond, [](double way) { return way > 0; });
   if (count > 0)
-    fmt::print(
-        stderr,
-        "{} of {} points are outside, by at most {:.3g} of the cage's size, and continued through the nearest face\n",
-        count, images.beyond.size(), std::ranges::max(images.beyond) / size);
+    remark(fmt::format(
+        "{} of {} points are outside, by at most {:.3g} of the cage's size, and continued through the nearest face",
+        count, images.beyond.size(), std::ranges::max(images.beyond) / size));
 }
 
 // Images that can be written, by --outside. \throws InputError for the first point that has none
@@ -309,6 +309,7 @@ void add_deform(CommandLine& line) {
   command.flag("--strict", a->strict,
                "refuse a posed cage whose faces are not the cage's, of which a warning tells otherwise");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  add_quiet(command);
   command.example("cageproof deform --cage cube --posed posed.obj --points mesh.obj --method green --out deformed.obj");
   command.runs([a] { return run(*a); });
 }

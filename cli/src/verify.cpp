@@ -172,6 +172,7 @@ void add_verify(CommandLine& line, const std::string& command_line) {
               "$CAGEPROOF_TRUTH_CACHE, "
               "$XDG_CACHE_HOME/cageproof or ~/.cache/cageproof")
       .taking("FOLDER");
+  add_quiet(command);
   command.example("cageproof verify --suite quick --out report");
   command.example("cageproof verify --formulas 'triangle.*' --regimes 'near-*,far' --evaluations closed_form,gauss-8");
   command.example("cageproof verify --cage my-cage.obj --points my-mesh.obj --out my-report");
