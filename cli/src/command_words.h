@@ -13,7 +13,7 @@
 
 namespace CLI {
 class App;
-class Formatter;
+class FormatterBase;
 class ParseError;
 }  // namespace CLI
 
@@ -23,7 +23,7 @@ namespace cageproof::cli {
 inline const std::string examples_title = "Examples:";
 
 /// Help with defaults, choices and conditions in words.
-std::shared_ptr<CLI::Formatter> help_formatter();
+std::shared_ptr<CLI::FormatterBase> help_formatter();
 
 /// The description of all commands and options.
 ProgramText text_of(const CLI::App& app);

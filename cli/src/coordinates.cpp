@@ -148,12 +148,16 @@ std::string names_of_kinds() {
 void add_coordinates(CommandLine& line) {
   Command command = line.command("coordinates", "coordinates of points in a cage");
   auto a = std::make_shared<Arguments>();
+  command.heading("Cage and points");
   a->cage.add_to(command, true);
   command
       .option("--points", a->points,
-              "a mesh, .npy, .npz, or text with three numbers per line, for polygons two; - is standard input")
+              "a mesh, .npy, .npz, or text with three numbers per line, for polygons two; - is standard input" +
+                  std::string(y_of_points))
       .taking("FILE")
       .required();
+  add_on(command, a->on);
+  command.heading("Coordinates");
   command.option("--kind", a->kind, names_of_kinds()).taking("KIND").required();
   command.flag("--keep-quads", a->keep_quads,
                "quads stay bilinear surfaces: --kind green is quad_green then, and so are mean_value, biharmonic and "
@@ -172,6 +176,7 @@ void add_coordinates(CommandLine& line) {
               "the kind has it, else as recommended")
       .taking("EVALUATION");
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
+  command.heading("What is written");
   command
       .option("--out", a->out,
               ".npz (named arrays with the cage, its elements and normals), .csv or .npy (points x columns, and "
@@ -184,7 +189,7 @@ void add_coordinates(CommandLine& line) {
       .taking("FILE");
   command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system")
       .taking("FILE");
-  add_on(command, a->on);
+  command.heading("Running");
   command.flag("--strict", a->strict,
                "exit with 1 where a point has no finite coordinates, or lies where they sum to zero");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();

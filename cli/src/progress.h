@@ -17,8 +17,8 @@ void add_quiet(Command command);
 /// A line on standard error that is no warning; none with --quiet.
 void remark(const std::string& text);
 
-/// One line on a terminal's standard error, rewritten, with the time that is left; elsewhere one line per minute, or per
-/// as many seconds as CAGEPROOF_PROGRESS says. From any thread.
+/// One line on a terminal's standard error, rewritten, with the time that is left; elsewhere one line per minute, or
+/// per as many seconds as CAGEPROOF_PROGRESS says. From any thread.
 class Progress {
  public:
   /// \throws InputError where CAGEPROOF_PROGRESS is no number of seconds

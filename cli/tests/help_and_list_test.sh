@@ -18,6 +18,19 @@ refuses_to help "unknown command 'frobnicate'" 'known: list, eval' -- frobnicate
 refuses_to help "unexpected 'eval'" -- list eval
 refuses_to version "unexpected 'list'" -- list
 
+# Options stand under headings, what is to be chosen first, each option once.
+"$cageproof" help deform >deform.txt
+[ "$(sed -n '2s/ --cage.*//p;4p;5s/  *CAGE .*//p' deform.txt)" = "$(printf '%s\n' 'Usage: cageproof deform (--posed CAGE | --constraints FILE)' 'The pose: exactly one of these:' '  --posed')" ] || fail "help deform: $(head -n 5 deform.txt)"
+[ "$(grep -x '[A-Z][^.]*:' deform.txt | tr '\n' ' ')" = 'The pose: exactly one of these: Cage and points: Method: What is written: Running: Other options: Examples: ' ] ||
+  fail "headings of deform: $(grep -x '[A-Z].*:' deform.txt)"
+for command in list coordinates deform verify field bench; do
+  "$cageproof" help $command | grep -oE '^  (-h,)?--[a-z,-]+' | sort | uniq -d | grep . && fail "help $command has options twice"
+  "$cageproof" help $command | grep -E '\[(OPTIONS|Option Group|SUBCOMMAND)' && fail "help $command has the parser's words"
+done
+for command in coordinates deform verify bench; do "$cageproof" help $command | grep -A1 '^  --points ' | grep -q 'y points up' || fail "help $command does not say where y points"; done
+"$cageproof" man >page || fail man
+[ "$(grep -n -m 1 '^\\fIThe pose: exactly one of these\\fR$' page | cut -d: -f 1)" -lt "$(grep -n -m 1 'fB.-.-posed' page | cut -d: -f 1)" ] || fail 'the manual has no heading above --posed'
+
 # The field's words, where one name is asked for and in lists.
 printf '0 0 0\n' >one.csv
 refuses_to coordinates "unknown kind of coordinates 'mvc'" "it is called 'mean_value' here" -- --cage cube --points one.csv --kind mvc

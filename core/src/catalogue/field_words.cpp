@@ -100,7 +100,6 @@ const std::vector<FieldWord>& table() {
       {"sibson", {}, "Sibson's coordinates belong to scattered points; mean_value is the nearest kind of cages"},
       {"single-layer-potential", {"single_layer"}},
       {"smvc", {"spherical_mean_value"}},
-      {"solid-angle", {"solid_angle"}},
       {"spherical", {"spherical_mean_value"}},
       {"szego", {}, "Szego coordinates are not there; cauchy is the kind of the same paper that is"},
       {"thin-plate", {"tp"}},
