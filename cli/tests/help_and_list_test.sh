@@ -115,7 +115,7 @@ as_files thin-wall-1e-3 '0.1 0.2 -0.3' obj ply vtp
 as_files square '0.1 0.2' obj svg vtp
 as_files frame '0.1 0.2' obj svg vtp
 as_files comb '0.1 0.2' obj svg vtp
-"$cageproof" list --cage cube --out cube.stl || fail 'the cube as STL'
+"$cageproof" list --cage cube --out cube.stl 2>stderr || fail 'the cube as STL'
 "$cageproof" coordinates --cage cube.stl --points one.csv --kind mean_value >stdout 2>stderr || fail "the cube as STL is not read: $(cat stderr)"
 rm -f cage.* cube.stl
 refuses_to list '--out cube.svg: a cage in space is written as .obj, .ply, .stl, .vtp' -- --cage cube --out cube.svg

@@ -11,7 +11,7 @@
 namespace cageproof {
 namespace {
 
-const std::vector<FieldWord>& table() {
+const std::vector<FieldWord>& all_field_words() {
   static const std::vector<FieldWord> words{
       {"affine-green", {"biharmonic_affine"}},
       {"apply", {"deform"}},
@@ -114,7 +114,7 @@ const std::vector<FieldWord>& table() {
   return words;
 }
 
-std::string plain(std::string_view word) {
+std::string plain_word(std::string_view word) {
   std::string text(word.substr(word.rfind('.') + 1));
   for (char& c : text) c = c == '_' || c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
@@ -127,10 +127,10 @@ bool is_named(std::string_view known, std::string_view here) {
 
 }  // namespace
 
-std::span<const FieldWord> field_words() { return table(); }
+std::span<const FieldWord> field_words() { return all_field_words(); }
 
 const FieldWord* find_field_word(std::string_view word) {
-  const std::string text = plain(word);
+  const std::string text = plain_word(word);
   constexpr std::array<std::string_view, 4> behind{"", "-coordinates", "-weights", "-coords"};
   for (const std::string_view end : behind) {
     if (!text.ends_with(end)) continue;
