@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace cageproof::cli {
@@ -32,6 +33,19 @@ Mesh mesh_of(const Cage& cage) {
   return mesh;
 }
 
+// Walls thinner than single precision are flat in STL.
+void require_cage_in_single_precision(const std::string& file, const Cage& cage) {
+  std::vector<Vec3<double>> vertices = cage.vertices();
+  for (Vec3<double>& vertex : vertices)
+    for (double& x : vertex) x = static_cast<float>(x);
+  try {
+    Cage::make(cage.name(), std::move(vertices), cage.faces());
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--out {}: in the single precision of STL it is no cage: {}; use .obj, .ply or .vtp",
+                                 file, error.what()));
+  }
+}
+
 std::string text_of(const reports::PartialMeshText& made, const std::string& file) {
   for (const std::string& change : made.changed) fmt::print(stderr, "warning: {}: {}\n", file, change);
   return made.text;
@@ -47,6 +61,7 @@ std::string cage_text(const std::string& file, const Cage& cage) {
                                  cage.dimension() == 2 ? "a polygon" : "a cage in space", fmt::join(known, ", ")));
   const Mesh mesh = mesh_of(cage);
   if (extension == ".ply") return reports::ply_text(mesh);
+  if (extension == ".stl") require_cage_in_single_precision(file, cage);
   if (extension == ".stl") return text_of(reports::stl_text(mesh), file);
   if (extension == ".svg") return text_of(reports::svg_text(mesh), file);
   if (extension == ".vtp") return vtp_text(CoordinateColumns(), mesh);

@@ -121,6 +121,7 @@ rm -f cage.* cube.stl
 refuses_to list '--out cube.svg: a cage in space is written as .obj, .ply, .stl, .vtp' -- --cage cube --out cube.svg
 refuses_to list '--out square.ply: a polygon is written as .obj, .svg, .vtp' -- --cage square --out square.ply
 refuses_to list '--out cube: a cage in space is written as' -- --cage cube --out cube
+refuses_to list 'in the single precision of STL it is no cage: thin-wall-1e-12: ' -- --cage thin-wall-1e-12 --out thin.stl
 refuses_to list "unknown embedded cage 'cub'; did you mean 'cube'?" -- --cage cub --out cube.obj
 refuses_to list nowhere -- --cage cube --out nowhere/cube.obj
 refuses_to list '--out' -- --cage cube
