@@ -4,6 +4,7 @@
 # Usage: progress_test.sh PATH_OF_CAGEPROOF
 . "$(dirname "$0")/support.sh"
 export CAGEPROOF_TRUTH_CACHE=off
+unset CAGEPROOF_PROGRESS
 
 run_verify() { "$cageproof" verify --formulas segment.winding_angle --samples 20 --out report "$@" >stdout 2>stderr || fail "verify $*: $(cat stderr)"; }
 
