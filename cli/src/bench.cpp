@@ -123,7 +123,7 @@ void add_bench(CommandLine& line, const std::string& command_line) {
   Command command = line.command("bench", "work-precision: time and error of evaluations side by side");
   auto a = std::make_shared<Arguments>();
   a->command_line = command_line;
-  Command what = command.exactly_one_of("what is measured");
+  Command what = command.exactly_one_of("What is measured");
   const Option kind =
       what.option("--kind", a->kind, "cage coordinates: mean_value, green, biharmonic_boundary ...").taking("KIND");
   const Option formula = what.option("--formula", a->formula, "one formula of the catalogue").taking("FORMULA");
@@ -134,7 +134,8 @@ void add_bench(CommandLine& line, const std::string& command_line) {
   a->cage.add_to(command, false).excludes(formula).showing_default("cube");
   command
       .option("--points", a->points,
-              "a mesh, or text with three numbers a line (for polygons two), instead of random points inside")
+              "a mesh, or text with three numbers a line (for polygons two), instead of random points inside" +
+                  std::string(y_of_points))
       .taking("FILE")
       .excludes(formula);
   command.option("--regime,--regimes", a->regimes, "of a formula's samples")

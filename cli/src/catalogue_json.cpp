@@ -6,8 +6,11 @@
 #include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/catalogue/evaluation.h"
+#include "cageproof/core/catalogue/field_words.h"
 #include "cageproof/core/catalogue/unknown_name.h"
+#include "cageproof/core/coordinates/purposes.h"
 #include "cageproof/deformation/constrained.h"
+#include "cageproof/deformation/purposes.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/promise.h"
@@ -75,8 +78,11 @@ std::string catalogue_json() {
         blocks.push_back({{"label", b.label}, {"one_a", name_of(b.owner)}});
     Json parameters = Json::array();
     for (const KindParameter& p : parameters_of(kind)) parameters.push_back(parameter_json(p));
-    all["coordinates"].push_back(
-        {{"name", kind.name}, {"source", kind.source}, {"blocks", blocks}, {"parameters", parameters}});
+    all["coordinates"].push_back({{"name", kind.name},
+                                  {"source", kind.source},
+                                  {"good_for", purpose_of_kind(kind.name)},
+                                  {"blocks", blocks},
+                                  {"parameters", parameters}});
     all["coordinates"].back()["whole_evaluations"] = whole_evaluations_of(kind);
   }
   const auto add_deformer = [&](const auto& method, const std::vector<KindParameter>& known, const Json& taken) {
@@ -86,6 +92,7 @@ std::string catalogue_json() {
     all_of_them.push_back({{"name", method.name}, {"source", method.source}, {"keeps", method.keeps}});
     all_of_them.back().update(taken);
     all_of_them.back()["parameters"] = std::move(parameters);
+    all_of_them.back()["good_for"] = deformation::purpose_of_method(method.name);
   };
   for (const deformation::DeformMethod& method : deformation::deform_methods())
     add_deformer(method, deformation::parameters_of(method),
@@ -111,6 +118,10 @@ std::string catalogue_json() {
                              {"description", "of whole cages, their elements and deformers; docs/errors.md"}});
   for (const auto name : embedded_cage_names()) all["cages"].push_back(name);
   for (const auto name : extreme_cage_names()) all["extreme_cages"].push_back(name);
+  for (const FieldWord& word : field_words()) {
+    all["words"].push_back({{"word", word.word}, {"here", word.here}});
+    if (!word.missing.empty()) all["words"].back()["missing"] = word.missing;
+  }
   return all.dump(2) + '\n';
 }
 

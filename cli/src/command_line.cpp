@@ -111,16 +111,21 @@ Option with_words(CLI::Option* option) {
 
 }  // namespace
 
+CLI::Option* Command::placed(CLI::Option* option) const {
+  if (!heading_.empty()) option->group(heading_);
+  return option;
+}
+
 Option Command::option(const std::string& name, std::string& value, const std::string& description) {
-  return with_words(app_->add_option(name, value, description));
+  return with_words(placed(app_->add_option(name, value, description)));
 }
 
 Option Command::option(const std::string& name, int& value, const std::string& description) {
-  return with_numbers(app_->add_option(name, value, description), true);
+  return with_numbers(placed(app_->add_option(name, value, description)), true);
 }
 
 Option Command::option(const std::string& name, std::uint64_t& value, const std::string& description) {
-  CLI::Option* option = app_->add_option(name, value, description);
+  CLI::Option* option = placed(app_->add_option(name, value, description));
   // A range makes it an ordinary number; without one it is a seed, which has all 64 bits.
   auto bounds = std::make_shared<NumberBounds>();
   option->transform(CLI::Validator(
@@ -133,26 +138,26 @@ Option Command::option(const std::string& name, std::uint64_t& value, const std:
 }
 
 Option Command::option(const std::string& name, double& value, const std::string& description) {
-  return with_numbers(app_->add_option(name, value, description), false);
+  return with_numbers(placed(app_->add_option(name, value, description)), false);
 }
 
 Option Command::option(const std::string& name, std::vector<std::string>& values, const std::string& description) {
-  return with_words(app_->add_option(name, values, description));
+  return with_words(placed(app_->add_option(name, values, description)));
 }
 
 Option Command::option(const std::string& name, std::vector<double>& values, const std::string& description) {
-  return with_numbers(app_->add_option(name, values, description), false);
+  return with_numbers(placed(app_->add_option(name, values, description)), false);
 }
 
 Option Command::flag(const std::string& name, bool& value, const std::string& description) {
-  CLI::Option* option = app_->add_flag(name, value, description);
+  CLI::Option* option = placed(app_->add_flag(name, value, description));
   return Option(option->disable_flag_override());
 }
 
 Command Command::exactly_one_of(const std::string& title) {
   CLI::App* group = app_->add_option_group(title);
   group->require_option(1);
-  return {group, chosen_};
+  return Command(group, chosen_);
 }
 
 bool Command::given(const std::string& name) const { return app_->count(name) > 0; }
@@ -167,14 +172,14 @@ void Command::runs(Action action) {
 }
 
 CommandLine::CommandLine(const std::string& description, const std::string& version)
-    : app_(std::make_unique<CLI::App>(description)) {
+    : app_(std::make_unique<CLI::App>(description)), version_(version) {
   app_->name("cageproof");
-  app_->set_version_flag("--version", version, "print version and commit, and exit");
+  app_->set_version_flag("-V,--version", version, "print version and commit, and exit");
   app_->set_help_flag("-h,--help", "print this help, and exit");
   app_->formatter(help_formatter());
   // A command's name behind a command is a value like others.
   app_->require_subcommand(0, 1);
-  app_->footer("`cageproof COMMAND --help` says more of each; `man cageproof` and docs/command_line.md say it all.");
+  app_->footer("`cageproof help COMMAND` says more of each; `man cageproof` and docs/command_line.md say it all.");
 }
 
 CommandLine::~CommandLine() = default;
@@ -184,10 +189,17 @@ Command CommandLine::command(const std::string& name, const std::string& descrip
   command->group("Commands");
   // CLI11 hands the program's down.
   command->footer("");
-  return {command, &chosen_};
+  return Command(command, &chosen_);
 }
 
 ProgramText CommandLine::describe() const { return text_of(*app_); }
+
+std::string CommandLine::help(const std::string& command) const {
+  // Of App::help the choice of this run would decide whose help it is.
+  return help_formatter()->make_help(command.empty() ? app_.get() : app_->get_subcommand(command),
+                                     command.empty() ? "cageproof" : "cageproof " + command,
+                                     CLI::AppFormatMode::Normal);
+}
 
 int CommandLine::run(int argc, char** argv) {
   const std::string first = argc > 1 ? argv[1] : "";

@@ -69,7 +69,9 @@ class Command {
   Option option(const std::string& name, std::vector<double>& values, const std::string& description);
   /// An option without a value.
   Option flag(const std::string& name, bool& value, const std::string& description);
-  /// A group of options of which exactly one must be given.
+  /// Help and manual show the options that are added through this handle from now on under that title.
+  void heading(const std::string& title) { heading_ = title; }
+  /// A group of options of which exactly one must be given; help and manual show it first.
   Command exactly_one_of(const std::string& title);
   /// Whether the user gave the option of this name, which must exist.
   bool given(const std::string& name) const;
@@ -82,8 +84,11 @@ class Command {
   friend class CommandLine;
   Command(CLI::App* app, Action* chosen) : app_(app), chosen_(chosen) {}
 
+  CLI::Option* placed(CLI::Option* option) const;
+
   CLI::App* app_;
   Action* chosen_;
+  std::string heading_;
 };
 
 /// The commands of the program, of which the user chooses one.
@@ -97,12 +102,16 @@ class CommandLine {
   Command command(const std::string& name, const std::string& description);
   /// What there is, for manuals and completion.
   ProgramText describe() const;
+  /// What --help prints. \param command of which; empty: of the program \pre there is such a command
+  std::string help(const std::string& command) const;
+  const std::string& version() const { return version_; }
   /// Reads the arguments and runs the chosen command, or prints the help or version that was asked for.
   /// \return the exit code \throws InputError when the arguments are not understood: says what would have been right
   int run(int argc, char** argv);
 
  private:
   std::unique_ptr<CLI::App> app_;
+  std::string version_;
   Action chosen_;
 };
 

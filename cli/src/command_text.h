@@ -13,9 +13,11 @@ struct OptionText {
   std::string type;                  ///< what its value is called, "FOLDER"; empty: takes none
   std::string description;           ///< with range and choices
   std::string preset;                ///< the default; empty where none is said
+  std::string heading;               ///< what it stands under; empty: under none of its own
   std::vector<std::string> choices;  ///< all values that there are; empty: others too
   std::vector<std::string> needs, excludes;
   bool required = false, positional = false, repeats = false;
+  bool alternative = false;  ///< of those under its heading exactly one is required
 };
 
 struct CommandText {
@@ -33,7 +35,16 @@ struct ProgramText {
 /// The description with what else is to be said: "; default: 1; required; not with --out".
 std::string whole_description(const OptionText& option);
 
-/// "cageproof eval --formula FORMULA --evaluation EVALUATION [options]".
+/// The options that stand under one heading, in their order.
+struct OptionGroup {
+  std::string heading;
+  std::vector<OptionText> options;
+};
+/// Options by heading, in the order in which headings come first: positionals before all, under "Arguments", and what
+/// has no heading after all, under "Options", or "Other options" where headings are.
+std::vector<OptionGroup> groups_of(const std::vector<OptionText>& options);
+
+/// "cageproof deform (--posed CAGE | --constraints FILE) --cage CAGE ... [options]".
 std::string usage(const ProgramText& program, const CommandText& command);
 
 }  // namespace cageproof::cli

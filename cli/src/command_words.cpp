@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "command_words.h"
 
-#include "cageproof/core/input_error.h"
+#include "cageproof/core/catalogue/field_words.h"
 #include "cageproof/core/catalogue/unknown_name.h"
 
 #include <CLI/CLI.hpp>
@@ -21,6 +21,8 @@ OptionText text_of(const CLI::Option& option) {
   for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
   text.description = option.get_description();
+  // CLI11's own name for what has no heading.
+  if (option.get_group() != "Options") text.heading = option.get_group();
   text.repeats = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
   text.required = option.get_required();
   text.preset = option.get_default_str();
@@ -43,32 +45,19 @@ OptionText text_of(const CLI::Option& option) {
   return text;
 }
 
-class HelpFormatter : public CLI::Formatter {
- public:
-  HelpFormatter() { column_width(34); }
-  std::string make_option_opts(const CLI::Option* option) const override {
-    const OptionText text = text_of(*option);
-    if (text.positional || text.type.empty()) return "";
-    return " " + (text.choices.empty() ? text.type : fmt::format("{}", fmt::join(text.choices, "|")));
-  }
-  std::string make_option_desc(const CLI::Option* option) const override {
-    OptionText text = text_of(*option);
-    text.choices.clear();  // stand beside its name
-    return whole_description(text);
-  }
-};
-
-// Of a command and of its groups.
+// Of a command and of its groups, which come first: one of each is to be chosen.
 void add_options(const CLI::App& app, CommandText& command) {
-  for (const CLI::Option* option : app.get_options()) {
-    command.options.push_back(text_of(*option));
-  }
   for (const CLI::App* group : app.get_subcommands([](const CLI::App* one) { return one->get_name().empty(); })) {
     const std::size_t first = command.options.size();
     add_options(*group, command);
-    for (std::size_t i = first; i < command.options.size(); ++i)
-      command.options[i].description += fmt::format(" (exactly one of: {})", group->get_group());
+    for (std::size_t i = first; i < command.options.size(); ++i) {
+      command.options[i].heading = fmt::format("{}: exactly one of these", group->get_group());
+      command.options[i].alternative = true;
+    }
   }
+  // A group has a --help of its own, which is the command's.
+  for (const CLI::Option* option : app.get_options())
+    if (!app.get_name().empty() || option != app.get_help_ptr()) command.options.push_back(text_of(*option));
 }
 
 CommandText command_text(const CLI::App& app) {
@@ -80,6 +69,43 @@ CommandText command_text(const CLI::App& app) {
   return command;
 }
 
+std::string help_row(const std::string& name, const std::string& what) {
+  constexpr std::size_t column = 34;
+  const std::string text = "  " + name;
+  if (text.size() < column) return fmt::format("{:<{}}{}\n", text, column, what);
+  return fmt::format("{}\n{:{}}{}\n", text, "", column, what);
+}
+
+std::string help_row(OptionText option) {
+  std::string name = fmt::format("{}", fmt::join(option.names, ","));
+  if (!option.positional && !option.type.empty())
+    name += " " + (option.choices.empty() ? option.type : fmt::format("{}", fmt::join(option.choices, "|")));
+  if (!option.positional) option.choices.clear();  // stand beside its name
+  return help_row(name, whole_description(option));
+}
+
+bool is_command(const CLI::App* app) { return !app->get_name().empty(); }
+
+class HelpFormatter : public CLI::FormatterBase {
+ public:
+  std::string make_help(const CLI::App* app, std::string /*name*/, CLI::AppFormatMode /*mode*/) const override {
+    const CommandText command = command_text(*app);
+    const bool is_program = app->get_parent() == nullptr;
+    ProgramText program;
+    program.name = is_program ? command.name : app->get_parent()->get_name();
+    std::string text = fmt::format("{}\nUsage: {}\n", command.description,
+                                   is_program ? command.name + " COMMAND [options]" : usage(program, command));
+    for (const OptionGroup& group : groups_of(command.options)) {
+      text += fmt::format("\n{}:\n", group.heading);
+      for (const OptionText& option : group.options) text += help_row(option);
+    }
+    const auto commands = app->get_subcommands(is_command);
+    if (!commands.empty()) text += "\nCommands:\n";
+    for (const CLI::App* one : commands) text += help_row(one->get_name(), one->get_description());
+    return text + (app->get_footer().empty() ? "" : "\n" + app->get_footer() + "\n");
+  }
+};
+
 std::vector<std::string> option_names(const CLI::App& app) {
   CommandText command;
   add_options(app, command);
@@ -88,8 +114,6 @@ std::vector<std::string> option_names(const CLI::App& app) {
     if (!option.positional) names.insert(names.end(), option.names.begin(), option.names.end());
   return names;
 }
-
-bool is_command(const CLI::App* app) { return !app->get_name().empty(); }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
   const std::string_view meant = nearest_name(word, {known.begin(), known.end()});
@@ -119,7 +143,7 @@ std::string plain_words(const CLI::ParseError& error) {
 
 }  // namespace
 
-std::shared_ptr<CLI::Formatter> help_formatter() { return std::make_shared<HelpFormatter>(); }
+std::shared_ptr<CLI::FormatterBase> help_formatter() { return std::make_shared<HelpFormatter>(); }
 
 ProgramText text_of(const CLI::App& app) {
   ProgramText program{app.get_name(), app.get_description(), {}, {}, {}};
@@ -127,6 +151,13 @@ ProgramText text_of(const CLI::App& app) {
   program.options = command_text(app).options;
   for (const CLI::App* command : app.get_subcommands(is_command)) program.commands.push_back(command_text(*command));
   return program;
+}
+
+InputError unknown_command(std::string_view word, const std::vector<std::string>& known) {
+  std::string meant = called_here("command", word, {known.begin(), known.end()});
+  if (meant.empty()) meant = did_you_mean(word, known);
+  if (meant.empty()) meant = fmt::format("; known: {}", fmt::join(known, ", "));
+  return InputError(fmt::format("unknown command '{}'{} (see `cageproof --help`)", word, meant));
 }
 
 void refuse_unknown_command(const CLI::App& app, std::string_view first) {
@@ -137,11 +168,7 @@ void refuse_unknown_command(const CLI::App& app, std::string_view first) {
         fmt::format("a command is missing: one of {} (see `cageproof --help`)", fmt::join(commands, ", ")));
   if (std::ranges::find(commands, first) != commands.end()) return;
   if (app.get_option_no_throw(std::string(first)) != nullptr) return;
-  if (first.front() != '-') {
-    const std::string meant = did_you_mean(first, commands);
-    throw InputError(fmt::format("unknown command '{}'{} (see `cageproof --help`)", first,
-                                 meant.empty() ? fmt::format("; known: {}", fmt::join(commands, ", ")) : meant));
-  }
+  if (first.front() != '-') throw unknown_command(first, commands);
   for (const CLI::App* command : app.get_subcommands(is_command))
     if (const auto names = option_names(*command); std::ranges::find(names, first) != names.end())
       throw InputError(

@@ -4,13 +4,16 @@
 
 #include "command_text.h"
 
+#include "cageproof/core/input_error.h"
+
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace CLI {
 class App;
-class Formatter;
+class FormatterBase;
 class ParseError;
 }  // namespace CLI
 
@@ -20,10 +23,13 @@ namespace cageproof::cli {
 inline const std::string examples_title = "Examples:";
 
 /// Help with defaults, choices and conditions in words.
-std::shared_ptr<CLI::Formatter> help_formatter();
+std::shared_ptr<CLI::FormatterBase> help_formatter();
 
 /// The description of all commands and options.
 ProgramText text_of(const CLI::App& app);
+
+/// The error for a command that does not exist: says which may have been meant, or which there are.
+InputError unknown_command(std::string_view word, const std::vector<std::string>& known);
 
 /// \throws InputError where the first argument is neither a command nor an option of the program, or missing
 void refuse_unknown_command(const CLI::App& app, std::string_view first);

@@ -35,7 +35,7 @@ void add_figures(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_hunt(CommandLine& line);
 void add_bench(CommandLine& line, const std::string& command_line);
-/// `man` and `completion`: what the program says of its command line. \param line lives as long as the program
+/// `help`, `version`, `man` and `completion`: what the program says of itself. \param line lives as long as the program
 void add_descriptions(CommandLine& line);
 
 /// Prints what is broken and the verdict on standard output; what is to be said of the run's sessions on standard
@@ -70,6 +70,10 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
 /// All combinations of values, as parameter_sets.
 std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::string>& given,
                                                      const std::vector<KindParameter>& known, std::string_view owner);
+
+/// What help adds of the points of polygons.
+inline constexpr std::string_view y_of_points =
+    "; y points up: beside a cage from an SVG, whose y points down, a point has minus the drawing's y";
 
 /// Points with the faces that they carry, if any: a mesh file, or text.
 /// \param dimension of the cage that they are for: in the plane third numbers must be zero

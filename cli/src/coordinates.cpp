@@ -41,12 +41,12 @@ constexpr double kMetData = 1e-8;
 // by least squares are more than independent ones: their rank says nothing.
 void tell_solved(const CageCoordinates& coordinates) {
   for (const SolvedSystem& s : coordinates.solved()) {
-    fmt::print(stderr, "solved {}: {} x {}, rank {}, condition {:.2g}, residual {:.2g}\n", s.name, s.rows, s.columns,
-               s.rank, s.condition, s.residual);
+    remark(fmt::format("solved {}: {} x {}, rank {}, condition {:.2g}, residual {:.2g}", s.name, s.rows, s.columns,
+                       s.rank, s.condition, s.residual));
     if (!std::isnan(s.boundary_values)) {
       const bool with_gradients = !std::isnan(s.boundary_gradients);
-      fmt::print(stderr, "  meets its data on the boundary to {:.2g}{}\n", s.boundary_values,
-                 with_gradients ? fmt::format(", gradients to {:.2g}", s.boundary_gradients) : "");
+      remark(fmt::format("  meets its data on the boundary to {:.2g}{}", s.boundary_values,
+                         with_gradients ? fmt::format(", gradients to {:.2g}", s.boundary_gradients) : ""));
       if (s.boundary_values > kMetData)
         warn(fmt::format("{}: the data on the boundary are met to {:.2g} alone, and values inside are no better",
                          s.name, s.boundary_values));
@@ -130,7 +130,10 @@ int run(const Arguments& a) {
     reports::replace_files(coordinate_files(a.out, table, mesh, described_cage(coordinates, cage, a.cage.rule()),
                                             description_of(coordinates, table, described), coordinates));
   }
-  for (const std::string& line : lines_of(summary, kind, cage)) fmt::print(stderr, "{}\n", line);
+  for (const std::string& line : lines_of(summary, kind, cage)) {
+    if (line.starts_with("warning: ")) fmt::print(stderr, "{}\n", line);
+    else remark(line);
+  }
   return a.strict && summary.unusable > 0 ? promise_broken : success;
 }
 
@@ -145,12 +148,16 @@ std::string names_of_kinds() {
 void add_coordinates(CommandLine& line) {
   Command command = line.command("coordinates", "coordinates of points in a cage");
   auto a = std::make_shared<Arguments>();
+  command.heading("Cage and points");
   a->cage.add_to(command, true);
   command
       .option("--points", a->points,
-              "a mesh, .npy, .npz, or text with three numbers per line, for polygons two; - is standard input")
+              "a mesh, .npy, .npz, or text with three numbers per line, for polygons two; - is standard input" +
+                  std::string(y_of_points))
       .taking("FILE")
       .required();
+  add_on(command, a->on);
+  command.heading("Coordinates");
   command.option("--kind", a->kind, names_of_kinds()).taking("KIND").required();
   command.flag("--keep-quads", a->keep_quads,
                "quads stay bilinear surfaces: --kind green is quad_green then, and so are mean_value, biharmonic and "
@@ -169,6 +176,7 @@ void add_coordinates(CommandLine& line) {
               "the kind has it, else as recommended")
       .taking("EVALUATION");
   command.option("--order", a->order, "0 values, 1 and gradients, 2 and Hessians").in_range(0, 2).showing_default();
+  command.heading("What is written");
   command
       .option("--out", a->out,
               ".npz (named arrays with the cage, its elements and normals), .csv or .npy (points x columns, and "
@@ -181,10 +189,11 @@ void add_coordinates(CommandLine& line) {
       .taking("FILE");
   command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system")
       .taking("FILE");
-  add_on(command, a->on);
+  command.heading("Running");
   command.flag("--strict", a->strict,
                "exit with 1 where a point has no finite coordinates, or lies where they sum to zero");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  add_quiet(command);
   command.runs([a] { return run(*a); });
 }
 

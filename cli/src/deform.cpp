@@ -5,6 +5,7 @@
 #include "image_columns.h"
 #include "on_cage.h"
 #include "pose_files.h"
+#include "progress.h"
 
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
@@ -79,7 +80,7 @@ Posing posing_by(const DeformArguments& a, const Chosen& chosen, const Cage& cag
     return posed_by_cages(method_of(a), cage, std::move(options), chosen.parameters,
                           {a.posed, merging, a.cage.merge, a.strict}, a.data);
   return posed_by_constraints(*chosen.constrained, cage, options, a.constraints, [](int step, double energy) {
-    fmt::print(stderr, "step {}: energy {:.6g}\n", step, energy);
+    remark(fmt::format("step {}: energy {:.6g}", step, energy));
   });
 }
 
@@ -143,10 +144,9 @@ std::vector<std::string_view> methods_that_extend() {
 void tell_continued(const PointImages& images, double size) {
   const auto count = std::ranges::count_if(images.beyond, [](double way) { return way > 0; });
   if (count > 0)
-    fmt::print(
-        stderr,
-        "{} of {} points are outside, by at most {:.3g} of the cage's size, and continued through the nearest face\n",
-        count, images.beyond.size(), std::ranges::max(images.beyond) / size);
+    remark(fmt::format(
+        "{} of {} points are outside, by at most {:.3g} of the cage's size, and continued through the nearest face",
+        count, images.beyond.size(), std::ranges::max(images.beyond) / size));
 }
 
 // Images that can be written, by --outside. \throws InputError for the first point that has none
@@ -246,29 +246,29 @@ std::string names_of_methods() {
 void add_deform(CommandLine& line) {
   Command command = line.command("deform", "a mesh deformed by a posed cage, or by constraints");
   auto a = std::make_shared<DeformArguments>();
-  a->cage.add_to(command, true);
-  Command pose = command.exactly_one_of("Pose");
+  Command pose = command.exactly_one_of("The pose");
   pose.option("--posed", a->posed, "the cage's vertices elsewhere: a mesh, text, or an embedded cage; repeats")
       .taking("CAGE");
   pose.option("--constraints", a->constraints,
               "JSON: what is asked of the map at points, of methods without a posed cage")
       .taking("FILE");
-  command
-      .option("--normal-derivatives", a->data.normal_derivatives,
-              "text, three numbers a line, for polygons two, a line a triangle or segment (neumann=affine: a line a "
-              "corner of each), of kept quads a line a corner: normal derivatives in place of posed normals")
-      .taking("FILE");
-  command.option("--laplacians", a->data.laplacians, "the same, a line a vertex: densities of biharmonic_direct")
-      .taking("FILE");
-  command
-      .option("--laplacian-derivatives", a->data.laplacian_derivatives,
-              "the same, a line a triangle or segment: densities of biharmonic_direct")
-      .taking("FILE");
+  command.heading("Cage and points");
+  a->cage.add_to(command, true);
   command
       .option("--points", a->points,
-              "a mesh, .npy, .npz, or text with three numbers per line, for polygons two; - is standard input")
+              "a mesh, .npy, .npz, or text with three numbers per line, for polygons two; - is standard input" +
+                  std::string(y_of_points))
       .taking("FILE")
       .required();
+  command
+      .option("--outside", a->outside,
+              "points without image: an error, left at rest, or nan; extend: through the nearest face, of green")
+      .one_of({"error", "rest", "nan", "extend"})
+      .showing_default();
+  add_on(command, a->on);
+  command.flag("--strict", a->strict,
+               "refuse a posed cage whose faces are not the cage's, of which a warning tells otherwise");
+  command.heading("Method");
   command.option("--method", a->method, names_of_methods()).taking("METHOD").required();
   command.flag("--keep-quads", a->keep_quads,
                "quads stay bilinear surfaces: --method green is quad_green then, and so are mean_value, biharmonic_1_3 "
@@ -284,6 +284,18 @@ void add_deform(CommandLine& line) {
               "such a one, else as recommended")
       .taking("EVALUATION");
   command
+      .option("--normal-derivatives", a->data.normal_derivatives,
+              "text, three numbers a line, for polygons two, a line a triangle or segment (neumann=affine: a line a "
+              "corner of each), of kept quads a line a corner: normal derivatives in place of posed normals")
+      .taking("FILE");
+  command.option("--laplacians", a->data.laplacians, "the same, a line a vertex: densities of biharmonic_direct")
+      .taking("FILE");
+  command
+      .option("--laplacian-derivatives", a->data.laplacian_derivatives,
+              "the same, a line a triangle or segment: densities of biharmonic_direct")
+      .taking("FILE");
+  command.heading("What is written");
+  command
       .option("--out", a->out,
               ".obj, .ply, .stl, .svg, .vtp, .csv or .npy, with {n} or {n:03d} for the number of the map; or all maps "
               "in one, .pc2 or .mdd with a frame each, or NAME.pvd, which names NAME_001.vtp and so on for ParaView; a "
@@ -297,15 +309,9 @@ void add_deform(CommandLine& line) {
   command.option("--derivatives", a->derivatives, ".csv, .npy or .vtp, beside a mesh file").taking("FILE");
   command.option("--energies", a->energies, ".csv or .png: of methods that iterate, the energy at every half step")
       .taking("FILE");
-  command
-      .option("--outside", a->outside,
-              "points without image: an error, left at rest, or nan; extend: through the nearest face, of green")
-      .one_of({"error", "rest", "nan", "extend"})
-      .showing_default();
-  add_on(command, a->on);
-  command.flag("--strict", a->strict,
-               "refuse a posed cage whose faces are not the cage's, of which a warning tells otherwise");
+  command.heading("Running");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  add_quiet(command);
   command.example("cageproof deform --cage cube --posed posed.obj --points mesh.obj --method green --out deformed.obj");
   command.runs([a] { return run(*a); });
 }

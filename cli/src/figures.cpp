@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 #include "inputs_outside.h"
+#include "progress.h"
 
 #include "cageproof/validation/paper_figures.h"
 
 #include <fmt/format.h>
-
-#include <unistd.h>
 
 namespace cageproof::cli {
 namespace {
@@ -21,9 +20,9 @@ int run(const Arguments& a) {
   reports::require_figure_folder(a.out);
   const validation::PaperFigures figures =
       a.data.empty() ? validation::embedded_figures() : validation::figures_of_data(a.data);
-  std::vector<reports::FigureSheet> sheets = validation::figure_sheets(figures, a.jobs, [](const std::string& name) {
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "computing {}\n", name);
-  });
+  Progress progress;
+  std::vector<reports::FigureSheet> sheets = validation::figure_sheets(
+      figures, a.jobs, [&](const std::string& name) { progress(fmt::format("computing {}", name)); });
   std::vector<std::string> lines;
   lines.reserve(sheets.size());
   for (const reports::FigureSheet& sheet : sheets)
@@ -48,6 +47,7 @@ void add_figures(CommandLine& line) {
   command.option("--out", a->out, "pictures, data and captions go to its folder figures/")
       .taking("FOLDER")
       .showing_default();
+  add_quiet(command);
   command.example("cageproof figures --out paper-figures");
   command.runs([a] { return run(*a); });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
+#include "progress.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/catalogue/name_pattern.h"
@@ -14,8 +15,6 @@
 
 #include <algorithm>
 #include <filesystem>
-
-#include <unistd.h>
 
 namespace cageproof::cli {
 namespace {
@@ -184,11 +183,11 @@ int run(Arguments& a) {
   options.formula = &formula_named(a.formula);
   options.scalar = *scalar_named(a.scalar);
   options.objectives = objectives_of(a);
-  if (isatty(STDERR_FILENO) != 0)
-    options.improved = [&](const HuntObjective& objective, const WorstCase& worst, std::string_view regime) {
-      fmt::print(stderr, "{} {} order {} from {}: {:.4g} at {}\n", objective.evaluation.name(), objective.check->name(),
-                 options.order, regime, worst.error, input_text(*options.formula, worst));
-    };
+  Progress progress;
+  options.improved = [&](const HuntObjective& objective, const WorstCase& worst, std::string_view regime) {
+    progress(fmt::format("{} {} order {} from {}: {:.4g} at {}", objective.evaluation.name(), objective.check->name(),
+                         options.order, regime, worst.error, input_text(*options.formula, worst)));
+  };
   // A file that cannot be added to is known before the search, not after.
   if (!a.out.empty()) {
     reports::require_writable({a.out});
@@ -225,6 +224,7 @@ void add_hunt(CommandLine& line) {
   command.option("--seed", a->options.seed, "64-bit seed").showing_default();
   command.option("--jobs", a->options.jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
   command.option("--out", a->out, "worst-case file to add the worst cases to").taking("FILE");
+  add_quiet(command);
   command.example(
       "cageproof hunt --formula triangle.solid_angle --evaluation closed_form --budget 1000 --out worst.jsonl");
   command.runs([a] { return run(*a); });

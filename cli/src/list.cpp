@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "cage_text.h"
 #include "catalogue_json.h"
 #include "catalogue_names.h"
 #include "commands.h"
@@ -8,7 +9,10 @@
 #include "cageproof/core/catalogue/evaluation.h"
 #include "cageproof/core/catalogue/name_pattern.h"
 #include "cageproof/core/catalogue/unknown_name.h"
+#include "cageproof/core/coordinates/purposes.h"
 #include "cageproof/deformation/constrained.h"
+#include "cageproof/deformation/purposes.h"
+#include "cageproof/reports/checked_file.h"
 #include "cageproof/validation/check.h"
 #include "cageproof/validation/hunt.h"
 #include "cageproof/validation/regime.h"
@@ -56,8 +60,76 @@ void print_names(const char* heading, const std::vector<std::string_view>& names
   fmt::print("\n");
 }
 
+void print_kind(const CoordinateKind& kind) {
+  std::vector<std::string> labels;
+  labels.reserve(kind.blocks.size());
+  for (const SummedBlock& b : kind.blocks) labels.emplace_back(b.label);
+  if (!kind.is_sum())
+    for (const CoordinateBlock& b : own_blocks(kind)) labels.push_back(b.label);
+  fmt::print("    {} ({}", kind.name, fmt::join(labels, ", "));
+  for (const std::string_view evaluation : whole_evaluations_of(kind)) fmt::print("; {}", evaluation);
+  fmt::print(")");
+  print_parameters(parameters_of(kind));
+  fmt::print("   ({})\n", kind.source);
+  if (const std::string_view purpose = purpose_of_kind(kind.name); !purpose.empty())
+    fmt::print("        {}\n", purpose);
+}
+
+// The dimensions of a kind's cages.
+struct Dimensions {
+  bool space, plane;
+  bool operator==(const Dimensions&) const = default;
+};
+
+Dimensions dimensions_of(const CoordinateKind& kind) {
+  return {exists_on(kind, embedded_cage("cube")), exists_on(kind, embedded_cage("square"))};
+}
+
+// The rows that are asked for and belong in a group, under its heading.
+void print_group(std::string_view heading, const auto& rows, const std::string& asked, auto belongs, auto print) {
+  bool first = true;
+  for (const auto& row : rows) {
+    if (!matches(asked, row.name) || !belongs(row)) continue;
+    if (first) fmt::print("{}:\n", heading);
+    first = false;
+    print(row);
+  }
+}
+
+void print_kinds(const std::string& asked) {
+  for (const auto& [where, heading] : {std::pair(Dimensions{true, true}, "coordinates in space and in the plane"),
+                                       {Dimensions{true, false}, "coordinates in space"},
+                                       {Dimensions{false, true}, "coordinates in the plane"}})
+    print_group(
+        heading, coordinate_kinds(), asked,
+        [&, where = where](const CoordinateKind& kind) { return dimensions_of(kind) == where; }, print_kind);
+}
+
+void print_deformer(const auto& method, const std::vector<KindParameter>& parameters) {
+  fmt::print("    {}", method.name);
+  print_parameters(parameters);
+  fmt::print("   ({}; keeps {})\n", method.source, method.keeps);
+  if (const std::string_view purpose = deformation::purpose_of_method(method.name); !purpose.empty())
+    fmt::print("        {}\n", purpose);
+}
+
+void print_deformers(const std::string& asked) {
+  for (const auto& [where, heading] :
+       {std::pair(Dimensions{true, true}, "deformers by posed cages in space and in the plane"),
+        {Dimensions{true, false}, "deformers by posed cages in space"},
+        {Dimensions{false, true}, "deformers by posed polygons"}})
+    print_group(
+        heading, deformation::deform_methods(), asked,
+        [&, where = where](const deformation::DeformMethod& method) {
+          return dimensions_of(coordinate_kind_named(method.kind)) == where;
+        },
+        [](const deformation::DeformMethod& method) { print_deformer(method, deformation::parameters_of(method)); });
+  print_group(
+      "deformers by constraints", deformation::constraint_methods(), asked, [](const auto&) { return true; },
+      [](const deformation::ConstraintMethod& method) { print_deformer(method, method.parameters); });
+}
+
 void print_text(const std::string& asked) {
-  const auto name_of_row = [](const auto& row) { return row.name; };
   for (const Formula& f : catalogue()) {
     if (!matches(asked, f.name)) continue;
     fmt::print("{}\n    {} = {}   ({})\n    evaluations:", f.name, f.symbol, f.definition, f.source);
@@ -66,40 +138,17 @@ void print_text(const std::string& asked) {
     fmt::print("\n");
   }
   if (asked == "*") fmt::print("\n");
-  const bool kinds = any_of(coordinate_kinds(), asked, name_of_row);
-  if (kinds) fmt::print("coordinates:");
-  for (const CoordinateKind& kind : coordinate_kinds()) {
-    if (!matches(asked, kind.name)) continue;
-    std::vector<std::string> labels;
-    labels.reserve(kind.blocks.size());
-    for (const SummedBlock& b : kind.blocks) labels.emplace_back(b.label);
-    if (!kind.is_sum())
-      for (const CoordinateBlock& b : own_blocks(kind)) labels.push_back(b.label);
-    fmt::print(" {} ({}", kind.name, fmt::join(labels, ", "));
-    for (const std::string_view evaluation : whole_evaluations_of(kind)) fmt::print("; {}", evaluation);
-    fmt::print(")");
-  }
-  if (kinds) fmt::print("\n");
-  if (any_of(deformation::deform_methods(), asked, name_of_row) ||
-      any_of(deformation::constraint_methods(), asked, name_of_row))
-    fmt::print("deformers:\n");
-  for (const deformation::DeformMethod& method : deformation::deform_methods()) {
-    if (!matches(asked, method.name)) continue;
-    fmt::print("    {}", method.name);
-    print_parameters(deformation::parameters_of(method));
-    fmt::print("   ({}; keeps {})\n", method.source, method.keeps);
-  }
-  for (const deformation::ConstraintMethod& method : deformation::constraint_methods()) {
-    if (!matches(asked, method.name)) continue;
-    fmt::print("    {}", method.name);
-    print_parameters(method.parameters);
-    fmt::print("   ({}; by constraints; keeps {})\n", method.source, method.keeps);
-  }
+  print_kinds(asked);
+  print_deformers(asked);
   print_names("regimes", regime_names(), asked);
   std::vector<std::string_view> checks = validation::check_names();
   for (const std::string_view name : other_checks()) checks.push_back(name);
   print_names("checks", checks, asked);
-  print_names("embedded cages", embedded_cage_names(), asked);
+  for (const int dimension : {3, 2}) {
+    std::vector<std::string_view> cages = embedded_cage_names();
+    std::erase_if(cages, [&](std::string_view cage) { return embedded_cage(cage).dimension() != dimension; });
+    print_names(dimension == 3 ? "embedded cages" : "embedded polygons", cages, asked);
+  }
   print_names("extreme cages", extreme_cage_names(), asked);
 }
 
@@ -154,23 +203,46 @@ std::vector<std::string> all_names() {
   return all;
 }
 
+void write_cage(const std::string& name, const std::string& out) {
+  if (!is_embedded_cage(name)) {
+    std::vector<std::string_view> known = embedded_cage_names();
+    for (const std::string_view extreme : extreme_cage_names()) known.push_back(extreme);
+    throw unknown_single_name("embedded cage", name, known);
+  }
+  reports::require_writable({out});
+  reports::replace_file(out, cage_text(out, embedded_cage(name)));
+}
+
 }  // namespace
 
 void add_list(CommandLine& line) {
   Command command = line.command(
       "list", "the catalogue: formulas, sources, evaluations, kinds of coordinates, deformers, regimes, checks, cages");
   struct Arguments {
-    std::string names = "*";
+    std::string names = "*", cage, out;
     bool json = false;
   };
   auto a = std::make_shared<Arguments>();
   const Option names =
       command.option("names", a->names, "what has such a name alone, names and globs with commas between; without, all")
           .taking("NAMES");
-  command.flag("--json", a->json, "as JSON, with scalars, ranges and descriptions").excludes(names);
+  Option json = command.flag("--json", a->json, "as JSON, with scalars, ranges and descriptions").excludes(names);
+  Option cage = command.option("--cage", a->cage, "an embedded cage, which is written to --out").taking("CAGE");
+  const Option out =
+      command
+          .option("--out", a->out,
+                  "a file for it: .obj, .ply, .stl or .vtp of cages in space, .obj, .svg or .vtp of polygons")
+          .taking("FILE")
+          .needs(cage);
+  cage.needs(out).excludes(names).excludes(json);
   command.example("cageproof list 'triangle.*'");
   command.example("cageproof list --json");
+  command.example("cageproof list --cage cube --out cube.obj");
   command.runs([a] {
+    if (!a->cage.empty()) {
+      write_cage(a->cage, a->out);
+      return success;
+    }
     const std::vector<std::string> all = all_names();
     a->names = with_families(a->names, all);
     require_known("name", a->names, {all.begin(), all.end()});

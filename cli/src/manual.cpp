@@ -35,13 +35,17 @@ std::string upper(std::string text) {
 }
 
 void add_options(const std::vector<OptionText>& options, std::string& text) {
-  for (const OptionText& option : options) {
-    std::vector<std::string> names;
-    names.reserve(option.names.size());
-    for (const std::string& name : option.names) names.push_back("\\fB" + roff(name) + "\\fR");
-    text += fmt::format(".TP\n{}", fmt::join(names, ", "));
-    if (!option.positional && !option.type.empty()) text += " \\fI" + roff(option.type) + "\\fR";
-    text += "\n" + roff(whole_description(option)) + "\n";
+  const std::vector<OptionGroup> groups = groups_of(options);
+  for (const OptionGroup& group : groups) {
+    if (groups.size() > 1) text += fmt::format(".PP\n\\fI{}\\fR\n", roff(group.heading));
+    for (const OptionText& option : group.options) {
+      std::vector<std::string> names;
+      names.reserve(option.names.size());
+      for (const std::string& name : option.names) names.push_back("\\fB" + roff(name) + "\\fR");
+      text += fmt::format(".TP\n{}", fmt::join(names, ", "));
+      if (!option.positional && !option.type.empty()) text += " \\fI" + roff(option.type) + "\\fR";
+      text += "\n" + roff(whole_description(option)) + "\n";
+    }
   }
 }
 
@@ -60,12 +64,15 @@ std::string cell(std::string_view text) {
 }
 
 void add_table(const std::vector<OptionText>& options, std::string& text) {
-  if (options.empty()) return;
-  text += "| option | value | what it is |\n|---|---|---|\n";
-  for (const OptionText& option : options)
-    text += fmt::format("| `{}` | {} | {} |\n", fmt::join(option.names, "`, `"), option.type,
-                        cell(whole_description(option)));
-  text += "\n";
+  const std::vector<OptionGroup> groups = groups_of(options);
+  for (const OptionGroup& group : groups) {
+    if (groups.size() > 1) text += fmt::format("**{}**\n\n", cell(group.heading));
+    text += "| option | value | what it is |\n|---|---|---|\n";
+    for (const OptionText& option : group.options)
+      text += fmt::format("| `{}` | {} | {} |\n", fmt::join(option.names, "`, `"), option.type,
+                          cell(whole_description(option)));
+    text += "\n";
+  }
 }
 
 std::string paragraph(std::string_view text) { return cell(text) + "\n\n"; }
@@ -109,7 +116,7 @@ std::string manual_markdown(const ProgramText& program) {
   std::string text = "# The command line\n\n";
   text += "<!-- Made by `cageproof man --markdown` of the command line's own description: change that. -->\n\n";
   text += paragraph(program.description);
-  text += "The same stands in `man cageproof`, and of one command in `cageproof COMMAND --help`.\n\n";
+  text += "The same stands in `man cageproof`, and of one command in `cageproof help COMMAND`.\n\n";
   add_table(program.options, text);
   text += "| command | what it does |\n|---|---|\n";
   for (const CommandText& command : program.commands)

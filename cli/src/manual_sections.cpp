@@ -54,13 +54,18 @@ const std::vector<ManualSection>& manual_sections() {
         "in the way."},
        {}},
       {"Output",
-       {"Results go to standard output, and progress to standard error when that is a terminal. The same options and "
+       {"Results go to standard output; progress, remarks and warnings go to standard error. On a terminal progress is "
+        "one line with the time that is left, estimated from what was done so far; elsewhere it is one line per "
+        "minute, so "
+        "that a run of seconds writes none. --quiet leaves out progress and remarks; warnings and errors stay. The "
+        "same options and "
         "seed give the same results, byte for byte, whatever --jobs is; only what is named environment differs (times, "
         "machine, threads, commit)."},
        {}},
       {"Environment",
        {},
        {{"TMPDIR", "where files are put that live as long as the command; default: /tmp"},
+        {"CAGEPROOF_PROGRESS", "seconds between lines of progress where standard error is no terminal; default: 60"},
         {"CAGEPROOF_SIMD",
          "the instruction set of batched coordinates and of closed forms of triangles far away: plain, avx2 or avx512; "
          "default: the widest that the processor "

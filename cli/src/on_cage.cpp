@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "on_cage.h"
 
+#include "progress.h"
+
 #include "cageproof/deformation/moved_inside.h"
 
 #include <fmt/format.h>
@@ -21,8 +23,8 @@ void take_onto_cage(double on, const CageCoordinates& coordinates, double size, 
   if (on == 0) return;
   deformation::MovedInside found = deformation::moved_inside(coordinates.elements(), points, on * size, jobs);
   const std::string way = found.count == 0 ? "" : fmt::format(", by at most {:.3g}", found.farthest);
-  fmt::print(stderr, "{} of {} points lay outside by at most {:.3g} of the cage's size and were moved onto it{}\n",
-             found.count, points.size(), on, way);
+  remark(fmt::format("{} of {} points lay outside by at most {:.3g} of the cage's size and were moved onto it{}",
+                     found.count, points.size(), on, way));
   points = std::move(found.points);
 }
 

@@ -139,6 +139,7 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   auto a = std::make_shared<Arguments>();
   a->options.command_line = command_line;
   a->command = command;
+  command.heading("What is asked");
   command.option("--formulas,--formula", a->options.formulas, "which, names and globs with commas between")
       .taking("FORMULAS")
       .showing_default();
@@ -148,11 +149,14 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   command.option("--regimes,--regime", a->options.regimes, "how points sit to elements")
       .taking("REGIMES")
       .showing_default();
+  command.heading("A cage of one's own");
   a->cage.add_to(command, false);
   command
       .option("--points", a->points,
-              "points to try the cage at: a mesh, or text with three numbers a line (for polygons two)")
+              "points to try the cage at: a mesh, or text with three numbers a line (for polygons two)" +
+                  std::string(y_of_points))
       .taking("FILE");
+  command.heading("How much");
   command.option("--samples", a->samples, "samples of each formula in each regime, instead of the suite's")
       .in_range(1, 100000000);
   command
@@ -165,8 +169,14 @@ void add_verify(CommandLine& line, const std::string& command_line) {
       .one_of({suites.begin(), suites.end()})
       .showing_default();
   command.option("--seed", a->options.seed, "64-bit seed of all samples").showing_default();
-  command.option("--jobs", a->options.jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
+  command.heading("What is written");
   const Option out = command.option("--out", a->out, "the report's folder").taking("FOLDER").showing_default();
+  command
+      .option("--timings", a->timings,
+              "a CSV table of what each unit of work took of the processor, the costliest first")
+      .taking("FILE");
+  command.heading("Running");
+  command.option("--jobs", a->options.jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
   command.option("--shard", a->shard, "I/N: measure part I of N, from 0, alone; `merge` makes the report")
       .taking("I/N")
       .showing_default();
@@ -176,16 +186,13 @@ void add_verify(CommandLine& line, const std::string& command_line) {
       .taking("FOLDER")
       .excludes(out);
   command
-      .option("--timings", a->timings,
-              "a CSV table of what each unit of work took of the processor, the costliest first")
-      .taking("FILE");
-  command
       .option("--truth-cache", a->truth_cache,
               "folder that keeps truths of elements between runs of the same program, at most 512 MB; one in a hundred "
               "is checked, and the report is the same without; `off`: none; default, where it can be written: "
               "$CAGEPROOF_TRUTH_CACHE, "
               "$XDG_CACHE_HOME/cageproof or ~/.cache/cageproof")
       .taking("FOLDER");
+  add_quiet(command);
   command.example("cageproof verify --suite quick --out report");
   command.example("cageproof verify --formulas 'triangle.*' --regimes 'near-*,far' --evaluations closed_form,gauss-8");
   command.example("cageproof verify --cage my-cage.obj --points my-mesh.obj --out my-report");

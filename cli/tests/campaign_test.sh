@@ -3,6 +3,8 @@
 # Runs that are killed, resumed, cut in shards and merged give the report of a run left alone, byte for byte but for the environment.
 # Usage: campaign_test.sh PATH_OF_CAGEPROOF kills|ranks
 set -u
+# Lines of progress would be messages where a machine is slow.
+export CAGEPROOF_PROGRESS=1e9
 cageproof=$1
 part=$2
 work=$(mktemp -d)

@@ -43,7 +43,8 @@ completes() {
   [ "${COMPREPLY[*]}" = "$*" ] || fail "completion of ${COMP_WORDS[*]}: ${COMPREPLY[*]}, not $*"
 }
 mkdir folder && touch folder/file file.obj
-completes cageproof ver : verify
+completes cageproof veri : verify
+completes cageproof help comp : compare completion
 completes cageproof --v : --version
 completes cageproof verify --re : --regimes --regime --resume
 completes cageproof verify --suite '' : quick standard full

@@ -2,6 +2,7 @@
 #include "cageproof/core/catalogue/evaluation.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/catalogue/field_words.h"
 #include "cageproof/core/catalogue/name_pattern.h"
 #include "cageproof/core/catalogue/unknown_name.h"
 
@@ -154,6 +155,8 @@ std::string why_no_evaluation(std::string_view subject, const std::vector<std::s
   }
   if (const std::string_view family = family_of_number(name); std::ranges::find(known, family) != known.end())
     return fmt::format("{}: {} takes {}", text, family, range_of_pattern(family));
+  if (const std::string words = called_here(fmt::format("evaluation of {}", subject), name, known); !words.empty())
+    return fmt::format("{}{} (see `cageproof list`)", text, words);
   const std::string_view meant = nearest_name(name, known);
   if (meant.empty()) {
     const auto recommended =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/catalogue/unknown_name.h"
 
+#include "cageproof/core/catalogue/field_words.h"
 #include "cageproof/core/catalogue/name_pattern.h"
 
 #include <fmt/format.h>
@@ -101,8 +102,11 @@ InputError unknown_name(std::string_view what, std::string_view name, const std:
       return InputError(fmt::format("{}: of {}, {}, verification runs {}", text, family, range_of_pattern(family),
                                     fmt::join(same, ", ")));
   }
-  const std::string_view meant = nearest_name(name, known);
-  if (!meant.empty()) text += fmt::format("; did you mean '{}'?", meant);
+  // The field's own word says more than a name with almost the same letters.
+  std::string meant = called_here(what, name, known);
+  if (const std::string_view near = nearest_name(name, known); meant.empty() && !near.empty())
+    meant = fmt::format("; did you mean '{}'?", near);
+  text += meant;
   if (known.empty() || known.size() > few) text += meant.empty() ? "; see `cageproof list`" : " (see `cageproof list`)";
   else text += fmt::format(fmt::runtime(meant.empty() ? "; known: {}" : " (known: {})"), fmt::join(known, ", "));
   return InputError(text);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Words of the field that people try, and the names that the same things have here.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cageproof {
+
+/// A word, and either the names of what it means or the reason why nothing here is that.
+struct FieldWord {
+  std::string_view word;  ///< in lower case, with hyphens: "mean-value"
+  /// Of kinds, methods, evaluations, commands, and of formulas without their element: "solid_angle".
+  std::vector<std::string_view> here = {};
+  std::string_view missing = {};  ///< where `here` is empty: what it is, and what comes near
+};
+
+/// All of them, by word.
+std::span<const FieldWord> field_words();
+
+/// The entry of a word, whatever its case, with underscores or blanks for hyphens, with "-coordinates" or "-weights"
+/// behind it, or with an element before it ("triangle.winding"). Null where there is none.
+const FieldWord* find_field_word(std::string_view word);
+
+/// What an error for an unknown name adds where the field has the word: "; it is called 'mean_value' here", or that it
+/// is something else here, or missing. Empty where there is no entry. \param what is asked for: "deformer"
+/// \param known the names that would do; empty: all
+std::string called_here(std::string_view what, std::string_view word, const std::vector<std::string_view>& known);
+
+}  // namespace cageproof
