@@ -9,7 +9,7 @@
 
 namespace cageproof::benchmarks {
 
-/// Median times of all coordinates of a point, values only, by the evaluation that commands take, for each kind that
+/// Least times of all coordinates of a point, values only, by the evaluation that commands take, for each kind that
 /// accepts the cage: of some dozen points of the cage's box, together, on this thread. The kind's name stands where a
 /// formula's does (EvaluationTime::formula). Kinds that solve on samples, which preparing takes too long for, are left
 /// out. A few hundredths of a second each.
