@@ -31,6 +31,9 @@ opened report/index.html index
 has index '4 of 4 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: hybrid'
 opened 'report/index.html?overview.evaluation=gauss-8,%20double&overview.order=1' filtered
 has filtered 'of gauss-8, double' 'href="formulas/triangle.double_layer.html#truth.near-edge.gauss-8.double.1"'
+opened 'report/index.html?heat.evaluation=gauss-8,%20double&heat.order=1' heat
+has heat 'of gradients in gauss-8, double'
+grep -q '<td class="e[1-4] open"><a href="#r[0-9]*">' heat || fail "the heat map does not show gauss-8"
 
 # A cell that the address names answers: worst input, truth, reason, lines to copy.
 page=report/formulas/triangle.double_layer.html
