@@ -15,6 +15,7 @@ constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 std::vector<std::string> names_of(const std::vector<Choice>& choices) {
   std::vector<std::string> names;
+  names.reserve(choices.size());
   for (const Choice& choice : choices) names.push_back(choice.evaluation);
   return names;
 }
@@ -34,6 +35,7 @@ TEST(Advice, LeavesOutWhatIsSlowerAndLessAccurate) {
 // Each further choice is slower and reaches further, whatever the choices are.
 TEST(Advice, IsInTheOrderOfPareto) {
   std::vector<Choice> many;
+  many.reserve(60);
   for (int i = 0; i < 60; ++i)
     many.push_back({std::to_string(i), 1.0 + (i + 5) * 37 % 61, 1.0 + (i + 11) * 23 % 59, false});
   const std::vector<Choice> left = without_dominated(many);

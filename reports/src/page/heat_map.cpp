@@ -36,7 +36,7 @@ std::string heat_text(const ResultRow& row) {
 }
 
 std::string heat_class(const ResultRow& row) {
-  const std::string looks = cell_class(row);
+  std::string looks = cell_class(row);
   if (looks == "ill") return looks;
   const double digits = row.samples == 0 ? 0 : digits_right(row);
   // The same steps as heatClass of page.js.
