@@ -41,7 +41,7 @@ int turn(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& point
   return b[1] != a[1] ? -sign(b[1] - a[1]) : sign(b[0] - a[0]);
 }
 
-// What a ray upward crosses. Nothing for a point on the triangle.
+// The signed crossing of a ray upward. Nothing for a point on the triangle.
 std::optional<int> crossing_above(const Triangle<double>& t, const Vec3<double>& point) {
   const int side = side_of_plane(t, point);
   if (side == 0) return touches_triangle(t, point) ? std::nullopt : std::optional(0);

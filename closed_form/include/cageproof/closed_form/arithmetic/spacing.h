@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the spacing of numbers below the normal ones takes from a result.
+// The share of a result that the spacing of subnormal numbers takes.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/jet.h"

@@ -9,7 +9,7 @@
 
 namespace cageproof {
 
-/// Winding numbers of a cage, exact: signed crossings of a ray along an axis, of those elements alone that a tree finds
+/// Winding numbers of a cage, exact: signed crossings of a ray along an axis, of the elements that a tree finds
 /// above the point. A point counts as moved to one side by less than any distance, so that no ray meets an edge. Of
 /// bilinear quads as of triangles and segments. Keeps copies; safe from any thread.
 class WindingNumbers {
