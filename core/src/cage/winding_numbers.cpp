@@ -20,7 +20,7 @@ bool touches_triangle(const Triangle<double>& t, const Vec3<double>& point) {
 // Two triangles with the quad's border that the point sees under the quad's own solid angle. \pre the point is not on
 // the quad
 Pair seen_as(const Quad<double>& q, const Vec3<double>& point) {
-  const Pair first{Triangle<double>{q[0], q[1], q[2]}, {q[0], q[2], q[3]}},
+  Pair first{Triangle<double>{q[0], q[1], q[2]}, {q[0], q[2], q[3]}},
       second{Triangle<double>{q[1], q[2], q[3]}, {q[1], q[3], q[0]}};
   switch (seen_triangles(q, point)) {
     case SeenTriangles::Diagonal02: return first;
