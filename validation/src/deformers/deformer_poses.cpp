@@ -2,6 +2,7 @@
 #include "deformer_poses.h"
 
 #include "cageproof/core/numbers/random_stream.h"
+#include "cageproof/core/numbers/scalar_names.h"
 
 #include <fmt/format.h>
 
