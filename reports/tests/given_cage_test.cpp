@@ -73,7 +73,8 @@ TEST(GivenCage, NamesTheQuickestKindThatKeepsAllAndReproducesLinearFunctions) {
 }
 
 TEST(GivenCage, HasARowOfEachKind) {
-  const auto kinds = kinds_in_cage(run_of_cage());
+  const RunResult run = run_of_cage();  // its rows are pointed to
+  const auto kinds = kinds_in_cage(run);
   ASSERT_EQ(kinds.size(), 3U);
   EXPECT_EQ(kinds[1].kind, "green");
   EXPECT_EQ(kinds[1].error_inside, 1e-15);
@@ -83,7 +84,7 @@ TEST(GivenCage, HasARowOfEachKind) {
   EXPECT_EQ(kinds[1].at_points->max_relative, 3e-16);
   EXPECT_EQ(kinds[1].kept, 5U);
   EXPECT_FALSE(kinds[2].reproduces_linear);
-  const std::string section = given_cage_section(index_of(run_of_cage()));
+  const std::string section = given_cage_section(index_of(run));
   EXPECT_NE(
       section.find("<td class=\"n\">11 (far)</td><td class=\"n\">3e-16</td><td class=\"n\">850 ns</td><td>yes</td>"),
       section.npos)
