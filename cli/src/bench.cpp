@@ -134,7 +134,7 @@ void add_bench(CommandLine& line, const std::string& command_line) {
   a->cage.add_to(command, false).excludes(formula).showing_default("cube");
   command
       .option("--points", a->points,
-              "a mesh, or text with three numbers a line (for polygons two), instead of random points inside" +
+              "a mesh, or text with three numbers per line (for polygons two), instead of random points inside" +
                   std::string(y_of_points))
       .taking("FILE")
       .excludes(formula);

@@ -285,14 +285,14 @@ void add_deform(CommandLine& line) {
       .taking("EVALUATION");
   command
       .option("--normal-derivatives", a->data.normal_derivatives,
-              "text, three numbers a line, for polygons two, a line a triangle or segment (neumann=affine: a line a "
-              "corner of each), of kept quads a line a corner: normal derivatives in place of posed normals")
+              "text, three numbers per line, for polygons two; one line per triangle or segment (neumann=affine: per "
+              "corner of each), of kept quads per corner: normal derivatives in place of posed normals")
       .taking("FILE");
-  command.option("--laplacians", a->data.laplacians, "the same, a line a vertex: densities of biharmonic_direct")
+  command.option("--laplacians", a->data.laplacians, "the same, one line per vertex: densities of biharmonic_direct")
       .taking("FILE");
   command
       .option("--laplacian-derivatives", a->data.laplacian_derivatives,
-              "the same, a line a triangle or segment: densities of biharmonic_direct")
+              "the same, one line per triangle or segment: densities of biharmonic_direct")
       .taking("FILE");
   command.heading("What is written");
   command

@@ -153,7 +153,7 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   a->cage.add_to(command, false);
   command
       .option("--points", a->points,
-              "points to try the cage at: a mesh, or text with three numbers a line (for polygons two)" +
+              "points to try the cage at: a mesh, or text with three numbers per line (for polygons two)" +
                   std::string(y_of_points))
       .taking("FILE");
   command.heading("How much");
