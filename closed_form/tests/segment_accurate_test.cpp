@@ -8,6 +8,7 @@
 #include "cageproof/closed_form/segment/double_layer.h"
 #include "cageproof/closed_form/segment/engine/closed_form.h"
 #include "cageproof/closed_form/segment/engine/plain.h"
+#include "cageproof/closed_form/segment/kelvin_displacement.h"
 #include "cageproof/closed_form/segment/mean_value.h"
 #include "cageproof/closed_form/segment/single_layer.h"
 #include "cageproof/closed_form/segment/winding_angle.h"
@@ -198,10 +199,34 @@ void expect_digits_beside_infinities(const Segment<R>& s, const Vec3<R>& point) 
 
 TEST(segment_accurate, entries_beside_infinite_ones_keep_their_digits) {
   expect_digits_beside_infinities<DoubleLayer, double>({Vec(0, 0, 0), Vec(1, 1, 0)}, {0x1.3p-700, 0, 0});
-  expect_digits_beside_infinities<MeanValue, double>({Vec(-0x1.5p-545, 0, 0), Vec(1, 0, 0)},
-                                                     {0x1.f4p-348, 0x1.8p-1019, 0});
   using Float = Vec3<float>;
   expect_digits_beside_infinities<DoubleLayer, float>({Float(0, 0, 0), Float(1, 1, 0)}, {0x1.3p-80F, 0, 0});
+}
+
+// Entries of an ordinary size beside one of 1e920. The truth is differences of -tan(alpha/2)/r in 4000 digits, by mpmath.
+TEST(segment_accurate, small_entries_beside_huge_ones_have_digits_of_their_own) {
+  const auto found = accurate<MeanValue, 2>({Vec(-0x1.5p-545, 0, 0), Vec(1, 0, 0)}, {0x1.f4p-348, 0x1.8p-1019, 0});
+  EXPECT_LE(found.worst(), kAccurateTolerance);
+  EXPECT_NEAR(found.jet.hessian[0](0, 0) / -5.9495037191122373906e+111, 1, 1e-15);
+  EXPECT_NEAR(found.jet.hessian[1](0, 0) / 6755399.441055744, 1, 1e-15);
+  for (const double entry : {found.jet.hessian[0](1, 0), found.jet.hessian[0](1, 1), found.jet.hessian[1](1, 1)})
+    EXPECT_EQ(std::abs(entry), std::numeric_limits<double>::infinity());
+}
+
+// Zeros beside infinities have no digits of their own, and are found.
+TEST(segment_accurate, zeros_beside_infinite_entries_count_from_the_least_normal_number) {
+  const double tiny = std::numeric_limits<double>::denorm_min(), parameters[] = {1, .25};
+  const auto found = accurate<KelvinDisplacement, 2>({Vec(tiny, 0, 0), Vec(0, 2, 0)}, {0, 0, 0}, parameters);
+  EXPECT_LE(found.worst(), kAccurateTolerance);
+  int zeros = 0, infinities = 0;
+  for (int c = 0; c < KelvinDisplacement::components; ++c)
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        zeros += found.jet.hessian[c](i, j) == 0;
+        infinities += std::isinf(found.jet.hessian[c](i, j));
+      }
+  EXPECT_GT(zeros, 0);
+  EXPECT_GT(infinities, 0);
 }
 
 TEST(segment_accurate, states_no_digits_that_subnormal_numbers_have_not) {

@@ -161,5 +161,6 @@ template struct ExactTriangleIn<Mp200>;
 template struct ExactTriangleIn<Mp400>;
 template struct ExactSegmentIn<Mp200>;
 template struct ExactSegmentIn<Mp400>;
+template struct ExactSegmentIn<Mp2000>;
 
 }  // namespace cageproof

@@ -248,11 +248,13 @@ CAGEPROOF_MP_CONSTANT(nan, std::numeric_limits<MpNumber<D>>::quiet_NaN())
 #define CAGEPROOF_MP_200(name) template Mp<200> name(const Mp<200>&);
 #define CAGEPROOF_MP_400(name) template Mp<400> name(const Mp<400>&);
 #define CAGEPROOF_MP_800(name) template Mp<800> name(const Mp<800>&);
+#define CAGEPROOF_MP_2000(name) template Mp<2000> name(const Mp<2000>&);
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_50)
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_100)
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_200)
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_400)
 CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_800)
+CAGEPROOF_MP_FUNCTIONS(CAGEPROOF_MP_2000)
 #define CAGEPROOF_MP_INSTANCE(R)                                  \
   template R operator+(const R&, const R&);                       \
   template R operator-(const R&, const R&);                       \
@@ -279,16 +281,19 @@ CAGEPROOF_MP_INSTANCE(Mp<100>)
 CAGEPROOF_MP_INSTANCE(Mp<200>)
 CAGEPROOF_MP_INSTANCE(Mp<400>)
 CAGEPROOF_MP_INSTANCE(Mp<800>)
+CAGEPROOF_MP_INSTANCE(Mp<2000>)
 template class Mp<50>;
 template class Mp<100>;
 template class Mp<200>;
 template class Mp<400>;
 template class Mp<800>;
+template class Mp<2000>;
 template struct MpConstants<50>;
 template struct MpConstants<100>;
 template struct MpConstants<200>;
 template struct MpConstants<400>;
 template struct MpConstants<800>;
+template struct MpConstants<2000>;
 template Mp<50>::Mp(const Mp<100>&);
 template Mp<50>::Mp(const Mp<200>&);
 template Mp<100>::Mp(const Mp<50>&);
@@ -304,8 +309,10 @@ template Mp<400>::Mp(const Mp<200>&);
 template Mp<50>::Mp(const Mp<800>&);
 template Mp<100>::Mp(const Mp<800>&);
 template Mp<200>::Mp(const Mp<800>&);
+template Mp<200>::Mp(const Mp<2000>&);
 template Mp<800>::Mp(const Mp<50>&);
 template Mp<800>::Mp(const Mp<100>&);
 template Mp<800>::Mp(const Mp<200>&);
+template Mp<2000>::Mp(const Mp<200>&);
 
 }  // namespace cageproof

@@ -162,6 +162,15 @@ bool is_next_to_zero(const Truth& truth, int order) {
   return false;
 }
 
+// Whether a tensor of an order up to this one is so small that R's numbers lie further apart there than its last
+// digits: one statement is made of all orders, and one of a single rounding may have no digit.
+template <Scalar R>
+bool has_subnormal(const Truth& truth, int order) {
+  for (int o = 0; o <= order; ++o)
+    if (truth.exists[o] && truth.norm[o] < 1 && !representable<R>(truth.norm[o])) return true;
+  return false;
+}
+
 /// An evaluation that states how wrong it may be must be right about it.
 class StatedErrorCheck final : public Check {
  public:
@@ -183,7 +192,8 @@ class StatedErrorCheck final : public Check {
         findings[o] = finding_for(in.truth, o);
         if (findings[o].status != Finding::Status::Measured) continue;
         // No digit stated: it says that it could not, where it owes a statement.
-        const bool owed = in.truth.required[o] && !has_zero(in.truth, in.order) && !is_next_to_zero(in.truth, in.order);
+        const bool owed = in.truth.required[o] && !has_zero(in.truth, in.order) &&
+                          !is_next_to_zero(in.truth, in.order) && !has_subnormal<R>(in.truth, in.order);
         if (!(f.stated_digits > 0)) findings[o].status = owed ? Finding::Status::Declined : Finding::Status::NoTruth;
         // A relative statement says nothing about what the scalar cannot hold, nor about a zero that is met.
         if (!representable<R>(in.truth.norm[o])) findings[o].status = Finding::Status::NoTruth;

@@ -131,7 +131,7 @@ struct Tracked {
   /// Mathematical libraries promise an ulp or two for logarithms and angles, not half of one.
   static constexpr double kFunctionRoundings = 4;
   // Those of 200 digits hold double-doubles' and less.
-  using Constants = MpConstants<is_multiprecision<T> && (std::numeric_limits<T>::digits10 > 200) ? 400 : 200>;
+  using Constants = MpConstants<std::max(200, std::numeric_limits<T>::digits10)>;
   /// The magnitude less its own error: what a divisor may have shrunk to; zero where nothing of it is certain.
   static Error remaining(const Tracked& a) { return remaining(least_size_of(a.value), a.error); }
   static Error remaining(Error magnitude, Error error) { return std::max(Error(0), magnitude - kRoundoff * error); }

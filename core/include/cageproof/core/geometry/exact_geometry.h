@@ -40,6 +40,7 @@ struct ExactHeights {
 ExactHeights exact_heights(const Triangle<double>& t, const Vec3<double>& point, int exponent);
 
 /// The same of a segment in the plane; third coordinates are not looked at.
+/// \tparam W Mp200, Mp400 or Mp2000
 template <class W>
 struct ExactSegmentIn {
   std::array<std::array<W, 2>, 2> p;  ///< ends minus the point

@@ -24,7 +24,8 @@ template <class T>
 concept BuiltinNumber =
     std::integral<T> || std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, long double>;
 
-/// A binary floating-point number with `Digits` decimal digits: 50, 100, 200, 400 or 800. Every operation and function
+/// A binary floating-point number with `Digits` decimal digits: 50, 100, 200, 400, 800 or 2000. Every operation and
+/// function
 /// is MPFR's, rounded to nearest; it lies in place, without memory of its own. Built-in numbers are taken exactly. The
 /// default is zero.
 template <unsigned Digits>

@@ -78,6 +78,11 @@ BoundedJet<S, C> bounded(const Jet<Tracked<T>, C, 2>& from, double largest) {
     });
     using std::sqrt;
     if (error == Sum(0) && !overflows) continue;
+    // Below the least normal number digits are counted from there: zeros beside infinities have none of their own.
+    if constexpr (!is_multiprecision<S>) {
+      const Sum least = is_multiprecision<T> ? Sum(Sum(4 / largest) * Sum(4 / largest)) : Sum(4 / largest);
+      size = size < least ? least : size;
+    }
     const Sum ratio = is_multiprecision<T> ? Sum(sqrt(Sum(error / size))) : Sum(error / size);
     result.bound[o] = static_cast<Bound>(roundoff_of<T>() * static_cast<ErrorOf<T>>(ratio));
     if (!std::same_as<T, S>) result.bound[o] += static_cast<Bound>(cageproof::unit_roundoff<S>());

@@ -21,12 +21,12 @@ class WideFrames {
  public:
   WideFrames(const Segment<Mp200>& s, const Vec3<Mp200>& eta) : s_(s), eta_(eta) {}
 
-  /// \tparam T Mp100, Mp200 or Mp400
+  /// \tparam T Mp100, Mp200, Mp400 or Mp2000
   template <class T>
   const Frame<Tracked<T>>& tracked() {
     auto& frame = std::get<std::optional<Frame<Tracked<T>>>>(frames_);
     if (frame) return *frame;
-    using W = std::conditional_t<std::same_as<T, Mp400>, Mp400, Mp200>;
+    using W = std::conditional_t<(std::numeric_limits<T>::digits10 > 200), T, Mp200>;
     const auto in = [](const Vec3<Mp200>& v) { return Vec3<W>(W(v[0]), W(v[1]), W(v[2])); };
     return frame.emplace(ExactSegmentIn<W>({in(s_[0]), in(s_[1])}, in(eta_)));
   }
@@ -35,7 +35,7 @@ class WideFrames {
   Segment<Mp200> s_;
   Vec3<Mp200> eta_;
   std::tuple<std::optional<Frame<Tracked<Mp100>>>, std::optional<Frame<Tracked<Mp200>>>,
-             std::optional<Frame<Tracked<Mp400>>>>
+             std::optional<Frame<Tracked<Mp400>>>, std::optional<Frame<Tracked<Mp2000>>>>
       frames_;
 };
 
@@ -87,8 +87,8 @@ template <class F, int O>
 BoundedJet<double, F::components> bounded_form(PointFrames& at, std::span<const double> parameters, bool finite_part,
                                                double tolerance, double largest = std::numeric_limits<double>::max()) {
   if (at.is_in_range())
-    return climbed<F, O>(Ladder<double, Mp100, Mp200, Mp400>(), at, parameters, finite_part, tolerance, largest);
-  return climbed<F, O>(Ladder<Mp100, Mp200, Mp400>(), at, parameters, finite_part, tolerance, largest);
+    return climbed<F, O>(Ladder<double, Mp100, Mp200, Mp2000>(), at, parameters, finite_part, tolerance, largest);
+  return climbed<F, O>(Ladder<Mp100, Mp200, Mp2000>(), at, parameters, finite_part, tolerance, largest);
 }
 
 /// In multiprecision: all of `digits` (50, 100 or 200) digits, unless more than 400 would be needed for them.
