@@ -203,7 +203,8 @@ TEST(segment_accurate, entries_beside_infinite_ones_keep_their_digits) {
   expect_digits_beside_infinities<DoubleLayer, float>({Float(0, 0, 0), Float(1, 1, 0)}, {0x1.3p-80F, 0, 0});
 }
 
-// Entries of an ordinary size beside one of 1e920. The truth is differences of -tan(alpha/2)/r in 4000 digits, by mpmath.
+// Entries of an ordinary size beside one of 1e920. The truth is differences of -tan(alpha/2)/r in 4000 digits, by
+// mpmath.
 TEST(segment_accurate, small_entries_beside_huge_ones_have_digits_of_their_own) {
   const auto found = accurate<MeanValue, 2>({Vec(-0x1.5p-545, 0, 0), Vec(1, 0, 0)}, {0x1.f4p-348, 0x1.8p-1019, 0});
   EXPECT_LE(found.worst(), kAccurateTolerance);
