@@ -78,7 +78,7 @@ unsigned BlockRunner::run(std::span<const Vec3<double>> points) {
     return block_.left & all;
   }
   left |= add_marked(points);
-  if (kernels_.sum_again(block_)) left |= add_marked(points);
+  while (kernels_.sum_again(block_)) left |= add_marked(points);
   return left & all;
 }
 

@@ -32,10 +32,27 @@ struct Measures {
   }
 };
 
+/// Sums of squares of faces whose measure is at most each of some limits.
+struct SquaresBelow {
+  static constexpr int count = 10;
+  static constexpr double limits[count] = {32, 24, 18, 14, 10, 7.5, 5.6, 4.2, 3.2, 2.4};
+  Lanes of[count] = {};
+
+  void add(Lanes measure, Mask but) {
+    const Lanes square = select(but, Lanes{}, measure * measure);
+    for (int i = 0; i < count; ++i) of[i] += select(measure > limits[i], Lanes{}, square);
+  }
+};
+
 /// What a block keeps of its faces' measures.
 struct MeasuredBlock {
-  Measures squares;  ///< summed over the faces that are added in double
-  Measures limits;   ///< beyond which faces are not
+  SquaresBelow thin_below;  ///< of `thin`, where derivatives are asked
+  Measures squares;         ///< summed over the faces that are added in double
+  Measures limits;          ///< beyond which faces are not
+  int faces;                ///< how many faces were asked
+  int between;              ///< for how many of them there are rules that are not quick
+  int rules;                ///< rules that are taken
+  bool lowered;             ///< whether limits are
 };
 
 /// Of an order's columns of a double layer, of which each vertex has that many.
@@ -55,13 +72,25 @@ inline Mask lower(Lanes& limit, Lanes squares, Lanes most, int faces) {
   return lowered;
 }
 
+/// The same; of the limits that `below` knows the largest that suffices.
+inline Mask lower(Lanes& limit, const SquaresBelow& below, Lanes squares, Lanes most, int faces) {
+  const Lanes square = most * most;
+  const Mask lowered = squares > square;
+  if (!any(lowered)) return lowered;
+  Lanes found = root(square * (1. / faces));
+  for (int i = SquaresBelow::count - 1; i >= 0; --i)
+    found = select((below.of[i] <= square) & (found < SquaresBelow::limits[i]), splat(SquaresBelow::limits[i]), found);
+  limit = select(lowered & (found < limit), found, limit);
+  return lowered;
+}
+
 /// Lowers the limits of points whose roundings are too large for what they are held to: the coordinates' norm, and that
 /// of the next derivatives times the cage's size. Derivatives that are not at hand are estimated. The Laplacian of
 /// phibar is phi, by which its Hessian is at least phi/sqrt(3) and its third derivatives phi's gradient over sqrt(3);
 /// its gradient is about the geometric mean of phibar and phi, in thin limbs as well.
 template <Layers L, int O>
 Mask lower_limits(const Block& block, MeasuredBlock& measured) {
-  const int faces = block.cage->faces;
+  const int faces = measured.faces > 0 ? measured.faces : 1;
   const Measures& squares = measured.squares;
   Measures& limits = measured.limits;
   const Lanes phi = norm_of(block, 0, 0, L == Layers::Kelvin ? 9 : 1);
@@ -72,16 +101,16 @@ Mask lower_limits(const Block& block, MeasuredBlock& measured) {
     const double size = block.cage->size;
     const Lanes phibar = norm_of(block, 0, 2, 1);
     Lanes gradient;
-    if constexpr (O == 0) gradient = root((phi + phi) * phibar);
+    if constexpr (O == 0) gradient = 0.5 * root((phi + phi) * phibar);
     else gradient = norm_of(block, 1, 2, 3);
     found |= lower(limits.of_distance, squares.of_distance, kOfDistance * (phibar + size * gradient), faces);
     if constexpr (O >= 1) {
       const Lanes most = kOfSlope * (gradient + (of_laplacian * size) * phi);
-      found |= lower(limits.thin, squares.thin, most, faces);
+      found |= lower(limits.thin, measured.thin_below, squares.thin, most, faces);
     }
     if constexpr (O >= 2) {
       const Lanes bend = norm_of(block, 2, 2, 6) + (of_laplacian * size) * norm_of(block, 1, 0, 3);
-      found |= lower(limits.thin, squares.thin, (kOfSlope * size / kOfBend) * bend, faces);
+      found |= lower(limits.thin, measured.thin_below, squares.thin, (kOfSlope * size / kOfBend) * bend, faces);
     }
   }
   return found;

@@ -6,6 +6,9 @@
 
 #include "cancelling.h"
 #include "face_terms.h"
+#include "far_border.h"
+#include "far_faces.h"
+#include "near_faces.h"
 #include "seen_vertex.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
@@ -37,10 +40,10 @@ inline Mask mask_of(unsigned bits) {
   return m;
 }
 
-/// Sums over the faces, and lists those that need more digits, as the limits say.
+/// Sums over the faces that are near, and lists those that need more digits, as the limits say.
 template <Layers L, int O>
-void sum_faces_within(Block& block, const SeenVertex* vertex, const EdgeTerms<Lanes, Takes<L, O>::further>* edge,
-                      MeasuredBlock& measured) {
+void sum_faces_within(Block& block, const NearFaces& near, const SeenVertex* vertex,
+                      const EdgeTerms<Lanes, Takes<L, O>::further>* edge, MeasuredBlock& measured) {
   using Edge = EdgeTerms<Lanes, Takes<L, O>::further>;
   const CageTables& cage = *block.cage;
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
@@ -49,8 +52,10 @@ void sum_faces_within(Block& block, const SeenVertex* vertex, const EdgeTerms<La
   const Lanes beta = splat(block.beta.high);
   const Measures limits = measured.limits;
   Measures squares;
+  measured.thin_below = {};
   block.marked = 0;
-  for (int f = 0; f < cage.faces; ++f) {
+  for (int place = 0; place < near.count; ++place) {
+    const int f = near.faces[place];
     const FaceTable<double>& face = cage.face[f];
     const SeenVertex &v0 = vertex[face.vertex[0]], &v1 = vertex[face.vertex[1]], &v2 = vertex[face.vertex[2]];
     const Edge &e0 = edge[face.edge[0]], &e1 = edge[face.edge[1]], &e2 = edge[face.edge[2]];
@@ -66,6 +71,7 @@ void sum_faces_within(Block& block, const SeenVertex* vertex, const EdgeTerms<La
     const Mask marked = measures.exceeds(limits) | ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
                         ((along < Lanes{}) & (high < kNextToFace * wide)) | v0.near | v1.near | v2.near;
     squares.add_squares(measures, marked);
+    if constexpr (L == Layers::Biharmonic && O >= 1) measured.thin_below.add(measures.thin, marked);
     const Three<Lanes>* const x[3] = {&v0.x, &v1.x, &v2.x};
     if (!any(marked)) [[likely]] {
       const Edge* const edges[3] = {&e0, &e1, &e2};
@@ -80,6 +86,38 @@ void sum_faces_within(Block& block, const SeenVertex* vertex, const EdgeTerms<La
   measured.squares = squares;
 }
 
+/// Adds the faces that are far, and what edges between these and near ones have.
+template <Layers L, int O>
+void add_far_faces(const Block& block, const NearFaces& near) {
+  const CageTables& cage = *block.cage;
+  const Sums<Lanes> sums{reinterpret_cast<Lanes*>(block.columns), &block.layout};
+  const auto* const point = reinterpret_cast<const Lanes*>(block.points);
+  const Lanes beta = splat(block.beta.high);
+  const auto from_point = [&](int v) {
+    Three<Lanes> x;
+    for (int i = 0; i < 3; ++i) x[i] = cage.vertex[3 * v + i] - point[i];
+    return x;
+  };
+  for (int f = 0; f < cage.faces; ++f) {
+    if (near.is_near(f)) continue;
+    const FaceTable<double>& face = cage.face[f];
+    const double* const corner[3] = {cage.vertex + 3 * face.vertex[0], cage.vertex + 3 * face.vertex[1],
+                                     cage.vertex + 3 * face.vertex[2]};
+    double edges[2][3];
+    for (int i = 0; i < 3; ++i) {
+      edges[0][i] = corner[1][i] - corner[0][i];
+      edges[1][i] = corner[2][i] - corner[0][i];
+    }
+    const Three<Lanes> x = from_point(face.vertex[0]);
+    const FarMoments<L, O> moments(cage.rules[near.rule[f]], x, edges, 0.5 * face.area2);
+    FarFace<L, O>{face, dot(face.n, x), moments}.add(f, beta, sums);
+  }
+  if constexpr (O >= 1 || L == Layers::Kelvin)
+    for (int e = 0; e < cage.edges; ++e)
+      if (near.sign[e] != 0)
+        BorderEdge<L, O>(cage.edge[e], from_point(cage.edge[e].from), *cage.line, near.sign[e], beta).add(sums);
+}
+
 /// \param measured with limits that have been lowered, where this is done again
 template <Layers L, int O>
 void sum_faces(Block& block, MeasuredBlock& measured) {
@@ -89,23 +127,34 @@ void sum_faces(Block& block, MeasuredBlock& measured) {
   auto* const edge = reinterpret_cast<Edge*>(vertex + cage.vertices);
   const auto* const point = reinterpret_cast<const Lanes*>(block.points);
   const Mask whole = mask_of(block.whole);
+  const NearFaces near = find_near_faces(block, edge + cage.edges, measured.rules);
   for (int v = 0; v < cage.vertices; ++v) {
+    if (near.vertex[v] == 0) continue;
     SeenVertex& seen = vertex[v];
     for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
     seen.r = root(dot(seen.x, seen.x));
     seen.near = less(seen.r, splat(cage.reach[v])) | whole;
   }
   for (int e = 0; e < cage.edges; ++e) {
+    if (near.edge[e] == 0) continue;
     const EdgeTable<double>& table = cage.edge[e];
     const SeenVertex &a = vertex[table.from], &b = vertex[table.to];
     edge[e] = edge_terms<L, O, Lanes, double>(table, a.x, b.x, a.r, b.r);
   }
-  sum_faces_within<L, O>(block, vertex, edge, measured);
+  measured.faces = near.count;
+  measured.between = near.between;
+  sum_faces_within<L, O>(block, near, vertex, edge, measured);
   const Mask many = measured.squares.thin > kManyThin<L> * kManyThin<L>;
-  if (!any(many)) return;
-  Lanes& limit = measured.limits.thin;
-  limit = select(many & (splat(kThinOfMany) < limit), splat(kThinOfMany), limit);
-  sum_faces_within<L, O>(block, vertex, edge, measured);
+  if (any(many) && near.between > 0) {
+    measured.rules = kFarRules;
+    return sum_faces<L, O>(block, measured);
+  }
+  if (any(many)) {
+    Lanes& limit = measured.limits.thin;
+    limit = select(many & (splat(kThinOfMany) < limit), splat(kThinOfMany), limit);
+    sum_faces_within<L, O>(block, near, vertex, edge, measured);
+  }
+  add_far_faces<L, O>(block, near);
 }
 
 }  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD

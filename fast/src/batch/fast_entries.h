@@ -10,6 +10,11 @@
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
+inline Measures first_limits() {
+  const Lanes no_limit = splat(__builtin_inf());
+  return {splat(kThin), no_limit, no_limit};
+}
+
 inline void sum(Block& block) {
   block.left = 0;
   if (block.layers == Layers::MeanValue) {
@@ -17,8 +22,9 @@ inline void sum(Block& block) {
     return block.order == 1 ? sum_mean_value_derivatives<1>(block) : sum_mean_value_derivatives<2>(block);
   }
   auto& measured = *static_cast<MeasuredBlock*>(block.measured);
-  const Lanes no_limit = splat(__builtin_inf());
-  measured.limits = {splat(kThin), no_limit, no_limit};
+  measured.limits = first_limits();
+  measured.rules = kQuickRules;
+  measured.lowered = false;
   with_layers(block.layers, block.order, [&]<Layers L, int O> { sum_faces<L, O>(block, measured); });
 }
 
@@ -26,8 +32,16 @@ inline bool sum_again(Block& block) {
   auto& measured = *static_cast<MeasuredBlock*>(block.measured);
   bool again = false;
   with_layers(block.layers, block.order, [&]<Layers L, int O> {
-    again = any(lower_limits<L, O>(block, measured));
-    if (again) sum_faces<L, O>(block, measured);
+    again = !measured.lowered && any(lower_limits<L, O>(block, measured));
+    if (!again) return;
+    // First with more rules, then with lower limits.
+    if (measured.between > 0) {
+      measured.rules = kFarRules;
+      measured.limits = first_limits();
+    } else {
+      measured.lowered = true;
+    }
+    sum_faces<L, O>(block, measured);
   });
   return again;
 }
@@ -38,8 +52,8 @@ inline long scratch_bytes(int vertices, int edges, int faces, int columns) {
   constexpr long of_edge = sizeof(EdgeTerms<Lanes, 2>);
   static_assert(of_edge >= static_cast<long>(sizeof(SeenEdge)));
   static_assert(of_edge >= static_cast<long>(sizeof(MeanValueEdge)));
-  const long fast =
-      vertices * static_cast<long>(sizeof(SeenVertex)) + edges * of_edge + faces * static_cast<long>(sizeof(Lanes));
+  const long fast = vertices * static_cast<long>(sizeof(SeenVertex)) + edges * of_edge +
+                    faces * static_cast<long>(sizeof(Lanes)) + near_bytes(vertices, edges, faces);
   const long careful = careful_bytes(columns);
   return fast > careful ? fast : careful;
 }

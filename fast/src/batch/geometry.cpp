@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/geometry/box.h"
+#include "far_rules.h"
 #include "geometry.h"
 
 #include <algorithm>
@@ -111,6 +112,7 @@ Geometry::Geometry(const CageElements& elements) {
   }
   if (sound_) find_reach();
   if (sound_) find_folds();
+  if (sound_) find_centroids();
 }
 
 // Faces that meet at an edge under less than a fifth of a radian, and those at the tips of spikes as narrow.
@@ -148,6 +150,22 @@ void Geometry::find_reach() {
   reach_.assign(vertex_.size() / 3, std::numeric_limits<double>::infinity());
   for (const EdgeTable<double>& e : edge_)
     for (const int v : {e.from, e.to}) reach_[v] = std::min(reach_[v], 0x1p-7 * e.length);
+}
+
+// Eight is what the longest vectors hold.
+void Geometry::find_centroids() {
+  constexpr std::size_t lanes = 8;
+  const std::size_t stride = (face_.size() + lanes - 1) / lanes * lanes;
+  centroid_.resize(3 * stride);
+  over_square_.resize(stride);
+  for (std::size_t f = 0; f < stride; ++f) {
+    const FaceTable<double>& face = face_[f < face_.size() ? f : 0];
+    const auto corner = [&](int k) { return Eigen::Map<const Eigen::Vector3d>(vertex_.data() + 3 * face.vertex[k]); };
+    const Eigen::Vector3d e1 = corner(1) - corner(0), e2 = corner(2) - corner(0), middle = (e1 + e2) / 3;
+    const double square = std::max({middle.squaredNorm(), (e1 - middle).squaredNorm(), (e2 - middle).squaredNorm()});
+    for (std::size_t i = 0; i < 3; ++i) centroid_[i * stride + f] = corner(0)[i] + middle[i];
+    over_square_[f] = 1 / square;
+  }
 }
 
 LongFace Geometry::long_face(int f) const {
@@ -198,8 +216,22 @@ LongFace Geometry::long_face(int f) const {
 }
 
 CageTables Geometry::tables() const {
-  return {vertices(),   edges(),           faces(),           vertex_.data(), reach_.data(), edge_.data(),
-          face_.data(), fine_edge_.data(), fine_face_.data(), 2 * radius_,    folded_.data()};
+  return {vertices(),
+          edges(),
+          faces(),
+          vertex_.data(),
+          reach_.data(),
+          edge_.data(),
+          face_.data(),
+          fine_edge_.data(),
+          fine_face_.data(),
+          2 * radius_,
+          folded_.data(),
+          centroid_.data(),
+          over_square_.data(),
+          static_cast<int>(over_square_.size()),
+          far_rules(),
+          line_rule()};
 }
 
 }  // namespace cageproof::closed_form::batch

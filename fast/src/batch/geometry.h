@@ -44,6 +44,7 @@ class Geometry {
   void number_edges();
   void find_reach();
   void find_folds();
+  void find_centroids();
 
   int exponent_ = 0;
   bool sound_ = true;
@@ -55,6 +56,7 @@ class Geometry {
   std::vector<FaceTable<double>> face_;
   std::vector<EdgeTable<TwoDoubles>> fine_edge_;
   std::vector<FaceTable<TwoDoubles>> fine_face_;
+  std::vector<double> centroid_, over_square_;  // of faces, as CageTables has them
   std::array<double, 3> centre_{};
   double radius_ = 0;
 };

@@ -43,6 +43,24 @@ inline Lanes root(Lanes a) {
   return r;
 }
 
+/// 1/sqrt(a) within two roundings, of numbers from 1e-30 to 1e30.
+inline Lanes over_root(Lanes a) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  const Lanes y = __builtin_ia32_rsqrt14pd512_mask(a, Lanes{}, 0xff);
+#elif defined(__AVX2__)
+  using Four = float __attribute__((vector_size(16)));
+  const Four rough = __builtin_ia32_rsqrtps(__builtin_convertvector(a, Four));
+  const Lanes y = __builtin_convertvector(rough, Lanes);
+#else
+  return 1 / root(a);
+#endif
+#if defined(__AVX2__)
+  // y (1 - left)^(-1/2), whose next term is 2^-58 at most.
+  const Lanes left = 1 - (a * y) * y;
+  return y + (y * left) * (0.5 + left * (0.375 + left * (0.3125 + left * 0.2734375)));
+#endif
+}
+
 /// log(num/den), both positive: ((sum + length)/(sum - length)) in any form that does not cancel. Where length is small
 /// against sum, as `small` says, 2 atanh(length/sum) is taken, which keeps all digits of a small result.
 ///

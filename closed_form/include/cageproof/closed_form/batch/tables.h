@@ -68,6 +68,9 @@ struct Columns {
   int count;
 };
 
+struct FarRule;
+struct LineRule;
+
 /// Tables of one cage, in a unit in which its size is about one.
 struct CageTables {
   int vertices, edges, faces;
@@ -79,6 +82,13 @@ struct CageTables {
   const FaceTable<TwoDoubles>* fine_face;
   double size;         ///< about its diagonal
   const char* folded;  ///< of faces: whether one lies on another nearly where they meet
+  /// Of faces, for rules: [3][stride] centroids, and over the squares of corners' largest distances from there [stride];
+  /// the stride is the number of faces, rounded up to what vectors hold, and filled up with the first face.
+  const double* centroid;
+  const double* over_square;
+  int stride;
+  const FarRule* rules;  ///< kFarRules
+  const LineRule* line;
 };
 
 /// A face, and the points of a block that see it otherwise than the others: a bit each.
@@ -139,7 +149,7 @@ struct Kernels {
   /// Adds what was left out, in double-doubles; lists what these do not decide, and leaves that out.
   void (*sum_marked)(Block&);
   /// Once all faces are added: whether points cancel more than double may. Then sums are made anew as `sum` does, with
-  /// more faces left out.
+  /// more faces summed by rules or left out, until it says no.
   bool (*sum_again)(Block&);
   /// Divides the sums of normalised coordinates by their total.
   void (*normalise)(Block&);

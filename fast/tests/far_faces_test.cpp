@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Whole coordinates of cages whose faces are small beside their distance, as fine cages' and single small faces are,
+// against sums of closed forms in 50 digits; and the rules that they take.
+#include "../src/batch/far_rules.h"
+#include "block_errors.h"
+
+#include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/numbers/random_stream.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace cageproof {
+namespace {
+
+using namespace block_errors;
+using closed_form::batch::far_rules;
+using closed_form::batch::FarRule;
+using closed_form::batch::kFarRules;
+using closed_form::batch::line_rule;
+using closed_form::batch::LineRule;
+
+// Each face cut in four, with the new vertices on the unit sphere.
+Cage finer(const Cage& cage) {
+  std::vector<Point> vertices = cage.vertices();
+  for (Point& v : vertices) v.normalize();
+  std::map<std::pair<int, int>, int> middles;
+  const auto middle = [&](int a, int b) {
+    const auto [place, added] = middles.try_emplace(std::minmax(a, b), static_cast<int>(vertices.size()));
+    if (added) vertices.emplace_back((vertices[a] + vertices[b]).normalized());
+    return place->second;
+  };
+  std::vector<Face> faces;
+  for (const Face& face : cage.faces()) {
+    const auto& [a, b, c, none] = face.vertices;
+    const int x = middle(a, b), y = middle(b, c), z = middle(c, a);
+    for (const auto& [i, j, k] : {std::array{a, x, z}, {x, b, y}, {z, y, c}, {x, y, z}})
+      faces.push_back({{i, j, k, -1}});
+  }
+  return cage.with(std::move(vertices), std::move(faces));
+}
+Cage sphere(int times) {
+  Cage cage = embedded_cage("icosphere");
+  for (; times > 0; --times) cage = finer(cage);
+  return cage;
+}
+
+// An icosahedron of which one face is that much smaller than the others.
+Cage with_small_face(double size) {
+  const Cage cage = embedded_cage("icosphere");
+  std::vector<Point> vertices = cage.vertices();
+  const auto& corners = cage.faces().front().vertices;
+  const Point middle = (vertices[corners[0]] + vertices[corners[1]] + vertices[corners[2]]) / 3;
+  for (int k = 0; k < 3; ++k) vertices[corners[k]] = middle + size * (vertices[corners[k]] - middle);
+  return cage.with(std::move(vertices), cage.faces());
+}
+
+// Within, next to the surface, and outside.
+std::vector<Point> points_about(const Cage& cage, int count) {
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) {
+    RandomStream random(11, cage.name(), i);
+    constexpr std::array distances{0.3, 0.9, 0.6, 1.15, 0.02, 0.98, 1.6, 4.};
+    points.push_back(distances[i % distances.size()] * direction(random));
+  }
+  return points;
+}
+
+double worst_error(const Cage& cage, std::string_view kind, int order, int count) {
+  const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
+  EXPECT_EQ(found.evaluation(), "batched");
+  double worst = 0;
+  for (const Point& p : points_about(cage, count))
+    worst = std::max(worst, block_error(found, reference, cage.size(), p, order, OfHessians::WithSlope));
+  return worst;
+}
+
+TEST(FarFaces, fine_cages_keep_the_promise) {
+  const Cage cage = sphere(1);
+  for (const char* kind : {"green", "biharmonic", "somigliana"})
+    for (int order = 0; order <= 2; ++order) EXPECT_LE(worst_error(cage, kind, order, 8), 64) << kind << ' ' << order;
+  const Cage fine = sphere(2);
+  for (const char* kind : {"green", "biharmonic", "somigliana"}) EXPECT_LE(worst_error(fine, kind, 1, 4), 64) << kind;
+}
+
+TEST(FarFaces, one_small_face_breaks_nothing) {
+  for (const double size : {0.1, 5e-3, 1e-4, 1e-7})
+    for (const char* kind : {"green", "biharmonic", "somigliana"})
+      for (int order = 0; order <= 2; ++order)
+        EXPECT_LE(worst_error(with_small_face(size), kind, order, 8), 64) << kind << ' ' << order << ' ' << size;
+}
+
+// Mean of a monomial of barycentric coordinates over a triangle: 2 i! j!/(i + j + 2)!.
+long double mean_of(int i, int j) {
+  long double mean = 2;
+  for (int k = 1; k <= i; ++k) mean *= k;
+  for (int k = 1; k <= j; ++k) mean *= k;
+  for (int k = 1; k <= i + j + 2; ++k) mean /= k;
+  return mean;
+}
+
+TEST(FarRules, integrate_polynomials_up_to_their_degree) {
+  int last = 0;
+  for (int r = 0; r < kFarRules; ++r) {
+    const FarRule& rule = far_rules()[r];
+    ASSERT_LE(rule.nodes, closed_form::batch::kMostNodes);
+    EXPECT_GT(rule.nodes, last);
+    last = rule.nodes;
+    for (int i = 0; i <= rule.degree; ++i)
+      for (int j = 0; i + j <= rule.degree; ++j) {
+        long double sum = 0;
+        for (int q = 0; q < rule.nodes; ++q)
+          sum += rule.weight[q][3] * std::pow(static_cast<long double>(rule.along[0][q]), i) *
+                 std::pow(static_cast<long double>(rule.along[1][q]), j);
+        EXPECT_NEAR(static_cast<double>(sum / mean_of(i, j)), 1, 4e-15) << rule.nodes << ' ' << i << ' ' << j;
+      }
+    for (int q = 0; q < rule.nodes; ++q) {
+      double hats = 0;
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_GT(rule.weight[q][k], 0);
+        hats += rule.weight[q][k];
+      }
+      EXPECT_NEAR(hats / rule.weight[q][3], 1, 4e-16);
+    }
+  }
+}
+
+TEST(FarRules, of_a_line_integrates_polynomials) {
+  for (int i = 0; i < 2 * LineRule::nodes; ++i) {
+    long double sum = 0;
+    for (int q = 0; q < LineRule::nodes; ++q)
+      sum += line_rule()->weight[q] * std::pow(static_cast<long double>(line_rule()->along[q]), i);
+    EXPECT_NEAR(static_cast<double>(sum * (i + 1)), 1, 4e-15) << i;
+  }
+}
+
+}  // namespace
+}  // namespace cageproof
