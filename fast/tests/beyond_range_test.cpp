@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Next to vertices and edges derivatives of single elements' integrals leave double's range. Those of the coordinates
-// stay numbers where their own size allows it: against truths in 1500 digits, from mpmath's logarithms of hat functions'
-// Cauchy transforms, and against what coordinates reproduce.
+// stay numbers where their own size allows it: against truths in 1500 digits, from mpmath's logarithms of hat
+// functions' Cauchy transforms, and against what coordinates reproduce.
 #include "cageproof/core/cage/cage.h"
 #include "cageproof/core/coordinates/coordinates.h"
 
@@ -48,8 +48,8 @@ TEST(beyond_range, of_a_polygon_next_to_a_vertex) {
                           {0.018037560217081471, 0.020159626124973409, -0.018037560217081471},
                           {-0.014854461355243565, 0.044563384065730694, 0.014854461355243565},
                           {-2.7495335767521228e+161, -3.6660447690028305e+161, 2.7495335767521228e+161}}};
-  // Terms of 1e643 leave 200 digits no word on their sums of 1e320, at the vertex: these are said to be unknown. Nothing
-  // else is summed.
+  // Terms of 1e643 leave 200 digits no word on their sums of 1e320, at the vertex: these are said to be unknown.
+  // Nothing else is summed.
   const Rows<3> at_the_least{{{nan, nan, nan},
                               {-inf, -inf, inf},
                               {0.018037560217081471, 0.020159626124973409, -0.018037560217081471},
@@ -75,9 +75,11 @@ TEST(beyond_range, of_a_polygon_next_to_a_vertex) {
 // An octahedron with a vertex at the origin and an edge along x.
 Cage octahedron() {
   std::vector<Face> faces;
-  for (const auto& f : {std::array{0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {0, 1, 4}, {5, 1, 2}, {5, 2, 3}, {5, 3, 4}, {5, 4, 1}})
+  for (const auto& f :
+       {std::array{0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {0, 1, 4}, {5, 1, 2}, {5, 2, 3}, {5, 3, 4}, {5, 4, 1}})
     faces.push_back({{f[0], f[1], f[2], -1}});
-  return Cage::make("octahedron", {{0, 0, 0}, {2, 0, 0}, {1, 1, 0.5}, {0.25, 0.5, 2}, {1, -1, 0.75}, {2, 0.5, 2}}, faces);
+  return Cage::make("octahedron", {{0, 0, 0}, {2, 0, 0}, {1, 1, 0.5}, {0.25, 0.5, 2}, {1, -1, 0.75}, {2, 0.5, 2}},
+                    faces);
 }
 
 // Inside, outside and on a face, next to the edge and to the vertex.
