@@ -17,10 +17,8 @@ getcontext().Emax = 10**6
 getcontext().Emin = -(10**6)
 
 OPEN = {
-    "F-overflow-beside-finite-36": "triangle.mean_value: a finite entry beside one beyond double",
     "F-overflow-beside-finite-39": "adaptive quadrature of a segment of denormal length",
     "F-overflow-beside-finite-40": "adaptive quadrature of a segment of denormal length",
-    "G-overflow-float-16": "triangle.mean_value: a finite entry beside one beyond float",
 }
 # Coordinates by `batched` of cages with small faces, and of thin ones.
 OPEN_KINDS = ("A-small-faces", "B-thin-mean-value")
