@@ -134,7 +134,7 @@ int run(const Arguments& a) {
     if (line.starts_with("warning: ")) fmt::print(stderr, "{}\n", line);
     else remark(line);
   }
-  return a.strict && summary.unusable > 0 ? promise_broken : success;
+  return a.strict && summary.unusable + summary.without_derivatives() > 0 ? promise_broken : success;
 }
 
 std::string names_of_kinds() {
@@ -191,7 +191,7 @@ void add_coordinates(CommandLine& line) {
       .taking("FILE");
   command.heading("Running");
   command.flag("--strict", a->strict,
-               "exit with 1 where a point has no finite coordinates, or lies where they sum to zero");
+               "exit with 1 where a point has no finite coordinates or derivatives, or lies where they sum to zero");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
   add_quiet(command);
   command.runs([a] { return run(*a); });

@@ -48,6 +48,16 @@ std::vector<std::string> lines_of(const validation::CoordinateSummary& s, const 
   if (s.infinite > 0)
     lines.push_back(fmt::format("warning: {} of {} points have infinite {} coordinates: {}", s.infinite, s.points,
                                 kind.name, lost));
+  const auto tell_derivatives = [&](const validation::Counted& counted, std::string_view what, std::string_view why) {
+    if (counted.points > 0)
+      lines.push_back(
+          fmt::format("warning: {} of {} points have {} derivatives of {} coordinates, the first is point {}: {}",
+                      counted.points, s.points, what, kind.name, counted.first, why));
+  };
+  tell_derivatives(s.derivatives_on, "no finite", "on the cage they have no limit, or leave the range of double");
+  tell_derivatives(s.derivatives_missing, "no",
+                   !kind.missing_because.empty() ? kind.missing_because : "terms of theirs leave the range of double");
+  tell_derivatives(s.derivatives_infinite, "infinite", "they leave the range of double");
   return lines;
 }
 

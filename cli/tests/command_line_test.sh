@@ -464,8 +464,19 @@ says 0 '3 points: 1 inside, 1 on and 1 outside' 'largest residual: partition of 
 says 1 'green coordinates sum to zero outside' -- "$work/around.csv" --kind green --strict
 says 0 '1 point: 1 inside, 0 on and 0 outside' -- "$work/inside.csv" --kind green --strict
 grep -q warning "$work/stderr" && fail "a warning of a point inside: $(cat "$work/stderr")"
-says 0 '1 outside' -- "$work/around.csv" --kind mean_value --order 1 --strict
+says 0 '1 outside' -- "$work/around.csv" --kind mean_value --strict
 grep -q warning "$work/stderr" && fail "a warning of mean values outside: $(cat "$work/stderr")"
+says 1 '1 of 3 points have no finite derivatives of mean_value coordinates, the first is point 1: on the cage' -- "$work/around.csv" --kind mean_value --order 1 --strict
+# Next to an edge elements' derivatives leave double's range, those of the coordinates need not; those that do are infinite.
+write edges.csv '0.25 0 1e-170' '0.25 0.25 0.125' '1e-160 1e-160 0.25'
+says 0 '3 points: 2 inside, 1 on and 0 outside' -- "$work/edges.csv" --kind green --order 2 --strict
+grep -q nan "$work/stdout" && fail "nan next to edges: $(cat "$work/stdout")"
+says 1 '1 of 3 points have no finite derivatives of green coordinates, the first is point 0: on the cage' -- "$work/edges.csv" --kind green --order 2 --evaluation plain --strict
+# Hessians from there are sums of terms of 1e620, of which 200 digits do not tell all.
+write denormal.csv '0.25 0.25 0.125' '1e-310 1e-310 0.25'
+says 0 '1 of 2 points have no derivatives of green coordinates, the first is point 1: terms of theirs leave the range of double' -- "$work/denormal.csv" --kind green --order 2
+says 1 'the first is point 1' -- "$work/denormal.csv" --kind green --order 2 --strict
+says 0 '2 points: 2 inside' -- "$work/denormal.csv" --kind green --order 1 --strict
 write faint.csv '0.25 0.25 0.125' '1e13 0.5 0'
 says 0 '1 of 2 points sum to one to fewer than 8 digits' -- "$work/faint.csv" --kind mean_value --strict
 says 1 '1 of 2 points have' 'mean_value coordinates' 'the sum of their weights is zero' -- "$work/lost.csv" --kind mean_value --strict

@@ -42,9 +42,36 @@ TEST(accurate_bound, counts_every_entry_of_the_hessian) {
     }
     // The derivatives of second order: twice the coefficients of squares, the others as they are.
     const double squares = 3 * 4, mixed = 6 * 1, error = 3 * std::sqrt(mixed_errs ? mixed : squares);
-    const auto found = bounded<SingleLayer, 2, double>(from, 1., 3);
+    const auto found = bounded<SingleLayer, 2, double>(from, 1., 3, std::numeric_limits<double>::max());
     EXPECT_DOUBLE_EQ(found.bound[2], roundoff_of<double>() * error / std::sqrt(squares + mixed));
   }
+}
+
+// An entry that becomes an infinity is no part of the norm: others have digits of their own. Its sign must be certain.
+template <class T>
+void expect_norm_within(const T& beyond, double largest) {
+  const double u = static_cast<double>(roundoff_of<T>());
+  Components<SingleLayer, Tracked<T>, 2> from;
+  for (int m = 0; m < Monomials<2>::count; ++m) from[0].c[m] = Tracked<T>(T(0), 0);
+  const auto set = [&](const T& large, double error) {
+    from[0].c[1] = Tracked<T>(large, error);
+    from[0].c[2] = Tracked<T>(T(3), 0);
+    from[0].c[3] = Tracked<T>(T(4), 1 / u * 1e-3);
+    return bounded<SingleLayer, 2, double>(from, 1., 3, largest).bound[1];
+  };
+  const double rounding = std::same_as<T, double> ? 0 : 0x1p-53;
+  EXPECT_DOUBLE_EQ(set(beyond, 0), 1e-3 / 5 + rounding);
+  EXPECT_DOUBLE_EQ(set(T(-beyond), 0), 1e-3 / 5 + rounding);
+  EXPECT_EQ(set(beyond, std::numeric_limits<double>::infinity()), 1);
+  EXPECT_LE(set(T(largest), 0), rounding + 1e-30);
+}
+
+TEST(accurate_bound, leaves_what_becomes_infinite_out_of_the_norm) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  constexpr float in_float = std::numeric_limits<float>::max();
+  expect_norm_within<double>(1e40, in_float);
+  expect_norm_within<Mp200>(Mp200(1e40), in_float);
+  expect_norm_within<Mp200>(Mp200("1e400"), largest);
 }
 
 // Off the triangle nothing diverges, and the finite part is all.

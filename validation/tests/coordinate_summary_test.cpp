@@ -89,13 +89,35 @@ TEST(CoordinateSummary, residuals_are_the_largest_and_name_their_points) {
   EXPECT_EQ(found.unusable, 0U);
 }
 
-TEST(CoordinateSummary, derivatives_between_the_blocks_are_not_looked_at) {
+// On a vertex green's derivatives have no limit; others are spoilt on purpose. Points without values are counted there.
+TEST(CoordinateSummary, counts_points_without_finite_derivatives_and_names_the_first) {
+  Summarised s("green", 1);
+  const std::size_t gradients = s.coordinates.blocks()[0].size, last = s.table.size() / s.points.size() - 1;
+  s.at(1, gradients + 3) = inf;
+  s.at(5, last) = nan;
+  s.at(4, gradients) = nan;
+  for (const int jobs : {1, 4}) {
+    const CoordinateSummary found = s.summary(jobs);
+    EXPECT_EQ(found.derivatives_on.points, 1U);
+    EXPECT_EQ(found.derivatives_on.first, 3U);
+    EXPECT_EQ(found.derivatives_missing.points, 2U);
+    EXPECT_EQ(found.derivatives_missing.first, 4U);
+    EXPECT_EQ(found.derivatives_infinite.points, 1U);
+    EXPECT_EQ(found.derivatives_infinite.first, 1U);
+    EXPECT_EQ(found.without_derivatives(), 4U);
+  }
+  s.at(1, 0) = nan;
+  EXPECT_EQ(s.summary().derivatives_infinite.points, 0U);
+}
+
+TEST(CoordinateSummary, derivatives_between_the_blocks_are_not_looked_at_for_values) {
   const CoordinateSummary values = Summarised("green").summary();
   Summarised s("green", 1);
   // The gradients of phi stand before psi.
   s.at(0, s.coordinates.blocks()[0].size) = nan;
   const CoordinateSummary found = s.summary();
   EXPECT_EQ(found.missing, 0U);
+  EXPECT_EQ(found.derivatives_missing.points, 1U);
   EXPECT_NEAR(found.partition.value, values.partition.value, 1e-13);
   EXPECT_NEAR(found.reproduction.value, values.reproduction.value, 1e-13);
   EXPECT_EQ(found.inexact, 0U);

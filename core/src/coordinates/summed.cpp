@@ -3,12 +3,15 @@
 
 #include "element_axes.h"
 #include "normalise.h"
+#include "term_sizes.h"
 
+#include "cageproof/core/coordinates/coordinate_tables.h"
 #include "cageproof/core/input_error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace cageproof {
 namespace {
@@ -96,16 +99,11 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
       on[p] = touching(points[p]);
       any_on = any_on || !on[p].empty();
     }
-    if (!any_on) {
-      sum_off(points, 0, order, tables);
-    } else {
-      for (std::size_t p = 0; p < points.size(); ++p) {
-        if (on[p].empty()) sum_off<R>(points.subspan(p, 1), p, order, tables);
-        else
-          for (std::size_t b = 0; b < blocks_.size(); ++b) sum_on(b, points[p], p, order, on[p], tables[b]);
-      }
+    if (!any_on) return sum_off(points, 0, order, tables);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (on[p].empty()) sum_off<R>(points.subspan(p, 1), p, order, tables);
+      else sum_on(points[p], p, order, on[p], tables);
     }
-    if (any_on) times_area_elements_on(on, order, tables);
   }
 
   const HasLimits* limits() const override {
@@ -187,13 +185,6 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
   void times_area_elements(std::size_t points, int order, std::span<CoordinateTable<R>> tables) const {
     for (std::size_t p = 0; p < points; ++p) times_area_elements_at(p, order, 0, tables);
   }
-  // Of points on the cage alone: others' sums have them.
-  template <Scalar R>
-  void times_area_elements_on(const std::vector<std::vector<Touching>>& on, int order,
-                              std::span<CoordinateTable<R>> tables) const {
-    for (std::size_t p = 0; p < on.size(); ++p)
-      if (!on[p].empty()) times_area_elements_at(p, order, 0, tables);
-  }
 
   // Points that are no doubles are taken to lie off the cage: nobody can put them on it.
   template <Scalar R>
@@ -234,6 +225,16 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
   template <Scalar R>
   void sum_off(std::span<const Vec3<R>> points, std::size_t first, int order,
                std::span<CoordinateTable<R>> tables) const {
+    sum_in_range(points, first, order, tables);
+    if constexpr (!is_multiprecision<R>)
+      for (std::size_t p = 0; p < points.size(); ++p)
+        if (!is_finite(first + p, order, tables) && points[p].allFinite())
+          sum_beyond_range(points[p], first + p, order, tables);
+  }
+
+  template <Scalar R>
+  void sum_in_range(std::span<const Vec3<R>> points, std::size_t first, int order,
+                    std::span<CoordinateTable<R>> tables) const {
     if (is_multiprecision<R> && !has_area_elements_) return sum_in_unit(points, first, order, tables, 0);
     const bool comfortable = std::abs(exponent_) <= kComfortable<R>;
     // Without its area element a quad's layer leaves the range that with it it does not.
@@ -255,6 +256,91 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
       }
   }
 
+  // Next to an edge or a vertex derivatives of elements' integrals leave R's range, where those of the coordinates need
+  // not: the elements' infinities have opposite signs. Their terms are summed in Wide's range and digits. Rows stay as
+  // they are where an evaluation does not have these.
+  template <Scalar R>
+  void sum_beyond_range(const Vec3<R>& point, std::size_t p, int order, std::span<CoordinateTable<R>> tables) const {
+    if (!goes_beyond_range()) return;
+    const int exponent = has_area_elements_ ? -exponent_ : 0;
+    auto wide = zero_tables<Wide>(blocks_, elements_->dimension(), 1, order);
+    TermSizes sizes(wide);
+    const auto part_of = parts_beyond_range(point, order, exponent, wide, sizes);
+    Result<Wide> part;
+    for (std::size_t e = 0; e < elements_->count(); ++e)
+      for (std::size_t b = 0; b < blocks_.size(); ++b) {
+        part_of(e, b, false, part);
+        BatchOutput<Wide> here = output_for(b, 0, wide[b]);
+        here.slots = elements_->shares_of(e, blocks_[b].owner);
+        for (int o = 0; o <= order; ++o) here.put(0, o, part.of(o));
+      }
+    if (normalised_) {
+      const auto sum =
+          static_cast<long double>(std::accumulate(wide[0].tensors[0].begin(), wide[0].tensors[0].end(), Wide(0)));
+      sizes.normalise(order, elements_->dimension(), std::abs(sum));
+      finish_sums<Wide>(0, order, wide, exponent);
+      sizes.drop_roundings(wide);
+    } else {
+      sizes.drop_roundings(wide);
+      finish_sums<Wide>(0, order, wide, exponent);
+    }
+    if (has_area_elements_) to_own_unit<Wide>(0, order, wide, exponent);
+    put_rounded<R>(wide, p, order, tables);
+  }
+
+  using Wide = Mp200;
+  bool goes_beyond_range() const {
+    return std::ranges::all_of(evaluations_, [](const ElementEvaluations& of_kind) {
+      return std::ranges::all_of(of_kind, [](const Evaluation& e) { return e.supports<Wide>(); });
+    });
+  }
+
+  // A function (element, block, Batch::finite_part, result) of the elements' integrals at a point.
+  template <Scalar R>
+  auto parts_in_range(const Vec3<R>& point, int order, int exponent) const {
+    return [this, near = in_unit(point, exponent), order, exponent,
+            parameters = std::vector<R>(parameters_.begin(), parameters_.end())](std::size_t e, std::size_t b,
+                                                                                 bool finite_part, Result<R>& part) {
+      std::array<Vec3<R>, 4> storage;
+      evaluations_[static_cast<std::size_t>(elements_->type(e).kind)][b](
+          Query<R>{corners_of(e, storage, exponent), near, order, parameters, finite_part}, part);
+    };
+  }
+
+  // The same of those that are finite in R, and others computed in Wide. \param sizes of the terms in `tables`
+  template <Scalar R>
+  auto parts_beyond_range(const Vec3<R>& point, int order, int exponent, std::vector<CoordinateTable<Wide>>& tables,
+                          TermSizes& sizes) const {
+    return [this, order, &tables, &sizes, in_range = parts_in_range(point, order, exponent),
+            beyond = parts_in_range(convert<Wide>(point), order, exponent)](std::size_t e, std::size_t b,
+                                                                            bool finite_part, Result<Wide>& part) {
+      Result<R> rounded;
+      in_range(e, b, finite_part, rounded);
+      bool finite = true;
+      for (int o = 0; o <= order; ++o) finite = finite && are_finite<R>(rounded.of(o));
+      if (!finite) beyond(e, b, finite_part, part);
+      for (int o = 0; finite && o <= order; ++o) part.of(o).assign(rounded.of(o).begin(), rounded.of(o).end());
+      BatchOutput<Wide> here = output_for(b, 0, tables[b]);
+      here.slots = elements_->shares_of(e, blocks_[b].owner);
+      sizes.add(b, order, part, here);
+    };
+  }
+
+  // One point's tables, rounded to a place in others.
+  template <Scalar R>
+  static void put_rounded(const std::vector<CoordinateTable<Wide>>& wide, std::size_t p, int order,
+                          std::span<CoordinateTable<R>> tables) {
+    for (std::size_t b = 0; b < wide.size(); ++b)
+      for (int o = 0; o <= order; ++o)
+        std::ranges::transform(wide[b].tensors[o], row_of(tables[b], p, o).begin(),
+                               [](const Wide& x) { return static_cast<R>(x); });
+  }
+
+  template <Scalar R>
+  static bool are_finite(std::span<const R> numbers) {
+    return std::ranges::all_of(numbers, [](const R& x) { return x - x == R(0); });
+  }
+
   // A point's part of a table.
   template <Scalar R>
   static std::span<R> row_of(CoordinateTable<R>& table, std::size_t p, int o) {
@@ -265,7 +351,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
   static bool is_finite(std::size_t p, int order, std::span<CoordinateTable<R>> tables) {
     for (CoordinateTable<R>& table : tables)
       for (int o = 0; o <= order; ++o)
-        if (!std::ranges::all_of(row_of(table, p, o), [](const R& x) { return x - x == R(0); })) return false;
+        if (!are_finite<R>(row_of(table, p, o))) return false;
     return true;
   }
 
@@ -303,23 +389,45 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
       }
       Evaluation::together<R>(members, Batch<R>{corners_of(e, storage, exponent), points, order, parameters}, outputs);
     }
-    for (std::size_t p = 0; has_area_elements_ && p < points.size(); ++p)
-      times_area_elements_at(first + p, order, exponent, tables);
+    for (std::size_t p = 0; p < points.size(); ++p) finish_sums(first + p, order, tables, exponent);
+  }
+
+  // What is done with a point's sums in the unit 2^-exponent: normals times their area elements, weights divided by
+  // their sum.
+  template <Scalar R>
+  void finish_sums(std::size_t p, int order, std::span<CoordinateTable<R>> tables, int exponent) const {
+    if (has_area_elements_) times_area_elements_at(p, order, exponent, tables);
     if (!normalised_) return;
-    const std::size_t size = blocks_[0].size;
-    for (std::size_t p = 0; p < points.size(); ++p) {
-      std::array<R*, 3> weights{};
-      for (int o = 0; o <= order; ++o) weights[o] = outputs[0].tensors[o] + p * outputs[0].stride[o];
-      normalise(weights, size, elements_->dimension(), order);
-      using std::ldexp;
-      for (int o = 1; exponent != 0 && o <= order; ++o)
-        for (R& x : std::span(weights[o], outputs[0].stride[o])) x = ldexp(x, o * exponent);
+    std::array<R*, 3> weights{};
+    for (int o = 0; o <= order; ++o) weights[o] = row_of(tables[0], p, o).data();
+    normalise(weights, blocks_[0].size, elements_->dimension(), order);
+    using std::ldexp;
+    for (int o = 1; exponent != 0 && o <= order; ++o)
+      for (R& x : row_of(tables[0], p, o)) x = ldexp(x, o * exponent);
+  }
+
+  // A point on the cage, which stands in the tables as point `p`. Derivatives have no limit on elements' borders, and
+  // none of normalised kinds anywhere on the cage.
+  template <Scalar R>
+  void sum_on(const Vec3<R>& point, std::size_t p, int order, const std::vector<Touching>& on,
+              std::span<CoordinateTable<R>> tables) const {
+    const auto part_of = parts_in_range(point, order, 0);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) sum_on(b, part_of, p, order, on, tables[b]);
+    if (has_area_elements_) times_area_elements_at(p, order, 0, tables);
+    if constexpr (!is_multiprecision<R>) {
+      if (normalised_ || on.size() > 1 || is_finite(p, order, tables) || !goes_beyond_range()) return;
+      auto wide = zero_tables<Wide>(blocks_, elements_->dimension(), 1, order);
+      TermSizes sizes(wide);
+      const auto wide_part_of = parts_beyond_range(point, order, 0, wide, sizes);
+      for (std::size_t b = 0; b < blocks_.size(); ++b) sum_on(b, wide_part_of, 0, order, on, wide[b]);
+      sizes.drop_roundings(wide);
+      if (has_area_elements_) times_area_elements_at<Wide>(0, order, 0, wide);
+      put_rounded<R>(wide, p, order, tables);
     }
   }
 
-  // A point on the cage, which stands in the table as point `p`.
-  template <Scalar R>
-  void sum_on(std::size_t b, const Vec3<R>& eta, std::size_t p, int order, const std::vector<Touching>& on,
+  template <Scalar R, class PartOf>
+  void sum_on(std::size_t b, const PartOf& part_of, std::size_t p, int order, const std::vector<Touching>& on,
               CoordinateTable<R>& table) const {
     const BatchOutput<R> output = output_for(b, p, table);
     const std::size_t width = output.entries;
@@ -337,17 +445,14 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
       return;
     }
     const bool jumps = jumps_[b] != 0;
-    const std::vector<R> parameters(parameters_.begin(), parameters_.end());
     std::vector<R> whole(width, R(0));  // what the elements that the point is not on leave of the whole
     for (std::size_t i = 0; i < width; i += blocks_[b].shape.columns + 1) whole[i] = R(jumps_[b]);
-    std::array<Vec3<R>, 4> storage;
     Result<R> part;
     for (std::size_t e = 0; e < elements_->count(); ++e) {
       const auto owners = elements_->shares_of(e, blocks_[b].owner);
       const auto touch = std::ranges::find(on, static_cast<int>(e), &Touching::element);
       const bool touches = jumps && touch != on.end();
-      const Evaluation& evaluation = evaluations_[static_cast<std::size_t>(elements_->type(e).kind)][b];
-      evaluation(Query<R>{corners_of(e, storage), eta, order, parameters, touches}, part);
+      part_of(e, b, touches, part);
       BatchOutput<R> here = output;
       here.slots = owners;
       for (int o = 0; o <= order; ++o) here.put(0, o, part.of(o));

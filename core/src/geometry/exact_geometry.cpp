@@ -159,6 +159,7 @@ ExactSegmentIn<W>::ExactSegmentIn(const Segment<W>& s, const Vec3<W>& point) {
 
 template struct ExactTriangleIn<Mp200>;
 template struct ExactTriangleIn<Mp400>;
+template struct ExactTriangleIn<Mp2000>;
 template struct ExactSegmentIn<Mp200>;
 template struct ExactSegmentIn<Mp400>;
 template struct ExactSegmentIn<Mp2000>;

@@ -42,6 +42,30 @@ void keep(Largest& largest, double value, std::size_t point) {
     largest = {value, point};
 }
 
+void count(Counted& sum, const Counted& part) {
+  if (part.points == 0) return;
+  sum.first = sum.points == 0 ? part.first : std::min(sum.first, part.first);
+  sum.points += part.points;
+}
+
+// What a point's row has among its derivatives.
+struct Flaws {
+  bool nan = false, infinite = false;
+};
+
+Flaws flaws_of_derivatives(const CageCoordinates& coordinates, std::span<const double> row, std::size_t per_block) {
+  Flaws flaws;
+  for (const CoordinateBlock& block : coordinates.blocks()) {
+    const std::size_t values = static_cast<std::size_t>(block.size) * block.entries();
+    for (const double x : row.subspan(values, values * (per_block - 1))) {
+      flaws.nan = flaws.nan || std::isnan(x);
+      flaws.infinite = flaws.infinite || std::isinf(x);
+    }
+    row = row.subspan(values * per_block);
+  }
+  return flaws;
+}
+
 void add_part(CoordinateSummary& sum, const CoordinateSummary& part) {
   sum.inside += part.inside;
   sum.on += part.on;
@@ -51,6 +75,9 @@ void add_part(CoordinateSummary& sum, const CoordinateSummary& part) {
   sum.unusable += part.unusable;
   sum.inexact += part.inexact;
   sum.inexact_far += part.inexact_far;
+  count(sum.derivatives_on, part.derivatives_on);
+  count(sum.derivatives_missing, part.derivatives_missing);
+  count(sum.derivatives_infinite, part.derivatives_infinite);
   keep(sum.partition, part.partition.value, part.partition.point);
   keep(sum.reproduction, part.reproduction.value, part.reproduction.point);
 }
@@ -82,13 +109,17 @@ CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cag
       const bool on = !coordinates.elements().touching(points[p]).empty();
       const int winding = on ? 1 : locator.winding(points[p]);
       ++(on ? mine.on : winding == 0 ? mine.outside : mine.inside);
-      const auto blocks = blocks_of(coordinates, table.subspan(p * columns, columns), per_block);
+      const std::span<const double> row = table.subspan(p * columns, columns);
+      const auto blocks = blocks_of(coordinates, row, per_block);
       bool nan = false, infinite = false;
       for (const Result<double>& block : blocks)
         for (const double x : block.value) nan = nan || std::isnan(x), infinite = infinite || std::isinf(x);
       if (nan) ++mine.missing;
       else if (infinite) ++mine.infinite;
       if (nan || infinite || (sum.reproduces && winding == 0 && !kind.normalised)) ++mine.unusable;
+      const Flaws flaws = nan || infinite ? Flaws() : flaws_of_derivatives(coordinates, row, per_block);
+      if (flaws.nan || flaws.infinite)
+        count(on ? mine.derivatives_on : flaws.nan ? mine.derivatives_missing : mine.derivatives_infinite, {1, p});
       if (nan || infinite || !sum.reproduces) continue;
       const double expected = kind.normalised ? 1 : winding;
       const CageErrors errors = errors_of(coordinates, cage, blocks, points[p], expected, 0);

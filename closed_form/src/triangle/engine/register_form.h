@@ -44,8 +44,9 @@ struct PutForm {
       const auto found = bounded_form<F, O>(at.moments, given, finite_part, std::numeric_limits<R>::digits10);
       closed_form::put(narrowed<R>(found.jet), O, point, output);
     } else {
-      closed_form::put(narrowed<R>(bounded_form<F, O>(at.moments, given, finite_part, kTolerance).jet), O, point,
-                       output);
+      constexpr double largest = std::numeric_limits<R>::max();
+      closed_form::put(narrowed<R>(bounded_form<F, O>(at.moments, given, finite_part, kTolerance, largest).jet), O,
+                       point, output);
     }
   }
 };

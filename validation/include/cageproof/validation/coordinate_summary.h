@@ -17,6 +17,11 @@ struct Largest {
   std::size_t point = 0;
 };
 
+/// How many points there are of a sort, and the first of them, counted from 0.
+struct Counted {
+  std::size_t points = 0, first = 0;
+};
+
 struct CoordinateSummary {
   std::size_t points = 0;
   std::size_t inside = 0, on = 0, outside = 0;  ///< the cage, on it decided exactly
@@ -27,6 +32,14 @@ struct CoordinateSummary {
   Largest partition;            ///< |sum - 1|, or |sum| outside kinds that vanish there
   Largest reproduction;         ///< distance of the reproduced point, in cage sizes
   bool reproduces = false;      ///< whether the kind reproduces points at all
+
+  /// Points whose values are finite, and of whose derivatives some are not: on the cage; off it with NaN among them,
+  /// and with infinities only.
+  Counted derivatives_on, derivatives_missing, derivatives_infinite;
+
+  std::size_t without_derivatives() const {
+    return derivatives_on.points + derivatives_missing.points + derivatives_infinite.points;
+  }
 
   /// Points that a mesh cannot be deformed at: without finite coordinates, or where the coordinates' sum is zero.
   std::size_t unusable = 0;

@@ -13,7 +13,7 @@ namespace cageproof {
 /// for one rounding to W's digits, and zero only where it is zero: whatever doubles are given, and multiprecision
 /// numbers within 16384 bits. Beyond that, and for numbers that are not finite, every operation is one of W's.
 /// Ordinary doubles, within 160 bits in 200 digits, cost no memory.
-/// \tparam W Mp200 or Mp400
+/// \tparam W Mp200, Mp400 or Mp2000
 template <class W>
 struct ExactTriangleIn {
   std::array<Vec3<W>, 3> p;        ///< corners minus the point

@@ -120,7 +120,9 @@ Hybrid<F> hybrid(HybridMoments<O>& at, std::span<const double> parameters) {
     const auto components = composed<F, O, double>(at.near().template near<F>(), parameters);
     if (!has_small_derivatives<F, O>(components)) return {Route::Near, finish<F, O, double>(components, f.unit, 3)};
   }
-  Hybrid<F> near{Route::Tracked, closed_form::triangle::tracked_near<F, double, O>(at.algebra(), parameters, 3)};
+  constexpr double largest = std::numeric_limits<double>::max();
+  Hybrid<F> near{Route::Tracked,
+                 closed_form::triangle::tracked_near<F, double, O>(at.algebra(), parameters, 3, largest)};
   if (near.jet) return near;
   const Panels& many = at.on_panels().panels(panels_wanted<F, O>(f, kMostPoints));
   return many.empty() ? Hybrid<F>() : from_panels<F>(at, many, parameters);

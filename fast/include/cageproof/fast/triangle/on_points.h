@@ -66,7 +66,8 @@ BoundedJet<double, F::components> tracked_on_panels(const Frame<double>& frame, 
   const auto tracked = tracked_parameters<F, double>(parameters);
   const Frame<Tracked<double>> with_bounds(frame);
   const PanelFormOf<F, Tracked<double>, O> moments(with_bounds, panels);
-  return bounded<F, O, double, double>(composed<F, O, Tracked<double>>(moments, tracked), frame.unit, 3);
+  return bounded<F, O, double, double>(composed<F, O, Tracked<double>>(moments, tracked), frame.unit, 3,
+                                       std::numeric_limits<double>::max());
 }
 
 }  // namespace cageproof::fast::triangle

@@ -21,7 +21,7 @@ struct Logarithms {
     const auto tracked = tracked_parameters<F, T>(parameters);
     auto& moments = at.template tracked<T>();
     const auto jet = [&](const Components<F, Tracked<T>, O>& components) {
-      return bounded<F, O, S, T>(components, S(at.unit()), 3).jet;
+      return bounded<F, O, S, T>(components, S(at.unit()), 3, std::numeric_limits<double>::infinity()).jet;
     };
     return {limit, jet(composed<F, O, Tracked<T>>(moments.template near<F>(), tracked)),
             jet(near_components<F, O, Tracked<T>>(moments.frame(), tracked, Tracked<T>(1)))};

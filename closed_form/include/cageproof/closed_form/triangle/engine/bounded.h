@@ -7,7 +7,8 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// A jet, and a bound of each order's relative error, norm-wise over all its entries.
+/// A jet, and a bound of each order's relative error, norm-wise over all its entries; where some are beyond what the
+/// result may hold, over the others.
 template <Scalar S, int C>
 struct BoundedJet {
   using Bound = ErrorOf<S>;
@@ -18,9 +19,38 @@ struct BoundedJet {
   Bound worst() const { return std::max({bound[0], bound[1], bound[2]}); }
 };
 
+/// The relative error of one order's entries that are at most `largest`, an infinity where it has no bound. Those
+/// beyond become infinities: they are no part of the norm, and their signs must be certain. In a type whose range holds
+/// squares of what T does.
+template <class F, int O, class T>
+long double error_within(const Components<F, Tracked<T>, O>& from, int order, long double largest, long double least) {
+  using Number = std::conditional_t<is_multiprecision<T>, long double, double>;
+  constexpr long double unknown = std::numeric_limits<long double>::infinity();
+  long double size = 0, error = 0;
+  for (int c = 0; c < F::components; ++c)
+    for (int m = 0; m < Monomials<O>::count; ++m) {
+      const auto& e = Monomials<O>::exponents[m];
+      if (e[0] + e[1] + e[2] != order) continue;
+      const Tracked<T>& x = from[c].c[m];
+      const int factor = derivative_factor<O>(m), times = order == 2 && factor == 1 ? 2 : 1;
+      const long double rounding = roundoff_of<T>() * x.error * factor;
+      const long double entry = static_cast<long double>(factor) * std::abs(static_cast<Number>(x.value));
+      if (!std::isfinite(entry)) return unknown;
+      if (entry > largest) {
+        if (!(rounding < entry)) return unknown;
+        continue;
+      }
+      size += times * entry * entry;
+      error += times * rounding * rounding;
+    }
+  return error == 0 ? 0 : std::sqrt(error) / std::max(std::sqrt(size), least);
+}
+
 /// The components rounded to S with their error bounds; orders from `limit` on are left out of the bounds.
+/// \param largest finite number of the type that results in double are narrowed to, infinite for others
 template <class F, int O, Scalar S, class T>
-BoundedJet<S, F::components> bounded(const Components<F, Tracked<T>, O>& from, const S& unit, int limit) {
+BoundedJet<S, F::components> bounded(const Components<F, Tracked<T>, O>& from, const S& unit, int limit,
+                                     double largest) {
   // Squares of what multiprecision holds may leave double's range.
   using Sum = std::conditional_t<is_multiprecision<T>, T, double>;
   using Bound = ErrorOf<S>;
@@ -50,7 +80,14 @@ BoundedJet<S, F::components> bounded(const Components<F, Tracked<T>, O>& from, c
   for (int o = 0; o <= O && o < limit; ++o) {
     using std::sqrt;
     result.bound[o] = std::same_as<T, S> ? Bound(0) : static_cast<Bound>(unit_roundoff<S>());
-    if (error[o] != Sum(0))
+    // In the components' unit. Norms below its square root have no entry beyond it.
+    const int exponent = is_multiprecision<S> ? 0 : (F::degree - o) * std::ilogb(static_cast<double>(unit));
+    const double end = std::ldexp(largest, -exponent);
+    if (std::isfinite(largest) && !(size[o] < squared(Sum(end)))) {
+      // Digits of what is below the least normal number are counted from there.
+      const long double within = error_within<F, O, T>(from, o, end, std::ldexp(4 / largest, -exponent));
+      result.bound[o] += static_cast<Bound>(within);
+    } else if (error[o] != Sum(0))
       result.bound[o] += static_cast<Bound>(roundoff_of<T>() * static_cast<ErrorOf<T>>(Sum(sqrt(error[o] / size[o]))));
     if (!(result.bound[o] < 1)) result.bound[o] = 1;
   }

@@ -13,33 +13,45 @@ inline constexpr double kAccurateTolerance = 128 * 0x1p-53, kTolerance = 1000 * 
 
 /// The near form in the first arithmetic of the ladder whose bound is at most `tolerance`, else in the last; where it
 /// has no value, what is said instead. \param frame in whatever type sees exactly where the point is
+/// \param largest as of bounded()
 template <class F, int O, class... T, class R, class Moments, Scalar S>
 BoundedJet<S, F::components> climbed(Ladder<T...> ladder, const Frame<R>& frame, Moments& at,
-                                     std::span<const S> parameters, bool finite_part, ErrorOf<S> tolerance) {
+                                     std::span<const S> parameters, bool finite_part, ErrorOf<S> tolerance,
+                                     double largest = std::numeric_limits<double>::infinity()) {
   int limit = first_divergent<F>(frame);
   if (limit == 0 && finite_part) limit = 1;
   if constexpr (F::diverges_on_triangle)
     if (limit < 3) return {diverging_weights<F, O, S>(frame)};
   auto result = climb(
-      ladder, [&]<class In>() { return tracked_near<F, In, O>(at, parameters, limit); },
+      ladder, [&]<class In>() { return tracked_near<F, In, O>(at, parameters, limit, largest); },
       [&](const auto& found) { return found.worst() <= tolerance; });
   set_infinities<F, O>(at, parameters, limit, result.jet);
   return result;
 }
 
+/// The widest arithmetics that results in double are computed in. Derivatives of weights that diverge on the triangle
+/// have entries of any size beside infinities: a formula's other derivatives do not take 2000 digits.
+template <class F, class... Narrower>
+auto ladder_of() {
+  if constexpr (F::diverges_on_triangle) return Ladder<Narrower..., Mp200, Mp400, Mp2000>();
+  else return Ladder<Narrower..., Mp200, Mp400>();
+}
+
 /// In double, at a point whose moments other formulas may share; the result does not depend on which do.
 /// \param finite_part Batch::finite_part \param tolerance of the relative error of each order
+/// \param largest finite number of the type that the result is narrowed to
 /// \return value and derivatives up to order O with a bound of their error; NaN where a derivative has no limit
 template <class F, int O>
 BoundedJet<double, F::components> bounded_form(PointMoments<O>& at, std::span<const double> parameters,
-                                               bool finite_part, double tolerance) {
+                                               bool finite_part, double tolerance,
+                                               double largest = std::numeric_limits<double>::max()) {
   if (at.frame().extreme) {
     const auto wide = widened<F, double, Mp200>(parameters);
-    return rounded(climbed<F, O>(Ladder<Mp200, Mp400>(), at.wide().template tracked<Mp200>().frame(), at.wide(),
-                                 std::span<const Mp200>(wide), finite_part, tolerance));
+    return rounded(climbed<F, O>(ladder_of<F>(), at.wide().template tracked<Mp200>().frame(), at.wide(),
+                                 std::span<const Mp200>(wide), finite_part, tolerance, largest));
   }
-  return climbed<F, O>(Ladder<double, DoubleDouble, Mp200, Mp400>(), at.frame(), at, parameters, finite_part,
-                       tolerance);
+  return climbed<F, O>(ladder_of<F, double, DoubleDouble>(), at.frame(), at, parameters, finite_part, tolerance,
+                       largest);
 }
 
 /// In multiprecision: all of `digits` (50, 100 or 200) digits, unless more than 400 would be needed for them.
@@ -73,7 +85,7 @@ Jet<R, F::components> closed_form(const Triangle<R>& t, const Vec3<R>& eta, std:
     return narrowed<R>(bounded_form<F, O>(at, given, finite_part, std::numeric_limits<R>::digits10).jet);
   } else {
     PointMoments<O> at(corners, point);
-    return narrowed<R>(bounded_form<F, O>(at, given, finite_part, kTolerance).jet);
+    return narrowed<R>(bounded_form<F, O>(at, given, finite_part, kTolerance, std::numeric_limits<R>::max()).jet);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "cageproof/closed_form/triangle/engine/bounded.h"
 #include "cageproof/closed_form/triangle/engine/exact_frame.h"
 
+#include <memory>
 #include <optional>
 #include <tuple>
 
@@ -61,15 +62,16 @@ class WideMoments {
   WideMoments(const WideMoments&) = delete;
   WideMoments& operator=(const WideMoments&) = delete;
 
-  /// \tparam T Mp100, Mp200 or Mp400
+  /// \tparam T Mp100, Mp200, Mp400 or Mp2000
   template <class T>
   TrackedMoments<T, O>& tracked() {
-    auto& moments = std::get<std::optional<TrackedMoments<T, O>>>(tracked_);
-    if (moments) return *moments;
-    if constexpr (std::same_as<T, Mp400>) {
-      const auto wider = [](const Vec3<Mp200>& v) { return Vec3<Mp400>(Mp400(v[0]), Mp400(v[1]), Mp400(v[2])); };
-      return moments.emplace(ExactTriangleIn<Mp400>({wider(t_[0]), wider(t_[1]), wider(t_[2])}, wider(eta_)));
+    if constexpr (std::same_as<T, Mp2000>) {
+      if (!widest_) widest_ = std::make_unique<TrackedMoments<Mp2000, O>>(exact_in<Mp2000>());
+      return *widest_;
     } else {
+      auto& moments = std::get<std::optional<TrackedMoments<T, O>>>(tracked_);
+      if (moments) return *moments;
+      if constexpr (std::same_as<T, Mp400>) return moments.emplace(exact_in<Mp400>());
       if (!exact_) exact_.emplace(t_, eta_);
       return moments.emplace(*exact_);
     }
@@ -78,12 +80,20 @@ class WideMoments {
   Mp200 unit() const { return 1; }
 
  private:
+  template <class W>
+  ExactTriangleIn<W> exact_in() const {
+    const auto wider = [](const Vec3<Mp200>& v) { return Vec3<W>(W(v[0]), W(v[1]), W(v[2])); };
+    return ExactTriangleIn<W>({wider(t_[0]), wider(t_[1]), wider(t_[2])}, wider(eta_));
+  }
+
   Triangle<Mp200> t_;
   Vec3<Mp200> eta_;
   std::optional<ExactTriangle> exact_;
   std::tuple<std::optional<TrackedMoments<Mp100, O>>, std::optional<TrackedMoments<Mp200, O>>,
              std::optional<TrackedMoments<Mp400, O>>>
       tracked_;
+  // Too large for the stack.
+  std::unique_ptr<TrackedMoments<Mp2000, O>> widest_;
 };
 
 /// The same of doubles: in double, in double-double, and in multiprecision in the frame's unit. The triangle and the
@@ -136,12 +146,12 @@ class PointMoments {
 };
 
 /// The near form in the arithmetic T, with its bound. \param at PointMoments, or WideMoments for multiprecision
-/// \param limit the first order without a limit here
+/// \param limit the first order without a limit here \param largest as of bounded()
 template <class F, class T, int O, class Moments, Scalar S>
-BoundedJet<S, F::components> tracked_near(Moments& at, std::span<const S> parameters, int limit) {
+BoundedJet<S, F::components> tracked_near(Moments& at, std::span<const S> parameters, int limit, double largest) {
   const auto tracked = tracked_parameters<F, T>(parameters);
   const auto& moments = at.template tracked<T>().template near<F>();
-  return bounded<F, O, S, T>(composed<F, O, Tracked<T>>(moments, tracked), S(at.unit()), limit);
+  return bounded<F, O, S, T>(composed<F, O, Tracked<T>>(moments, tracked), S(at.unit()), limit, largest);
 }
 
 }  // namespace cageproof::closed_form::triangle
