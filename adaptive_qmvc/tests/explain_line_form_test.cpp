@@ -56,7 +56,7 @@ TEST(explain_line_form, is_what_the_line_form_computes) {
     const int order = i % 4 == 3 ? 0 : 1 + i % 2;
     Result<double> result;
     const std::size_t entry = static_cast<std::size_t>(i) % (4 * derivative_count(3, order));
-    const Explanation e = closed_form::explain(formula, {corners, point, order}, entry, result);
+    const Explanation e = closed_form::explain(formula, "line_form", {corners, point, order}, entry, result);
     const double value = result.of(order)[entry];
     EXPECT_EQ(e.value, value);
     const auto [truth, norm] = truth_of({corners, point, order}, entry);
@@ -83,7 +83,7 @@ TEST(explain_line_form, says_where_nothing_was_computed_in_double) {
   const std::array<Vec3<double>, 4> corners{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0), Vec3<double>(1, 1, 0),
                                             Vec3<double>(0, 1, 0)};
   Result<double> result;
-  const Explanation e = closed_form::explain(formula_named("quad.mean_value"),
+  const Explanation e = closed_form::explain(formula_named("quad.mean_value"), "line_form",
                                              {corners, Vec3<double>(0.5, 0.25, 0x1p-60), 1}, std::nullopt, result);
   EXPECT_FALSE(e.is_the_value);
   EXPECT_TRUE(e.lines.empty());

@@ -65,6 +65,9 @@ std::vector<KindAndEvaluation> table_one() {
       if (role == Role::Rule) quick = family->standard.front();
     }
   what.insert(what.end(), {{"quad_mean_value", ""}, {"spherical_mean_value", ""}, {"maximum_entropy", quick}});
+  for (const EvaluationFamily* family : EvaluationRegister::instance().families("triangle.mean_value"))
+    if (family->role == Role::Printed)
+      for (const std::string& name : family->standard) what.push_back({"mean_value", name});
   return what;
 }
 

@@ -67,10 +67,11 @@ double norm_of(const std::vector<double>& tensor) {
   return sum;
 }
 
-Account account_of(const Formula& formula, const Query<double>& query, std::optional<std::size_t> entry) {
+Account account_of(const Formula& formula, std::string_view evaluation, const Query<double>& query,
+                   std::optional<std::size_t> entry) {
   Account a;
   Result<double> result;
-  a.explanation = closed_form::explain(formula, query, entry, result);
+  a.explanation = closed_form::explain(formula, evaluation, query, entry, result);
   const Explanation& e = a.explanation;
   a.entry_name = name_of_entry(formula, query.order, e.entry);
   const validation::Sample sample{
@@ -199,18 +200,23 @@ QueryText query_of(const ExplainOptions& options, const Formula& formula) {
 int run(const ExplainOptions& options) {
   const Formula& formula = formula_named(options.formula);
   const auto recommended = EvaluationRegister::instance().with_role(formula.name, Role::Recommended);
-  if (!recommended) throw InputError(fmt::format("{} has no recommended evaluation, which explain runs", formula.name));
-  if (!options.evaluation.empty() && evaluation_named(formula.name, options.evaluation).name() != recommended->name())
-    throw InputError(fmt::format("{} of {} is not run in counted numbers: {} is", options.evaluation, options.formula,
-                                 recommended->name()));
+  if (!recommended && options.evaluation.empty())
+    throw InputError(fmt::format("{} has no recommended evaluation, which explain runs", formula.name));
+  const std::string evaluation(options.evaluation.empty() ? recommended->name()
+                                                          : evaluation_named(formula.name, options.evaluation).name());
+  const auto explained = closed_form::explained_evaluations(formula.name);
+  if (std::ranges::find(explained, evaluation) == explained.end())
+    throw InputError(fmt::format(
+        "{} of {} is not run in counted numbers: {}", evaluation, formula.name,
+        explained.empty() ? "none of its evaluations is" : fmt::format("give {}", fmt::join(explained, " or "))));
   const QueryText query = query_of(options, formula);
   check_allows_invalid_quads(options.allow_invalid_quads, formula);
   if (!options.allow_invalid_quads) require_valid_quad(query, formula);
   const QueryNumbers<double> numbers(query, formula);
   const auto entry = options.entry < 0 ? std::nullopt : std::optional<std::size_t>(options.entry);
-  const Account account = account_of(formula, numbers.query(options.order), entry);
+  const Account account = account_of(formula, evaluation, numbers.query(options.order), entry);
   ExplainOptions named = options;
-  named.evaluation = recommended->name();
+  named.evaluation = evaluation;
   if (options.json) std::cout << json_of(account, named).dump(2) << '\n';
   else print_text(account, named);
   return success;
@@ -222,7 +228,10 @@ void add_explain(CommandLine& line) {
   Command command = line.command("explain", "which operations of a closed form lose how much, for one input");
   auto options = std::make_shared<ExplainOptions>();
   command.option("--formula", options->formula, "a formula of the catalogue").taking("FORMULA").required();
-  command.option("--evaluation", options->evaluation, "the recommended one, which is the default").taking("EVALUATION");
+  command
+      .option("--evaluation", options->evaluation,
+              "closed_form (algebra) or hybrid, of quads line_form; without, the recommended one")
+      .taking("EVALUATION");
   Option element = command
                        .option("--element", options->element,
                                "its corners, [[x,y,z],...]; without, a JSON line from standard input, as eval's")

@@ -305,14 +305,21 @@ for formula in triangle.kelvin_traction triangle.mean_value quad.mean_value segm
     quad*) line='{"element":[[0,0,0],[1,0,0],[1,1,0.25],[0,1,0]],"point":[0.25,0.25,0.125]}' ;;
     *) line='{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0.25,0.25,0.125]}' ;;
   esac
-  case $formula in quad*) evaluation=line_form ;; *) evaluation=hybrid ;; esac
-  value=$(echo "$line" | explain --formula $formula --order 2 --entry 3 --json | tee "$work/stdout" | sed -n 's/^  "counted": \(.*\),$/\1/p')
-  grep -q '"counted_is_the_value": true' "$work/stdout" || fail "explain $formula: $(head -12 "$work/stdout")"
-  [ -n "$value" ] && echo "$line" | "$cageproof" eval --formula $formula --evaluation $evaluation --order 2 | sed 's/.*"hessian"//' | grep -qF -- "$value" ||
-    fail "explain $formula: '$value' is not in eval's Hessian"
+  case $formula in quad*) evaluations=line_form ;; *) evaluations='hybrid closed_form' ;; esac
+  for evaluation in $evaluations; do
+    value=$(echo "$line" | explain --formula $formula --evaluation $evaluation --order 2 --entry 3 --json | tee "$work/stdout" | sed -n 's/^  "counted": \(.*\),$/\1/p')
+    grep -q '"counted_is_the_value": true' "$work/stdout" || fail "explain $formula $evaluation: $(head -12 "$work/stdout")"
+    [ -n "$value" ] && echo "$line" | "$cageproof" eval --formula $formula --evaluation $evaluation --order 2 | sed 's/.*"hessian"//' | grep -qF -- "$value" ||
+      fail "explain $formula $evaluation: '$value' is not in eval's Hessian"
+  done
 done
+# The algebra far away is algebra, and says on which rung of its ladder it stands; the hybrid takes Gauss points there.
+far() { explain --formula triangle.double_layer --evaluation "$1" --element '[[0,0,0],[1,0,0],[0,1,0]]' --point '[0.25,0.25,100]'; }
+far closed_form | grep -q '^  form    edge form in double-double, since in double the bound of its error is .*, more than 1000 units$' || fail "explain closed_form: $(far closed_form)"
+far closed_form | grep -q '/panel\|/far_form' && fail "explain closed_form: $(far closed_form)"
+far hybrid | grep -q '^  form    far form in double, .* Gauss points' || fail "explain hybrid: $(far hybrid)"
 refuses nonsense -- explain --formula nonsense
-refuses accurate -- explain --formula triangle.solid_angle --evaluation accurate --element '[[0,0,0],[1,0,0],[0,1,0]]' --point '[0,0,1]'
+refuses 'accurate of triangle.solid_angle is not run in counted numbers: give closed_form or hybrid' -- explain --formula triangle.solid_angle --evaluation accurate --element '[[0,0,0],[1,0,0],[0,1,0]]' --point '[0,0,1]'
 refuses 'no entry 3' -- explain --formula triangle.solid_angle --order 1 --entry 3 --element '[[0,0,0],[1,0,0],[0,1,0]]' --point '[0,0,1]'
 refuses area -- explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[2,0,0]]' --point '[0,0,1]'
 refuses 'element[2]' -- explain --formula triangle.solid_angle --element '[[0,0,0],[1,0,0],[0,1]]' --point '[0,0,1]'

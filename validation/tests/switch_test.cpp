@@ -57,7 +57,7 @@ void expect_no_jump(const std::string& name, int samples) {
     // What is thin is computed with more digits on the near side.
     if (F::cancels_nearby || frame.shape() < hybrid::kThinShape) {
       cf::PointMoments<2> at(t, sample.point);
-      near = cf::bounded_form<F, 2>(at, parameters, false, cf::kTolerance).jet;
+      near = cf::bounded_form<F, 2>(at, parameters, false, closed_form::kTolerance).jet;
     }
     const Truth truth = truth_from(source, sample, 2);
     for (int o = 0; o <= 2; ++o) {

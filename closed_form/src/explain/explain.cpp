@@ -10,20 +10,22 @@
 namespace cageproof::closed_form {
 namespace {
 
-std::map<std::string_view, Explainer>& explainers() {
-  static std::map<std::string_view, Explainer> all;
+// By formula and evaluation.
+using Explainers = std::map<std::pair<std::string_view, std::string_view>, Explainer>;
+
+Explainers& explainers() {
+  static Explainers all;
   return all;
 }
 
 }  // namespace
 
-Explanation explain(const Formula& formula, const Query<double>& query, std::optional<std::size_t> entry,
-                    Result<double>& result) {
-  const auto found = explainers().find(formula.name);
+Explanation explain(const Formula& formula, std::string_view evaluation, const Query<double>& query,
+                    std::optional<std::size_t> entry, Result<double>& result) {
+  const auto found = explainers().find({formula.name, evaluation});
   if (found == explainers().end())
-    throw InputError(std::string(formula.name) + " has no closed form that is run in counted numbers");
-  const Evaluation recommended = *EvaluationRegister::instance().with_role(formula.name, Role::Recommended);
-  recommended(query, result);
+    throw InputError(std::string(evaluation) + " of " + std::string(formula.name) + " is not run in counted numbers");
+  evaluation_named(formula.name, evaluation)(query, result);
   const std::vector<double>& values = result.of(query.order);
   if (entry && *entry >= values.size())
     throw InputError("there is no entry " + std::to_string(*entry) + ": the tensor has " +
@@ -31,10 +33,17 @@ Explanation explain(const Formula& formula, const Query<double>& query, std::opt
   return found->second(query, values, entry);
 }
 
-std::vector<std::string_view> explained_formulas() {
+std::vector<std::string_view> explained_evaluations(std::string_view formula) {
   std::vector<std::string_view> names;
-  names.reserve(explainers().size());
-  for (const auto& [name, explainer] : explainers()) names.push_back(name);
+  for (const auto& [key, explainer] : explainers())
+    if (key.first == formula) names.push_back(key.second);
+  return names;
+}
+
+std::vector<std::string_view> explained_formulas(std::string_view evaluation) {
+  std::vector<std::string_view> names;
+  for (const auto& [key, explainer] : explainers())
+    if (key.second == evaluation) names.push_back(key.first);
   return names;
 }
 
@@ -65,8 +74,8 @@ void choose_none(Explanation& explanation, std::span<const double> values, std::
   explanation.is_the_value = false;
 }
 
-RegisterExplainer::RegisterExplainer(std::string_view formula, Explainer explainer) {
-  explainers()[formula] = explainer;
+RegisterExplainer::RegisterExplainer(std::string_view formula, std::string_view evaluation, Explainer explainer) {
+  explainers()[{formula, evaluation}] = explainer;
 }
 
 }  // namespace cageproof::closed_form

@@ -2,5 +2,5 @@
 #include "potential_form_body.h"
 
 CAGEPROOF_POTENTIAL_FORM(double)
-CAGEPROOF_POTENTIAL_OF_SEEN(double)
-CAGEPROOF_POTENTIAL_OF_SEEN(long double)
+CAGEPROOF_SUM_OF_RULES(double)
+CAGEPROOF_SUM_OF_RULES(long double)

@@ -2,4 +2,4 @@
 #include "potential_form_body.h"
 
 CAGEPROOF_POTENTIAL_FORM(cageproof::Mp100)
-CAGEPROOF_POTENTIAL_OF_SEEN(cageproof::Mp100)
+CAGEPROOF_SUM_OF_RULES(cageproof::Mp100)

@@ -11,8 +11,9 @@ namespace cageproof::benchmarks {
 /// A kind of coordinates and the evaluation of its formulas; empty for the recommended ones.
 using KindAndEvaluation = std::pair<std::string, std::string>;
 
-/// Table 1's: mean value coordinates of the triangulated cage, quad mean value coordinates by the paper's scheme (n =
-/// 4, 7, 10), by tessellation and by the line form, spherical mean value and maximum entropy coordinates.
+/// Table 1's: mean value coordinates of the triangulated cage, recommended and as printed, quad mean value coordinates
+/// by the paper's scheme (n = 4, 7, 10), by tessellation and by the line form, spherical mean value and maximum entropy
+/// coordinates.
 std::vector<KindAndEvaluation> table_one();
 
 /// Time of all coordinates at a point, on one thread, over points spread evenly for a second or options.seconds,

@@ -31,13 +31,16 @@ struct Explanation {
 using Explainer = Explanation (*)(const Query<double>& query, std::span<const double> values,
                                   std::optional<std::size_t> entry);
 
-/// The formula's recommended evaluation at a point, explained. \param result that evaluation's, up to query.order
-/// \throws InputError where the formula's closed form is not run in counted numbers, or has no such entry
-Explanation explain(const Formula& formula, const Query<double>& query, std::optional<std::size_t> entry,
-                    Result<double>& result);
+/// An evaluation of a formula at a point, explained. \param evaluation one of explained_evaluations() \param result
+/// that evaluation's, up to query.order
+/// \throws InputError where the evaluation is not run in counted numbers, or has no such entry
+Explanation explain(const Formula& formula, std::string_view evaluation, const Query<double>& query,
+                    std::optional<std::size_t> entry, Result<double>& result);
 
-/// The formulas that explain() knows, by name.
-std::vector<std::string_view> explained_formulas();
+/// The evaluations of a formula that explain() knows, by name.
+std::vector<std::string_view> explained_evaluations(std::string_view formula);
+/// The formulas of which it knows this evaluation, by name.
+std::vector<std::string_view> explained_formulas(std::string_view evaluation);
 
 /// Fills what an explanation says of one entry. \param counted the tensor's entries in the unit that they were computed
 /// in, which times 2^exponent is the caller's \param values the closed form's, in the caller's
@@ -47,9 +50,9 @@ void choose(Explanation& explanation, const CountedTape& tape, std::span<const C
 /// The same where nothing in double was run.
 void choose_none(Explanation& explanation, std::span<const double> values, std::optional<std::size_t> entry);
 
-/// `const RegisterExplainer r{"triangle.<kernel>", &explain};` at namespace scope of a .cpp.
+/// `const RegisterExplainer r{"triangle.<kernel>", "<evaluation>", &explain};` at namespace scope of a .cpp.
 struct RegisterExplainer {
-  RegisterExplainer(std::string_view formula, Explainer explainer);
+  RegisterExplainer(std::string_view formula, std::string_view evaluation, Explainer explainer);
 };
 
 }  // namespace cageproof::closed_form

@@ -138,7 +138,7 @@ Explanation explain(const Query<double>& query, std::span<const double> values, 
   return explain_order<2>(query, values, entry);
 }
 
-const closed_form::RegisterExplainer explainer{"quad.mean_value", &explain};
+const closed_form::RegisterExplainer explainer{"quad.mean_value", "line_form", &explain};
 
 }  // namespace
 }  // namespace cageproof::adaptive_qmvc

@@ -9,7 +9,7 @@
 namespace cageproof::fast::triangle {
 
 using closed_form::Jet;
-using closed_form::triangle::kTolerance;
+using closed_form::kTolerance;
 
 /// Below this height over the longest edge the edge form in double may cancel more than is promised, and is asked for
 /// its error bound.

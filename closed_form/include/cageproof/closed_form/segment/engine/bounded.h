@@ -2,23 +2,10 @@
 // A closed form's results in the plane with a bound of their error, from numbers that carry one along.
 #pragma once
 
-#include "cageproof/closed_form/arithmetic/jet.h"
-#include "cageproof/closed_form/arithmetic/tracked.h"
+#include "cageproof/closed_form/arithmetic/bounded_jet.h"
 #include "cageproof/closed_form/segment/engine/scalar.h"
 
 namespace cageproof::closed_form::segment {
-
-/// A jet, and a bound of each order's relative error, norm-wise over its finite entries; zero where all of them are
-/// exact.
-template <cageproof::Scalar S, int C>
-struct BoundedJet {
-  using Bound = ErrorOf<S>;
-
-  Jet<S, C, 2> jet;
-  std::array<Bound, 3> bound{0, 0, 0};
-
-  Bound worst() const { return std::max({bound[0], bound[1], bound[2]}); }
-};
 
 /// Calls it with each entry of an order of a jet.
 template <class R, int C, class Visit>
@@ -43,11 +30,12 @@ bool is_beyond(const Tracked<T>& x, double largest) {
 /// A tracked jet up to order O, rounded to S, with its bound. Entries beyond `largest`, which become infinities, are no
 /// part of the norm: those beside them keep digits of their own.
 template <int O, cageproof::Scalar S, class T, int C>
-BoundedJet<S, C> bounded(const Jet<Tracked<T>, C, 2>& from, double largest) {
+BoundedJet<S, C, 2> bounded(const Jet<Tracked<T>, C, 2>& from, double largest) {
   using Bound = ErrorOf<S>;
   // Squares of what multiprecision holds may leave double's range.
   using Sum = std::conditional_t<is_multiprecision<T>, T, double>;
-  BoundedJet<S, C> result;
+  BoundedJet<S, C, 2> result;
+  result.digits = digits_of<T>;
   for (int c = 0; c < C; ++c) {
     result.jet.value[c] = static_cast<S>(from.value[c].value);
     for (int i = 0; i < 2; ++i) {

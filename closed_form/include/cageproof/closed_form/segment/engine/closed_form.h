@@ -12,10 +12,6 @@
 
 namespace cageproof::closed_form::segment {
 
-/// What a result's own bound must be below. Of `accurate`: half of what is promised, since running bounds are
-/// themselves rounded. Of `closed_form`: bounds of running errors exceed what happens ten times over and more.
-inline constexpr double kAccurateTolerance = 128 * 0x1p-53, kTolerance = 1000 * 0x1p-53;
-
 /// A segment seen from a point in multiprecision, by numbers that know their errors: what formulas share there.
 class WideFrames {
  public:
@@ -69,8 +65,9 @@ class PointFrames {
 
 /// In the first arithmetic of the ladder whose bound is at most `tolerance`, else in the last.
 template <class F, int O, class... T, class Frames, cageproof::Scalar S>
-BoundedJet<S, F::components> climbed(Ladder<T...> ladder, Frames& at, std::span<const S> parameters, bool finite_part,
-                                     ErrorOf<S> tolerance, double largest = std::numeric_limits<double>::max()) {
+BoundedJet<S, F::components, 2> climbed(Ladder<T...> ladder, Frames& at, std::span<const S> parameters,
+                                        bool finite_part, ErrorOf<S> tolerance,
+                                        double largest = std::numeric_limits<double>::max()) {
   return climb(
       ladder,
       [&]<class In>() {
@@ -84,8 +81,9 @@ BoundedJet<S, F::components> climbed(Ladder<T...> ladder, Frames& at, std::span<
 /// \param largest finite number of the type that the result is narrowed to
 /// \return value and derivatives up to order O with a bound of their error; NaN where a derivative has no limit
 template <class F, int O>
-BoundedJet<double, F::components> bounded_form(PointFrames& at, std::span<const double> parameters, bool finite_part,
-                                               double tolerance, double largest = std::numeric_limits<double>::max()) {
+BoundedJet<double, F::components, 2> bounded_form(PointFrames& at, std::span<const double> parameters, bool finite_part,
+                                                  double tolerance,
+                                                  double largest = std::numeric_limits<double>::max()) {
   if (at.is_in_range())
     return climbed<F, O>(Ladder<double, Mp100, Mp200, Mp2000>(), at, parameters, finite_part, tolerance, largest);
   return climbed<F, O>(Ladder<Mp100, Mp200, Mp2000>(), at, parameters, finite_part, tolerance, largest);
@@ -93,8 +91,8 @@ BoundedJet<double, F::components> bounded_form(PointFrames& at, std::span<const 
 
 /// In multiprecision: all of `digits` (50, 100 or 200) digits, unless more than 400 would be needed for them.
 template <class F, int O>
-BoundedJet<Mp200, F::components> bounded_form(WideFrames& at, std::span<const Mp200> parameters, bool finite_part,
-                                              int digits) {
+BoundedJet<Mp200, F::components, 2> bounded_form(WideFrames& at, std::span<const Mp200> parameters, bool finite_part,
+                                                 int digits) {
   const ErrorOf<Mp200> tolerance = 2 * std::pow(10.0L, -digits);
   const auto in = [&](auto ladder) { return climbed<F, O>(ladder, at, parameters, finite_part, tolerance); };
   if (digits <= 50) return in(Ladder<Mp100, Mp200, Mp400>());
@@ -126,9 +124,9 @@ Jet<R, F::components, 2> closed_form(const Segment<R>& s, const Vec3<R>& eta, st
 /// The same in double, every order to kAccurateTolerance relative to its norm, also where the problem itself is
 /// ill-posed, with the bound of the error.
 template <class F, int O>
-BoundedJet<double, F::components> accurate(const Segment<double>& s, const Vec3<double>& eta,
-                                           std::span<const double> parameters = {}, bool finite_part = false,
-                                           double largest = std::numeric_limits<double>::max()) {
+BoundedJet<double, F::components, 2> accurate(const Segment<double>& s, const Vec3<double>& eta,
+                                              std::span<const double> parameters = {}, bool finite_part = false,
+                                              double largest = std::numeric_limits<double>::max()) {
   PointFrames at(s, eta);
   return bounded_form<F, O>(at, parameters, finite_part, kAccurateTolerance, largest);
 }

@@ -2,22 +2,10 @@
 // A closed form's results with a bound of their error, from numbers that carry one along.
 #pragma once
 
-#include "cageproof/closed_form/arithmetic/tracked.h"
+#include "cageproof/closed_form/arithmetic/bounded_jet.h"
 #include "cageproof/closed_form/triangle/engine/evaluate.h"
 
 namespace cageproof::closed_form::triangle {
-
-/// A jet, and a bound of each order's relative error, norm-wise over all its entries; where some are beyond what the
-/// result may hold, over the others.
-template <Scalar S, int C>
-struct BoundedJet {
-  using Bound = ErrorOf<S>;
-
-  Jet<S, C> jet;
-  std::array<Bound, 3> bound{0, 0, 0};
-
-  Bound worst() const { return std::max({bound[0], bound[1], bound[2]}); }
-};
 
 /// The relative error of one order's entries that are at most `largest`, an infinity where it has no bound. Those
 /// beyond become infinities: they are no part of the norm, and their signs must be certain. In a type whose range holds
@@ -76,6 +64,7 @@ BoundedJet<S, F::components> bounded(const Components<F, Tracked<T>, O>& from, c
       }
     }
   BoundedJet<S, F::components> result;
+  result.digits = digits_of<T>;
   result.jet = finish<F, O, S>(plain, unit, limit);
   for (int o = 0; o <= O && o < limit; ++o) {
     using std::sqrt;
@@ -98,6 +87,7 @@ BoundedJet<S, F::components> bounded(const Components<F, Tracked<T>, O>& from, c
 template <int C>
 BoundedJet<double, C> rounded(const BoundedJet<Mp200, C>& wide) {
   BoundedJet<double, C> result{narrowed<double>(wide.jet)};
+  result.digits = wide.digits;
   for (int o = 0; o < 3; ++o)
     if (wide.bound[o] > 0) result.bound[o] = std::min(1., static_cast<double>(wide.bound[o]) + 0x1p-53);
   return result;

@@ -7,10 +7,6 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// What a result's own bound must be below. Of `accurate`: half of what is promised, since running bounds are
-/// themselves rounded. Of `closed_form`: bounds of running errors exceed what happens ten times over and more.
-inline constexpr double kAccurateTolerance = 128 * 0x1p-53, kTolerance = 1000 * 0x1p-53;
-
 /// The near form in the first arithmetic of the ladder whose bound is at most `tolerance`, else in the last; where it
 /// has no value, what is said instead. \param frame in whatever type sees exactly where the point is
 /// \param largest as of bounded()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "triangle.h"
+#include "cageproof/closed_form/triangle/engine/counted.h"
 
 #include <utility>
 
@@ -9,6 +9,13 @@ namespace {
 thread_local bool follows_tracked = false;
 
 Vec3<Counted> counted(const Vec3<double>& v) { return {v[0], v[1], v[2]}; }
+
+constexpr const char* kFile = "closed_form/include/cageproof/closed_form/triangle/engine/exact_frame.h";
+
+void see(Counted& x, const Mp200& exact, const char* name) { x = Counted::seen(x.value, exact, name, kFile); }
+void see(Vec3<Counted>& v, const Vec3<Mp200>& exact, const char* name) {
+  for (int i = 0; i < 3; ++i) see(v[i], exact[i], name);
+}
 
 }  // namespace
 
@@ -29,35 +36,6 @@ Frame<Counted>::Frame(const Frame<double>& wider)
     r[i] = wider.r[i];
     edges[i] = {counted(from.u), counted(from.nu), from.length, from.h, from.s0, from.s1, from.r0, from.r1, from.D2};
   }
-}
-
-}  // namespace cageproof::closed_form::triangle
-
-namespace cageproof::fast::triangle {
-namespace {
-
-constexpr const char* kFile = "closed_form/include/cageproof/closed_form/triangle/engine/exact_frame.h";
-
-void see(Counted& x, const Mp200& exact, const char* name) { x = Counted::seen(x.value, exact, name, kFile); }
-void see(Vec3<Counted>& v, const Vec3<Mp200>& exact, const char* name) {
-  for (int i = 0; i < 3; ++i) see(v[i], exact[i], name);
-}
-
-}  // namespace
-
-std::string description_of(Route route, const Panels& panels, bool is_kept) {
-  if (route == Route::Panels) {
-    int points = 0;
-    for (const Panel& panel : panels) points += panel.across * panel.along;
-    return "far form in double, " + std::to_string(points) + " Gauss points on " + std::to_string(panels.size()) +
-           (panels.size() == 1 ? " panel" : " panels") +
-           (is_kept ? "" : ", summed one by one here and in vectors there");
-  }
-  if (route == Route::Near) return "near form in double";
-  if (route == Route::Tracked) return "near form in double, within the bound of its error";
-  if (route == Route::Border) return "closed form with its limits, since the point is on the border";
-  return is_kept ? "near form in double, within the bound of its error, as the closed form takes it"
-                 : "near form in more digits, since in double the bound of its error was too large";
 }
 
 Frame<Counted> counted_frame(const Frame<double>& frame, const Triangle<double>& t, const Vec3<double>& eta) {
@@ -90,4 +68,4 @@ Frame<Counted> counted_frame(const Frame<double>& frame, const Triangle<double>&
   return f;
 }
 
-}  // namespace cageproof::fast::triangle
+}  // namespace cageproof::closed_form::triangle

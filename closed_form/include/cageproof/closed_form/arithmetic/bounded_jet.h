@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// A jet with a bound of its error, and what closed forms take as good enough.
+#pragma once
+
+#include "cageproof/closed_form/arithmetic/jet.h"
+#include "cageproof/closed_form/arithmetic/tracked.h"
+
+#include <algorithm>
+
+namespace cageproof::closed_form {
+
+/// What a result's own bound must be below. Of `accurate`: half of what is promised, since running bounds are
+/// themselves rounded. Of `closed_form`: bounds of running errors exceed what happens ten times over and more.
+inline constexpr double kAccurateTolerance = 128 * 0x1p-53, kTolerance = 1000 * 0x1p-53;
+
+/// A jet, and a bound of each order's relative error, norm-wise over those entries that are finite and within what the
+/// result may hold; zero where all of them are exact.
+template <Scalar S, int C, int D = 3>
+struct BoundedJet {
+  using Bound = ErrorOf<S>;
+
+  Jet<S, C, D> jet;
+  std::array<Bound, 3> bound{0, 0, 0};
+  int digits = 0;  ///< decimal ones of the arithmetic that computed it; 0: none did, the jet is a limit
+
+  Bound worst() const { return std::max({bound[0], bound[1], bound[2]}); }
+};
+
+/// BoundedJet::digits of an arithmetic.
+template <class T>
+inline constexpr int digits_of = std::numeric_limits<T>::digits10;
+template <>
+inline constexpr int digits_of<DoubleDouble> = 30;
+
+}  // namespace cageproof::closed_form

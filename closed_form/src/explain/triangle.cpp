@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The triangle's closed forms in numbers that count: the near form in double, and how far up the ladder its bound sent
+// the evaluation.
+#include "cageproof/closed_form/triangle/affine_single_layer.h"
+#include "cageproof/closed_form/triangle/biharmonic_double_layer.h"
+#include "cageproof/closed_form/triangle/biharmonic_single_layer.h"
+#include "cageproof/closed_form/triangle/double_layer.h"
+#include "cageproof/closed_form/triangle/engine/closed_form.h"
+#include "cageproof/closed_form/triangle/engine/counted.h"
+#include "cageproof/closed_form/triangle/kelvin_displacement.h"
+#include "cageproof/closed_form/triangle/kelvin_traction.h"
+#include "cageproof/closed_form/triangle/mean_value.h"
+#include "cageproof/closed_form/triangle/single_layer.h"
+#include "cageproof/closed_form/triangle/solid_angle.h"
+#include "rung.h"
+
+namespace cageproof::closed_form::triangle {
+namespace {
+
+template <class F, int O>
+Explanation explain_order(const Query<double>& query, std::span<const double> values,
+                          std::optional<std::size_t> entry) {
+  const Triangle<double> t{query.corners[0], query.corners[1], query.corners[2]};
+  PointMoments<O> at(t, query.point);
+  const Frame<double>& seen = at.frame();
+  const auto taken = bounded_form<F, O>(at, query.parameters, query.finite_part, kTolerance);
+  Explanation explanation;
+  if (seen.extreme || taken.digits == 0) {
+    choose_none(explanation, values, entry);
+    explanation.route = seen.extreme ? "edge form in " + arithmetic_name(taken.digits) + ": the point is extreme"
+                                     : "none: the value diverges here";
+    return explanation;
+  }
+  int limit = first_divergent<F>(seen);
+  if (limit == 0 && query.finite_part) limit = 1;
+  const double bound = tracked_near<F, double, O>(at, std::span<const double>(query.parameters), limit).worst();
+  const CountedTape tape;
+  const Frame<Counted> frame = counted_frame(seen, t, query.point);
+  const bool before = follow_tracked(true);
+  const auto components = near_components<F, O, Counted>(frame, counted_parameters<F>(query.parameters));
+  follow_tracked(before);
+  choose(explanation, tape, entries_of<F, O>(components), (F::degree - O) * std::ilogb(seen.unit), values, entry);
+  explanation.route = rung_name("edge form", taken, bound);
+  if (limit <= O) explanation.route += "; on the border, where what has no limit is infinite or no number";
+  return explanation;
+}
+
+template <class F>
+Explanation explain_form(const Query<double>& query, std::span<const double> values, std::optional<std::size_t> entry) {
+  if (query.order == 0) return explain_order<F, 0>(query, values, entry);
+  if (query.order == 1) return explain_order<F, 1>(query, values, entry);
+  return explain_order<F, 2>(query, values, entry);
+}
+
+const RegisterExplainer explainers[] = {
+    {"triangle.single_layer", "closed_form", &explain_form<SingleLayer>},
+    {"triangle.double_layer", "closed_form", &explain_form<DoubleLayer>},
+    {"triangle.solid_angle", "closed_form", &explain_form<SolidAngle>},
+    {"triangle.biharmonic_single_layer", "closed_form", &explain_form<BiharmonicSingleLayer>},
+    {"triangle.biharmonic_double_layer", "closed_form", &explain_form<BiharmonicDoubleLayer>},
+    {"triangle.affine_single_layer", "closed_form", &explain_form<AffineSingleLayer>},
+    {"triangle.kelvin_displacement", "closed_form", &explain_form<KelvinDisplacement>},
+    {"triangle.kelvin_traction", "closed_form", &explain_form<KelvinTraction>},
+    {"triangle.mean_value", "closed_form", &explain_form<MeanValue>},
+};
+
+}  // namespace
+}  // namespace cageproof::closed_form::triangle
