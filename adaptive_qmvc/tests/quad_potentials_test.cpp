@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The potentials on bilinear quads against the integrals of their kernels as plain sums in two dimensions, against
-// relations that share nothing with them, and in double against 200 digits.
+// relations that share nothing with them, and in double against 100 digits.
 #include "../src/quad/potentials/potential_parts.h"
 #include "quad/engine/singular_pairs.h"
 #include "quads.h"
@@ -124,10 +124,11 @@ Vec inside(const Quad<double>& q, double u, double v, double distance) {
   return combined(q, basis_at(u, v)) - distance * normal_at(q, u, v).normalized();
 }
 
-// The kernels' derivatives as they are, line by line in 200 digits: no derivative along the quad is moved.
-PotentialTensors<Mp200> plain_lines(Potential potential, const Quad<double>& corners, const Vec3<Mp200>& eta, int order,
-                                    double digits) {
-  using R = Mp200;
+// The kernels' derivatives as they are, line by line: no derivative along the quad is moved. A hundred digits hold
+// forty where distances are ordinary; limits are taken in 200.
+template <class R>
+PotentialTensors<R> plain_lines(Potential potential, const Quad<double>& corners, const Vec3<R>& eta, int order,
+                                double digits) {
   const Quad<R> wide = convert_quad<R>(corners);
   const auto q = quad_frame<R>(wide, eta);
   OuterRules<R> across;
@@ -191,7 +192,7 @@ TEST(QuadPotentials, have_the_derivatives_of_those_integrals) {
   }
 }
 
-// Derivatives along the quad moved onto its border, in double, against those of the kernels in 200 digits.
+// Derivatives along the quad moved onto its border, in double, against those of the kernels in 100 digits.
 TEST(QuadPotentials, keep_15_digits_in_double_at_all_distances) {
   for (const Quad<double>& corners : {kSquare, kTwisted, kStrong, kDart})
     for (const double distance : {3.0, 0.1, 1e-3, 1e-7, 1e-12})
@@ -199,7 +200,7 @@ TEST(QuadPotentials, keep_15_digits_in_double_at_all_distances) {
         const Vec eta = inside(corners, 0.375, 0.3125, distance);
         const auto form = found<double>(potential, corners, eta, 2, 17);
         const auto truth =
-            plain_lines(potential, corners, convert<Mp200>(eta), 2, 22 - 2 * std::log10(std::min(1., distance)));
+            plain_lines(potential, corners, convert<Mp100>(eta), 2, 22 - 2 * std::log10(std::min(1., distance)));
         for (int o = 0; o <= 2; ++o)
           EXPECT_LT(relative(form.of[o], truth.of[o]), 1.5e-14)
               << static_cast<int>(potential) << ' ' << distance << " order " << o;
@@ -218,9 +219,9 @@ TEST(QuadPotentials, keep_their_digits_at_ordinary_places) {
       for (const Potential potential : kPotentials) {
         ASSERT_FALSE(on_quad(corners, point));
         const auto form = found<double>(potential, corners, point, 2, 17);
-        const auto truth = plain_lines(potential, corners, convert<Mp200>(point), 2, 40);
+        const auto truth = plain_lines(potential, corners, convert<Mp100>(point), 2, 40);
         for (int o = 0; o <= 2; ++o) {
-          const bool is_zero = std::ranges::all_of(truth.of[o], [](const Mp200& x) { return x == 0; });
+          const bool is_zero = std::ranges::all_of(truth.of[o], [](const Mp100& x) { return x == 0; });
           if (is_zero) EXPECT_TRUE(std::ranges::all_of(form.of[o], [](double x) { return x == 0; }));
           else
             EXPECT_LT(relative(form.of[o], truth.of[o]), 1.5e-14)
@@ -250,7 +251,7 @@ void expect_digits_in_every_turn(const Quad<double>& corners, const Vec& point, 
       Quad<double> q;
       for (std::size_t k = 0; k < 4; ++k) q[k] = corners[(k + first) % 4];
       const auto form = found<double>(potential, q, point, 2, 17);
-      const auto truth = plain_lines(potential, q, convert<Mp200>(point), 2, 40);
+      const auto truth = plain_lines(potential, q, convert<Mp100>(point), 2, 40);
       for (int o = lowest_order; o <= 2; ++o)
         EXPECT_LT(relative(form.of[o], truth.of[o]), 1.5e-14)
             << static_cast<int>(potential) << " from corner " << first << " order " << o;

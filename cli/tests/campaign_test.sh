@@ -34,7 +34,7 @@ f 2 3 6
 f 4 2 6
 f 1 4 6
 OBJ
-options=(--suite quick --formulas triangle.double_layer --regimes 'near-*' --samples 40 --enclosures 0 --cage octahedron.obj)
+options=(--suite quick --formulas triangle.double_layer --regimes 'near-*' --samples 16 --enclosures 0 --cage octahedron.obj)
 
 # A report's file without what may differ.
 without_environment() {
@@ -147,7 +147,7 @@ kills() {
 
   # What cannot be resumed.
   cp -r alone resumed
-  refuses 'samples 40, now 41' 'seed 1, now 9' -- "$cageproof" verify --resume resumed --samples 41 --seed 9
+  refuses 'samples 16, now 17' 'seed 1, now 9' -- "$cageproof" verify --resume resumed --samples 17 --seed 9
   refuses 'formulas triangle.double_layer, now triangle.*' -- "$cageproof" verify --resume resumed --formulas 'triangle.*'
   refuses 'number of shards 1, now 2' -- "$cageproof" verify --resume resumed --shard 0/2
   refuses resume out -- "$cageproof" verify --resume resumed --out resumed

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What pages of cells do once scripts run: cells answer, every figure is listed, curves and times are drawn by D3.
+// One function, because it waits: modules may wait by themselves, but browsers load none from a folder on disk.
+"use strict";
+(async () => {
+
 // Cells are kept packed: a fifth of their text.
 async function unpacked(text) {
   const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
@@ -310,3 +314,5 @@ const timesBox = document.querySelector("[data-times]");
 if (timesBox) drawTimes(timesBox);
 
 if (location.hash) show(decodeURIComponent(location.hash.slice(1)));
+
+})();

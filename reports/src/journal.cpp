@@ -206,9 +206,6 @@ std::string journal_head(const JournalHeader& header, const Session& session) { 
 
 void put_journal(const Journal& journal, const std::function<void(std::string_view)>& put) {
   put(head(journal.header, journal.sessions));
-  PartialResult rest{{}, {}, journal.gathered.meshes, journal.gathered.errata};
-  for (auto& [place, field] : whole_fields(journal.gathered))
-    rest.fields.emplace(std::pair(place, std::size_t{0}), std::move(field));
   // Rows that were measured at the same inputs stand together, which packs to two thirds.
   std::vector<const std::pair<const RowKey, Tally>*> rows;
   rows.reserve(journal.gathered.rows.size());
@@ -218,9 +215,16 @@ void put_journal(const Journal& journal, const std::function<void(std::string_vi
     return std::tie(key.section, key.subject, key.setting, key.scalar, key.check, key.place);
   });
   for (const auto* row : rows) put(dump(Json{{"rows", Json::array({row_json(row->first, row->second)})}}) + "\n");
-  const Json others = partial_result_json(rest);
-  for (const auto& [name, list] : others.items())
-    for (const Json& item : list) put(dump(Json{{name, Json::array({item})}}) + "\n");
+  // One at a time: as JSON a field takes several times its room.
+  const auto put_one = [&](auto PartialResult::*member, auto key, auto value) {
+    PartialResult one;
+    (one.*member).emplace(std::move(key), std::move(value));
+    put(dump(partial_result_json(one)) + "\n");
+  };
+  for (auto& [place, field] : whole_fields(journal.gathered))
+    put_one(&PartialResult::fields, std::pair(place, std::size_t{0}), std::move(field));
+  for (const auto& [name, mesh] : journal.gathered.meshes) put_one(&PartialResult::meshes, name, mesh);
+  for (const auto& [place, erratum] : journal.gathered.errata) put_one(&PartialResult::errata, place, erratum);
   Json units = Json::array();
   if (journal.header.units > 0) units.push_back(Json::array({std::size_t{0}, journal.header.units - 1}));
   put(dump(Json{{"units", units}}) + "\n");

@@ -223,15 +223,20 @@ TEST(ReportFiles, BrokenPromisesComeFirst) {
 // What a page loads besides itself: nothing from elsewhere, and links that lead somewhere.
 void expect_to_stand_alone(const std::string& name, const std::map<std::string, std::string>& files) {
   const std::string& page = files.at(name);
-  // The scripts are others' and ours, and are looked at by themselves. What draws curves stands beside the pages.
+  // The scripts are others' and ours, and are looked at by themselves. What pages of a folder share stands beside them.
   std::string text = page;
-  for (const std::string start :
-       {"<script>", "<script type=\"module\">", "<script type=\"application/gzip\"", "<script src=\"d3.min.js\">"})
+  for (const std::string start : {"<script>", "<script type=\"application/gzip\"", "<script src=\"d3.min.js\">",
+                                  "<script src=\"page.js\">", "<script src=\"cells.js\">"})
     for (auto at = text.find(start); at != text.npos; at = text.find(start))
       text.erase(at, text.find("</script>", at) + 9 - at);
-  if (name.starts_with("formulas/")) {
-    EXPECT_NE(page.find("<script src=\"d3.min.js\">"), std::string::npos) << name;
-    EXPECT_TRUE(files.contains("formulas/d3.min.js"));
+  if (const auto end = name.find('/'); end != name.npos) {
+    std::vector<std::string> beside{"page.js", "cells.js"};
+    if (name.starts_with("formulas/")) beside.emplace_back("d3.min.js");
+    for (const std::string& script : beside) {
+      EXPECT_NE(page.find(fmt::format("<script src=\"{}\">", script)), std::string::npos) << name;
+      EXPECT_TRUE(files.contains(name.substr(0, end + 1) + script)) << name << ": " << script;
+    }
+    EXPECT_NE(page.find("<link rel=\"stylesheet\" href=\"page.css\">"), std::string::npos) << name;
   }
   for (const char* part : {"http:", "https:", "@import", "url(", "{{", "<script src", "plugin:\"x\"", "<script>alert"})
     EXPECT_EQ(text.find(part), std::string::npos) << name << ": " << part;

@@ -30,14 +30,6 @@ void expect_kept(const Cage& cage, const CageCampaignOptions& options) {
                                             << " order " << row.order << ": " << row.max;
 }
 
-TEST(cage_properties, hold_on_every_embedded_cage) {
-  for (const auto name : embedded_cage_names()) {
-    const Cage cage = embedded_cage(name);
-    if (std::ranges::any_of(coordinate_kinds(), [&](const CoordinateKind& kind) { return accepts(kind, cage); }))
-      expect_kept(cage, few_points());
-  }
-}
-
 // A kind that refused a valid cage would drop its rows, and break nothing.
 TEST(coordinates, of_every_kind_exist_on_every_embedded_surface) {
   std::vector<std::string_view> names = embedded_cage_names();
@@ -57,14 +49,6 @@ TEST(coordinates, of_every_kind_exist_on_every_embedded_surface) {
       EXPECT_NO_THROW(CageCoordinates(cage, kind, {})) << name << ' ' << kind.name;
     }
   }
-}
-
-TEST(cage_properties, hold_on_every_extreme_cage) {
-  CageCampaignOptions options = few_points();
-  options.points = 12;
-  options.properties_alone = true;
-  options.solved_elements = 0;
-  for (const auto name : extreme_cage_names()) expect_kept(embedded_cage(name), options);
 }
 
 // Of the kinds whose elements take least time: slivers need hundreds of digits.

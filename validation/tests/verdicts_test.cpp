@@ -173,15 +173,15 @@ TEST(rows, without_an_integral_behind_them_leave_its_own_row_undecided_and_break
        {std::pair(Samples::All, Verdict::Broken), std::pair(Samples::Fewer, Verdict::Undecided)})
     for (const Tally& none : {declined, tally(-1, 4), tally(-1, 3)}) {
       std::map<RowKey, Tally> tallies{{gate_at("on-face"), none}, {key("truth", "closed_form", "on-face"), tally(3)}};
-      for (const ResultRow& row : judged(tallies, samples).rows)
+      for (const ResultRow& row : judged(std::map(tallies), samples).rows)
         EXPECT_EQ(row.verdict, row.check == "integral" ? verdict : Verdict::NotPromised);
       // What is broken stays so.
       tallies[key("truth", "closed_form", "on-face")] = tally(65);
-      for (const ResultRow& row : judged(tallies, samples).rows)
+      for (const ResultRow& row : judged(std::map(tallies), samples).rows)
         EXPECT_EQ(row.verdict, row.check == "integral" ? verdict : Verdict::Broken);
       // Where nothing has a limit, nothing rests on it.
       tallies[key("truth", "closed_form", "on-face")] = tally(-1, 3);
-      for (const ResultRow& row : judged(tallies, samples).rows) EXPECT_EQ(row.verdict, Verdict::NotPromised);
+      for (const ResultRow& row : judged(std::map(tallies), samples).rows) EXPECT_EQ(row.verdict, Verdict::NotPromised);
     }
 }
 
@@ -209,7 +209,7 @@ TEST(rows, are_withdrawn_where_the_integral_is_another) {
   tallies[key("truth", "closed_form", "near-edge")] = tally(3);
   tallies[key("truth", "closed_form", "near-face")] = tally(3);
   tallies[key("truth", "closed_form", "near-edge", 1)] = tally(3);
-  const Judged found = judged(tallies);
+  const Judged found = judged(std::map(tallies));
   ASSERT_EQ(found.notes.size(), 1u);
   for (const ResultRow& row : found.rows)
     if (row.check == "truth") {
@@ -228,7 +228,7 @@ TEST(rows, stand_in_the_order_of_the_catalogue) {
   solid.subject = "triangle.solid_angle";
   tallies[solid] = tallies[cage] = tally(1);
   std::string order;
-  for (const ResultRow& row : judged(tallies).rows)
+  for (const ResultRow& row : judged(std::map(tallies)).rows)
     order += row.subject + " " + row.setting + " " + row.check + " " + row.evaluation + "\n";
   EXPECT_EQ(order.substr(0, order.find('\n')), "triangle.single_layer generic truth closed_form");
   EXPECT_LT(order.find("truth gauss-8"), order.find("scaling"));

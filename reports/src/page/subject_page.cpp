@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace cageproof::reports {
 namespace {
@@ -198,7 +199,6 @@ class SubjectPage {
       : rows_(std::move(rows)), file_(std::move(file)), data_(common_data(result, "../")) {
     set_tiles(data_, rows_);
     data_.set("name", name);
-    data_.set("cell_script", kCellScript);
   }
   Data& data() { return data_; }
   const std::string& file() const { return file_; }
@@ -268,6 +268,17 @@ void add_cage(std::map<std::string, std::string>& pages, const RunResult& result
   pages[page.file()] = page.text(Json::object(), matrices, places);
 }
 
+// What all pages of a folder load stands beside them once: a tenth of the report would be copies of it.
+void add_shared_files(std::map<std::string, std::string>& pages) {
+  std::set<std::string> folders;
+  for (const auto& [file, text] : pages) folders.insert(file.substr(0, file.find('/') + 1));
+  for (const std::string& folder : folders) {
+    pages[folder + "page.css"] = kPageStyle;
+    pages[folder + "page.js"] = kPageScript;
+    pages[folder + "cells.js"] = kCellScript;
+  }
+}
+
 }  // namespace
 
 std::map<std::string, std::string> subject_pages(const RunResult& result, const std::vector<CurvePicture>& curves) {
@@ -280,6 +291,7 @@ std::map<std::string, std::string> subject_pages(const RunResult& result, const 
     for (const std::string& cage : distinct(table.lines, [](const auto& l) -> const std::string& { return l.cage; }))
       add_cage(pages, result, places, section, table, cage);
   }
+  add_shared_files(pages);
   return pages;
 }
 

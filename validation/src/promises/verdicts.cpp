@@ -162,14 +162,20 @@ ResultRow row_of(const RowKey& key, const Tally& tally) {
   return row;
 }
 
-Judged judged(const std::map<RowKey, Tally>& tallies, Samples samples) {
+Judged judged(std::map<RowKey, Tally>&& tallies, Samples samples) {
   Judged result;
-  for (const auto& [key, tally] : tallies)
+  result.rows.reserve(tallies.size());
+  for (auto& [key, tally] : tallies) {
     if (!tally.empty()) result.rows.push_back(row_of(key, tally));
+    // Curves need what is left.
+    tally.errors = ErrorHistogram();
+    tally.worst = WorstCases();
+  }
   sort_for_report(result.rows);
   withdraw_unproven(result, samples);
   for (const ResultRow& row : result.rows)
     if (auto curve = curve_of(row, tallies.at(row))) result.curves.push_back(std::move(*curve));
+  tallies.clear();
   return result;
 }
 

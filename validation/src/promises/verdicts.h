@@ -29,9 +29,10 @@ struct Judged {
 /// Whether a run measured as many samples as its suite does, or fewer.
 enum class Samples { All, Fewer };
 
-/// Judges all tallies of a run together. Where the truth is not confirmed by the integral, nothing that was measured
-/// against it counts. Where anything was promised there, the integral's own row is broken if it disagrees; if it could
-/// say nothing, the row is undecided, and broken where all samples of the suite were asked.
-Judged judged(const std::map<RowKey, Tally>& tallies, Samples samples = Samples::Fewer);
+/// Judges all tallies of a run together, and lets go of each as its row is made: a run has fifty thousand. Where the
+/// truth is not confirmed by the integral, nothing that was measured against it counts. Where anything was promised
+/// there, the integral's own row is broken if it disagrees; if it could say nothing, the row is undecided, and broken
+/// where all samples of the suite were asked.
+Judged judged(std::map<RowKey, Tally>&& tallies, Samples samples = Samples::Fewer);
 
 }  // namespace cageproof::validation

@@ -147,7 +147,7 @@ Samples samples_of(const reports::JournalHeader& header) {
                                                                                               : Samples::Fewer;
 }
 
-RunResult result_of(const Journal& journal) {
+RunResult result_of(Journal& journal) {
   RunResult result;
   result.version = journal.header.version;
   result.suite = journal.header.options.at("suite");
@@ -158,7 +158,7 @@ RunResult result_of(const Journal& journal) {
     result.settings.insert(*content);
   result.sessions = journal.sessions;
   result.session_notes = session_notes(journal.sessions);
-  Judged found = judged(journal.gathered.rows, samples_of(journal.header));
+  Judged found = judged(std::move(journal.gathered.rows), samples_of(journal.header));
   result.rows = std::move(found.rows);
   result.curves = std::move(found.curves);
   result.notes = std::move(found.notes);
@@ -171,8 +171,8 @@ RunResult write_report(const std::filesystem::path& out, Journal journal) {
   return_free_memory();
   reports::ReportWriter writer(out);
   writer.write_journal(journal);
+  return_free_memory();
   RunResult result = result_of(journal);
-  journal.gathered.rows.clear();
   return_free_memory();
   const std::map<int, FieldPart> fields = fields_with_facts(journal);
   std::map<std::string, std::vector<const FieldPart*>> scenes;
@@ -235,7 +235,7 @@ RunResult merge_shards(const std::vector<std::filesystem::path>& parts, const st
 }
 
 std::string summary_of_journal(const std::filesystem::path& journal) {
-  const Journal read = reports::read_journal(journal);
+  Journal read = reports::read_journal(journal);
   RunResult result = result_of(read);
   for (const auto& [place, part] : whole_fields(read.gathered))
     result.fields.push_back(reports::unwritten_entry(part.image.arrays, part.title, part.shown, scale_of(part)));

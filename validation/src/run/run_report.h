@@ -8,8 +8,8 @@ namespace cageproof::validation {
 /// The option that stands for the list of units of work.
 inline constexpr const char* work_option = "work";
 
-/// What a journal's findings amount to, without the fields.
-RunResult result_of(const reports::Journal& journal);
+/// What a journal's findings amount to, without the fields. Takes the journal's rows: those of a result are as large.
+RunResult result_of(reports::Journal& journal);
 
 /// Writes the whole report of a run whose units are all done.
 /// \throws InputError when it cannot be written
