@@ -9,7 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <span>
+#include <vector>
 
 namespace cageproof {
 namespace {
@@ -89,6 +92,27 @@ TEST(FarFaces, one_small_face_breaks_nothing) {
     for (const char* kind : {"green", "biharmonic", "somigliana"})
       for (int order = 0; order <= 2; ++order)
         EXPECT_LE(worst_error(with_small_face(size), kind, order, 8), 64) << kind << ' ' << order << ' ' << size;
+}
+
+// Whatever points it is computed with, which may be nearer, further, or see faces as thin.
+TEST(FarFaces, a_point_does_not_depend_on_its_neighbours) {
+  const Cage cage = sphere(1);
+  const std::vector<Point> points = points_about(cage, 24);
+  for (const char* kind : {"green", "biharmonic", "somigliana"})
+    for (int order = 0; order <= 2; ++order) {
+      const CageCoordinates coordinates = coordinates_of(cage, kind, "batched");
+      std::vector<CoordinateTable<double>> together, alone;
+      coordinates.at(points, order, together);
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        coordinates.at(std::span(points).subspan(p, 1), order, alone);
+        for (std::size_t b = 0; b < alone.size(); ++b)
+          for (int o = 0; o <= order; ++o) {
+            const auto first = together[b].tensors[o].begin() + static_cast<std::ptrdiff_t>(p * together[b].stride[o]);
+            ASSERT_TRUE(std::equal(alone[b].tensors[o].begin(), alone[b].tensors[o].end(), first))
+                << kind << ' ' << order << ", at " << points[p].transpose();
+          }
+      }
+    }
 }
 
 // Mean of a monomial of barycentric coordinates over a triangle: 2 i! j!/(i + j + 2)!.

@@ -33,7 +33,9 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   }
   int limit = first_divergent<F>(seen);
   if (limit == 0 && query.finite_part) limit = 1;
-  const double bound = tracked_near<F, double, O>(at, std::span<const double>(query.parameters), limit).worst();
+  constexpr double largest = std::numeric_limits<double>::max();
+  const std::span<const double> parameters(query.parameters);
+  const double bound = tracked_near<F, double, O>(at, parameters, limit, largest).worst();
   const CountedTape tape;
   const Frame<Counted> frame = counted_frame(seen, t, query.point);
   const bool before = follow_tracked(true);

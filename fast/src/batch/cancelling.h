@@ -6,6 +6,7 @@
 #include "cageproof/closed_form/batch/lanes.h"
 
 #include "edge_terms.h"
+#include "near_faces.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
@@ -49,11 +50,17 @@ struct MeasuredBlock {
   SquaresBelow thin_below;  ///< of `thin`, where derivatives are asked
   Measures squares;         ///< summed over the faces that are added in double
   Measures limits;          ///< beyond which faces are not
-  int faces;                ///< how many faces were asked
-  int between;              ///< for how many of them there are rules that are not quick
-  int rules;                ///< rules that are taken
-  bool lowered;             ///< whether limits are
+  Lanes faces;              ///< how many faces were near
+  Mask between;             ///< whether there are rules, not quick ones, for some of them
+  Small rules;              ///< how many rules are taken
+  Mask lowered;             ///< whether limits are
 };
+
+/// For some points.
+inline void take_all_rules(MeasuredBlock& measured, Mask points) {
+  for (int i = 0; i < kLanes; ++i)
+    if (points[i] != 0) measured.rules[i] = kFarRules;
+}
 
 /// Of an order's columns of a double layer, of which each vertex has that many.
 inline Lanes norm_of(const Block& block, int order, int b, int each) {
@@ -64,20 +71,20 @@ inline Lanes norm_of(const Block& block, int order, int b, int each) {
 }
 
 /// Lowers a limit where the sum of squares is too large, so that it no longer is. \return where that is
-inline Mask lower(Lanes& limit, Lanes squares, Lanes most, int faces) {
+inline Mask lower(Lanes& limit, Lanes squares, Lanes most, Lanes faces) {
   const Lanes square = most * most;
   const Mask lowered = squares > square;
-  const Lanes evenly = root(square * (1. / faces));
+  const Lanes evenly = root(square / faces);
   limit = select(lowered & (evenly < limit), evenly, limit);
   return lowered;
 }
 
 /// The same; of the limits that `below` knows the largest that suffices.
-inline Mask lower(Lanes& limit, const SquaresBelow& below, Lanes squares, Lanes most, int faces) {
+inline Mask lower(Lanes& limit, const SquaresBelow& below, Lanes squares, Lanes most, Lanes faces) {
   const Lanes square = most * most;
   const Mask lowered = squares > square;
   if (!any(lowered)) return lowered;
-  Lanes found = root(square * (1. / faces));
+  Lanes found = root(square / faces);
   for (int i = SquaresBelow::count - 1; i >= 0; --i)
     found = select((below.of[i] <= square) & (found < SquaresBelow::limits[i]), splat(SquaresBelow::limits[i]), found);
   limit = select(lowered & (found < limit), found, limit);
@@ -90,7 +97,7 @@ inline Mask lower(Lanes& limit, const SquaresBelow& below, Lanes squares, Lanes 
 /// its gradient is about the geometric mean of phibar and phi, in thin limbs as well.
 template <Layers L, int O>
 Mask lower_limits(const Block& block, MeasuredBlock& measured) {
-  const int faces = measured.faces > 0 ? measured.faces : 1;
+  const Lanes faces = select(measured.faces > 1, measured.faces, splat(1));
   const Measures& squares = measured.squares;
   Measures& limits = measured.limits;
   const Lanes phi = norm_of(block, 0, 0, L == Layers::Kelvin ? 9 : 1);

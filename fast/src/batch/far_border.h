@@ -19,12 +19,13 @@ template <Layers L, int O>
 class BorderEdge {
  public:
   /// \param from from the point to the edge's beginning \param sign of the faces that are not far, summed
-  BorderEdge(const EdgeTable<double>& edge, const Three<Lanes>& from, const LineRule& rule, double sign, Lanes beta)
+  BorderEdge(const EdgeTable<double>& edge, const Three<Lanes>& from, const LineRule& rule, Lanes sign, Lanes beta)
       : edge_(edge), beta_(beta) {
     for (int i = 0; i < 3; ++i) u_[i] = splat(edge.u[i]);
     m_ = cross(from, u_);
     for (int q = 0; q < LineRule::nodes; ++q) {
-      const double t = rule.along[q], size = sign * edge.length * rule.weight[q];
+      const double t = rule.along[q];
+      const Lanes size = sign * (edge.length * rule.weight[q]);
       Three<Lanes> p;
       for (int i = 0; i < 3; ++i) p[i] = from[i] + (t * edge.length) * edge.u[i];
       const Lanes g = over_root(dot(p, p));
@@ -50,7 +51,7 @@ class BorderEdge {
   struct Node {
     Three<Lanes> p;
     Lanes g, cube;  // 1/r, 1/r^3
-    double weight[2];
+    Lanes weight[2];
   };
 
   // by m, and the symmetric half of bend m p'
@@ -71,7 +72,7 @@ class BorderEdge {
     return (j - i + 3) % 3 == 1 ? -u_[l] : u_[l];
   }
 
-  void add_traction(const Node& node, double weight, int v, const Sums<Lanes>& sums) const {
+  void add_traction(const Node& node, Lanes weight, int v, const Sums<Lanes>& sums) const {
     const Three<Lanes>& p = node.p;
     const Lanes g = node.g, g3 = node.cube, g5 = g3 * g * g, g7 = g5 * g * g, rest = weight * (1 - beta_),
                 bent = weight * beta_;

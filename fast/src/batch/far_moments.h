@@ -63,15 +63,15 @@ struct Summed {
       for (int k = 0; k < Sets; ++k) of[k][m] = sum[k];
     }
   }
-  void scale(Lanes by) {
+  void scale(double by, Mask points) {
     for (auto& set : of)
-      for (int m = 0; m < kEntries<Rank>; ++m) set[m] *= by;
+      for (int m = 0; m < kEntries<Rank>; ++m) set[m] = select(points, set[m] * by, Lanes{});
   }
 };
 template <int Rank, int Sets>
 struct Summed<false, Rank, Sets> {
   void add(const Symmetric<Lanes, Rank> (&)[kAtOnce], const Lanes (&)[kAtOnce], const Weights&) {}
-  void scale(Lanes) {}
+  void scale(double, Mask) {}
 };
 
 /// From products of order N - 1 those of order N.
@@ -109,8 +109,9 @@ struct FarMoments {
   Sums<3, 5> sum35;
   Sums<4, 7> sum47;
 
-  /// \param corner from the point to corner 0 \param edges from there to corners 1 and 2
-  FarMoments(const FarRule& rule, const Three<Lanes>& corner, const double (&edges)[2][3], double area) {
+  /// \param corner from the point to corner 0 \param edges from there to corners 1 and 2 \param points
+  /// of which integrals are wanted: those of others are zero
+  FarMoments(const FarRule& rule, const Three<Lanes>& corner, const double (&edges)[2][3], double area, Mask points) {
     // Where the points lie, as many at a time as a vector holds.
     alignas(64) double offset[3][kPaddedNodes];
     for (int q = 0; q < rule.nodes; q += kLanes)
@@ -164,8 +165,7 @@ struct FarMoments {
       sum35.add(p3, g5, w);
       sum47.add(p4, g7, w);
     }
-    const Lanes all = splat(area);
-    const auto scale = [&](auto&... sums) { (sums.scale(all), ...); };
+    const auto scale = [&](auto&... sums) { (sums.scale(area, points), ...); };
     scale(hats01, hats03, hats05, hats13, hats15, hats25, hats27, hats37, hats49, sum0, sum01, sum03, sum11, sum13,
           sum23, sum25, sum35, sum47);
   }

@@ -8,7 +8,6 @@
 #include "face_terms.h"
 #include "far_border.h"
 #include "far_faces.h"
-#include "near_faces.h"
 #include "seen_vertex.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
@@ -68,20 +67,23 @@ void sum_faces_within(Block& block, const NearFaces& near, const SeenVertex* ver
     measures.of_layer = face.steep_around * (v0.r + v1.r + v2.r);
     measures.thin = Takes<L, O>::distances ? face.steep * (e0.distance + e1.distance + e2.distance) : measures.of_layer;
     if constexpr (L == Layers::Biharmonic) measures.of_distance = measures.thin * magnitude(height);
-    const Mask marked = measures.exceeds(limits) | ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
-                        ((along < Lanes{}) & (high < kNextToFace * wide)) | v0.near | v1.near | v2.near;
-    squares.add_squares(measures, marked);
-    if constexpr (L == Layers::Biharmonic && O >= 1) measured.thin_below.add(measures.thin, marked);
+    const Mask far = ~widened(near.is_near(f));
+    const Mask marked = (measures.exceeds(limits) | ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
+                         ((along < Lanes{}) & (high < kNextToFace * wide)) | v0.near | v1.near | v2.near) &
+                        ~far;
+    const Mask out = marked | far;
+    squares.add_squares(measures, out);
+    if constexpr (L == Layers::Biharmonic && O >= 1) measured.thin_below.add(measures.thin, out);
     const Three<Lanes>* const x[3] = {&v0.x, &v1.x, &v2.x};
-    if (!any(marked)) [[likely]] {
+    if (!any(out)) [[likely]] {
       const Edge* const edges[3] = {&e0, &e1, &e2};
       FaceTerms<L, O, Lanes, double>(face, x, omega, edges).add(f, beta, sums);
       continue;
     }
-    block.marks[block.marked++] = {f, bits_of(marked)};
-    const Edge left[3] = {without(marked, e0), without(marked, e1), without(marked, e2)};
+    if (any(marked)) block.marks[block.marked++] = {f, bits_of(marked)};
+    const Edge left[3] = {without(out, e0), without(out, e1), without(out, e2)};
     const Edge* const edges[3] = {&left[0], &left[1], &left[2]};
-    FaceTerms<L, O, Lanes, double>(face, x, select(marked, Lanes{}, omega), edges).add(f, beta, sums);
+    FaceTerms<L, O, Lanes, double>(face, x, select(out, Lanes{}, omega), edges).add(f, beta, sums);
   }
   measured.squares = squares;
 }
@@ -99,7 +101,8 @@ void add_far_faces(const Block& block, const NearFaces& near) {
     return x;
   };
   for (int f = 0; f < cage.faces; ++f) {
-    if (near.is_near(f)) continue;
+    Small left = near.rule[f] < near.rules;
+    if (bytes_of(left) == 0) continue;
     const FaceTable<double>& face = cage.face[f];
     const double* const corner[3] = {cage.vertex + 3 * face.vertex[0], cage.vertex + 3 * face.vertex[1],
                                      cage.vertex + 3 * face.vertex[2]};
@@ -109,13 +112,21 @@ void add_far_faces(const Block& block, const NearFaces& near) {
       edges[1][i] = corner[2][i] - corner[0][i];
     }
     const Three<Lanes> x = from_point(face.vertex[0]);
-    const FarMoments<L, O> moments(cage.rules[near.rule[f]], x, edges, 0.5 * face.area2);
-    FarFace<L, O>{face, dot(face.n, x), moments}.add(f, beta, sums);
+    // For each rule that points take, those of them that do.
+    while (const unsigned long long bytes = bytes_of(left)) {
+      const int rule = near.rule[f][__builtin_ctzll(bytes) / 8];
+      const Small mine = left & (near.rule[f] == Small{} + static_cast<signed char>(rule));
+      const FarMoments<L, O> moments(cage.rules[rule], x, edges, 0.5 * face.area2, widened(mine));
+      FarFace<L, O>{face, dot(face.n, x), moments}.add(f, beta, sums);
+      left &= ~mine;
+    }
   }
   if constexpr (O >= 1 || L == Layers::Kelvin)
     for (int e = 0; e < cage.edges; ++e)
-      if (near.sign[e] != 0)
-        BorderEdge<L, O>(cage.edge[e], from_point(cage.edge[e].from), *cage.line, near.sign[e], beta).add(sums);
+      if (bytes_of(near.sign[e]) != 0)
+        BorderEdge<L, O>(cage.edge[e], from_point(cage.edge[e].from), *cage.line,
+                         __builtin_convertvector(near.sign[e], Lanes), beta)
+            .add(sums);
 }
 
 /// \param measured with limits that have been lowered, where this is done again
@@ -141,12 +152,12 @@ void sum_faces(Block& block, MeasuredBlock& measured) {
     const SeenVertex &a = vertex[table.from], &b = vertex[table.to];
     edge[e] = edge_terms<L, O, Lanes, double>(table, a.x, b.x, a.r, b.r);
   }
-  measured.faces = near.count;
+  measured.faces = near.faces_of;
   measured.between = near.between;
   sum_faces_within<L, O>(block, near, vertex, edge, measured);
   const Mask many = measured.squares.thin > kManyThin<L> * kManyThin<L>;
-  if (any(many) && near.between > 0) {
-    measured.rules = kFarRules;
+  if (any(many & near.between)) {
+    take_all_rules(measured, many & near.between);
     return sum_faces<L, O>(block, measured);
   }
   if (any(many)) {

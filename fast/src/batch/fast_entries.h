@@ -23,8 +23,8 @@ inline void sum(Block& block) {
   }
   auto& measured = *static_cast<MeasuredBlock*>(block.measured);
   measured.limits = first_limits();
-  measured.rules = kQuickRules;
-  measured.lowered = false;
+  measured.rules = Small{} + static_cast<signed char>(kQuickRules);
+  measured.lowered = Mask{};
   with_layers(block.layers, block.order, [&]<Layers L, int O> { sum_faces<L, O>(block, measured); });
 }
 
@@ -32,15 +32,20 @@ inline bool sum_again(Block& block) {
   auto& measured = *static_cast<MeasuredBlock*>(block.measured);
   bool again = false;
   with_layers(block.layers, block.order, [&]<Layers L, int O> {
-    again = !measured.lowered && any(lower_limits<L, O>(block, measured));
+    const Measures before = measured.limits, first = first_limits();
+    const Mask found = lower_limits<L, O>(block, measured) & ~measured.lowered;
+    again = any(found);
     if (!again) return;
-    // First with more rules, then with lower limits.
-    if (measured.between > 0) {
-      measured.rules = kFarRules;
-      measured.limits = first_limits();
-    } else {
-      measured.lowered = true;
-    }
+    // First with more rules, then with lower limits, for each point by itself.
+    const Mask ruled = found & measured.between;
+    take_all_rules(measured, ruled);
+    measured.lowered |= found & ~ruled;
+    const auto choose = [&](Lanes& limit, Lanes had, Lanes fresh) {
+      limit = select(ruled, fresh, select(found, limit, had));
+    };
+    choose(measured.limits.thin, before.thin, first.thin);
+    choose(measured.limits.of_layer, before.of_layer, first.of_layer);
+    choose(measured.limits.of_distance, before.of_distance, first.of_distance);
     sum_faces<L, O>(block, measured);
   });
   return again;

@@ -12,75 +12,105 @@ namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 /// Squares of distances below this, in cages of about one, leave single precision, with which roots begin.
 inline constexpr double kLeastFarSquare = 1e-24;
 
-/// What a block sees of a cage.
+/// A small number for each point.
+using Small = signed char __attribute__((vector_size(kLanes)));
+
+inline unsigned long long bytes_of(Small m) {
+  unsigned long long bytes = 0;
+  __builtin_memcpy(&bytes, &m, sizeof m);
+  return bytes;
+}
+inline Mask widened(Small m) { return __builtin_convertvector(m, Mask); }
+
+/// Which faces are near, for each point of a block by itself: what is computed of a point does not depend on others.
 struct NearFaces {
-  int* faces;                    ///< those that are near
+  int* faces;                    ///< those that are near to a point
   int count;                     ///< how many they are
-  int between;                   ///< how many of them there are rules for that are not quick
-  int rules;                     ///< rules that are taken: kQuickRules, or kFarRules
-  int* sign;                     ///< of edges: how often they are run through by near faces, less how often backwards
-  unsigned char* rule;           ///< of faces: the first that is good enough; kFarRules where none is
+  Small* rule;                   ///< of faces: the first rule that is good enough; kFarRules where none is
+  Small rules;                   ///< how many are taken: the face is near where its rule is none of them
+  Small* sign;                   ///< of edges: how often they are run through by near faces, less how often backwards
+  Lanes faces_of;                ///< how many faces are near
+  Mask between;                  ///< whether there are rules, not quick ones, for some of them
   unsigned char *vertex, *edge;  ///< whether they are a near face's
 
-  bool is_near(int f) const { return rule[f] >= rules; }
+  Small is_near(int f) const { return rule[f] >= rules; }
 };
 
 inline long near_bytes(int vertices, int edges, int faces) {
-  return static_cast<long>(sizeof(int)) * (faces + edges) + faces + kLanes + vertices + edges;
+  return static_cast<long>(sizeof(int)) * faces + static_cast<long>(sizeof(Small)) * (faces + kLanes + edges) +
+         vertices + edges + 64;
 }
 
-/// The first rule that is good enough for the nearest of the points, for each face.
-inline void find_rules(const Block& block, unsigned char* rule) {
+/// The first rule that is good enough for each point, of each face.
+inline void find_rules(const Block& block, Small* rule) {
   const CageTables& cage = *block.cage;
   Lanes least[kFarRules];
   for (int r = 0; r < kFarRules; ++r) {
     const double ratio = cage.rules[r].least[block.order];
     least[r] = splat(ratio * ratio);
   }
+  auto* const to = reinterpret_cast<signed char*>(rule);
   for (int f = 0; f < cage.faces; f += kLanes) {
-    Lanes c[3], over, nearest = splat(__builtin_inf());
+    Lanes c[3], over;
     for (int i = 0; i < 3; ++i) __builtin_memcpy(&c[i], cage.centroid + i * cage.stride + f, sizeof c[i]);
     __builtin_memcpy(&over, cage.over_square + f, sizeof over);
+    Lanes ratio[kLanes], farthest{};
     for (int p = 0; p < kLanes; ++p) {
       Lanes square{};
       for (int i = 0; i < 3; ++i) {
         const Lanes x = c[i] - block.points[i * kLanes + p];
         square += x * x;
       }
-      nearest = select(square < nearest, square, nearest);
+      ratio[p] = select(square > kLeastFarSquare, square * over, Lanes{});
+      farthest = select(ratio[p] > farthest, ratio[p], farthest);
     }
-    const Lanes ratio = nearest * over;
-    Mask missed{};  // rules that are not good enough, each counted as -1
-    for (int r = 0; r < kFarRules; ++r) missed += ratio < least[r];
-    missed = (nearest > kLeastFarSquare) ? missed : Mask{} - kFarRules;
-    for (int i = 0; i < kLanes && f + i < cage.faces; ++i) rule[f + i] = static_cast<unsigned char>(-missed[i]);
+    if (!any(farthest >= least[kFarRules - 1])) {
+      __builtin_memset(to + f * kLanes, kFarRules, kLanes * kLanes);
+      continue;
+    }
+    for (int p = 0; p < kLanes; ++p) {
+      Mask missed{};  // rules that are not good enough, each counted as -1
+      for (int r = 0; r < kFarRules; ++r) missed += ratio[p] < least[r];
+      const Small found = __builtin_convertvector(-missed, Small);
+      for (int i = 0; i < kLanes; ++i) to[(f + i) * kLanes + p] = found[i];
+    }
   }
 }
 
-/// \param scratch near_bytes of it, aligned to eight bytes \param rules how many are taken
-inline NearFaces find_near_faces(const Block& block, void* scratch, int rules) {
+/// \param scratch near_bytes of it, aligned to 64 bytes \param rules how many are taken, for each point
+inline NearFaces find_near_faces(const Block& block, void* scratch, Small rules) {
   const CageTables& cage = *block.cage;
   NearFaces near{};
   near.rules = rules;
-  near.faces = static_cast<int*>(scratch);
-  near.sign = near.faces + cage.faces;
-  near.rule = reinterpret_cast<unsigned char*>(near.sign + cage.edges);
-  near.vertex = near.rule + cage.faces + kLanes;
+  near.rule = static_cast<Small*>(scratch);
+  near.sign = near.rule + cage.faces + kLanes;
+  // Vectors of bytes are aligned to as many.
+  near.faces = reinterpret_cast<int*>(reinterpret_cast<char*>(near.sign + cage.edges) +
+                                      (8 - cage.edges * sizeof(Small) % 8) % 8 +
+                                      (8 - (cage.faces + kLanes) * sizeof(Small) % 8) % 8);
+  near.vertex = reinterpret_cast<unsigned char*>(near.faces + cage.faces);
   near.edge = near.vertex + cage.vertices;
   find_rules(block, near.rule);
-  __builtin_memset(near.sign, 0, sizeof(int) * cage.edges);
+  __builtin_memset(near.sign, 0, sizeof(Small) * cage.edges);
   __builtin_memset(near.vertex, 0, static_cast<unsigned long>(cage.vertices) + cage.edges);
+  const Small none = Small{} + static_cast<signed char>(kFarRules);
+  Mask count{}, between{};
   for (int f = 0; f < cage.faces; ++f) {
-    if (!near.is_near(f)) continue;
-    if (near.rules != kFarRules && near.rule[f] != kFarRules) ++near.between;
+    const Small is = near.is_near(f);
+    if (bytes_of(is) == 0) continue;
+    count -= widened(is);
+    between |= widened(is & (near.rule[f] < none));
     near.faces[near.count++] = f;
     const FaceTable<double>& face = cage.face[f];
     for (int i = 0; i < 3; ++i) {
       near.vertex[face.vertex[i]] = 1;
       near.edge[face.edge[i]] = 1;
-      near.sign[face.edge[i]] += static_cast<int>(face.along[i]);
+      // Truth is -1.
+      near.sign[face.edge[i]] += face.along[i] > 0 ? Small(-is) : is;
     }
   }
+  near.faces_of = __builtin_convertvector(count, Lanes);
+  near.between = between & widened(rules < none);
   return near;
 }
 
