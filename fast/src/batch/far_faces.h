@@ -25,11 +25,11 @@ struct FarFace {
     if constexpr (L == Layers::Kelvin) {
       FarKelvin<O>{face, e, m, beta}.add(f, sums);
     } else {
-      add_double_layer<0>(sums, m.hats03);
+      for (int k = 0; k < 3; ++k) *sums.at(0, 0, face.vertex[k], 1) += e * m.hats03.of[k][0];
       *sums.at(0, 1, f, 1) += m.sum01.of[0][0];
       if constexpr (O >= 1) {
         add_gradients(sums, 0, 1, 3, m.hats03, m.hats15);
-        add_all<1>(sums.at(1, 1, f, 3), m.sum13, 1);
+        add_vector(sums.at(1, 1, f, 3), 1, m.sum13);
       }
       if constexpr (O >= 2) {
         add_hessians(sums, 0, 1, 3, 5, m.hats15, m.hats05, m.hats27);
@@ -40,7 +40,7 @@ struct FarFace {
         *sums.at(0, 3, f, 1) += 3 * m.sum0.of[0][0];
         if constexpr (O >= 1) {
           add_gradients(sums, 2, -1, 1, m.hats01, m.hats13);
-          add_all<1>(sums.at(1, 3, f, 3), m.sum11, -1);
+          add_vector(sums.at(1, 3, f, 3), -1, m.sum11);
         }
         if constexpr (O >= 2) {
           add_hessians(sums, 2, -1, 1, 3, m.hats13, m.hats03, m.hats25);
@@ -51,13 +51,9 @@ struct FarFace {
   }
 
  private:
-  template <int B, class Hats>
-  void add_double_layer(const Sums<Lanes>& sums, const Hats& hats) const {
-    for (int k = 0; k < 3; ++k) *sums.at(0, B, face.vertex[k], 1) += e * hats.of[k][0];
-  }
-  template <int Rank, class Sum>
-  void add_all(Lanes* to, const Sum& sum, double by) const {
-    for (int i = 0; i < kEntries<Rank>; ++i) to[i] += by * sum.of[0][i];
+  template <class Sum>
+  void add_vector(Lanes* to, double by, const Sum& sum) const {
+    for (int i = 0; i < 3; ++i) to[i] += by * sum.of[0][i];
   }
   // of sign e r^-s: sign (-n r^-s + s e p r^-(s+2))
   template <class Same, class Next>

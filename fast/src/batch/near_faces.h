@@ -37,8 +37,8 @@ struct NearFaces {
 };
 
 inline long near_bytes(int vertices, int edges, int faces) {
-  return static_cast<long>(sizeof(int)) * faces + static_cast<long>(sizeof(Small)) * (faces + kLanes + edges) +
-         vertices + edges + 64;
+  return static_cast<long>(sizeof(int)) * (faces + 1) + static_cast<long>(sizeof(Small)) * (faces + kLanes + edges) +
+         vertices + edges;
 }
 
 /// The first rule that is good enough for each point, of each face.
@@ -82,13 +82,10 @@ inline NearFaces find_near_faces(const Block& block, void* scratch, Small rules)
   const CageTables& cage = *block.cage;
   NearFaces near{};
   near.rules = rules;
-  near.rule = static_cast<Small*>(scratch);
+  near.faces = static_cast<int*>(scratch);
+  near.rule = reinterpret_cast<Small*>(near.faces + cage.faces + cage.faces % 2);
   near.sign = near.rule + cage.faces + kLanes;
-  // Vectors of bytes are aligned to as many.
-  near.faces = reinterpret_cast<int*>(reinterpret_cast<char*>(near.sign + cage.edges) +
-                                      (8 - cage.edges * sizeof(Small) % 8) % 8 +
-                                      (8 - (cage.faces + kLanes) * sizeof(Small) % 8) % 8);
-  near.vertex = reinterpret_cast<unsigned char*>(near.faces + cage.faces);
+  near.vertex = reinterpret_cast<unsigned char*>(near.sign + cage.edges);
   near.edge = near.vertex + cage.vertices;
   find_rules(block, near.rule);
   __builtin_memset(near.sign, 0, sizeof(Small) * cage.edges);
