@@ -20,8 +20,8 @@ OPEN = {
     "F-overflow-beside-finite-39": "adaptive quadrature of a segment of denormal length",
     "F-overflow-beside-finite-40": "adaptive quadrature of a segment of denormal length",
 }
-# Coordinates by `batched` of cages with small faces, and of thin ones.
-OPEN_KINDS = ("A-small-faces", "B-thin-mean-value")
+# Hessians of mean value coordinates by `batched` on slivers.
+OPEN_KINDS = ("B-thin-mean-value",)
 # Quads that fold are refused since.
 REFUSED = {"F-overflow-beside-finite-37"}
 

@@ -114,7 +114,7 @@ void add_far_faces(const Block& block, const NearFaces& near) {
     const Three<Lanes> x = from_point(face.vertex[0]);
     // For each rule that points take, those of them that do.
     while (const unsigned long long bytes = bytes_of(left)) {
-      const int rule = near.rule[f][__builtin_ctzll(bytes) / 8];
+      const int rule = static_cast<unsigned char>(near.rule[f][__builtin_ctzll(bytes) / 8]);
       const Small mine = left & (near.rule[f] == Small{} + static_cast<signed char>(rule));
       const FarMoments<L, O> moments(cage.rules[rule], x, edges, 0.5 * face.area2, widened(mine));
       FarFace<L, O>{face, dot(face.n, x), moments}.add(f, beta, sums);
