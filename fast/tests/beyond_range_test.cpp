@@ -18,6 +18,7 @@ constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numer
 
 Cage pentagon() {
   std::vector<Face> sides;
+  sides.reserve(5);
   for (int i = 0; i < 5; ++i) sides.push_back({{i, (i + 1) % 5, -1, -1}});
   return Cage::make_polygon("pentagon", {{0, 0, 0}, {2, -1, 0}, {3, 1, 0}, {1.5, 3, 0}, {-0.5, 1, 0}}, sides);
 }

@@ -61,6 +61,7 @@ double block_error(const CageCoordinates& found, const CageCoordinates& referenc
       double slope = o < 2 ? slope_of(truth[b].of(o + 1), dimension) : 0;
       if (o == 2 && moves) {
         std::vector<Number> change;
+        change.reserve(f[b].of(2).size());
         for (std::size_t i = 0; i < f[b].of(2).size(); ++i)
           change.push_back((beside[b].of(2)[i] - truth[b].of(2)[i]) / step);
         slope = norm_of(change);

@@ -35,6 +35,7 @@ Cage finer(const Cage& cage) {
     return place->second;
   };
   std::vector<Face> faces;
+  faces.reserve(4 * cage.faces().size());
   for (const Face& face : cage.faces()) {
     const auto& [a, b, c, none] = face.vertices;
     const int x = middle(a, b), y = middle(b, c), z = middle(c, a);
@@ -62,6 +63,7 @@ Cage with_small_face(double size) {
 // Within, next to the surface, and outside.
 std::vector<Point> points_about(const Cage& cage, int count) {
   std::vector<Point> points;
+  points.reserve(count);
   for (int i = 0; i < count; ++i) {
     RandomStream random(11, cage.name(), i);
     constexpr std::array distances{0.3, 0.9, 0.6, 1.15, 0.02, 0.98, 1.6, 4.};
