@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole coordinates of cages whose faces are small beside their distance, as fine cages' and single small faces are,
+// Whole coordinates of cages whose faces are small for their distance, as fine cages' and single small faces are,
 // against sums of closed forms in 50 digits; and the rules that they take.
 #include "../src/batch/far_rules.h"
 #include "block_errors.h"
