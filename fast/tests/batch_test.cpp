@@ -2,6 +2,7 @@
 // Whole coordinates against sums of closed forms in 50 digits, next to everything that a cage has.
 #include "../src/batch/blocks.h"
 #include "block_errors.h"
+#include "small_face.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
@@ -316,9 +317,8 @@ TEST(Batched, the_same_bytes_for_any_number_of_threads) {
   for (std::size_t b = 0; b < one.size(); ++b) EXPECT_EQ(one[b].tensors, two[b].tensors);
 }
 
-TEST(Batched, every_instruction_set_of_the_machine) {
+void expect_the_same_in_every_instruction_set(const Cage& cage, double distance) {
   using namespace closed_form::batch;
-  const Cage cage = embedded_cage("l-block");
   const CageElements elements(cage, false, Triangulation::Shortest);
   const Geometry geometry(elements);
   Request request{Layers::Kelvin, 2, {0.75, 0}, 0.75, {}};
@@ -335,7 +335,7 @@ TEST(Batched, every_instruction_set_of_the_machine) {
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) sets.push_back(&kernels_avx2);
 #endif
   sets.push_back(&kernels());
-  const std::vector<Point> points = points_beside(cage, elements, 1e-3, 24);
+  const std::vector<Point> points = points_beside(cage, elements, distance, 24);
   std::vector<std::vector<double>> found;
   for (const Kernels* set : sets) {
     BlockRunner runner(geometry, elements, request, *set);
@@ -353,11 +353,19 @@ TEST(Batched, every_instruction_set_of_the_machine) {
         const std::size_t end = k + 1 < begins.size() ? begins[k + 1] : request.layout.count;
         double difference = 0, largest = 0;
         for (std::size_t i = p * request.layout.count + begins[k]; i < p * request.layout.count + end; ++i) {
+          ASSERT_TRUE(std::isfinite(other[i])) << k << ' ' << cage.name();
           difference = std::max(difference, std::abs(other[i] - found[0][i]));
           largest = std::max(largest, std::abs(found[0][i]));
         }
-        EXPECT_LE(difference, 1e-12 * largest) << k;
+        EXPECT_LE(difference, 1e-12 * largest) << k << ' ' << cage.name();
       }
+}
+
+// Next to faces, and where some of them are summed by rules of few and of many points.
+TEST(Batched, every_instruction_set_of_the_machine) {
+  expect_the_same_in_every_instruction_set(embedded_cage("l-block"), 1e-3);
+  for (const double size : {0.2, 0.1, 0.05, 0.02, 0.01, 1e-3, 1e-4})
+    expect_the_same_in_every_instruction_set(with_small_face(size), 0.2);
 }
 
 TEST(Batched, kinds_that_it_does_not_know) {

@@ -68,7 +68,7 @@ double block_error(const CageCoordinates& found, const CageCoordinates& referenc
       }
       const double scale = norm_of(truth[b].of(o)) + (std::isfinite(slope) ? size * slope : 0);
       const double error = norm_of(difference) / (unit_roundoff<double>() * scale);
-      if (!(error <= worst)) worst = error;
+      if (!std::isnan(worst) && !(error <= worst)) worst = error;  // what is no number stays
     }
   return worst;
 }

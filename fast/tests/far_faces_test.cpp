@@ -3,6 +3,7 @@
 // against sums of closed forms in 50 digits; and the rules that they take.
 #include "../src/batch/far_rules.h"
 #include "block_errors.h"
+#include "small_face.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/numbers/random_stream.h"
@@ -50,16 +51,6 @@ Cage sphere(int times) {
   return cage;
 }
 
-// An icosahedron of which one face is that much smaller than the others.
-Cage with_small_face(double size) {
-  const Cage cage = embedded_cage("icosphere");
-  std::vector<Point> vertices = cage.vertices();
-  const auto& corners = cage.faces().front().vertices;
-  const Point middle = (vertices[corners[0]] + vertices[corners[1]] + vertices[corners[2]]) / 3;
-  for (int k = 0; k < 3; ++k) vertices[corners[k]] = middle + size * (vertices[corners[k]] - middle);
-  return cage.with(std::move(vertices), cage.faces());
-}
-
 // Within, next to the surface, and outside.
 std::vector<Point> points_about(const Cage& cage, int count) {
   std::vector<Point> points;
@@ -76,8 +67,11 @@ double worst_error(const Cage& cage, std::string_view kind, int order, int count
   const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
   EXPECT_EQ(found.evaluation(), "batched");
   double worst = 0;
-  for (const Point& p : points_about(cage, count))
-    worst = std::max(worst, block_error(found, reference, cage.size(), p, order, OfHessians::WithSlope));
+  for (const Point& p : points_about(cage, count)) {
+    const double error = block_error(found, reference, cage.size(), p, order, OfHessians::WithSlope);
+    EXPECT_TRUE(std::isfinite(error)) << kind << " at " << p.transpose();
+    worst = std::max(worst, error);
+  }
   return worst;
 }
 

@@ -39,7 +39,6 @@ constexpr bool takes_sums(int rank, int power) {
 
 /// Points that are taken at a time, so that sums are seldom fetched and put back.
 inline constexpr int kAtOnce = 4;
-static_assert(kPaddedNodes % kAtOnce == 0);
 
 /// The weights of as many points: hat functions, and all of the area.
 struct Weights {
@@ -112,9 +111,11 @@ struct FarMoments {
   /// \param corner from the point to corner 0 \param edges from there to corners 1 and 2 \param points
   /// of which integrals are wanted: those of others are zero
   FarMoments(const FarRule& rule, const Three<Lanes>& corner, const double (&edges)[2][3], double area, Mask points) {
-    // Where the points lie, as many at a time as a vector holds.
+    // Where the points lie, as many at a time as a vector holds, with points of no weight to the last of kAtOnce.
+    const int padded = (rule.nodes + kAtOnce - 1) / kAtOnce * kAtOnce;
+    static_assert(kPaddedNodes % kAtOnce == 0 && kPaddedNodes % kLanes == 0);
     alignas(64) double offset[3][kPaddedNodes];
-    for (int q = 0; q < rule.nodes; q += kLanes)
+    for (int q = 0; q < padded; q += kLanes)
       for (int i = 0; i < 3; ++i) {
         Lanes a, b;
         __builtin_memcpy(&a, rule.along[0] + q, sizeof a);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which faces are near for all points of a block, and which rules the others take, for one instruction set.
+// Which faces are near to each point of a block, and which rules the others take, for one instruction set.
 #pragma once
 
 #include "cageproof/closed_form/batch/lanes.h"

@@ -82,8 +82,9 @@ struct CageTables {
   const FaceTable<TwoDoubles>* fine_face;
   double size;         ///< about its diagonal
   const char* folded;  ///< of faces: whether one lies on another nearly where they meet
-  /// Of faces, for rules: [3][stride] centroids, and over the squares of corners' largest distances from there
-  /// [stride]; the stride is the number of faces, rounded up to what vectors hold, and filled up with the first face.
+  /// What rules are chosen by: [3][stride] centroids of faces, and one over the squares of corners' largest distances
+  /// from there [stride]; the stride is the number of faces, rounded up to what vectors hold, and filled up with the
+  /// first face.
   const double* centroid;
   const double* over_square;
   int stride;
