@@ -77,7 +77,9 @@ struct Thickness<R>::Prepared {
                       there.rank, k.rows()));
     Matrix<R> together(j.rows() + k.rows(), j.cols());
     together << R(size) * R(size) * j, k;
-    const int rank = LeastSquares<R>(together).rank();
+    const auto rank = static_cast<int>(LeastSquares<R>(together).rank());
+    report.systems.push_back(describe<R>("positions and thickness, at rest", together, rank,
+                                         Matrix<R>::Zero(together.rows(), 1), Matrix<R>::Zero(together.cols(), 1)));
     if (rank < together.cols())
       report.warnings.push_back(fmt::format("the positions leave {} of {} unknowns free: steps of least norm are taken",
                                             together.cols() - rank, together.cols()));

@@ -111,6 +111,12 @@ struct Variational<R>::Prepared {
     return static_cast<double>(R(rounding * rounding * right.squaredNorm()));
   }
 
+  // An energy of nothing, where roundings alone are left: no step lowers it further.
+  static double nothing_of(const Matrix<R>& right) {
+    const R rounding = R(8) * unit_roundoff<R>();
+    return static_cast<double>(R(rounding * rounding * right.squaredNorm()));
+  }
+
   std::unique_ptr<const Posed<R>> posed(const Matrix<R>& solution, DeformationReport report) const {
     const Matrix<R> coefficients = rows.units.asDiagonal() * solution;
     std::vector<Matrix<R>> data;
@@ -155,7 +161,7 @@ struct Variational<R>::Prepared {
       // From global step to global step; the first one has its own local step before it.
       const double before = report.energies[report.energies.size() - (step == 1 ? 2 : 3)];
       decrease = before > 0 ? 1 - report.energies.back() / before : 0;
-      converged = linear || !(decrease > options.tolerance);
+      converged = linear || !(decrease > options.tolerance) || report.energies.back() <= nothing_of(right);
       if (converged && options.tolerance > 0) break;
     }
     const std::size_t steps = report.energies.size() / 2;

@@ -22,8 +22,8 @@ struct VariationalOptions {
   double beta = 0.01;    ///< of rotations, at least 0; the larger, the slower the convergence
   double gamma = 0.001;  ///< of Hessians, at least 0
   int steps = 100;       ///< of alternation, at most; at least 1
-  /// Steps end when one lowers the energy by no more than this part of it; 0: all steps are taken. Near the minimum the
-  /// energy misses it by the square of what the map does.
+  /// Steps end when one lowers the energy by no more than this part of it, or when roundings are all that is left; 0:
+  /// all steps are taken. Near the minimum the energy misses it by the square of what the map does.
   double tolerance = 1e-12;
   std::string evaluation = {};  ///< of the coordinates' formulas; empty for the recommended ones
   Triangulation triangulation = Triangulation::Shortest;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cageproof::validation {
 namespace {
@@ -26,7 +27,10 @@ struct SolvedProblem {
   }
 };
 
-constexpr int few_steps = 40, many_steps = 400;
+constexpr int few_steps = 40, many_steps = 4000;
+
+// Of many steps, those that lower the energy.
+constexpr double any_decrease = std::numeric_limits<double>::min();
 constexpr double larger = 10;
 
 }  // namespace
@@ -104,14 +108,19 @@ double ConstrainedChecks::largest_rise(std::string_view pose) const {
 
 double ConstrainedChecks::slope_left(std::string_view pose) const {
   // Turned, so that no component of a normal is zero.
-  return unmet_stationarity(problem(pose).under(turn(cage_->dimension()), 1), variant_, rule_);
+  const double plain = unmet_stationarity(problem(pose).under(turn(cage_->dimension()), 1), variant_, rule_);
+  return plain / Excuses{.rounding = rounding_of_coordinates(*cage_)}.factor();
 }
 
 double ConstrainedChecks::what_is_left(std::string_view pose) const {
-  const double energy = problem(pose).prepared(variant_, rule_, many_steps)->pose()->report().energies.back();
+  SolvedProblem found{problem(pose).prepared(variant_, rule_, many_steps, any_decrease), {}};
+  found.posed = found.model->pose();
+  const double energy = found.posed->report().energies.back();
   // Positions have the unit of an area, second derivatives that of one over it.
   const double size = cage_->size();
-  return variant_.method->positions_alone ? energy * size * size : energy / size / size;
+  const double plain = variant_.method->positions_alone ? energy * size * size : energy / size / size;
+  // Energies are squares of errors.
+  return plain / std::pow(Excuses{found.condition(), rounding_of_coordinates(*cage_)}.factor(), 2);
 }
 
 ConstrainedChecks::Ask ConstrainedChecks::moved(std::string_view pose, const SpaceMap& map, double length) const {
@@ -135,7 +144,7 @@ ConstrainedChecks::Ask ConstrainedChecks::moved(std::string_view pose, const Spa
     for (int c = 0; c < d; ++c) image[c] = a.tensors[0][c];
     const Vec3<double> expected = map(image, size);
     for (int c = 0; c < d; ++c) difference[c] = b.tensors[0][c] / length - expected[c];
-    return error_over_condition(difference.norm() / size, here.condition());
+    return excused(difference.norm() / size, {here.condition(), rounding_of_coordinates(*cage_)});
   };
 }
 
@@ -143,7 +152,7 @@ ConstrainedChecks::Ask ConstrainedChecks::kept_far_off(const SpaceMap& offset) c
   const auto vertices = std::make_shared<const std::vector<Vec3<double>>>(posed_by(offset, *cage_));
   const auto solved = std::make_shared<const Lazy<SolvedProblem>>([this, offset] {
     const ConstrainedProblem there = problem(rigid_pose).under(offset, 1);
-    SolvedProblem found{there.prepared(variant_, rule_, many_steps), {}};
+    SolvedProblem found{there.prepared(variant_, rule_, many_steps, any_decrease), {}};
     found.posed = found.model->pose();
     return found;
   });
@@ -154,7 +163,7 @@ ConstrainedChecks::Ask ConstrainedChecks::kept_far_off(const SpaceMap& offset) c
     const Images<double> images = found.model->images(*found.posed, std::span(&at, 1), 0);
     Vec3<double> difference = Vec3<double>::Zero();
     for (int c = 0; c < cage_->dimension(); ++c) difference[c] = images.tensors[0][c] - expected[c];
-    return error_over_condition(in_roundings(difference, *vertices), found.condition());
+    return excused(in_roundings(difference, *vertices), {found.condition()});
   };
 }
 
@@ -199,7 +208,7 @@ double ConstrainedChecks::flatness(std::string_view pose) const {
     after += length * of_map[b].squaredNorm();
     before += length * of_rest[b].squaredNorm();
   }
-  return std::sqrt(after / before);
+  return std::sqrt(after / before) / Excuses{.rounding = rounding_of_coordinates(*cage_)}.factor();
 }
 
 }  // namespace cageproof::validation

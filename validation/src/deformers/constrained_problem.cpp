@@ -86,14 +86,14 @@ bool can_be_asked(const ConstraintMethod& method, const Cage& cage, Triangulatio
 }
 
 std::shared_ptr<const ConstrainedDeformer<double>> ConstrainedProblem::prepared(const ConstrainedVariant& variant,
-                                                                                Triangulation rule, int steps) const {
+                                                                                Triangulation rule, int steps,
+                                                                                double tolerance) const {
   std::vector<double> values = variant.parameters;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const std::string_view name = variant.method->parameters[k].name;
     if (is_weight(name)) values[k] *= std::pow(size, power_of_length(name));
     else if (name == "steps") values[k] = steps;
-    // All steps, of methods that stop before.
-    else if (name == "tolerance") values[k] = 0;
+    else if (name == "tolerance") values[k] = tolerance;
   }
   return prepare_constrained(*variant.method, cage, constraints,
                              {.triangulation = rule, .parameters = std::move(values)});

@@ -27,7 +27,8 @@ struct ConstrainedProblem {
   double size;  ///< of the cage before it was turned, in the cage's unit
 
   std::shared_ptr<const deformation::ConstrainedDeformer<double>> prepared(const ConstrainedVariant& variant,
-                                                                           Triangulation rule, int steps) const;
+                                                                           Triangulation rule, int steps,
+                                                                          double tolerance = 0) const;
   /// The same under a map of space, in a unit of length that is so many times smaller.
   ConstrainedProblem under(const SpaceMap& map, double length) const;
 };

@@ -25,6 +25,9 @@ constexpr double harmless_condition = 1e3;
 // No condition excuses more: a deformer states its own.
 constexpr double most_excused = 1e8;
 
+// Four roundings of a coordinate of this size, as keeps_offset allows them, are the 1e-13 sizes that images are made to.
+constexpr double harmless_rounding = 2.5e-14;
+
 template <class R>
 std::vector<Vec3<R>> in(const std::vector<Vec3<double>>& points) {
   std::vector<Vec3<R>> found;
@@ -65,8 +68,17 @@ Vec3<double> image_at(const Deformer<double>& deformer, const Posed<double>& pos
 
 }  // namespace
 
-DeformerError error_over_condition(double plain, double condition) {
-  return {plain / std::max(1.0, std::min(condition, most_excused) / harmless_condition), plain};
+double Excuses::factor() const {
+  return std::max(1.0, std::min(condition, most_excused) / harmless_condition) *
+         std::max(1.0, rounding / harmless_rounding);
+}
+
+DeformerError excused(double plain, const Excuses& excuses) { return {plain / excuses.factor(), plain}; }
+
+double rounding_of_coordinates(const Cage& cage) {
+  double largest = 0;
+  for (const Vec3<double>& v : cage.vertices()) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  return unit_roundoff<double>() * largest / cage.size();
 }
 
 std::vector<DeformerVariant> variants_of(const deformation::DeformMethod& method) {
@@ -219,7 +231,7 @@ DeformerChecks::Ask DeformerChecks::kept(const SpaceMap& map, bool with_normals)
     const Vec3<double> image = image_at(*deformer_, *posed->get(), point, d), expected = map(point, size);
     Vec3<double> difference = Vec3<double>::Zero();
     for (int c = 0; c < d; ++c) difference[c] = image[c] - expected[c];
-    return Errors{error_over_condition(difference.norm() / size, condition_of(*deformer_, *posed->get()))};
+    return Errors{excused(difference.norm() / size, with_condition(condition_of(*deformer_, *posed->get())))};
   };
 }
 
@@ -234,8 +246,7 @@ DeformerChecks::Ask DeformerChecks::kept_far_off(const SpaceMap& offset) const {
     const int d = cage_->dimension();
     const Vec3<double> there = offset(point, cage_->size());
     const Vec3<double> image = image_at(*deformer->get(), *posed->get(), there, d);
-    return Errors{
-        error_over_condition(in_roundings(image - there, *vertices), condition_of(*deformer->get(), *posed->get()))};
+    return Errors{excused(in_roundings(image - there, *vertices), {condition_of(*deformer->get(), *posed->get())})};
   };
 }
 
@@ -245,8 +256,8 @@ DeformerChecks::Ask DeformerChecks::mirrored(const MirrorSymmetry& mirror) const
     const int d = cage_->dimension();
     const Vec3<double> here = image_at(*deformer_, *posed->get(), point, d),
                        there = image_at(*deformer_, *posed->get(), mirror(point), d);
-    return Errors{
-        error_over_condition((there - mirror(here)).norm() / cage_->size(), condition_of(*deformer_, *posed->get()))};
+    return Errors{excused((there - mirror(here)).norm() / cage_->size(),
+                          with_condition(condition_of(*deformer_, *posed->get())))};
   };
 }
 
@@ -282,7 +293,8 @@ DeformerChecks::Errors DeformerChecks::compared(const Images<double>& images, co
       const Mp50 difference = Mp50(images.tensors[o][i]) - with.tensors[o][i];
       sum += difference * difference;
     }
-    errors[o] = error_over_condition(std::sqrt(static_cast<double>(sum)) * std::pow(cage_->size(), o - 1), condition);
+    errors[o] =
+        excused(std::sqrt(static_cast<double>(sum)) * std::pow(cage_->size(), o - 1), with_condition(condition));
   }
   return errors;
 }
@@ -316,7 +328,7 @@ DeformerChecks::Ask DeformerChecks::compared_with_second_route() const {
     Vec3<Mp200> difference = route->get()->image_of(point);
     for (int c = 0; c < cage_->dimension(); ++c) difference[c] -= Mp200(images.tensors[0][c]);
     const auto error = static_cast<double>(Mp200(sqrt(Mp200(difference.dot(difference)))));
-    return Errors{error_over_condition(error / cage_->size(), 1)};
+    return Errors{excused(error / cage_->size(), {})};
   };
 }
 
@@ -352,7 +364,7 @@ DeformerChecks::Ask DeformerChecks::differences() const {
           const R difference = images.tensors[o][i * d + a] - (up[i] - down[i]) / (2 * step);
           sum += difference * difference;
         }
-      errors[o] = error_over_condition(static_cast<double>(R(sqrt(sum))) * std::pow(cage_->size(), o - 1), 1);
+      errors[o] = excused(static_cast<double>(R(sqrt(sum))) * std::pow(cage_->size(), o - 1), {});
     }
     return errors;
   };

@@ -38,14 +38,25 @@ DeformerVariant variant_named(const deformation::DeformMethod& method, std::stri
 
 /// An error of an image, by what it may be.
 struct DeformerError {
-  /// In cage sizes (Jacobians: as they are; second derivatives: times the size), over a thousandth of the condition of
-  /// the worst system that was solved, where that is above one.
+  /// In cage sizes (Jacobians: as they are; second derivatives: times the size), over what excuses it.
   double error = std::numeric_limits<double>::quiet_NaN();
-  double plain = std::numeric_limits<double>::quiet_NaN();  ///< without regard to the condition
+  double plain = std::numeric_limits<double>::quiet_NaN();  ///< without excuses
 };
 
-/// \param plain in cage sizes \param condition of the worst system that was solved; no more than 1e8 of it is excused
-DeformerError error_over_condition(double plain, double condition);
+/// What excuses errors of images.
+struct Excuses {
+  double condition = 1;  ///< of the worst system that was solved; up to 1e3 it excuses nothing, beyond 1e8 nothing more
+  double rounding = 0;   ///< of the cage's largest coordinate, in cage sizes; up to 2.5e-14 it excuses nothing
+
+  /// The number of times that an error may be as large as without.
+  double factor() const;
+};
+
+/// \param plain in cage sizes
+DeformerError excused(double plain, const Excuses& excuses);
+
+/// Excuses::rounding of a cage: of one next to the origin some 1e-16, of one a thousand sizes off 1e-13.
+double rounding_of_coordinates(const Cage& cage);
 
 /// A deformer and its questions. Safe from any thread.
 class DeformerChecks {
@@ -101,6 +112,8 @@ class DeformerChecks {
   const deformation::Deformer<R>& deformer_in() const;
   Errors compared(const deformation::Images<double>& images, const deformation::Images<Mp50>& with, int order,
                   double condition) const;
+  /// Of images in double: a system's condition, and where the cage lies.
+  Excuses with_condition(double condition) const { return {condition, rounding_of_coordinates(*cage_)}; }
 
   std::shared_ptr<const Cage> cage_;
   DeformerVariant variant_;

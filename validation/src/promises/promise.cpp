@@ -27,7 +27,8 @@ constexpr std::string_view recommended = "@(hybrid|closed_form|line_form|recomme
 // where that is above 1e3, which the figures are divided by.
 constexpr double exact_map = 1e-13;
 constexpr std::string_view deformer_reason =
-    "exact but for roundings: 1e-16 of the size, a thousand times or by the condition of what is solved";
+    "exact but for roundings: 1e-16 of the size, a thousand times or by the condition of what is solved; in a cage far "
+    "from the origin four roundings of its coordinates";
 constexpr std::string_view least_energy =
     "steps end where rounding hides the energy's slope, and a minimum is as far off as the root of that";
 constexpr std::string_view unit_normals =
@@ -323,6 +324,9 @@ constexpr std::array table{
     Row{"keeps_linear", "@(ahap|aaap|tp)", "alignment=@(hard|soft|nonnegative)", "double", "*", 0, 0, none,
         "normal derivatives that are held to the posed normals are not those of the map"},
     Row{"keeps_linear", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
+    Row{"keeps_offset", "@(variational|thickness)", "*", "double", "*", 0, 0, 16,
+        "places and their targets are rounded far off, by a rounding each, and the motion found from them carries that "
+        "to the cage's corners, up to five times as far as the places are from each other"},
     Row{"keeps_offset", "*", "*", "double", "*", 0, 0, 4,
         "images are made next to the cage, to 1e-13 of its size, which at 1e3 sizes is one rounding, and rounded once "
         "a "
@@ -351,8 +355,11 @@ constexpr std::array table{
     // cage sizes.
     Row{"energy_falls", "*", "*", "double", "*", 0, 0, 1e-12,
         "every half step is a minimum, and no step is taken that raises a merit: roundings of sums"},
+    Row{"rigid_energy", "thickness", "*", "double", "*", 0, 0, 1e-22,
+        "squares of a few roundings times second derivatives at samples beside edges, some 1e4 in a unit in which the "
+        "cage's size is one"},
     Row{"rigid_energy", "*", "*", "double", "*", 0, 0, 1e-24,
-        "a rigid motion has none: squares of roundings, 1e-13 with the constraints' condition"},
+        "a rigid motion has none: squares of what images may err by, 1e-13 or by the constraints' condition"},
     Row{"energy_is_flat", "*", "*", "double", "*", 0, 0, 1e-11,
         "a global step solves for the gradient's zero: roundings times the condition of the rows, 1e4 and less"},
     Row{"constrained_unit", "thickness", "*", "double", "*", 0, 0, 1e-8, least_energy},
