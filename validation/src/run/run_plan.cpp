@@ -172,6 +172,8 @@ class Planner {
     campaign.points = options_.suite.cage_points;
     campaign.truth_points = options_.suite.truth_points;
     campaign.mesh_points = options_.suite.mesh_points;
+    // What kinds keep in one's own cage.
+    campaign.signs = options_.cage.has_value();
     // Suites with time solve on larger cages.
     if (!options_.suite.has_time_limit) campaign.solved_elements = 50;
     return campaign;
