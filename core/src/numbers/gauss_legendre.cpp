@@ -1,37 +1,63 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/numbers/gauss_legendre.h"
 
-#include "cageproof/core/numbers/mp_number.h"
-
-#include <boost/math/special_functions/legendre.hpp>
-
+#include <array>
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <numbers>
 
 namespace cageproof {
 namespace {
 
-// Newton's method on P_n at R's precision; Boost.Math's own zero finder loses its last digits at multiprecision.
+// P_n and P_(n-1) at x, by their recurrence.
+template <class Real>
+std::array<Real, 2> legendre_pair(int n, const Real& x) {
+  Real before = 1, last = x;
+  for (int k = 1; k < n; ++k) {
+    const Real next = ((2 * k + 1) * x * last - k * before) / (k + 1);
+    before = last;
+    last = next;
+  }
+  return {last, before};
+}
+
+// P_n and its derivative n (P_(n-1) - x P_n) / (1 - x^2), which cancels nothing next to a zero.
+template <class Real>
+std::array<Real, 2> legendre(int n, const Real& x) {
+  const auto [last, before] = legendre_pair(n, x);
+  return {last, n * (before - x * last) / ((1 - x) * (1 + x))};
+}
+
+// The k-th zero from the right, to about double's digits.
+double rough_zero(int n, int k) {
+  double x = std::cos(std::numbers::pi * (4 * k + 3) / (4 * n + 2));
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    const auto [value, slope] = legendre(n, x);
+    x -= value / slope;
+  }
+  return x;
+}
+
+// Newton's method on P_n, at R's precision where double's ends: each step doubles the digits, and costs as much there
+// as hundreds do in double.
 template <Scalar R>
 std::unique_ptr<GaussLegendre<R>> make_rule(int n) {
   auto rule = std::make_unique<GaussLegendre<R>>();
   rule->nodes.resize(n);
   rule->weights.resize(n);
-  // Boost's polynomials take Boost's numbers.
-  using Real = BoostReal<R>;
   for (int k = 0; k < (n + 1) / 2; ++k) {
-    using std::abs, std::cos;
-    R x = 2 * k + 1 == n ? R(0) : R(cos(pi<R>() * (4 * k + 3) / (4 * n + 2)));
-    R step = 1;
+    const bool middle = 2 * k + 1 == n;
+    R x = middle ? R(0) : R(rough_zero(n, k));
+    R step = middle ? 0 : 1;
     for (int iteration = 0; iteration < 64 && abs(step) > 4 * unit_roundoff<R>(); ++iteration) {
-      step = x == 0
-                 ? R(0)
-                 : Real::from(boost::math::legendre_p(n, Real::to(x)) / boost::math::legendre_p_prime(n, Real::to(x)));
+      const auto [value, slope] = legendre(n, x);
+      step = value / slope;
       x -= step;
     }
-    const R derivative = Real::from(boost::math::legendre_p_prime(n, Real::to(x)));
-    const R weight = 1 / ((1 - x) * (1 + x) * derivative * derivative);
+    // With what rounding leaves of P_n: without it the weight would be off by n times as much as x is.
+    const R slope = legendre(n, x)[1];
+    const R weight = 1 / ((1 - x) * (1 + x) * slope * slope);
     rule->nodes[k] = (1 - x) / 2;
     rule->nodes[n - 1 - k] = (1 + x) / 2;
     rule->weights[k] = rule->weights[n - 1 - k] = weight;
