@@ -1,62 +1,75 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/numbers/gauss_legendre.h"
 
-#include <array>
 #include <cmath>
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <vector>
 
 namespace cageproof {
 namespace {
 
-// P_n and P_(n-1) at x, by their recurrence.
+// The Legendre polynomial P_n. Coefficients of the recurrence are kept: dividing costs as much as the rest of a step.
 template <class Real>
-std::array<Real, 2> legendre_pair(int n, const Real& x) {
-  Real before = 1, last = x;
-  for (int k = 1; k < n; ++k) {
-    const Real next = ((2 * k + 1) * x * last - k * before) / (k + 1);
-    before = last;
-    last = next;
+class Legendre {
+ public:
+  explicit Legendre(int n) : n_(n) {
+    for (int k = 1; k < n; ++k) {
+      of_before_.push_back(Real(k) / (k + 1));
+      of_last_.push_back(1 + of_before_.back());
+    }
   }
-  return {last, before};
-}
 
-// P_n and its derivative n (P_(n-1) - x P_n) / (1 - x^2), which cancels nothing next to a zero.
-template <class Real>
-std::array<Real, 2> legendre(int n, const Real& x) {
-  const auto [last, before] = legendre_pair(n, x);
-  return {last, n * (before - x * last) / ((1 - x) * (1 + x))};
-}
+  struct AtPoint {
+    Real value, slope;
+  };
+  // The slope is n (P_(n-1) - x P_n) / (1 - x^2), which cancels nothing next to a zero.
+  AtPoint at(const Real& x) const {
+    Real before = 1, last = x;
+    for (std::size_t k = 0; k < of_last_.size(); ++k) {
+      const Real next = of_last_[k] * x * last - of_before_[k] * before;
+      before = last;
+      last = next;
+    }
+    return {last, n_ * (before - x * last) / ((1 - x) * (1 + x))};
+  }
+
+ private:
+  int n_;
+  std::vector<Real> of_last_, of_before_;  // (2 k + 1) / (k + 1) and k / (k + 1)
+};
 
 // The k-th zero from the right, to about double's digits.
-double rough_zero(int n, int k) {
+double rough_zero(const Legendre<double>& legendre, int n, int k) {
   double x = std::cos(std::numbers::pi * (4 * k + 3) / (4 * n + 2));
   for (int iteration = 0; iteration < 4; ++iteration) {
-    const auto [value, slope] = legendre(n, x);
+    const auto [value, slope] = legendre.at(x);
     x -= value / slope;
   }
   return x;
 }
 
-// Newton's method on P_n, at R's precision where double's ends: each step doubles the digits, and costs as much there
-// as hundreds do in double.
+// Newton's method on P_n, at R's precision where double's ends: there a step costs as much as hundreds do in double.
 template <Scalar R>
 std::unique_ptr<GaussLegendre<R>> make_rule(int n) {
   auto rule = std::make_unique<GaussLegendre<R>>();
   rule->nodes.resize(n);
   rule->weights.resize(n);
+  const Legendre<double> rough(n);
+  const Legendre<R> legendre(n);
   for (int k = 0; k < (n + 1) / 2; ++k) {
     const bool middle = 2 * k + 1 == n;
-    R x = middle ? R(0) : R(rough_zero(n, k));
+    R x = middle ? R(0) : R(rough_zero(rough, n, k));
     R step = middle ? 0 : 1;
-    for (int iteration = 0; iteration < 64 && abs(step) > 4 * unit_roundoff<R>(); ++iteration) {
-      const auto [value, slope] = legendre(n, x);
+    // What a step leaves is its square times x / (1 - x^2), which is at most n^2 at a zero.
+    for (int iteration = 0; iteration < 64 && step * step * n * n > unit_roundoff<R>(); ++iteration) {
+      const auto [value, slope] = legendre.at(x);
       step = value / slope;
       x -= step;
     }
     // With what rounding leaves of P_n: without it the weight would be off by n times as much as x is.
-    const R slope = legendre(n, x)[1];
+    const R slope = legendre.at(x).slope;
     const R weight = 1 / ((1 - x) * (1 + x) * slope * slope);
     rule->nodes[k] = (1 - x) / 2;
     rule->nodes[n - 1 - k] = (1 + x) / 2;
