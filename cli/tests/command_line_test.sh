@@ -190,7 +190,7 @@ refuses --seed 18446744073709551616 -- "$cageproof" hunt --formula triangle.soli
 refuses nowhere 'no such file' cube -- "$cageproof" coordinates --cage nowhere --points "$work/missing.csv" --kind green
 write lifted.csv '0.3,0.4,0' '0.3,0.4,7'
 refuses lifted.csv:2 '3D points for a polygon' -- "$cageproof" coordinates --cage square --points "$work/lifted.csv" --kind green
-refuses "$work/nowhere" -- "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out "$work/nowhere/out"
+refuses "$work/nowhere" -- "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --out "$work/nowhere/out"
 write one.csv '0.1 0.2 0.3'
 refuses .doc -- "$cageproof" coordinates --cage cube --points "$work/one.csv" --kind green --out "$work/out.doc"
 refuses "$work/nowhere" -- "$cageproof" coordinates --cage cube --points "$work/one.csv" --kind green --out "$work/nowhere/x.csv"
@@ -202,7 +202,7 @@ if [ -e /dev/full ]; then
   [ $? -eq 2 ] || fail "a full disk is not exit 2 for eval"
 fi
 (ulimit -f 40; trap '' XFSZ
- "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out "$work/out" >/dev/null 2>"$work/stderr")
+ "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --out "$work/out" >/dev/null 2>"$work/stderr")
 [ $? -eq 2 ] || fail "a file that cannot be written is not exit 2: $(cat "$work/stderr")"
 [ ! -e "$work/out/index.html" ] && [ ! -e "$work/out/summary.json.gz" ] || fail "half a report"
 rm -rf "$work/out" # the journal, with which the run would go on
@@ -378,7 +378,7 @@ eval_quads --scalar mp50 --allow-invalid-quads || fail "eval --allow-invalid-qua
 refuses --allow-invalid-quads triangle.solid_angle -- "$cageproof" eval --formula triangle.solid_angle --evaluation closed_form --allow-invalid-quads
 
 # verify, its report, and replay.
-"$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes 'near-face' --cage cube --out "$work/report" >"$work/stdout"
+"$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes 'near-face' --out "$work/report" >"$work/stdout"
 [ $? -eq 0 ] || fail "verify: $(cat "$work/stdout")"
 for file in summary.json.gz summary.md results.csv.gz worst.jsonl worst index.html formulas/triangle.solid_angle.html fields pictures; do
   [ -e "$work/report/$file" ] || fail "no $file"
@@ -401,7 +401,7 @@ cp "$work/hunted.jsonl" "$work/before.jsonl"
 hunt --seed 2 --out "$work/hunted.jsonl" >/dev/null || fail "a second hunt"
 head -n "$(wc -l <"$work/before.jsonl")" "$work/hunted.jsonl" | diff -q - "$work/before.jsonl" >/dev/null || fail "hunt loses what was there"
 "$cageproof" replay "$work/hunted.jsonl" >"$work/stdout" || fail "replay of hunted cases"
-(cd "$work" && "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --cage cube --out plain >/dev/null) ||
+(cd "$work" && "$cageproof" verify --suite quick --formulas '*.solid_angle' --regimes generic --out plain >/dev/null) ||
   fail "a report in the folder that one is in"
 [ -e "$work/plain/index.html" ] || fail "no report under a plain name"
 "$cageproof" field --formula triangle.single_layer --evaluation gauss-4 --resolution 12 --out "$work/field" >/dev/null || fail field

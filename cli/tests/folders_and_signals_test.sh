@@ -8,7 +8,7 @@ state_of() { (cd "$1" && find . -type f -print0 | sort -z | xargs -0 sha256sum; 
 names_in() { (cd "$1" && find . -type f | sort); }
 # A field's files, and the contents of those in which no time and no command line stand.
 field_in() { (names_in "$1" && cd "$1" && sha256sum fields/* results.csv.gz worst.jsonl); }
-verify() { "$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far --cage square "$@"; }
+verify() { "$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far "$@"; }
 field() { "$cageproof" field --formula triangle.single_layer --evaluation gauss-4 --resolution 4 "$@"; }
 bench() { "$cageproof" bench --formula segment.winding_angle --regime far --evaluations closed_form --samples 1 --seconds 0 "$@"; }
 figures() { "$cageproof" figures "$@"; }

@@ -50,6 +50,10 @@ refuses_to bench 'derivatives of order 1' -- --formula quad.mean_value --evaluat
 refuses_to list "did you mean 'near-face'?" -- near-fac
 write() { printf '%s\n' "${@:2}" >"$1"; }
 refuses_to verify "no formula of 'triangle.solid_angle' has an evaluation 'batched'" -- --formulas triangle.solid_angle --evaluations batched
+# A cage that no formula asked for is summed on would not be verified.
+refuses_to verify "cube: no coordinates on it sum a formula of 'segment.single_layer'" 'quad.double_layer' "or leave out --cage" -- \
+  --cage cube --formulas segment.single_layer
+refuses_to verify "square: no coordinates on it sum a formula of 'triangle.*'" 'segment.double_layer' -- --cage square --formulas 'triangle.*'
 write one.csv '0.1 0.2 0.3'
 write flat.csv '0.1 0.2'
 refuses_to coordinates 'harmonic, which is made of other coordinates' "'bached'" -- --cage square --points flat.csv --kind harmonic --evaluation bached
@@ -77,7 +81,7 @@ bench() { "$cageproof" bench --samples 2 --seconds 0 --csv "$@"; }
 bench --formula triangle.solid_angle --regime 'near-f*,far' --evaluations 'gauss-4,clos*' >a.csv || fail 'bench of lists'
 bench --formula triangle.solid_angle --regimes near-face --regimes far --evaluations gauss-4 --evaluation closed_form >b.csv || fail 'bench of repeated options'
 [ "$(cut -d, -f 3-14 a.csv)" = "$(cut -d, -f 3-14 b.csv)" ] && [ "$(wc -l <a.csv)" -eq 5 ] || fail "lists differ from repeated options: $(cat a.csv b.csv)"
-verify --suite quick --formulas 'triangle.solid_*,segment.winding_angle' --regimes near-face,far --evaluations 'gauss-8,clos*' --samples 1e1 --cage cube --out run >stdout ||
+verify --suite quick --formulas 'triangle.solid_*,segment.winding_angle' --regimes near-face,far --evaluations 'gauss-8,clos*' --samples 1e1 --out run >stdout ||
   fail "verify of lists: $(cat stdout)"
 subjects=$(zcat run/results.csv.gz | cut -d, -f 2 | sort -u)
 for name in triangle.solid_angle segment.winding_angle; do grep -qx $name <<<"$subjects" || fail "verify of lists leaves out $name"; done
@@ -139,7 +143,7 @@ far --samples 2 --seed 1000 >b.csv || fail '1000'
 [ "$(cut -d, -f 1-14 a.csv)" = "$(cut -d, -f 1-14 b.csv)" ] || fail '1e3 is not 1000'
 
 # What a session records is what was used.
-"$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far --cage square --jobs 1 --out one >/dev/null || fail 'verify --jobs 1'
+"$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far --jobs 1 --out one >/dev/null || fail 'verify --jobs 1'
 zgrep -qF '"threads":"1"' one/summary.json.gz || fail 'threads that were used'
 commit=$("$cageproof" --version | sed -n 's/^cageproof [0-9.]* (commit \(.*\))$/\1/p')
 [ -n "$commit" ] || fail "--version: $("$cageproof" --version)"
@@ -159,10 +163,10 @@ grep -q 'nu = -1e400 is beyond the range of a double' stdout stderr || fail "eva
 
 # A folder of truths that nobody named does not stop a run; one that was named does.
 touch no_folder
-XDG_CACHE_HOME=$PWD/no_folder CAGEPROOF_TRUTH_CACHE='' "$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far --cage square --out uncached >stdout 2>stderr ||
+XDG_CACHE_HOME=$PWD/no_folder CAGEPROOF_TRUTH_CACHE='' "$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far --out uncached >stdout 2>stderr ||
   fail "verify without a cache: $(cat stderr)"
 [ "$(grep -c 'warning: no truths are kept for other runs: .*no_folder' stderr)" -eq 1 ] || fail "no warning of a cache that cannot be written: $(cat stderr)"
-refuses_to verify no_folder --truth-cache -- --suite quick --formulas segment.winding_angle --regimes far --cage square --out named --truth-cache no_folder/x
+refuses_to verify no_folder --truth-cache -- --suite quick --formulas segment.winding_angle --regimes far --out named --truth-cache no_folder/x
 
 # compare names the file that is no report.
 zcat one/summary.json.gz >good.json

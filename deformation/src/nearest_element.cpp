@@ -17,17 +17,10 @@ std::vector<std::vector<Vec3<double>>> corners_of(const CageElements& elements) 
   return all;
 }
 
-std::vector<Box> boxes_around(const std::vector<std::vector<Vec3<double>>>& elements) {
-  std::vector<Box> boxes;
-  boxes.reserve(elements.size());
-  for (const auto& corners : elements) boxes.push_back(box_of(corners));
-  return boxes;
-}
-
 }  // namespace
 
 NearestElements::NearestElements(const CageElements& elements)
-    : corners_(corners_of(elements)), tree_(boxes_around(corners_)), normals_(elements.normals()) {}
+    : corners_(corners_of(elements)), tree_(boxes_of(corners_)), normals_(elements.normals()) {}
 
 NearestElement NearestElements::of(const Vec3<double>& point) const {
   NearestElement best{0, Vec3<double>::Zero(), std::numeric_limits<double>::infinity()};

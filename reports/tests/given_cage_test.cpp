@@ -91,6 +91,23 @@ TEST(GivenCage, HasARowOfEachKind) {
       << section;
 }
 
+TEST(GivenCage, SaysWhetherCoordinatesAreNegativeAtThePoints) {
+  EXPECT_EQ(given_cage_section(index_of(run_of_cage())).find("Not negative"), std::string::npos) << "none was asked";
+  RunResult run = run_of_cage();
+  const auto add = [&](const char* kind, const char* place, double roundings, double below) {
+    run.rows.push_back(made_row(kind, "non_negativity", place, below, Verdict::NotPromised));
+    run.rows.back().max = roundings;
+  };
+  add("mean_value", "inside", 3e14, .5);
+  add("mean_value", "mesh", 12, 1e-15);
+  add("green", "mesh", 1e14, .125);
+  add("green", "inside", 0, 0);
+  const std::string section = given_cage_section(index_of(run));
+  EXPECT_NE(section.find("<td>yes</td><td>yes</td><td>yes</td>"), section.npos) << "a rounding at the points";
+  EXPECT_NE(section.find("<td>yes</td><td>yes</td><td>no, down to −0.13"), section.npos) << section;
+  EXPECT_NE(section.find("<td>not measured</td><td>not measured</td><td>–</td>"), section.npos) << section;
+}
+
 TEST(GivenCage, IsNotTakenWhereItBreaksAPromise) {
   RunResult run = run_of_cage();
   run.rows.push_back(made_row("green", "cage_truth", "outside", 1e-3, Verdict::Broken));

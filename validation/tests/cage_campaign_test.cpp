@@ -90,6 +90,29 @@ TEST(cage_properties, fail_for_a_coarse_quadrature) {
   EXPECT_GT(worst, 1e-3);
 }
 
+// Roundings below zero of a kind's least coordinate inside; nothing where that is not asked.
+std::optional<double> roundings_below_zero(const char* cage, const char* kind, bool signs = true) {
+  CageCampaignOptions options = few_points();
+  options.kinds = kind;
+  options.signs = signs;
+  for (const ResultRow& row : run_cage_campaign(embedded_cage(cage), options)) {
+    if (row.check != "non_negativity") continue;
+    EXPECT_EQ(row.place, "inside") << "outside they sum to zero, or may be negative in any cage";
+    EXPECT_EQ(row.verdict, Verdict::NotPromised);
+    EXPECT_GT(row.samples, 0);
+    return row.max;
+  }
+  return std::nullopt;
+}
+
+TEST(cage_signs, are_those_that_kinds_are_known_for) {
+  EXPECT_LT(roundings_below_zero("cube", "mean_value"), 64.) << "positive in convex cages";
+  EXPECT_GT(roundings_below_zero("star", "mean_value"), 1e6) << "negative next to reentrant corners";
+  EXPECT_EQ(roundings_below_zero("l-block", "maximum_entropy"), 0.) << "exponentials";
+  EXPECT_EQ(roundings_below_zero("cube", "somigliana"), std::nullopt) << "matrices";
+  EXPECT_EQ(roundings_below_zero("cube", "mean_value", false), std::nullopt);
+}
+
 // The closed form plus a term without symmetry, whose derivatives are not its derivatives.
 const RegisterEvaluation broken{
     single_family("triangle.single_layer", "broken", {.description = "broken on purpose", .role = Role::Foreign}, false,

@@ -97,10 +97,12 @@ TEST(replayed, elements_with_costly_truths_are_what_was_measured) {
 
 TEST(replayed, cages_are_what_was_measured) {
   for (const char* cage : {"square", "cube"}) {
-    const auto checks = expect_the_same_again(cage_measurements(cage_named(cage), few_points()));
+    CageCampaignOptions options = few_points();
+    options.signs = true;
+    const auto checks = expect_the_same_again(cage_measurements(cage_named(cage), options));
     for (const char* check :
-         {"partition_of_unity", "zero_outside", "linear_reproduction", "cage_laplacian", "cage_truth", "cage_scaling",
-          "cage_subdivision", "cage_differences", "limit_from_inside", "second_route"})
+         {"partition_of_unity", "non_negativity", "zero_outside", "linear_reproduction", "cage_laplacian", "cage_truth",
+          "cage_scaling", "cage_subdivision", "cage_differences", "limit_from_inside", "second_route"})
       EXPECT_TRUE(checks.contains(check)) << cage << ' ' << check;
   }
 }

@@ -3,6 +3,7 @@
 #include "run/run_plan.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/input_error.h"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,21 @@ TEST(RunPlan, quick_leaves_out_the_fields_of_larger_embedded_cages_and_says_so) 
   for (const char* cage : {"cube", "torus", "spiky-box", "icosphere"}) {
     EXPECT_GT(fields_of(standard, cage), 0) << cage;
     EXPECT_EQ(notes_on(standard, cage), 0) << cage;
+  }
+}
+
+// What the cage's coordinates do not sum says nothing of it.
+TEST(RunPlan, refuses_a_cage_that_the_formulas_asked_for_do_not_apply_to) {
+  VerifyOptions options;
+  options.suite = suites().front();
+  options.cage = embedded_cage("cube");
+  for (const char* formulas : {"segment.single_layer", "segment.*", "triangle.solid_angle"}) {
+    options.formulas = formulas;
+    EXPECT_THROW(plan_run(options), InputError) << formulas;
+  }
+  for (const char* formulas : {"*", "segment.single_layer,quad.double_layer", "triangle.single_layer"}) {
+    options.formulas = formulas;
+    EXPECT_NO_THROW(plan_run(options)) << formulas;
   }
 }
 

@@ -99,13 +99,6 @@ std::vector<std::vector<Vec3<double>>> turned_corners(const CageElements& elemen
   return all;
 }
 
-std::vector<Box> boxes_of(const std::vector<std::vector<Vec3<double>>>& all) {
-  std::vector<Box> boxes;
-  boxes.reserve(all.size());
-  for (const auto& corners : all) boxes.push_back(box_of(corners));
-  return boxes;
-}
-
 }  // namespace
 
 WindingNumbers::WindingNumbers(const CageElements& elements)

@@ -71,6 +71,13 @@ void BoxTree::by_distance(const Vec3<double>& from, const std::function<double(i
   }
 }
 
+std::vector<Box> boxes_of(const std::vector<std::vector<Vec3<double>>>& elements) {
+  std::vector<Box> boxes;
+  boxes.reserve(elements.size());
+  for (const auto& corners : elements) boxes.push_back(box_of(corners));
+  return boxes;
+}
+
 double distance_to(const Box& box, const Vec3<double>& point) {
   return (point - point.cwiseMax(box.low).cwiseMin(box.high)).stableNorm();
 }

@@ -1,37 +1,76 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/numbers/gauss_legendre.h"
 
-#include "cageproof/core/numbers/mp_number.h"
-
-#include <boost/math/special_functions/legendre.hpp>
-
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <numbers>
+#include <vector>
 
 namespace cageproof {
 namespace {
 
-// Newton's method on P_n at R's precision; Boost.Math's own zero finder loses its last digits at multiprecision.
+// The Legendre polynomial P_n. Coefficients of the recurrence are kept: dividing costs as much as the rest of a step.
+template <class Real>
+class Legendre {
+ public:
+  explicit Legendre(int n) : n_(n) {
+    for (int k = 1; k < n; ++k) {
+      of_before_.push_back(Real(k) / (k + 1));
+      of_last_.push_back(1 + of_before_.back());
+    }
+  }
+
+  struct AtPoint {
+    Real value, slope;
+  };
+  // The slope is n (P_(n-1) - x P_n) / (1 - x^2), which cancels nothing next to a zero.
+  AtPoint at(const Real& x) const {
+    Real before = 1, last = x;
+    for (std::size_t k = 0; k < of_last_.size(); ++k) {
+      const Real next = of_last_[k] * x * last - of_before_[k] * before;
+      before = last;
+      last = next;
+    }
+    return {last, n_ * (before - x * last) / ((1 - x) * (1 + x))};
+  }
+
+ private:
+  int n_;
+  std::vector<Real> of_last_, of_before_;  // (2 k + 1) / (k + 1) and k / (k + 1)
+};
+
+// The k-th zero from the right, to about double's digits.
+double rough_zero(const Legendre<double>& legendre, int n, int k) {
+  double x = std::cos(std::numbers::pi * (4 * k + 3) / (4 * n + 2));
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    const auto [value, slope] = legendre.at(x);
+    x -= value / slope;
+  }
+  return x;
+}
+
+// Newton's method on P_n, at R's precision where double's ends: there a step costs as much as hundreds do in double.
 template <Scalar R>
 std::unique_ptr<GaussLegendre<R>> make_rule(int n) {
   auto rule = std::make_unique<GaussLegendre<R>>();
   rule->nodes.resize(n);
   rule->weights.resize(n);
-  // Boost's polynomials take Boost's numbers.
-  using Real = BoostReal<R>;
+  const Legendre<double> rough(n);
+  const Legendre<R> legendre(n);
   for (int k = 0; k < (n + 1) / 2; ++k) {
-    using std::abs, std::cos;
-    R x = 2 * k + 1 == n ? R(0) : R(cos(pi<R>() * (4 * k + 3) / (4 * n + 2)));
-    R step = 1;
-    for (int iteration = 0; iteration < 64 && abs(step) > 4 * unit_roundoff<R>(); ++iteration) {
-      step = x == 0
-                 ? R(0)
-                 : Real::from(boost::math::legendre_p(n, Real::to(x)) / boost::math::legendre_p_prime(n, Real::to(x)));
+    const bool middle = 2 * k + 1 == n;
+    R x = middle ? R(0) : R(rough_zero(rough, n, k));
+    R step = middle ? 0 : 1;
+    // What a step leaves is its square times x / (1 - x^2), which is at most n^2 at a zero.
+    for (int iteration = 0; iteration < 64 && step * step * n * n > unit_roundoff<R>(); ++iteration) {
+      const auto [value, slope] = legendre.at(x);
+      step = value / slope;
       x -= step;
     }
-    const R derivative = Real::from(boost::math::legendre_p_prime(n, Real::to(x)));
-    const R weight = 1 / ((1 - x) * (1 + x) * derivative * derivative);
+    // With what rounding leaves of P_n: without it the weight would be off by n times as much as x is.
+    const R slope = legendre.at(x).slope;
+    const R weight = 1 / ((1 - x) * (1 + x) * slope * slope);
     rule->nodes[k] = (1 - x) / 2;
     rule->nodes[n - 1 - k] = (1 + x) / 2;
     rule->weights[k] = rule->weights[n - 1 - k] = weight;

@@ -3,8 +3,7 @@
 // what they state.
 #pragma once
 
-#include "norms.h"
-
+#include "beyond_range.h"
 #include "adaptive_limits.h"
 #include "cageproof/quadrature_ref/kernel.h"
 
@@ -168,6 +167,22 @@ struct AdaptiveOutcome {
   }
 };
 
+/// Whether the sums' digits meet the tolerance also in the entries within R's range, where others leave it; the
+/// outcome's bound is then theirs.
+template <Scalar R, Scalar W>
+bool meets_within_range(const Result<W>& sums, const Result<R>& result, int order, double tolerance,
+                        AdaptiveOutcome& outcome) {
+  const double digits = -std::log10(outcome.bound), wanted = -std::log10(tolerance);
+  for (int o = 0; o <= order; ++o) {
+    const EntrySpread spread = entry_spread(sums.of(o), result.of(o));
+    if (!spread.leaves_range()) continue;
+    const double left = spread.digits_left(digits);
+    if (!(left >= wanted)) return false;
+    if (left < digits) outcome.bound = std::max(outcome.bound, std::pow(10, -left));
+  }
+  return true;
+}
+
 /// Integrates off the element, or, where the point lies on it, from two distances inside, which must agree.
 /// \param inside whether the point lies on the element (`yes`), and its `clearance` there
 /// \param integrate_at (distance inside, sums) sets the sums and returns their AdaptiveOutcome
@@ -182,10 +197,20 @@ AdaptiveOutcome integrate_off_or_inside(const Contact& inside, int order, double
   return outcome;
 }
 
-/// Sets a result's statement. Rounding the result to R is part of the error.
-template <Scalar R>
-void state(const AdaptiveOutcome& outcome, std::size_t nodes, Result<R>& result) {
-  result.nodes = nodes;
+/// Sets a result and its statement. Rounding the result to R is part of the error.
+/// \param multiprecision sets the result by the multiprecision evaluation, which is asked where entries within R's
+/// range stand beside such as leave it, and the sums' digits do not tell them
+template <Scalar R, Scalar W, class Multiprecision>
+void set_outcome(const Integrand& integrand, int exponent, const Result<W>& sums, int order, double tolerance,
+                 AdaptiveOutcome outcome, Multiprecision multiprecision, Result<R>& result) {
+  finish(integrand, exponent, sums, result);
+  result.nodes = sums.nodes;
+  if (!meets_within_range(sums, result, order, tolerance, outcome)) {
+    multiprecision();
+    result.nodes += sums.nodes;
+    outcome.bound = std::pow(10, -std::fmax(result.stated_digits, 0.));
+    outcome.converged = outcome.bound <= tolerance;
+  }
   result.converged = outcome.converged;
   const double bound = outcome.bound + static_cast<double>(unit_roundoff<R>());
   result.stated_digits = bound < 0.1 ? -std::log10(bound) : 0;

@@ -2,7 +2,7 @@
 // Integrals at any number of digits: what the multiprecision evaluation asks for twice.
 #pragma once
 
-#include "elementary.h"
+#include "beyond_range.h"
 #include "finish.h"
 
 #include <functional>
@@ -14,6 +14,8 @@ namespace cageproof::quadrature_ref {
 inline constexpr double kDigitsIn50 = 46, kDigitsIn100 = 95, kDigitsIn200 = 190;
 /// log10 of nothing: of a mass or a norm that is zero.
 inline constexpr double kNoMass = -std::numeric_limits<double>::infinity();
+/// The most digits that a result is asked for: what two rules that must agree, the second better, leave of 190.
+inline constexpr double kMostDigits = 160;
 /// What the multiprecision evaluations converge to or say that they did not.
 inline constexpr double kDigitsPromised = 30;
 
@@ -123,13 +125,35 @@ struct Inside {
 /// tensor and digits are NaN.
 Answer limit_from_inside(const Inside& inside, double digits, int order);
 
-/// Sets a multiprecision evaluation's result: tensors scaled back from units of 2^exponent, and what it states.
+/// Digits, of all orders' tensors, that leave those wanted in entries within R's range where others leave it, as far as
+/// 200 digits can.
 template <Scalar R>
-void set_answer(const Integrand& integrand, int exponent, const Answer& answer, int order, Result<R>& result) {
-  finish(integrand, exponent, answer.sums, result);
-  result.nodes = answer.sums.nodes;
+double digits_for(double wanted, const Answer& answer, const Result<R>& result, int order) {
+  double needed = wanted;
   for (int o = 0; o <= order; ++o)
-    result.stated_digits = std::fmin(result.stated_digits, answer.digits[o]);  // ignores NaN
+    needed = std::max(needed, entry_spread(answer.sums.of(o), result.of(o)).digits_for(wanted));
+  return std::min(needed, kMostDigits);
+}
+
+/// Sets a multiprecision evaluation's result: tensors scaled back from units of 2^exponent, and what it states.
+/// \param integral the Answer to that many digits; asked again where these do not tell the entries within R's range
+template <Scalar R, class Integral>
+void set_answer(const Integrand& integrand, int exponent, double digits, int order, Integral integral,
+                Result<R>& result) {
+  Answer answer = integral(digits);
+  finish(integrand, exponent, answer.sums, result);
+  // A second time, because entries that were noise are smaller then.
+  for (double asked = digits, needed; asked < (needed = digits_for(digits, answer, result, order)); asked = needed) {
+    const std::size_t nodes = answer.sums.nodes;
+    answer = integral(needed);
+    answer.sums.nodes += nodes;
+    finish(integrand, exponent, answer.sums, result);
+  }
+  result.nodes = answer.sums.nodes;
+  for (int o = 0; o <= order; ++o) {
+    const EntrySpread spread = entry_spread(answer.sums.of(o), result.of(o));
+    result.stated_digits = std::fmin(result.stated_digits, spread.digits_left(answer.digits[o]));  // ignores NaN
+  }
   if (result.stated_digits < 0) result.stated_digits = 0;
   result.converged = result.stated_digits >= kDigitsPromised;
 }

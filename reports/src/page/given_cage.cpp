@@ -14,7 +14,10 @@
 namespace cageproof::reports {
 namespace {
 
-constexpr std::string_view scope_setting = "scope", cage_setting = "cage";
+constexpr std::string_view scope_setting = "scope", cage_setting = "cage", points_place = "mesh";
+
+// As many roundings below zero may be zero: what all sums of coordinates are promised to.
+constexpr double roundings_of_zero = 64;
 
 std::string setting_of(const RunResult& result, std::string_view name) {
   const auto found = result.settings.find(std::string(name));
@@ -69,6 +72,10 @@ void keep_more_telling(const ResultRow*& kept, const ResultRow& row) {
   if (kept == nullptr || more_telling(row, *kept)) kept = &row;
 }
 
+void keep_signs(const ResultRow*& kept, const ResultRow& row) {
+  if (kept == nullptr || row.place == points_place) kept = &row;
+}
+
 KindInCage kind_in_cage(const RunResult& result, const std::string& name) {
   KindInCage found;
   found.kind = name;
@@ -92,10 +99,11 @@ KindInCage kind_in_cage(const RunResult& result, const std::string& name) {
       }
     }
     if (row.check == "partition_of_unity") keep_more_telling(found.unity, row);
+    if (row.check == "non_negativity" && row.samples > 0) keep_signs(found.signs, row);
     if (row.check != "linear_reproduction") continue;
     keep_more_telling(found.linear, row);
     linear_kept = linear_kept && row.verdict == Verdict::Kept;
-    if (row.place == "mesh") found.at_points = &row;
+    if (row.place == points_place) found.at_points = &row;
   }
   found.reproduces_linear = found.linear != nullptr && linear_kept;
   return found;
@@ -110,6 +118,13 @@ std::string keeps_text(const ResultRow* row) {
   return fmt::format("not promised, {}", short_error(row->max_relative));
 }
 
+std::string signs_text(const ResultRow* row) {
+  if (row == nullptr) return "–";
+  if (row->nonfinite > 0) return "no, not finite";
+  if (row->max <= roundings_of_zero) return "yes";
+  return fmt::format("no, down to −{}", short_error(row->max_relative));
+}
+
 Data row_of_kind(const KindInCage& one, bool is_taken) {
   Data data;
   data.set("kind", one.kind);
@@ -122,6 +137,7 @@ Data row_of_kind(const KindInCage& one, bool is_taken) {
   data.set("at_points", one.at_points ? short_error(one.at_points->max_relative) : "–");
   data.set("unity", keeps_text(one.unity));
   data.set("linear", keeps_text(one.linear));
+  data.set("signs", signs_text(one.signs));
   data.set("time", one.nanoseconds ? duration_text(*one.nanoseconds) : "–");
   data.set("kept", grouped(one.kept));
   data.set("broken", grouped(one.broken));
@@ -206,12 +222,14 @@ void set_given_cage(Data& page, const RunResult& result) {
   const KindInCage* const taken = kind_to_take(kinds);
   const bool timed = std::ranges::any_of(kinds, [](const KindInCage& k) { return k.nanoseconds.has_value(); });
   const bool at_points = std::ranges::any_of(kinds, [](const KindInCage& k) { return k.at_points != nullptr; });
+  const bool has_signs = std::ranges::any_of(kinds, [](const KindInCage& k) { return k.signs != nullptr; });
   Data rows{Data::type::list};
   for (const KindInCage& one : kinds) {
     Data row = row_of_kind(one, &one == taken);
     row.set("page", page_of({RowKey::Section::Cage, "", "", "", setting_of(result, cage_setting), "", "", 0}));
     row.set("timed", timed);
     row.set("has_points", at_points);
+    row.set("has_signs", has_signs);
     rows << row;
   }
   Data section;
@@ -220,6 +238,7 @@ void set_given_cage(Data& page, const RunResult& result) {
   section.set("advice", advice_of(kinds, taken, timed));
   section.set("timed", timed);
   section.set("has_points", at_points);
+  section.set("has_signs", has_signs);
   set_list(section, "kinds", rows);
   set_list(section, "pictures", pictures_of(result, taken != nullptr ? taken->kind : ""));
   set_list(section, "undecided", undecided_rows(result));

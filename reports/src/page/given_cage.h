@@ -20,6 +20,7 @@ struct KindInCage {
   std::string worst_elsewhere;            ///< the place of that
   const ResultRow* unity = nullptr;       ///< the most telling row of partition of unity, null where none was measured
   const ResultRow* linear = nullptr;      ///< and of linear reproduction
+  const ResultRow* signs = nullptr;       ///< and of non-negativity, at the points that were given where there are any
   const ResultRow* at_points = nullptr;   ///< linear reproduction at the points that were given
   std::optional<double> nanoseconds;      ///< of all coordinates of a point
   std::uint64_t kept = 0, broken = 0;     ///< promises, of this evaluation and others

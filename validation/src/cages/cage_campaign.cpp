@@ -122,6 +122,7 @@ class CageMeasurement final : public Measurement {
 
   // Whether questions of that cost are asked at a point off the cage.
   bool takes(const Setup& setup, CageQuestion::Cost cost, std::size_t i) const {
+    if (cost == CageQuestion::Cost::Sign) return options_.signs;
     if (cost == CageQuestion::Cost::Relation || options_.properties_alone) return cost == CageQuestion::Cost::Relation;
     if (cost == CageQuestion::Cost::Point) return true;
     if (cost == CageQuestion::Cost::SecondRoute) return std::ranges::find(setup.routed, i) != setup.routed.end();

@@ -100,6 +100,21 @@ CageError laplacian_error(const CageCoordinates& coordinates, const std::vector<
   return worst;
 }
 
+// In roundings of the terms of their sum.
+CageError negative_part(const CageCoordinates& coordinates, const std::vector<Result<double>>& blocks,
+                        double of_terms) {
+  double least = 0;
+  bool any = false;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const CoordinateBlock& block = coordinates.blocks()[b];
+    if (block.reproduces != Reproduces::Vertices || block.entries() != 1) continue;
+    any = true;
+    for (const double x : blocks[b].value)
+      if (!(x >= least)) least = x;  // also what is no number
+  }
+  return any ? error_of(-least, of_terms, 1) : CageError();
+}
+
 }  // namespace
 
 std::array<std::optional<double>, 2> boundary_residuals(const CageCoordinates& coordinates) {
@@ -161,8 +176,9 @@ CageErrors errors_with(const CageCoordinates& coordinates, const Cage& cage, con
       positions_size = std::hypot(positions_size, s.positions_size);
     }
     // A rule's coordinates may be larger than the terms that the recommended ones have.
-    errors.partition[o] =
-        error_of(ones, terms ? std::max(terms->ones[o], ones_size) : ones_size, o == 0 ? 1 : ones_size);
+    const double terms_of_ones = terms ? std::max(terms->ones[o], ones_size) : ones_size;
+    errors.partition[o] = error_of(ones, terms_of_ones, o == 0 ? 1 : ones_size);
+    if (o == 0) errors.negative = negative_part(coordinates, blocks, terms_of_ones);
     errors.reproduction[o] =
         error_of(positions, terms ? terms->positions[o] : positions_size, o == 0 ? cage.size() : positions_size);
   }

@@ -40,7 +40,7 @@ class Factory {
 
   std::vector<CageQuestion> questions() && {
     if (is_off_cage(place_)) add_off_cage();
-    else if (place_ == mesh_place) add_relations(true);
+    else if (place_ == mesh_place) add_relations(true), add_sign();
     else add_on_cage();
     return std::move(questions_);
   }
@@ -84,9 +84,24 @@ class Factory {
     add_relation("linear_reproduction", &CageErrors::reproduction);
   }
 
+  // Outside, coordinates of one sign could sum to nothing else.
+  void add_sign() {
+    const auto& blocks = subject_.coordinates().blocks();
+    if (std::ranges::none_of(blocks, [](const CoordinateBlock& block) {
+          return block.reproduces == Reproduces::Vertices && block.entries() == 1;
+        }))
+      return;
+    const bool of_mesh = place_ == mesh_place;
+    add_roundings("non_negativity", [of_mesh](const CageAt& at) {
+      if (of_mesh && (!at.is_judged() || at.is_outside())) return Found{};
+      return Found{finding_of(at.errors().negative, at)};
+    }).cost = CageQuestion::Cost::Sign;
+  }
+
   void add_off_cage() {
     const CageSubject& subject = subject_;
     add_relations(true);
+    if (place_ == name_of(Place::Inside)) add_sign();
     if (order_ == 2 && has_laplacian(subject.coordinates()))
       add_roundings("cage_laplacian", [](const CageAt& at) {
         return Found{{{}, {}, finding_of(at.errors().laplacian, at)}};

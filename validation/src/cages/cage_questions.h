@@ -70,6 +70,8 @@ class CageAt : public PointAt {
   bool is_excused() const;
   /// Points of a mesh nearer than the promise reaches are shown and counted, not judged.
   bool is_judged() const;
+  /// Whether a mesh's point lies outside the cage. \pre it is a mesh's
+  bool is_outside() const { return in_mesh_.get() == Place::Outside; }
   /// Partition of unity, linear reproduction, Laplacians: NaN where a point on the cage missed it.
   const CageErrors& errors() const { return errors_.get(); }
   const std::map<std::string, CageError>& symmetries() const { return symmetries_.get(); }
@@ -89,7 +91,7 @@ class CageAt : public PointAt {
 
 struct CageQuestion : Question<CageAt> {
   /// What an answer costs, which decides how many points a campaign takes.
-  enum class Cost { Relation, Point, Truth, Differences, SecondRoute } cost = Cost::Point;
+  enum class Cost { Relation, Sign, Point, Truth, Differences, SecondRoute } cost = Cost::Point;
 };
 
 /// The highest derivative that relations are asked of at a place.

@@ -266,6 +266,8 @@ constexpr std::array table{
         "30 digits: the route takes layers 1e-42 inside for their limits, which systems enlarge by their condition, "
         "1e5 "
         "and less"},
+    Row{"non_negativity", "*", "*", "double", "*", 0, 0, none,
+        "whether a coordinate is negative is the kind's nature in the cage; 64 roundings and less may be zero"},
     Row{"zero_outside", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity"},
     Row{"limit_from_inside", "*", of_cages, "double", "*", 0, 0, 1e-6,
         "1e-11 sizes inside, coordinates differ by that times their gradient, which small faces and a logarithm "

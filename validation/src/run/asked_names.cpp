@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace cageproof::validation {
 namespace {
@@ -31,6 +32,19 @@ bool computes_any(const WholeEvaluation& evaluation, const VerifyOptions& option
   return false;
 }
 
+// Formulas of elements that the cage has none of would leave it unverified, beside figures that are not the cage's.
+void require_formulas_on_cage(const VerifyOptions& options) {
+  std::set<std::string_view> summed;
+  for (const CoordinateKind& kind : coordinate_kinds())
+    if (kind.is_sum() && exists_on(kind, *options.cage))
+      for (const Formula* formula : formulas_of(kind, *options.cage)) summed.insert(formula->name);
+  if (std::ranges::any_of(summed, [&](std::string_view name) { return matches(options.formulas, name); })) return;
+  throw InputError(fmt::format(
+      "{}: no coordinates on it sum a formula of '{}', so that nothing of the cage would be verified; ask for one that "
+      "they sum ({}), for all ('*'), or leave out --cage",
+      options.cage->name(), options.formulas, fmt::join(summed, ", ")));
+}
+
 }  // namespace
 
 void require_known_names(const VerifyOptions& options) {
@@ -47,6 +61,7 @@ void require_known_names(const VerifyOptions& options) {
   for (const Regime& regime : regimes()) regime_names.push_back(regime.name);
   require_known("formula", options.formulas, formulas);
   require_known("regime", options.regimes, regime_names);
+  if (options.cage) require_formulas_on_cage(options);
   for (const WholeEvaluation& evaluation : whole_evaluations()) {
     all.push_back(evaluation.name);
     found_in.emplace(evaluation.name, "coordinates of a whole cage");

@@ -94,9 +94,6 @@ class Planner {
       if (auto warning = folding_warning(*cage)) plan_.header.notes.push_back(std::move(*warning));
       if (auto warning = crossing_warning(*cage)) plan_.header.notes.push_back(std::move(*warning));
       add_cage(cage);
-      if (std::ranges::none_of(coordinate_kinds(), [&](const CoordinateKind& kind) { return is_asked(kind, *cage); }))
-        plan_.header.notes.push_back(
-            fmt::format("{}: not judged, no coordinates on it sum the formulas asked for", cage->name()));
       if (options_.mesh) add_mesh(cage);
       add_deformers(cage);
     } else {
@@ -175,6 +172,8 @@ class Planner {
     campaign.points = options_.suite.cage_points;
     campaign.truth_points = options_.suite.truth_points;
     campaign.mesh_points = options_.suite.mesh_points;
+    // What kinds keep in one's own cage.
+    campaign.signs = options_.cage.has_value();
     // Suites with time solve on larger cages.
     if (!options_.suite.has_time_limit) campaign.solved_elements = 50;
     return campaign;

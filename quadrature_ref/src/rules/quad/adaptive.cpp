@@ -180,8 +180,8 @@ void quad::integrate_adaptive(const Integrand& integrand, const Query<R>& query,
   };
   Result<double> sums;
   const AdaptiveOutcome outcome = integrate_off_or_inside(inside, query.order, tolerance, integrate_at, sums);
-  finish(integrand, q->exponent, sums, result);
-  state(outcome, sums.nodes, result);
+  const auto multiprecision = [&] { integrate_multiprecision<R>(integrand, query, result); };
+  set_outcome(integrand, q->exponent, sums, query.order, tolerance, outcome, multiprecision, result);
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \

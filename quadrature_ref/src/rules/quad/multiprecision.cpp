@@ -65,8 +65,17 @@ void quad::integrate_multiprecision(const Integrand& integrand, const Query<R>& 
   for (const double asked : {digits, kDigitsPromised, kFewDigits}) {
     if (asked > digits) continue;
     try {
-      return set_answer(integrand, q->exponent, integral(integrand, *q, c, inside, exact.query, asked), query.order,
-                        result);
+      Answer found;
+      // More digits than those asked for are worth a try, no more.
+      const auto as_many = [&](double more) {
+        try {
+          found = integral(integrand, *q, c, inside, exact.query, more);
+        } catch (const TooCostly&) {
+          if (more <= asked) throw;
+        }
+        return found;
+      };
+      return set_answer(integrand, q->exponent, asked, query.order, as_many, result);
     } catch (const TooCostly&) {
     }
   }

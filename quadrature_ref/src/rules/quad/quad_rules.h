@@ -42,17 +42,20 @@ double adaptive_tolerance() {
 /// the normal, by 1e-16 and by 1e-14 of its distance to the nearest side that it is not on, and both must agree; NaN
 /// for kernels that diverge there, and where the normal vanishes. Nearer than 1e-120 of its extent without being on it,
 /// nothing is stated: NaN, `stated_digits` 0, `converged` false.
+/// Where entries leave the range of R, digits are those of the entries within it, and the infinities have their sign;
+/// where double does not tell them, integrate_multiprecision is asked, however many nodes that takes.
 template <Scalar R>
 void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 
-/// The reference: the integral to at least 30 digits (60 for Mp100 and Mp200), norm-wise for each derivative order, for
-/// points at any distance. The parameter square is cut into triangles at the point nearest to eta; in each, sinh
-/// substitutions along rays and across them, and rectangles cut and given as many points as the complex zeros of
-/// r^2, which are known, demand; precision (50, 100, 200 digits) as the share of the result and the cancellation do.
-/// Two sums with different centres, cuts and rules are compared; `stated_digits` is the number of digits on which they
-/// agree (the better one is returned), the least over the orders asked; `converged` is stated_digits >= 30. Where that
-/// would take more than about a second (five times that for more than 30 digits), as next to reflex and doubled
-/// corners, 12 digits are tried, and else nothing is stated: NaN, `stated_digits` 0, `converged` false.
+/// The reference: the integral to at least 30 digits (60 for Mp100 and Mp200), norm-wise for each derivative order
+/// (over the entries within R's range, where others leave it), for points at any distance. The parameter square is cut
+/// into triangles at the point nearest to eta; in each, sinh substitutions along rays and across them, and rectangles
+/// cut and given as many points as the complex zeros of r^2, which are known, demand; precision (50, 100, 200 digits)
+/// as the share of the result and the cancellation do. Two sums with different centres, cuts and rules are compared;
+/// `stated_digits` is the number of digits on which they agree (the better one is returned), the least over the orders
+/// asked; `converged` is stated_digits >= 30. Where that would take more than about a second (five times that for more
+/// than 30 digits), as next to reflex and doubled corners, 12 digits are tried, and else nothing is stated: NaN,
+/// `stated_digits` 0, `converged` false.
 ///
 /// On the quad (nearer than 1e-120 of its extent) limits from inside are extrapolated, as on a triangle; an order that
 /// has none there is NaN. Mean value weights grow like the inverse distance: all their entries are NaN, `stated_digits`

@@ -83,8 +83,8 @@ void segment::integrate_adaptive(const Integrand& integrand, const Query<R>& que
   };
   Result<W> sums;
   const AdaptiveOutcome outcome = integrate_off_or_inside(on_segment(*s), query.order, tolerance, integrate_at, sums);
-  finish(integrand, s->exponent, sums, result);
-  state(outcome, sums.nodes, result);
+  const auto multiprecision = [&] { integrate_multiprecision<R>(integrand, query, result); };
+  set_outcome(integrand, s->exponent, sums, query.order, tolerance, outcome, multiprecision, result);
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \

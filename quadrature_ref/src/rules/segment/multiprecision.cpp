@@ -23,19 +23,17 @@ Inside inside_of(const Integrand& integrand, const SegmentFrame<Mp200>& s, const
 
 template <Scalar R>
 void segment::integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result) {
-  const double digits = digits_wanted<R>();
   integrand.reset(result, query.order);
   const ConvertedQuery<Mp200> exact(query);
   const auto s = segment_frame(exact.query.corners, exact.query.point);
   if (!s) return fill_not_a_number(result);
-  Answer answer;
-  if (const OnSegment on = on_segment(*s); on.yes) {
-    answer = limit_from_inside(inside_of(integrand, *s, exact.query, on), digits, query.order);
-  } else {
+  const auto integral = [&](double digits) {
+    if (const OnSegment on = on_segment(*s); on.yes)
+      return limit_from_inside(inside_of(integrand, *s, exact.query, on), digits, query.order);
     SegmentSum sum(integrand, arm_frame(*s, Mp200(0)), exact.query);
-    answer = converge(sum, digits, query.order);
-  }
-  set_answer(integrand, s->exponent, answer, query.order, result);
+    return converge(sum, digits, query.order);
+  };
+  set_answer(integrand, s->exponent, digits_wanted<R>(), query.order, integral, result);
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \

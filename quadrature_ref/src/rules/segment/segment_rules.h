@@ -37,15 +37,18 @@ void integrate_near_singular(const Integrand& integrand, int n, const Batch<R>& 
 /// where a Hessian keeps no ten digits in double. `stated_digits` comes from the bound in both cases. float is computed
 /// in double, multiprecision in 50 digits. On the segment: eta moved inside by 1e-16 and 1e-14 of its clearance;
 /// converged where the two agree to the tolerance.
+/// Where entries leave the range of R, digits are those of the entries within it, and the infinities have their sign;
+/// where double does not tell them, integrate_multiprecision is asked, however many nodes that takes.
 template <Scalar R>
 void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 
-/// The reference: the integral to at least 30 digits (60 for Mp100 and Mp200), norm-wise for each derivative order, for
-/// points at any distance, by the panels of integrate_near_singular, each with as many points and as much precision
-/// (50, 100, 200 digits) as its share of the result and the cancellation demand. Two sums with different panels and
-/// rules are compared; `stated_digits` is the number of digits on which they agree (the better one is returned), the
-/// least over the orders asked; `converged` is stated_digits >= 30. Closer to the segment than about 1e-150 of its
-/// length Hessians cancel more than 200 digits leave, and it says so.
+/// The reference: the integral to at least 30 digits (60 for Mp100 and Mp200), norm-wise for each derivative order
+/// (over the entries within R's range, where others leave it), for points at any distance, by the panels of
+/// integrate_near_singular, each with as many points and as much precision (50, 100, 200 digits) as its share of the
+/// result and the cancellation demand. Two sums with different panels and rules are compared; `stated_digits` is the
+/// number of digits on which they agree (the better one is returned), the least over the orders asked; `converged` is
+/// stated_digits >= 30. Closer to the segment than about 1e-150 of its length Hessians cancel more than 200 digits
+/// leave, and it says so.
 ///
 /// On the segment: the limit from inside along minus the normal, extrapolated from distances around 1e-15 (1e-25 for 60
 /// digits) of the point's distance to the ends that it does not lie on. A derivative order whose extrapolations

@@ -184,8 +184,8 @@ void triangle::integrate_adaptive(const Integrand& integrand, const Query<R>& qu
   };
   Result<W> sums;
   const AdaptiveOutcome outcome = integrate_off_or_inside(on_triangle(*t), query.order, tolerance, integrate_at, sums);
-  finish(integrand, t->exponent, sums, result);
-  state(outcome, sums.nodes, result);
+  const auto multiprecision = [&] { integrate_multiprecision<R>(integrand, query, result); };
+  set_outcome(integrand, t->exponent, sums, query.order, tolerance, outcome, multiprecision, result);
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \

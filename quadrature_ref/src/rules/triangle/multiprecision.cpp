@@ -50,7 +50,9 @@ void triangle::integrate_multiprecision(const Integrand& integrand, const Query<
   const ConvertedQuery<Mp200> exact(query);
   const auto t = lined_triangle(exact.query.corners, exact.query.point);
   if (!t) return fill_not_a_number(result);
-  set_answer(integrand, t->exponent, integral(integrand, *t, exact.query, digits_wanted<R>()), query.order, result);
+  set_answer(
+      integrand, t->exponent, digits_wanted<R>(), query.order,
+      [&](double digits) { return integral(integrand, *t, exact.query, digits); }, result);
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \

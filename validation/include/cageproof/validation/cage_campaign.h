@@ -18,6 +18,7 @@ struct CageCampaignOptions {
   int mesh_points = 0;            ///< of a mesh, at most, spread evenly; 0: all
   int on_points = 0;              ///< on the cage, at most, spread evenly; 0: all
   bool differences = true;        ///< whether derivatives are compared with differences in 100 digits
+  bool signs = false;             ///< whether coordinates inside are asked whether they are negative
   bool properties_alone = false;  ///< only partition of unity and linear reproduction of values, off the cage
   /// Kinds whose densities are solved for on samples of the cage are asked with at most so many elements.
   int solved_elements = 12;
@@ -29,7 +30,8 @@ struct CageCampaignOptions {
 bool is_affordable(const CoordinateKind& kind, const Cage& cage, const CageCampaignOptions& options);
 
 /// One a kind that matches and has coordinates in the cage: partition_of_unity, linear_reproduction, zero_outside,
-/// limit_from_inside, cage_laplacian, cage_truth and what CageSymmetries asks. \throws InputError when no kind does
+/// non_negativity (if signs are asked), limit_from_inside, cage_laplacian, cage_truth and what CageSymmetries asks.
+/// \throws InputError when no kind does
 Measurements cage_measurements(const std::shared_ptr<const Cage>& cage, const CageCampaignOptions& options);
 
 /// Measures and judges them. \throws InputError as cage_measurements

@@ -18,6 +18,8 @@ struct CageErrors {
   std::array<CageError, 3> reproduction;
   /// Norm-wise over a block: |trace of Hessian - partner|, relative ones over |Hessian|; the worst block.
   CageError laplacian;
+  /// How far below zero the least coordinate of a vertex is, zero where none is; of kinds with one number per vertex.
+  CageError negative;
 };
 
 /// Partition of unity and linear reproduction at one point.

@@ -29,6 +29,9 @@ class BoxTree {
   std::shared_ptr<const Tree> tree_;
 };
 
+/// A box around each element, of its corners.
+std::vector<Box> boxes_of(const std::vector<std::vector<Vec3<double>>>& elements);
+
 /// From a point to a box: nothing within it.
 double distance_to(const Box& box, const Vec3<double>& point);
 
