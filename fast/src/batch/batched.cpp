@@ -89,15 +89,8 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
         [&](const double* columns, const Request& request, std::size_t first, int count) {
           for (int o = 0; o <= order; ++o)
             for (std::size_t b = 0; b < blocks().size(); ++b)
-              kernels().store({.to = tables[b].tensors[o].data() + first * tables[b].stride[o],
-                               .stride = static_cast<long>(tables[b].stride[o]),
-                               .coordinates = blocks()[b].size,
-                               .entries = blocks()[b].entries(),
-                               .width = static_cast<int>(derivative_count(Shape::dimension, o)),
-                               .from = columns + at(request, o, b),
-                               .factor = factor(o, b),
-                               .streaming = numbers > kCached && tables[b].stride[o] >= kShortRow},
-                              count);
+              store(tables[b], first, request, o, b, columns, count,
+                    numbers > kCached && tables[b].stride[o] >= kShortRow);
         },
         [&](std::size_t p, const std::vector<CoordinateTable<double>>& own) {
           for (int o = 0; o <= order; ++o)
@@ -178,9 +171,55 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
         const unsigned left = runner.run(here);
         put(runner.columns(), request, first, static_cast<int>(here.size()));
         for (std::size_t p = 0; left != 0 && p < here.size(); ++p)
-          if ((left >> p & 1u) != 0) alone(first + p, sums_at(here[p], order));
+          if ((left >> p & 1u) != 0) alone(first + p, left_at(here[p], request, runner));
       }
     });
+  }
+
+  std::vector<CoordinateTable<double>> left_at(const Vec3<double>& point, const Request& request,
+                                               typename Shape::Runner& runner) const {
+    auto tables = sums_at(point, request.order);
+    if constexpr (Shape::dimension == 3)
+      if (layers_ != Layers::MeanValue) put_vertices_beside(point, request, runner, tables);
+    return tables;
+  }
+
+  // At a point on the border of faces. Vertices beside these are the only ones that have all derivatives there, and the
+  // sides of a thin wall that they stand on cancel: sums over their faces get more digits than those in double have.
+  void put_vertices_beside(const Vec3<double>& point, const Request& request, BlockRunner& runner,
+                           std::vector<CoordinateTable<double>>& tables) const {
+    const std::vector<Touching> touches = elements_->touching(point);
+    if (touches.empty()) return;
+    std::vector<char> left_out(elements_->count(), 0), touched(elements_->vertices().size(), 0);
+    for (const Touching& touch : touches) {
+      left_out[touch.element] = 1;
+      for (const int v : elements_->vertices_of(touch.element)) touched[v] = 1;
+    }
+    if (!runner.run_without(left_out, point)) return;
+    auto found = zero_tables<double>(blocks(), Shape::dimension, 1, request.order);
+    for (int o = 0; o <= request.order; ++o)
+      for (std::size_t b = 0; b < blocks().size(); ++b) {
+        if (blocks()[b].owner != Owner::Vertex) continue;
+        store(found[b], 0, request, o, b, runner.columns(), 1);
+        const std::size_t width = found[b].stride[o] / touched.size();
+        for (std::size_t v = 0; v < touched.size(); ++v)
+          if (touched[v] == 0)
+            std::copy_n(found[b].tensors[o].data() + v * width, width, tables[b].tensors[o].data() + v * width);
+      }
+  }
+
+  // One order and block of columns to the rows of points from `first` on.
+  void store(CoordinateTable<double>& table, std::size_t first, const Request& request, int o, std::size_t b,
+             const double* columns, int count, bool streaming = false) const {
+    kernels().store({.to = table.tensors[o].data() + first * table.stride[o],
+                     .stride = static_cast<long>(table.stride[o]),
+                     .coordinates = blocks()[b].size,
+                     .entries = blocks()[b].entries(),
+                     .width = static_cast<int>(derivative_count(Shape::dimension, o)),
+                     .from = columns + at(request, o, b),
+                     .factor = factor(o, b),
+                     .streaming = streaming},
+                    count);
   }
 
   Layers layers_;
