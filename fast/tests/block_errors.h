@@ -47,7 +47,8 @@ inline double block_error_on(const CageCoordinates& found, const CageCoordinates
   const auto f = found.at<double>(point, order);
   const auto truth = reference.at<Mp50>(convert<Mp50>(point), order);
   const Mp50 step("1e-25");
-  const Vec3<Mp50> moved = inside + step * Vec3<Mp50>(Mp50("0.48"), Mp50("0.64"), Mp50("0.6"));
+  Vec3<Mp50> moved = inside;
+  for (int i = 0; i < found.dimension(); ++i) moved[i] += step * std::array{0.48, 0.64, 0.6}[i];
   const auto here = reference.at<Mp50>(inside, order), beside = reference.at<Mp50>(moved, order);
   double worst = 0;
   for (std::size_t b = 0; b < f.size(); ++b)

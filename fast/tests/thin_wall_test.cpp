@@ -9,7 +9,8 @@ namespace {
 
 using namespace block_errors;
 
-// Two square pyramids on each other, that high. All vertices but two are on the rim, where both sides meet.
+// Two pyramids on each other, about that high, no mirror images. All vertices but two are on the rim, where both sides
+// meet.
 Cage flat_octahedron(double height) {
   std::vector<Face> faces;
   for (const std::array<int, 4>& f : {std::array{0, 2, 4, -1},
@@ -21,37 +22,50 @@ Cage flat_octahedron(double height) {
                                       {3, 1, 5, -1},
                                       {0, 3, 5, -1}})
     faces.push_back({f});
-  return Cage::make("flat octahedron", {{1, 0, 0}, {-1, 0, 0}, {0, height, 0}, {0, -height, 0}, {0, 0, 1}, {0, 0, -1}},
-                    faces, {});
+  return Cage::make(
+      "flat octahedron",
+      {{1, 0, 0}, {-1, 0, 0.125}, {0.125, height, 0.0625}, {0, -0.75 * height, 0}, {0, 0, 1}, {-0.25, 0, -1}}, faces,
+      {});
 }
 
-// Exactly on vertices, edges and a face: on the rim and off it.
-std::vector<Point> points_on_octahedron(double height) {
-  return {{1, 0, 0},
-          {0, 0, -1},
-          {0, height, 0},
-          {0.5, 0, 0.5},
-          {-0.5, height / 2, 0},
-          {.75, 0, .25},
-          {0, -height / 2, 0.5},
-          {0.25, height / 2, 0.25},
-          {-.5, -height / 4, .25}};
+Cage flat_quadrangle(double height) {
+  return Cage::make_polygon("flat quadrangle", {{1, 0, 0}, {0.125, height, 0}, {-1, 0, 0}, {0, -0.75 * height, 0}},
+                            {{{0, 1, -1, -1}}, {{1, 2, -1, -1}}, {{2, 3, -1, -1}}, {{3, 0, -1, -1}}});
+}
+
+// All vertices, points on all edges and, of triangles, within them, exactly.
+std::vector<Point> points_on(const Cage& cage, const CageElements& elements) {
+  std::vector<Point> points = cage.vertices();
+  for (std::size_t f = 0; f < elements.count(); ++f) {
+    const auto k = elements.corners(f);
+    const auto vertices = elements.vertices_of(f);
+    for (std::size_t i = 0; i < k.size(); ++i) {
+      const std::size_t j = (i + 1) % k.size();
+      if (vertices[i] < vertices[j]) points.emplace_back(0.5 * (k[i] + k[j]));
+    }
+    if (k.size() > 2) points.emplace_back(0.25 * k[0] + 0.5 * k[1] + 0.25 * k[2]);
+  }
+  return points;
+}
+
+void expect_small_errors_on(const Cage& cage) {
+  for (const char* kind : {"green", "biharmonic", "somigliana"}) {
+    const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
+    for (const Point& p : points_on(cage, found.elements())) {
+      if (found.elements().touching(p).empty()) continue;  // rounding has moved it
+      const Vec3<Mp50> inside = convert<Mp50>(p) * (1 - Mp50("1e-11"));
+      for (const int order : {0, 1, 2})
+        EXPECT_LE(block_error_on(found, reference, cage.size(), p, inside, order), 64)
+            << cage.name() << ", " << kind << ", order " << order << " at " << p.transpose();
+    }
+  }
 }
 
 class ThinWall : public testing::TestWithParam<double> {};
 
 TEST_P(ThinWall, points_on_it) {
-  const Cage cage = flat_octahedron(GetParam());
-  for (const char* kind : {"green", "biharmonic", "somigliana"}) {
-    const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
-    for (const Point& p : points_on_octahedron(GetParam())) {
-      ASSERT_FALSE(found.elements().touching(p).empty()) << p.transpose();
-      const Vec3<Mp50> inside = convert<Mp50>(p) * (1 - Mp50("1e-11"));
-      for (const int order : {0, 1, 2})
-        EXPECT_LE(block_error_on(found, reference, cage.size(), p, inside, order), 64)
-            << kind << ", order " << order << " at " << p.transpose();
-    }
-  }
+  expect_small_errors_on(flat_octahedron(GetParam()));
+  expect_small_errors_on(flat_quadrangle(GetParam()));
 }
 
 // In all directions, of which some leave the wall.
@@ -59,14 +73,16 @@ TEST_P(ThinWall, points_a_rounding_off_it) {
   const Cage cage = flat_octahedron(GetParam());
   for (const char* kind : {"green", "biharmonic", "somigliana"}) {
     const CageCoordinates found = coordinates_of(cage, kind, "batched"), reference = coordinates_of(cage, kind, "");
-    for (const Point& p : points_on_octahedron(GetParam()))
+    int turn = 0;
+    for (const Point& p : points_on(cage, found.elements()))
       for (const Point& towards : {Point(-1, 0, 1), Point(1, 1, 1), Point(1, -1, -1)}) {
         const Point beside = p + 0x1p-52 * towards;
         if (!found.elements().touching(beside).empty()) continue;
-        for (const int order : {0, 1, 2})
-          EXPECT_LE(block_error(found, reference, cage.size(), beside, order, OfHessians::WithSlope), 64)
-              << kind << ", order " << order << ", off " << p.transpose() << " by " << (beside - p).transpose();
+        const int order = turn++ % 3;
+        EXPECT_LE(block_error(found, reference, cage.size(), beside, order, OfHessians::WithSlope), 64)
+            << kind << ", order " << order << ", off " << p.transpose() << " by " << (beside - p).transpose();
       }
+    EXPECT_GE(turn, 40);
   }
 }
 
