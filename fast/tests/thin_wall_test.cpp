@@ -86,6 +86,17 @@ TEST_P(ThinWall, points_a_rounding_off_it) {
   }
 }
 
+// Kinds that keep quads are the same where there are none.
+TEST_P(ThinWall, kinds_that_keep_quads) {
+  const Cage cage = flat_octahedron(GetParam());
+  const CageCoordinates quads = coordinates_of(cage, "quad_mean_value", "batched"),
+                        triangles = coordinates_of(cage, "mean_value", "batched");
+  for (const Point& p : {Point(0.283, 0.02 * GetParam(), 0.7171), Point(0.1, 0.2 * GetParam(), 0.3), Point(1, 1, -1)}) {
+    const auto a = quads.at<double>(p, 2), b = triangles.at<double>(p, 2);
+    for (int o = 0; o <= 2; ++o) EXPECT_EQ(a[0].of(o), b[0].of(o)) << p.transpose();
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(of_a_height, ThinWall, testing::Values(1e-2, 1e-4, 1e-6));
 
 }  // namespace

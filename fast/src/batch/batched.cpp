@@ -15,13 +15,18 @@
 namespace cageproof::closed_form::batch {
 namespace {
 
+// Kinds that keep quads are others', where there are any, or may be.
+bool is_of_triangles(const Cage& cage) {
+  return cage.dimension() == 3 && std::ranges::all_of(cage.faces(), [](const Face& face) { return face.size() == 3; });
+}
+
 // The layers that a kind's blocks are made of, by their kernels; nothing for others.
 std::optional<Layers> layers_of(const CoordinateKind& kind) {
   const auto are = [&](std::initializer_list<std::string_view> kernels) {
     return std::ranges::equal(kind.blocks, kernels, {}, &SummedBlock::kernel);
   };
-  if (kind.keeps_quads) return std::nullopt;
   if (kind.normalised) return are({"mean_value"}) ? std::optional(Layers::MeanValue) : std::nullopt;
+  if (kind.keeps_quads) return std::nullopt;
   if (are({"double_layer", "single_layer"})) return Layers::Harmonic;
   if (are({"double_layer", "single_layer", "biharmonic_double_layer", "biharmonic_single_layer"}))
     return Layers::Biharmonic;
@@ -232,7 +237,8 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
 const RegisterWholeEvaluation registered{
     {.name = kName,
      .description = "the whole cage for a vector of points at once; more digits next to edges and vertices",
-     .exists = [](const CoordinateKind& kind, const Cage&) { return layers_of(kind).has_value(); },
+     .exists = [](const CoordinateKind& kind,
+                  const Cage& cage) { return layers_of(kind) && (!kind.keeps_quads || is_of_triangles(cage)); },
      .prepare = [](const CoordinateKind& kind, std::shared_ptr<const CageElements> elements,
                    const CoordinateOptions& options,
                    std::shared_ptr<const PreparedCoordinates> summed) -> std::shared_ptr<const PreparedCoordinates> {
