@@ -125,6 +125,38 @@ TEST(spherical, keeps_the_cube_symmetric_and_reproduces) {
   EXPECT_GE(largest_difference(at(cube, "spherical_mean_value", on), at(cube, "quad_mean_value", on)), 1e-3);
 }
 
+// Outside a thin wall the weights of its sides, and their sum, cancel.
+TEST(spherical, reproduces_outside_thin_walls) {
+  std::vector<Face> faces;
+  for (const std::array<int, 4>& f : {std::array{0, 2, 4, -1},
+                                      {2, 1, 4, -1},
+                                      {1, 3, 4, -1},
+                                      {3, 0, 4, -1},
+                                      {2, 0, 5, -1},
+                                      {1, 2, 5, -1},
+                                      {3, 1, 5, -1},
+                                      {0, 3, 5, -1}})
+    faces.push_back({f});
+  for (const double height : {1e-2, 1e-4, 1e-6}) {
+    const Cage cage = Cage::make(
+        "flat octahedron", {{1, 0, 0}, {-1, 0, 0}, {0, height, 0}, {0, -height, 0}, {0, 0, 1}, {0, 0, -1}}, faces, {});
+    for (const Vec& point : {Vec(0.164, 0.286, 0.491), Vec(-0.142, 0.285, 0.366), Vec(-0.085, -0.0286, -0.408),
+                             Vec(0.3, -4, 0.2), Vec(1.5, 0.1, -0.25)})
+      for (const int order : {0, 1}) {
+        const auto found = CageCoordinates(cage, *find_coordinate_kind("spherical_mean_value"), CoordinateOptions{})
+                               .at<double>(point, order)[0]
+                               .value;
+        Vec sum = -point;
+        double size = 0;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          sum += found[i] * cage.vertices()[i];
+          size += std::abs(found[i]) * cage.vertices()[i].norm();
+        }
+        EXPECT_LE(sum.norm(), 64 * 0x1p-53 * size) << height << ", " << point.transpose();
+      }
+  }
+}
+
 // With a prior of no derivatives.
 std::vector<double> entropy_at(const Cage& cage, std::vector<double> prior, const Vec& point) {
   Result<double> m, found;

@@ -40,6 +40,33 @@ double slope_of(const std::vector<Number>& derivatives, std::size_t dimension) {
 // only input: |f - truth| over |truth| + size sum_k |d truth/d x_k|; of Hessians over |truth| alone, or, as the
 // promise has it, with a difference of Hessians along a direction that is like no other point's. Number: of the truth.
 enum class OfHessians { Alone, WithSlope };
+
+// On the cage, over entries that have a truth; the slope is taken at a point next to it, inside.
+inline double block_error_on(const CageCoordinates& found, const CageCoordinates& reference, double size,
+                             const Point& point, const Vec3<Mp50>& inside, int order) {
+  const auto f = found.at<double>(point, order);
+  const auto truth = reference.at<Mp50>(convert<Mp50>(point), order);
+  const Mp50 step("1e-25");
+  Vec3<Mp50> moved = inside;
+  for (int i = 0; i < found.dimension(); ++i) moved[i] += step * std::array{0.48, 0.64, 0.6}[i];
+  const auto here = reference.at<Mp50>(inside, order), beside = reference.at<Mp50>(moved, order);
+  double worst = 0;
+  for (std::size_t b = 0; b < f.size(); ++b)
+    for (int o = 0; o <= order; ++o) {
+      std::vector<Mp50> difference, whole, change;
+      for (std::size_t i = 0; i < f[b].of(o).size(); ++i) {
+        if (!isfinite(truth[b].of(o)[i])) continue;
+        difference.push_back(Mp50(f[b].of(o)[i]) - truth[b].of(o)[i]);
+        whole.push_back(truth[b].of(o)[i]);
+        change.push_back((beside[b].of(o)[i] - here[b].of(o)[i]) / step);
+      }
+      if (whole.empty()) continue;
+      const double error = norm_of(difference) / (unit_roundoff<double>() * (norm_of(whole) + size * norm_of(change)));
+      if (!std::isnan(worst) && !(error <= worst)) worst = error;
+    }
+  return worst;
+}
+
 template <class Number = Mp50>
 double block_error(const CageCoordinates& found, const CageCoordinates& reference, double size, const Point& point,
                    int order, OfHessians unit = OfHessians::Alone) {

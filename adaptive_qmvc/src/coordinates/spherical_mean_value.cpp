@@ -2,6 +2,7 @@
 // Spherical mean value coordinates (Langer, Belyaev, Seidel 2006; [T18] Section 5).
 #include "spherical_derivatives.h"
 
+#include "cageproof/core/coordinates/coordinate_tables.h"
 #include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/coordinates/coordinates_in_double.h"
 #include "cageproof/core/input_error.h"
@@ -17,6 +18,11 @@
 
 namespace cageproof::adaptive_qmvc {
 namespace {
+
+// Sizes of elements' weights over those of the vertices', and the same of weights times how far the point would move if
+// its vertex drew it, over what coordinates times positions add up to: beyond this, double loses more than a few
+// roundings.
+constexpr double kMostTerms = 4;
 
 class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
  public:
@@ -93,17 +99,34 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
   template <class N, Scalar R>
   void put(const Vec3<R>& eta, std::size_t point, int order, CoordinateTable<R>& table) const {
     const Vec3<R> scaled = in_unit(eta);
-    std::vector<N> found = sum<N>(scaled, order);
+    auto [found, terms] = sum<N>(scaled, order);
+    bool beyond_range = false;
     if constexpr (std::same_as<N, double>) {
-      if (has_distant_exponents(scaled) || std::ranges::any_of(found, [](double x) { return !std::isfinite(x); }))
-        std::ranges::transform(sum<Mp200>(in_unit(convert<Mp200>(eta)), order), found.begin(),
+      beyond_range =
+          has_distant_exponents(scaled) || std::ranges::any_of(found, [](double x) { return !std::isfinite(x); });
+      if (beyond_range)
+        std::ranges::transform(sum<Mp200>(in_unit(convert<Mp200>(eta)), order).coordinates, found.begin(),
                                [](const Mp200& x) { return static_cast<double>(x); });
     }
+    if constexpr (std::same_as<R, double>)
+      if (!beyond_range && terms > kMostTerms) return put_in_more_digits(eta, point, order, table);
     for (std::size_t v = 0; v < found.size(); ++v) store<N>(found[v], v, point, order, table);
     using std::ldexp;
     for (int o = 1; o <= order; ++o)
       for (R& x : std::span(table.tensors[o]).subspan(point * table.stride[o], table.stride[o]))
         x = ldexp(x, -o * exponent_);
+  }
+
+  // Both sides of a thin wall give its vertices weights of opposite signs outside: in double their sums would be those
+  // terms' roundings.
+  void put_in_more_digits(const Vec3<double>& eta, std::size_t point, int order, CoordinateTable<double>& table) const {
+    auto wide = zero_tables<Mp50>(blocks_, 3, 1, order);
+    if (order == 0) put<Mp50>(convert<Mp50>(eta), 0, order, wide[0]);
+    else put<SecondOrder<Mp50>>(convert<Mp50>(eta), 0, order, wide[0]);
+    for (int o = 0; o <= order; ++o)
+      std::ranges::transform(wide[0].tensors[o],
+                             table.tensors[o].begin() + static_cast<std::ptrdiff_t>(point * table.stride[o]),
+                             [](const Mp50& x) { return static_cast<double>(x); });
   }
 
   template <Scalar R>
@@ -122,27 +145,45 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
     });
   }
 
+  template <class N>
+  struct Sum {
+    std::vector<N> coordinates;
+    double terms;  // as kMostTerms says
+  };
+
   template <class N, Scalar R>
-  std::vector<N> sum(const Vec3<R>& eta, int order) const {
+  Sum<N> sum(const Vec3<R>& eta, int order) const {
     std::vector<N> found(elements_.vertices().size(), N(R(0)));
+    R terms(0), sums(0), moves(0), positions(0);
+    const auto add = [&](int vertex, const N& weight) {
+      using std::abs;
+      found[vertex] += weight;
+      terms += abs(value_of(weight));
+      moves += abs(value_of(weight)) * Vec3<R>(convert<R>(vertices_[vertex]) - eta).norm();
+    };
     Result<R> of_triangle;
     for (std::size_t e = 0; e < elements_.count(); ++e) {
       const auto vertices = elements_.vertices_of(e);
       if (elements_.type(e).kind == ElementKind::Quad) {
         const CornerWeights<N> weights = quad_weights<N>(quad(e), eta);
-        for (std::size_t k = 0; k < 4; ++k) found[vertices[k]] += weights[k];
+        for (std::size_t k = 0; k < 4; ++k) add(vertices[k], weights[k]);
       } else {
         // Three directions leave no choice: the coordinates are those of triangles.
         std::array<Vec3<R>, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) corners[k] = convert<R>(vertices_[vertices[k]]);
         triangle_(Query<R>{corners, eta, order, {}}, of_triangle);
-        for (std::size_t k = 0; k < 3; ++k) found[vertices[k]] += number<N>(of_triangle, order, k);
+        for (std::size_t k = 0; k < 3; ++k) add(vertices[k], number<N>(of_triangle, order, k));
       }
     }
     N total(R(0));
-    for (const N& w : found) total += w;
+    for (std::size_t v = 0; v < found.size(); ++v) {
+      using std::abs;
+      total += found[v];
+      sums += abs(value_of(found[v]));
+      positions += abs(value_of(found[v])) * R(vertices_[v].norm());
+    }
     for (N& w : found) w /= total;
-    return found;
+    return {std::move(found), static_cast<double>(std::max(R(terms / sums), R(moves / positions)))};
   }
 
   template <class N, Scalar R>

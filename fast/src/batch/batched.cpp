@@ -15,13 +15,18 @@
 namespace cageproof::closed_form::batch {
 namespace {
 
+// Kinds that keep quads are others', where there are any, or may be.
+bool is_of_triangles(const Cage& cage) {
+  return cage.dimension() == 3 && std::ranges::all_of(cage.faces(), [](const Face& face) { return face.size() == 3; });
+}
+
 // The layers that a kind's blocks are made of, by their kernels; nothing for others.
 std::optional<Layers> layers_of(const CoordinateKind& kind) {
   const auto are = [&](std::initializer_list<std::string_view> kernels) {
     return std::ranges::equal(kind.blocks, kernels, {}, &SummedBlock::kernel);
   };
-  if (kind.keeps_quads) return std::nullopt;
   if (kind.normalised) return are({"mean_value"}) ? std::optional(Layers::MeanValue) : std::nullopt;
+  if (kind.keeps_quads) return std::nullopt;
   if (are({"double_layer", "single_layer"})) return Layers::Harmonic;
   if (are({"double_layer", "single_layer", "biharmonic_double_layer", "biharmonic_single_layer"}))
     return Layers::Biharmonic;
@@ -89,15 +94,8 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
         [&](const double* columns, const Request& request, std::size_t first, int count) {
           for (int o = 0; o <= order; ++o)
             for (std::size_t b = 0; b < blocks().size(); ++b)
-              kernels().store({.to = tables[b].tensors[o].data() + first * tables[b].stride[o],
-                               .stride = static_cast<long>(tables[b].stride[o]),
-                               .coordinates = blocks()[b].size,
-                               .entries = blocks()[b].entries(),
-                               .width = static_cast<int>(derivative_count(Shape::dimension, o)),
-                               .from = columns + at(request, o, b),
-                               .factor = factor(o, b),
-                               .streaming = numbers > kCached && tables[b].stride[o] >= kShortRow},
-                              count);
+              store(tables[b], first, request, o, b, columns, count,
+                    numbers > kCached && tables[b].stride[o] >= kShortRow);
         },
         [&](std::size_t p, const std::vector<CoordinateTable<double>>& own) {
           for (int o = 0; o <= order; ++o)
@@ -178,9 +176,55 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
         const unsigned left = runner.run(here);
         put(runner.columns(), request, first, static_cast<int>(here.size()));
         for (std::size_t p = 0; left != 0 && p < here.size(); ++p)
-          if ((left >> p & 1u) != 0) alone(first + p, sums_at(here[p], order));
+          if ((left >> p & 1u) != 0) alone(first + p, left_at(here[p], request, runner));
       }
     });
+  }
+
+  std::vector<CoordinateTable<double>> left_at(const Vec3<double>& point, const Request& request,
+                                               typename Shape::Runner& runner) const {
+    auto tables = sums_at(point, request.order);
+    if constexpr (Shape::dimension == 3)
+      if (layers_ != Layers::MeanValue) put_vertices_beside(point, request, runner, tables);
+    return tables;
+  }
+
+  // At a point on the border of faces. Vertices beside these are the only ones that have all derivatives there, and the
+  // sides of a thin wall that they stand on cancel: sums over their faces get more digits than those in double have.
+  void put_vertices_beside(const Vec3<double>& point, const Request& request, BlockRunner& runner,
+                           std::vector<CoordinateTable<double>>& tables) const {
+    const std::vector<Touching> touches = elements_->touching(point);
+    if (touches.empty()) return;
+    std::vector<char> left_out(elements_->count(), 0), touched(elements_->vertices().size(), 0);
+    for (const Touching& touch : touches) {
+      left_out[touch.element] = 1;
+      for (const int v : elements_->vertices_of(touch.element)) touched[v] = 1;
+    }
+    if (!runner.run_without(left_out, point)) return;
+    auto found = zero_tables<double>(blocks(), Shape::dimension, 1, request.order);
+    for (int o = 0; o <= request.order; ++o)
+      for (std::size_t b = 0; b < blocks().size(); ++b) {
+        if (blocks()[b].owner != Owner::Vertex) continue;
+        store(found[b], 0, request, o, b, runner.columns(), 1);
+        const std::size_t width = found[b].stride[o] / touched.size();
+        for (std::size_t v = 0; v < touched.size(); ++v)
+          if (touched[v] == 0)
+            std::copy_n(found[b].tensors[o].data() + v * width, width, tables[b].tensors[o].data() + v * width);
+      }
+  }
+
+  // One order and block of columns to the rows of points from `first` on.
+  void store(CoordinateTable<double>& table, std::size_t first, const Request& request, int o, std::size_t b,
+             const double* columns, int count, bool streaming = false) const {
+    kernels().store({.to = table.tensors[o].data() + first * table.stride[o],
+                     .stride = static_cast<long>(table.stride[o]),
+                     .coordinates = blocks()[b].size,
+                     .entries = blocks()[b].entries(),
+                     .width = static_cast<int>(derivative_count(Shape::dimension, o)),
+                     .from = columns + at(request, o, b),
+                     .factor = factor(o, b),
+                     .streaming = streaming},
+                    count);
   }
 
   Layers layers_;
@@ -193,7 +237,8 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
 const RegisterWholeEvaluation registered{
     {.name = kName,
      .description = "the whole cage for a vector of points at once; more digits next to edges and vertices",
-     .exists = [](const CoordinateKind& kind, const Cage&) { return layers_of(kind).has_value(); },
+     .exists = [](const CoordinateKind& kind,
+                  const Cage& cage) { return layers_of(kind) && (!kind.keeps_quads || is_of_triangles(cage)); },
      .prepare = [](const CoordinateKind& kind, std::shared_ptr<const CageElements> elements,
                    const CoordinateOptions& options,
                    std::shared_ptr<const PreparedCoordinates> summed) -> std::shared_ptr<const PreparedCoordinates> {

@@ -82,6 +82,18 @@ unsigned BlockRunner::run(std::span<const Vec3<double>> points) {
   return left & all;
 }
 
+bool BlockRunner::run_without(const std::vector<char>& left_out, const Vec3<double>& point) {
+  const int lanes = kernels_.lanes;
+  for (int i = 0; i < 3; ++i)
+    for (int p = 0; p < lanes; ++p) points_[i * lanes + p] = std::ldexp(point[i], -geometry_.exponent());
+  std::fill_n(columns_.get(), static_cast<std::size_t>(block_.layout.count) * lanes, 0.0);
+  block_.marked = 0;
+  block_.left = 0;
+  for (int f = 0; f < geometry_.faces(); ++f)
+    if (left_out[f] == 0) block_.marks[block_.marked++] = {f, 1u};
+  return add_marked(std::span(&point, 1)) == 0;
+}
+
 unsigned BlockRunner::add_marked(std::span<const Vec3<double>> points) {
   if (block_.marked == 0) return block_.left;
   kernels_.sum_marked(block_);

@@ -33,6 +33,9 @@ class BlockRunner {
   /// Up to as many points as the kernels have lanes. \return a bit for each point that the kernels leave to others: on
   /// the cage, too near to it, or too far away
   unsigned run(std::span<const Vec3<double>> points);
+  /// All faces but some at one point, in double-doubles, as the first lane of the columns. These then hold coordinates
+  /// of the vertices around which no face is left out. \pre layers are sums \return whether more digits decide as well
+  bool run_without(const std::vector<char>& left_out, const Vec3<double>& point);
   /// [column][lanes], as Columns says.
   const double* columns() const { return columns_.get(); }
 
