@@ -121,6 +121,7 @@ int run(Arguments& a) {
     return options.only_cage ? benchmarks::times_of_kinds(*options.cage, options.triangulation)
                              : benchmarks::times_of_evaluations(formulas, evaluations);
   };
+  options.warn = [](const std::string& text) { fmt::print(stderr, "warning: {}\n", text); };
   Progress progress;
   options.progress = [&](std::size_t done, std::size_t all) { progress("measuring", done, all); };
   const validation::Verified done = validation::verify(options);

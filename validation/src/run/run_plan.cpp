@@ -23,9 +23,11 @@
 #include "cageproof/validation/stored_cases.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace cageproof::validation {
 namespace {
@@ -80,6 +82,9 @@ bool names_whole_evaluations_alone(const std::string& pattern) {
       if (matches_evaluation(pattern, evaluation_named(formula.name, name))) return false;
   return true;
 }
+
+// What a cage refuses, by why.
+using NamesByReason = std::map<std::string, std::vector<std::string_view>>;
 
 class Planner {
  public:
@@ -142,6 +147,21 @@ class Planner {
       plan_.header.notes.push_back(fmt::format(
           "{}: deformers are not judged, no point is found 2e-2 of its size and more inside", cage->name()));
     add(std::move(found));
+    if (options_.cage) tell_refused_deformers(*cage);
+  }
+
+  // A user waits for what the cage's own fault leaves out; polygons have no deformers that keep quads by nature.
+  void tell_refused_deformers(const Cage& cage) {
+    if (cage.dimension() == 2) return;
+    NamesByReason refused;
+    for (const deformation::DeformMethod& method : deformation::deform_methods())
+      if (const CoordinateKind& kind = coordinate_kind_named(method.kind); exists_on(kind, cage))
+        if (std::string reason = deformation::why_refused(method, cage); !reason.empty())
+          refused[std::move(reason)].push_back(method.name);
+    for (const auto& [reason, names] : refused) {
+      plan_.warnings.push_back(fmt::format("{}: no deformer {}, {}", cage.name(), fmt::join(names, ", "), reason));
+      plan_.header.notes.push_back(plan_.warnings.back());
+    }
   }
 
   // Whether the kind exists on such a cage and sums a formula that is asked for; kinds that compute otherwise are asked
@@ -297,6 +317,7 @@ class Planner {
             cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed}));
     if (is_shown(*cage)) add(outline_measurement(cage));
     bool left_out = false, quads_left_out = false;
+    NamesByReason refused;
     for (const CoordinateKind& kind : coordinate_kinds()) {
       if (options_.cage && exists_on(kind, *cage) && !is_affordable(kind, *cage, cage_options()))
         plan_.header.notes.push_back(
@@ -308,10 +329,13 @@ class Planner {
         else left_out = true;
         quads_left_out = quads_left_out || (is_shown(*cage) && !shows_truth(kind, *cage));
       } else {
-        plan_.header.notes.push_back(
-            fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, why_refused(kind, *cage)));
+        std::string reason = why_refused(kind, *cage);
+        plan_.header.notes.push_back(fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, reason));
+        if (options_.cage) refused[std::move(reason)].push_back(kind.name);
       }
     }
+    for (const auto& [reason, names] : refused)
+      plan_.warnings.push_back(fmt::format("{}: no {} coordinates, {}", cage->name(), fmt::join(names, ", "), reason));
     if (left_out)
       plan_.header.notes.push_back(fmt::format("{}: its error fields are drawn by longer suites", cage->name()));
     if (quads_left_out)

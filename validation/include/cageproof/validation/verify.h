@@ -62,6 +62,8 @@ struct VerifyOptions {
   /// Takes the times of evaluations whose formulas and names match these globs, before anything is measured. Null:
   /// the report has none.
   std::function<std::vector<EvaluationTime>(const std::string& formulas, const std::string& evaluations)> take_times;
+  /// Told what the run leaves out of the user's cage, and why, before anything is measured.
+  std::function<void(const std::string&)> warn;
   /// Called as units of work end.
   std::function<void(std::size_t done, std::size_t all)> progress;
 };
