@@ -489,5 +489,16 @@ says 0 '1 of 2 points sum to one to fewer than 8 digits' -- "$work/faint.csv" --
 says 1 '1 of 2 points have' 'mean_value coordinates' 'the sum of their weights is zero' -- "$work/lost.csv" --kind mean_value --strict
 awk '/largest residual/ { if ($6 + 0 > 1e-14 || $12 + 0 > 1e-14) exit 1; found = 1 } END { exit !found }' "$work/stderr" || fail "residuals: $(cat "$work/stderr")"
 
+# A mesh that pokes out of the cage is told, and an error with --strict.
+poking() { (cd "$work" && "$cageproof" verify --cage unit.obj --points "$1" --evaluations batched --out poking "${@:2}" >stdout 2>stderr); }
+poking around.csv || fail "points outside without --strict: $(cat "$work/stderr")"
+grep -q '^warning: 1 of 3 points of around.csv are outside unit.obj, the first of them number 2' "$work/stderr" || fail "points outside: $(cat "$work/stderr")"
+[ "$(grep -c '1 of 3 points of around.csv are outside unit.obj\.' "$work/poking/summary.md" "$work/poking/index.html" | cut -d: -f2 | tr '\n' ' ')" = '1 1 ' ] || fail 'the report says nothing of points outside'
+zcat "$work/poking/summary.json.gz" | grep -q '"points outside":"1 of 3"' || fail 'summary.json.gz says nothing of points outside'
+poking around.csv --strict
+[ $? -eq 1 ] || fail 'points outside with --strict'
+poking inside.csv --strict || fail "a point inside with --strict: $(cat "$work/stderr")"
+grep -q outside "$work/stderr" && fail "no point is outside: $(cat "$work/stderr")"
+
 [ $failures -eq 0 ] && echo "all of the command line answers as it should"
 exit $failures

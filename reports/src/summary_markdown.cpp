@@ -5,6 +5,7 @@
 #include "errata_text.h"
 #include "figure_facts.h"
 #include "figure.h"
+#include "points_outside.h"
 #include "tables.h"
 
 #include <fmt/format.h>
@@ -198,6 +199,8 @@ std::string environment_section(const RunResult& result) {
 std::string summary_markdown(const RunResult& result, const std::vector<FigureEntry>& figures) {
   std::string text = fmt::format("# Cageproof: {}\n\n", verdict_line(result));
   text += fmt::format("Suite {}, seed {}, version {}.\n", escaped(result.suite), result.seed, escaped(result.version));
+  if (const std::string outside = points_outside_line(result); !outside.empty())
+    text += fmt::format("\n**{}** The notes say what that means.\n", escaped(outside));
   text += broken(result) + formulas(result) + properties(result) + cages(result);
   if (!result.fields.empty()) {
     text += "\n## Fields\n\n" + head({"field", "largest", "unit", "data", "picture"});

@@ -106,5 +106,29 @@ TEST(RunPlan, leaves_out_what_a_cage_that_overlaps_itself_has_not) {
   EXPECT_GE(measured(touching, "deformer ahap"), 1);
 }
 
+TEST(RunPlan, counts_the_points_that_lie_outside_the_cage) {
+  VerifyOptions options;
+  options.suite = suites().front();
+  options.only_cage = true;
+  options.cage = embedded_cage("cube");
+  options.mesh_name = "poking.obj";
+  // On the cage counts as inside.
+  options.mesh = Mesh{.vertices = {{0, 0, 0}, options.cage->vertices()[0], {5, 0, 0}, {0, 0, -7}}, .faces = {}};
+  for (const char* evaluations : {"*", "batched"}) {
+    options.evaluations = evaluations;
+    const RunPlan plan = plan_run(options);
+    EXPECT_EQ(plan.points_outside, 2u);
+    EXPECT_EQ(plan.header.settings.at("points outside"), "2 of 4");
+    ASSERT_EQ(plan.warnings.size(), 1u);
+    EXPECT_EQ(plan.warnings[0].find("2 of 4 points of poking.obj are outside cube, the first of them number 2"), 0u);
+    EXPECT_EQ(std::ranges::count(plan.header.notes, plan.warnings[0]), 1);
+  }
+  options.mesh->vertices.resize(2);
+  const RunPlan plan = plan_run(options);
+  EXPECT_EQ(plan.points_outside, 0u);
+  EXPECT_FALSE(plan.header.settings.contains("points outside"));
+  EXPECT_EQ(plan.warnings, std::vector<std::string>());
+}
+
 }  // namespace
 }  // namespace cageproof::validation

@@ -7,6 +7,8 @@
 #include "run/run_report.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/cage/winding_numbers.h"
+#include "cageproof/core/parallel.h"
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/reports/worst_file.h"
 #include "cages/block_campaign.h"
@@ -92,6 +94,7 @@ class Planner {
 
   RunPlan plan() {
     require_known_names(options_);
+    if (options_.cage && options_.mesh) tell_points_outside(*options_.cage, options_.mesh->vertices);
     if (names_whole_evaluations_alone(options_.evaluations)) return plan_of_whole_evaluations();
     const std::size_t stored_cases = options_.only_cage ? 0 : add_elements();
     if (options_.cage) {
@@ -425,6 +428,23 @@ class Planner {
     }
   }
 
+  // Promises hold for points outside as for others, so no row tells that they are there.
+  void tell_points_outside(const Cage& cage, const std::vector<Vec3<double>>& points) {
+    const WindingNumbers windings(CageElements(cage, false, options_.triangulation));
+    std::vector<char> outside(points.size());
+    for_each_parallel(points.size(), options_.jobs,
+                      [&](std::size_t i) { outside[i] = windings.around(points[i]).value_or(1) == 0; });
+    plan_.points_outside = static_cast<std::size_t>(std::ranges::count(outside, 1));
+    if (plan_.points_outside == 0) return;
+    plan_.warnings.push_back(fmt::format(
+        "{} of {} points of {} are outside {}, the first of them number {} (from 0): promises are judged there by what "
+        "coordinates are outside, where green, biharmonic and others that are not normalised sum to zero, and what is "
+        "deformed with them collapses",
+        plan_.points_outside, points.size(), options_.mesh_name, cage.name(),
+        std::ranges::find(outside, 1) - outside.begin()));
+    plan_.header.notes.push_back(plan_.warnings.back());
+  }
+
   void add_mesh(const std::shared_ptr<const Cage>& cage) {
     const auto mesh = std::make_shared<const Mesh>(*options_.mesh);
     plan_.measurements.push_back(mesh_shape(mesh));
@@ -480,6 +500,9 @@ class Planner {
         {"stored worst cases", fmt::format("{}, replayed in the rows of the regime 'hunted'", stored_cases)}};
     if (options_.cage) header.settings["cage"] = options_.cage->name();
     if (options_.mesh) header.settings["points"] = options_.mesh_name;
+    if (plan_.points_outside > 0)
+      header.settings[reports::points_outside_setting] =
+          fmt::format("{} of {}", plan_.points_outside, options_.mesh->vertices.size());
     if (options_.only_cage) {
       header.options["scope"] = "cage";
       header.settings["scope"] = "the cage only; `--formulas '*'` asks for formulas on single elements too";

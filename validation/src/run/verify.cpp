@@ -176,6 +176,7 @@ Verified verify(const VerifyOptions& options) {
     if (!journal.done[unit]) open.push_back(unit);
   Verified result;
   result.units = own.size();
+  result.points_outside = plan.points_outside;
   result.measured = open.size();
   {
     Recorder recorder(path, journal);
