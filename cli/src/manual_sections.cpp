@@ -39,8 +39,11 @@ const std::vector<ManualSection>& manual_sections() {
       {"Signals",
        {"SIGINT, SIGTERM, SIGHUP and SIGPIPE end the program by that signal, after it has removed what it was writing: "
         "no half report, no file aside. What stood in its place stays as it was, with one exception: `verify --out` "
-        "over an earlier report of its own replaces that one's journal as soon as it starts, since a run that ends "
-        "half may be gone on with (`verify --resume FOLDER`); the pages stay until the new ones are whole."},
+        "over an earlier report of its own replaces that one's journal as soon as it starts to measure, since a run "
+        "that ends half may be gone on with (`verify --resume FOLDER`), and renames summary.json.gz and summary.md to "
+        "earlier.summary.json.gz and earlier.summary.md, so that who looks for a verdict finds none before the run has "
+        "one; the pages stay until the new ones are whole. Input that is refused before anything is measured (exit "
+        "code 2) leaves the folder as it is."},
        {}},
       {"Files and folders that are written",
        {"Every file and folder is written beside its place, as .NAME.partial-PID-N@HOST, and renamed into it when it "

@@ -197,7 +197,18 @@ TEST(ReportFolder, OfARunThatDiedHoldsItsJournalAndCanBeReplaced) {
   // The earlier report stays until there is a new one.
   begin_run(out, header(), {});
   EXPECT_TRUE(fs::exists(out / "index.html"));
+  // Its verdict is not where that of the new one will be.
+  for (const char* name : {"summary.json.gz", "summary.md"}) {
+    EXPECT_FALSE(fs::exists(out / name)) << name;
+    EXPECT_TRUE(fs::exists(out / fmt::format("earlier.{}", name))) << name;
+  }
+  begin_run(out, header(), {});
+  EXPECT_TRUE(fs::exists(out / "earlier.summary.json.gz"));
   EXPECT_EQ(read_journal(journal_in(out)).units_done(), 0u);
+  write_report(out, sample_run(1, 1));
+  EXPECT_TRUE(fs::exists(out / "summary.json.gz"));
+  EXPECT_FALSE(fs::exists(out / "earlier.summary.json.gz"));
+  begin_run(out, header(), {});
   const JournalWriter somebody_writes(journal);
   EXPECT_NE(message_of([&] { begin_run(out, header(), {}); }).find("another process writes to it"), std::string::npos);
   EXPECT_NE(message_of([&] { journal_in(scratch.path()); }).find("there is no journal"), std::string::npos);
