@@ -60,7 +60,8 @@ const std::vector<ManualSection>& manual_sections() {
        {"Results go to standard output; progress, remarks and warnings go to standard error. On a terminal progress is "
         "one line with the time that is left, estimated from what was done so far; elsewhere it is one line per "
         "minute, so "
-        "that a run of seconds writes none. --quiet leaves out progress and remarks; warnings and errors stay. The "
+        "that a run of seconds writes none. --quiet leaves out progress and remarks; results, as broken promises are, "
+        "warnings and errors stay. The "
         "same options and "
         "seed give the same results, byte for byte, whatever --jobs is; only what is named environment differs (times, "
         "machine, threads, commit)."},

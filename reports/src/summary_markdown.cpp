@@ -50,8 +50,8 @@ std::string broken(const RunResult& result) {
   for (const BrokenGroup& group : broken_groups(result)) {
     text += fmt::format("* {}; {}\n", escaped(title_of(group)), escaped(breach(*group.rows.front())));
     if (group.simplest)
-      text += fmt::format("  {}: {} {} at {}\n", escaped(group.simplest_row->subject),
-                          short_error(group.simplest->error), group.simplest_row->unit, input_line(*group.simplest));
+      text += fmt::format("  {}: {}\n", escaped(group.simplest_row->subject),
+                          error_line(*group.simplest_row, *group.simplest));
   }
   text += "\nThe furthest beyond its bound first:\n\n" +
           head({"subject", "evaluation", "scalar", "regime or cage", "check", "place", "order", "largest found",
