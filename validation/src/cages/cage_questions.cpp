@@ -114,11 +114,14 @@ class Factory {
       add_roundings(check, [check](const CageAt& at) {
         return Found{finding_of(at.symmetries().at(check), at)};
       }).cost = CageQuestion::Cost::Truth;
-    if (order_ == 2 && subject.coordinates().is_prompt_in(ScalarKind::Digits100))
-      add_relative("cage_differences", [&subject](const CageAt& at) {
+    if (order_ == 2 && subject.coordinates().is_prompt_in(ScalarKind::Digits100)) {
+      CageQuestion& question = add_relative("cage_differences", [&subject](const CageAt& at) {
         const std::array<double, 3> errors = subject.symmetries().differences_at(at.point);
         return Found{{{}, finding_of(errors[1], at), finding_of(errors[2], at)}};
-      }).cost = CageQuestion::Cost::Differences;
+      });
+      question.key.scalar = name_of(ScalarKind::Digits100);
+      question.cost = CageQuestion::Cost::Differences;
+    }
     if (!kind_.approximates.empty() && place_ == name_of(Place::Inside))
       add_relative("scheme_error", [&subject](const CageAt& at) {
         Found found;
