@@ -115,6 +115,33 @@ TEST(cage_errors, expect_the_winding_number_where_parts_overlap) {
     EXPECT_NE(row.verdict, Verdict::Broken) << row.subject << ' ' << row.check << ' ' << row.place << ' ' << row.max;
 }
 
+// A corner of one cube amid a face of the other: there is no inside that both have.
+TEST(cage_errors, ask_for_no_limits_where_a_corner_touches_a_face) {
+  const Cage cube = embedded_cage("cube");
+  std::vector<Vec> vertices = cube.vertices();
+  std::vector<Face> faces = cube.faces();
+  // Its lowest corner is amid the upper side, the others above it.
+  const double top = vertices[0].cwiseAbs()[2];
+  for (const Vec& v : cube.vertices()) {
+    const Vec turned = Vec(1, 2, 4).cwiseProduct(v + Vec::Constant(top));
+    vertices.emplace_back(turned[0] - turned[1] / 4, turned[1] - turned[2] / 4, top + turned.sum());
+  }
+  for (Face face : cube.faces()) {
+    for (int& v : face.vertices) v += 8;
+    faces.push_back(face);
+  }
+  const Cage both = Cage::make("touching", vertices, faces);
+  ASSERT_TRUE(crossing_warning(both));
+  CageCampaignOptions options;
+  options.kinds = "green,mean_value";
+  options.points = 12;
+  options.differences = false;
+  for (const ResultRow& row : run_cage_campaign(both, options)) {
+    if (row.place != "on-vertex" && row.place != "on-face") continue;
+    EXPECT_NE(row.verdict, Verdict::Broken) << row.subject << ' ' << row.check << ' ' << row.place << ' ' << row.max;
+  }
+}
+
 // On faces within the cage sums are twice what they are on others, of evaluations that take limits from inside.
 TEST(cage_errors, ask_for_no_limits_on_faces_that_overlap) {
   const Cage both = two_cubes();
