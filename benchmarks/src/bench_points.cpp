@@ -65,7 +65,8 @@ std::vector<PointGroup> groups_of(const Cage& cage, const CageLocator& locator, 
     if (place == Place::TooClose) continue;
     const int decade = static_cast<int>(std::floor(std::log10(locator.distance(points[i]) / cage.size())));
     PointGroup& group =
-        by_decade.try_emplace(decade, PointGroup{fmt::format("1e{}", decade), std::pow(10.0, decade), {}})
+        by_decade
+            .try_emplace(decade, PointGroup{fmt::format("1e{}..1e{}", decade, decade + 1), std::pow(10.0, decade), {}})
             .first->second;
     group.points.push_back({points[i], place, i});
   }

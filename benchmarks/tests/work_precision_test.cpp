@@ -4,6 +4,7 @@
 #include "cageproof/benchmarks/work_precision.h"
 #include "summarise.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -209,6 +210,9 @@ TEST(work_precision, given_points_are_grouped_by_decade) {
   for (const PointGroup& group : groups_of(cube, locator, points)) {
     EXPECT_LT(group.distance, last);
     last = group.distance;
+    const int decade = static_cast<int>(std::lround(std::log10(group.distance)));
+    EXPECT_EQ(group.place, fmt::format("1e{}..1e{}", decade, decade + 1));
+    for (const CagePoint& p : group.points) EXPECT_LT(locator.distance(p.point), 10.001 * group.distance * cube.size());
     grouped += group.points.size();
     for (const CagePoint& p : group.points) EXPECT_EQ(p.place == Place::Outside, p.point[0] == 100);
   }

@@ -29,16 +29,28 @@ struct Arguments {
   bool csv = false, coordinates = false;
 };
 
+// What the places of given points are, and how many points are none of them.
+void tell_of_points(const std::vector<benchmarks::PointGroup>& groups, std::size_t given, WorkPrecision& result) {
+  std::size_t taken = 0;
+  for (const benchmarks::PointGroup& group : groups) taken += group.points.size();
+  result.notes.emplace_back("places are distances of the points from the cage, in cage sizes");
+  if (taken < given)
+    result.notes.push_back(fmt::format("{} of {} points lie nearer to the cage than {} of its size and are left out",
+                                       given - taken, given, validation::CageLocator::promised_distance));
+}
+
 WorkPrecision measure_cage(const Arguments& a, benchmarks::WorkPrecisionOptions options) {
   const CoordinateKind* kind = &coordinate_kind_named(a.kind);
   if (!a.parameters.empty()) options.parameters = parameters_from(a.parameters, parameters_of(*kind), kind->name);
   options.triangulation = a.cage.rule();
   const Cage cage = a.cage.load();
   const validation::CageLocator locator(cage, options.triangulation, kind->keeps_quads);
-  const auto groups = a.points.empty()
-                          ? benchmarks::groups_inside(cage, locator, options.seed, options.samples)
-                          : benchmarks::groups_of(cage, locator, load_points(a.points, cage.dimension()).vertices);
+  std::vector<Vec3<double>> given;
+  if (!a.points.empty()) given = load_points(a.points, cage.dimension()).vertices;
+  const auto groups = a.points.empty() ? benchmarks::groups_inside(cage, locator, options.seed, options.samples)
+                                       : benchmarks::groups_of(cage, locator, given);
   WorkPrecision result = benchmarks::cage_work_precision(cage, *kind, groups, options);
+  if (!a.points.empty()) tell_of_points(groups, given.size(), result);
   result.settings = {{"triangulation", a.cage.triangulate}, {"points", a.points.empty() ? "random" : a.points}};
   return result;
 }
@@ -133,9 +145,11 @@ void add_bench(CommandLine& line, const std::string& command_line) {
                 "of --evaluations");
   a->cage.add_to(command, false).excludes(formula).showing_default("cube");
   command
-      .option("--points", a->points,
-              "a mesh, or text with three numbers per line (for polygons two), instead of random points inside" +
-                  std::string(y_of_points))
+      .option(
+          "--points", a->points,
+          "a mesh, or text with three numbers per line (for polygons two), instead of random points inside: all are "
+          "taken; of a kind in groups by their distance from the cage, as 1e-2..1e-1 of its size" +
+              std::string(y_of_points))
       .taking("FILE")
       .excludes(formula);
   command.option("--regime,--regimes", a->regimes, "of a formula's samples")
@@ -153,7 +167,11 @@ void add_bench(CommandLine& line, const std::string& command_line) {
       .in_range(0, 2)
       .excludes(kind)
       .excludes(coordinates);
-  command.option("--samples", a->options.samples, "a distance or regime").in_range(1, 1000000).showing_default();
+  command
+      .option("--samples", a->options.samples,
+              "a distance or regime, of random points; those of --points are all taken")
+      .in_range(1, 1000000)
+      .showing_default();
   command.option("--seed", a->options.seed, "of all samples").showing_default();
   command
       .flag("--by-parameter", a->options.by_parameter,

@@ -134,7 +134,8 @@ int run(const Arguments& a) {
     if (line.starts_with("warning: ")) fmt::print(stderr, "{}\n", line);
     else remark(line);
   }
-  return a.strict && summary.unusable + summary.without_derivatives() > 0 ? promise_broken : success;
+  return a.strict && summary.unusable + summary.misplaced + summary.without_derivatives() > 0 ? promise_broken
+                                                                                              : success;
 }
 
 std::string names_of_kinds() {
@@ -190,8 +191,10 @@ void add_coordinates(CommandLine& line) {
   command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system")
       .taking("FILE");
   command.heading("Running");
-  command.flag("--strict", a->strict,
-               "exit with 1 where a point has no finite coordinates or derivatives, or lies where they sum to zero");
+  command.flag(
+      "--strict", a->strict,
+      "exit with 1 where a point has no finite coordinates or derivatives, lies where they sum to zero, or is not "
+      "given back to 8 digits");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
   add_quiet(command);
   command.runs([a] { return run(*a); });

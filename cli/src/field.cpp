@@ -166,6 +166,11 @@ std::optional<reports::ColourLimits> limits_of(const Arguments& a) {
   return reports::ColourLimits{a.colours[0], a.colours[1]};
 }
 
+void write_all(reports::ReportWriter& writer, const RunResult& result) {
+  for (const std::string& undrawn : writer.write(result)) fmt::print(stderr, "warning: {}\n", undrawn);
+  writer.commit();
+}
+
 int run(const Arguments& a) {
   require_outside(a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}});
   const auto limits = limits_of(a);
@@ -180,8 +185,7 @@ int run(const Arguments& a) {
     scene.image.facts["version"] = scene.mesh.facts["version"] = CAGEPROOF_VERSION;
     result.fields = writer.write_scene(scene);
     result.sessions.front().seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    writer.write(result);
-    writer.commit();
+    write_all(writer, result);
     for (const auto& array : scene.image.arrays)
       if (!array.linear) {
         double largest = 0;
@@ -198,8 +202,7 @@ int run(const Arguments& a) {
   const auto scale = a.coordinate.empty() ? reports::ColourScale::Log10 : reports::ColourScale::Linear;
   result.fields.push_back(writer.write_image(shown.field, shown.title, shown.array, scale, limits, &shown.outline));
   result.sessions.front().seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  writer.write(result);
-  writer.commit();
+  write_all(writer, result);
   fmt::print("largest {} {:.3g}; {}/{}, {}/{}\n",
              a.kind.empty()         ? "relative error"
              : a.coordinate.empty() ? "residual of the partition of unity"

@@ -30,7 +30,7 @@ const std::vector<ManualSection>& manual_sections() {
        {{"0", "all went well, and every promise was kept"},
         {"1",
          "a promise is broken (verify, merge, report, replay, hunt), reports differ (compare), or --strict found "
-         "points without usable coordinates"},
+         "points without usable coordinates, or outside the cage (verify)"},
         {"2",
          "the command line or the input is not understood, or a file cannot be read or written: one line on standard "
          "error says which and why, and nothing is written half or deleted; a line that `eval` does not understand is "
@@ -39,8 +39,11 @@ const std::vector<ManualSection>& manual_sections() {
       {"Signals",
        {"SIGINT, SIGTERM, SIGHUP and SIGPIPE end the program by that signal, after it has removed what it was writing: "
         "no half report, no file aside. What stood in its place stays as it was, with one exception: `verify --out` "
-        "over an earlier report of its own replaces that one's journal as soon as it starts, since a run that ends "
-        "half may be gone on with (`verify --resume FOLDER`); the pages stay until the new ones are whole."},
+        "over an earlier report of its own replaces that one's journal as soon as it starts to measure, since a run "
+        "that ends half may be gone on with (`verify --resume FOLDER`), and renames summary.json.gz and summary.md to "
+        "earlier.summary.json.gz and earlier.summary.md, so that who looks for a verdict finds none before the run has "
+        "one; the pages stay until the new ones are whole. Input that is refused before anything is measured (exit "
+        "code 2) leaves the folder as it is."},
        {}},
       {"Files and folders that are written",
        {"Every file and folder is written beside its place, as .NAME.partial-PID-N@HOST, and renamed into it when it "
@@ -57,7 +60,8 @@ const std::vector<ManualSection>& manual_sections() {
        {"Results go to standard output; progress, remarks and warnings go to standard error. On a terminal progress is "
         "one line with the time that is left, estimated from what was done so far; elsewhere it is one line per "
         "minute, so "
-        "that a run of seconds writes none. --quiet leaves out progress and remarks; warnings and errors stay. The "
+        "that a run of seconds writes none. --quiet leaves out progress and remarks; results, as broken promises are, "
+        "warnings and errors stay. The "
         "same options and "
         "seed give the same results, byte for byte, whatever --jobs is; only what is named environment differs (times, "
         "machine, threads, commit)."},

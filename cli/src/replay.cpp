@@ -59,9 +59,9 @@ void count(const reports::WorstLine& line, const validation::Finding& finding, b
 
 void print(const Summary& all, const std::string& file) {
   const std::size_t cases = all.kept + all.broken + all.unpromised + all.unmeasured;
-  fmt::print("{}: {} cases of {}: {} kept, {} broken, {} not promised, {} without error; {} changed since stored\n",
-             all.broken == 0 ? "all promises kept" : "PROMISES BROKEN", cases, file, all.kept, all.broken,
-             all.unpromised, all.unmeasured, all.changed);
+  fmt::print("{}: {} case{} of {}: {} kept, {} broken, {} not promised, {} without error; {} changed since stored\n",
+             all.broken == 0 ? "all promises kept" : "PROMISES BROKEN", cases, cases == 1 ? "" : "s", file, all.kept,
+             all.broken, all.unpromised, all.unmeasured, all.changed);
   if (!all.largest.empty()) fmt::print("largest share of a promise: {}\n", all.largest);
 }
 

@@ -35,6 +35,12 @@ std::vector<std::string> lines_of(const validation::CoordinateSummary& s, const 
                                 kind.name, s.inexact, s.points,
                                 kind.normalised || s.outside == 0 ? "one" : "one, or zero outside,", reason));
   }
+  if (s.misplaced > 0)
+    lines.push_back(fmt::format(
+        "warning: {} coordinates give {} of {} points back to fewer than 8 digits of the cage's size, at worst {:.2g} "
+        "sizes off: the cage lies {:.2g} of its sizes from the origin, where doubles are {:.2g} sizes apart; subtract "
+        "the same whole numbers from the coordinates of cage and points before they are rounded to double",
+        kind.name, s.misplaced, s.points, s.reproduction.value, s.far_off, s.grain));
   const std::string_view lost = kind.normalised ? "the sum of their weights is zero in double, or leaves its range"
                                                 : "terms of theirs leave the range of double";
   if (s.missing > 0) {

@@ -16,9 +16,12 @@ namespace {
 constexpr std::size_t most_rows_shown = 4;
 
 void print_row(const ResultRow& row) {
-  fmt::print("  {} {} {} {} {}{} {} order {}: {}\n", row.verdict == Verdict::Undecided ? "undecided" : "BROKEN",
-             row.subject, row.evaluation, row.scalar, row.setting, row.place.empty() ? "" : " " + row.place, row.check,
-             row.order, reports::breach(row));
+  std::string names;
+  // Deformers with their defaults have no evaluation, single elements no place.
+  for (const std::string& name : {row.subject, row.evaluation, row.scalar, row.setting, row.place, row.check})
+    if (!name.empty()) names += name + ' ';
+  fmt::print("  {} {}order {}: {}\n", row.verdict == Verdict::Undecided ? "undecided" : "BROKEN", names, row.order,
+             reports::breach(row));
 }
 
 void print_rows(const std::vector<const ResultRow*>& rows) {
@@ -33,9 +36,8 @@ void print_group(const reports::BrokenGroup& group) {
   if (!group.simplest) return;
   const ResultRow& row = *group.simplest_row;
   const std::string origin = row.section == RowKey::Section::Element ? validation::origin_of(row, *group.simplest) : "";
-  fmt::print("  simplest: {} order {}, {}: {:.3g} {} at {}\n", row.subject, row.order,
-             origin.empty() ? row.setting : origin, group.simplest->error, row.unit,
-             reports::input_line(*group.simplest));
+  fmt::print("  simplest: {} order {}, {}: {}\n", row.subject, row.order, origin.empty() ? row.setting : origin,
+             reports::error_line(row, *group.simplest));
 }
 
 }  // namespace

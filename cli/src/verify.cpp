@@ -23,6 +23,7 @@ struct Arguments {
   std::string points, suite = "quick", out = "report", resume, shard = "0/1", timings, truth_cache;
   validation::VerifyOptions options;
   int samples = 0, enclosures = -1;
+  bool strict = false;
   std::optional<Command> command;  // knows which options are given
 };
 
@@ -121,6 +122,7 @@ int run(Arguments& a) {
     return options.only_cage ? benchmarks::times_of_kinds(*options.cage, options.triangulation)
                              : benchmarks::times_of_evaluations(formulas, evaluations);
   };
+  options.warn = [](const std::string& text) { fmt::print(stderr, "warning: {}\n", text); };
   Progress progress;
   options.progress = [&](std::size_t done, std::size_t all) { progress("measuring", done, all); };
   const validation::Verified done = validation::verify(options);
@@ -129,7 +131,8 @@ int run(Arguments& a) {
   if (done.truths_taken > 0)
     progress.say(fmt::format("{} of {} truths of elements were there from earlier runs, in {}", done.truths_taken,
                              done.truths_taken + done.truths_made, options.truth_cache.string()));
-  return done.report ? print_verdict(*done.report, a.out) : print_shard(options, done);
+  const int code = done.report ? print_verdict(*done.report, a.out) : print_shard(options, done);
+  return a.strict && done.points_outside > 0 ? promise_broken : code;
 }
 
 }  // namespace
@@ -192,6 +195,7 @@ void add_verify(CommandLine& line, const std::string& command_line) {
               "$CAGEPROOF_TRUTH_CACHE, "
               "$XDG_CACHE_HOME/cageproof or ~/.cache/cageproof")
       .taking("FOLDER");
+  command.flag("--strict", a->strict, "exit with 1 where a point of --points lies outside the cage, too");
   add_quiet(command);
   command.example("cageproof verify --suite quick --out report");
   command.example("cageproof verify --formulas 'triangle.*' --regimes 'near-*,far' --evaluations closed_form,gauss-8");

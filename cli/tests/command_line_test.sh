@@ -489,5 +489,24 @@ says 0 '1 of 2 points sum to one to fewer than 8 digits' -- "$work/faint.csv" --
 says 1 '1 of 2 points have' 'mean_value coordinates' 'the sum of their weights is zero' -- "$work/lost.csv" --kind mean_value --strict
 awk '/largest residual/ { if ($6 + 0 > 1e-14 || $12 + 0 > 1e-14) exit 1; found = 1 } END { exit !found }' "$work/stderr" || fail "residuals: $(cat "$work/stderr")"
 
+# Doubles 1e15 sizes from the origin are an eighth of the cage apart.
+write far_cage.obj 'v 1000000000000000 0 0' 'v 1000000000000001 0 0' 'v 1000000000000000 1 0' 'v 1000000000000000 0 1' "$good_faces"
+write far_point.csv '1000000000000000.25 0.21 0.13'
+for strict in 0 1; do
+  "$cageproof" coordinates --cage "$work/far_cage.obj" --points "$work/far_point.csv" --kind green $([ $strict = 1 ] && echo --strict) >/dev/null 2>"$work/stderr"
+  [ $? -eq $strict ] || fail "--strict ($strict) far from the origin: $(cat "$work/stderr")"
+  grep -q 'give 1 of 1 points back to fewer than 8 digits.*sizes from the origin.*subtract the same whole numbers' "$work/stderr" || fail "far from the origin: $(cat "$work/stderr")"
+done
+# A mesh that pokes out of the cage is told, and an error with --strict.
+poking() { (cd "$work" && "$cageproof" verify --cage unit.obj --points "$1" --evaluations batched --out poking "${@:2}" >stdout 2>stderr); }
+poking around.csv || fail "points outside without --strict: $(cat "$work/stderr")"
+grep -q '^warning: 1 of 3 points of around.csv are outside unit.obj, the first of them number 2' "$work/stderr" || fail "points outside: $(cat "$work/stderr")"
+[ "$(grep -c '1 of 3 points of around.csv are outside unit.obj\.' "$work/poking/summary.md" "$work/poking/index.html" | cut -d: -f2 | tr '\n' ' ')" = '1 1 ' ] || fail 'the report says nothing of points outside'
+zcat "$work/poking/summary.json.gz" | grep -q '"points outside":"1 of 3"' || fail 'summary.json.gz says nothing of points outside'
+poking around.csv --strict
+[ $? -eq 1 ] || fail 'points outside with --strict'
+poking inside.csv --strict || fail "a point inside with --strict: $(cat "$work/stderr")"
+grep -q outside "$work/stderr" && fail "no point is outside: $(cat "$work/stderr")"
+
 [ $failures -eq 0 ] && echo "all of the command line answers as it should"
 exit $failures

@@ -182,7 +182,7 @@ refuses_to compare junk.gz 'behind its packed text' -- junk.gz one
 zcat one/worst/*.jsonl.gz >one/worst.jsonl
 refuses_to replay one/worst.jsonl 'no case in line 99999' -- one/worst.jsonl --line 99999
 "$cageproof" replay one/worst.jsonl --line 2 >stdout || fail "replay of one line: $(cat stdout)"
-[ "$(grep -c ': error ' stdout)" -le 1 ] && grep -q ': 1 cases of' stdout || fail "not one line: $(cat stdout)"
+[ "$(grep -c ': error ' stdout)" -le 1 ] && grep -q ': 1 case of' stdout || fail "not one line: $(cat stdout)"
 "$cageproof" replay one/worst.jsonl >stdout || fail "replay: $(tail -n 2 stdout)"
 grep -q "^all promises kept: $(wc -l <one/worst.jsonl) cases of one/worst.jsonl: .* 0 broken, .* 0 changed since stored$" stdout || fail "replay: $(tail -n 2 stdout)"
 grep -q '^largest share of a promise: .* in line [0-9]*: segment.winding_angle' stdout || fail "replay: $(tail -n 1 stdout)"

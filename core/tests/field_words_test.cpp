@@ -3,6 +3,7 @@
 
 #include "cageproof/core/catalogue/unknown_name.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,6 +44,17 @@ TEST(field_words, come_before_the_nearest_name) {
   EXPECT_STREQ(unknown_name("kind", "szego", kinds).what(),
                "unknown kind 'szego'; Szego coordinates are not there; cauchy is the kind of the same paper that is "
                "(known: mean_value, green, mvq)");
+}
+
+// [T24]'s constructions have one name as deformers and another as coordinates.
+TEST(field_words, lead_from_deformers_to_coordinates_and_back) {
+  const std::vector<std::string_view> kinds{"biharmonic", "regularised_1_2", "regularised_1_3", "regularised_weber"},
+      deformers{"harmonic", "biharmonic_1_2", "biharmonic_1_3", "biharmonic_weber"};
+  for (std::size_t i = 1; i < kinds.size(); ++i) {
+    EXPECT_EQ(called_here("kind", deformers[i], kinds), fmt::format("; it is called '{}' here", kinds[i]));
+    EXPECT_EQ(called_here("deformer", kinds[i], deformers), fmt::format("; it is called '{}' here", deformers[i]));
+  }
+  EXPECT_EQ(called_here("deformer", "biharmonic", deformers), "; it is called 'biharmonic_1_3' here");
 }
 
 TEST(field_words, name_formulas_of_all_elements) {

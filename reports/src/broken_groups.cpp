@@ -2,6 +2,7 @@
 #include "cageproof/reports/broken_groups.h"
 
 #include "digest.h"
+#include "figure.h"
 
 #include <fmt/format.h>
 
@@ -67,7 +68,9 @@ std::vector<BrokenGroup> broken_groups(const RunResult& result) {
 std::string title_of(const BrokenGroup& group) {
   const ResultRow& first = *group.rows.front();
   const bool cage = first.section != RowKey::Section::Element;  // so that rows have a cage for a regime, and a place
-  return fmt::format("{} of {} in {}: {} of {}; {}{}; {} {}", first.check, first.evaluation, first.scalar,
+  // Deformers with their defaults have no evaluation.
+  const std::string evaluation = first.evaluation.empty() ? "" : " of " + first.evaluation;
+  return fmt::format("{}{} in {}: {} of {}; {}{}; {} {}", first.check, evaluation, first.scalar,
                      group.rows.size() == 1 ? "1 row" : fmt::format("{} rows", group.rows.size()),
                      named(group, [](const ResultRow& row) { return row.subject; }), cage ? "cage " : "",
                      named(group, [](const ResultRow& row) { return row.setting; }) +
@@ -78,6 +81,11 @@ std::string title_of(const BrokenGroup& group) {
 std::string breach(const ResultRow& row) {
   const bool above = row.bound && row.samples > 0 && !(row.max <= *row.bound);
   return above ? fmt::format("{:.3g} {} > {:.3g}, {}", row.max, row.unit, *row.bound, row.reason) : row.reason;
+}
+
+std::string error_line(const ResultRow& row, const WorstCase& input) {
+  return fmt::format("{} {} {}{}", short_error(input.error), row.unit, input.corners.empty() ? "" : "at ",
+                     input_line(input));
 }
 
 std::string input_line(const WorstCase& input) {

@@ -77,16 +77,29 @@ Picture image_picture(const ImageField& field, const Colours& colours, const std
   constexpr double left = 0.125, right = 0.80;
   const double aspect =
       field.points[plane.up] * field.spacing[plane.up] / (field.points[plane.across] * field.spacing[plane.across]);
-  const int height = kHead + kFoot + static_cast<int>(std::clamp((right - left) * width * aspect, 120.0, 560.0));
+  constexpr double plot_width = (right - left) * width;
+  const double plot_height = std::clamp(plot_width * aspect, 120.0, 560.0);
+  const int height = kHead + kFoot + static_cast<int>(plot_height);
   const double cut = field.origin[plane.cut] + slice * field.spacing[plane.cut];
   std::string text = colours.commands + frame(fmt::format("{}  ({} = {:.4g})", title, kAxes[plane.cut], cut), height);
+  // A slice of almost no width fills the picture all the same: Gnuplot draws none that is less than a pixel wide.
+  constexpr double least = 12;
+  const double shorter = std::min(plot_width * aspect, plot_height / aspect);
+  std::string stretched;
+  if (!(shorter >= least)) {
+    text += "set size noratio\n";
+    const double factor = plot_height / (plot_width * aspect);
+    stretched = fmt::format("; {} is drawn {:.3g} times as large", kAxes[factor > 1 ? plane.up : plane.across],
+                            std::max(factor, 1 / factor));
+  }
   text +=
       fmt::format("$grid << EOD\n{}EOD\n$infinite << EOD\n{}EOD\n", grid, infinite.empty() ? "NaN NaN\n" : infinite);
   text += fmt::format(
       "set lmargin at screen {}\nset rmargin at screen {}\nset tmargin at screen {}\nset bmargin at screen {}\n"
-      "set xlabel '{} [unit of the cage]'\nset ylabel '{} [unit of the cage]'\n"
+      "set xlabel '{} [unit of the cage]{}'\nset ylabel '{} [unit of the cage]'\n"
       "set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb '{}' fillstyle solid noborder\n",
-      left, right, 1 - 1.0 * kHead / height, 1.0 * kFoot / height, kAxes[plane.across], kAxes[plane.up], kMaskedColour);
+      left, right, 1 - 1.0 * kHead / height, 1.0 * kFoot / height, kAxes[plane.across], stretched, kAxes[plane.up],
+      kMaskedColour);
   for (const auto& [name, axis] : {std::pair{'x', plane.across}, std::pair{'y', plane.up}})
     text += fmt::format("set {}range [{}:{}]\n", name, field.origin[axis] - field.spacing[axis] / 2,
                         field.origin[axis] + (field.points[axis] - 0.5) * field.spacing[axis]);

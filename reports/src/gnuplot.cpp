@@ -59,15 +59,15 @@ class Gnuplot {
   Gnuplot(const Gnuplot&) = delete;
   Gnuplot& operator=(const Gnuplot&) = delete;
 
-  void finish() {
+  // What went wrong; empty where gnuplot says nothing. \throws InputError where it does not start
+  std::string finish() {
     if (start_error_ != 0)
       throw InputError(fmt::format("cannot draw pictures: gnuplot does not start ({}); install gnuplot-nox",
                                    std::generic_category().message(start_error_)));
     const int status = wait();
-    if (WIFSIGNALED(status))
-      throw InputError(fmt::format("cannot draw pictures: gnuplot died: {}", ::strsignal(WTERMSIG(status))));
-    if (WEXITSTATUS(status) != 0)
-      throw InputError(fmt::format("cannot draw pictures: gnuplot failed: {}", complaint()));
+    if (WIFSIGNALED(status)) return fmt::format("gnuplot died: {}", ::strsignal(WTERMSIG(status)));
+    if (WEXITSTATUS(status) != 0) return fmt::format("gnuplot failed: {}", complaint());
+    return {};
   }
 
  private:
@@ -77,7 +77,10 @@ class Gnuplot {
     const std::size_t end = log.find_last_not_of("\n ");
     if (end == log.npos) return "no message";
     const std::size_t start = log.rfind('\n', end);
-    return log.substr(start == log.npos ? 0 : start + 1, end - (start == log.npos ? -1 : start));
+    const std::string line = log.substr(start == log.npos ? 0 : start + 1, end - (start == log.npos ? -1 : start));
+    // The script is gone when somebody reads this.
+    const std::string script = fmt::format("\"{}\" ", script_.string());
+    return line.starts_with(script) ? line.substr(script.size()) : line;
   }
 
   int wait() {
@@ -100,30 +103,68 @@ std::string commands(const Picture& picture, const fs::path& folder) {
       picture.width, picture.height, gnuplot_text((folder / picture.file).string()), picture.commands);
 }
 
-// gnuplot exits with 0 when the disk is full; what it writes is large, too.
-void finish(const fs::path& path) {
+// gnuplot exits with 0 when the disk is full, or when it could not draw; what it writes is large, too. Whether the
+// picture is whole.
+bool make_small(const fs::path& path) {
   constexpr int colours = 200;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return false;
   const auto small = small_png(read_file(path), colours);
-  if (!small)
+  if (small) write_file(path, *small);
+  return small.has_value();
+}
+
+// A picture that says why there is no other.
+Picture placeholder(const Picture& picture, const std::string& reason) {
+  return {picture.file, 560, 120,
+          fmt::format("unset border\nunset tics\nset xrange [0:1]\nset yrange [0:1]\n"
+                      "set label 1 {} at screen 0.5,0.6 center noenhanced\n"
+                      "set label 2 {} at screen 0.5,0.4 center noenhanced\nplot NaN notitle\n",
+                      gnuplot_text(fmt::format("no picture: {}", reason.substr(0, 90))),
+                      gnuplot_text("the data beside it is whole"))};
+}
+
+// Draws a picture by itself that failed among others, or what stands for it. Nothing where it is drawn.
+std::optional<std::string> draw_alone(const Picture& picture, const fs::path& folder, std::size_t number) {
+  const fs::path path = folder / picture.file;
+  const auto try_drawing = [&](const Picture& one) {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+    return Gnuplot(folder, number, commands(one, folder)).finish();
+  };
+  std::string reason = try_drawing(picture);
+  if (reason.empty() && make_small(path)) return std::nullopt;
+  if (reason.empty()) reason = "gnuplot cannot draw it";
+  if (const std::string worse = try_drawing(placeholder(picture, reason)); !worse.empty())
+    throw InputError(fmt::format("cannot draw pictures: {}", worse));
+  if (!make_small(path))
     throw InputError(fmt::format("cannot write {}: the picture is not whole (is the disk full?)", path.string()));
-  write_file(path, *small);
+  return fmt::format("{}: {}; a picture that says so is in its place", picture.file, reason);
 }
 
 }  // namespace
 
-void draw(const std::vector<Picture>& pictures, const fs::path& folder) {
+std::vector<std::string> draw(const std::vector<Picture>& pictures, const fs::path& folder) {
   const std::size_t jobs = std::min<std::size_t>(pictures.size(), std::max(1u, std::thread::hardware_concurrency()));
   std::vector<std::string> scripts(jobs);
   for (std::size_t i = 0; i < pictures.size(); ++i) scripts[i % jobs] += commands(pictures[i], folder);
   std::vector<std::unique_ptr<Gnuplot>> running;
   for (std::size_t i = 0; i < jobs; ++i) running.push_back(std::make_unique<Gnuplot>(folder, i, scripts[i]));
+  // A script ends at the first picture that gnuplot refuses: those after it are not there.
   for (const auto& process : running) process->finish();
-  std::vector<std::future<void>> finishing;
+  std::vector<std::future<std::vector<std::size_t>>> finishing;
   for (std::size_t job = 0; job < jobs; ++job)
     finishing.push_back(std::async([&, job] {
-      for (std::size_t i = job; i < pictures.size(); i += jobs) finish(folder / pictures[i].file);
+      std::vector<std::size_t> missing;
+      for (std::size_t i = job; i < pictures.size(); i += jobs)
+        if (!make_small(folder / pictures[i].file)) missing.push_back(i);
+      return missing;
     }));
-  for (auto& job : finishing) job.get();
+  std::vector<std::string> notes;
+  for (auto& job : finishing)
+    for (const std::size_t i : job.get())
+      if (auto note = draw_alone(pictures[i], folder, jobs)) notes.push_back(std::move(*note));
+  return notes;
 }
 
 std::string gnuplot_text(std::string_view text) {

@@ -17,9 +17,10 @@ struct Picture {
   std::string commands;
 };
 
-/// Draws all pictures into the folder, as many at a time as there are cores.
-/// \throws InputError when gnuplot is missing or fails, or a picture is not whole (a full disk)
-void draw(const std::vector<Picture>& pictures, const std::filesystem::path& folder);
+/// Draws all pictures into the folder, as many at a time as there are cores. In place of one that gnuplot does not draw
+/// there is a picture that says so. Gives one line for each of these.
+/// \throws InputError when gnuplot is missing or draws nothing at all, or a picture is not whole (a full disk)
+[[nodiscard]] std::vector<std::string> draw(const std::vector<Picture>& pictures, const std::filesystem::path& folder);
 
 /// Text as a gnuplot string literal, taken as it is (no escapes, no markup when drawn `noenhanced`).
 std::string gnuplot_text(std::string_view text);

@@ -126,7 +126,23 @@ void ReportWriter::write_figure(FigureSheet sheet) {
   state_->figures.push_back(reports::write_figure(state_->folder.path(), std::move(sheet)));
 }
 
-void ReportWriter::write(const RunResult& result) {
+std::vector<std::string> ReportWriter::write(const RunResult& result) {
+  const std::vector<CurvePicture> curves = curve_pictures(result);
+  std::vector<Picture> pictures = std::move(state_->pictures);
+  for (const CurvePicture& curve : curves) pictures.push_back(curve.picture);
+  std::vector<std::string> undrawn = draw(pictures, state_->folder.path());
+  if (undrawn.empty()) {
+    write_text(result, curves);
+    return undrawn;
+  }
+  // What gnuplot draws hangs on the machine, as the notes of sessions do.
+  RunResult noted = result;
+  noted.session_notes.insert(noted.session_notes.end(), undrawn.begin(), undrawn.end());
+  write_text(noted, curves);
+  return undrawn;
+}
+
+void ReportWriter::write_text(const RunResult& result, const std::vector<CurvePicture>& curves) {
   const std::filesystem::path& folder = state_->folder.path();
   Packer summary;
   put_summary(result, state_->kind == Kind::Field ? "cageproof-field" : "cageproof-summary",
@@ -135,10 +151,6 @@ void ReportWriter::write(const RunResult& result) {
   write_file(folder / "summary.md", summary_markdown(result, state_->figures));
   write_file(folder / "results.csv.gz", packed(results_csv(result)));
   write_files(folder, worst_files(result));
-  const std::vector<CurvePicture> curves = curve_pictures(result);
-  std::vector<Picture> pictures = std::move(state_->pictures);
-  for (const CurvePicture& curve : curves) pictures.push_back(curve.picture);
-  draw(pictures, folder);
   write_files(folder, pages(result, curves, state_->figures));
   if (!state_->figures.empty()) write_file(folder / "figures/figures.json", figures_json(state_->figures));
 }

@@ -5,6 +5,7 @@
 #include "errata_text.h"
 #include "figure_facts.h"
 #include "figure.h"
+#include "points_outside.h"
 #include "tables.h"
 
 #include <fmt/format.h>
@@ -49,8 +50,8 @@ std::string broken(const RunResult& result) {
   for (const BrokenGroup& group : broken_groups(result)) {
     text += fmt::format("* {}; {}\n", escaped(title_of(group)), escaped(breach(*group.rows.front())));
     if (group.simplest)
-      text += fmt::format("  {}: {} {} at {}\n", escaped(group.simplest_row->subject),
-                          short_error(group.simplest->error), group.simplest_row->unit, input_line(*group.simplest));
+      text += fmt::format("  {}: {}\n", escaped(group.simplest_row->subject),
+                          error_line(*group.simplest_row, *group.simplest));
   }
   text += "\nThe furthest beyond its bound first:\n\n" +
           head({"subject", "evaluation", "scalar", "regime or cage", "check", "place", "order", "largest found",
@@ -198,6 +199,8 @@ std::string environment_section(const RunResult& result) {
 std::string summary_markdown(const RunResult& result, const std::vector<FigureEntry>& figures) {
   std::string text = fmt::format("# Cageproof: {}\n\n", verdict_line(result));
   text += fmt::format("Suite {}, seed {}, version {}.\n", escaped(result.suite), result.seed, escaped(result.version));
+  if (const std::string outside = points_outside_line(result); !outside.empty())
+    text += fmt::format("\n**{}** The notes say what that means.\n", escaped(outside));
   text += broken(result) + formulas(result) + properties(result) + cages(result);
   if (!result.fields.empty()) {
     text += "\n## Fields\n\n" + head({"field", "largest", "unit", "data", "picture"});

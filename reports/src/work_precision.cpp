@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/work_precision.h"
 
+#include "cageproof/core/input_error.h"
 #include "cageproof/reports/checked_file.h"
 #include "csv_field.h"
 #include "figure.h"
@@ -100,7 +101,8 @@ void WorkPrecisionWriter::write(const WorkPrecision& result) {
   std::vector<Picture> pictures = error_curves_pictures(result);
   pictures.push_back(work_precision_picture(result, WorkAxis::Nodes, "pictures/error_nodes.png"));
   pictures.push_back(work_precision_picture(result, WorkAxis::Time, "pictures/error_time.png"));
-  draw(pictures, folder);
+  if (const auto undrawn = draw(pictures, folder); !undrawn.empty())
+    throw InputError(fmt::format("cannot draw {}", undrawn.front()));
   state_->folder.commit();
 }
 

@@ -36,6 +36,7 @@ std::string name_in(const fs::path& folder, const fs::directory_entry& entry) {
 // The files on the list and the folders that they are in.
 std::set<std::string, std::less<>> known_in(const std::string& list) {
   std::set<std::string, std::less<>> known{written_files_name, std::string(journal_file)};
+  for (const std::string_view name : verdict_files) known.insert(earlier_file(name));
   for (std::size_t start = 0; start < list.size();) {
     const std::size_t end = std::min(list.find('\n', start), list.size());
     for (fs::path path = list.substr(start, end - start); !path.empty(); path = path.parent_path())

@@ -106,6 +106,23 @@ TEST(broken_groups, write_inputs_with_all_that_they_hold) {
   EXPECT_EQ(input_line(input), "(0, 0, 1) (2, 0, 0) seen from (0.25, -1, 1e-17), parameters 0.5, 4");
 }
 
+TEST(broken_groups, say_where_once_and_leave_out_names_that_rows_lack) {
+  ResultRow row = broken("mean_value", "cube", "deformer_jacobian", 100, {0.25, 0.5, 0});
+  row.section = RowKey::Section::Deformer;
+  row.evaluation = "";
+  row.place = "bent";
+  WorstCase input;
+  input.error = 96;
+  input.point = {0.25, -1, 0};
+  EXPECT_EQ(error_line(row, input), "96 conditioned at (0.25, -1, 0)");
+  input.corners = {{0, 0, 1}, {2, 0, 0}};
+  EXPECT_EQ(error_line(row, input), "96 conditioned at (0, 0, 1) (2, 0, 0) seen from (0.25, -1, 0)");
+  RunResult result;
+  result.rows = {row};
+  EXPECT_EQ(title_of(broken_groups(result)[0]),
+            "deformer_jacobian in double: 1 row of mean_value; cage cube, bent; order 0");
+}
+
 // An error equal to its bound is kept. The first of several inputs of the same length stands.
 TEST(broken_groups, name_no_input_of_what_keeps_its_bound) {
   RunResult result = run();

@@ -100,6 +100,22 @@ TEST_F(Fields, AnImageReadsBackAsWritten) {
   expect_same(*reader->GetOutput()->GetPointData(), field.arrays);
 }
 
+// Gnuplot draws nothing that is less than a pixel wide.
+TEST_F(Fields, APictureOfASliceWithoutWidthFillsItAndSaysSo) {
+  for (const double flat : {1e-3, 1e-5, 1e-9})
+    for (const int axis : {0, 1}) {
+      ImageField field = sample_slice("slice", 9);
+      field.spacing[axis] *= flat;
+      field.arrays[0].values[40] = HUGE_VAL;
+      ReportWriter writer(out());
+      const FieldEntry entry = writer.write_image(field, "a slice", "relative error", ColourScale::Log10);
+      EXPECT_EQ(writer.write({}), std::vector<std::string>()) << flat << ' ' << axis;
+      writer.commit();
+      // One sample of 9 x 9, of a picture of 378 x 120 pixels and more.
+      EXPECT_GT(red_pixels(out() / entry.picture), 300) << flat << ' ' << axis;
+    }
+}
+
 TEST_F(Fields, LogarithmsAreFlooredAndMasked) {
   ImageField field = sample_slice("slice", 9);
   field.facts = {{"evaluation", "gauss-8"}, {"seed", "7"}, {"version", "1 < 2"}};

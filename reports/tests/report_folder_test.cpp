@@ -197,7 +197,18 @@ TEST(ReportFolder, OfARunThatDiedHoldsItsJournalAndCanBeReplaced) {
   // The earlier report stays until there is a new one.
   begin_run(out, header(), {});
   EXPECT_TRUE(fs::exists(out / "index.html"));
+  // Its verdict is not where that of the new one will be.
+  for (const char* name : {"summary.json.gz", "summary.md"}) {
+    EXPECT_FALSE(fs::exists(out / name)) << name;
+    EXPECT_TRUE(fs::exists(out / fmt::format("earlier.{}", name))) << name;
+  }
+  begin_run(out, header(), {});
+  EXPECT_TRUE(fs::exists(out / "earlier.summary.json.gz"));
   EXPECT_EQ(read_journal(journal_in(out)).units_done(), 0u);
+  write_report(out, sample_run(1, 1));
+  EXPECT_TRUE(fs::exists(out / "summary.json.gz"));
+  EXPECT_FALSE(fs::exists(out / "earlier.summary.json.gz"));
+  begin_run(out, header(), {});
   const JournalWriter somebody_writes(journal);
   EXPECT_NE(message_of([&] { begin_run(out, header(), {}); }).find("another process writes to it"), std::string::npos);
   EXPECT_NE(message_of([&] { journal_in(scratch.path()); }).find("there is no journal"), std::string::npos);
@@ -280,12 +291,38 @@ TEST(ReportFolder, WhatGnuplotSaysIsReported) {
 }
 
 TEST(ReportFolder, HalfPicturesAreNoticed) {
-  EXPECT_NE(message_with("exit 0\n").find("cannot read "), std::string::npos);
+  EXPECT_NE(message_with("exit 0\n").find("the picture is not whole"), std::string::npos);
   // Each picture cut off after its signature.
   const std::string message = message_with(
       "sed -n \"s/^set output '\\(.*\\)'/\\1/p\" \"$2\" | while read f; do printf '\\211PNG\\r\\n\\032\\nIHDR' > "
       "\"$f\"; done\n");
   EXPECT_NE(message.find("the picture is not whole"), std::string::npos) << message;
+}
+
+// Gnuplot ends at a picture that it refuses: the others, and all that was measured, are there.
+TEST(ReportFolder, APictureThatGnuplotRefusesIsToldAndLosesNothingElse) {
+  const ScratchFolder scratch;
+  const fs::path tools = scratch.path() / "tools", out = scratch.path() / "report";
+  fs::create_directory(tools);
+  const std::string path = std::getenv("PATH");
+  write_file(tools / "gnuplot",
+             "#!/bin/sh\nif grep -q 'label 1 .a refused slice' \"$2\"; then echo 'too flat' >&2; exit 1; fi\n"
+             "PATH='" +
+                 path + "' exec gnuplot \"$@\"\n");
+  fs::permissions(tools / "gnuplot", fs::perms::owner_all);
+  RunResult run = sample_run(1, 1);
+  ReportWriter writer(out);
+  for (const std::string title : {"a refused slice", "another slice"})
+    run.fields.push_back(writer.write_image(sample_slice(title, 9), title, "relative error", ColourScale::Log10));
+  ::setenv("PATH", (tools.string() + ":" + path).c_str(), 1);
+  const std::vector<std::string> undrawn = writer.write(run);
+  ::setenv("PATH", path.c_str(), 1);
+  writer.commit();
+  ASSERT_EQ(undrawn.size(), 1u);
+  EXPECT_EQ(undrawn[0].find(run.fields[0].picture + ": gnuplot failed: too flat"), 0u) << undrawn[0];
+  for (const FieldEntry& field : run.fields) EXPECT_GT(fs::file_size(out / field.picture), 500u) << field.title;
+  EXPECT_NE(read_file(out / "summary.md").find("gnuplot failed: too flat"), std::string::npos);
+  EXPECT_NE(read_file(out / "index.html").find("gnuplot failed: too flat"), std::string::npos);
 }
 
 }  // namespace

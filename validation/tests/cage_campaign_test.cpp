@@ -51,6 +51,20 @@ TEST(coordinates, of_every_kind_exist_on_every_embedded_surface) {
   }
 }
 
+// Rows stand under the scalar that they are computed in: differences of double would not see 1e-30.
+TEST(cage_properties, name_the_scalar_of_differences) {
+  CageCampaignOptions options = few_points();
+  options.kinds = "green";
+  std::size_t differences = 0;
+  for (const ResultRow& row : run_cage_campaign(embedded_cage("square"), options)) {
+    EXPECT_EQ(row.scalar == "mp100", row.check == "cage_differences") << row.check << ' ' << row.scalar;
+    if (row.check != "cage_differences") continue;
+    ++differences;
+    EXPECT_EQ(row.verdict, Verdict::Kept) << row.place << ' ' << row.order;
+  }
+  EXPECT_GT(differences, 0u);
+}
+
 // Of the kinds whose elements take least time: slivers need hundreds of digits.
 TEST(cage_properties, hold_with_derivatives_on_extreme_cages) {
   CageCampaignOptions options = few_points();

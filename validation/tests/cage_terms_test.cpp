@@ -89,7 +89,7 @@ TEST(cage_terms, show_lost_bits_in_thin_walls_too) {
 }
 
 // A cube whose middle part overlaps itself: two cubes that cross are one surface with number 2 where they overlap.
-TEST(cage_errors, expect_the_winding_number_where_parts_overlap) {
+Cage two_cubes() {
   const Cage cube = embedded_cage("cube");
   std::vector<Vec> vertices = cube.vertices();
   std::vector<Face> faces = cube.faces();
@@ -98,7 +98,11 @@ TEST(cage_errors, expect_the_winding_number_where_parts_overlap) {
     for (int& v : face.vertices) v += 8;
     faces.push_back(face);
   }
-  const Cage both = Cage::make("two cubes", vertices, faces);
+  return Cage::make("two cubes", vertices, faces);
+}
+
+TEST(cage_errors, expect_the_winding_number_where_parts_overlap) {
+  const Cage both = two_cubes();
   EXPECT_TRUE(crossing_warning(both));
   const CageLocator locator(both, Triangulation::Shortest);
   EXPECT_EQ(locator.winding(Vec(0.25, 0.125, 0.0625)), 2);
@@ -109,6 +113,51 @@ TEST(cage_errors, expect_the_winding_number_where_parts_overlap) {
   options.truth_points = 2;
   for (const ResultRow& row : run_cage_campaign(both, options))
     EXPECT_NE(row.verdict, Verdict::Broken) << row.subject << ' ' << row.check << ' ' << row.place << ' ' << row.max;
+}
+
+// A corner of one cube amid a face of the other: there is no inside that both have.
+TEST(cage_errors, ask_for_no_limits_where_a_corner_touches_a_face) {
+  const Cage cube = embedded_cage("cube");
+  std::vector<Vec> vertices = cube.vertices();
+  std::vector<Face> faces = cube.faces();
+  // Its lowest corner is amid the upper side, the others above it.
+  const double top = vertices[0].cwiseAbs()[2];
+  for (const Vec& v : cube.vertices()) {
+    const Vec turned = Vec(1, 2, 4).cwiseProduct(v + Vec::Constant(top));
+    vertices.emplace_back(turned[0] - turned[1] / 4, turned[1] - turned[2] / 4, top + turned.sum());
+  }
+  for (Face face : cube.faces()) {
+    for (int& v : face.vertices) v += 8;
+    faces.push_back(face);
+  }
+  const Cage both = Cage::make("touching", vertices, faces);
+  ASSERT_TRUE(crossing_warning(both));
+  CageCampaignOptions options;
+  options.kinds = "green,mean_value";
+  options.points = 12;
+  options.differences = false;
+  for (const ResultRow& row : run_cage_campaign(both, options)) {
+    if (row.place != "on-vertex" && row.place != "on-face") continue;
+    EXPECT_NE(row.verdict, Verdict::Broken) << row.subject << ' ' << row.check << ' ' << row.place << ' ' << row.max;
+  }
+}
+
+// On faces within the cage sums are twice what they are on others, of evaluations that take limits from inside.
+TEST(cage_errors, ask_for_no_limits_on_faces_that_overlap) {
+  const Cage both = two_cubes();
+  for (const char* kind : {"green", "biharmonic"}) {
+    CageCampaignOptions options;
+    options.kinds = kind;
+    options.evaluation = "batched";
+    options.points = 12;
+    options.differences = false;
+    std::size_t on = 0;
+    for (const ResultRow& row : run_cage_campaign(both, options)) {
+      EXPECT_NE(row.verdict, Verdict::Broken) << row.subject << ' ' << row.check << ' ' << row.place << ' ' << row.max;
+      on += row.place == "on-face" && row.check == "linear_reproduction" ? row.samples : 0;
+    }
+    EXPECT_GT(on, 10u) << kind;
+  }
 }
 
 }  // namespace

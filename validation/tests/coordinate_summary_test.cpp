@@ -76,6 +76,27 @@ TEST(CoordinateSummary, counts_what_is_inexact_far_from_the_cage) {
   EXPECT_EQ(s.summary().inexact_far, 1U);
 }
 
+// A cube of side one so far from the origin: points come back as exactly as doubles are dense there.
+TEST(CoordinateSummary, counts_what_an_offset_misplaces) {
+  const Cage cube = embedded_cage("cube");
+  for (const auto& [offset, expected] :
+       {std::pair(1., 0U), std::pair(1e5, 0U), std::pair(3e13, 2U), std::pair(1e15, 2U)}) {
+    std::vector<Vec> vertices = cube.vertices();
+    for (Vec& v : vertices) v[0] += offset;
+    const Cage far = Cage::make("far", vertices, cube.faces());
+    const std::vector<Vec> points{{offset + .125, .2, .3}, {offset - .25, .1, .1}};
+    const CageCoordinates coordinates(far, coordinate_kind_named("green"), CoordinateOptions{});
+    std::vector<double> table;
+    for (const Vec& p : points)
+      for (const auto& block : coordinates.at<double>(p, 0))
+        table.insert(table.end(), block.value.begin(), block.value.end());
+    const CoordinateSummary found = summary_of(coordinates, far, Triangulation::Shortest, points, table, 1);
+    EXPECT_EQ(found.misplaced, expected) << offset << ' ' << found.reproduction.value;
+    EXPECT_NEAR(found.far_off, offset / far.size(), 1) << offset;
+    EXPECT_EQ(found.unusable, 0U);
+  }
+}
+
 TEST(CoordinateSummary, residuals_are_the_largest_and_name_their_points) {
   Summarised s("mean_value");
   s.at(1, 0) += 1e-7;

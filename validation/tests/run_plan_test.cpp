@@ -83,5 +83,68 @@ TEST(RunPlan, quick_leaves_slow_rows_and_fields_without_promise_to_standard_and_
   EXPECT_EQ(measured(plan_run(options), "star, biharmonic_boundary, offset-1e-6"), 1);
 }
 
+// Two cubes that cross: what solves for densities on the cage is left out, and said; a cube that touches another one's
+// edge with a corner keeps everything.
+TEST(RunPlan, leaves_out_what_a_cage_that_overlaps_itself_has_not) {
+  const Cage cube = embedded_cage("cube");
+  const auto two_cubes = [&](const Vec3<double>& shift) {
+    std::vector<Vec3<double>> vertices = cube.vertices();
+    std::vector<Face> faces = cube.faces();
+    for (const auto& v : cube.vertices()) vertices.push_back(v + shift);
+    for (Face face : cube.faces()) {
+      for (int& v : face.vertices) v += 8;
+      faces.push_back(face);
+    }
+    return Cage::make("two cubes", vertices, faces);
+  };
+  VerifyOptions options;
+  options.suite = suites()[1];  // which asks kinds that solve of larger cages, too
+  options.only_cage = true;
+  const double side = (cube.vertices().back() - cube.vertices().front()).cwiseAbs().maxCoeff();
+  options.cage = two_cubes(side * Vec3<double>(0.5, 0.25, 0.125));
+  const RunPlan crossing = plan_run(options);
+  for (const char* part : {"regularised_1_3", "deformer biharmonic_1_3", "deformer ahap", "deformer tp"})
+    EXPECT_EQ(measured(crossing, part), 0) << part;
+  for (const char* part : {"two cubes, green", "two cubes, biharmonic", "deformer green", "deformer mean_value"})
+    EXPECT_GE(measured(crossing, part), 1) << part;
+  ASSERT_EQ(crossing.warnings.size(), 2u);
+  EXPECT_NE(crossing.warnings[0].find("regularised_1_3"), std::string::npos);
+  EXPECT_NE(crossing.warnings[1].find("ahap, biharmonic_1_2"), std::string::npos) << crossing.warnings[1];
+  for (const std::string& warning : crossing.warnings) {
+    EXPECT_NE(warning.find("faces "), std::string::npos) << warning;
+    EXPECT_NE(warning.find("sum to 2, not to 1"), std::string::npos) << warning;
+  }
+  EXPECT_EQ(std::ranges::count(crossing.header.notes, crossing.warnings[1]), 1);
+  options.cage = two_cubes(side * Vec3<double>(1, 1, 0.5));
+  ASSERT_TRUE(crossing_warning(*options.cage));
+  const RunPlan touching = plan_run(options);
+  EXPECT_EQ(touching.warnings, std::vector<std::string>());
+  EXPECT_GE(measured(touching, "deformer ahap"), 1);
+}
+
+TEST(RunPlan, counts_the_points_that_lie_outside_the_cage) {
+  VerifyOptions options;
+  options.suite = suites().front();
+  options.only_cage = true;
+  options.cage = embedded_cage("cube");
+  options.mesh_name = "poking.obj";
+  // On the cage counts as inside.
+  options.mesh = Mesh{.vertices = {{0, 0, 0}, options.cage->vertices()[0], {5, 0, 0}, {0, 0, -7}}, .faces = {}};
+  for (const char* evaluations : {"*", "batched"}) {
+    options.evaluations = evaluations;
+    const RunPlan plan = plan_run(options);
+    EXPECT_EQ(plan.points_outside, 2u);
+    EXPECT_EQ(plan.header.settings.at("points outside"), "2 of 4");
+    ASSERT_EQ(plan.warnings.size(), 1u);
+    EXPECT_EQ(plan.warnings[0].find("2 of 4 points of poking.obj are outside cube, the first of them number 2"), 0u);
+    EXPECT_EQ(std::ranges::count(plan.header.notes, plan.warnings[0]), 1);
+  }
+  options.mesh->vertices.resize(2);
+  const RunPlan plan = plan_run(options);
+  EXPECT_EQ(plan.points_outside, 0u);
+  EXPECT_FALSE(plan.header.settings.contains("points outside"));
+  EXPECT_EQ(plan.warnings, std::vector<std::string>());
+}
+
 }  // namespace
 }  // namespace cageproof::validation

@@ -3,6 +3,7 @@
 #include "../stretches.h"
 #include "construction.h"
 #include "layer_deformer.h"
+#include "overlap.h"
 #include "solver.h"
 
 #include "cageproof/core/input_error.h"
@@ -169,6 +170,7 @@ DeformMethod method(std::string_view name) {
                          {{.name = "gamma_d", .preset = 1, .lowest = kBelowZero, .highest = 1e300},
                           "of the regularisation, as of biharmonic_1_3"}},
           .takes_derivatives_on_cage = E != Energy::Laplacian,
+          .refuses = why_overlap_is_refused,
           .prepare = prepare<E, double>,
           .prepare_in_50_digits = prepare<E, Mp50>};
 }

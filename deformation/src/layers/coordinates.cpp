@@ -2,6 +2,7 @@
 // The regularised biharmonic coordinates of [T24] Eq 27: alpha = phi + phibar C11 + psibar C12 of vertices, beta = psi
 // + phibar C21 + psibar C22 of elements.
 #include "construction.h"
+#include "overlap.h"
 
 #include "cageproof/core/coordinates/coordinates_in_double.h"
 
@@ -177,6 +178,7 @@ CoordinateKind kind(std::string_view name, std::string_view source) {
       },
       .parameters = std::move(parameters),
       .solves_on_samples = true,
+      .refuses = why_overlap_is_refused,
       .made_of_sums = true};
 }
 

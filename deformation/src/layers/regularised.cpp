@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // [T24]'s regularised biharmonic deformers with posed normals: (1,3), (1,2) and Weber's construction, and (1,3) on
 // quads that are kept.
-#include "../kept_quads.h"
 #include "construction.h"
 #include "layer_deformer.h"
+#include "overlap.h"
 
 #include "cageproof/core/input_error.h"
 
@@ -95,7 +95,7 @@ DeformMethod method(std::string_view name, std::string_view source) {
                      .parameters = parameters(C, KeepsQuads),
                      .takes_normal_derivatives = true,
                      .takes_derivatives_on_cage = C == Construction::OneTwo,
-                     .refuses = KeepsQuads ? why_quads_are_refused : nullptr,
+                     .refuses = KeepsQuads ? why_kept_overlap_is_refused : why_overlap_is_refused,
                      .prepare = prepare<C, KeepsQuads, double>,
                      .prepare_in_50_digits = prepare<C, KeepsQuads, Mp50>};
   if (!KeepsQuads) found.coordinate_parameters = {"neumann"};

@@ -113,9 +113,17 @@ std::vector<CoordinateTable<R>> checked_limits(const CageCoordinates& coordinate
           sum += phi.tensors[o][s * phi.stride[o] + i];
           size += abs(phi.tensors[o][s * phi.stride[o] + i]);
         }
-        if (!(abs(sum) <= tolerance * size) && !(size == 0))
-          throw InputError(fmt::format("'{}' has no limits of {} on the cage, which this deformer is made from",
-                                       coordinates.evaluation(), o == 0 ? "values" : "derivatives"));
+        if (abs(sum) <= tolerance * size || size == 0) continue;
+        // How often the cage winds around the sample. Samples of why_overlap_is_refused may have missed it.
+        const double winding = static_cast<double>(R(sum + R(1)));
+        if (o == 0 && std::round(winding) != 1 && std::abs(winding - std::round(winding)) < 1e-6)
+          throw InputError(
+              fmt::format("the cage overlaps itself: on element {} of its triangles and quads that are kept (counted "
+                          "from 0) values sum to {:.0f}, not to 1, from which no densities can be solved; make one "
+                          "surface of it (a union), or take green or mean_value",
+                          samples[s].element, winding));
+        throw InputError(fmt::format("'{}' has no limits of {} on the cage, from which densities are solved",
+                                     coordinates.evaluation(), o == 0 ? "values" : "derivatives"));
       }
   }
   return tables;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "figure.h"
+#include "points_outside.h"
 #include "gallery_page.h"
 #include "given_cage.h"
 #include "page_data.h"
@@ -22,6 +23,9 @@ std::string index_page(const RunResult& result, const std::vector<FigureEntry>& 
   data.set("front_style", kFrontStyle);
   data.set("front_script", kFrontScript);
   data.set("what_ran", what_ran(result));
+  const std::string outside = points_outside_line(result);
+  data.set("has_points_outside", !outside.empty());
+  data.set("points_outside", outside);
   set_proof(data, result);
   set_heat_map(data, result);
   set_overview(data, result);

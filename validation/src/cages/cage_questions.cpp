@@ -3,6 +3,7 @@
 
 #include "cageproof/validation/cage_errors.h"
 #include "cages/inside_limit.h"
+#include "cages/point_inside.h"
 #include "cages/second_route_error.h"
 #include "cageproof/validation/scheme_errors.h"
 
@@ -128,11 +129,14 @@ class Factory {
       add_roundings(check, [check](const CageAt& at) {
         return Found{finding_of(at.symmetries().at(check), at)};
       }).cost = CageQuestion::Cost::Truth;
-    if (order_ == 2 && subject.coordinates().is_prompt_in(ScalarKind::Digits100))
-      add_relative("cage_differences", [&subject](const CageAt& at) {
+    if (order_ == 2 && subject.coordinates().is_prompt_in(ScalarKind::Digits100)) {
+      CageQuestion& question = add_relative("cage_differences", [&subject](const CageAt& at) {
         const std::array<double, 3> errors = subject.symmetries().differences_at(at.point);
         return Found{{{}, finding_of(errors[1], at), finding_of(errors[2], at)}};
-      }).cost = CageQuestion::Cost::Differences;
+      });
+      question.key.scalar = name_of(ScalarKind::Digits100);
+      question.cost = CageQuestion::Cost::Differences;
+    }
     if (!kind_.approximates.empty() && place_ == name_of(Place::Inside))
       add_relative("scheme_error", [&subject](const CageAt& at) {
         Found found;
@@ -192,12 +196,19 @@ CageSubject::CageSubject(std::shared_ptr<const Cage> cage, const CoordinateKind&
       plain_([this] { return CageTerms(*cage_, recommended_.get()); }),
       prior_([this, rule] { return prior_of(*cage_, kind_, rule); }),
       symmetries_([this, evaluation] { return CageSymmetries(*cage_, evaluation, coordinates_, terms_.get()); }),
+      crosses_([this] { return !crossing_faces(*cage_).empty(); }),
       approximated_([this, rule] { return approximated_by(*cage_, kind_, rule); }),
       second_route_([this] {
         // Other evaluations of kinds that solve equations are other coordinates.
         const bool is_defined = coordinates_.evaluation() == recommended_.get().evaluation();
         return is_defined ? second_routes::cage_route(kind_, *cage_) : nullptr;
       }) {}
+
+bool CageSubject::is_buried(const Vec3<double>& point) const {
+  if (kind_.normalised || !crosses_.get()) return false;
+  const std::vector<Touching> on = coordinates_.elements().touching(point);
+  return !on.empty() && !point_inside(coordinates_, *cage_, locator(), point, on);
+}
 
 CageAt::CageAt(const CageSubject& subject, const Vec3<double>& where, std::uint64_t sample, std::string_view place,
                int order, bool exact)
@@ -212,14 +223,15 @@ CageAt::CageAt(const CageSubject& subject, const Vec3<double>& where, std::uint6
 
 bool CageAt::is_excused() const {
   if (is_off_cage(place_)) return subject_.may_lack(point);
-  if (place_ != mesh_place) return !exact_;
+  if (place_ != mesh_place) return !exact_ || !is_judged();
   return !is_judged() || subject_.may_lack(point);
 }
 
 bool CageAt::is_too_close() const { return place_ == mesh_place && in_mesh_.get() == Place::TooClose; }
 
 bool CageAt::is_judged() const {
-  if (place_ != mesh_place) return true;
+  if (is_off_cage(place_)) return true;
+  if (place_ != mesh_place) return !subject_.is_buried(point);
   return !is_too_close() && !(subject_.kind().inside_alone && in_mesh_.get() == Place::Outside);
 }
 

@@ -37,6 +37,9 @@ class CageSubject {
   const CageTerms& terms(std::string_view place) const { return (place == mesh_place ? plain_ : terms_).get(); }
   /// Whether a point may have no coordinates; see may_be_missing().
   bool may_lack(const Vec3<double>& point) const { return may_be_missing(prior_.get(), point); }
+  /// Whether a point on the cage lies within it where it overlaps itself: what is not normalised sums to another number
+  /// than one just inside, and differs from there to the other side of each face.
+  bool is_buried(const Vec3<double>& point) const;
   const CageSymmetries& symmetries() const { return symmetries_.get(); }
   /// What the kind's scheme is to come near; see approximated_by().
   const std::optional<CageCoordinates>& approximated() const { return approximated_.get(); }
@@ -53,6 +56,7 @@ class CageSubject {
   Lazy<CageTerms> terms_, plain_;
   Lazy<std::optional<CageCoordinates>> prior_;
   Lazy<CageSymmetries> symmetries_;
+  Lazy<bool> crosses_;  // faces each other
   Lazy<std::optional<CageCoordinates>> approximated_;
   Lazy<std::shared_ptr<const second_routes::CageRoute>> second_route_;
 };
@@ -68,7 +72,8 @@ class CageAt : public PointAt {
   int order() const { return order_; }
   /// Whether a figure that is missing there says nothing of the coordinates.
   bool is_excused() const;
-  /// Points of a mesh nearer than the promise reaches are shown and counted, not judged.
+  /// Points of a mesh nearer than the promise reaches are shown and counted, not judged; buried ones of the cage
+  /// neither.
   bool is_judged() const;
   /// Whether a mesh's point lies outside the cage. \pre it is a mesh's
   bool is_outside() const { return in_mesh_.get() == Place::Outside; }

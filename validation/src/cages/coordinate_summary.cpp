@@ -18,6 +18,9 @@ namespace {
 // Beyond this a sum of coordinates is a warning.
 constexpr double kExactSum = 1e-8;
 
+// As many roundings of places, and fewer, explain a point that is not given back.
+constexpr double kRoundings = 64;
+
 // Points that are looked at together.
 constexpr std::size_t kTogether = 64;
 
@@ -75,6 +78,7 @@ void add_part(CoordinateSummary& sum, const CoordinateSummary& part) {
   sum.unusable += part.unusable;
   sum.inexact += part.inexact;
   sum.inexact_far += part.inexact_far;
+  sum.misplaced += part.misplaced;
   count(sum.derivatives_on, part.derivatives_on);
   count(sum.derivatives_missing, part.derivatives_missing);
   count(sum.derivatives_infinite, part.derivatives_infinite);
@@ -102,6 +106,9 @@ CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cag
   sum.points = points.size();
   sum.reproduces = reproduces_points(coordinates);
   const Box box = box_of(cage.vertices());
+  const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  sum.far_off = largest / cage.size();
+  sum.grain = (std::nextafter(largest, HUGE_VAL) - largest) / cage.size();
   std::mutex adding;
   for_each_parallel((points.size() + kTogether - 1) / kTogether, jobs, [&](std::size_t part) {
     CoordinateSummary mine;
@@ -128,6 +135,10 @@ CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cag
         const Vec3<double> nearest = points[p].cwiseMax(box.low).cwiseMin(box.high);
         if ((points[p] - nearest).stableNorm() > cage.size()) ++mine.inexact_far;
       }
+      // Other errors of kinds that are solved for are no rounding of places.
+      const double misplaced = errors.reproduction[0].relative;
+      if (!(misplaced <= kExactSum) && misplaced <= kRoundings * sum.grain && errors.partition[0].relative <= kExactSum)
+        ++mine.misplaced;
       keep(mine.partition, errors.partition[0].relative, p);
       keep(mine.reproduction, errors.reproduction[0].relative, p);
     }

@@ -6,6 +6,7 @@
 #include "cageproof/core/numbers/random_stream.h"
 #include "cages/point_inside.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -31,11 +32,24 @@ std::optional<double> largest_difference(const CageCoordinates& coordinates, con
   return worst;
 }
 
+// Whether elements hang together where they meet: else a face crosses or touches others there, and each has an inside
+// of its own.
+bool share_a_vertex(const CageElements& elements, const std::vector<Touching>& on) {
+  const auto first = elements.vertices_of(on.front().element);
+  return std::ranges::any_of(first, [&](int vertex) {
+    return std::ranges::all_of(on, [&](const Touching& touch) {
+      const auto vertices = elements.vertices_of(touch.element);
+      return std::ranges::find(vertices, vertex) != vertices.end();
+    });
+  });
+}
+
 }  // namespace
 
 std::optional<Vec3<double>> point_inside(const CageCoordinates& coordinates, const Cage& cage,
                                          const CageLocator& locator, const Vec3<double>& point,
                                          const std::vector<Touching>& on) {
+  if (!on.empty() && !share_a_vertex(coordinates.elements(), on)) return std::nullopt;
   Vec3<double> direction = Vec3<double>::Zero();
   for (const Touching& touch : on) direction -= coordinates.elements().normal_at(touch);
   Vec3<double> near = point + inside_step * cage.size() * direction.normalized();

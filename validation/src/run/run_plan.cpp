@@ -7,6 +7,8 @@
 #include "run/run_report.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/cage/winding_numbers.h"
+#include "cageproof/core/parallel.h"
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/reports/worst_file.h"
 #include "cages/block_campaign.h"
@@ -23,9 +25,11 @@
 #include "cageproof/validation/stored_cases.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace cageproof::validation {
 namespace {
@@ -81,12 +85,16 @@ bool names_whole_evaluations_alone(const std::string& pattern) {
   return true;
 }
 
+// What a cage refuses, by why.
+using NamesByReason = std::map<std::string, std::vector<std::string_view>>;
+
 class Planner {
  public:
   explicit Planner(const VerifyOptions& options) : options_(options) {}
 
   RunPlan plan() {
     require_known_names(options_);
+    if (options_.cage && options_.mesh) tell_points_outside(*options_.cage, options_.mesh->vertices);
     if (names_whole_evaluations_alone(options_.evaluations)) return plan_of_whole_evaluations();
     const std::size_t stored_cases = options_.only_cage ? 0 : add_elements();
     if (options_.cage) {
@@ -139,6 +147,21 @@ class Planner {
       plan_.header.notes.push_back(fmt::format(
           "{}: deformers are not judged, no point is found 2e-2 of its size and more inside", cage->name()));
     add(std::move(found));
+    if (options_.cage) tell_refused_deformers(*cage);
+  }
+
+  // A user waits for what the cage's own fault leaves out; polygons have no deformers that keep quads by nature.
+  void tell_refused_deformers(const Cage& cage) {
+    if (cage.dimension() == 2) return;
+    NamesByReason refused;
+    for (const deformation::DeformMethod& method : deformation::deform_methods())
+      if (const CoordinateKind& kind = coordinate_kind_named(method.kind); exists_on(kind, cage))
+        if (std::string reason = deformation::why_refused(method, cage); !reason.empty())
+          refused[std::move(reason)].push_back(method.name);
+    for (const auto& [reason, names] : refused) {
+      plan_.warnings.push_back(fmt::format("{}: no deformer {}, {}", cage.name(), fmt::join(names, ", "), reason));
+      plan_.header.notes.push_back(plan_.warnings.back());
+    }
   }
 
   // Whether the kind exists on such a cage and sums a formula that is asked for; kinds that compute otherwise are asked
@@ -296,6 +319,7 @@ class Planner {
             cage, {.evaluation = evaluation, .triangulation = options_.triangulation, .seed = options_.seed}));
     if (is_shown(*cage)) add(outline_measurement(cage));
     bool left_out = false, quads_left_out = false;
+    NamesByReason refused;
     for (const CoordinateKind& kind : coordinate_kinds()) {
       if (options_.cage && exists_on(kind, *cage) && !is_affordable(kind, *cage, cage_options()))
         plan_.header.notes.push_back(
@@ -307,10 +331,13 @@ class Planner {
         else left_out = true;
         quads_left_out = quads_left_out || (is_shown(*cage) && !shows_truth(kind, *cage));
       } else {
-        plan_.header.notes.push_back(
-            fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, why_refused(kind, *cage)));
+        std::string reason = why_refused(kind, *cage);
+        plan_.header.notes.push_back(fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, reason));
+        if (options_.cage) refused[std::move(reason)].push_back(kind.name);
       }
     }
+    for (const auto& [reason, names] : refused)
+      plan_.warnings.push_back(fmt::format("{}: no {} coordinates, {}", cage->name(), fmt::join(names, ", "), reason));
     if (left_out)
       plan_.header.notes.push_back(fmt::format("{}: its error fields are drawn by longer suites", cage->name()));
     if (quads_left_out)
@@ -400,6 +427,23 @@ class Planner {
     }
   }
 
+  // Promises hold for points outside as for others, so no row tells that they are there.
+  void tell_points_outside(const Cage& cage, const std::vector<Vec3<double>>& points) {
+    const WindingNumbers windings(CageElements(cage, false, options_.triangulation));
+    std::vector<char> outside(points.size());
+    for_each_parallel(points.size(), options_.jobs,
+                      [&](std::size_t i) { outside[i] = windings.around(points[i]).value_or(1) == 0; });
+    plan_.points_outside = static_cast<std::size_t>(std::ranges::count(outside, 1));
+    if (plan_.points_outside == 0) return;
+    plan_.warnings.push_back(fmt::format(
+        "{} of {} points of {} are outside {}, the first of them number {} (from 0): promises are judged there by what "
+        "coordinates are outside, where green, biharmonic and others that are not normalised sum to zero, and what is "
+        "deformed with them collapses",
+        plan_.points_outside, points.size(), options_.mesh_name, cage.name(),
+        std::ranges::find(outside, 1) - outside.begin()));
+    plan_.header.notes.push_back(plan_.warnings.back());
+  }
+
   void add_mesh(const std::shared_ptr<const Cage>& cage) {
     const auto mesh = std::make_shared<const Mesh>(*options_.mesh);
     plan_.measurements.push_back(mesh_shape(mesh));
@@ -455,6 +499,9 @@ class Planner {
         {"stored worst cases", fmt::format("{}, replayed in the rows of the regime 'hunted'", stored_cases)}};
     if (options_.cage) header.settings["cage"] = options_.cage->name();
     if (options_.mesh) header.settings["points"] = options_.mesh_name;
+    if (plan_.points_outside > 0)
+      header.settings[reports::points_outside_setting] =
+          fmt::format("{} of {}", plan_.points_outside, options_.mesh->vertices.size());
     if (options_.only_cage) {
       header.options["scope"] = "cage";
       header.settings["scope"] = "the cage only; `--formulas '*'` asks for formulas on single elements too";

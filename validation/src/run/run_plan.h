@@ -12,6 +12,8 @@ struct RunPlan {
   Measurements measurements;
   std::vector<Unit> units;
   reports::JournalHeader header;
+  std::vector<std::string> warnings;  ///< of its notes those that whoever runs it should see at once
+  std::size_t points_outside = 0;     ///< of those to try the cage at
 };
 
 /// \throws InputError for patterns that match nothing, and stored cases that can no longer be run

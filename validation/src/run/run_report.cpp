@@ -185,7 +185,7 @@ RunResult write_report(const std::filesystem::path& out, Journal journal) {
         result.fields.push_back(std::move(entry));
   }
   for (reports::FigureSheet& sheet : sheets_of_run(journal.gathered.meshes)) writer.write_figure(std::move(sheet));
-  writer.write(result);
+  for (std::string& note : writer.write(result)) result.session_notes.push_back(std::move(note));
   writer.commit();
   return result;
 }

@@ -153,6 +153,8 @@ std::optional<std::string> why_no_truth_cache(const std::filesystem::path& folde
 
 Verified verify(const VerifyOptions& options) {
   RunPlan plan = plan_run(options);
+  if (options.warn)
+    for (const std::string& warning : plan.warnings) options.warn(warning);
   const std::vector<std::size_t> own = units_of_shard(plan.units, options.shard, options.shards);
   plan.header.shard_units = own.size();
   Timings timings(options.timings);
@@ -174,6 +176,7 @@ Verified verify(const VerifyOptions& options) {
     if (!journal.done[unit]) open.push_back(unit);
   Verified result;
   result.units = own.size();
+  result.points_outside = plan.points_outside;
   result.measured = open.size();
   {
     Recorder recorder(path, journal);

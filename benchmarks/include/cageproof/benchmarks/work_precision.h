@@ -36,8 +36,8 @@ struct PointGroup {
 std::vector<PointGroup> groups_inside(const Cage& cage, const validation::CageLocator& locator, std::uint64_t seed,
                                       int count);
 
-/// Given points by decade of distance, the farthest first; those nearer than 1e-6 sizes, on which no bound is promised,
-/// left out.
+/// Given points by decade of distance ("1e-2..1e-1"), the farthest first; those nearer than 1e-6 sizes, on which no
+/// bound is promised, left out.
 std::vector<PointGroup> groups_of(const Cage& cage, const validation::CageLocator& locator,
                                   const std::vector<Vec3<double>>& points);
 

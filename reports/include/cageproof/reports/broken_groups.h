@@ -27,6 +27,9 @@ std::string title_of(const BrokenGroup& group);
 /// Why a row is broken: by how much its error is above the bound, and what is lost; never a figure that is kept.
 std::string breach(const ResultRow& row);
 
+/// The error of one of a row's inputs, and the input: "96 conditioned at (0, 0, 1) (2, 0, 0) seen from (0.25, -1, 0)".
+std::string error_line(const ResultRow& row, const WorstCase& input);
+
 /// An input as a line of text, in the shortest decimals that give it back.
 std::string input_line(const WorstCase& input);
 

@@ -10,9 +10,13 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace cageproof::reports {
+
+struct CurvePicture;
 
 /// How a field's values become colours.
 enum class ColourScale { Linear, Log10 };
@@ -74,8 +78,10 @@ class ReportWriter {
   void write_figure(FigureSheet sheet);
 
   /// Writes all files of a run; fields and figures must have been written before. A run may have fields and no rows.
-  /// \throws InputError when a file cannot be written, or gnuplot is missing or fails
-  void write(const RunResult& result);
+  /// Where gnuplot does not draw a picture, one that says so is in its place. Gives a line for each of these, which the
+  /// report has among the notes of its sessions.
+  /// \throws InputError when a file cannot be written, or gnuplot is missing or draws nothing at all
+  std::vector<std::string> write(const RunResult& result);
 
   /// Writes the journal that the report was made of. \pre all its units are done
   void write_journal(const Journal& journal);
@@ -87,6 +93,7 @@ class ReportWriter {
 
  private:
   struct State;
+  void write_text(const RunResult& result, const std::vector<CurvePicture>& curves);
   std::unique_ptr<State> state_;
 };
 

@@ -7,7 +7,9 @@
 namespace cageproof::reports {
 
 /// Begins a run: makes the folder, unless it is there, with a journal that has its header and nothing else. An earlier
-/// report there stays until a new one is put in its place; its journal is replaced at once. Returns the journal's path.
+/// report there stays until a new one is put in its place; its journal is replaced at once, and its
+/// summaries are renamed (`earlier.summary.json.gz` ...), so that no run that fails leaves an older verdict in their
+/// place. Returns the journal's path.
 /// \throws InputError when the folder cannot be made, holds anything but a run of that kind (whole, or the same shard),
 /// or a process writes to its journal
 std::filesystem::path begin_run(const std::filesystem::path& out, const JournalHeader& header, const Session& session);

@@ -9,6 +9,9 @@
 
 namespace cageproof::reports {
 
+/// The member of RunResult::settings of runs that have points outside their cage: "330 of 434".
+inline constexpr const char* points_outside_setting = "points outside";
+
 /// The member of RunResult::settings, and of a journal's options, that tells the content of the cage that is given by a
 /// file: a fingerprint.
 inline constexpr const char* cage_content_setting = "the cage's content";

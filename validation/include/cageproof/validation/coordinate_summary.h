@@ -31,7 +31,12 @@ struct CoordinateSummary {
   std::size_t inexact_far = 0;  ///< those of them that are further than the cage's size from its bounding box
   Largest partition;            ///< |sum - 1|, or |sum| outside kinds that vanish there
   Largest reproduction;         ///< distance of the reproduced point, in cage sizes
-  bool reproduces = false;      ///< whether the kind reproduces points at all
+  /// Points that coordinates whose sum is right give back to fewer than 8 digits of the cage's size, because the cage
+  /// is so small beside its distance from the origin.
+  std::size_t misplaced = 0;
+  double far_off = 0;       ///< the largest number among the cage's vertices, in cage sizes
+  double grain = 0;         ///< how far apart doubles are there, in cage sizes
+  bool reproduces = false;  ///< whether the kind reproduces points at all
 
   /// Points whose values are finite, and of whose derivatives some are not: on the cage; off it with NaN among them,
   /// and with infinities only.

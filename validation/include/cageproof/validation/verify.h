@@ -62,6 +62,8 @@ struct VerifyOptions {
   /// Takes the times of evaluations whose formulas and names match these globs, before anything is measured. Null:
   /// the report has none.
   std::function<std::vector<EvaluationTime>(const std::string& formulas, const std::string& evaluations)> take_times;
+  /// Told what the run leaves out of the user's cage, and why, before anything is measured.
+  std::function<void(const std::string&)> warn;
   /// Called as units of work end.
   std::function<void(std::size_t done, std::size_t all)> progress;
 };
@@ -71,6 +73,7 @@ struct Verified {
   std::optional<RunResult> report;         ///< nothing for a shard
   std::size_t units = 0;                   ///< of the run or shard
   std::size_t measured = 0;                ///< of these, by this process
+  std::size_t points_outside = 0;          ///< the cage, of VerifyOptions::mesh
   double seconds = 0;                      ///< of this process, without drawing
   std::size_t truths_taken = 0;            ///< of elements, from the folder that keeps them
   std::size_t truths_made = 0;             ///< that the folder did not have, or that were made again to check it
