@@ -274,7 +274,7 @@ std::string message_with(const std::string& script) {
   }
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", script.empty() ? tools.c_str() : (tools.string() + ":" + path).c_str(), 1);
-  const std::string message = message_of([&] { write_report(scratch.path() / "report", sample_run(1, 1)); });
+  std::string message = message_of([&] { write_report(scratch.path() / "report", sample_run(1, 1)); });
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()), 1) << "more than tools/";
   return message;
