@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // [T24]'s regularised biharmonic deformers with posed normals: (1,3), (1,2) and Weber's construction, and (1,3) on
 // quads that are kept.
+#include "../kept_quads.h"
 #include "construction.h"
 #include "layer_deformer.h"
 #include "overlap.h"
