@@ -14,8 +14,8 @@ namespace cageproof::mesh_files {
 namespace {
 
 using Json = nlohmann::json;
-// Counts the lines that the parser has passed. Only steps count them: of an iterator that could jump, std::advance would
-// jump by one in a build without optimisation.
+// Counts the lines that the parser has passed. Only steps count them: of an iterator that could jump, std::advance
+// would jump by one in a build without optimisation.
 class CountingIterator : public boost::iterators::iterator_adaptor<CountingIterator, const char*, boost::use_default,
                                                                    boost::iterators::forward_traversal_tag> {
  public:

@@ -28,7 +28,7 @@ struct ConstrainedProblem {
 
   std::shared_ptr<const deformation::ConstrainedDeformer<double>> prepared(const ConstrainedVariant& variant,
                                                                            Triangulation rule, int steps,
-                                                                          double tolerance = 0) const;
+                                                                           double tolerance = 0) const;
   /// The same under a map of space, in a unit of length that is so many times smaller.
   ConstrainedProblem under(const SpaceMap& map, double length) const;
 };

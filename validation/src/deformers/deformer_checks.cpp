@@ -25,7 +25,8 @@ constexpr double harmless_condition = 1e3;
 // No condition excuses more: a deformer states its own.
 constexpr double most_excused = 1e8;
 
-// Four roundings of a coordinate of this size, as keeps_offset allows them, are the 1e-13 sizes that images are made to.
+// Four roundings of a coordinate of this size, as keeps_offset allows them, are the 1e-13 sizes that images are made
+// to.
 constexpr double harmless_rounding = 2.5e-14;
 
 template <class R>
