@@ -17,6 +17,7 @@ struct Case {
 template <Scalar R>
 Result<R> found_by(const std::string& evaluation, const Case& c) {
   std::vector<Vec3<R>> corners;
+  corners.reserve(c.corners.size());
   for (const Vec3<double>& corner : c.corners) corners.push_back(convert<R>(corner));
   const std::vector<R> parameters(c.parameters.begin(), c.parameters.end());
   Result<R> result;
