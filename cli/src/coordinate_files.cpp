@@ -127,8 +127,9 @@ void check_coordinate_files(const std::filesystem::path& out,
   if (companion.empty() || !std::filesystem::is_regular_file(companion)) return;
   const std::string_view mark = extension == ".vtp" ? reports::metadata_array : coordinates_schema;
   if (read_file(companion).find(mark) == std::string::npos)
-    throw InputError(fmt::format("{}: is in the way of the description beside {}, and is none itself",
-                                 companion.string(), out.string()));
+    throw InputError(fmt::format(
+        "{}: stands where the description beside {} goes, and is no such description; choose another --out, or move it",
+        companion.string(), out.string()));
 }
 
 std::vector<std::pair<std::filesystem::path, std::string>> coordinate_files(

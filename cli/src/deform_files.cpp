@@ -51,8 +51,9 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
     const std::filesystem::path report = std::filesystem::path(out).replace_extension(".json");
     write(report, "the .json beside --out");
     if (std::filesystem::exists(report) && read_file(report).find(deformation_schema) == std::string::npos)
-      throw InputError(
-          fmt::format("{}: is in the way of the report beside {}, and is none itself", report.string(), out.string()));
+      throw InputError(fmt::format(
+          "{}: stands where the report beside {} goes, and is no such report; choose another --out, or move it",
+          report.string(), out.string()));
   };
   const bool in_one = is_point_cache(a.out);
   if (in_one) write_with_report(a.out);

@@ -160,7 +160,11 @@ void add_verify(CommandLine& line, const std::string& command_line) {
                   std::string(y_of_points))
       .taking("FILE");
   command.heading("How much");
-  command.option("--samples", a->samples, "samples of each formula in each regime, instead of the suite's")
+  command
+      .option("--samples", a->samples,
+              "samples of each formula in each regime, instead of the suite's; with --cage formulas on single elements "
+              "are then "
+              "asked, too, which takes minutes")
       .in_range(1, 100000000);
   command
       .option("--enclosures", a->enclosures,
