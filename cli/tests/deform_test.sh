@@ -291,7 +291,7 @@ refuses same.csv --derivatives -- "${common[@]}" --method green --order 1 --out 
 # All files or none, and nobody else's.
 refuses 'the folder nowhere does not exist' -- "${common[@]}" --method green --order 1 --out fine.csv --derivatives nowhere/fine.csv
 printf '{"a": 1}\n' >theirs.json
-refuses theirs.json 'in the way' -- "${common[@]}" --method green --out theirs.csv
+refuses theirs.json 'stands where' -- "${common[@]}" --method green --out theirs.csv
 mkdir folder.csv
 refuses folder.csv -- "${common[@]}" --method green --order 1 --out fine.csv --derivatives folder.csv
 rmdir folder.csv
