@@ -232,6 +232,42 @@ TEST(deformers, by_constraints_are_asked_what_they_keep) {
   EXPECT_TRUE(rows_of_check("twisted-bar", "energy_falls", "variational").empty()) << "too many elements";
 }
 
+// A drawing of six corners, whose map by rotations takes some 700 steps to come to rest.
+TEST(deformers, by_constraints_keep_a_rigid_motion_of_an_ordinary_drawing) {
+  const Cage cage = Cage::make_polygon(
+      "drawing", {{10, -10, 0}, {170, -10, 0}, {170, -80, 0}, {100, -90, 0}, {100, -170, 0}, {10, -170, 0}},
+      {{{0, 1, -1, -1}}, {{1, 2, -1, -1}}, {{2, 3, -1, -1}}, {{3, 4, -1, -1}}, {{4, 5, -1, -1}}, {{5, 0, -1, -1}}},
+      {.flip_inward = true});
+  for (const char* method : {"variational", "thickness"}) {
+    std::size_t asked = 0;
+    for (const ResultRow& row : run_deformer_campaign(cage, {.methods = method}))
+      if (row.check == "rigid_energy" || row.check == "keeps_offset") {
+        ++asked;
+        EXPECT_EQ(row.verdict, Verdict::Kept) << method << row.evaluation << row.check << row.place << ' ' << row.max;
+      }
+    EXPECT_EQ(asked, std::string_view(method) == "variational" ? 6U : 3U);
+  }
+}
+
+// Coordinates of 1e5 sizes are rounded by 1e-11 of them, and images with them.
+TEST(deformers, are_judged_by_the_roundings_of_a_cage_far_from_the_origin) {
+  EXPECT_EQ(Excuses{}.factor(), 1);
+  EXPECT_EQ((Excuses{.condition = 1e6, .rounding = 2.5e-11}.factor()), 1e6);
+  const Cage cage = embedded_cage("cube");
+  EXPECT_LT(rounding_of_coordinates(cage), 2e-16);
+  std::vector<Vec3<double>> vertices = cage.vertices();
+  for (Vec3<double>& v : vertices) v += Vec3<double>::Constant(1e5);
+  const Cage far = cage.with(vertices, cage.faces());
+  double largest = 0;
+  for (const ResultRow& row : run_deformer_campaign(far, {.methods = "green,aaap,variational"}))
+    if (row.verdict != Verdict::NotPromised) {
+      EXPECT_EQ(row.verdict, Verdict::Kept)
+          << row.subject << row.evaluation << row.check << row.place << ' ' << row.max;
+      if (row.check == "keeps_rigid") largest = std::max(largest, row.max_relative);
+    }
+  EXPECT_GT(largest, 1e-13) << "in sizes they are no better than their coordinates";
+}
+
 TEST(deformers, worst_cases_by_constraints_are_found_again) {
   for (const char* method : {"variational", "thickness"})
     for (const char* check : {"energy_falls", "rigid_energy", "constrained_unit", "constrained_motion"})
