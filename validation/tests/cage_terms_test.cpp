@@ -101,6 +101,26 @@ Cage two_cubes() {
   return Cage::make("two cubes", vertices, faces);
 }
 
+// A corner of the second cube is pulled into the first: its quads are twisted, and wind twice where their triangles
+// wind once.
+TEST(cage_errors, expect_the_winding_number_of_quads_where_twisted_ones_overlap) {
+  std::vector<Vec> vertices;
+  for (const double first : {-1.0, 0.0})
+    for (const double z : {0.0, 2.0})
+      for (const double y : {0.0, 2.0})
+        for (const double x : {0.0, 2.0}) vertices.emplace_back(Vec(x, y, z) + Vec::Constant(first));
+  vertices[8] = Vec(-0.5, 0, 0);
+  std::vector<Face> faces;
+  for (const int k : {0, 8})
+    for (const std::array<int, 4>& f :
+         {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+      faces.push_back({{f[0] + k, f[1] + k, f[2] + k, f[3] + k}});
+  const Cage cage = Cage::make("twisted", vertices, faces);
+  const Vec point(-0.1, 0.8, 0.85);
+  EXPECT_EQ(CageLocator(cage, Triangulation::Shortest).winding(point), 1);
+  EXPECT_EQ(CageLocator(cage, Triangulation::Shortest, true).winding(point), 2);
+}
+
 TEST(cage_errors, expect_the_winding_number_where_parts_overlap) {
   const Cage both = two_cubes();
   EXPECT_TRUE(crossing_warning(both));

@@ -3,7 +3,6 @@
 
 #include "cageproof/core/geometry/box.h"
 #include "cageproof/core/numbers/random_stream.h"
-#include "cageproof/core/geometry/winding_number.h"
 #include "element/element_sampling.h"
 
 #include <fmt/format.h>
@@ -53,12 +52,10 @@ std::string_view name_of(Place place) {
 }
 
 CageLocator::CageLocator(const Cage& cage, Triangulation rule, bool keep_quads)
-    : dimension_(cage.dimension()), size_(cage.size()) {
-  const CageElements elements(cage, keep_quads, rule);
+    : CageLocator(CageElements(cage, keep_quads, rule), cage.size()) {}
+
+CageLocator::CageLocator(const CageElements& elements, double size) : windings_(elements), size_(size) {
   for (std::size_t e = 0; e < elements.count(); ++e) patches_.push_back({elements.type(e).kind, elements.corners(e)});
-  if (dimension_ == 2) return;
-  const auto& v = cage.vertices();
-  for (const auto& [a, b, c] : cage.triangulate(rule).triangles) triangles_.push_back({v[a], v[b], v[c]});
 }
 
 double CageLocator::distance(const Vec& point) const {
@@ -74,36 +71,6 @@ double CageLocator::distance_but_to(std::span<const Touching> named, const Vec& 
     if (std::ranges::find(named, p, &Touching::element) == named.end())
       nearest = std::min(nearest, sampling_of(patches_[p].kind).locator.distance(patches_[p].corners, point, nearest));
   return nearest;
-}
-
-int CageLocator::winding(const Vec& point) const {
-  if (triangles_.empty()) return odd_crossings(point) ? 1 : 0;
-  const int winding = winding_number(triangles_, point).value_or(0);
-  if (triangles_.size() == patches_.size()) return winding;
-  // Between a twisted quad and its triangles.
-  const int parity = odd_crossings(point) ? 1 : 0;
-  return std::abs(winding) % 2 == parity ? winding : parity;
-}
-
-bool CageLocator::odd_crossings(const Vec& point) const {
-  // A ray that grazes an edge says nothing; another is tried. Faces that all of them graze have no inside, as quads
-  // that are pinched to less than a rounding, and count for nothing.
-  constexpr std::uint64_t most = 200;
-  for (std::uint64_t attempt = 0;; ++attempt) {
-    RandomStream random(0, "rays", attempt);
-    Vec direction = Vec::Zero();
-    do
-      for (int c = 0; c < dimension_; ++c) direction[c] = random.uniform(-1, 1);
-    while (direction.norm() < 0.1);
-    int crossings = 0;
-    bool clear = true;
-    for (const Patch& patch : patches_) {
-      const int hits = sampling_of(patch.kind).locator.crossings(patch.corners, point, direction);
-      clear = clear && hits >= 0;
-      crossings += std::max(hits, 0);
-    }
-    if (clear || attempt == most) return crossings % 2 == 1;
-  }
 }
 
 SurfacePoint CageLocator::surface_point(int patch, double s, double r) const {

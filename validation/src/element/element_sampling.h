@@ -54,9 +54,6 @@ struct LocatorShape {
   /// A lower bound of the distance to a point, at most 0.1 % below it (or 1e-15 of the element's size, next to it).
   /// \param enough the answer may be any bound above this
   double (*distance)(Corners corners, const Vec3<double>& point, double enough);
-  /// How often a ray meets the element, or -1 where it comes too close to the border or grazes: another ray should be
-  /// asked.
-  int (*crossings)(Corners corners, const Vec3<double>& origin, const Vec3<double>& direction);
   /// \param s, r in [0, 1], spread over the whole element
   SurfacePoint (*surface_point)(Corners corners, double s, double r);
 };

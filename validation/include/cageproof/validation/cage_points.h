@@ -2,6 +2,7 @@
 // Points to try a cage at, and where they lie, found without any coordinate formula.
 #pragma once
 
+#include "cageproof/core/cage/winding_numbers.h"
 #include "cageproof/core/coordinates/coordinates.h"
 
 #include <cstdint>
@@ -32,9 +33,8 @@ class CageLocator {
   double distance(const Vec3<double>& point) const;
   /// The distance to those elements that are not named.
   double distance_but_to(std::span<const Touching> named, const Vec3<double>& point) const;
-  /// How often the cage winds around a point off it: 1 inside, 0 outside, other numbers where faces cross. Of a
-  /// polygon, and between a kept quad and its triangles, 1 or 0 by the parity of the crossings of a ray.
-  int winding(const Vec3<double>& point) const;
+  /// How often the cage winds around a point off it, exactly: 1 inside, 0 outside, other numbers where faces cross.
+  int winding(const Vec3<double>& point) const { return windings_.around(point).value_or(0); }
   /// Whether the cage winds around a point off it.
   bool inside(const Vec3<double>& point) const { return winding(point) > 0; }
   /// Inside, Outside or TooClose. \pre the point does not lie on the cage
@@ -48,10 +48,10 @@ class CageLocator {
     ElementKind kind;
     std::vector<Vec3<double>> corners;
   };
-  bool odd_crossings(const Vec3<double>& point) const;
-  int dimension_;
+  CageLocator(const CageElements& elements, double size);
+
   std::vector<Patch> patches_;
-  std::vector<Triangle<double>> triangles_;  // of a surface, kept quads cut
+  WindingNumbers windings_;
   double size_;
 };
 

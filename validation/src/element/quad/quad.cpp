@@ -130,16 +130,6 @@ Vec across(Corners q, const Vec& edge) { return edge.cross((q[2] - q[0]).cross(q
 
 double distance(Corners q, const Vec& point, double enough) { return distance_to_quad(point, quad_of(q), enough); }
 
-int crossings(Corners q, const Vec& origin, const Vec& direction) {
-  // Every ray meets the line across a side without length. What is left of such a quad is a triangle.
-  for (int k = 0; k < 4; ++k)
-    if (q[k] == q[(k + 1) % 4]) {
-      const std::array<Vec, 3> rest{q[k], q[(k + 2) % 4], q[(k + 3) % 4]};
-      return triangle_sampling().locator.crossings(rest, origin, direction);
-    }
-  return crossings_of_quad(origin, direction, quad_of(q));
-}
-
 SurfacePoint surface_point(Corners c, double s, double r) {
   const Surface<double> surface{c};
   return {(1 - s) * (1 - r) * c[0] + s * (1 - r) * c[1] + s * r * c[2] + (1 - s) * r * c[3],
@@ -162,7 +152,7 @@ const ElementSampling& quad_sampling() {
                  .at = at,
                  .foot = foot,
                  .across = across},
-      .locator = {.distance = distance, .crossings = crossings, .surface_point = surface_point},
+      .locator = {.distance = distance, .surface_point = surface_point},
       // Twisted, and cut by the slice from side to side.
       .field = {.corners = {{{0, 0, 0}, {1, 0, 0}, {0.9, 0.4, -0.8}, {0.1, -0.1, -0.8}}},
                 .origin = {-0.6, -0.8, -0.271},

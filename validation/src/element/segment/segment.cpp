@@ -53,16 +53,6 @@ Vec foot(Corners s, const Vec& point) {
 
 double distance(Corners s, const Vec& point, double) { return distance_to_segment(point, s[0], s[1]); }
 
-int crossings(Corners s, const Vec& origin, const Vec& direction) {
-  const Vec edge = s[1] - s[0], from = s[0] - origin, beside = right_of<double>(direction),
-            normal_of_edge = right_of<double>(edge);
-  const double along = from.dot(normal_of_edge) / direction.dot(normal_of_edge),
-               where = -from.dot(beside) / edge.dot(beside);
-  constexpr double margin = 1e-9;
-  if (!std::isfinite(where) || where < -margin || where > 1 + margin || along <= 0) return 0;
-  return where > margin && where < 1 - margin ? 1 : -1;
-}
-
 SurfacePoint surface_point(Corners s, double parameter, double) {
   return {at(s, parameter, 0), right_of<double>(s[1] - s[0]).normalized()};
 }
@@ -83,7 +73,7 @@ const ElementSampling& segment_sampling() {
                  .at = at,
                  .foot = foot,
                  .across = [](Corners, const Vec3<double>& edge) { return right_of<double>(edge); }},
-      .locator = {.distance = distance, .crossings = crossings, .surface_point = surface_point},
+      .locator = {.distance = distance, .surface_point = surface_point},
       .field = {.corners = {{{0, 0, 0}, {1, 0, 0}}}, .origin = {-0.6, -0.8, 0}, .extent = {2.2, 1.6}}};
   return sampling;
 }

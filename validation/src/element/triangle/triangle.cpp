@@ -75,18 +75,6 @@ Vec foot(Corners t, const Vec& point) {
 
 double distance(Corners t, const Vec& point, double) { return distance_to_triangle(point, {t[0], t[1], t[2]}); }
 
-// Moeller and Trumbore's determinants.
-int crossings(Corners t, const Vec& origin, const Vec& direction) {
-  const Vec e1 = t[1] - t[0], e2 = t[2] - t[0], s = origin - t[0];
-  const Vec h = direction.cross(e2), q = s.cross(e1);
-  const double a = e1.dot(h);
-  const double u = s.dot(h) / a, v = direction.dot(q) / a, along = e2.dot(q) / a;
-  constexpr double margin = 1e-9;
-  if (!std::isfinite(u) || !std::isfinite(v)) return 0;
-  if (u < -margin || v < -margin || u + v > 1 + margin || along <= 0) return 0;
-  return u > margin && v > margin && u + v < 1 - margin ? 1 : -1;
-}
-
 SurfacePoint surface_point(Corners t, double s, double r) {
   if (s + r > 1) {
     s = 1 - s;
@@ -112,7 +100,7 @@ const ElementSampling& triangle_sampling() {
           .at = at,
           .foot = foot,
           .across = [](Corners t, const Vec3<double>& edge) { return Vec3<double>(edge.cross(unit_normal(t))); }},
-      .locator = {.distance = distance, .crossings = crossings, .surface_point = surface_point},
+      .locator = {.distance = distance, .surface_point = surface_point},
       // The slice is at right angles to the triangle and meets face, edge and outside.
       .field = {
           .corners = {{{0, 0, 0}, {1, 0, 0}, {0.3, 0, -0.8}}}, .origin = {-0.6, -0.8, -0.271}, .extent = {2.2, 1.6}}};
