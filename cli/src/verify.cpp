@@ -162,9 +162,8 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   command.heading("How much");
   command
       .option("--samples", a->samples,
-              "samples of each formula in each regime, instead of the suite's; with --cage formulas on single elements "
-              "are then "
-              "asked, too, which takes minutes")
+              "samples of each formula in each regime, instead of the suite's; with --cage this asks for formulas on "
+              "single elements as well, which takes minutes")
       .in_range(1, 100000000);
   command
       .option("--enclosures", a->enclosures,
@@ -199,7 +198,7 @@ void add_verify(CommandLine& line, const std::string& command_line) {
               "$CAGEPROOF_TRUTH_CACHE, "
               "$XDG_CACHE_HOME/cageproof or ~/.cache/cageproof")
       .taking("FOLDER");
-  command.flag("--strict", a->strict, "exit with 1 where a point of --points lies outside the cage, too");
+  command.flag("--strict", a->strict, "exit with 1 also where a point of --points lies outside the cage");
   add_quiet(command);
   command.example("cageproof verify --suite quick --out report");
   command.example("cageproof verify --formulas 'triangle.*' --regimes 'near-*,far' --evaluations closed_form,gauss-8");

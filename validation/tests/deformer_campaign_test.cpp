@@ -253,7 +253,8 @@ TEST(deformers, by_constraints_keep_a_rigid_motion_of_an_ordinary_drawing) {
 // Coordinates of 1e5 sizes are rounded by 1e-11 of them, and images with them.
 TEST(deformers, are_judged_by_the_roundings_of_a_cage_far_from_the_origin) {
   EXPECT_EQ(Excuses{}.factor(), 1);
-  EXPECT_EQ((Excuses{.condition = 1e6, .rounding = 2.5e-11}.factor()), 1e6);
+  EXPECT_EQ((Excuses{.condition = 1e5, .rounding = 2.5e-11}.factor()), 1e5);
+  EXPECT_EQ((Excuses{.condition = 1e8, .rounding = 0.1}.factor()), 1e6) << "images without a digit would be kept";
   const Cage cage = embedded_cage("cube");
   EXPECT_LT(rounding_of_coordinates(cage), 2e-16);
   std::vector<Vec3<double>> vertices = cage.vertices();

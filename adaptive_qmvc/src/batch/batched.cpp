@@ -74,11 +74,6 @@ class BatchedQuadCoordinates final : public BesideSums, public AppliesData {
   Geometry geometry_;
 };
 
-// On cages of triangles it is mean value coordinates, whose derivatives `fast` computes as well.
-bool has_quads(const Cage& cage) {
-  return cage.dimension() == 3 && std::ranges::any_of(cage.faces(), [](const Face& face) { return face.size() > 3; });
-}
-
 // Kinds whose one block is that kernel's weights, divided by their sum.
 bool is_quad_mean_value(const CoordinateKind& kind) {
   return kind.is_sum() && kind.keeps_quads && kind.normalised && kind.blocks.size() == 1 &&
@@ -88,7 +83,9 @@ bool is_quad_mean_value(const CoordinateKind& kind) {
 const RegisterWholeEvaluation registered{
     {.name = kName,
      .description = "the line form of all quads for vectors of points that see them alike; one by one next to a quad",
-     .exists = [](const CoordinateKind& kind, const Cage& cage) { return is_quad_mean_value(kind) && has_quads(cage); },
+     // On cages of triangles it is mean value coordinates, whose derivatives `fast` computes as well.
+     .exists = [](const CoordinateKind& kind,
+                  const Cage& cage) { return is_quad_mean_value(kind) && cage.has_quads(); },
      .prepare = [](const CoordinateKind&, std::shared_ptr<const CageElements> elements, const CoordinateOptions&,
                    std::shared_ptr<const PreparedCoordinates> summed) -> std::shared_ptr<const PreparedCoordinates> {
        return std::make_shared<BatchedQuadCoordinates>(std::move(elements), std::move(summed));

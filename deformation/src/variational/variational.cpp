@@ -105,15 +105,9 @@ struct Variational<R>::Prepared {
     return found;
   }
 
-  // What an energy of nothing is rounded to.
-  static double rounding_of(const Matrix<R>& right) {
-    const R rounding = R(1e4) * unit_roundoff<R>();
-    return static_cast<double>(R(rounding * rounding * right.squaredNorm()));
-  }
-
-  // An energy of nothing, where roundings alone are left: no step lowers it further.
-  static double nothing_of(const Matrix<R>& right) {
-    const R rounding = R(8) * unit_roundoff<R>();
+  // The energy of a map that misses its targets by so many roundings of them.
+  static double energy_of_roundings(double count, const Matrix<R>& right) {
+    const R rounding = R(count) * unit_roundoff<R>();
     return static_cast<double>(R(rounding * rounding * right.squaredNorm()));
   }
 
@@ -146,7 +140,7 @@ struct Variational<R>::Prepared {
       Matrix<R> next = factors.solve(right);
       const double after = energy(next, right);
       // The least cannot be more than what there was, but by the rounding of what is asked for.
-      if (after > report.energies.back() * (1 + 1e-9) + rounding_of(right)) {
+      if (after > report.energies.back() * (1 + 1e-9) + energy_of_roundings(1e4, right)) {
         report.warnings.push_back(
             fmt::format("step {} would raise the energy from {:.2g} to {:.2g}: the weights are too uneven for the "
                         "precision, and the map is the one before it",
@@ -161,7 +155,7 @@ struct Variational<R>::Prepared {
       // From global step to global step; the first one has its own local step before it.
       const double before = report.energies[report.energies.size() - (step == 1 ? 2 : 3)];
       decrease = before > 0 ? 1 - report.energies.back() / before : 0;
-      converged = linear || !(decrease > options.tolerance) || report.energies.back() <= nothing_of(right);
+      converged = linear || !(decrease > options.tolerance) || report.energies.back() <= energy_of_roundings(8, right);
       if (converged && options.tolerance > 0) break;
     }
     const std::size_t steps = report.energies.size() / 2;

@@ -15,11 +15,6 @@
 namespace cageproof::closed_form::batch {
 namespace {
 
-// Kinds that keep quads are others', where there are any, or may be.
-bool is_of_triangles(const Cage& cage) {
-  return cage.dimension() == 3 && std::ranges::all_of(cage.faces(), [](const Face& face) { return face.size() == 3; });
-}
-
 // The layers that a kind's blocks are made of, by their kernels; nothing for others.
 std::optional<Layers> layers_of(const CoordinateKind& kind) {
   const auto are = [&](std::initializer_list<std::string_view> kernels) {
@@ -237,8 +232,11 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
 const RegisterWholeEvaluation registered{
     {.name = kName,
      .description = "the whole cage for a vector of points at once; more digits next to edges and vertices",
-     .exists = [](const CoordinateKind& kind,
-                  const Cage& cage) { return layers_of(kind) && (!kind.keeps_quads || is_of_triangles(cage)); },
+     // Where there are quads to keep, these are others' to evaluate.
+     .exists =
+         [](const CoordinateKind& kind, const Cage& cage) {
+           return layers_of(kind) && (!kind.keeps_quads || (cage.dimension() == 3 && !cage.has_quads()));
+         },
      .prepare = [](const CoordinateKind& kind, std::shared_ptr<const CageElements> elements,
                    const CoordinateOptions& options,
                    std::shared_ptr<const PreparedCoordinates> summed) -> std::shared_ptr<const PreparedCoordinates> {

@@ -29,6 +29,10 @@ constexpr double most_excused = 1e8;
 // to.
 constexpr double harmless_rounding = 2.5e-14;
 
+// Images that are promised to 1e-13 sizes keep their first seven digits whatever excuses them, so that no promise is
+// kept without a right digit.
+constexpr double largest_factor = 1e6;
+
 template <class R>
 std::vector<Vec3<R>> in(const std::vector<Vec3<double>>& points) {
   std::vector<Vec3<R>> found;
@@ -70,8 +74,8 @@ Vec3<double> image_at(const Deformer<double>& deformer, const Posed<double>& pos
 }  // namespace
 
 double Excuses::factor() const {
-  return std::max(1.0, std::min(condition, most_excused) / harmless_condition) *
-         std::max(1.0, rounding / harmless_rounding);
+  return std::min(largest_factor, std::max(1.0, std::min(condition, most_excused) / harmless_condition) *
+                                      std::max(1.0, rounding / harmless_rounding));
 }
 
 DeformerError excused(double plain, const Excuses& excuses) { return {plain / excuses.factor(), plain}; }

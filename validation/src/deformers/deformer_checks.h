@@ -43,12 +43,12 @@ struct DeformerError {
   double plain = std::numeric_limits<double>::quiet_NaN();  ///< without excuses
 };
 
-/// What excuses errors of images.
+/// Reasons for which images may err by more than is promised next to the origin.
 struct Excuses {
   double condition = 1;  ///< of the worst system that was solved; up to 1e3 it excuses nothing, beyond 1e8 nothing more
   double rounding = 0;   ///< of the cage's largest coordinate, in cage sizes; up to 2.5e-14 it excuses nothing
 
-  /// The number of times that an error may be as large as without.
+  /// How many times as large as without excuses an error may be: 1 to 1e6.
   double factor() const;
 };
 

@@ -328,7 +328,7 @@ constexpr std::array table{
     Row{"keeps_linear", "*", "*", "double", "*", 0, 0, exact_map, deformer_reason},
     Row{"keeps_offset", "@(variational|thickness)", "*", "double", "*", 0, 0, 16,
         "places and their targets are rounded far off, by a rounding each, and the motion found from them carries that "
-        "to the cage's corners, up to five times as far as the places are from each other"},
+        "to corners further off than the places: 10 on drawings of six and eight corners"},
     Row{"keeps_offset", "*", "*", "double", "*", 0, 0, 4,
         "images are made next to the cage, to 1e-13 of its size, which at 1e3 sizes is one rounding, and rounded once "
         "a "
@@ -358,8 +358,8 @@ constexpr std::array table{
     Row{"energy_falls", "*", "*", "double", "*", 0, 0, 1e-12,
         "every half step is a minimum, and no step is taken that raises a merit: roundings of sums"},
     Row{"rigid_energy", "thickness", "*", "double", "*", 0, 0, 1e-22,
-        "squares of a few roundings times second derivatives at samples beside edges, some 1e4 in a unit in which the "
-        "cage's size is one"},
+        "squares of 40 roundings times second derivatives at samples next to edges, 2,400 per size on a drawing of "
+        "eight corners"},
     Row{"rigid_energy", "*", "*", "double", "*", 0, 0, 1e-24,
         "a rigid motion has none: squares of what images may err by, 1e-13 or by the constraints' condition"},
     Row{"energy_is_flat", "*", "*", "double", "*", 0, 0, 1e-11,
