@@ -29,7 +29,7 @@ struct Arguments {
   bool csv = false, coordinates = false;
 };
 
-// What the places of given points are, and how many points are none of them.
+// Notes say what the groups of given points are, and how many points are in none.
 void tell_of_points(const std::vector<benchmarks::PointGroup>& groups, std::size_t given, WorkPrecision& result) {
   std::size_t taken = 0;
   for (const benchmarks::PointGroup& group : groups) taken += group.points.size();

@@ -62,7 +62,7 @@ std::unique_ptr<GaussLegendre<R>> make_rule(int n) {
     const bool middle = 2 * k + 1 == n;
     R x = middle ? R(0) : R(rough_zero(rough, n, k));
     R step = middle ? 0 : 1;
-    // What a step leaves is its square times x / (1 - x^2), which is at most n^2 at a zero.
+    // A step leaves an error of its square times x / (1 - x^2), which is at most n^2 at a zero.
     for (int iteration = 0; iteration < 64 && step * step * n * n > unit_roundoff<R>(); ++iteration) {
       const auto [value, slope] = legendre.at(x);
       step = value / slope;
