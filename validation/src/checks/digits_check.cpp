@@ -37,7 +37,7 @@ class DigitsCheck final : public Check {
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     if (!is_finite(in.sample)) return without_truth(in.order);
-    const Result<double> f = evaluate<double>(in.evaluation, in.sample, in.order);
+    const Result<double>& f = in.result<double>();
     std::array<Finding, 3> findings;
     for (int o = 0; o <= in.order; ++o) {
       findings[o] = finding_for(in.truth, o);

@@ -63,7 +63,7 @@ std::optional<ElementQuestion> element_question(const Check& check, const Evalua
   // Less is asked of what has less.
   question.asked = order < std::min(2, evaluation.max_order()) ? order : 2;
   question.ask = [&check, &formula, evaluation, scalar, order](const ElementAt& at) {
-    return check.measure({formula, evaluation, scalar, at.sample(), order, at.truth()});
+    return check.measure({formula, evaluation, scalar, at.sample(), order, at.truth(), at.results()});
   };
   return question;
 }

@@ -8,15 +8,20 @@
 
 namespace cageproof::validation {
 
-/// A sample, and its truth, which is found when first asked for. Not for several threads at once.
+/// A sample, its truth and what evaluations give there, each found when first asked for. Not for several threads at
+/// once.
 class ElementAt {
  public:
   /// \param source of the truth, which outlives this \param order the highest of the truth
   ElementAt(const TruthSource& source, Sample sample, int order = 2)
       : source_(source), sample_(std::move(sample)), order_(order) {}
 
+  ElementAt(const ElementAt&) = delete;
+  ElementAt& operator=(const ElementAt&) = delete;
+
   const Sample& sample() const { return sample_; }
   const Truth& truth() const;
+  ResultsAtSample& results() const { return results_; }
   std::uint64_t number() const { return sample_.index; }
   WorstCase case_of(const Finding& finding, int order) const;
 
@@ -25,6 +30,7 @@ class ElementAt {
   Sample sample_;
   int order_;
   mutable std::optional<Truth> truth_;
+  mutable ResultsAtSample results_{sample_};
 };
 
 /// A check of an evaluation in a scalar.

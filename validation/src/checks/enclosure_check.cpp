@@ -23,7 +23,7 @@ class EnclosureCheck final : public Check {
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     const auto certified = EvaluationRegister::instance().with_role(in.formula.name, Role::Enclosure);
     const Result<Mp100> ball = evaluate<Mp100>(*certified, in.sample, in.order);
-    const Result<Mp100> closed = evaluate<Mp100>(in.evaluation, in.sample, in.order);
+    const Result<Mp100>& closed = in.result<Mp100>();
     std::array<Finding, 3> findings;
     for (int o = 0; o <= in.order; ++o) {
       findings[o] = finding_for(in.truth, o);

@@ -29,7 +29,7 @@ class LaplacianCheck final : public Check {
     if (in.order < 2) return findings;
     findings[2] = relation_finding_for(in.truth, 2);
     if (findings[2].status != Finding::Status::Measured) return findings;
-    const Result<double> f = evaluate<double>(in.evaluation, in.sample, 2);
+    const Result<double>& f = in.results.of<double>(in.evaluation, 2);
     std::vector<double> expected(f.value.size(), 0.0), trace;
     if (in.formula.laplacian.kind == Laplacian::Kind::LowerOrder && in.sample.parameters.back() > 1) {
       Sample lower = in.sample;
@@ -42,7 +42,7 @@ class LaplacianCheck final : public Check {
         findings[2].status = Finding::Status::Unasked;
         return findings;
       }
-      expected = evaluate<double>(*partner, in.sample, 0).value;
+      expected = in.results.of<double>(*partner, 0).value;
     }
     const std::size_t dim = in.formula.dim();
     for (std::size_t c = 0; c < f.value.size(); ++c) {
@@ -77,7 +77,7 @@ class SubdivisionCheck final : public Check {
            truth_is_promised(formula, evaluation, scalar, regime);
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
-    const Result<double> whole = evaluate<double>(in.evaluation, in.sample, in.order);
+    const Result<double>& whole = in.result<double>();
     Result<double> sum;
     sum.reset(in.formula.components(), in.formula.dim(), in.order);
     const TruthSource source = truth_source(in.formula);
@@ -139,7 +139,7 @@ class DifferencesCheck final : public Check {
            regime != "tiny";  // whose distances are far below any step that 200 digits leave room for
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
-    const Result<Mp200> f = evaluate<Mp200>(in.evaluation, in.sample, in.order);
+    const Result<Mp200>& f = in.result<Mp200>();
     // Far below every distance of a regime, far above the rounding of 200 digits.
     const Mp200 step = Mp200(longest_edge<double>(in.sample.corners)) * Mp200("1e-40");
     Result<Mp200> plus, minus;

@@ -28,7 +28,7 @@ class LimitCheck final : public Check {
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     std::array<Finding, 3> findings;
     if (!in.truth.on_element) return findings;
-    const Result<Mp200> on = evaluate<Mp200>(in.evaluation, in.sample, in.order);
+    const Result<Mp200>& on = in.result<Mp200>();
     // Next to the element as many digits as the bound asks, where more take longer.
     const std::string& digits = in.evaluation.substitutes().confirmations;
     const Evaluation form = digits.empty() ? in.evaluation : evaluation_named(in.formula.name, digits);

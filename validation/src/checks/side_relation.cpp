@@ -104,9 +104,8 @@ class SideRelationCheck final : public Check {
     x.reserve(in.sample.corners.size());
     const Vec3<Mp100> point = convert<Mp100>(in.sample.point);
     for (const Vec3<double>& corner : in.sample.corners) x.push_back(convert<Mp100>(corner) - point);
-    const Moments positions(evaluate<double>(in.evaluation, in.sample, 0).value, x);
-    const Moments normals(evaluate<double>(*single, in.sample, 0).value,
-                          normals_of(single->formula(), in.sample.corners));
+    const Moments positions(in.results.of<double>(in.evaluation, 0).value, x);
+    const Moments normals(in.results.of<double>(*single, 0).value, normals_of(single->formula(), in.sample.corners));
     const Vec3<Mp100> sum = positions.sum + relation.factor * normals.sum,
                       expected = around_sides(relation, in.sample.corners, in.sample.point);
     const Mp100 unit =

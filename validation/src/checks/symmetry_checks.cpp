@@ -24,7 +24,7 @@ class SymmetryCheck : public Check {
     return scalar == ScalarKind::Double && truth_is_promised(formula, evaluation, scalar, regime);
   }
   std::array<Finding, 3> measure(const CheckInput& in) const override {
-    const Result<double> plain = evaluate<double>(in.evaluation, in.sample, in.order);
+    const Result<double>& plain = in.result<double>();
     const Result<double> changed = evaluate<double>(in.evaluation, change(in.formula, in.sample), in.order);
     const Mp100 u = roundoff_of(in.scalar);
     std::array<Finding, 3> findings;

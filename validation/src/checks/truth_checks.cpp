@@ -60,7 +60,7 @@ class TruthCheck final : public Check {
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     if (!is_finite(in.sample)) return without_truth(in.order);
     return with_scalar(in.scalar, [&]<Scalar R>() {
-      const Result<R> f = evaluate<R>(in.evaluation, in.sample, in.order);
+      const Result<R>& f = in.result<R>();
       const Mp100 u = roundoff_of(in.scalar);
       std::array<Finding, 3> findings;
       for (int o = 0; o <= in.order; ++o) {
@@ -90,7 +90,7 @@ class RelativeCheck final : public Check {
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     if (!is_finite(in.sample)) return without_truth(in.order);
     return with_scalar(in.scalar, [&]<Scalar R>() {
-      const Result<R> f = evaluate<R>(in.evaluation, in.sample, in.order);
+      const Result<R>& f = in.result<R>();
       std::array<Finding, 3> findings;
       for (int o = 0; o <= in.order; ++o) {
         findings[o] = finding_of(f, in.truth, in.evaluation, o);
@@ -123,7 +123,7 @@ class IntegralCheck final : public Check {
       for (int o = 0; o <= in.order; ++o) findings[o].status = Finding::Status::NoTruth;
       return findings;
     }
-    const Result<Mp100> closed = evaluate<Mp100>(in.evaluation, in.sample, in.order);
+    const Result<Mp100>& closed = in.result<Mp100>();
     const Result<Mp50> truth = evaluate<Mp50>(*integral, in.sample, in.order);
     for (int o = 0; o <= in.order; ++o) {
       std::vector<Mp100> reference;
@@ -185,7 +185,7 @@ class StatedErrorCheck final : public Check {
   std::array<Finding, 3> measure(const CheckInput& in) const override {
     if (!is_finite(in.sample)) return without_truth(in.order);
     return with_scalar(in.scalar, [&]<Scalar R>() {
-      const Result<R> f = evaluate<R>(in.evaluation, in.sample, in.order);
+      const Result<R>& f = in.result<R>();
       std::array<Finding, 3> findings;
       for (int o = 0; o <= in.order; ++o) {
         // Beside infinite entries there is no norm for a statement to be relative to.

@@ -5,10 +5,34 @@
 #include "cageproof/validation/question.h"
 #include "cageproof/validation/truth.h"
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
 
 namespace cageproof::validation {
+
+/// What evaluations give at one sample, each found when first asked for. Not for several threads at once.
+class ResultsAtSample {
+ public:
+  explicit ResultsAtSample(const Sample& sample) : sample_(sample) {}
+  template <Scalar R>
+  const Result<R>& of(const Evaluation& evaluation, int order) {
+    auto& known = std::get<Known<R>>(known_);
+    const std::tuple key(evaluation.formula().name, evaluation.name(), order);
+    if (const auto found = known.find(key); found != known.end()) return found->second;
+    return known.emplace(key, evaluate<R>(evaluation, sample_, order)).first->second;
+  }
+
+ private:
+  template <Scalar R>
+  using Known = std::map<std::tuple<std::string_view, std::string, int>, Result<R>>;
+
+  const Sample& sample_;
+  std::tuple<Known<float>, Known<double>, Known<Mp50>, Known<Mp100>, Known<Mp200>> known_;
+};
 
 /// What a check is given.
 struct CheckInput {
@@ -18,6 +42,13 @@ struct CheckInput {
   const Sample& sample;
   int order;           ///< highest order to look at
   const Truth& truth;  ///< of the sample
+  ResultsAtSample& results;
+
+  /// What the evaluation gives at the sample, up to the order.
+  template <Scalar R>
+  const Result<R>& result() const {
+    return results.of<R>(evaluation, order);
+  }
 };
 
 /// One check. Stateless.
