@@ -103,7 +103,11 @@ int run(Arguments& a) {
   if (suite == validation::suites().end()) throw unknown_name("suite", a.suite, names_of_suites());
   options.suite = *suite;
   options.only_cage = is_only_cage(a);
-  if (a.samples > 0) options.suite.samples = a.samples;
+  // A number that is asked for holds for sweeps, too.
+  if (a.samples > 0 && a.samples != suite->samples) {
+    options.suite.samples = a.samples;
+    options.suite.swept_samples = 0;
+  }
   if (a.enclosures >= 0) options.suite.enclosures = a.enclosures;
   options.triangulation = a.cage.rule();
   options.out = a.out;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "block_error.h"
 
-#include "cageproof/core/numbers/random_stream.h"
 #include "cageproof/validation/cage_points.h"
 #include "cages/point_inside.h"
+#include "sampling/generic_direction.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -110,15 +109,6 @@ Number norm_of_difference(const std::vector<Number>& x, const std::vector<Number
   return sqrt(squares);
 }
 
-// A direction that is like no other point's, so that no symmetry hides what changes along it.
-Point generic_direction(const Point& point, std::size_t dim) {
-  RandomStream random(0, "direction", std::bit_cast<std::uint64_t>(static_cast<double>(point[0])));
-  Point direction = Point::Zero();
-  for (std::size_t c = 0; c < dim; ++c)
-    direction[static_cast<Eigen::Index>(c)] = Number((random.uniform() < 0.5 ? -1 : 1) * random.uniform(0.3, 1));
-  return direction / sqrt(direction.dot(direction));
-}
-
 // Norms over the entries whose truth is finite.
 struct Compared {
   Number error = 0, truth = 0;
@@ -179,7 +169,8 @@ BlockTruth BlockTruths::truth_near(const Point& point, double distance, int orde
   // thirteen to where it is taken.
   const Number step = Number(distance) * Number("1e-20");
   std::vector<Point> points{point};
-  if (order >= 2) points.emplace_back(point + step * generic_direction(point, dim));
+  if (order >= 2)
+    points.emplace_back(point + step * generic_direction<Number>(convert<double>(point), static_cast<int>(dim)));
   // One order more than is asked, where the formulas have it, is the derivative of what is.
   const int taken = std::min(order + 1, 2);
   const auto tables = sums_.at<Number>(points, taken);

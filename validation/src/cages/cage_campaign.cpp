@@ -127,7 +127,7 @@ class CageMeasurement final : public Measurement {
     if (cost == CageQuestion::Cost::Point) return true;
     if (cost == CageQuestion::Cost::SecondRoute) return std::ranges::find(setup.routed, i) != setup.routed.end();
     if (i % setup.stride != 0) return false;
-    // Seven sums in 100 digits: a quarter of these points.
+    // Three sums in 100 digits: a quarter of these points.
     return cost == CageQuestion::Cost::Truth || (options_.differences && i / setup.stride % 4 == 0);
   }
 

@@ -27,8 +27,8 @@ class CageSymmetries {
   /// unit, and relative to the block's norm. \pre the point lies off the cage
   std::map<std::string, CageError> errors_at(const Vec3<double>& point) const;
 
-  /// Derivatives of order 1 and 2 against central differences in 100 digits, relative, of the worst block. \pre as
-  /// errors_at
+  /// Derivatives of order 1 and 2 along a direction against central differences in 100 digits, relative, of the worst
+  /// block. \pre as errors_at
   std::array<double, 3> differences_at(const Vec3<double>& point) const;
 
  private:

@@ -43,11 +43,14 @@ constexpr int wide_stride = 7;
 // At most n, at least one: steps over what lies exactly on an element and what lies a rounding off it by turns.
 constexpr int largest_odd(int n) { return n < 2 ? 1 : n - (n % 2 == 0 ? 1 : 0); }
 
-// Where truths are integrals themselves, a quarter of the samples; then whatever else is measured against them costs
-// little.
-CampaignOptions affordable(CampaignOptions options, const TruthSource& source) {
+// With the samples of a regime: where truths are costly a quarter of them, but five at least, since fewer leave checks
+// without a point beside the element; then whatever else is measured against the truths costs little.
+CampaignOptions affordable(CampaignOptions options, const Regime& regime, const TruthSource& source) {
+  const int values = static_cast<int>(regime.parameters.size());
+  const int least = std::min(options.samples, 5);
+  options.samples = std::max(options.samples, std::min(values, options.swept_samples));
   if (!source.is_costly()) return options;
-  options.samples = (options.samples + 3) / 4;
+  options.samples = std::max(least, (options.samples + 3) / 4);
   options.quadrature_divisor = 1;
   return options;
 }
@@ -109,7 +112,8 @@ Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOption
       const Evaluation evaluation = *evaluations.find(formula.name, name);
       if (!matches_evaluation(options.evaluations, evaluation) && check->use() != Check::Use::Gate) continue;
       for (const ScalarKind scalar : scalar_kinds)
-        if (auto part = part_for(*check, evaluation, scalar, regime, affordable(options, *plan.source), *plan.source))
+        if (auto part =
+                part_for(*check, evaluation, scalar, regime, affordable(options, regime, *plan.source), *plan.source))
           plan.parts.push_back(std::move(*part));
     }
   return plan;

@@ -15,7 +15,9 @@ struct CampaignOptions {
   std::string evaluations = "*";
   std::string regimes = "*";
   std::uint64_t seed = 1;
-  int samples = 1000;          ///< for each formula and regime, in double
+  int samples = 1000;  ///< for each formula and regime, in double
+  /// Where a parameter is swept, a sample for each of its values, at most so many, if that is more than `samples`.
+  int swept_samples = 0;
   int quadrature_divisor = 7;  ///< rules, schemes and float take every n-th of them; prime to every sweep's length
   /// For each formula and regime that sweeps a parameter, for the multiprecision integral; half where nothing is swept,
   /// but two at least.

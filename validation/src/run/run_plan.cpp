@@ -182,6 +182,7 @@ class Planner {
     campaign.regimes = options_.regimes;
     campaign.seed = options_.seed;
     campaign.samples = options_.suite.samples;
+    campaign.swept_samples = options_.suite.swept_samples;
     campaign.integral_samples = options_.suite.integral_samples;
     campaign.integral_entries = options_.suite.integral_entries;
     campaign.enclosures = options_.suite.enclosures;
@@ -464,6 +465,7 @@ class Planner {
         {"regimes", options_.regimes},
         {"suite", std::string(suite.name)},
         {"samples", text(suite.samples)},
+        {"samples of a sweep", text(suite.swept_samples)},
         {"enclosures", text(suite.enclosures)},
         {"seed", text(options_.seed)},
         {"triangulate", std::string(name_of(options_.triangulation))},
@@ -491,6 +493,7 @@ class Planner {
     header.settings = {
         {"triangulation", std::string(name_of(options_.triangulation))},
         {"samples", text(suite.samples)},
+        {"samples of a sweep", text(suite.swept_samples)},
         {"integral samples", text(suite.integral_samples)},
         {"enclosures", text(suite.enclosures)},
         {"formulas", options_.formulas},

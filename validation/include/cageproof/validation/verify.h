@@ -21,6 +21,7 @@ namespace cageproof::validation {
 struct Suite {
   std::string_view name;
   int samples;                  ///< of each formula in each regime
+  int swept_samples;            ///< CampaignOptions::swept_samples
   int integral_samples;         ///< CampaignOptions::integral_samples
   int integral_entries;         ///< CampaignOptions::integral_entries
   int enclosures;               ///< of each formula in each regime, enclosed rigorously
