@@ -197,6 +197,10 @@ AdaptiveOutcome integrate_off_or_inside(const Contact& inside, int order, double
   return outcome;
 }
 
+/// Digits that the multiprecision evaluation is asked for in an adaptive one's place: two more than the tolerance, and
+/// as many as tell whether a limit exists.
+inline double digits_beyond_tolerance(double tolerance) { return std::max(12., 2 - std::log10(tolerance)); }
+
 /// Sets a result and its statement. Rounding the result to R is part of the error.
 /// \param multiprecision sets the result by the multiprecision evaluation, which is asked where entries within R's
 /// range stand beside such as leave it, and the sums' digits do not tell them

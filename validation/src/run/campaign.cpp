@@ -17,8 +17,7 @@ namespace {
 // A question of a job, and the samples that it is asked at.
 struct Part {
   ElementQuestion question;
-  int divisor;  // takes every divisor-th sample
-  int end;      // of those below
+  int nth, end;  // takes every nth sample of those below end
 };
 
 // A formula in a regime, and all that is asked of it there.
@@ -43,16 +42,20 @@ constexpr int wide_stride = 7;
 // At most n, at least one: steps over what lies exactly on an element and what lies a rounding off it by turns.
 constexpr int largest_odd(int n) { return n < 2 ? 1 : n - (n % 2 == 0 ? 1 : 0); }
 
-// With the samples of a regime: where truths are costly a quarter of them, but five at least, since fewer leave checks
-// without a point beside the element; then whatever else is measured against the truths costs little.
-CampaignOptions affordable(CampaignOptions options, const Regime& regime, const TruthSource& source) {
+// The samples of a regime that are taken: every stride-th below end.
+struct TakenSamples {
+  int end, stride;
+};
+
+// Where truths are costly, a quarter; then whatever else is measured against them costs little. But at least five,
+// since fewer leave checks without a point beside the element, and of a sweep that a quarter would leave off in the
+// middle some of its whole length.
+TakenSamples samples_of(const CampaignOptions& options, const Regime& regime, const TruthSource& source) {
   const int values = static_cast<int>(regime.parameters.size());
-  const int least = std::min(options.samples, 5);
-  options.samples = std::max(options.samples, std::min(values, options.swept_samples));
-  if (!source.is_costly()) return options;
-  options.samples = std::max(least, (options.samples + 3) / 4);
-  options.quadrature_divisor = 1;
-  return options;
+  const int samples = std::max(options.samples, std::min(values, options.swept_samples));
+  if (!source.is_costly()) return {samples, 1};
+  if (samples < 4 * values) return {samples, wide_stride};
+  return {std::max(std::min(samples, 5), (samples + 3) / 4), 1};
 }
 
 // The highest order that a check asks, where truths are costly. On an element such integrals extrapolate from several
@@ -72,33 +75,35 @@ int order_for(const Check& check, const Evaluation& evaluation, ScalarKind scala
   return order;
 }
 
-// The question of a check in a regime and the samples that it takes, every divisor-th below end; nothing where it is
-// not asked.
+// The question of a check in a regime and the samples that it takes; nothing where it is not asked.
 std::optional<Part> part_for(const Check& check, const Evaluation& evaluation, ScalarKind scalar, const Regime& regime,
                              const CampaignOptions& options, const TruthSource& source) {
   auto question = element_question(check, evaluation, scalar, regime.name,
                                    order_for(check, evaluation, scalar, regime, options, source));
   if (!question) return std::nullopt;
-  const auto strided = [&](int divisor, int end) { return Part{std::move(*question), divisor, end}; };
+  const auto [samples, stride] = samples_of(options, regime, source);
+  const auto every = [&](int nth, int end) { return Part{std::move(*question), nth, end}; };
   switch (check.cost(scalar)) {
-    case Check::Cost::Enclosure: return strided(wide_stride, wide_stride * options.enclosures);
+    case Check::Cost::Enclosure: return every(wide_stride, wide_stride * options.enclosures);
     case Check::Cost::Multiprecision: {
+      // One, where few samples of a sweep are taken: integrals next to costly elements take seconds.
+      if (stride > 1) return every(stride, 1);
       // Half of them where nothing is swept. Points on an element lie exactly on it and a rounding off it by turns, and
       // only the latter have all derivatives: one of each at least, or no derivative would be confirmed.
       const bool none_swept = regime.parameters.empty();
       const int half = std::max(std::min(2, options.integral_samples), (options.integral_samples + 1) / 2);
       const int integrals = none_swept ? half : options.integral_samples;
-      const int stride = none_swept ? std::min(wide_stride, largest_odd(options.samples - 1)) : wide_stride;
-      return strided(stride, std::min(options.samples, stride * integrals));
+      const int nth = none_swept ? std::min(wide_stride, largest_odd(samples - 1)) : wide_stride;
+      return every(nth, std::min(samples, nth * integrals));
     }
-    case Check::Cost::Truths: return strided(std::max(wide_stride, options.quadrature_divisor), options.samples);
+    case Check::Cost::Truths: return every(wide_stride, samples);
     case Check::Cost::Evaluations: break;
   }
   // Samples rounded to float have truths of their own.
   constexpr int costly_stride = 3;
-  if (scalar == ScalarKind::Float && source.is_costly()) return strided(costly_stride, options.samples);
-  const bool every = takes_every_sample(evaluation) && scalar != ScalarKind::Float;
-  return strided(every ? 1 : options.quadrature_divisor, options.samples);
+  if (source.is_costly()) return every(scalar == ScalarKind::Float && stride == 1 ? costly_stride : stride, samples);
+  const bool all = takes_every_sample(evaluation) && scalar != ScalarKind::Float;
+  return every(all ? 1 : options.quadrature_divisor, samples);
 }
 
 Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOptions& options) {
@@ -112,8 +117,7 @@ Plan plan_for(const Formula& formula, const Regime& regime, const CampaignOption
       const Evaluation evaluation = *evaluations.find(formula.name, name);
       if (!matches_evaluation(options.evaluations, evaluation) && check->use() != Check::Use::Gate) continue;
       for (const ScalarKind scalar : scalar_kinds)
-        if (auto part =
-                part_for(*check, evaluation, scalar, regime, affordable(options, regime, *plan.source), *plan.source))
+        if (auto part = part_for(*check, evaluation, scalar, regime, options, *plan.source))
           plan.parts.push_back(std::move(*part));
     }
   return plan;
@@ -139,7 +143,7 @@ class ElementMeasurement final : public Measurement {
   }
 
  private:
-  static bool takes(const Part& part, int i) { return i % part.divisor == 0 && i < part.end; }
+  static bool takes(const Part& part, int i) { return i % part.nth == 0 && i < part.end; }
 
   void measure_sample(int i, std::map<RowKey, Tally>& rows) const {
     if (std::ranges::none_of(plan_.parts, [&](const Part& part) { return takes(part, i); })) return;

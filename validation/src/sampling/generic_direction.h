@@ -24,8 +24,7 @@ template <Scalar R>
 std::vector<R> along(const Vec3<R>& direction, const std::vector<R>& tensor, int dim) {
   std::vector<R> contracted(tensor.size() / static_cast<std::size_t>(dim), R(0));
   for (std::size_t i = 0; i < tensor.size(); ++i)
-    contracted[i / static_cast<std::size_t>(dim)] +=
-        direction[static_cast<Eigen::Index>(i) % dim] * tensor[i];
+    contracted[i / static_cast<std::size_t>(dim)] += direction[static_cast<Eigen::Index>(i) % dim] * tensor[i];
   return contracted;
 }
 

@@ -180,7 +180,9 @@ void quad::integrate_adaptive(const Integrand& integrand, const Query<R>& query,
   };
   Result<double> sums;
   const AdaptiveOutcome outcome = integrate_off_or_inside(inside, query.order, tolerance, integrate_at, sums);
-  const auto multiprecision = [&] { integrate_multiprecision<R>(integrand, query, result); };
+  const auto multiprecision = [&] {
+    integrate_multiprecision<R>(integrand, query, digits_beyond_tolerance(tolerance), result);
+  };
   set_outcome(integrand, q->exponent, sums, query.order, tolerance, outcome, multiprecision, result);
 }
 

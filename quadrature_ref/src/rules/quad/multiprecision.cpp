@@ -46,7 +46,8 @@ Answer integral(const Integrand& integrand, const QuadFrame<Mp200>& q, const Clo
 }  // namespace
 
 template <Scalar R>
-void quad::integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result) {
+void quad::integrate_multiprecision(const Integrand& integrand, const Query<R>& query, double digits,
+                                    Result<R>& result) {
   integrand.reset(result, query.order);
   const ConvertedQuery<Mp200> exact(query);
   const auto q = quad_frame(exact.query.corners, exact.query.point);
@@ -61,7 +62,6 @@ void quad::integrate_multiprecision(const Integrand& integrand, const Query<R>& 
     if (!result.converged) result.stated_digits = 0;
     return;
   }
-  const double digits = digits_wanted<R>();
   for (const double asked : {digits, kDigitsPromised, kFewDigits}) {
     if (asked > digits) continue;
     try {
@@ -84,7 +84,7 @@ void quad::integrate_multiprecision(const Integrand& integrand, const Query<R>& 
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \
-  template void quad::integrate_multiprecision<R>(const Integrand&, const Query<R>&, Result<R>&);
+  template void quad::integrate_multiprecision<R>(const Integrand&, const Query<R>&, double, Result<R>&);
 CAGEPROOF_INSTANTIATE(float)
 CAGEPROOF_INSTANTIATE(double)
 CAGEPROOF_INSTANTIATE(Mp50)

@@ -47,20 +47,20 @@ double adaptive_tolerance() {
 template <Scalar R>
 void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 
-/// The reference: the integral to at least 30 digits (60 for Mp100 and Mp200), norm-wise for each derivative order
-/// (over the entries within R's range, where others leave it), for points at any distance. The parameter square is cut
-/// into triangles at the point nearest to eta; in each, sinh substitutions along rays and across them, and rectangles
-/// cut and given as many points as the complex zeros of r^2, which are known, demand; precision (50, 100, 200 digits)
-/// as the share of the result and the cancellation do. Two sums with different centres, cuts and rules are compared;
-/// `stated_digits` is the number of digits on which they agree (the better one is returned), the least over the orders
-/// asked; `converged` is stated_digits >= 30. Where that would take more than about a second (five times that for more
-/// than 30 digits), as next to reflex and doubled corners, 12 digits are tried, and else nothing is stated: NaN,
-/// `stated_digits` 0, `converged` false.
+/// The integral to at least `digits` digits (the reference: 30, 60 for Mp100 and Mp200), norm-wise for each derivative
+/// order (over the entries within R's range, where others leave it), for points at any distance. The parameter square
+/// is cut into triangles at the point nearest to eta; in each, sinh substitutions along rays and across them, and
+/// rectangles cut and given as many points as the complex zeros of r^2, which are known, demand; precision (50, 100,
+/// 200 digits) as the share of the result and the cancellation do. Two sums with different centres, cuts and rules are
+/// compared; `stated_digits` is the number of digits on which they agree (the better one is returned), the least over
+/// the orders asked; `converged` is stated_digits >= 30. Where that would take more than about a second (five times
+/// that for more than 30 digits), as next to reflex and doubled corners, 12 digits are tried, and else nothing is
+/// stated: NaN, `stated_digits` 0, `converged` false.
 ///
 /// On the quad (nearer than 1e-120 of its extent) limits from inside are extrapolated, as on a triangle; an order that
 /// has none there is NaN. Mean value weights grow like the inverse distance: all their entries are NaN, `stated_digits`
 /// too, and `converged` is true, as that is certain. So are those of points whose normal vanishes.
 template <Scalar R>
-void integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result);
+void integrate_multiprecision(const Integrand& integrand, const Query<R>& query, double digits, Result<R>& result);
 
 }  // namespace cageproof::quadrature_ref::quad

@@ -83,7 +83,9 @@ void segment::integrate_adaptive(const Integrand& integrand, const Query<R>& que
   };
   Result<W> sums;
   const AdaptiveOutcome outcome = integrate_off_or_inside(on_segment(*s), query.order, tolerance, integrate_at, sums);
-  const auto multiprecision = [&] { integrate_multiprecision<R>(integrand, query, result); };
+  const auto multiprecision = [&] {
+    integrate_multiprecision<R>(integrand, query, digits_beyond_tolerance(tolerance), result);
+  };
   set_outcome(integrand, s->exponent, sums, query.order, tolerance, outcome, multiprecision, result);
 }
 

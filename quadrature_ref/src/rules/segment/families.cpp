@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../converging_sum.h"
 #include "../rule_family.h"
 
 #include "segment_rules.h"
@@ -25,7 +26,7 @@ std::vector<RuleFamily> segment::families() {
   });
   RuleFamily multiprecision{"multiprecision", integral_facts(), {"multiprecision"}, called("multiprecision")};
   multiprecision.with_points([]<Scalar R>(const auto& integrand, const Query<R>& query, Result<R>& result) {
-    integrate_multiprecision<R>(integrand, query, result);
+    integrate_multiprecision<R>(integrand, query, digits_wanted<R>(), result);
   });
   return {gauss, near_singular, adaptive, multiprecision};
 }

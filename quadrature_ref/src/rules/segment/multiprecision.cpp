@@ -22,22 +22,23 @@ Inside inside_of(const Integrand& integrand, const SegmentFrame<Mp200>& s, const
 }  // namespace
 
 template <Scalar R>
-void segment::integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result) {
+void segment::integrate_multiprecision(const Integrand& integrand, const Query<R>& query, double digits,
+                                       Result<R>& result) {
   integrand.reset(result, query.order);
   const ConvertedQuery<Mp200> exact(query);
   const auto s = segment_frame(exact.query.corners, exact.query.point);
   if (!s) return fill_not_a_number(result);
-  const auto integral = [&](double digits) {
+  const auto integral = [&](double asked) {
     if (const OnSegment on = on_segment(*s); on.yes)
-      return limit_from_inside(inside_of(integrand, *s, exact.query, on), digits, query.order);
+      return limit_from_inside(inside_of(integrand, *s, exact.query, on), asked, query.order);
     SegmentSum sum(integrand, arm_frame(*s, Mp200(0)), exact.query);
-    return converge(sum, digits, query.order);
+    return converge(sum, asked, query.order);
   };
-  set_answer(integrand, s->exponent, digits_wanted<R>(), query.order, integral, result);
+  set_answer(integrand, s->exponent, digits, query.order, integral, result);
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \
-  template void segment::integrate_multiprecision<R>(const Integrand&, const Query<R>&, Result<R>&);
+  template void segment::integrate_multiprecision<R>(const Integrand&, const Query<R>&, double, Result<R>&);
 CAGEPROOF_INSTANTIATE(float)
 CAGEPROOF_INSTANTIATE(double)
 CAGEPROOF_INSTANTIATE(Mp50)

@@ -42,8 +42,8 @@ void integrate_near_singular(const Integrand& integrand, int n, const Batch<R>& 
 template <Scalar R>
 void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 
-/// The reference: the integral to at least 30 digits (60 for Mp100 and Mp200), norm-wise for each derivative order
-/// (over the entries within R's range, where others leave it), for points at any distance, by the panels of
+/// The integral to at least `digits` digits (the reference: 30, 60 for Mp100 and Mp200), norm-wise for each derivative
+/// order (over the entries within R's range, where others leave it), for points at any distance, by the panels of
 /// integrate_near_singular, each with as many points and as much precision (50, 100, 200 digits) as its share of the
 /// result and the cancellation demand. Two sums with different panels and rules are compared; `stated_digits` is the
 /// number of digits on which they agree (the better one is returned), the least over the orders asked; `converged` is
@@ -56,6 +56,6 @@ void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Resul
 /// and the statements cover the other orders; with no order left, `converged` is false and `stated_digits` NaN. An
 /// order whose limit is zero is exactly zero.
 template <Scalar R>
-void integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result);
+void integrate_multiprecision(const Integrand& integrand, const Query<R>& query, double digits, Result<R>& result);
 
 }  // namespace cageproof::quadrature_ref::segment

@@ -184,7 +184,9 @@ void triangle::integrate_adaptive(const Integrand& integrand, const Query<R>& qu
   };
   Result<W> sums;
   const AdaptiveOutcome outcome = integrate_off_or_inside(on_triangle(*t), query.order, tolerance, integrate_at, sums);
-  const auto multiprecision = [&] { integrate_multiprecision<R>(integrand, query, result); };
+  const auto multiprecision = [&] {
+    integrate_multiprecision<R>(integrand, query, digits_beyond_tolerance(tolerance), result);
+  };
   set_outcome(integrand, t->exponent, sums, query.order, tolerance, outcome, multiprecision, result);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "../converging_sum.h"
 #include "../rule_family.h"
 
 #include "triangle_rules.h"
@@ -42,7 +43,7 @@ std::vector<RuleFamily> triangle::families() {
   });
   RuleFamily multiprecision{"multiprecision", integral_facts(), {"multiprecision"}, called("multiprecision")};
   multiprecision.with_points([]<Scalar R>(const auto& integrand, const Query<R>& query, Result<R>& result) {
-    integrate_multiprecision<R>(integrand, query, result);
+    integrate_multiprecision<R>(integrand, query, digits_wanted<R>(), result);
   });
   return {gauss, three_quads, near_singular, adaptive, multiprecision};
 }

@@ -45,18 +45,19 @@ Answer integral(const Integrand& integrand, const LinedTriangle& t, const Query<
 }  // namespace
 
 template <Scalar R>
-void triangle::integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result) {
+void triangle::integrate_multiprecision(const Integrand& integrand, const Query<R>& query, double digits,
+                                        Result<R>& result) {
   integrand.reset(result, query.order);
   const ConvertedQuery<Mp200> exact(query);
   const auto t = lined_triangle(exact.query.corners, exact.query.point);
   if (!t) return fill_not_a_number(result);
   set_answer(
-      integrand, t->exponent, digits_wanted<R>(), query.order,
-      [&](double digits) { return integral(integrand, *t, exact.query, digits); }, result);
+      integrand, t->exponent, digits, query.order,
+      [&](double asked) { return integral(integrand, *t, exact.query, asked); }, result);
 }
 
 #define CAGEPROOF_INSTANTIATE(R) \
-  template void triangle::integrate_multiprecision<R>(const Integrand&, const Query<R>&, Result<R>&);
+  template void triangle::integrate_multiprecision<R>(const Integrand&, const Query<R>&, double, Result<R>&);
 CAGEPROOF_INSTANTIATE(float)
 CAGEPROOF_INSTANTIATE(double)
 CAGEPROOF_INSTANTIATE(Mp50)

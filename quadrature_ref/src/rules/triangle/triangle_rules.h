@@ -52,12 +52,12 @@ void integrate_near_singular(const Integrand& integrand, int n, const Batch<R>& 
 template <Scalar R>
 void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Result<R>& result);
 
-/// The reference: the integral to at least 30 digits (60 for Mp100 and Mp200), norm-wise for each derivative order
-/// (over the entries within R's range, where others leave it), for points at any distance. Far from the triangle (1.5
-/// longest edges) Gauss-Legendre on the collapsed square, else the cells of integrate_near_singular, each with as many
-/// points and as much precision (50, 100, 200 digits) as its share of the result and the cancellation demand. Two rules
-/// of different order are compared; `stated_digits` is the number of digits on which they agree (the better one is
-/// returned), the least over the orders asked; `converged` is stated_digits >= 30. Costs 1 ms far away, 20 to 200 ms
+/// The integral to at least `digits` digits (the reference: 30, 60 for Mp100 and Mp200), norm-wise for each derivative
+/// order (over the entries within R's range, where others leave it), for points at any distance. Far from the triangle
+/// (1.5 longest edges) Gauss-Legendre on the collapsed square, else the cells of integrate_near_singular, each with as
+/// many points and as much precision (50, 100, 200 digits) as its share of the result and the cancellation demand. Two
+/// rules of different order are compared; `stated_digits` is the number of digits on which they agree (the better one
+/// is returned), the least over the orders asked; `converged` is stated_digits >= 30. Costs 1 ms far away, 20 to 200 ms
 /// close by, up to a second next to an edge, a few on the triangle. Closer to the face than about 1e-70 of the
 /// triangle's size Hessians cancel more than 200 digits, and it says so.
 ///
@@ -66,6 +66,6 @@ void integrate_adaptive(const Integrand& integrand, const Query<R>& query, Resul
 /// extrapolations disagree has no limit: all its entries are NaN, and the statements cover the other orders; with no
 /// order left, `converged` is false and `stated_digits` NaN. An order whose limit is zero is exactly zero.
 template <Scalar R>
-void integrate_multiprecision(const Integrand& integrand, const Query<R>& query, Result<R>& result);
+void integrate_multiprecision(const Integrand& integrand, const Query<R>& query, double digits, Result<R>& result);
 
 }  // namespace cageproof::quadrature_ref::triangle
