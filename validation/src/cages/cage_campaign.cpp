@@ -31,11 +31,17 @@ std::vector<const CoordinateKind*> kinds_matching(const CageCampaignOptions& opt
   return found;
 }
 
-// Every n-th, so that at most so many are left.
-void keep_evenly(std::vector<CagePoint>& points, int most) {
-  const std::size_t step = std::max<std::size_t>(1, (points.size() + most - 1) / most);
+// Every n-th of each place, and of those that lie on the cage to the last bit, so that about so many are left, and one
+// of each.
+void keep_evenly(std::vector<CagePoint>& points, const CageElements& elements, int most) {
+  std::vector<std::pair<Place, bool>> groups;
+  groups.reserve(points.size());
+  std::map<std::pair<Place, bool>, std::size_t> counts, seen;
+  for (const CagePoint& p : points) ++counts[groups.emplace_back(p.place, !elements.touching(p.point).empty())];
+  const std::size_t share = std::max<std::size_t>(1, most / counts.size());
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < points.size(); i += step) points[kept++] = points[i];
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (seen[groups[i]]++ % ((counts[groups[i]] + share - 1) / share) == 0) points[kept++] = points[i];
   points.resize(kept);
 }
 
@@ -98,7 +104,7 @@ class CageMeasurement final : public Measurement {
     if (kind_.inside_alone) std::erase_if(setup.off, [](const CagePoint& p) { return p.place == Place::Outside; });
     if (!o.properties_alone) {
       setup.on = points_on(coordinates, *cage_);
-      if (o.on_points > 0) keep_evenly(setup.on, o.on_points);
+      if (o.on_points > 0) keep_evenly(setup.on, coordinates.elements(), o.on_points);
       setup.order = coordinates.max_order();
     }
     // Every n-th point meets the truth, so that both ways of drawing points are seen.

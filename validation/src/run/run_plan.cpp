@@ -195,6 +195,8 @@ class Planner {
     campaign.seed = options_.seed;
     campaign.points = options_.suite.cage_points;
     campaign.truth_points = options_.suite.truth_points;
+    // A user wants to know of every vertex, edge and face.
+    campaign.on_points = options_.cage ? 0 : options_.suite.on_points;
     campaign.mesh_points = options_.suite.mesh_points;
     // What kinds keep in one's own cage.
     campaign.signs = options_.cage.has_value();
@@ -472,6 +474,7 @@ class Planner {
         {"integral samples", text(suite.integral_samples)},
         {"points of a cage", text(suite.cage_points)},
         {"truths of a cage", text(suite.truth_points)},
+        {"points on an embedded cage", text(suite.on_points)},
         {"block errors of a cage",
          fmt::format("{} points, {} ms a kind", block_points_of_run(), suite.block_milliseconds)},
         {"points of a mesh", text(suite.mesh_points)},

@@ -16,7 +16,7 @@ struct CageCampaignOptions {
   int points = 400;               ///< off the cage, for the properties
   int truth_points = 16;          ///< of these, compared with multiprecision
   int mesh_points = 0;            ///< of a mesh, at most, spread evenly; 0: all
-  int on_points = 0;              ///< on the cage, at most, spread evenly; 0: all
+  int on_points = 0;              ///< on the cage, at most, spread evenly over each place; 0: all
   bool differences = true;        ///< whether derivatives are compared with differences in 100 digits
   bool signs = false;             ///< whether coordinates inside are asked whether they are negative
   bool properties_alone = false;  ///< only partition of unity and linear reproduction of values, off the cage
