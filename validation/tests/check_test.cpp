@@ -46,7 +46,8 @@ struct Setting {
 std::array<Finding, 3> measured(const Setting& s, const Evaluation& evaluation, std::uint64_t index) {
   const Sample sample = make_sample(*s.formula, *s.regime, 1, index);
   const Truth truth = truth_from(truth_source(*s.formula), sample, 2);
-  return s.check->measure({*s.formula, evaluation, s.scalar, sample, 2, truth});
+  ResultsAtSample results(sample);
+  return s.check->measure({*s.formula, evaluation, s.scalar, sample, 2, truth, results});
 }
 
 // The largest finding over a few samples, by order; -1 where nothing was measured.
@@ -146,7 +147,9 @@ TEST(laplacian, is_unasked_where_nothing_computes_the_partner) {
   const Evaluation good = evaluation_named("triangle.biharmonic_single_layer", "closed_form");
   const Sample sample = make_sample(formula, *find_regime("generic"), 1, 0);
   const Truth truth = truth_from(truth_source(good.formula()), sample, 2);
-  const auto findings = find_check("laplacian")->measure({formula, good, ScalarKind::Double, sample, 2, truth});
+  ResultsAtSample results(sample);
+  const auto findings =
+      find_check("laplacian")->measure({formula, good, ScalarKind::Double, sample, 2, truth, results});
   EXPECT_EQ(findings[2].status, Finding::Status::Unasked);
 }
 
@@ -194,12 +197,14 @@ TEST(face_jump, is_measured_on_quads_planar_and_twisted) {
     Truth truth;
     truth.on_element = contact_of(formula.element, sample) == Contact::Interior;
     truth.exists[0] = true;
-    const Finding right = check.measure({formula, good, ScalarKind::Digits100, sample, 0, truth})[0];
+    ResultsAtSample results(sample);
+    const Finding right = check.measure({formula, good, ScalarKind::Digits100, sample, 0, truth, results})[0];
     EXPECT_EQ(right.status == Finding::Status::Measured, truth.on_element);
     if (right.status != Finding::Status::Measured) continue;
     ++(i % 3 == 0 ? planar : twisted);
     EXPECT_LT(right.error, 1e-30) << i;
-    EXPECT_GT(check.measure({formula, bad, ScalarKind::Digits100, sample, 0, truth})[0].error, 1e-30) << i;
+    ResultsAtSample of_bad(sample);
+    EXPECT_GT(check.measure({formula, bad, ScalarKind::Digits100, sample, 0, truth, of_bad})[0].error, 1e-30) << i;
   }
   EXPECT_GT(planar, 2);
   EXPECT_GT(twisted, 4);
@@ -280,7 +285,8 @@ TEST(Digits, are_counted_from_what_cancels) {
     result.reset(1, 2, 0);
     result.value[0] = static_cast<double>(truth.tensors.value[0]) + 1e-22;
   });
-  const auto finding = find_check("digits")->measure({formula, off, ScalarKind::Double, sample, 0, truth})[0];
+  ResultsAtSample results(sample);
+  const auto finding = find_check("digits")->measure({formula, off, ScalarKind::Double, sample, 0, truth, results})[0];
   EXPECT_GT(finding.relative * 0x1p53, 1e3);
   EXPECT_LT(finding.error, 1e2);
 }

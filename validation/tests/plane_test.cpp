@@ -44,7 +44,8 @@ double largest(const Check& check, const Evaluation& evaluation) {
     for (std::uint64_t i = 0; i < (regime == std::string_view("far") ? 4 : 8); ++i) {
       const Sample sample = make_sample(formula(), *find_regime(regime), 2, i);
       const Truth truth = truth_from(source(), sample, 1);
-      const auto findings = check.measure({formula(), evaluation, ScalarKind::Double, sample, 1, truth});
+      ResultsAtSample results(sample);
+      const auto findings = check.measure({formula(), evaluation, ScalarKind::Double, sample, 1, truth, results});
       for (int o = 0; o < 2; ++o)
         if (findings[o].status == Finding::Status::Measured) worst = std::max(worst, findings[o].error);
     }

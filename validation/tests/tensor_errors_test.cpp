@@ -131,9 +131,11 @@ TEST(stated_error, holds_the_statement_itself) {
     // In a frame whose rounding costs as much as two digits more or less.
     const Sample sample{{{100, 100, 100}, {101, 100, 100}, {100, 101, 100}}, {100.25, 100.25, 100 + height}, {}, 0, 0};
     const Truth truth = truth_from(truth_source(formula), sample, 2);
+    ResultsAtSample results(sample);
     const auto error = [&](const char* evaluation, int order) {
       return check
-          .measure({formula, evaluation_named(formula.name, evaluation), ScalarKind::Double, sample, 2, truth})[order]
+          .measure({formula, evaluation_named(formula.name, evaluation), ScalarKind::Double, sample, 2, truth,
+                    results})[order]
           .error;
     };
     for (int o = 0; o < 3; ++o) {
@@ -176,8 +178,9 @@ double border_error(const char* check, const char* evaluation, ScalarKind scalar
   const Truth truth = truth_from(truth_source(formula), sample, 1);
   EXPECT_TRUE(truth.exists[0]);
   EXPECT_TRUE(truth.partial[1]);
-  const Finding finding =
-      find_check(check)->measure({formula, evaluation_named(formula.name, evaluation), scalar, sample, 1, truth})[1];
+  ResultsAtSample results(sample);
+  const Finding finding = find_check(check)->measure(
+      {formula, evaluation_named(formula.name, evaluation), scalar, sample, 1, truth, results})[1];
   return finding.status == Finding::Status::Measured ? finding.error : -1;
 }
 

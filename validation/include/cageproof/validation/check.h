@@ -14,7 +14,8 @@
 
 namespace cageproof::validation {
 
-/// What evaluations give at one sample, each found when first asked for. Not for several threads at once.
+/// What evaluations give at one sample, each found when first asked for. Evaluations are told apart by their formula's
+/// name and their own. Not for several threads at once.
 class ResultsAtSample {
  public:
   explicit ResultsAtSample(const Sample& sample) : sample_(sample) {}
