@@ -4,6 +4,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/catalogue/name_pattern.h"
 #include "cageproof/core/catalogue/unknown_name.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -81,7 +82,12 @@ std::vector<std::vector<Evaluation>> find_all(const Subject& subject, const Work
 
 std::vector<std::string> evaluations_asked(const std::vector<std::string>& given, const Subject& subject, int order,
                                            std::vector<std::string>& notes) {
-  if (given.empty()) return that_exist(all_shown(subject.formulas), subject.formulas, order, notes);
+  if (given.empty()) {
+    std::vector<std::string> names = that_exist(all_shown(subject.formulas), subject.formulas, order, notes);
+    for (const std::string_view name : subject.whole)
+      if (find_whole_evaluation(name)->role == Role::Batched) names.emplace_back(name);
+    return names;
+  }
   std::vector<std::string> known = all_shown(subject.formulas), chosen;
   for (const EvaluationFamily* family : EvaluationRegister::instance().families(subject.formulas.back()))
     known.insert(known.end(), family->standard.begin(), family->standard.end());

@@ -159,7 +159,7 @@ void add_bench(CommandLine& line, const std::string& command_line) {
       .showing_default("generic,near-face");
   command
       .option("--evaluations,--evaluation", a->options.evaluations,
-              "what is compared, of a kind batched as well; without: rules coarse to fine, the recommended evaluation, "
+              "what is compared; without: rules coarse to fine, the recommended evaluation, batched of a kind, "
               "printed forms")
       .taking("EVALUATIONS");
   command.option("--parameter", a->parameters, "nu=..., pieces=...").taking("NAME=VALUE").excludes(coordinates);

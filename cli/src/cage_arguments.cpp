@@ -2,6 +2,7 @@
 #include "commands.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
+#include "cageproof/core/cage/mesh_io.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/catalogue/named_parameters.h"
 #include "cageproof/core/catalogue/unknown_name.h"
@@ -9,10 +10,19 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace cageproof::cli {
 namespace {
+
+// SVG gives a polygon's direction no meaning, and readers of GeoJSON should not refuse either (RFC 7946, 3.1.6).
+bool is_drawn_either_way(const std::string& file) {
+  constexpr std::array<std::string_view, 3> extensions{".svg", ".geojson", ".json"};
+  return std::ranges::find(extensions, extension_of(file)) != extensions.end();
+}
 
 Mesh say_warnings(Mesh mesh) {
   for (const std::string& warning : mesh.warnings) fmt::print(stderr, "warning: {}\n", warning);
@@ -59,8 +69,9 @@ CageArguments::Merged CageArguments::load_merged() const {
     merging = merging_of(mesh.vertices, merge);
     mesh = merged(std::move(mesh), *merging, file);
   }
-  Cage cage = cage_from(say_warnings(as_cage_mesh(std::move(mesh), file)), file,
-                        {.flip_inward = flip_inward, .allow_invalid_quads = allow_invalid_quads});
+  Cage cage =
+      cage_from(say_warnings(as_cage_mesh(std::move(mesh), file)), file,
+                {.flip_inward = flip_inward || is_drawn_either_way(file), .allow_invalid_quads = allow_invalid_quads});
   for (const auto& warning : {folding_warning(cage), meeting_warning(cage), crossing_warning(cage)})
     if (warning) fmt::print(stderr, "warning: {}\n", *warning);
   return {std::move(cage), std::move(merging)};

@@ -188,8 +188,14 @@ std::string complaint_of(const CLI::App& app, const CLI::ParseError& error) {
   const std::string word = left.front().substr(0, left.front().find('='));
   if (!word.starts_with("-"))
     return fmt::format("unexpected '{}': no option of `cageproof {}` takes it {}", word, command.get_name(), help);
-  return fmt::format("unknown option '{}' of `cageproof {}`{} {}", word, command.get_name(),
-                     did_you_mean(word, option_names(command)), help);
+  const std::vector<std::string> known = option_names(command);
+  // Coordinates have kinds, and deformers methods, of nearly the same names.
+  for (const auto& [asked, meant] : {std::pair("--kind", "--method"), std::pair("--method", "--kind")})
+    if (word == asked && std::ranges::find(known, meant) != known.end())
+      return fmt::format("unknown option '{}' of `cageproof {}`; did you mean '{}'? {}", word, command.get_name(),
+                         meant, help);
+  return fmt::format("unknown option '{}' of `cageproof {}`{} {}", word, command.get_name(), did_you_mean(word, known),
+                     help);
 }
 
 }  // namespace cageproof::cli

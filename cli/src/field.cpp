@@ -36,12 +36,18 @@ struct Shown {
   MeshField outline;
 };
 
+Evaluation recommended_or_integral(const std::string& formula) {
+  auto& known = EvaluationRegister::instance();
+  auto recommended = known.with_role(formula, Role::Recommended);
+  return recommended ? *recommended : known.with_role(formula, Role::Integral).value();
+}
+
 Shown formula_field(const Arguments& a, RunResult& result) {
   const Formula& formula = formula_named(a.formula);
-  if (a.evaluation.empty()) throw InputError("--formula needs --evaluation");
-  const Evaluation evaluation = evaluation_named(a.formula, a.evaluation);
+  const Evaluation evaluation =
+      a.evaluation.empty() ? recommended_or_integral(a.formula) : evaluation_named(a.formula, a.evaluation);
   if (a.order > evaluation.max_order())
-    throw InputError(fmt::format("{} of {} gives no derivatives of order {}", a.evaluation, a.formula, a.order));
+    throw InputError(fmt::format("{} of {} gives no derivatives of order {}", evaluation.name(), a.formula, a.order));
   std::vector<std::vector<Vec3<double>>> elements;
   validation::SlicePlan slice;
   std::string where = fmt::format("one {}", name_of(formula.element));
@@ -66,7 +72,8 @@ Shown formula_field(const Arguments& a, RunResult& result) {
   }
   constexpr std::array orders{"value", "gradient", "Hessian"};
   return {validation::formula_error_field(elements, formula, evaluation, a.order, slice, a.jobs),
-          fmt::format("{}, {} of {}, {}", a.formula, orders[a.order], a.evaluation, where), "relative error", outline};
+          fmt::format("{}, {} of {}, {}", a.formula, orders[a.order], evaluation.name(), where), "relative error",
+          outline};
 }
 
 // "alpha:3": the block's label and the coordinate's index.
@@ -222,7 +229,7 @@ void add_field(CommandLine& line, const std::string& command_line) {
       what.option("--formula", a->formula, "relative error of a formula of the catalogue").taking("FORMULA");
   Option kind = what.option("--kind", a->kind, "partition of unity of a kind of cage coordinates").taking("KIND");
   Option evaluation =
-      command.option("--evaluation", a->evaluation, "one of its evaluations; of a kind, by default the recommended one")
+      command.option("--evaluation", a->evaluation, "one of its evaluations; by default the recommended one")
           .taking("EVALUATION");
   command.option("--coordinate", a->coordinate, "BLOCK:INDEX, as lambda:0: the values of that coordinate instead")
       .needs(kind)

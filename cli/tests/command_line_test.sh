@@ -117,6 +117,12 @@ refuses twice.obj 'segment 3 (line 5)' 'coincide' -- coordinates_in twice.obj
 write clockwise.obj 'v 0 0' 'v 1 0' 'v 0 1' 'l 1 3 2 1'
 refuses clockwise.obj clockwise 'line 4' --flip-inward -- coordinates_in clockwise.obj
 coordinates_in clockwise.obj --flip-inward >/dev/null || fail "--flip-inward of a polygon"
+# Where a format gives direction no meaning.
+write clockwise.svg '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0 0-1 1 0z"/></svg>'
+write clockwise.geojson '{"type":"Polygon","coordinates":[[[0,0],[0,1],[1,0],[0,0]]]}'
+for cage in clockwise.svg clockwise.geojson; do
+  coordinates_in $cage >"$work/stdout" && head -1 "$work/stdout" | grep -q '^phi_0,phi_1,phi_2,' || fail "a polygon of $cage"
+done
 write lifted.obj 'v 0 0 0' 'v 1 0 0' 'v 0 1 2' 'l 1 2 3 1'
 refuses lifted.obj 'vertex 2' '3D points for a polygon' -- coordinates_in lifted.obj
 write mixed.obj "$tetrahedron" "$good_faces" 'l 1 2 3 1'

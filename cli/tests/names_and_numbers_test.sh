@@ -27,6 +27,8 @@ refuses_to verify "did you mean 'closed_form'?" -- --evaluations gauss-8,closed_
 refuses_to verify "'near-*,,far' is no list" -- --regimes 'near-*,,far'
 refuses_to verify "no list" -- --regimes ' '
 refuses_to verify "'' is empty" -- --regimes ''
+refuses_to deform "did you mean '--method'?" -- --kind green
+refuses_to coordinates "did you mean '--kind'?" -- --method green
 refuses_to verify "no formula of 'triangle.*' has an evaluation 'line_form': quad.mean_value has" -- --formulas 'triangle.*' --evaluations closed_form,line_form
 refuses_to verify 'of gauss-<N>, N from 1 to 256, verification runs gauss-4, gauss-8, gauss-16' -- --evaluations closed_form,gauss-999
 refuses_to verify 'of tessellated-<n>, n from 1 to 512, verification runs tessellated-5' -- --evaluations tessellated-3000

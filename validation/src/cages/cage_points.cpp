@@ -4,6 +4,7 @@
 #include "cageproof/core/geometry/box.h"
 #include "cageproof/core/numbers/random_stream.h"
 #include "element/element_sampling.h"
+#include "run/fingerprint.h"
 
 #include <fmt/format.h>
 
@@ -85,9 +86,10 @@ Place CageLocator::place(const Vec& point) const {
 std::vector<CagePoint> points_off(const Cage& cage, const CageLocator& locator, std::uint64_t seed, int count) {
   const auto [low, high] = box_of(cage.vertices());
   const Vec margin = (high - low) / 4;
+  const std::string stream = fmt::format("cage/{}", drawn_by(cage));
   std::vector<CagePoint> points;
   for (int i = 0; i < count; ++i) {
-    RandomStream random(seed, fmt::format("cage/{}", cage.name()), i);
+    RandomStream random(seed, stream, i);
     Vec p = Vec::Zero();
     if (i % 2 == 0) {
       for (int c = 0; c < cage.dimension(); ++c) p[c] = random.uniform(low[c] - margin[c], high[c] + margin[c]);

@@ -4,6 +4,7 @@
 #include "cageproof/core/geometry/box.h"
 #include "cageproof/core/numbers/random_stream.h"
 #include "element/element_sampling.h"
+#include "run/fingerprint.h"
 
 #include <fmt/format.h>
 
@@ -205,8 +206,8 @@ constexpr std::array place_makers{PlaceMaker{"near-edge", near_edge},     PlaceM
 constexpr std::array<int, 24> schedule{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 0, 1, 9, 0, 1, 2, 8, 0, 10};
 
 // Where a cage begins in a sweep, so that cages that are asked for few samples are asked for different ones.
-int first_turn(const Cage& cage, int place) {
-  RandomStream random(0, fmt::format("cage regimes/{}", cage.name()), static_cast<std::uint64_t>(place));
+int first_turn(std::string_view stream, int place) {
+  RandomStream random(0, stream, static_cast<std::uint64_t>(place));
   return random.below(1000);
 }
 
@@ -234,18 +235,19 @@ std::vector<CageSample> cage_samples(const CageCoordinates& coordinates, const C
   std::vector<CagePoint> on = points_on(coordinates, cage);
   std::erase_if(on, [&](const CagePoint& p) { return !p.exact || elements.touching(p.point).empty(); });
   const auto [low, high] = box_of(elements.vertices());
+  const std::string stream = fmt::format("cage regimes/{}", drawn_by(cage));
   std::array<int, place_makers.size()> turns{};
-  for (std::size_t p = 0; p < place_makers.size(); ++p) turns[p] = first_turn(cage, static_cast<int>(p));
+  for (std::size_t p = 0; p < place_makers.size(); ++p) turns[p] = first_turn(stream, static_cast<int>(p));
   // Cages that are asked for few samples are asked for other places of other kinds.
-  const auto begin = static_cast<std::size_t>(
-      RandomStream(0, fmt::format("cage regimes/{}/{}", cage.name(), coordinates.kind().name), 0).below(12));
+  const auto begin =
+      static_cast<std::size_t>(RandomStream(0, fmt::format("{}/{}", stream, coordinates.kind().name), 0).below(12));
   std::vector<CageSample> samples;
   samples.reserve(count);
   for (int i = 0; i < count; ++i) {
     const auto turn = static_cast<std::size_t>(i);
     const int place = turn < place_makers.size() ? static_cast<int>((turn + begin) % place_makers.size())
                                                  : schedule[turn % schedule.size()];
-    RandomStream random(seed, fmt::format("cage regimes/{}/{}", cage.name(), place_makers[place].name), i);
+    RandomStream random(seed, fmt::format("{}/{}", stream, place_makers[place].name), i);
     CageSample sample{.place = place_makers[place].name, .index = static_cast<std::uint64_t>(i)};
     const Draw draw{elements, edges, locator, off, on, low, high, cage.size(), turns[place]++, random};
     if (place_makers[place].make(draw, sample)) samples.push_back(sample);

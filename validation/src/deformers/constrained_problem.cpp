@@ -4,6 +4,7 @@
 #include "cageproof/core/numbers/random_stream.h"
 #include "cageproof/core/catalogue/unknown_name.h"
 #include "deformer_campaign.h"
+#include "run/fingerprint.h"
 
 #include <fmt/format.h>
 
@@ -124,9 +125,10 @@ ConstrainedProblem constrained_problem(const ConstraintMethod& method, const Cag
   const std::vector<Face> elements = cage.parts(false, rule).elements;
   ConstrainedProblem found{cage.with(cage.vertices(), elements), {}, cage.size()};
   const std::size_t positions = positions_of(method, cage);
+  const std::string stream = fmt::format("constrained/{}", drawn_by(cage));
   for (std::size_t p = 0; p < positions; ++p) {
     Vec3<double> to = is_bent ? places[p] : rigid(places[p], cage.size());
-    RandomStream random(0, fmt::format("constrained/{}", cage.name()), p);
+    RandomStream random(0, stream, p);
     for (int c = 0; c < d && is_bent; ++c) to[c] += cage.size() * random.uniform(-0.05, 0.05);
     found.constraints.positions.push_back({places[p], to});
   }

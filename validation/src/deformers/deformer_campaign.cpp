@@ -6,6 +6,7 @@
 #include "constrained_checks.h"
 #include "cageproof/validation/promise.h"
 #include "promises/verdicts.h"
+#include "run/fingerprint.h"
 
 #include <fmt/format.h>
 
@@ -103,9 +104,10 @@ const std::vector<std::string_view>& deformer_cage_names() {
 std::vector<Vec3<double>> interior_points(const Cage& cage, Triangulation rule, std::uint64_t seed, int count) {
   const auto [low, high] = box_of(cage.vertices());
   const CageLocator locator(cage, rule);
+  const std::string stream = fmt::format("deformer/{}", drawn_by(cage));
   std::vector<Vec3<double>> points;
   for (int i = 0; i < count; ++i) {
-    RandomStream random(seed, fmt::format("deformer/{}", cage.name()), i);
+    RandomStream random(seed, stream, i);
     // Thin cages have no points so deep.
     constexpr int tries = 20000;
     bool found = false;

@@ -3,6 +3,7 @@
 
 #include "cageproof/core/numbers/random_stream.h"
 #include "cageproof/core/numbers/scalar_names.h"
+#include "run/fingerprint.h"
 
 #include <fmt/format.h>
 
@@ -51,8 +52,9 @@ std::vector<Vec3<double>> posed_by(const SpaceMap& map, const Cage& cage) {
 
 std::vector<Vec3<double>> bent(const Cage& cage) {
   std::vector<Vec3<double>> posed = cage.vertices();
+  const std::string stream = fmt::format("bent/{}", drawn_by(cage));
   for (std::size_t v = 0; v < posed.size(); ++v) {
-    RandomStream random(0, fmt::format("bent/{}", cage.name()), v);
+    RandomStream random(0, stream, v);
     for (int c = 0; c < cage.dimension(); ++c) posed[v][c] += cage.size() * random.uniform(-0.05, 0.05);
   }
   return posed;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "run/fingerprint.h"
 
+#include "cageproof/core/cage/embedded_cages.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 namespace cageproof::validation {
@@ -26,6 +29,12 @@ std::string fingerprint_of(const Cage& cage) {
   for (const Face& face : cage.faces())
     for (const int v : face.vertices) print.add(static_cast<std::uint64_t>(v) + 1);
   return print.text();
+}
+
+std::string drawn_by(const Cage& cage) {
+  for (const auto& names : {embedded_cage_names(), extreme_cage_names()})
+    if (std::ranges::find(names, cage.name()) != names.end()) return cage.name();
+  return fingerprint_of(cage);
 }
 
 std::string fingerprint_of(const Mesh& mesh) {
