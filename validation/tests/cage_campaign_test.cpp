@@ -264,6 +264,18 @@ TEST(locator, answers_in_cages_with_coinciding_corners) {
   }
 }
 
+TEST(points_off, are_those_of_a_files_content_whatever_its_name) {
+  const Cage cube = embedded_cage("cube");
+  std::vector<std::vector<Vec3<double>>> drawn;
+  for (const char* name : {"a.obj", "folder/b.obj"}) {
+    const Cage cage = Cage::make(name, cube.vertices(), cube.faces());
+    auto& points = drawn.emplace_back();
+    for (const CagePoint& p : points_off(cage, CageLocator(cage, Triangulation::Shortest), 1, 20))
+      points.push_back(p.point);
+  }
+  EXPECT_EQ(drawn[0], drawn[1]);
+}
+
 TEST(coordinates, green_derivatives_agree_with_differences) {
   const Cage cage = embedded_cage("l-block");
   const CageCoordinates green(cage, *find_coordinate_kind("green"), "closed_form", Triangulation::Shortest);

@@ -105,6 +105,22 @@ TEST(gradient_by_differences, fails_derivatives_that_are_zero_everywhere) {
   EXPECT_GT(largest(setting, flat)[1], 1e-3);
 }
 
+// Along one direction, which none of a tensor's entries is orthogonal to.
+TEST(gradient_by_differences, sees_each_entry) {
+  const Evaluation good = evaluation_named("triangle.double_layer", "closed_form");
+  const Setting setting{find_check("gradient_by_differences"), find_formula("triangle.double_layer"),
+                        ScalarKind::Digits200, find_regime("generic")};
+  EXPECT_LT(largest(setting, good)[2], 1e-30);
+  for (std::size_t entry = 0; entry < 9; ++entry) {
+    Evaluation wrong(good.formula().name, good.name(), good.facts());
+    wrong.set_point<Mp200>([good, entry](const Query<Mp200>& query, Result<Mp200>& result) {
+      good(query, result);
+      if (query.order == 2) result.hessian[entry] *= 1 + Mp200("1e-25");
+    });
+    EXPECT_GT(largest(setting, wrong)[2], 1e-28) << entry;
+  }
+}
+
 std::vector<std::string> check_names() {
   std::vector<std::string> names;
   for (const auto& check : checks()) names.emplace_back(check->name());
