@@ -31,8 +31,8 @@ class Fingerprint {
 std::string fingerprint_of(const Cage& cage);
 std::string fingerprint_of(const Mesh& mesh);
 
-/// What a cage's samples are drawn by: an embedded one's name, else its fingerprint, so that a file is judged alike
-/// wherever it lies.
+/// The name that a cage's samples are drawn by: its own where it is embedded, else its fingerprint, so that a file is
+/// judged alike wherever it lies.
 std::string drawn_by(const Cage& cage);
 
 }  // namespace cageproof::validation

@@ -14,8 +14,8 @@
 
 namespace cageproof::validation {
 
-/// What evaluations give at one sample, each found when first asked for. Evaluations are told apart by their formula's
-/// name and their own. Not for several threads at once.
+/// Results of evaluations at one sample, each computed when first asked for. Evaluations are told apart by their
+/// formula's name and their own. Not for several threads at once.
 class ResultsAtSample {
  public:
   explicit ResultsAtSample(const Sample& sample) : sample_(sample) {}
@@ -45,7 +45,7 @@ struct CheckInput {
   const Truth& truth;  ///< of the sample
   ResultsAtSample& results;
 
-  /// What the evaluation gives at the sample, up to the order.
+  /// The evaluation's result at the sample, up to the order.
   template <Scalar R>
   const Result<R>& result() const {
     return results.of<R>(evaluation, order);
