@@ -101,32 +101,6 @@ Cage two_cubes() {
   return Cage::make("two cubes", vertices, faces);
 }
 
-// Beside an octahedron that is pressed flat, terms of tractions are less than what a rounding of the input costs them.
-TEST(cage_errors, count_what_rounding_the_input_costs_the_terms) {
-  std::vector<Face> faces;
-  for (const std::array<int, 4>& f : {std::array{0, 2, 4, -1},
-                                      {2, 1, 4, -1},
-                                      {1, 3, 4, -1},
-                                      {3, 0, 4, -1},
-                                      {2, 0, 5, -1},
-                                      {1, 2, 5, -1},
-                                      {3, 1, 5, -1},
-                                      {0, 3, 5, -1}})
-    faces.push_back({f});
-  const Cage flat =
-      Cage::make("flat", {{1, 0, 0}, {-1, 0, 0}, {0, 0.01, 0}, {0, -0.01, 0}, {0, 0, 1}, {0, 0, -1}}, faces);
-  const CoordinateKind& kind = coordinate_kind_named("somigliana");
-  const CageCoordinates coordinates(flat, kind, {});
-  const CageTerms terms(flat, kind, Triangulation::Shortest);
-  const Vec point(-0x1.228f12386036ap+0, -0x1.3089a531d45b1p-7, 0x1.6762f1b1617e8p+0);
-  const TermSizes sizes = terms.at(point, 0), conditioned = terms.conditioned_at(point, 0);
-  EXPECT_GT(conditioned.blocks[0][0], 1.5 * sizes.blocks[0][0]);
-  EXPECT_LT(truth_errors_at(coordinates, coordinates, point, 0, &terms)[0].roundings, 64);
-  // However near to the cage.
-  const Vec beside(0.25, 1e-2 * 0.5 * (1 - 0.25 - 0.25) + 1e-7, 0.25);
-  EXPECT_LE(terms.conditioned_at(beside, 2).blocks[0][2], 4 * terms.at(beside, 2).blocks[0][2]);
-}
-
 // A corner of the second cube is pulled into the first: its quads are twisted, and wind twice where their triangles
 // wind once.
 TEST(cage_errors, expect_the_winding_number_of_quads_where_twisted_ones_overlap) {

@@ -186,18 +186,6 @@ CageErrors errors_with(const CageCoordinates& coordinates, const Cage& cage, con
   return errors;
 }
 
-// Elements promise units of what rounding their input costs, which may be more than their terms. It takes several times
-// as long to know, and is asked for where a quarter of the promise is spent.
-constexpr double much = 16;
-
-bool are_much(const CageErrors& errors) {
-  double largest = errors.laplacian.roundings > much ? errors.laplacian.roundings : 0;
-  for (const auto* of_check : {&errors.partition, &errors.reproduction})
-    for (const CageError& error : *of_check)
-      if (error.roundings > largest) largest = error.roundings;
-  return largest > much;
-}
-
 }  // namespace
 
 CageErrors errors_of(const CageCoordinates& coordinates, const Cage& cage, const std::vector<Result<double>>& blocks,
@@ -211,18 +199,15 @@ CageErrors errors_at(const CageCoordinates& coordinates, const Cage& cage, const
   if (!coordinates.kind().missing_because.empty() && std::isnan(blocks[0].value[0])) return {};
   if (terms == nullptr) return errors_of(coordinates, cage, blocks, point, expected, order);
   const TermSizes of_terms = terms->at(point, order);
-  CageErrors errors = errors_with(coordinates, cage, blocks, point, expected, order, &of_terms);
-  if (!are_much(errors)) return errors;
-  const TermSizes conditioned = terms->conditioned_at(point, order);
-  return errors_with(coordinates, cage, blocks, point, expected, order, &conditioned);
+  return errors_with(coordinates, cage, blocks, point, expected, order, &of_terms);
 }
 
-namespace {
-
-// \param terms sizes at the point, where they are known
-std::array<CageError, 3> truth_errors_with(const std::vector<Result<double>>& found,
-                                           const std::vector<Result<Mp50>>& truth, int order, const TermSizes* terms) {
+std::array<CageError, 3> truth_errors_at(const CageCoordinates& coordinates, const CageCoordinates& reference,
+                                         const Vec3<double>& point, int order, const CageTerms* terms) {
   std::array<CageError, 3> worst;
+  const auto found = coordinates.at<double>(point, order);
+  const auto truth = reference.at<Mp50>(convert<Mp50>(point), order);
+  const TermSizes of_terms = terms ? terms->at(point, order) : TermSizes{};
   for (int o = 0; o <= order; ++o)
     for (std::size_t b = 0; b < found.size(); ++b) {
       Mp50 error = 0, size = 0;
@@ -233,23 +218,10 @@ std::array<CageError, 3> truth_errors_with(const std::vector<Result<double>>& fo
       }
       if (!isfinite(size)) continue;
       const auto norm = static_cast<double>(Mp50(sqrt(size)));
-      keep_worst(worst[o], error_of(static_cast<double>(Mp50(sqrt(error))), terms ? terms->blocks[b][o] : norm, norm));
+      keep_worst(worst[o],
+                 error_of(static_cast<double>(Mp50(sqrt(error))), terms ? of_terms.blocks[b][o] : norm, norm));
     }
   return worst;
-}
-
-}  // namespace
-
-std::array<CageError, 3> truth_errors_at(const CageCoordinates& coordinates, const CageCoordinates& reference,
-                                         const Vec3<double>& point, int order, const CageTerms* terms) {
-  const auto found = coordinates.at<double>(point, order);
-  const auto truth = reference.at<Mp50>(convert<Mp50>(point), order);
-  if (terms == nullptr) return truth_errors_with(found, truth, order, nullptr);
-  const TermSizes of_terms = terms->at(point, order);
-  const auto errors = truth_errors_with(found, truth, order, &of_terms);
-  if (std::ranges::none_of(errors, [](const CageError& error) { return error.roundings > much; })) return errors;
-  const TermSizes conditioned = terms->conditioned_at(point, order);
-  return truth_errors_with(found, truth, order, &conditioned);
 }
 
 }  // namespace cageproof::validation

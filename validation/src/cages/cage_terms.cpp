@@ -9,10 +9,6 @@
 namespace cageproof::validation {
 namespace {
 
-// Elements would promise 1000/64 times their terms. The largest that was found of healthy ones is 1.7: twice that, so
-// that two lost digits are still seen.
-constexpr double most_conditioned = 4;
-
 // Over that of the identity where a coordinate is a matrix; a number counts as that multiple of the identity.
 double coordinate_norm(const double* entries, std::size_t width, std::size_t stride, int dim) {
   if (width == 1) return std::abs(*entries);
@@ -69,9 +65,7 @@ CageTerms::CageTerms(const Cage& cage, const CoordinateKind& kind, Triangulation
     : CageTerms(cage, CageCoordinates(cage, kind, CoordinateOptions{.triangulation = rule}), judged) {}
 
 CageTerms::CageTerms(const Cage& cage, CageCoordinates coordinates, std::string_view judged)
-    : size_(cage.size()),
-      moved_(find_whole_evaluation(judged) != nullptr ? cage.size() : 0),
-      coordinates_(std::move(coordinates)) {
+    : moved_(find_whole_evaluation(judged) != nullptr ? cage.size() : 0), coordinates_(std::move(coordinates)) {
   const CoordinateKind& kind = coordinates_.kind();
   for (const Parameter& p : parameters_of(kind)) parameters_.push_back(p.preset);
   if (!kind.is_sum()) return;
@@ -160,32 +154,6 @@ TermSizes CageTerms::at(const Vec3<double>& point, int order) const {
   TermSizes sizes = sizes_of_terms(point, order);
   if (moved_ > 0) add_moved_point(point, order, sizes);
   return sizes;
-}
-
-TermSizes CageTerms::conditioned_at(const Vec3<double>& point, int order) const {
-  const TermSizes sizes = at(point, order);
-  TermSizes changes = sizes;
-  // Far below every distance that is promised, far above the rounding of the sizes.
-  const double step = 1e-9 * size_;
-  for (int axis = 0; axis < coordinates_.dimension(); ++axis) {
-    Vec3<double> moved_point = point;
-    moved_point[axis] += step;
-    const TermSizes moved = at(moved_point, order);
-    const double factor = std::abs(point[axis]) / (moved_point[axis] - point[axis]);
-    for (int o = 0; o <= order; ++o) {
-      changes.ones[o] += factor * std::abs(moved.ones[o] - sizes.ones[o]);
-      changes.positions[o] += factor * std::abs(moved.positions[o] - sizes.positions[o]);
-      for (std::size_t b = 0; b < sizes.blocks.size(); ++b)
-        changes.blocks[b][o] += factor * std::abs(moved.blocks[b][o] - sizes.blocks[b][o]);
-    }
-  }
-  for (int o = 0; o <= order; ++o) {
-    changes.ones[o] = std::min(changes.ones[o], most_conditioned * sizes.ones[o]);
-    changes.positions[o] = std::min(changes.positions[o], most_conditioned * sizes.positions[o]);
-    for (std::size_t b = 0; b < sizes.blocks.size(); ++b)
-      changes.blocks[b][o] = std::min(changes.blocks[b][o], most_conditioned * sizes.blocks[b][o]);
-  }
-  return changes;
 }
 
 TermSizes CageTerms::sizes_of_terms(const Vec3<double>& point, int order) const {

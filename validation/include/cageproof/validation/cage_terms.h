@@ -48,10 +48,6 @@ class CageTerms {
   CageTerms(const Cage& cage, CageCoordinates coordinates, std::string_view judged = {});
   /// \pre the point lies off the cage, or the kind is no sum; order <= CageCoordinates::max_order()
   TermSizes at(const Vec3<double>& point, int order) const;
-  /// The same, and in addition what rounding the point's coordinates changes them by: terms that grow like a power of
-  /// one over the distance to the cage change by more than they are. At most four times as much. \pre as at(); the
-  /// point lies off the cage
-  TermSizes conditioned_at(const Vec3<double>& point, int order) const;
 
  private:
   struct Sums;
@@ -61,7 +57,6 @@ class CageTerms {
   TermSizes sizes_of_terms(const Vec3<double>& point, int order) const;
   void add_moved_point(const Vec3<double>& point, int order, TermSizes& sizes) const;
 
-  double size_;
   double moved_;  // by how much the point is moved: the cage's size, or not at all
   CageCoordinates coordinates_;
   std::vector<double> parameters_;
