@@ -10,7 +10,7 @@
 
 namespace cageproof::validation {
 
-/// A unit vector drawn by the point, so that no two points have the same, each of whose components is at least a sixth.
+/// A unit vector, drawn by the point's first coordinate. Each of its components is at least a sixth.
 template <Scalar R>
 Vec3<R> generic_direction(const Vec3<double>& point, int dim) {
   RandomStream random(0, "direction", std::bit_cast<std::uint64_t>(point[0]));
