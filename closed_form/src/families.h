@@ -9,10 +9,10 @@
 namespace cageproof::closed_form {
 
 /// The algebra, kept to its promise. \param fill sets its functions in all scalars
-inline EvaluationFamily closed_form_family(std::string_view formula, std::string description,
+inline EvaluationFamily closed_form_family(std::string_view formula, std::string_view description,
                                            std::function<void(Evaluation&)> fill) {
   return single_family(formula, "closed_form",
-                       {.description = std::move(description), .role = Role::ClosedForm, .cost = CostClass::Direct},
+                       {.description = std::string(description), .role = Role::ClosedForm, .cost = CostClass::Direct},
                        true, std::move(fill));
 }
 

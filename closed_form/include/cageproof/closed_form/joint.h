@@ -16,6 +16,39 @@ void with_order(int order, F&& f) {
   else f.template operator()<2>();
 }
 
+/// Corners as an array of them, in its own scalar.
+template <class Corners, Scalar R>
+Corners corners_in(std::span<const Vec3<R>> given) {
+  Corners corners;
+  for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = convert<typename Corners::value_type::Scalar>(given[k]);
+  return corners;
+}
+
+/// A formula's parameters in another scalar. \pre at most four, as of any formula of the catalogue
+template <Scalar W>
+class ParametersIn {
+ public:
+  template <Scalar R>
+  explicit ParametersIn(std::span<const R> given) : count_(given.size()) {
+    for (std::size_t i = 0; i < count_; ++i) parameters_[i] = W(given[i]);
+  }
+  std::span<const W> all() const { return std::span<const W>(parameters_).first(count_); }
+
+ private:
+  std::array<W, 4> parameters_;
+  std::size_t count_;
+};
+
+/// Scalars as a list.
+template <Scalar... R>
+struct Scalars {
+  /// Calls `f.template operator()<S>()` for each of them.
+  template <class F>
+  static void each(F&& f) {
+    (f.template operator()<R>(), ...);
+  }
+};
+
 /// How one closed form puts its tensors up to order O at a point. `At<R, O>` is what the formulas of the element kind
 /// share there.
 template <class At, Scalar R>

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Enters a formula's hybrid into the register, whatever kind of element it is on.
+#pragma once
+
+#include "algebra.h"
+
+#include "cageproof/closed_form/joint.h"
+
+namespace cageproof::fast {
+
+/// What hybrids on one kind of element share: the corners, and at each point what the engine sees of them in double.
+template <class Engine>
+struct SharedOn {
+  template <Scalar R>
+  struct Element {
+    std::span<const Vec3<R>> given;
+    typename Engine::Corners corners;
+
+    explicit Element(std::span<const Vec3<R>> of)
+        : given(of), corners(closed_form::corners_in<typename Engine::Corners>(of)) {}
+  };
+  template <Scalar R, int O>
+  struct At {
+    const Element<R>& element;
+    const Vec3<R>& given;
+    Vec3<double> point;
+    typename Engine::template Seen<O> seen;
+
+    At(const Element<R>& on, const Vec3<R>& at)
+        : element(on), given(at), point(convert<double>(at)), seen(on.corners, point) {}
+  };
+};
+
+/// Puts the tensors of the form F at a point.
+template <class Engine, class F>
+struct PutHybrid {
+  template <Scalar R, int O>
+  static void put(typename SharedOn<Engine>::template At<R, O>& at, std::span<const R> parameters, bool finite_part,
+                  std::size_t point, const BatchOutput<R>& output) {
+    const closed_form::ParametersIn<double> wide(parameters);
+    if (const auto jet = Engine::template jet<F, O>(at.seen, wide.all(), finite_part))
+      return closed_form::put(closed_form::narrowed<R>(*jet), O, point, output);
+    Algebra<F>::put(at.element.given, at.given, O, parameters, finite_part, point, output);
+  }
+};
+
+/// \tparam Engine of the element's kind: `Corners` in double, an array of them; `Seen<O>`, made of these and a point;
+///   `jet<F, O>(seen, parameters, finite_part)`, none where the algebra is to be taken
+template <class Engine, class F>
+class RegisterHybridOn {
+ public:
+  explicit RegisterHybridOn(std::string_view formula)
+      : family_(hybrid_family(formula, [](Evaluation& evaluation) { set_hybrid<F>(evaluation, kMember); })) {
+    Algebra<F>::formula = formula;
+  }
+
+ private:
+  static constexpr auto kMember =
+      closed_form::Member<SharedOn<Engine>>::template of<PutHybrid<Engine, F>, float, double>();
+
+  RegisterEvaluation family_;
+};
+
+}  // namespace cageproof::fast
