@@ -6,7 +6,7 @@
 
 #include "cageproof/closed_form/arithmetic/bounded_jet.h"
 #include "cageproof/closed_form/arithmetic/spacing.h"
-#include "cageproof/closed_form/joint.h"
+#include "cageproof/closed_form/explain.h"
 
 #include <cmath>
 
@@ -52,10 +52,12 @@ struct PutForm {
   }
 };
 
+/// \param formula lives as long as the program
 /// \tparam Engine of the element's kind:
 ///   `kAlgebra`, the closed form in words; `Corners<R>`, an array of them;
 ///   `Seen<R, O>`, made of corners and a point, from which `bounded_form<F, O>` finds a jet with a bound;
 ///   `plain<F, O, R>(corners, point, parameters, finite_part)`;
+///   `explain<F, O>(query, values, entry)`, an Explanation of the tensor of order O;
 ///   `StatedIn`, the scalars that its `accurate` is for
 template <class Engine, class F>
 class RegisterFormOn {
@@ -68,10 +70,12 @@ class RegisterFormOn {
                                  [](Evaluation& evaluation) {
                                    Engine::StatedIn::each([&]<Scalar R>() { evaluation.set_batch<R>(careful<R>); });
                                  })),
-        plain_(plain_family(formula, [](Evaluation& evaluation) {
-          evaluation.set_batch<float>(plainly<float>);
-          evaluation.set_batch<double>(plainly<double>);
-        })) {}
+        plain_(plain_family(formula,
+                            [](Evaluation& evaluation) {
+                              evaluation.set_batch<float>(plainly<float>);
+                              evaluation.set_batch<double>(plainly<double>);
+                            })),
+        explainer_(formula, "closed_form", &explain_on<Engine, F>) {}
 
  private:
   using Shared = SharedOn<Engine>;
@@ -103,13 +107,13 @@ class RegisterFormOn {
     const auto corners = corners_in<typename Engine::template Corners<R>>(batch.corners);
     with_order(batch.order, [&]<int O>() {
       for (std::size_t p = 0; p < batch.points.size(); ++p)
-        closed_form::put(
-            Engine::template plain<F, O, R>(corners, batch.points[p], batch.parameters, batch.finite_part), O, p,
-            output);
+        closed_form::put(Engine::template plain<F, O, R>(corners, batch.points[p], batch.parameters, batch.finite_part),
+                         O, p, output);
     });
   }
 
   RegisterEvaluation kept_, careful_, plain_;
+  RegisterExplainer explainer_;
 };
 
 }  // namespace cageproof::closed_form

@@ -4,7 +4,7 @@
 
 #include "algebra.h"
 
-#include "cageproof/closed_form/joint.h"
+#include "cageproof/closed_form/explain.h"
 
 namespace cageproof::fast {
 
@@ -45,12 +45,14 @@ struct PutHybrid {
 };
 
 /// \tparam Engine of the element's kind: `Corners` in double, an array of them; `Seen<O>`, made of these and a point;
-///   `jet<F, O>(seen, parameters, finite_part)`, none where the algebra is to be taken
+///   `jet<F, O>(seen, parameters, finite_part)`, none where the algebra is to be taken;
+///   `explain<F, O>(query, values, entry)`, an Explanation of the tensor of order O
 template <class Engine, class F>
 class RegisterHybridOn {
  public:
   explicit RegisterHybridOn(std::string_view formula)
-      : family_(hybrid_family(formula, [](Evaluation& evaluation) { set_hybrid<F>(evaluation, kMember); })) {
+      : family_(hybrid_family(formula, [](Evaluation& evaluation) { set_hybrid<F>(evaluation, kMember); })),
+        explainer_(formula, "hybrid", &closed_form::explain_on<Engine, F>) {
     Algebra<F>::formula = formula;
   }
 
@@ -59,6 +61,7 @@ class RegisterHybridOn {
       closed_form::Member<SharedOn<Engine>>::template of<PutHybrid<Engine, F>, float, double>();
 
   RegisterEvaluation family_;
+  closed_form::RegisterExplainer explainer_;
 };
 
 }  // namespace cageproof::fast

@@ -28,6 +28,7 @@ const RegisterFormula row{{.name = "segment.turns",
                            .shape = {.per_corner = true},
                            .degree = 0,
                            .flip_sign = -1,
+                           .vanishes_in_plane = true,
                            .laplacian = {Laplacian::Kind::Zero},
                            .face_jump = {.number = 1},
                            .parameters = {}}};

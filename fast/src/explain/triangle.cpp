@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "triangle.h"
 
-#include "cageproof/closed_form/triangle/affine_single_layer.h"
-#include "cageproof/closed_form/triangle/biharmonic_double_layer.h"
-#include "cageproof/closed_form/triangle/biharmonic_single_layer.h"
-#include "cageproof/closed_form/triangle/double_layer.h"
-#include "cageproof/closed_form/triangle/kelvin_displacement.h"
-#include "cageproof/closed_form/triangle/kelvin_traction.h"
-#include "cageproof/closed_form/triangle/mean_value.h"
-#include "cageproof/closed_form/triangle/single_layer.h"
-#include "cageproof/closed_form/triangle/solid_angle.h"
-
 namespace cageproof::fast::triangle {
 
 std::string description_of(Route route, const Panels& panels, bool is_kept) {
@@ -28,19 +18,4 @@ std::string description_of(Route route, const Panels& panels, bool is_kept) {
                  : "near form in more digits, since in double the bound of its error was too large";
 }
 
-namespace {
-
-const RegisterExplainer explainers[] = {
-    {"triangle.single_layer", "hybrid", &explain_form<SingleLayer>},
-    {"triangle.double_layer", "hybrid", &explain_form<DoubleLayer>},
-    {"triangle.solid_angle", "hybrid", &explain_form<SolidAngle>},
-    {"triangle.biharmonic_single_layer", "hybrid", &explain_form<BiharmonicSingleLayer>},
-    {"triangle.biharmonic_double_layer", "hybrid", &explain_form<BiharmonicDoubleLayer>},
-    {"triangle.affine_single_layer", "hybrid", &explain_form<AffineSingleLayer>},
-    {"triangle.kelvin_displacement", "hybrid", &explain_form<KelvinDisplacement>},
-    {"triangle.kelvin_traction", "hybrid", &explain_form<KelvinTraction>},
-    {"triangle.mean_value", "hybrid", &explain_form<MeanValue>},
-};
-
-}  // namespace
 }  // namespace cageproof::fast::triangle

@@ -45,11 +45,4 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   return explanation;
 }
 
-template <class F>
-Explanation explain_form(const Query<double>& query, std::span<const double> values, std::optional<std::size_t> entry) {
-  if (query.order == 0) return explain_order<F, 0>(query, values, entry);
-  if (query.order == 1) return explain_order<F, 1>(query, values, entry);
-  return explain_order<F, 2>(query, values, entry);
-}
-
 }  // namespace cageproof::fast::triangle

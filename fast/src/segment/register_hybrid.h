@@ -2,6 +2,7 @@
 // Enters a segment formula's hybrid into the register.
 #pragma once
 
+#include "../explain/segment.h"
 #include "../register_hybrid.h"
 #include "hybrid.h"
 
@@ -15,6 +16,11 @@ struct Engine {
   template <class F, int O>
   static auto jet(const SeenSegment& seen, std::span<const double> parameters, bool finite_part) {
     return hybrid<F, O>(seen, parameters, finite_part);
+  }
+  template <class F, int O>
+  static closed_form::Explanation explain(const Query<double>& query, std::span<const double> values,
+                                          std::optional<std::size_t> entry) {
+    return explain_order<F, O>(query, values, entry);
   }
 };
 

@@ -2,6 +2,7 @@
 // Enters a triangle formula's hybrid into the register.
 #pragma once
 
+#include "../explain/triangle.h"
 #include "../register_hybrid.h"
 
 #include "cageproof/closed_form/triangle/engine/shared_instances.h"
@@ -17,6 +18,11 @@ struct Engine {
   template <class F, int O>
   static auto jet(HybridMoments<O>& seen, std::span<const double> parameters, bool /*finite_part*/) {
     return hybrid<F, O>(seen, parameters).jet;
+  }
+  template <class F, int O>
+  static closed_form::Explanation explain(const Query<double>& query, std::span<const double> values,
+                                          std::optional<std::size_t> entry) {
+    return explain_order<F, O>(query, values, entry);
   }
 };
 

@@ -47,8 +47,8 @@ bool is_lost(const Formula& formula, const Mp200& height, const Result<W>& sums,
     return false;
   } else {
     const W least = std::ldexp(std::numeric_limits<W>::min(), 60);
-    if (formula.flip_sign < 0 && height == 0) return false;
-    if (formula.flip_sign < 0 && abs(height) < least) return true;
+    if (formula.vanishes_in_plane && height == 0) return false;
+    if (formula.vanishes_in_plane && abs(height) < least) return true;
     for (int o = 0; o <= order; ++o)
       if (norm(sums.of(o)) < least) return true;
     return false;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/counted_tape.h"
-#include "cageproof/core/catalogue/batch.h"
+#include "cageproof/closed_form/joint.h"
 
 #include <optional>
 #include <span>
@@ -31,6 +31,14 @@ struct Explanation {
 using Explainer = Explanation (*)(const Query<double>& query, std::span<const double> values,
                                   std::optional<std::size_t> entry);
 
+/// The Explainer of the form F on the Engine's kind of element: `explain<F, O>(query, values, entry)` of query.order.
+template <class Engine, class F>
+Explanation explain_on(const Query<double>& query, std::span<const double> values, std::optional<std::size_t> entry) {
+  Explanation explanation;
+  with_order(query.order, [&]<int O>() { explanation = Engine::template explain<F, O>(query, values, entry); });
+  return explanation;
+}
+
 /// An evaluation of a formula at a point, explained. \param evaluation one of explained_evaluations() \param result
 /// that evaluation's, up to query.order
 /// \throws InputError where the evaluation is not run in counted numbers, or has no such entry
@@ -50,7 +58,7 @@ void choose(Explanation& explanation, const CountedTape& tape, std::span<const C
 /// The same where nothing in double was run.
 void choose_none(Explanation& explanation, std::span<const double> values, std::optional<std::size_t> entry);
 
-/// `const RegisterExplainer r{"triangle.<kernel>", "<evaluation>", &explain};` at namespace scope of a .cpp.
+/// A member or a variable that lives as long as the program. \param formula and evaluation live as long
 struct RegisterExplainer {
   RegisterExplainer(std::string_view formula, std::string_view evaluation, Explainer explainer);
 };

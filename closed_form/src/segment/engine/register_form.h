@@ -5,6 +5,7 @@
 #include "../../register_form.h"
 #include "cageproof/closed_form/segment/engine/closed_form.h"
 #include "cageproof/closed_form/segment/engine/plain.h"
+#include "explain.h"
 
 namespace cageproof::closed_form::segment {
 
@@ -19,6 +20,11 @@ struct Engine {
   template <class F, int O, class R>
   static auto plain(const Segment<R>& s, const Vec3<R>& eta, std::span<const R> parameters, bool finite_part) {
     return segment::plain<F, O, R>(s, eta, parameters, finite_part);
+  }
+  template <class F, int O>
+  static Explanation explain(const Query<double>& query, std::span<const double> values,
+                             std::optional<std::size_t> entry) {
+    return explain_order<F, O>(query, values, entry);
   }
 };
 

@@ -31,8 +31,7 @@ class AdaptiveSum {
         order_(task.order),
         caster_(frame, integrand, task),
         total_(integrand, order_) {
-    if (integrand.formula.flip_sign < 0 && integrand.formula.degree == 2)
-      cancelled_ = 1 + frame.distance / longest_edge(frame);
+    if (integrand.formula.gradient_cancels_above) cancelled_ = 1 + frame.distance / longest_edge(frame);
   }
 
   /// Refines until the bound meets the tolerance; false when it could not.
@@ -54,7 +53,7 @@ class AdaptiveSum {
   W disc_;
   const Integrand& integrand_;
   int order_;
-  // Straight above a triangle the gradient of x.n/r has terms that cancel by its size over the distance.
+  // What terms of the gradient lose far above the triangle.
   W cancelled_ = 1;
   RayCaster<W> caster_;
   Result<W> ray_, difference_t_, difference_w_;

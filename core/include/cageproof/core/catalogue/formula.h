@@ -98,6 +98,11 @@ struct Formula {
   Shape shape;
   int degree;     ///< Behaviour::degree
   int flip_sign;  ///< +1 or -1: the factor when the element's orientation is reversed
+  /// Whether the kernel has the factor x.n: it vanishes where the point is in a flat element's plane, or on a segment's
+  /// line.
+  bool vanishes_in_plane = false;
+  /// Whether straight above a flat element terms of the gradient cancel, by the distance over the element's size.
+  bool gradient_cancels_above = false;
   Laplacian laplacian;
   FaceJump face_jump;
   std::vector<Parameter> parameters;

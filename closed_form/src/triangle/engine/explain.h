@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The triangle's closed forms in numbers that count: the near form in double, and how far up the ladder its bound sent
-// the evaluation.
-#include "cageproof/closed_form/triangle/affine_single_layer.h"
-#include "cageproof/closed_form/triangle/biharmonic_double_layer.h"
-#include "cageproof/closed_form/triangle/biharmonic_single_layer.h"
-#include "cageproof/closed_form/triangle/double_layer.h"
+// A triangle's closed form in numbers that count: the near form in double, and how far up the ladder its bound sent the
+// evaluation.
+#pragma once
+
+#include "../../explain/rung.h"
 #include "cageproof/closed_form/triangle/engine/closed_form.h"
 #include "cageproof/closed_form/triangle/engine/counted.h"
-#include "cageproof/closed_form/triangle/kelvin_displacement.h"
-#include "cageproof/closed_form/triangle/kelvin_traction.h"
-#include "cageproof/closed_form/triangle/mean_value.h"
-#include "cageproof/closed_form/triangle/single_layer.h"
-#include "cageproof/closed_form/triangle/solid_angle.h"
-#include "rung.h"
 
 namespace cageproof::closed_form::triangle {
-namespace {
 
+/// Of the tensor of order O.
 template <class F, int O>
 Explanation explain_order(const Query<double>& query, std::span<const double> values,
                           std::optional<std::size_t> entry) {
@@ -47,24 +40,4 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   return explanation;
 }
 
-template <class F>
-Explanation explain_form(const Query<double>& query, std::span<const double> values, std::optional<std::size_t> entry) {
-  if (query.order == 0) return explain_order<F, 0>(query, values, entry);
-  if (query.order == 1) return explain_order<F, 1>(query, values, entry);
-  return explain_order<F, 2>(query, values, entry);
-}
-
-const RegisterExplainer explainers[] = {
-    {"triangle.single_layer", "closed_form", &explain_form<SingleLayer>},
-    {"triangle.double_layer", "closed_form", &explain_form<DoubleLayer>},
-    {"triangle.solid_angle", "closed_form", &explain_form<SolidAngle>},
-    {"triangle.biharmonic_single_layer", "closed_form", &explain_form<BiharmonicSingleLayer>},
-    {"triangle.biharmonic_double_layer", "closed_form", &explain_form<BiharmonicDoubleLayer>},
-    {"triangle.affine_single_layer", "closed_form", &explain_form<AffineSingleLayer>},
-    {"triangle.kelvin_displacement", "closed_form", &explain_form<KelvinDisplacement>},
-    {"triangle.kelvin_traction", "closed_form", &explain_form<KelvinTraction>},
-    {"triangle.mean_value", "closed_form", &explain_form<MeanValue>},
-};
-
-}  // namespace
 }  // namespace cageproof::closed_form::triangle
