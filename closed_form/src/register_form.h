@@ -95,7 +95,7 @@ class RegisterFormOn {
         const auto jet = narrowed<R>(f.jet);
         closed_form::put(jet, O, p, output);
         const double rounding = std::same_as<R, double> || f.worst() == 0 ? 0 : 2 * u, worst = f.worst() + rounding;
-        const double error = worst + share_of_spacing(jet, O);
+        const double error = worst + share_of_spacing(jet, f.bound, O);
         output.state(p, {.digits = error > 0 ? -std::log10(error) : std::numeric_limits<double>::quiet_NaN(),
                          .converged = worst <= 128 * u});
       }

@@ -231,17 +231,21 @@ TEST(segment_accurate, zeros_beside_infinite_entries_count_from_the_least_normal
 }
 
 TEST(segment_accurate, states_no_digits_that_subnormal_numbers_have_not) {
+  constexpr std::array<double, 3> exact{}, rounded{0x1p-53, 0, 0};
   Jet<double, 1, 2> jet;
   jet.value[0] = 0x1p-1064;
   jet.gradient[0] = {1, 0x1p-1074};
-  EXPECT_EQ(share_of_spacing(jet, 0), 0x1p-10);
-  EXPECT_EQ(share_of_spacing(jet, 1), 0x1p-10);
+  EXPECT_EQ(share_of_spacing(jet, exact, 0), 0x1p-10);
+  EXPECT_EQ(share_of_spacing(jet, exact, 1), 0x1p-10);
   jet.value[0] = 0x1p-1000;
-  EXPECT_EQ(share_of_spacing(jet, 0), 0);
-  EXPECT_EQ(share_of_spacing(jet, 1), 0x1p-1074);
+  EXPECT_EQ(share_of_spacing(jet, exact, 0), 0);
+  EXPECT_EQ(share_of_spacing(jet, exact, 1), 0x1p-1074);
   Jet<float, 1, 2> in_float;
   in_float.value[0] = 0x1p-140F;
-  EXPECT_EQ(share_of_spacing(in_float, 0), 0x1p-9);
+  EXPECT_EQ(share_of_spacing(in_float, exact, 0), 0x1p-9);
+  in_float.value[0] = 0;
+  EXPECT_EQ(share_of_spacing(in_float, exact, 0), 0);
+  EXPECT_EQ(share_of_spacing(in_float, rounded, 0), 1);
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 
 #include "cageproof/closed_form/explain.h"
 
+#include <cmath>
+#include <concepts>
+
 namespace cageproof::fast {
 
 /// What hybrids on one kind of element share: the corners, and at each point what the engine sees of them in double.
@@ -31,6 +34,14 @@ struct SharedOn {
   };
 };
 
+/// Whether all entries are finite.
+template <class R, int C, int D>
+bool is_finite(const closed_form::Jet<R, C, D>& jet) {
+  for (int c = 0; c < C; ++c)
+    if (!std::isfinite(jet.value[c]) || !jet.gradient[c].allFinite() || !jet.hessian[c].allFinite()) return false;
+  return true;
+}
+
 /// Puts the tensors of the form F at a point.
 template <class Engine, class F>
 struct PutHybrid {
@@ -38,8 +49,11 @@ struct PutHybrid {
   static void put(typename SharedOn<Engine>::template At<R, O>& at, std::span<const R> parameters, bool finite_part,
                   std::size_t point, const BatchOutput<R>& output) {
     const closed_form::ParametersIn<double> wide(parameters);
-    if (const auto jet = Engine::template jet<F, O>(at.seen, wide.all(), finite_part))
-      return closed_form::put(closed_form::narrowed<R>(*jet), O, point, output);
+    if (const auto jet = Engine::template jet<F, O>(at.seen, wide.all(), finite_part)) {
+      const auto narrow = closed_form::narrowed<R>(*jet);
+      // Beside entries that float cannot hold, others have no digits of double's norm.
+      if (std::same_as<R, double> || is_finite(narrow)) return closed_form::put(narrow, O, point, output);
+    }
     Algebra<F>::put(at.element.given, at.given, O, parameters, finite_part, point, output);
   }
 };

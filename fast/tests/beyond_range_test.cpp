@@ -3,8 +3,10 @@
 // stay numbers where their own size allows it: against truths in 1500 digits, from mpmath's logarithms of hat
 // functions' Cauchy transforms, and against what coordinates reproduce.
 #include "cageproof/core/cage/cage.h"
+#include "cageproof/core/catalogue/evaluation.h"
 #include "cageproof/core/coordinates/coordinates.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -124,6 +126,76 @@ TEST(beyond_range, mean_values_next_to_a_vertex_reproduce_to_first_order) {
       EXPECT_LE((sum - Place::Unit(i)).norm(), 1e-13) << d;
     }
   }
+}
+
+// Next to a rectangle's corner, along its bisector: the truths of both neighbours' slopes and bends are mpmath's. The
+// corner's own coordinate is one, less the others.
+TEST(beyond_range, mean_values_next_to_a_corner_of_the_plane) {
+  const Cage bar = Cage::make_polygon("bar", {{0, 0, 0}, {3, 0, 0}, {3, .5, 0}, {0, .5, 0}},
+                                      {{{0, 1, -1, -1}}, {{1, 2, -1, -1}}, {{2, 3, -1, -1}}, {{3, 0, -1, -1}}});
+  for (const char* evaluation : {"batched", "closed_form"}) {
+    const CageCoordinates coordinates(bar, coordinate_kind_named("mean_value"), evaluation, Triangulation::Shortest);
+    for (const double d : {1e-16, 1e-30, 1e-65, 1e-80, 1e-104, 1e-120, 1e-170}) {
+      const auto lambda = coordinates.at(Place(d, d, 0), 2)[0];
+      const std::string where = fmt::format("{} at {}", evaluation, d);
+      EXPECT_NEAR(lambda.gradient[2 * 1], 0.28855789418045645, 1e-15) << where;
+      EXPECT_NEAR(lambda.gradient[0], -0.28855789418045645, 1e-14) << where;
+      EXPECT_NEAR(lambda.hessian[4 * 1] * d, 0.05404873623204328, 1e-15) << where;
+      EXPECT_NEAR(lambda.hessian[0] * d, -0.05404873623204328, 1e-14) << where;
+    }
+  }
+}
+
+// Beside entries that float cannot hold. Closed forms in 100 digits are the truth.
+TEST(beyond_range, hybrids_in_float_keep_what_float_holds) {
+  struct Input {
+    const char* formula;
+    std::vector<Place> corners;
+    Place point;
+  };
+  const std::vector<Input> inputs{
+      {"segment.winding_angle", {{0, 0, 0}, {-2, 2, 0}}, {0, -0x1.4p-124, 0}},
+      {"segment.winding_angle", {{0, 0, 0}, {1, -1, 0}}, {0, 0x1.8p-90, 0}},
+      {"segment.mean_value", {{0, 0, 0}, {4, 0, 0}}, {0x1.8p-25, -0x1p-95, 0}},
+      {"segment.mean_value", {{0, 0, 0}, {0, 2, 0}}, {0x1p-100, 0, 0}},
+      {"segment.double_layer", {{0, 0, 0}, {-1, 4, 0}}, {0x1.4p-110, 0x1.4p-110, 0}},
+      {"segment.kelvin_traction", {{0, 0, 0}, {2, 1, 0}}, {0x1p-80, -0x1p-81, 0}},
+      {"triangle.mean_value", {{0, 0, 0}, {3, 0, 0}, {0, 1, 0}}, {.75, .25, 0x1.8p-82}},
+      {"triangle.mean_value", {{0, 0, 0}, {-3, 0, 0}, {0, 2, 0}}, {0x1.8p-101, 0, -0x1.8p-101}},
+      {"triangle.double_layer", {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {0.5, -0x1p-75, 0x1p-77}},
+      {"triangle.solid_angle", {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}, {0x1p-70, -0x1p-72, 0x1p-71}}};
+  constexpr float most = std::numeric_limits<float>::max();
+  int beyond = 0;
+  for (const Input& input : inputs) {
+    const auto in = [&]<Scalar R>(const char* evaluation) {
+      std::vector<Vec3<R>> corners;
+      for (const Place& corner : input.corners) corners.push_back(convert<R>(corner));
+      std::vector<R> parameters;
+      for (const Parameter& parameter : find_formula(input.formula)->parameters)
+        parameters.emplace_back(parameter.preset);
+      Result<R> result;
+      evaluation_named(input.formula, evaluation)(Query<R>{corners, convert<R>(input.point), 2, parameters}, result);
+      return result;
+    };
+    const Result<float> found = in.operator()<float>("hybrid");
+    const Result<Mp100> truth = in.operator()<Mp100>("closed_form");
+    for (int o = 0; o <= 2; ++o) {
+      double norm = 0;
+      for (const Mp100& x : truth.of(o))
+        if (abs(x) < most) norm = std::hypot(norm, static_cast<double>(x));
+      for (std::size_t i = 0; i < found.of(o).size(); ++i) {
+        const float expected = static_cast<float>(truth.of(o)[i]), x = found.of(o)[i];
+        const std::string where = fmt::format("{} order {} entry {}", input.formula, o, i);
+        if (std::isfinite(expected)) {
+          EXPECT_NEAR(x, expected, 64 * 0x1p-24 * norm + 0x1p-148) << where;
+        } else {
+          EXPECT_EQ(x, expected) << where;
+          ++beyond;
+        }
+      }
+    }
+  }
+  EXPECT_GE(beyond, 10);
 }
 
 }  // namespace

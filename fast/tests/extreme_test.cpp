@@ -6,6 +6,7 @@
 #include "cageproof/closed_form/triangle/mean_value.h"
 #include "cageproof/closed_form/triangle/single_layer.h"
 #include "cageproof/closed_form/triangle/solid_angle.h"
+#include "cageproof/core/catalogue/evaluation.h"
 
 #include <gtest/gtest.h>
 
@@ -79,6 +80,35 @@ TEST(extreme, far_away_a_triangle_is_its_area) {
   }
 }
 
+// One of its entries is beyond double's range; the truths of the others are mpmath's, in 2500 digits.
+TEST(extreme, entries_beside_an_infinite_one_keep_their_digits) {
+  const auto omega = at<SolidAngle>({Vec(0, 0, 0), Vec(4, 0, 0), Vec(-1, -3, -2)}, Vec(1, 0, -0x1.8p-753));
+  const auto& hessian = omega.hessian[0];
+  EXPECT_EQ(hessian(1, 2), std::numeric_limits<double>::infinity());
+  EXPECT_DOUBLE_EQ(hessian(0, 1), -0.22502547015503065016);
+  EXPECT_DOUBLE_EQ(hessian(0, 2), 0.33753820523254597523);
+  EXPECT_DOUBLE_EQ(hessian(1, 1), -0.74279516764712694698);
+  EXPECT_DOUBLE_EQ(hessian(2, 2), 0.74279516764712694698);
+}
+
+// A third of the area times what the kernel x.n/(4 pi r^3) has at the corner.
+TEST(extreme, from_afar_a_tiny_triangle_has_the_kernels_hessian) {
+  const Vec p(0.5, 0.25, 1);
+  const double r2 = p.squaredNorm(), r5 = r2 * r2 * std::sqrt(r2);
+  for (const double s : {1e-60, 1e-130, 1e-140, 1e-150}) {
+    const auto layer = at<DoubleLayer>({Vec(0, 0, 0), Vec(s, 0, 0), Vec(0, s, 0)}, p);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const double by_z = (i == 2 ? p[j] : 0) + (j == 2 ? p[i] : 0) + (i == j ? p[2] : 0);
+        const double kernel = (3 * by_z - 15 * p[2] * p[i] * p[j] / r2) / (4 * pi_d * r5);
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(layer.hessian[k](i, j), s * s / 6 * kernel, 1e-13 * s * s) << s;
+      }
+  }
+  // What is smaller than any number of double's is zero.
+  for (const double s : {1e-170, 1e-310, 5e-324})
+    EXPECT_EQ(at<DoubleLayer>({Vec(0, 0, 0), Vec(s, 0, 0), Vec(0, s, 0)}, p).hessian[0].norm(), 0) << s;
+}
+
 TEST(extreme, mean_value_weights_next_to_the_plane_are_linear_in_the_height) {
   // Beside the triangle, also on an edge's line, an odd function of the height.
   for (const Vec& foot : {Vec(-.5, .25, 0), Vec(-.5, 0, 0), Vec(.3, -.4, 0)})
@@ -90,6 +120,17 @@ TEST(extreme, mean_value_weights_next_to_the_plane_are_linear_in_the_height) {
         EXPECT_NEAR(tiny.hessian[k](0, 2), small.hessian[k](0, 2), 1e-13 * small.hessian[k].norm()) << d;
       }
     }
+}
+
+// Some 1e-324, less than half of the least number, is zero: of that no digit is right.
+TEST(extreme, accurate_states_no_digits_of_what_became_zero) {
+  const std::vector<Vec> corners{{0, 0, 0}, {1, 0, 0}, {0.3, 5e-324, 0}};
+  for (const char* formula : {"triangle.double_layer", "triangle.biharmonic_double_layer"}) {
+    Result<double> layer;
+    evaluation_named(formula, "accurate")(Query<double>{corners, Vec(0.4, 0.25, 0.5)}, layer);
+    EXPECT_EQ(layer.value[0], 0) << formula;
+    EXPECT_FALSE(layer.stated_digits > 0) << formula;
+  }
 }
 
 TEST(extreme, accurate_states_no_digits_that_two_hundred_do_not_hold) {

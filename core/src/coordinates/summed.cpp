@@ -277,8 +277,9 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     if (normalised_) {
       const auto sum =
           static_cast<long double>(std::accumulate(wide[0].tensors[0].begin(), wide[0].tensors[0].end(), Wide(0)));
-      sizes.normalise(order, elements_->dimension(), std::abs(sum));
       finish_sums<Wide>(0, order, wide, exponent);
+      sizes.normalise(order, elements_->dimension(), std::abs(sum),
+                      leading(wide[0].tensors[0].data(), wide[0].tensors[0].size()));
       sizes.drop_roundings(wide);
     } else {
       sizes.drop_roundings(wide);

@@ -33,8 +33,8 @@ class TermSizes {
     }
   }
 
-  /// Of weights, the first block: those of the terms of normalise(). \param sum of the weights
-  void normalise(int order, std::size_t dim, long double sum) {
+  /// Of weights, the first block: those of the terms of normalise(). \param sum of the weights \param lead leading()
+  void normalise(int order, std::size_t dim, long double sum, std::size_t lead) {
     auto& [values, gradients, hessians] = of_[0];
     std::vector<long double> gradient(dim, 0), hessian(dim * dim, 0);
     for (std::size_t i = 0; i < gradients.size(); ++i) gradient[i % dim] += gradients[i];
@@ -50,6 +50,16 @@ class TermSizes {
         h = (h + values[i] * hessian[a] + gradients[dim * i + a / dim] * gradient[a % dim] +
              gradients[dim * i + a % dim] * gradient[a / dim]) /
             sum;
+      }
+    }
+    if (lead == values.size()) return;
+    for (auto* const sizes : {&gradients, &hessians}) {
+      const std::size_t derivatives = sizes->size() / values.size();
+      for (std::size_t a = 0; a < derivatives; ++a) {
+        long double& own = (*sizes)[derivatives * lead + a];
+        own = 0;
+        for (std::size_t i = 0; i < values.size(); ++i)
+          if (i != lead) own += (*sizes)[derivatives * i + a];
       }
     }
   }

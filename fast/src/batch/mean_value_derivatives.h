@@ -12,6 +12,7 @@
 #pragma once
 
 #include "fast.h"
+#include "leading.h"
 #include "mean_value_edges.h"
 #include "mean_values.h"
 
@@ -268,6 +269,7 @@ inline void normalise(Block& block) {
       hessian[i] = (hessian[i] - value * sum[2][i] - gradient[a] * sum[1][b] - gradient[b] * sum[1][a]) * over;
     }
   }
+  complete(columns, block.layout, kept, block.order, block.cage->vertices);
   block.left = bits_of(left);
 }
 

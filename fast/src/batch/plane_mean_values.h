@@ -6,9 +6,17 @@
 // and grad t = (1 + t^2)/2 grad angle.
 #pragma once
 
+#include "leading.h"
 #include "plane_kelvin.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
+
+/// The least square of a distance from a vertex: the weights' derivatives have powers to -3 and -5 of distances, which
+/// stay in double's range.
+template <int O>
+inline constexpr double kLeastSquareOfWeights = O == 0   ? kLeastSquare
+                                                : O == 1 ? 0x1p-600
+                                                         : 0x1p-380;
 
 /// A function of the points with derivatives xx, xy, yy.
 struct PlaneJet {
@@ -102,6 +110,7 @@ void normalise_plane(PlaneBlock& block) {
       }
     }
   }
+  complete(columns, block.layout, {1, 2, 3}, O, vertices);
 }
 
 template <int O>
@@ -118,7 +127,7 @@ void sum_mean_values_of_plane(PlaneBlock& block) {
     seen.square = squared(seen.z);
     seen.log = root(seen.square);  // the distance stands in for its logarithm here
     if constexpr (O >= 1) seen.over = inverse(seen.z);
-    block.left |= bits_of_lanes(seen.square < splat(kLeastSquare));
+    block.left |= bits_of_lanes(seen.square < splat(kLeastSquareOfWeights<O>));
   }
   for (int s = 0; s < cage.sides; ++s) {
     const SideTable& side = cage.side[s];

@@ -91,7 +91,8 @@ class CageMeasurement final : public Measurement {
     std::vector<CagePoint> off, on;
     int order = 0;
     std::size_t stride = 1;
-    std::vector<std::size_t> routed;  // points off the cage that second routes are asked at
+    std::vector<std::size_t> compared;  // points off the cage that meet the truth
+    std::vector<std::size_t> routed;    // and that second routes are asked at
     std::map<Place, std::vector<CageQuestion>> questions;
   };
 
@@ -111,6 +112,12 @@ class CageMeasurement final : public Measurement {
     // Matrices of nine numbers in multiprecision cost as much as a quarter of the points does for single ones.
     const int truth_points = coordinates.blocks()[0].entries() == 1 ? o.truth_points : (o.truth_points + 3) / 4;
     setup.stride = std::max<std::size_t>(1, setup.off.size() / std::max(1, truth_points)) | 1;
+    for (std::size_t i = 0; i < setup.off.size(); i += setup.stride) setup.compared.push_back(i);
+    // Cages are used inside, of which a thin one has few points.
+    const auto is_inside = [&](std::size_t i) { return setup.off[i].place == Place::Inside; };
+    if (std::ranges::none_of(setup.compared, is_inside))
+      if (const auto first = std::ranges::find(setup.off, Place::Inside, &CagePoint::place); first != setup.off.end())
+        setup.compared.push_back(first - setup.off.begin());
     // Second routes are the same code everywhere: one point a place says whether they agree, of larger cages one
     // inside.
     constexpr std::size_t many_faces = 20;
@@ -132,9 +139,9 @@ class CageMeasurement final : public Measurement {
     if (cost == CageQuestion::Cost::Relation || options_.properties_alone) return cost == CageQuestion::Cost::Relation;
     if (cost == CageQuestion::Cost::Point) return true;
     if (cost == CageQuestion::Cost::SecondRoute) return std::ranges::find(setup.routed, i) != setup.routed.end();
-    if (i % setup.stride != 0) return false;
+    if (cost == CageQuestion::Cost::Truth) return std::ranges::find(setup.compared, i) != setup.compared.end();
     // Three sums in 100 digits: a quarter of these points.
-    return cost == CageQuestion::Cost::Truth || (options_.differences && i / setup.stride % 4 == 0);
+    return options_.differences && i % (4 * setup.stride) == 0;
   }
 
   std::shared_ptr<const Cage> cage_;

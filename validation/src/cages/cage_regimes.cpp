@@ -202,6 +202,9 @@ constexpr std::array place_makers{PlaceMaker{"near-edge", near_edge},     PlaceM
                                   PlaceMaker{"aligned", aligned},         PlaceMaker{"far", far},
                                   PlaceMaker{"offset", offset},           PlaceMaker{"scaled", scaled}};
 
+constexpr int kInside = 6;
+static_assert(place_makers[kInside].name == "inside");
+
 // Which place sample i has: each once, then those with sweeps more often.
 constexpr std::array<int, 24> schedule{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 0, 1, 9, 0, 1, 2, 8, 0, 10};
 
@@ -238,15 +241,17 @@ std::vector<CageSample> cage_samples(const CageCoordinates& coordinates, const C
   const std::string stream = fmt::format("cage regimes/{}", drawn_by(cage));
   std::array<int, place_makers.size()> turns{};
   for (std::size_t p = 0; p < place_makers.size(); ++p) turns[p] = first_turn(stream, static_cast<int>(p));
-  // Cages that are asked for few samples are asked for other places of other kinds.
+  // Cages that are asked for few samples are asked for other places of other kinds, except that all are asked inside.
   const auto begin =
       static_cast<std::size_t>(RandomStream(0, fmt::format("{}/{}", stream, coordinates.kind().name), 0).below(12));
   std::vector<CageSample> samples;
   samples.reserve(count);
   for (int i = 0; i < count; ++i) {
     const auto turn = static_cast<std::size_t>(i);
-    const int place = turn < place_makers.size() ? static_cast<int>((turn + begin) % place_makers.size())
-                                                 : schedule[turn % schedule.size()];
+    const bool few = static_cast<std::size_t>(count) < place_makers.size();
+    const int place = few && turn == 0             ? kInside
+                      : turn < place_makers.size() ? static_cast<int>((turn + begin) % place_makers.size())
+                                                   : schedule[turn % schedule.size()];
     RandomStream random(seed, fmt::format("{}/{}", stream, place_makers[place].name), i);
     CageSample sample{.place = place_makers[place].name, .index = static_cast<std::uint64_t>(i)};
     const Draw draw{elements, edges, locator, off, on, low, high, cage.size(), turns[place]++, random};

@@ -69,6 +69,21 @@ class StoredMeasurement final : public Measurement {
   std::vector<WorstLine> lines_;
 };
 
+// What the algebra found hard is also asked of the evaluation that commands take.
+void add_recommended(std::vector<WorstLine>& lines) {
+  const std::size_t stored = lines.size();
+  for (std::size_t i = 0; i < stored; ++i) {
+    const auto& known = EvaluationRegister::instance();
+    const auto recommended = known.with_role(lines[i].subject, Role::Recommended);
+    const auto algebra = known.with_role(lines[i].subject, Role::ClosedForm);
+    if (!recommended || !algebra || lines[i].scalar != "double") continue;
+    if (evaluation_named(lines[i].subject, lines[i].evaluation).name() != algebra->name()) continue;
+    WorstLine line = lines[i];
+    line.evaluation = recommended->name();
+    lines.push_back(std::move(line));
+  }
+}
+
 }  // namespace
 
 std::string origin_of(const RowKey& row, const WorstCase& input) {
@@ -93,6 +108,7 @@ StoredCases stored_measurement(std::string_view text, std::string_view name, con
       throw InputError(at + e.what());
     }
   }
+  add_recommended(lines);
   std::erase_if(lines, [&](const WorstLine& line) {
     return !matches(formulas, line.subject) ||
            !matches_evaluation(evaluations, evaluation_named(line.subject, line.evaluation));

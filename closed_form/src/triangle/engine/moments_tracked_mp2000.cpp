@@ -2,5 +2,5 @@
 #include "cageproof/closed_form/triangle/engine/shared_instances.h"
 
 namespace cageproof::closed_form::triangle {
-CAGEPROOF_DIVERGING_MOMENTS(, Tracked<Mp2000>)
+CAGEPROOF_MOMENTS(, Tracked<Mp2000>)
 }  // namespace cageproof::closed_form::triangle

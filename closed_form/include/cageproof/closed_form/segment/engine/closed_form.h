@@ -89,15 +89,15 @@ BoundedJet<double, F::components, 2> bounded_form(PointFrames& at, std::span<con
   return climbed<F, O>(Ladder<Mp100, Mp200, Mp2000>(), at, parameters, finite_part, tolerance, largest);
 }
 
-/// In multiprecision: all of `digits` (50, 100 or 200) digits, unless more than 400 would be needed for them.
+/// In multiprecision: all of `digits` (50, 100 or 200) digits, unless more than 2000 would be needed for them.
 template <class F, int O>
 BoundedJet<Mp200, F::components, 2> bounded_form(WideFrames& at, std::span<const Mp200> parameters, bool finite_part,
                                                  int digits) {
   const ErrorOf<Mp200> tolerance = 2 * std::pow(10.0L, -digits);
   const auto in = [&](auto ladder) { return climbed<F, O>(ladder, at, parameters, finite_part, tolerance); };
-  if (digits <= 50) return in(Ladder<Mp100, Mp200, Mp400>());
-  if (digits <= 100) return in(Ladder<Mp200, Mp400>());
-  return in(Ladder<Mp400>());
+  if (digits <= 50) return in(Ladder<Mp100, Mp200, Mp400, Mp2000>());
+  if (digits <= 100) return in(Ladder<Mp200, Mp400, Mp2000>());
+  return in(Ladder<Mp400, Mp2000>());
 }
 
 /// The closed form of a single formula at a single point. Units and limits: at the formula.

@@ -25,13 +25,10 @@ BoundedJet<S, F::components> climbed(Ladder<T...> ladder, const Frame<R>& frame,
   return result;
 }
 
-/// The widest arithmetics that results in double are computed in. Derivatives of weights that diverge on the triangle
-/// have entries of any size beside infinities: a formula's other derivatives do not take 2000 digits.
-template <class F, class... Narrower>
-auto ladder_of() {
-  if constexpr (F::diverges_on_triangle) return Ladder<Narrower..., Mp200, Mp400, Mp2000>();
-  else return Ladder<Narrower..., Mp200, Mp400>();
-}
+/// The widest arithmetics that results in double are computed in. Beside entries that leave double's range, and far
+/// from triangles that are as small as doubles can be, forms cancel by more than 400 digits.
+template <class... Narrower>
+using DoublesLadder = Ladder<Narrower..., Mp200, Mp400, Mp2000>;
 
 /// In double, at a point whose moments other formulas may share; the result does not depend on which do.
 /// \param finite_part Batch::finite_part \param tolerance of the relative error of each order
@@ -43,14 +40,14 @@ BoundedJet<double, F::components> bounded_form(PointMoments<O>& at, std::span<co
                                                double largest = std::numeric_limits<double>::max()) {
   if (at.frame().extreme) {
     const auto wide = widened<F, double, Mp200>(parameters);
-    return rounded(climbed<F, O>(ladder_of<F>(), at.wide().template tracked<Mp200>().frame(), at.wide(),
+    return rounded(climbed<F, O>(DoublesLadder<>(), at.wide().template tracked<Mp200>().frame(), at.wide(),
                                  std::span<const Mp200>(wide), finite_part, tolerance, largest));
   }
-  return climbed<F, O>(ladder_of<F, double, DoubleDouble>(), at.frame(), at, parameters, finite_part, tolerance,
+  return climbed<F, O>(DoublesLadder<double, DoubleDouble>(), at.frame(), at, parameters, finite_part, tolerance,
                        largest);
 }
 
-/// In multiprecision: all of `digits` (50, 100 or 200) digits, unless more than 400 would be needed for them.
+/// In multiprecision: all of `digits` (50, 100 or 200) digits, unless more than 2000 would be needed for them.
 template <class F, int O>
 BoundedJet<Mp200, F::components> bounded_form(WideMoments<O>& at, std::span<const Mp200> parameters, bool finite_part,
                                               int digits) {
@@ -59,9 +56,9 @@ BoundedJet<Mp200, F::components> bounded_form(WideMoments<O>& at, std::span<cons
   const auto in = [&](auto ladder) {
     return climbed<F, O>(ladder, at.template tracked<Mp200>().frame(), at, parameters, finite_part, tolerance);
   };
-  if (digits <= 50) return in(Ladder<Mp100, Mp200, Mp400>());
-  if (digits <= 100) return in(Ladder<Mp200, Mp400>());
-  return in(Ladder<Mp400>());
+  if (digits <= 50) return in(Ladder<Mp100, Mp200, Mp400, Mp2000>());
+  if (digits <= 100) return in(Ladder<Mp200, Mp400, Mp2000>());
+  return in(Ladder<Mp400, Mp2000>());
 }
 
 /// The closed form of a single formula at a single point. Units and limits: at the formula.
