@@ -3,6 +3,7 @@
 
 #include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/catalogue/role.h"
+#include "check_words.h"
 #include "figure.h"
 #include "gallery_page.h"
 #include "page_template.h"
@@ -16,8 +17,7 @@
 namespace cageproof::reports {
 namespace {
 
-constexpr std::string_view scope_setting = "scope", cage_setting = "cage", points_place = "mesh",
-                           inside_place = "inside";
+constexpr std::string_view scope_setting = "scope", cage_setting = "cage", points_place = "mesh";
 
 // As many roundings below zero may be zero: what all sums of coordinates are promised to.
 constexpr double roundings_of_zero = 64;
@@ -96,7 +96,6 @@ KindInCage kind_in_cage(const RunResult& result, const std::string& name) {
       if (is_at_the_cage(row.place)) {
         raise(found.error_inside, error);
         found.samples_inside += row.samples;
-        found.compared_inside = found.compared_inside || row.place == inside_place;
       } else {
         const std::optional<double> before = found.error_elsewhere;
         raise(found.error_elsewhere, error);
@@ -134,7 +133,7 @@ std::string signs_text(const ResultRow* row) {
 
 Data row_of_kind(const KindInCage& one, bool is_taken) {
   Data data;
-  data.set("kind", one.kind);
+  data.set("kind", breakable(one.kind));
   data.set("evaluation", one.evaluation);
   data.set("taken", is_taken);
   data.set("samples", grouped(one.samples_inside));
@@ -163,9 +162,9 @@ std::string advice_of(const std::vector<KindInCage>& kinds, const KindInCage* ta
         taken->kind, grouped(taken->kept), duration_text(*taken->nanoseconds));
   if (std::ranges::none_of(kinds, keeps_all))
     return "No kind keeps all promises and reproduces linear functions in this cage.";
-  if (std::ranges::none_of(kinds, [](const KindInCage& k) { return keeps_all(k) && k.compared_inside; }))
-    return "None of the kinds that keep all promises and reproduce linear functions was compared with its truth inside "
-           "the cage in this suite, so none is named.";
+  if (std::ranges::none_of(kinds, [](const KindInCage& k) { return keeps_all(k) && k.error_inside; }))
+    return "None of the kinds that keep all promises and reproduce linear functions was compared with its truth in, on "
+           "or next to the cage in this suite, so none is named.";
   return timed ? "None of the kinds that could be named was timed."
                : "No kind was timed in this run, so none is named as the quickest.";
 }
@@ -223,7 +222,7 @@ std::vector<KindInCage> kinds_in_cage(const RunResult& result) {
 const KindInCage* kind_to_take(const std::vector<KindInCage>& kinds) {
   const KindInCage* best = nullptr;
   for (const KindInCage& one : kinds) {
-    if (!keeps_all(one) || !one.compared_inside || !one.nanoseconds) continue;
+    if (!keeps_all(one) || !one.error_inside || !one.nanoseconds) continue;
     if (best == nullptr || *one.nanoseconds < *best->nanoseconds) best = &one;
   }
   return best;

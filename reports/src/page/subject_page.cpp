@@ -33,6 +33,7 @@ Data line(const std::string& name, const std::string& note, const Data& cells) {
   Data data;
   data.set("name", breakable(name));
   data.set("note", note);
+  data.set("joined", false);
   data.set("cells", cells);
   return data;
 }
@@ -120,7 +121,9 @@ Matrix coordinates_matrix(const CageTable& table, const std::string& cage, const
     Data cells{Data::type::list};
     for (const CageLine* check : checks) cells << error_cell(check->cells[c], page);
     const auto [name, note] = name_and_note(table.columns[c]);
-    matrix.lines << line(name, note, cells);
+    Data joined = line(name, note, cells);
+    joined.set("joined", true);
+    matrix.lines << joined;
   }
   return matrix;
 }
@@ -154,6 +157,7 @@ void add_matrix(Data& list, const Matrix& matrix, const std::string& name_head, 
   data.set("lines", matrix.lines);
   data.set("name_head", name_head);
   data.set("note_head", note_head);
+  data.set("joined", note_head.empty() && narrow);
   data.set("orders", orders);
   list << data;
 }
@@ -308,7 +312,7 @@ void add_cage(std::map<std::string, std::string>& pages, const RunResult& result
   page.data().set("what", deformers ? "deformers" : "cage");
   Data matrices{Data::type::list};
   if (deformers) add_matrix(matrices, deformers_matrix(table, cage, page.file()), "Deformer", "Unit", false, true);
-  else add_matrix(matrices, coordinates_matrix(table, cage, page.file()), "Kind", "Evaluation", false, true);
+  else add_matrix(matrices, coordinates_matrix(table, cage, page.file()), "Kind", "", false, true);
   pages[page.file()] = page.text(Json::object(), matrices, places);
 }
 

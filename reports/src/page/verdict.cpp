@@ -49,7 +49,7 @@ void set_tiles(Data& page, const Rows& rows) {
   if (ill > 0)
     tiles << tile(ill, "results that cannot be judged: the input is ill-conditioned there, and no bound says anything",
                   "");
-  tiles << tile(samples, "errors measured, of which a result is the largest of its kind", "");
+  tiles << tile(samples, "errors measured; a result is the largest of those of one check", "");
   page.set("tiles", tiles);
   page.set("verdict_class", broken ? "broken" : kept ? "kept" : "neutral");
   page.set("verdict_mark", broken ? "✗" : kept ? "✓" : "–");
