@@ -28,7 +28,7 @@ has() {
 "$cageproof" verify --formulas triangle.double_layer --regimes '*-edge,generic' --samples 8 --enclosures 1 --cage cube --out report >stdout || fail "verify: $(cat stdout)"
 
 opened report/index.html index
-has index '4 of 4 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: hybrid'
+has index '3 of 3 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: hybrid'
 opened 'report/index.html?overview.evaluation=gauss-8,%20double&overview.order=1' filtered
 has filtered 'of gauss-8, double' 'href="formulas/triangle.double_layer.html#truth.near-edge.gauss-8.double.1"'
 opened 'report/index.html?heat.evaluation=gauss-8,%20double&heat.order=1' heat
@@ -65,7 +65,7 @@ grep -q '"hessian"' answer || fail "eval answers without a Hessian: $(cat answer
 grep -q 'near-edge' answer || fail "replay answers something else: $(cat answer)"
 
 opened "report/cages/cube.html" cage
-has cage 'partition_of_unity' 'rows <button'
+has cage 'partition_<wbr>of_<wbr>unity' 'rows <button'
 
 # A regime that elements do not have is named at once: on standard error, and before the verdict's figures.
 "$cageproof" verify --formulas segment.single_layer --regimes generic,near-edge --samples 2 --enclosures 0 --out nowhere >/dev/null 2>warnings || fail "verify of segments: $(cat warnings)"
@@ -83,6 +83,8 @@ grep -q '<th scope="col"><span>hunted' hunted || fail "the column that an evalua
 mkdir -p deep/er && printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >deep/er/my_cage.obj
 "$cageproof" verify --cage "$PWD/deep/er/my_cage.obj" --formulas '*.single_layer' --evaluations batched --out given >/dev/null 2>&1 || fail "verify of a file"
 grep -c "$PWD/deep/er/my_cage.obj" given/cages/*.html | grep -qx 1 || fail "the path stands more than once on the cage's page"
+opened "$(cd given && ls -d "$PWD"/cages/*.html | sed "s|$work/||")#partition_of_unity.green.batched.double.inside.0" panel
+grep -q '<h2>green, batched, double: partition_of_unity, my_cage.obj, inside, value' panel || fail "a cell's heading has more than the file's name"
 
 # Sizes that open at once.
 [ "$(wc -c <report/index.html)" -lt 1000000 ] || fail "index.html has a megabyte"

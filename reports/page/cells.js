@@ -74,7 +74,7 @@ function answerOf(row) {
       say("digits right", `${worst.digits}, of the ${orderNames[row.order]} as a whole: its relative error is ${worst.relative}, norm-wise, whatever the conditioning`);
     }
   }
-  const parts = [element("h2", `${row.subject}, ${row.evaluation ? row.evaluation + ", " : ""}${row.scalar}: ${row.check}, ${row.regime}${row.place ? ", " + row.place : ""}, ${orderNames[row.order]}`), list];
+  const parts = [element("h2", `${row.subject}, ${row.evaluation ? row.evaluation + ", " : ""}${row.scalar}: ${row.check}, ${page.cage ?? row.regime}${row.place ? ", " + row.place : ""}, ${orderNames[row.order]}`), list];
   if (worst) {
     const input = [...(worst.element || []).map((corner, k) => `corner ${k}  ${corner.join(" ")}`), `point     ${worst.point.join(" ")}`];
     for (const [name, value] of Object.entries(worst.parameters || {})) input.push(`${name}  ${value}`);
@@ -182,12 +182,10 @@ rememberFilters(filters, () => {
 all.hidden = false;
 
 // Curves. How each looks is the program's choice, the same as in pictures for print.
-const shapes = [["circle", 0], ["square", 0], ["triangle", 0], ["triangle", 180], ["diamond", 0]].map(([name, turn]) =>
-  ({type: {circle: d3.symbolCircle, square: d3.symbolSquare, triangle: d3.symbolTriangle, diamond: d3.symbolDiamond}[name], turn}));
-function markPath(style, size) {
-  return d3.symbol(shapes[style.shape].type, size)();
-}
-const turnOf = (style) => `rotate(${shapes[style.shape].turn})`;
+// Pages of cages have no curves, and no D3.
+const shapes = [["symbolCircle", 0], ["symbolSquare", 0], ["symbolTriangle", 0], ["symbolTriangle", 180], ["symbolDiamond", 0]];
+const markPath = (style, size) => d3.symbol(d3[shapes[style.shape][0]], size)();
+const turnOf = (style) => `rotate(${shapes[style.shape][1]})`;
 
 const tip = element("div", null, {class: "tip", role: "status", hidden: ""});
 document.body.append(tip);

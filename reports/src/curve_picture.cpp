@@ -35,7 +35,6 @@ class Styles {
                        dash_type(style.dash), leads ? 1.8 : 1, kShapes[style.shape][style.filled ? 0 : 1],
                        curve.errors.size() > kManyPoints ? 0.25 : 0.6);
   }
-  const char* colour(const ResultCurve& curve) const { return series_.of(curve.evaluation, curve.scalar).colour; }
 
  private:
   static std::string dash_type(const std::vector<int>& dash) {
@@ -130,7 +129,8 @@ std::vector<std::string> legend(const Curves& curves, const Styles& styles, bool
                                     gnuplot_text(curve->evaluation + ", " + curve->scalar)));
   if (promised) entries.emplace_back("keyentry with lines linecolor rgb '#777777' dashtype 2 title 'promised digits'");
   if (infinite)
-    entries.emplace_back("keyentry with points linecolor rgb '#444444' pointtype 9 pointsize 1.3 title 'not finite'");
+    entries.push_back(fmt::format(
+        "keyentry with points linecolor rgb '{}' pointtype 9 pointsize 1.3 title 'not finite'", kInfiniteColour));
   return entries;
 }
 
@@ -143,7 +143,7 @@ std::string panel(const Curves& curves, const Styles& styles, const std::set<dou
       plot += fmt::format(
           "{}$d{} with linespoints {} notitle, $i{} with points linecolor rgb '{}' pointtype 9 "
           "pointsize 1.3 notitle",
-          plot.empty() ? "" : ", ", n, styles.line(*curves[n]), n, styles.colour(*curves[n]));
+          plot.empty() ? "" : ", ", n, styles.line(*curves[n]), n, kInfiniteColour);
   return plot.empty() ? "NaN notitle" : plot;
 }
 

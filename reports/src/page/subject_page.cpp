@@ -313,7 +313,7 @@ void add_cage(std::map<std::string, std::string>& pages, const RunResult& result
   Data matrices{Data::type::list};
   if (deformers) add_matrix(matrices, deformers_matrix(table, cage, page.file()), "Deformer", "Unit", false, true);
   else add_matrix(matrices, coordinates_matrix(table, cage, page.file()), "Kind", "", false, true);
-  pages[page.file()] = page.text(Json::object(), matrices, places);
+  pages[page.file()] = page.text({{"cage", shown}}, matrices, places);
 }
 
 // What all pages of a folder load stands beside them once: a tenth of the report would be copies of it.
