@@ -81,10 +81,12 @@ grep -q '<th scope="col"><span>hunted' hunted || fail "the column that an evalua
 
 # A cage's page has coordinates down and checks across, and long paths make no page wider.
 mkdir -p deep/er && printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >deep/er/my_cage.obj
-"$cageproof" verify --cage "$PWD/deep/er/my_cage.obj" --formulas '*.single_layer' --evaluations batched --out given >/dev/null 2>&1 || fail "verify of a file"
+"$cageproof" verify --cage "$PWD/deep/er/my_cage.obj" --formulas triangle.mean_value --regimes generic --samples 1 --enclosures 0 --out given >/dev/null 2>&1 || fail "verify of a file"
 grep -c "$PWD/deep/er/my_cage.obj" given/cages/*.html | grep -qx 1 || fail "the path stands more than once on the cage's page"
-opened "$(cd given && ls -d "$PWD"/cages/*.html | sed "s|$work/||")#partition_of_unity.green.batched.double.inside.0" panel
-grep -q '<h2>green, batched, double: partition_of_unity, my_cage.obj, inside, value' panel || fail "a cell's heading has more than the file's name"
+grep -q '<h1>my_cage.obj' given/field.html || fail "the field's page has another name than the file's"
+[ "$(zcat given/summary.json.gz | grep -cF "\"title\":\"$PWD/deep/er/my_cage.obj")" -gt 0 ] || fail "titles of the summary lack the path"
+opened "$(cd given && ls -d "$PWD"/cages/*.html | sed "s|$work/||")#partition_of_unity.mean_value.batched.double.inside.0" panel
+grep -q '<h2>mean_value, batched, double: partition_of_unity, my_cage.obj, inside, value' panel || fail "a cell's heading has more than the file's name"
 
 # Sizes that open at once.
 [ "$(wc -c <report/index.html)" -lt 1000000 ] || fail "index.html has a megabyte"
