@@ -205,6 +205,9 @@ TEST(ReportFiles, CoordinatesAreLinesAndChecksColumns) {
   EXPECT_NE(
       page.find("<tr><th scope=\"row\">mean_<wbr>value <span class=\"note\">closed_form, double</span></th><td class="),
       page.npos);
+  EXPECT_NE(
+      report(sample_run(1, 1)).at("formulas/triangle.single_layer.html").find("<th scope=\"row\" title=\"Compared: "),
+      page.npos);
   EXPECT_EQ(page.find("truth,"), page.npos) << "cells of a cage are compared with no value";
 }
 

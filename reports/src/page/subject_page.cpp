@@ -38,11 +38,17 @@ Data line(const std::string& name, const std::string& note, const Data& cells) {
   return data;
 }
 
+// What a check compares, where its name is shown.
+void set_words(Data& data, const std::string& check) {
+  const std::string words(words_of_check(check));
+  data.set("words", words);
+  data.set("has_words", !words.empty());
+}
+
 Data head(const std::string& name, int span, const std::string& unit = "") {
   Data data;
   data.set("name", breakable(name));
-  data.set("words", std::string(words_of_check(name)));
-  data.set("has_words", !words_of_check(name).empty());
+  set_words(data, name);
   data.set("unit", unit);
   data.set("has_unit", !unit.empty());
   data.set("span", fmt::format("{}", span));
@@ -87,7 +93,9 @@ Matrix relations_matrix(const RunResult& result, const std::string& subject, con
       cells << error_cell(row, page);
       if (row) unit = unit_text(row->unit);
     }
-    matrix.lines << line(name, unit, cells);
+    Data one = line(name, unit, cells);
+    set_words(one, name.substr(0, name.find(':')));
+    matrix.lines << one;
   }
   return matrix;
 }
