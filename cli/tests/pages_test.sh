@@ -28,7 +28,7 @@ has() {
 "$cageproof" verify --formulas triangle.double_layer --regimes '*-edge,generic' --samples 8 --enclosures 1 --cage cube --out report >stdout || fail "verify: $(cat stdout)"
 
 opened report/index.html index
-has index '4 of 4 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: hybrid'
+has index '3 of 3 lines' '<option value="gauss-8, double">' 'aria-sort' 'everywhere: hybrid'
 opened 'report/index.html?overview.evaluation=gauss-8,%20double&overview.order=1' filtered
 has filtered 'of gauss-8, double' 'href="formulas/triangle.double_layer.html#truth.near-edge.gauss-8.double.1"'
 opened 'report/index.html?heat.evaluation=gauss-8,%20double&heat.order=1' heat
@@ -65,7 +65,28 @@ grep -q '"hessian"' answer || fail "eval answers without a Hessian: $(cat answer
 grep -q 'near-edge' answer || fail "replay answers something else: $(cat answer)"
 
 opened "report/cages/cube.html" cage
-has cage 'partition_of_unity' 'rows <button'
+has cage 'partition_<wbr>of_<wbr>unity' 'rows <button'
+
+# A regime that elements do not have is named at once: on standard error, and before the verdict's figures.
+"$cageproof" verify --formulas segment.single_layer --regimes generic,near-edge --samples 2 --enclosures 0 --out nowhere >/dev/null 2>warnings || fail "verify of segments: $(cat warnings)"
+grep -qF 'warning: near-edge is no regime of segments: nothing was asked there.' warnings || fail "nothing says that segments have no near-edge: $(cat warnings)"
+sed '/<\/header>/q' nowhere/index.html | grep -qF 'near-edge is no regime of segments' || fail "the page does not say that segments have no near-edge"
+"$cageproof" verify --formulas '*.single_layer' --regimes 'near-*' --evaluations closed_form --samples 1 --enclosures 0 --out globs >/dev/null 2>warnings || fail "verify of globs"
+grep -qF 'no regime' warnings && fail "a glob of regimes warns: $(cat warnings)"
+
+# The heat map leaves out columns without a figure, and has them where another evaluation has some.
+grep -q '<th scope="col" hidden[^>]*><span>hunted' report/index.html || fail "a column without a figure is shown"
+opened 'report/index.html?heat.evaluation=accurate,%20double' hunted
+grep -q '<th scope="col"><span>hunted' hunted || fail "the column that an evaluation has figures in stays hidden"
+
+# A cage's page has coordinates down and checks across, and long paths make no page wider.
+mkdir -p deep/er && printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >deep/er/my_cage.obj
+"$cageproof" verify --cage "$PWD/deep/er/my_cage.obj" --formulas triangle.mean_value --regimes generic --samples 1 --enclosures 0 --out given >/dev/null 2>&1 || fail "verify of a file"
+grep -c "$PWD/deep/er/my_cage.obj" given/cages/*.html | grep -qx 1 || fail "the path stands more than once on the cage's page"
+grep -q '<h1>my_cage.obj' given/field.html || fail "the field's page has another name than the file's"
+[ "$(zcat given/summary.json.gz | grep -cF "\"title\":\"$PWD/deep/er/my_cage.obj")" -gt 0 ] || fail "titles of the summary lack the path"
+opened "$(cd given && ls -d "$PWD"/cages/*.html | sed "s|$work/||")#partition_of_unity.mean_value.batched.double.inside.0" panel
+grep -q '<h2>mean_value, batched, double: partition_of_unity, my_cage.obj, inside, value' panel || fail "a cell's heading has more than the file's name"
 
 # Sizes that open at once.
 [ "$(wc -c <report/index.html)" -lt 1000000 ] || fail "index.html has a megabyte"

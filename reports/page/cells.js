@@ -56,6 +56,7 @@ function answerOf(row) {
   };
   const word = row.certified ? "certified" : "largest found";
   say("error", `${row.text} ${row.unit === "conditioned" ? "conditioned units" : row.unit}, ${word}${row.bound ? `; bound ${row.bound}` : ""}`);
+  say("compared", page.checks?.[row.check]);
   say("verdict", meaningOf(row));
   say("reason", page.reasons[row.reason]);
   const samples = [`${row.samples.toLocaleString("en")} measured`];
@@ -73,7 +74,7 @@ function answerOf(row) {
       say("digits right", `${worst.digits}, of the ${orderNames[row.order]} as a whole: its relative error is ${worst.relative}, norm-wise, whatever the conditioning`);
     }
   }
-  const parts = [element("h2", `${row.subject}, ${row.evaluation ? row.evaluation + ", " : ""}${row.scalar}: ${row.check}, ${row.regime}${row.place ? ", " + row.place : ""}, ${orderNames[row.order]}`), list];
+  const parts = [element("h2", `${row.subject}, ${row.evaluation ? row.evaluation + ", " : ""}${row.scalar}: ${row.check}, ${page.cage ?? row.regime}${row.place ? ", " + row.place : ""}, ${orderNames[row.order]}`), list];
   if (worst) {
     const input = [...(worst.element || []).map((corner, k) => `corner ${k}  ${corner.join(" ")}`), `point     ${worst.point.join(" ")}`];
     for (const [name, value] of Object.entries(worst.parameters || {})) input.push(`${name}  ${value}`);
@@ -150,8 +151,9 @@ const lines = page.rows.map((row) => {
   line.append(element("th", row.check, {scope: "row"}), element("td", whereOf(row)), element("td", `${row.evaluation ? row.evaluation + ", " : ""}${row.scalar}`), element("td", orderNames[row.order]));
   const figure = element("td", null, {class: `n ${row.css}`});
   figure.append(element("a", row.text, {href: `#${row.id}`}));
-  line.append(figure, element("td", row.unit), element("td", row.bound, {class: "n"}), element("td", row.ill_posed ? "ill-posed here" : row.verdict), element("td", page.reasons[row.reason], {class: "reason"}));
+  line.append(figure, element("td", row.unit), element("td", row.bound, {class: "n"}), element("td", row.ill_posed ? "ill-posed here" : row.verdict));
   for (const text of [row.max_relative, row.total_loss, row.p999, row.median, row.asked, row.samples, row.nonfinite, row.without_truth, row.unreached, row.declined]) line.append(element("td", text?.toLocaleString("en") ?? "", {class: "n"}));
+  line.append(element("td", page.reasons[row.reason], {class: "reason"}));
   return {line, row, verdict: row.ill_posed ? "ill-posed here" : row.verdict, where: whereOf(row), evaluation: line.cells[2].textContent};
 });
 const filters = document.querySelector('[data-filters="all"]');
@@ -179,14 +181,11 @@ rememberFilters(filters, () => {
 });
 all.hidden = false;
 
-// Curves. An evaluation in a scalar has a colour, a dash and a mark of its own on the whole page.
-const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#a6761d", "#7f3fbf", "#b8860b", "#666666", "#e7298a", "#1b9e77", "#8c564b"];
-const dashes = [null, "6 3", "2 2", "8 3 2 3"];
-const seriesNames = [...new Set((page.curves || []).map((curve) => `${curve.evaluation}, ${curve.scalar}`))];
-function styleOf(name) {
-  const k = Math.max(0, seriesNames.indexOf(name));
-  return {colour: colours[k % colours.length], dash: dashes[Math.floor(k / colours.length) % dashes.length], mark: d3.symbolsFill[k % d3.symbolsFill.length]};
-}
+// Curves. How each looks is the program's choice, the same as in pictures for print.
+// Pages of cages have no curves, and no D3.
+const shapes = [["symbolCircle", 0], ["symbolSquare", 0], ["symbolTriangle", 0], ["symbolTriangle", 180], ["symbolDiamond", 0]];
+const markPath = (style, size) => d3.symbol(d3[shapes[style.shape][0]], size)();
+const turnOf = (style) => `rotate(${shapes[style.shape][1]})`;
 
 const tip = element("div", null, {class: "tip", role: "status", hidden: ""});
 document.body.append(tip);
@@ -201,19 +200,24 @@ function tipOn(selection, textOf) {
   selection.on("pointerenter", at).on("focus", at).on("pointerleave blur", () => (tip.hidden = true));
 }
 
-// One of the names alone, or all again.
-function legend(parent, names, svg) {
+// What a line of the same looks stands for.
+function keyLine(colour, dash) {
+  const key = d3.create("svg").attr("width", 30).attr("height", 12).attr("viewBox", "0 0 30 12").attr("aria-hidden", "true");
+  key.append("line").attr("x1", 0).attr("x2", 30).attr("y1", 6).attr("y2", 6).attr("stroke", colour).attr("stroke-width", 2).attr("stroke-dasharray", dash || null);
+  return key;
+}
+
+// One of the names alone, or all again. \param styles by name
+function legend(parent, styles, svg) {
   const box = element("div", null, {class: "legend"});
-  for (const name of names) {
-    const style = styleOf(name);
+  for (const [name, style] of styles) {
     const button = element("button", null, {type: "button", "aria-pressed": "false"});
-    const key = d3.create("svg").attr("width", 30).attr("height", 12).attr("viewBox", "0 0 30 12").attr("aria-hidden", "true");
-    key.append("line").attr("x1", 0).attr("x2", 30).attr("y1", 6).attr("y2", 6).attr("stroke", style.colour).attr("stroke-width", 2).attr("stroke-dasharray", style.dash);
-    key.append("path").attr("d", d3.symbol(style.mark, 36)()).attr("transform", "translate(15,6)").attr("fill", style.colour);
+    const key = keyLine(style.colour, style.dash);
+    key.append("path").attr("d", markPath(style, 36)).attr("transform", `translate(15,6) ${turnOf(style)}`).attr("fill", style.filled ? style.colour : "var(--paper)").attr("stroke", style.colour);
     button.append(key.node(), document.createTextNode(name));
     button.addEventListener("click", () => {
       const alone = button.getAttribute("aria-pressed") === "true" ? null : name;
-      for (const other of box.children) other.setAttribute("aria-pressed", String(other === button && alone !== null));
+      for (const other of box.querySelectorAll("button")) other.setAttribute("aria-pressed", String(other === button && alone !== null));
       svg.selectAll("[data-series]").classed("dim", function () {
         return alone !== null && this.dataset.series !== alone;
       });
@@ -221,6 +225,7 @@ function legend(parent, names, svg) {
     box.append(button);
   }
   parent.append(box);
+  return box;
 }
 
 const powers = (scale, count) => {
@@ -229,14 +234,17 @@ const powers = (scale, count) => {
   return d3.range(Math.ceil(low / step) * step, high + 1e-9, step).map((e) => 10 ** e);
 };
 const powerText = (x) => `1e${Math.round(Math.log10(x))}`;
-const low = 0.1;
+const low = 0.1, leftOfPanels = 62;
 const heightOf = (y) => (y === "inf" || y === null ? Infinity : Number(y));
 
-function axes(panel, x, y, width, height, title, labels) {
-  const ticks = powers(y, 8);
+// \param infinite whether something that is not finite is drawn, at the upper edge
+function axes(panel, x, y, width, height, title, labels, infinite) {
+  const top = y.domain()[1], ticks = powers(y, 8).filter((tick) => !infinite || tick < 0.9 * top);
+  if (infinite) ticks.push(top);
+  const errorText = (tick) => (infinite && tick === top ? "inf" : powerText(tick));
   panel.append("g").attr("class", "grid").selectAll("line").data(ticks).join("line").attr("x2", width).attr("y1", y).attr("y2", y);
   panel.append("g").attr("class", "axis").attr("transform", `translate(0,${height})`).call(d3.axisBottom(x).tickValues(powers(x, 6)).tickFormat(powerText));
-  panel.append("g").attr("class", "axis").call(d3.axisLeft(y).tickValues(ticks).tickFormat(labels ? powerText : () => ""));
+  panel.append("g").attr("class", "axis").call(d3.axisLeft(y).tickValues(ticks).tickFormat(labels ? errorText : () => ""));
   panel.append("text").attr("x", width / 2).attr("y", -8).attr("text-anchor", "middle").text(title);
 }
 
@@ -246,34 +254,50 @@ function drawCurves(details) {
   const curves = (page.curves || []).filter((curve) => curve.regime === details.dataset.regime && curve.check === details.dataset.check);
   if (!curves.length) return;
   const xs = curves.flatMap((curve) => curve.x), ys = curves.flatMap((curve) => curve.y.map(heightOf)).filter(Number.isFinite);
-  const top = 10 ** (Math.ceil(Math.log10(Math.max(100, ...ys))) + 1), width = 300, height = 230, left = 48, gap = 22;
+  const top = 10 ** (Math.ceil(Math.log10(Math.max(100, ...ys))) + 1), width = 300, height = 230, left = leftOfPanels, gap = 22;
   const x = d3.scaleLog(d3.extent(xs), [0, width]), y = d3.scaleLog([low, top], [height, 0]);
   const svg = d3.create("svg").attr("viewBox", `0 0 ${left + 3 * (width + gap)} ${height + 66}`).attr("width", left + 3 * (width + gap)).attr("role", "img")
     .attr("aria-label", `Largest error against ${details.dataset.axis} in regime ${details.dataset.regime}`);
+  const anyInfinite = curves.some((curve) => curve.y.some((error) => !Number.isFinite(heightOf(error))));
+  let anyBound = false;
   orderNames.forEach((title, order) => {
     const panel = svg.append("g").attr("transform", `translate(${left + order * (width + gap)},24)`);
-    axes(panel, x, y, width, height, title, order === 0);
+    axes(panel, x, y, width, height, title, order === 0, anyInfinite);
     const bounds = new Set(page.rows.filter((row) => row.regime === details.dataset.regime && row.check === "digits" && row.order === order && row.bound).map((row) => Number(row.bound)));
     for (const bound of bounds)
-      if (bound > low && bound < top)
+      if (bound > low && bound < top) {
+        anyBound = true;
         tipOn(panel.append("line").attr("x2", width).attr("y1", y(bound)).attr("y2", y(bound)).attr("stroke", "#888888").attr("stroke-dasharray", "2 3").attr("stroke-width", 1.5), () => `promised digits: ${bound} units`);
+      }
     for (const curve of curves.filter((one) => one.order === order)) {
-      const name = `${curve.evaluation}, ${curve.scalar}`, style = styleOf(name);
+      const name = `${curve.evaluation}, ${curve.scalar}`, style = curve.style;
       const points = curve.x.map((at, i) => ({at, error: heightOf(curve.y[i])}));
       const place = (point) => y(Number.isFinite(point.error) ? Math.min(Math.max(point.error, low), top) : top);
       const group = panel.append("g").attr("data-series", name);
-      group.append("path").attr("fill", "none").attr("stroke", style.colour).attr("stroke-width", 1.4).attr("stroke-dasharray", style.dash)
+      group.append("path").attr("fill", "none").attr("stroke", style.colour).attr("stroke-width", 1.4).attr("stroke-dasharray", style.dash || null)
         .attr("d", d3.line().defined((point) => Number.isFinite(point.error)).x((point) => x(point.at)).y(place)(points));
       const marks = group.selectAll("a").data(points).join("a").attr("href", `#${curve.cell}`).attr("tabindex", -1);
-      marks.append("path").attr("d", (point) => d3.symbol(Number.isFinite(point.error) ? style.mark : d3.symbolTriangle, 30)()).attr("transform", (point) => `translate(${x(point.at)},${place(point)})`)
-        .attr("fill", (point) => (Number.isFinite(point.error) ? style.colour : "#d62728")).append("title").text((point) => `${name}: ${point.error === Infinity ? "not finite" : point.error} at ${point.at}`);
+      marks.append("path").attr("d", (point) => (Number.isFinite(point.error) ? markPath(style, 30) : d3.symbol(d3.symbolTriangle, 30)()))
+        .attr("transform", (point) => `translate(${x(point.at)},${place(point)})` + (Number.isFinite(point.error) ? ` ${turnOf(style)}` : ""))
+        .attr("fill", (point) => (!Number.isFinite(point.error) ? "#d62728" : style.filled ? style.colour : "var(--paper)")).attr("stroke", (point) => (Number.isFinite(point.error) ? style.colour : "#d62728")).append("title").text((point) => `${name}: ${point.error === Infinity ? "not finite" : point.error} at ${point.at}`);
       tipOn(marks, (point) => `${name}, ${title}: ${point.error === Infinity ? "not finite" : point.error} at ${details.dataset.axis} ${point.at}`);
     }
   });
   svg.append("text").attr("x", left + 1.5 * width).attr("y", height + 60).attr("text-anchor", "middle").text(details.dataset.axis);
   svg.append("text").attr("transform", `translate(10,${height / 2 + 24}) rotate(-90)`).attr("text-anchor", "middle").text("relative error, units of u");
   box.append(svg.node());
-  legend(box, [...new Set(curves.map((curve) => `${curve.evaluation}, ${curve.scalar}`))], svg);
+  const key = legend(box, new Map(curves.map((curve) => [`${curve.evaluation}, ${curve.scalar}`, curve.style])), svg);
+  const sign = (node, text) => {
+    const part = element("span");
+    part.append(node, document.createTextNode(text));
+    key.append(part);
+  };
+  if (anyBound) sign(keyLine("#888888", "2 3").node(), "promised digits");
+  if (anyInfinite) {
+    const mark = d3.create("svg").attr("width", 12).attr("height", 12).attr("aria-hidden", "true");
+    mark.append("path").attr("d", d3.symbol(d3.symbolTriangle, 36)()).attr("transform", "translate(6,7)").attr("fill", "#d62728");
+    sign(mark.node(), "not finite, at the upper edge");
+  }
 }
 
 for (const details of document.querySelectorAll("details.picture")) {
@@ -286,29 +310,30 @@ function drawTimes(box) {
   const times = JSON.parse(document.getElementById("times-data").textContent).filter((time) => time.generic !== null);
   if (!times.length) return;
   const errors = times.flatMap((time) => [time.generic, time.near ?? time.generic]).map(heightOf).filter(Number.isFinite);
-  const top = 10 ** (Math.ceil(Math.log10(Math.max(100, ...errors))) + 1), width = 300, height = 230, left = 48, gap = 22;
+  const anyInfinite = times.some((time) => [time.generic, time.near ?? time.generic].some((error) => !Number.isFinite(heightOf(error))));
+  const top = 10 ** (Math.ceil(Math.log10(Math.max(100, ...errors))) + 1), width = 300, height = 230, left = leftOfPanels, gap = 22;
   const spread = d3.extent(times, (time) => time.nanoseconds);
   const x = d3.scaleLog([spread[0] / 1.5, spread[1] * 1.5], [0, width]), y = d3.scaleLog([low, top], [height, 0]);
   const svg = d3.create("svg").attr("viewBox", `0 0 ${left + 3 * (width + gap)} ${height + 66}`).attr("width", left + 3 * (width + gap)).attr("role", "img").attr("aria-label", "Largest error against time of each evaluation");
   const place = (error) => y(Number.isFinite(error) ? Math.min(Math.max(error, low), top) : top);
   orderNames.forEach((title, order) => {
     const panel = svg.append("g").attr("transform", `translate(${left + order * (width + gap)},24)`);
-    axes(panel, x, y, width, height, title, order === 0);
+    axes(panel, x, y, width, height, title, order === 0, anyInfinite);
     for (const time of times.filter((one) => one.order === order)) {
-      const name = `${time.evaluation}, double`, style = styleOf(name), at = x(time.nanoseconds);
+      const name = `${time.evaluation}, double`, style = time.style, at = x(time.nanoseconds);
       const generic = heightOf(time.generic), near = heightOf(time.near ?? time.generic);
       const written = (error) => (Number.isFinite(error) ? error.toPrecision(2) : "not finite");
       const group = panel.append("g").attr("data-series", name);
       group.append("line").attr("x1", at).attr("x2", at).attr("y1", place(generic)).attr("y2", place(near)).attr("stroke", style.colour).attr("stroke-dasharray", "1 3");
       const text = `${name}, ${title}: ${time.nanoseconds} ns; at generic distance ${written(generic)}${time.near === null ? "" : `, next to the element ${written(near)}`}`;
       for (const [error, fill] of [[near, "none"], [generic, style.colour]])
-        tipOn(group.append("path").attr("d", d3.symbol(style.mark, 50)()).attr("transform", `translate(${at},${place(error)})`).attr("fill", fill).attr("stroke", style.colour).attr("pointer-events", "all").attr("tabindex", fill === "none" ? null : 0), () => text);
+        tipOn(group.append("path").attr("d", markPath(style, 50)).attr("transform", `translate(${at},${place(error)}) ${turnOf(style)}`).attr("fill", fill).attr("stroke", style.colour).attr("pointer-events", "all").attr("tabindex", fill === "none" ? null : 0), () => text);
     }
   });
   svg.append("text").attr("x", left + 1.5 * width).attr("y", height + 60).attr("text-anchor", "middle").text("nanoseconds a pair");
   svg.append("text").attr("transform", `translate(10,${height / 2 + 24}) rotate(-90)`).attr("text-anchor", "middle").text("relative error, units of u");
   box.append(svg.node());
-  legend(box, [...new Set(times.map((time) => `${time.evaluation}, double`))], svg);
+  legend(box, new Map(times.map((time) => [`${time.evaluation}, double`, time.style])), svg);
 }
 const timesBox = document.querySelector("[data-times]");
 if (timesBox) drawTimes(timesBox);

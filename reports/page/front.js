@@ -15,11 +15,26 @@ function heatClass(text, css) {
   return [digits >= 12 ? "e0" : digits >= 8 ? "e1" : digits >= 4 ? "e2" : digits >= 1 ? "e3" : "e4", ...css.split(" ").slice(1)].join(" ");
 }
 
+// Columns and lines of the heat map in which nothing was measured are left out.
+function hideEmpty(table, cells) {
+  const columns = new Set(), rows = new Set();
+  for (const {link} of cells)
+    if (link.textContent !== "·") {
+      columns.add(link.parentElement.cellIndex);
+      rows.add(link.closest("tr"));
+    }
+  for (const row of table.rows) {
+    if (row.parentElement === table.tBodies[0]) row.hidden = !rows.has(row);
+    for (const cell of [...row.cells].slice(1)) cell.hidden = !columns.has(cell.cellIndex);
+  }
+}
+
 // The heat map of another evaluation or order: from the overview's data, since each of its cells leads to one line.
 function heatMap(data, lines, filters) {
   const form = document.querySelector('[data-filters="heat"]'), {evaluation, order} = form.elements;
   addChoices(evaluation, data.evaluations);
-  const cells = [...document.querySelectorAll('[data-table="heat"] td > a')].map((link) => ({
+  const table = document.querySelector('[data-table="heat"]');
+  const cells = [...table.querySelectorAll("td > a")].map((link) => ({
     link,
     line: lines[Number(link.getAttribute("href").slice(2))],
     shown: [link.textContent, link.parentElement.className],
@@ -45,6 +60,7 @@ function heatMap(data, lines, filters) {
       link.textContent = text;
       link.parentElement.className = css;
     }
+    hideEmpty(table, cells);
     const what = ["values", "gradients", "Hessians"][Number(order.value)];
     document.querySelector("[data-heat]").textContent = `of ${what} in ${evaluation.value === "" ? "the recommended evaluation" : evaluation.value}`;
   });
@@ -61,6 +77,7 @@ if (overview) {
     regime: row.cells[1].textContent,
     lead: row.cells[2].textContent,
     cells: data.cells[place],
+    blank: row.hidden,
     shown: null,
   }));
   addChoices(form.elements.formula, lines.map((line) => line.formula));
@@ -69,12 +86,12 @@ if (overview) {
 
   const showEvaluation = (line, name) => {
     // What the page came with is kept once it is to be replaced: keeping all of it would take longer than all else here.
-    if (name === "" && line.shown === null) return true;
+    if (name === "" && line.shown === null) return !line.blank;
     const cells = [...line.row.cells].slice(2);
     if (line.shown === null) line.shown = cells.map((cell) => [cell.className, cell.innerHTML]);
     if (name === "") {
       cells.forEach((cell, i) => ([cell.className, cell.innerHTML] = line.shown[i]));
-      return true;
+      return !line.blank;
     }
     const orders = cellsOf(data, line, name);
     if (!orders) return false;
@@ -102,7 +119,8 @@ if (overview) {
     for (const row of overview.rows)
       for (const o of [0, 1, 2]) row.cells[3 + o].hidden = order.value !== "" && Number(order.value) !== o;
     document.querySelector("[data-shown]").textContent = evaluation.value === "" ? "of the recommended evaluation" : `of ${evaluation.value}`;
-    form.querySelector("output").textContent = `${count} of ${lines.length} lines`;
+    const all = evaluation.value === "" ? lines.filter((line) => !line.blank).length : lines.length;
+    form.querySelector("output").textContent = `${count} of ${all} lines`;
   });
   heatMap(data, lines, form);
 }

@@ -13,8 +13,9 @@
 namespace cageproof::reports {
 
 /// Colours of curves: Okabe and Ito's, told apart by people with any colour vision; yellow, too pale for a line, is
-/// left out.
-inline constexpr std::array kCurveColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#444444"};
+/// left out. Then four that are seen on white and on black.
+inline constexpr std::array kCurveColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9",
+                                          "#e69f00", "#808080", "#7f3fbf", "#8c564b", "#7a9a01"};
 
 /// The colour of a sample that is not finite where one is expected (infinite), and of a masked one (NaN).
 inline constexpr const char* kInfiniteColour = "#d62728";

@@ -5,8 +5,10 @@
 #include "colours.h"
 #include "digest.h"
 #include "figure.h"
+#include "series_styles.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -22,38 +24,23 @@ constexpr std::array<std::array<int, 2>, 5> kShapes{{{7, 6}, {5, 4}, {9, 8}, {11
 constexpr double kSmallestDrawn = 0.1;
 constexpr std::size_t kManyPoints = 40;
 
-// An evaluation keeps its colour and shape, and a scalar its dashes, in all pictures of a report.
+// The looks of a curve, as gnuplot has them; what is recommended is drawn thicker.
 class Styles {
  public:
-  explicit Styles(const RunResult& result) {
-    note(evaluations_, std::string(leading));
-    note(scalars_, "double");
-    for (const ResultCurve& curve : result.curves) note(evaluations_, key_of(curve)), note(scalars_, curve.scalar);
-  }
+  explicit Styles(const RunResult& result) : series_(result) {}
   std::string line(const ResultCurve& curve) const {
-    const std::size_t k = index(evaluations_, key_of(curve)), scalar = index(scalars_, curve.scalar);
-    return fmt::format("linecolor rgb '{}' dashtype {} linewidth {} pointtype {} pointsize {}", colour(curve),
-                       scalar % 5 + 1, k == 0 && scalar == 0 ? 1.8 : 1,
-                       kShapes[k % kShapes.size()][scalar == 0 ? 0 : 1],
+    const SeriesStyle style = series_.of(curve.evaluation, curve.scalar);
+    const bool leads = curve.role == name_of(Role::Recommended) && curve.scalar == "double";
+    return fmt::format("linecolor rgb '{}' dashtype {} linewidth {} pointtype {} pointsize {}", style.colour,
+                       dash_type(style.dash), leads ? 1.8 : 1, kShapes[style.shape][style.filled ? 0 : 1],
                        curve.errors.size() > kManyPoints ? 0.25 : 0.6);
-  }
-  const char* colour(const ResultCurve& curve) const {
-    return kCurveColours[index(evaluations_, key_of(curve)) % kCurveColours.size()];
   }
 
  private:
-  static void note(std::vector<std::string>& names, const std::string& name) {
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  static std::string dash_type(const std::vector<int>& dash) {
+    return dash.empty() ? "1" : fmt::format("({})", fmt::join(dash, ","));
   }
-  // Recommended evaluations look alike, whatever their names.
-  static constexpr std::string_view leading = name_of(Role::Recommended);
-  static std::string key_of(const ResultCurve& curve) {
-    return curve.role == leading ? std::string(leading) : curve.evaluation;
-  }
-  static std::size_t index(const std::vector<std::string>& names, const std::string& name) {
-    return std::ranges::find(names, name) - names.begin();
-  }
-  std::vector<std::string> evaluations_, scalars_;
+  SeriesStyles series_;
 };
 
 using Curves = std::vector<const ResultCurve*>;
@@ -142,7 +129,8 @@ std::vector<std::string> legend(const Curves& curves, const Styles& styles, bool
                                     gnuplot_text(curve->evaluation + ", " + curve->scalar)));
   if (promised) entries.emplace_back("keyentry with lines linecolor rgb '#777777' dashtype 2 title 'promised digits'");
   if (infinite)
-    entries.emplace_back("keyentry with points linecolor rgb '#444444' pointtype 9 pointsize 1.3 title 'not finite'");
+    entries.push_back(fmt::format(
+        "keyentry with points linecolor rgb '{}' pointtype 9 pointsize 1.3 title 'not finite'", kInfiniteColour));
   return entries;
 }
 
@@ -155,7 +143,7 @@ std::string panel(const Curves& curves, const Styles& styles, const std::set<dou
       plot += fmt::format(
           "{}$d{} with linespoints {} notitle, $i{} with points linecolor rgb '{}' pointtype 9 "
           "pointsize 1.3 notitle",
-          plot.empty() ? "" : ", ", n, styles.line(*curves[n]), n, styles.colour(*curves[n]));
+          plot.empty() ? "" : ", ", n, styles.line(*curves[n]), n, kInfiniteColour);
   return plot.empty() ? "NaN notitle" : plot;
 }
 

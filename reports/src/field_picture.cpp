@@ -40,13 +40,19 @@ std::string key_note(bool infinite, bool masked) {
 bool is_infinite(double x) { return std::isinf(x); }
 bool is_masked(double x) { return std::isnan(x); }
 
+// Long titles are written smaller, so that the picture's edge does not cut them.
+int title_size(const std::string& title) {
+  constexpr std::size_t most_at_full_size = 72;
+  return title.size() <= most_at_full_size ? 10 : std::max(5, static_cast<int>(10 * most_at_full_size / title.size()));
+}
+
 // The title in the first line, what grey and red mean in the second.
 std::string frame(const std::string& title, int height) {
   return fmt::format(
       "set border linecolor rgb '#666666'\nset tics nomirror out scale 0.5\nset size ratio -1\n"
-      "set label 1 {} at screen 0.5,{} center noenhanced\n"
+      "set label 1 {} at screen 0.5,{} center noenhanced font ',{}'\n"
       "set key at screen 0.5,{} center top horizontal Left reverse samplen 0.5 width 1 maxcols 2\n",
-      gnuplot_text(title), 1 - 14.0 / height, 1 - 24.0 / height);
+      gnuplot_text(title), 1 - 14.0 / height, title_size(title), 1 - 24.0 / height);
 }
 constexpr int kHead = 52, kFoot = 48;
 

@@ -87,9 +87,13 @@ FieldEntry ReportWriter::write_mesh(const MeshField& field, const std::string& t
 std::vector<FieldEntry> ReportWriter::write_scene(const FieldScene& scene) {
   constexpr ColourLimits limits{1e-17, 1};
   const std::filesystem::path& folder = state_->folder.path();
+  // The picture shows one evaluation, and says which.
+  const std::string pictured = fmt::format("{}: error of {}", scene.title.substr(0, scene.title.find(": errors of ")),
+                                           short_name(scene.compared.front()));
   std::vector<FieldEntry> entries{
-      write_image(scene.image, scene.title, scene.compared.front(), ColourScale::Log10, limits, &scene.cage)};
+      write_image(scene.image, pictured, scene.compared.front(), ColourScale::Log10, limits, &scene.cage)};
   FieldEntry& image = entries.front();
+  image.title = scene.title;
   const auto name_of = [](const std::string& path) { return path.substr(path.find('/') + 1); };
   const std::string stem = name_of(image.data).substr(0, name_of(image.data).size() - 4);
   SceneFiles files{name_of(image.data), stem + ".cage.vtp", ""};

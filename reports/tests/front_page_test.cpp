@@ -95,6 +95,60 @@ TEST(FrontPage, CellsLeadToTheirLine) {
   EXPECT_EQ(cells, 3 * 4 - 1);
 }
 
+// Rows of one regime, which another evaluation than the recommended one alone has.
+TEST(FrontPage, LeavesOutColumnsAndLinesWithoutAFigure) {
+  RunResult run = sample_run(2, 3);
+  std::erase_if(run.rows, [&](const ResultRow& row) {
+    return row.section == RowKey::Section::Element && row.setting == "near-edge" && row.evaluation == "closed_form" &&
+           row.scalar == "double";
+  });
+  const std::string page = page_named("index.html", run);
+  EXPECT_NE(page.find("<th scope=\"col\" hidden><span>near-edge</span></th>"), page.npos);
+  EXPECT_NE(page.find("<th scope=\"col\"><span>near-face</span></th>"), page.npos);
+  // The third of three regimes: a cell of each formula, and its line.
+  const auto at = page.find("<td hidden class=\"\"><a href=\"#r2\">·</a></td>");
+  EXPECT_NE(at, page.npos);
+  EXPECT_NE(page.find("<tr id=\"r2\" hidden>"), page.npos);
+  EXPECT_NE(page.find("<tr id=\"r1\"><th"), page.npos);
+}
+
+TEST(FrontPage, CountsNoFiguresWhereThereAreNone) {
+  RunResult run = sample_run(1, 1);
+  run.fields = {{.title = "telling", .data = "fields/b.vti", .largest = 2e-3}};
+  const std::string page = page_named("index.html", run);
+  EXPECT_NE(page.find("1 picture of a field</a>"), page.npos) << page.substr(page.find("id=\"pictures\""), 300);
+}
+
+TEST(FrontPage, SaysWhichRegimesHaveNoSamplesAtOnce) {
+  RunResult run = sample_run(1, 1);
+  EXPECT_EQ(page_named("index.html", run).find("is no regime"), std::string::npos);
+  run.settings["regimes without samples"] = "near-edge is no regime of segments: nothing was asked there.";
+  const std::string page = page_named("index.html", run);
+  EXPECT_LT(page.find("<strong>near-edge is no regime of segments"), page.find("</header>"));
+}
+
+TEST(FrontPage, SaysWhatThePapersAre) {
+  RunResult run = sample_run(1, 1);
+  run.errata.front().source = "[W12] Eq 3";
+  const std::string page = page_named("index.html", run);
+  EXPECT_NE(page.find("[W12] Weber, Poranne, Gotsman, Biharmonic Coordinates, 2012."), page.npos);
+  EXPECT_EQ(page.find("[T24] Thiery"), page.npos);
+}
+
+TEST(FrontPage, PicturesHaveTheVerdictAndTheCage) {
+  RunResult run = sample_run(1, 1);
+  run.settings["cage"] = "some/where/cage.obj";
+  run.fields = {{.title = "some/where/cage.obj, green coordinates: errors of gauss-8, hybrid",
+                 .data = "fields/b.vti",
+                 .largest = 3.5,
+                 .page = "field.html",
+                 .state = "fields/b.pvsm"}};
+  const std::string page = gallery_page(run, {});
+  EXPECT_NE(page.find("Pictures of cage.obj</h1>"), page.npos);
+  EXPECT_NE(page.find("<a href=\"index.html\">All "), page.npos) << page.substr(page.find("<h1>"), 400);
+  EXPECT_NE(page.find("largest of gauss-8, which the picture shows, 3.5 (the colours end at 1)"), page.npos);
+}
+
 // Words of the rows that say nothing by themselves; what is compared between runs keeps them.
 TEST(FrontPage, SaysUnitsInWords) {
   RunResult run = sample_run(1, 1);

@@ -48,7 +48,8 @@ RunResult run_of_cage() {
   run.fields.push_back({.title = "folder/my_cage.obj, green coordinates: linear reproduction",
                         .unit = "cage sizes",
                         .data = "fields/green.vti",
-                        .picture = "pictures/green.png"});
+                        .picture = "pictures/green.png",
+                        .largest = 1e-3});
   return run;
 }
 
@@ -63,9 +64,15 @@ std::string given_cage_section(const std::string& page) {
 TEST(GivenCage, NamesTheQuickestKindThatKeepsAllAndReproducesLinearFunctions) {
   const std::string page = index_of(run_of_cage()), section = given_cage_section(page);
   EXPECT_NE(page.find("All 10 promises kept for my_cage.obj</h1>"), page.npos);
-  EXPECT_NE(section.find("Take green: it keeps all of its 5 promises, reproduces linear functions, and takes 850 ns"),
+  EXPECT_NE(section.find("The quickest that keeps its promises: green. It keeps all 5 of them, reproduces linear "
+                         "functions, and takes 850 ns"),
             section.npos)
       << section;
+  // It comes first, and what the choice leaves out is said.
+  EXPECT_LT(section.find("<tr class=\"taken\"><th scope=\"row\"><a href=\"cages/folder-my_cage.obj.html\">green</a>"),
+            section.find(">mean_<wbr>value</a>"))
+      << section;
+  EXPECT_NE(section.find("It does not look at how a kind deforms"), section.npos);
   EXPECT_NE(section.find("The rule: of the kinds that keep all promises"), section.npos);
   EXPECT_NE(section.find("src=\"pictures/green.png\""), section.npos);
   EXPECT_NE(section.find("my_mesh.obj"), section.npos);
@@ -113,8 +120,57 @@ TEST(GivenCage, IsNotTakenWhereItBreaksAPromise) {
   run.rows.push_back(made_row("green", "cage_truth", "outside", 1e-3, Verdict::Broken));
   const std::string page = index_of(run), section = given_cage_section(page);
   EXPECT_NE(page.find("1 of 11 promises broken for my_cage.obj</h1>"), page.npos);
-  EXPECT_NE(section.find("Take mean_value:"), section.npos) << section;
+  EXPECT_NE(section.find("promises: mean_value."), section.npos) << section;
   EXPECT_LT(page.find("id=\"given-cage\""), page.find("id=\"broken\""));
+}
+
+// A verdict on points outside says nothing of those that are deformed.
+TEST(GivenCage, IsNotTakenWhereNothingWasComparedAtTheCage) {
+  RunResult run = run_of_cage();
+  const auto leave = [&](const char* place) {
+    for (ResultRow& row : run.rows)
+      if (row.subject == "green" && row.check == "cage_block_error" && row.place == "inside") row.place = place;
+  };
+  leave("outside");
+  std::string section = given_cage_section(index_of(run));
+  EXPECT_NE(section.find("promises: mean_value."), section.npos) << section;
+  EXPECT_NE(section.find("<td class=\"n\">not compared</td><td class=\"n\">0</td><td class=\"n\">11 (far)</td>"),
+            section.npos)
+      << section;
+  leave("near-face");
+  for (ResultRow& row : run.rows)
+    if (row.check == "cage_block_error" && row.place == "inside") row.samples = 0;
+  section = given_cage_section(index_of(run));
+  EXPECT_NE(section.find("compared with its truth in, on or next to the cage in this suite, so none is named"),
+            section.npos)
+      << section;
+}
+
+TEST(GivenCage, ShowsNoPictureOfRoundingNoise) {
+  RunResult run = run_of_cage();
+  run.fields.front().largest = 1e-16;
+  EXPECT_EQ(given_cage_section(index_of(run)).find("<img"), std::string::npos);
+  run.fields.push_back({.title = "folder/my_cage.obj, mean_value coordinates: errors of gauss-8, hybrid",
+                        .data = "fields/scene.vti",
+                        .picture = "pictures/scene.png",
+                        .largest = 0.1});
+  const std::string section = given_cage_section(index_of(run));
+  EXPECT_NE(section.find("src=\"pictures/scene.png\" alt=\"my_cage.obj, mean_value coordinates"), section.npos)
+      << section;
+}
+
+TEST(GivenCage, SaysHowManyPointsWereAsked) {
+  RunResult run = run_of_cage();
+  run.settings["samples"] = "15";
+  for (ResultRow& row : run.rows) row.asked = row.place == "mesh" ? 434 : 12;
+  run.rows.push_back(made_row("green", "linear_reproduction", "on-face", 0, Verdict::Kept));
+  run.rows.back().asked = 1048;
+  const std::string page = index_of(run);
+  EXPECT_NE(page.find("coordinates in the cage my_cage.obj. Suite , up to 24 points off the cage, 1,048 on it, 434 of "
+                      "those that were given, seed 0."),
+            page.npos)
+      << page.substr(page.find("What was run"), 300);
+  EXPECT_EQ(page.find("samples per formula"), page.npos);
 }
 
 TEST(GivenCage, NotFiniteIsNoDigit) {

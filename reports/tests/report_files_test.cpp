@@ -194,6 +194,23 @@ TEST(ReportFiles, DeformersHaveATableOfTheirOwn) {
   for (const auto& [name, without] : report(run)) EXPECT_EQ(without.find("eformers"), std::string::npos) << name;
 }
 
+// Coordinates down, checks across, each with its unit and with what it compares.
+TEST(ReportFiles, CoordinatesAreLinesAndChecksColumns) {
+  const std::string page = report(sample_run(1, 1)).at("cages/cube.html");
+  EXPECT_NE(
+      page.find("title=\"Compared: the sum of the vertices&apos; coordinates and one\">partition_<wbr>of_<wbr>unity "
+                "<span class=\"unit\">absolute</span></th>"),
+      page.npos)
+      << page.substr(page.find("<thead>"), 600);
+  EXPECT_NE(
+      page.find("<tr><th scope=\"row\">mean_<wbr>value <span class=\"note\">closed_form, double</span></th><td class="),
+      page.npos);
+  EXPECT_NE(
+      report(sample_run(1, 1)).at("formulas/triangle.single_layer.html").find("<th scope=\"row\" title=\"Compared: "),
+      page.npos);
+  EXPECT_EQ(page.find("truth,"), page.npos) << "cells of a cage are compared with no value";
+}
+
 TEST(ReportFiles, BrokenPromisesComeFirst) {
   RunResult run = sample_run(2, 2);
   for (ResultRow& row : run.rows) row.verdict = row.bound ? Verdict::Kept : Verdict::NotPromised;
@@ -366,8 +383,12 @@ TEST(ReportFiles, TimesStandBesideTheirOwnErrors) {
   cage.setting = "near-wall.obj";
   cage.max_relative = 1e6 * u;
   run.rows.push_back(cage);
-  const Json times = times_on_page(run, formula);
+  Json times = times_on_page(run, formula);
   ASSERT_EQ(times.size(), 3u);
+  for (Json& time : times) {
+    EXPECT_TRUE(time["style"].contains("colour")) << time;
+    time.erase("style");
+  }
   EXPECT_EQ(
       times[0],
       (Json{{"evaluation", "closed_form"}, {"order", 0}, {"nanoseconds", 850.0}, {"generic", 0.0}, {"near", 5.0}}));

@@ -2,6 +2,7 @@
 #include "cageproof/reports/broken_groups.h"
 #include "figure.h"
 #include "page_data.h"
+#include "run_names.h"
 
 #include <algorithm>
 
@@ -13,12 +14,12 @@ constexpr std::size_t kMostRows = 60;
 // What is seen without unfolding anything.
 constexpr std::size_t kFirstRows = 12;
 
-Data line_of(const ResultRow& row) {
+Data line_of(const ResultRow& row, const ShownNames& names) {
   Data data;
   data.set("subject", row.subject);
   data.set("evaluation", row.evaluation);
   data.set("scalar", row.scalar);
-  data.set("where", row.place.empty() ? row.setting : row.setting + ", " + row.place);
+  data.set("where", names.of(row.setting) + (row.place.empty() ? "" : ", " + row.place));
   data.set("check", row.check);
   data.set("order", std::string(order_name(row.order)));
   // A figure that is kept is not what is broken.
@@ -36,9 +37,10 @@ Data line_of(const ResultRow& row) {
 
 void set_broken(Data& page, const RunResult& result) {
   const Rows rows = broken_rows(result);
+  const ShownNames names = names_of_run(result);
   Data first{Data::type::list}, other{Data::type::list};
   for (std::size_t i = 0; i < std::min(rows.size(), kMostRows); ++i)
-    (i < kFirstRows ? first : other) << line_of(*rows[i]);
+    (i < kFirstRows ? first : other) << line_of(*rows[i], names);
   page.set("has_broken", !rows.empty());
   set_list(page, "first_broken", first);
   set_list(page, "other_broken", other);

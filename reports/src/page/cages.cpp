@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure.h"
 #include "page_data.h"
+#include "run_names.h"
 
 namespace cageproof::reports {
 namespace {
@@ -8,6 +9,7 @@ namespace {
 // One line a cage: how many promises, and which row comes nearest to its bound.
 Data lines_of(const RunResult& result, RowKey::Section section) {
   Data list{Data::type::list};
+  const ShownNames names = names_of_run(result);
   Rows of_section;
   for (const ResultRow& row : result.rows)
     if (row.section == section) of_section.push_back(&row);
@@ -21,7 +23,7 @@ Data lines_of(const RunResult& result, RowKey::Section section) {
       if (row->bound && (!tightest || more_telling(*row, *tightest))) tightest = row;
     }
     Data data;
-    data.set("cage", cage);
+    data.set("cage", names.of(cage));
     data.set("page", page_of({section, "", "", "", cage, "", "", 0}));
     data.set("kept", grouped(kept));
     data.set("broken", grouped(broken));

@@ -5,6 +5,7 @@
 #include "figure_facts.h"
 #include "page_data.h"
 #include "page_template.h"
+#include "run_names.h"
 
 #include <fmt/format.h>
 
@@ -13,16 +14,27 @@
 namespace cageproof::reports {
 namespace {
 
+// Of a scene the largest is that of the evaluation which its picture shows, in colours that end at one.
+std::string largest_text(const FieldEntry& field) {
+  constexpr std::string_view several = ": errors of ";
+  const auto at = field.title.find(several);
+  if (field.state.empty() || at == field.title.npos) return short_number(field.largest);
+  const std::string first = field.title.substr(at + several.size());
+  return fmt::format("of {}, which the picture shows, {}{}", first.substr(0, first.find(',')),
+                     short_number(field.largest), field.largest > 1 ? " (the colours end at 1)" : "");
+}
+
 // Fields that are rounding noise, or those that are not.
 Data fields_of(const RunResult& result, bool noise) {
   Data fields{Data::type::list};
+  const ShownNames names = names_of_run(result);
   for (const FieldEntry& field : result.fields) {
     if (is_rounding_noise(field) != noise) continue;
     Data data;
-    data.set("title", field.title);
+    data.set("title", names.in(field.title));
     data.set("unit", field.unit.empty() || field.unit == "1" ? "" : " " + field.unit);
     data.set("file", field.data);
-    data.set("largest", short_number(field.largest));
+    data.set("largest", largest_text(field));
     data.set("has_picture", !field.picture.empty());
     data.set("picture", field.picture);
     data.set("has_page", !field.page.empty());
@@ -76,6 +88,11 @@ std::string gallery_page(const RunResult& result, const std::vector<FigureEntry>
   Data data = common_data(result, "");
   Data sheets{Data::type::list};
   for (const FigureEntry& entry : figures) sheets << figure_data(entry);
+  set_verdict(data, result);
+  data.set("has_rows", !result.rows.empty());
+  const auto cage = result.settings.find("cage");
+  data.set("has_cage", cage != result.settings.end());
+  data.set("of_cage", cage == result.settings.end() ? "" : names_of_run(result).of(cage->second));
   data.set("has_fields", !result.fields.empty());
   set_list(data, "telling_fields", fields_of(result, false));
   set_list(data, "noise", fields_of(result, true));

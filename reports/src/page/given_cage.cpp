@@ -3,8 +3,11 @@
 
 #include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/catalogue/role.h"
+#include "check_words.h"
 #include "figure.h"
+#include "gallery_page.h"
 #include "page_template.h"
+#include "run_names.h"
 
 #include <fmt/format.h>
 
@@ -92,6 +95,7 @@ KindInCage kind_in_cage(const RunResult& result, const std::string& name) {
       const double error = row.nonfinite > 0 ? HUGE_VAL : row.max_relative;
       if (is_at_the_cage(row.place)) {
         raise(found.error_inside, error);
+        found.samples_inside += row.samples;
       } else {
         const std::optional<double> before = found.error_elsewhere;
         raise(found.error_elsewhere, error);
@@ -109,7 +113,9 @@ KindInCage kind_in_cage(const RunResult& result, const std::string& name) {
   return found;
 }
 
-std::string digits_text(const std::optional<double>& error) { return error ? digits_kept(*error, "double") : "–"; }
+std::string digits_text(const std::optional<double>& error) {
+  return error ? digits_kept(*error, "double") : "not compared";
+}
 
 std::string keeps_text(const ResultRow* row) {
   if (row == nullptr) return "not measured";
@@ -127,13 +133,14 @@ std::string signs_text(const ResultRow* row) {
 
 Data row_of_kind(const KindInCage& one, bool is_taken) {
   Data data;
-  data.set("kind", one.kind);
+  data.set("kind", breakable(one.kind));
   data.set("evaluation", one.evaluation);
   data.set("taken", is_taken);
+  data.set("samples", grouped(one.samples_inside));
   data.set("digits", digits_text(one.error_inside));
   data.set("elsewhere", one.error_elsewhere
                             ? fmt::format("{} ({})", digits_text(one.error_elsewhere), one.worst_elsewhere)
-                            : std::string("–"));
+                            : std::string("not compared"));
   data.set("at_points", one.at_points ? short_error(one.at_points->max_relative) : "–");
   data.set("unity", keeps_text(one.unity));
   data.set("linear", keeps_text(one.linear));
@@ -145,36 +152,42 @@ Data row_of_kind(const KindInCage& one, bool is_taken) {
   return data;
 }
 
+bool keeps_all(const KindInCage& kind) { return kind.broken == 0 && kind.undecided == 0 && kind.reproduces_linear; }
+
 std::string advice_of(const std::vector<KindInCage>& kinds, const KindInCage* taken, bool timed) {
   if (taken != nullptr)
-    return fmt::format("Take {}: it keeps all of its {} promises, reproduces linear functions, and takes {} per point.",
-                       taken->kind, grouped(taken->kept), duration_text(*taken->nanoseconds));
-  if (std::ranges::none_of(kinds, [](const KindInCage& k) { return k.broken == 0 && k.reproduces_linear; }))
+    return fmt::format(
+        "The quickest that keeps its promises: {}. It keeps all {} of them, reproduces linear functions, "
+        "and takes {} per point.",
+        taken->kind, grouped(taken->kept), duration_text(*taken->nanoseconds));
+  if (std::ranges::none_of(kinds, keeps_all))
     return "No kind keeps all promises and reproduces linear functions in this cage.";
-  return timed ? "None of the kinds that keep all promises and reproduce linear functions was timed."
+  if (std::ranges::none_of(kinds, [](const KindInCage& k) { return keeps_all(k) && k.error_inside; }))
+    return "None of the kinds that keep all promises and reproduce linear functions was compared with its truth in, on "
+           "or next to the cage in this suite, so none is named.";
+  return timed ? "None of the kinds that could be named was timed."
                : "No kind was timed in this run, so none is named as the quickest.";
 }
 
-// The fields that show the cage, of the kind to take where it has some: one at the points given, and a slice.
+// A field that tells something of the cage: of the kind to take where it has one, at the points given rather than in a
+// slice. Fields of rounding noise tell nothing.
 Data pictures_of(const RunResult& result, const std::string& kind) {
+  const ShownNames names = names_of_run(result);
+  const auto rank = [&](const FieldEntry& field) {
+    const bool of_kind = field.title.find(fmt::format(", {} coordinates", kind)) != std::string::npos;
+    return std::pair(of_kind, field.data.ends_with(".vtp"));
+  };
+  const FieldEntry* shown = nullptr;
+  for (const FieldEntry& field : result.fields)
+    if (!field.picture.empty() && !is_rounding_noise(field) && (!shown || rank(field) > rank(*shown))) shown = &field;
   Data list{Data::type::list};
-  const auto add = [&](auto&& shows) {
-    const auto entry = std::ranges::find_if(result.fields, shows);
-    if (entry == result.fields.end()) return;
-    Data data;
-    data.set("picture", entry->picture);
-    data.set("title", entry->title);
-    data.set("page", entry->page);
-    data.set("has_page", !entry->page.empty());
-    list << data;
-  };
-  const std::string ending = fmt::format(", {} coordinates: linear reproduction", kind);
-  const auto is_of_kind = [&](const FieldEntry& f) {
-    return !f.picture.empty() &&
-           (kind.empty() ? f.title.ends_with(" coordinates: linear reproduction") : f.title.ends_with(ending));
-  };
-  add([&](const FieldEntry& f) { return is_of_kind(f) && f.data.ends_with(".vtp"); });
-  add([&](const FieldEntry& f) { return is_of_kind(f) && f.data.ends_with(".vti"); });
+  if (!shown) return list;
+  Data data;
+  data.set("picture", shown->picture);
+  data.set("title", names.in(shown->title));
+  data.set("page", shown->page);
+  data.set("has_page", !shown->page.empty());
+  list << data;
   return list;
 }
 
@@ -209,7 +222,7 @@ std::vector<KindInCage> kinds_in_cage(const RunResult& result) {
 const KindInCage* kind_to_take(const std::vector<KindInCage>& kinds) {
   const KindInCage* best = nullptr;
   for (const KindInCage& one : kinds) {
-    if (one.broken > 0 || one.undecided > 0 || !one.reproduces_linear || !one.nanoseconds) continue;
+    if (!keeps_all(one) || !one.error_inside || !one.nanoseconds) continue;
     if (best == nullptr || *one.nanoseconds < *best->nanoseconds) best = &one;
   }
   return best;
@@ -223,8 +236,12 @@ void set_given_cage(Data& page, const RunResult& result) {
   const bool timed = std::ranges::any_of(kinds, [](const KindInCage& k) { return k.nanoseconds.has_value(); });
   const bool at_points = std::ranges::any_of(kinds, [](const KindInCage& k) { return k.at_points != nullptr; });
   const bool has_signs = std::ranges::any_of(kinds, [](const KindInCage& k) { return k.signs != nullptr; });
+  // The one that is named comes first.
+  std::vector<const KindInCage*> order;
+  for (const KindInCage& one : kinds) order.insert(&one == taken ? order.begin() : order.end(), &one);
   Data rows{Data::type::list};
-  for (const KindInCage& one : kinds) {
+  for (const KindInCage* const kind : order) {
+    const KindInCage& one = *kind;
     Data row = row_of_kind(one, &one == taken);
     row.set("page", page_of({RowKey::Section::Cage, "", "", "", setting_of(result, cage_setting), "", "", 0}));
     row.set("timed", timed);

@@ -16,6 +16,7 @@ std::string given_cage_verdict(const RunResult& result);
 struct KindInCage {
   std::string kind, evaluation;
   std::optional<double> error_inside;     ///< largest relative error of values inside the cage, on it and near it
+  std::uint64_t samples_inside = 0;       ///< that this is the largest of
   std::optional<double> error_elsewhere;  ///< and at all other places
   std::string worst_elsewhere;            ///< the place of that
   const ResultRow* unity = nullptr;       ///< the most telling row of partition of unity, null where none was measured
@@ -31,7 +32,8 @@ struct KindInCage {
 /// The kinds that have rows, in their order there.
 std::vector<KindInCage> kinds_in_cage(const RunResult& result);
 
-/// The quickest of those that keep all promises and reproduce linear functions; null where none does or none was timed.
+/// The quickest of those that keep all promises, reproduce linear functions and were compared with their truth in,
+/// on or next to the cage; null where none does or none was timed.
 const KindInCage* kind_to_take(const std::vector<KindInCage>& kinds);
 
 /// The section as the index shows it ("given_cage_section") and whether it does; nothing for other runs.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formulas by regimes: how many digits of values are right at the worst input, in the evaluation that is recommended.
 // The first thing that a reader sees below the verdict. Each cell leads to its line of the overview.
+#include "check_words.h"
 #include "figure.h"
 #include "page_data.h"
 
@@ -56,20 +57,36 @@ void set_heat_map(Data& page, const RunResult& result) {
       if (std::ranges::find(regimes, regime) == regimes.end()) regimes.push_back(regime);
     tables.emplace_back(formula, std::move(table));
   }
+  // What the recommended evaluation was not asked for, as stored cases of others, is hidden: a script shows it when
+  // another is chosen.
+  const auto is_shown = [&](const std::string& regime) {
+    return std::ranges::any_of(
+        tables, [&](const auto& one) { return one.second.at(regime, one.second.columns.front(), 0) != nullptr; });
+  };
   Data heads{Data::type::list}, lines{Data::type::list};
-  for (const std::string& regime : regimes) heads << Data(regime);
+  std::vector<bool> hidden;
+  for (const std::string& regime : regimes) {
+    hidden.push_back(!is_shown(regime));
+    Data head;
+    head.set("name", regime);
+    head.set("hidden", static_cast<bool>(hidden.back()));
+    heads << head;
+  }
   // Lines of the overview are counted on as they stand there: by formula, then by regime.
   std::size_t first = 0;
   for (const auto& [formula, table] : tables) {
     Data line, cells{Data::type::list};
-    for (const std::string& regime : regimes) {
+    for (std::size_t r = 0; r < regimes.size(); ++r) {
+      const std::string& regime = regimes[r];
       const auto place = std::ranges::find(table.regimes, regime);
       const bool any = place != table.regimes.end();
-      cells << heat_cell(any ? table.at(regime, table.columns.front(), 0) : nullptr, any,
-                         first + static_cast<std::size_t>(place - table.regimes.begin()));
+      Data cell = heat_cell(any ? table.at(regime, table.columns.front(), 0) : nullptr, any,
+                            first + static_cast<std::size_t>(place - table.regimes.begin()));
+      cell.set("hidden", static_cast<bool>(hidden[r]));
+      cells << cell;
     }
     first += table.regimes.size();
-    line.set("formula", formula);
+    line.set("formula", breakable(formula));
     line.set("cells", cells);
     lines << line;
   }

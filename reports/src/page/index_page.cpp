@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "figure.h"
 #include "points_outside.h"
+#include "cageproof/reports/worst_file.h"
 #include "gallery_page.h"
 #include "given_cage.h"
 #include "page_data.h"
@@ -26,16 +27,22 @@ std::string index_page(const RunResult& result, const std::vector<FigureEntry>& 
   const std::string outside = points_outside_line(result);
   data.set("has_points_outside", !outside.empty());
   data.set("points_outside", outside);
+  const auto nowhere = result.settings.find(regimes_nowhere_setting);
+  data.set("has_regimes_nowhere", nowhere != result.settings.end());
+  data.set("regimes_nowhere", nowhere == result.settings.end() ? "" : nowhere->second);
   set_proof(data, result);
   set_heat_map(data, result);
   set_overview(data, result);
   set_cages(data, result);
   set_errata(data, result);
   data.set("has_pictures", !result.fields.empty() || !figures.empty());
-  data.set("field_count", grouped(result.fields.size()));
+  data.set("field_count", result.fields.size() == 1
+                              ? "1 picture of a field"
+                              : fmt::format("{} pictures of fields", grouped(result.fields.size())));
   const auto noise = static_cast<std::uint64_t>(std::ranges::count_if(result.fields, is_rounding_noise));
   data.set("has_noise_count", noise > 0);
   data.set("noise_count", grouped(noise));
+  data.set("has_figure_count", !figures.empty());
   data.set("figure_count", grouped(figures.size()));
   Data notes{Data::type::list};
   for (const std::string& note : result.notes) notes << Data(note);

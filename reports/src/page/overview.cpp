@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One line a formula and regime. What it shows is the recommended evaluation's; of the others a script can show each,
 // from numbers that the page holds.
+#include "check_words.h"
 #include "figure.h"
 #include "json_value.h"
 #include "page_data.h"
@@ -29,7 +30,8 @@ Data line_of(const std::string& formula, const std::string& regime, const ErrorT
     if (row && (!telling || more_telling(*row, *telling))) telling = row;
   }
   line.set("line", fmt::format("{}", number));
-  line.set("formula", formula);
+  line.set("hidden", telling == nullptr);
+  line.set("formula", breakable(formula));
   line.set("page", fmt::format("formulas/{}.html", file_name(formula)));
   line.set("regime", regime);
   line.set("evaluation", name_of(lead));

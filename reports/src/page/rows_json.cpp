@@ -3,6 +3,7 @@
 
 #include "cageproof/core/catalogue/formula.h"
 #include "cageproof/core/numbers/scalar_text.h"
+#include "check_words.h"
 #include "figure.h"
 #include "page_data.h"
 #include "row_members.h"
@@ -109,10 +110,21 @@ Json rows_json(const Rows& rows, const WorstPlaces& places) {
   std::vector<std::string> reasons;
   Json list = Json::array();
   for (const ResultRow* row : rows) list.push_back(row_json(*row, places.of(*row), reasons));
-  return {{"reasons", reasons}, {"rows", list}};
+  Json checks = Json::object();
+  for (const ResultRow* row : rows)
+    if (const std::string_view words = words_of_check(row->check); !words.empty()) checks[row->check] = words;
+  return {{"reasons", reasons}, {"checks", checks}, {"rows", list}};
+}
+
+Json style_json(const SeriesStyle& style) {
+  return {{"colour", style.colour},
+          {"dash", fmt::format("{}", fmt::join(style.dash, " "))},
+          {"shape", style.shape},
+          {"filled", style.filled}};
 }
 
 Json curves_json(const RunResult& result, const std::string& subject) {
+  const SeriesStyles styles(result);
   Json list = Json::array();
   for (const ResultCurve& curve : result.curves) {
     if (curve.section != RowKey::Section::Element || curve.subject != subject) continue;
@@ -131,6 +143,7 @@ Json curves_json(const RunResult& result, const std::string& subject) {
                     {"scalar", curve.scalar},
                     {"order", curve.order},
                     {"axis", curve.parameter_name},
+                    {"style", style_json(styles.of(curve.evaluation, curve.scalar))},
                     {"x", parameters},
                     {"y", errors}});
   }

@@ -4,16 +4,20 @@
 
 #include "digest.h"
 #include "json_value.h"
+#include "series_styles.h"
 #include "worst_places.h"
 
 namespace cageproof::reports {
 
-/// {"reasons": [...], "rows": [...]}: a row a cell, with all that the cell answers. Quantiles are there from 1000
-/// samples on: below, they would only repeat the largest.
+/// {"reasons": [...], "checks": {name: words}, "rows": [...]}: a row a cell, with all that the cell answers. Quantiles
+/// are there from 1000 samples on: below, they would only repeat the largest.
 Json rows_json(const Rows& rows, const WorstPlaces& places);
 
 /// Curves of a formula: the id of the cell, regime, check, evaluation, scalar, order, parameters, errors, bound.
 Json curves_json(const RunResult& result, const std::string& subject);
+
+/// The looks of a series, as scripts draw it: {"colour": "#0072b2", "dash": "8 4", "shape": 0, "filled": true}.
+Json style_json(const SeriesStyle& style);
 
 /// Which entry of a formula's tensor an index is: "corner 1, row y, column x, d/dx d/dz".
 std::string entry_name(const RowKey& row, int index);

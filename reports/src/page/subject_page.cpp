@@ -5,8 +5,10 @@
 #include "cageproof/reports/packed_file.h"
 #include "advice.h"
 #include "base64.h"
+#include "check_words.h"
 #include "figure.h"
 #include "page_template.h"
+#include "run_names.h"
 #include "rows_json.h"
 #include "script_json.h"
 
@@ -29,15 +31,26 @@ struct Matrix {
 
 Data line(const std::string& name, const std::string& note, const Data& cells) {
   Data data;
-  data.set("name", name);
+  data.set("name", breakable(name));
   data.set("note", note);
+  data.set("joined", false);
   data.set("cells", cells);
   return data;
 }
 
-Data head(const std::string& name, int span) {
+// What a check compares, where its name is shown.
+void set_words(Data& data, const std::string& check) {
+  const std::string words(words_of_check(check));
+  data.set("words", words);
+  data.set("has_words", !words.empty());
+}
+
+Data head(const std::string& name, int span, const std::string& unit = "") {
   Data data;
-  data.set("name", name);
+  data.set("name", breakable(name));
+  set_words(data, name);
+  data.set("unit", unit);
+  data.set("has_unit", !unit.empty());
   data.set("span", fmt::format("{}", span));
   return data;
 }
@@ -80,38 +93,79 @@ Matrix relations_matrix(const RunResult& result, const std::string& subject, con
       cells << error_cell(row, page);
       if (row) unit = unit_text(row->unit);
     }
-    matrix.lines << line(name, unit, cells);
+    Data one = line(name, unit, cells);
+    set_words(one, name.substr(0, name.find(':')));
+    matrix.lines << one;
   }
   return matrix;
 }
 
-Matrix cage_matrix(const CageTable& table, const std::string& cage, const std::string& caption,
-                   const std::string& page) {
-  Matrix matrix{caption};
-  // Columns that have nothing of this cage are left out.
+// "mean_value, batched, double" is a line of the name before the first comma and the note after it.
+std::pair<std::string, std::string> name_and_note(const std::string& column) {
+  const auto comma = column.find(", ");
+  return comma == column.npos ? std::pair(column, std::string())
+                              : std::pair(column.substr(0, comma), column.substr(comma + 2));
+}
+
+using CageLine = CageTable::Line;
+
+std::vector<const CageLine*> lines_of(const CageTable& table, const std::string& cage) {
+  std::vector<const CageLine*> lines;
+  for (const CageLine& line : table.lines)
+    if (line.cage == cage) lines.push_back(&line);
+  return lines;
+}
+
+// Checks across, since there are four times as many coordinates as checks. Columns that have nothing of this cage are
+// left out.
+Matrix coordinates_matrix(const CageTable& table, const std::string& cage, const std::string& page) {
+  Matrix matrix{
+      "Properties of whole coordinates: the largest error found of all places (inside, outside, on the cage) and "
+      "orders, in the unit below the check's name. Point at a name to see what is compared."};
+  const std::vector<const CageLine*> checks = lines_of(table, cage);
+  for (const CageLine* check : checks) matrix.heads << head(check->name, 1, unit_text(check->unit));
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (std::ranges::none_of(checks, [&](const CageLine* check) { return check->cells[c] != nullptr; })) continue;
+    Data cells{Data::type::list};
+    for (const CageLine* check : checks) cells << error_cell(check->cells[c], page);
+    const auto [name, note] = name_and_note(table.columns[c]);
+    Data joined = line(name, note, cells);
+    joined.set("joined", true);
+    matrix.lines << joined;
+  }
+  return matrix;
+}
+
+Matrix deformers_matrix(const CageTable& table, const std::string& cage, const std::string& page) {
+  Matrix matrix{
+      "What deformers keep of maps of space, their derivatives and their truth: the largest error found of all poses "
+      "and orders. Where nothing is promised a deformer does not keep such maps, and the figure says by how much. "
+      "Point at a check's name to see what is compared."};
+  const std::vector<const CageLine*> deformers = lines_of(table, cage);
   std::vector<std::size_t> used;
   for (std::size_t c = 0; c < table.columns.size(); ++c)
-    if (std::ranges::any_of(table.lines, [&](const auto& l) { return l.cage == cage && l.cells[c]; }))
-      used.push_back(c);
+    if (std::ranges::any_of(deformers, [&](const CageLine* l) { return l->cells[c] != nullptr; })) used.push_back(c);
   for (const std::size_t c : used) matrix.heads << head(table.columns[c], 1);
-  for (const CageTable::Line& l : table.lines) {
-    if (l.cage != cage) continue;
+  for (const CageLine* l : deformers) {
     Data cells{Data::type::list};
-    for (const std::size_t c : used) cells << error_cell(l.cells[c], page);
-    matrix.lines << line(l.name, unit_text(l.unit), cells);
+    for (const std::size_t c : used) cells << error_cell(l->cells[c], page);
+    matrix.lines << line(l->name, unit_text(l->unit), cells);
   }
   return matrix;
 }
 
 void add_matrix(Data& list, const Matrix& matrix, const std::string& name_head, const std::string& note_head,
-                bool orders) {
+                bool orders, bool narrow = false) {
   if (!matrix.lines.is_non_empty_list()) return;
   Data data;
   data.set("caption", matrix.caption);
+  data.set("id", orders ? "truth-table" : "properties-table");
+  data.set("narrow", narrow);
   data.set("heads", matrix.heads);
   data.set("lines", matrix.lines);
   data.set("name_head", name_head);
   data.set("note_head", note_head);
+  data.set("joined", note_head.empty() && narrow);
   data.set("orders", orders);
   list << data;
 }
@@ -153,6 +207,7 @@ Data pictures_of(const std::string& subject, const ErrorTable& table, const std:
 double in_roundings(const ResultRow& row) { return std::ldexp(row.max_relative, 53); }
 
 Json times_json(const RunResult& result, const std::string& formula) {
+  const SeriesStyles styles(result);
   Json list = Json::array();
   for (const EvaluationTime& time : times_of(result)) {
     if (time.formula != formula) continue;
@@ -167,6 +222,7 @@ Json times_json(const RunResult& result, const std::string& formula) {
     list.push_back({{"evaluation", time.evaluation},
                     {"order", time.order},
                     {"nanoseconds", std::round(time.nanoseconds)},
+                    {"style", generic < 0 ? Json() : style_json(styles.of(time.evaluation, "double"))},
                     {"generic", generic < 0 ? Json() : json_number(generic)},
                     {"near", near < 0 ? Json() : json_number(near)}});
   }
@@ -237,6 +293,7 @@ void add_formula(std::map<std::string, std::string>& pages, const RunResult& res
     data.set("element", std::string(name_of(formula->element)));
   }
   data.set("what", "formula");
+  data.set("of_formula", true);
   data.set("draws", true);
   pages["formulas/d3.min.js"] = kD3Script;
   Data matrices{Data::type::list};
@@ -251,21 +308,20 @@ void add_formula(std::map<std::string, std::string>& pages, const RunResult& res
 }
 
 void add_cage(std::map<std::string, std::string>& pages, const RunResult& result, const WorstPlaces& places,
-              Section section, const CageTable& table, const std::string& cage) {
+              Section section, const CageTable& table, const std::string& cage, const ShownNames& names) {
   const bool deformers = section == Section::Deformer;
+  const std::string shown = names.of(cage);
   SubjectPage page(result, rows_where(result, section, &ResultRow::setting, cage),
                    page_of({section, "", "", "", cage, "", "", 0}),
-                   fmt::format("{} {}", deformers ? "Deformers of" : "Coordinates in", cage));
+                   fmt::format("{} {}", deformers ? "Deformers of" : "Coordinates in", shown));
+  page.data().set("has_path", shown != cage);
+  page.data().set("path", cage);
+  page.data().set("of_formula", false);
   page.data().set("what", deformers ? "deformers" : "cage");
   Data matrices{Data::type::list};
-  const std::string caption =
-      deformers ? "What deformers keep of maps of space, their derivatives and their truth: the largest error found of "
-                  "all poses and orders. Where nothing is promised a deformer does not keep such maps, and the figure "
-                  "says by how much."
-                : "Properties of whole coordinates: the largest error found of all places (inside, outside, on the "
-                  "cage) and orders.";
-  add_matrix(matrices, cage_matrix(table, cage, caption, page.file()), deformers ? "Deformer" : "Check", "Unit", false);
-  pages[page.file()] = page.text(Json::object(), matrices, places);
+  if (deformers) add_matrix(matrices, deformers_matrix(table, cage, page.file()), "Deformer", "Unit", false, true);
+  else add_matrix(matrices, coordinates_matrix(table, cage, page.file()), "Kind", "", false, true);
+  pages[page.file()] = page.text({{"cage", shown}}, matrices, places);
 }
 
 // What all pages of a folder load stands beside them once: a tenth of the report would be copies of it.
@@ -284,12 +340,13 @@ void add_shared_files(std::map<std::string, std::string>& pages) {
 std::map<std::string, std::string> subject_pages(const RunResult& result, const std::vector<CurvePicture>& curves) {
   std::map<std::string, std::string> pages;
   const WorstPlaces places(result);
+  const ShownNames names = names_of_run(result);
   for (const std::string& subject : subjects(result, Section::Element))
     add_formula(pages, result, places, subject, curves);
   for (const Section section : {Section::Cage, Section::Deformer}) {
     const CageTable table = section == Section::Cage ? cage_table(result) : deformer_table(result);
     for (const std::string& cage : distinct(table.lines, [](const auto& l) -> const std::string& { return l.cage; }))
-      add_cage(pages, result, places, section, table, cage);
+      add_cage(pages, result, places, section, table, cage, names);
   }
   add_shared_files(pages);
   return pages;

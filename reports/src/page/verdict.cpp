@@ -47,9 +47,9 @@ void set_tiles(Data& page, const Rows& rows) {
   tiles << tile(broken, broken == 1 ? "promise broken" : "promises broken", broken ? "broken" : "");
   tiles << tile(open, "results without a promise, shown for comparison", "");
   if (ill > 0)
-    tiles << tile(ill, "results that cannot be judged: there even a result without a right digit would keep the bound",
+    tiles << tile(ill, "results that cannot be judged: the input is ill-conditioned there, and no bound says anything",
                   "");
-  tiles << tile(samples, "errors measured", "");
+  tiles << tile(samples, "errors measured; a result is the largest of those of one check", "");
   page.set("tiles", tiles);
   page.set("verdict_class", broken ? "broken" : kept ? "kept" : "neutral");
   page.set("verdict_mark", broken ? "✗" : kept ? "✓" : "–");

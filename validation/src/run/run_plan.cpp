@@ -3,6 +3,7 @@
 
 #include "run/asked_names.h"
 #include "run/fingerprint.h"
+#include "run/regimes_nowhere.h"
 #include "checks/hull_continuity.h"
 #include "run/run_report.h"
 
@@ -97,6 +98,7 @@ class Planner {
     if (options_.cage && options_.mesh) tell_points_outside(*options_.cage, options_.mesh->vertices);
     if (names_whole_evaluations_alone(options_.evaluations)) return plan_of_whole_evaluations();
     const std::size_t stored_cases = options_.only_cage ? 0 : add_elements();
+    if (!options_.only_cage) tell_regimes_nowhere();
     if (options_.cage) {
       const auto cage = std::make_shared<const Cage>(*options_.cage);
       if (auto warning = folding_warning(*cage)) plan_.header.notes.push_back(std::move(*warning));
@@ -137,6 +139,11 @@ class Planner {
     if (matches(options_.formulas, hull_formula) && matches(options_.regimes, hull_regime))
       add(hull_measurements(options_.evaluations, options_.seed));
     return stored.cases;
+  }
+
+  void tell_regimes_nowhere() {
+    regimes_nowhere_ = regimes_nowhere(options_.formulas, options_.regimes);
+    if (!regimes_nowhere_.empty()) plan_.warnings.push_back(regimes_nowhere_);
   }
 
   // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
@@ -508,6 +515,7 @@ class Planner {
     if (plan_.points_outside > 0)
       header.settings[reports::points_outside_setting] =
           fmt::format("{} of {}", plan_.points_outside, options_.mesh->vertices.size());
+    if (!regimes_nowhere_.empty()) header.settings[reports::regimes_nowhere_setting] = regimes_nowhere_;
     if (options_.only_cage) {
       header.options["scope"] = "cage";
       header.settings["scope"] = "the cage only; `--formulas '*'` asks for formulas on single elements too";
@@ -522,6 +530,7 @@ class Planner {
   RunPlan plan_;
   int fields_ = 0;
   int scenes_ = 0;
+  std::string regimes_nowhere_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "cageproof/core/input_error.h"
 #include "cageproof/reports/report_writer.h"
 #include "cageproof/reports/run_folder.h"
+#include "cageproof/reports/shown_names.h"
 #include "cageproof/reports/summary.h"
 #include "cageproof/reports/worst_file.h"
 #include "cageproof/validation/compared_fields.h"
@@ -49,18 +50,24 @@ MeshField mesh_field(const FieldPart& part, const PartialResult& gathered) {
   return field;
 }
 
-FieldEntry write_field(reports::ReportWriter& writer, const FieldPart& part, const PartialResult& gathered) {
+// Titles of pictures have the names that people read; the entry keeps the whole one.
+FieldEntry write_field(reports::ReportWriter& writer, const FieldPart& part, const PartialResult& gathered,
+                       const reports::ShownNames& names) {
   const auto cage = gathered.meshes.find(part.cage);
   const MeshField* outline = cage == gathered.meshes.end() ? nullptr : &cage->second;
-  if (part.mesh.empty())
-    return writer.write_image(part.image, part.title, part.shown, scale_of(part), std::nullopt, outline);
-  return writer.write_mesh(mesh_field(part, gathered), part.title, part.shown, scale_of(part));
+  const std::string title = names.in(part.title);
+  FieldEntry entry = part.mesh.empty()
+                         ? writer.write_image(part.image, title, part.shown, scale_of(part), std::nullopt, outline)
+                         : writer.write_mesh(mesh_field(part, gathered), title, part.shown, scale_of(part));
+  entry.title = part.title;
+  return entry;
 }
 
 // The parts of one scene: an image, and maybe a mesh.
 std::vector<FieldEntry> write_scene(reports::ReportWriter& writer, const std::vector<const FieldPart*>& parts,
-                                    const PartialResult& gathered) {
+                                    const PartialResult& gathered, const reports::ShownNames& names) {
   reports::FieldScene scene;
+  std::string title;
   for (const FieldPart* part : parts) {
     if (!part->mesh.empty()) {
       scene.mesh = mesh_field(*part, gathered);
@@ -68,13 +75,16 @@ std::vector<FieldEntry> write_scene(reports::ReportWriter& writer, const std::ve
     }
     const auto cage = gathered.meshes.find(part->cage);
     if (cage == gathered.meshes.end()) throw InputError(fmt::format("the journal has no mesh '{}'", part->cage));
-    scene.title = part->title;
+    title = part->title;
+    scene.title = names.in(title);
     scene.explanation = scene_explanation;
     scene.compared = part->compared;
     scene.image = part->image;
     scene.cage = cage->second;
   }
-  return writer.write_scene(scene);
+  std::vector<FieldEntry> entries = writer.write_scene(scene);
+  for (FieldEntry& entry : entries) entry.title.replace(0, scene.title.size(), title);
+  return entries;
 }
 
 std::map<int, FieldPart> fields_with_facts(const Journal& journal) {
@@ -85,6 +95,11 @@ std::map<int, FieldPart> fields_with_facts(const Journal& journal) {
     part.image.facts["suite"] = journal.header.options.at("suite");
   }
   return fields;
+}
+
+std::string setting_of(const Journal& journal, const std::string& name) {
+  const auto found = journal.header.settings.find(name);
+  return found == journal.header.settings.end() ? std::string() : found->second;
 }
 
 void require_finished(const Journal& journal, const std::filesystem::path& folder) {
@@ -175,13 +190,14 @@ RunResult write_report(const std::filesystem::path& out, Journal journal) {
   RunResult result = result_of(journal);
   return_free_memory();
   const std::map<int, FieldPart> fields = fields_with_facts(journal);
+  const reports::ShownNames names({setting_of(journal, "cage"), setting_of(journal, "points")});
   std::map<std::string, std::vector<const FieldPart*>> scenes;
   for (const auto& [place, part] : fields)
     if (!part.scene.empty()) scenes[part.scene].push_back(&part);
   for (const auto& [place, part] : fields) {
-    if (part.scene.empty()) result.fields.push_back(write_field(writer, part, journal.gathered));
+    if (part.scene.empty()) result.fields.push_back(write_field(writer, part, journal.gathered, names));
     else if (scenes[part.scene].front() == &part)
-      for (FieldEntry& entry : write_scene(writer, scenes[part.scene], journal.gathered))
+      for (FieldEntry& entry : write_scene(writer, scenes[part.scene], journal.gathered, names))
         result.fields.push_back(std::move(entry));
   }
   for (reports::FigureSheet& sheet : sheets_of_run(journal.gathered.meshes)) writer.write_figure(std::move(sheet));

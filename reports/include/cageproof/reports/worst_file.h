@@ -12,6 +12,10 @@ namespace cageproof::reports {
 /// The member of RunResult::settings of runs that have points outside their cage: "330 of 434".
 inline constexpr const char* points_outside_setting = "points outside";
 
+/// The member of RunResult::settings of runs that were asked for regimes which elements of their formulas do not have:
+/// a sentence.
+inline constexpr const char* regimes_nowhere_setting = "regimes without samples";
+
 /// The member of RunResult::settings, and of a journal's options, that tells the content of the cage that is given by a
 /// file: a fingerprint.
 inline constexpr const char* cage_content_setting = "the cage's content";

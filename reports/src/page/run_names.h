@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// How a run's cages are called on its pages.
+#pragma once
+
+#include "cageproof/core/results/run_result.h"
+#include "cageproof/reports/shown_names.h"
+
+namespace cageproof::reports {
+
+/// Of the cages that have rows, the cage and the points that were given.
+ShownNames names_of_run(const RunResult& result);
+
+}  // namespace cageproof::reports
