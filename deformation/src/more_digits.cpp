@@ -2,49 +2,74 @@
 #include "more_digits.h"
 
 #include "linear_posed.h"
+#include "thinness.h"
+
+#include "cageproof/core/geometry/box.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <random>
 
 namespace cageproof::deformation {
 namespace {
 
-// Samples of an element that is a times as long as high lie 1/a beside its edges, where second derivatives are a^2 of
-// those elsewhere, and each is rounded. What is left of the identity is to be right to 1e-12: with roundings of 1e-16
-// up to a = 100.
+// Derivatives at samples of an element that is a times thinner than what is next to it are a^2 of those elsewhere, and
+// each is rounded. What is left of the identity is to be right to 1e-12: with roundings of 1e-16 up to a = 100.
 constexpr double thin = 100;
 
-// Evaluations in 50 digits of one layer at one sample, a quarter of a millisecond each: half a minute.
-constexpr double most_evaluations = 1e5;
+// Evaluations in 50 digits of one layer at one sample, a quarter of a millisecond each in space and less in the plane:
+// half a minute.
+double most_evaluations(int dimension) { return dimension == 2 ? 3e5 : 1e5; }
 
-struct Thinnest {
-  std::size_t element = 0;
-  double aspect = 0;
-};
+// Of the posed cage's size, by which rounding its vertices may move images in silence.
+constexpr double most_moved = 1e-12;
 
-double aspect_of(const CageElements& elements, std::size_t e) {
-  const auto vertices = elements.vertices_of(e);
-  if (vertices.size() != 3) return 1;
-  const auto at = [&](int k) { return elements.vertices()[vertices[k % 3]]; };
-  double longest = 0;
-  for (int k = 0; k < 3; ++k) longest = std::max(longest, (at(k + 1) - at(k)).stableNorm());
-  const Vec3<double> u = (at(1) - at(0)) / longest, v = (at(2) - at(0)) / longest;
-  return 1 / u.cross(v).norm();
+// Before each element, as far from it as it is long, or as much less as keeps them inside: samples are on the cage
+// itself, where many methods' images are right whatever densities are.
+std::vector<Vec3<double>> points_within(const CageCoordinates& coordinates) {
+  const CageElements& elements = coordinates.elements();
+  std::vector<Vec3<double>> found;
+  found.reserve(elements.count());
+  for (std::size_t e = 0; e < elements.count(); ++e) {
+    const auto corners = elements.corners(e);
+    Vec3<double> middle = Vec3<double>::Zero();
+    for (const Vec3<double>& corner : corners) middle += corner / static_cast<double>(corners.size());
+    for (double step = (corners[1] - corners[0]).stableNorm(), halvings = 0; halvings < 50; step /= 2, ++halvings) {
+      const Vec3<double> point = middle - step * elements.normals()[e];
+      const auto phi = coordinates.at<double>(std::span(&point, 1), 0)[0];
+      // One inside, nothing outside.
+      if (std::accumulate(phi.tensors[0].begin(), phi.tensors[0].end(), 0.) < .5) continue;
+      found.push_back(point);
+      break;
+    }
+  }
+  return found;
 }
 
-Thinnest thinnest_of(const CageElements& elements) {
-  Thinnest found;
-  for (std::size_t e = 0; e < elements.count(); ++e)
-    if (const double aspect = aspect_of(elements, e); !(aspect <= found.aspect)) found = {e, aspect};
-  return found;
+// Vertices up to half a unit of their last digits off, each another way.
+std::vector<Vec3<Mp50>> nudged(std::vector<Vec3<Mp50>> vertices) {
+  using std::abs;
+  std::minstd_rand random(20);
+  for (Vec3<Mp50>& v : vertices)
+    for (Mp50& x : v) {
+      const double share = 2. * static_cast<double>(random()) / std::minstd_rand::max() - 1;
+      x += share * unit_roundoff<double>() * abs(x);
+    }
+  return vertices;
 }
 
 // A pose in double whose data were found in 50 digits.
 class Rounded final : public Deformer<double> {
  public:
-  explicit Rounded(std::shared_ptr<const Deformer<Mp50>> wide) : wide_(std::move(wide)) {}
+  /// \param where the cage is thin, and how
+  Rounded(std::shared_ptr<const Deformer<Mp50>> wide, std::string where)
+      : wide_(std::move(wide)),
+        where_(std::move(where)),
+        within_(points_within(wide_->coordinates())),
+        tables_(wide_->coordinates().at<double>(within_, 0)) {}
 
   const CageCoordinates& coordinates() const override { return wide_->coordinates(); }
   int max_order() const override { return wide_->max_order(); }
@@ -55,19 +80,60 @@ class Rounded final : public Deformer<double> {
   }
   std::shared_ptr<const Deformer<double>> with_parameters(const std::vector<double>& parameters) const override {
     auto other = wide_->with_parameters(parameters);
-    return other ? std::make_shared<Rounded>(std::move(other)) : nullptr;
+    return other ? std::make_shared<Rounded>(std::move(other), where_) : nullptr;
   }
 
   std::unique_ptr<const Posed<double>> pose(const Pose<double>& pose) const override {
-    const auto posed = wide_->pose({in_wide(pose.vertices), in_wide(pose.normal_derivatives), in_wide(pose.laplacians),
-                                    in_wide(pose.laplacian_derivatives)});
-    std::vector<Matrix<double>> data;
-    for (const Matrix<Mp50>& block : dynamic_cast<const LinearPosed<Mp50>&>(*posed).data())
-      data.emplace_back(block.template cast<double>());
-    return std::make_unique<LinearPosed<double>>(std::move(data), posed->report());
+    Pose<Mp50> wide{in_wide(pose.vertices), in_wide(pose.normal_derivatives), in_wide(pose.laplacians),
+                    in_wide(pose.laplacian_derivatives)};
+    const auto posed = wide_->pose(wide);
+    const std::vector<Matrix<Mp50>>& data = data_of(*posed);
+    DeformationReport report = posed->report();
+    if (!is_rest(pose.vertices)) {
+      wide.vertices = nudged(std::move(wide.vertices));
+      warn_of_roundings(data, data_of(*wide_->pose(wide)), pose.vertices, report);
+    }
+    return std::make_unique<LinearPosed<double>>(in_double(data), std::move(report));
   }
 
  private:
+  static const std::vector<Matrix<Mp50>>& data_of(const Posed<Mp50>& posed) {
+    return dynamic_cast<const LinearPosed<Mp50>&>(posed).data();
+  }
+  static std::vector<Matrix<double>> in_double(const std::vector<Matrix<Mp50>>& data) {
+    std::vector<Matrix<double>> found;
+    found.reserve(data.size());
+    for (const Matrix<Mp50>& block : data) found.emplace_back(block.template cast<double>());
+    return found;
+  }
+
+  // But for a shift.
+  bool is_rest(const std::vector<Vec3<double>>& posed) const {
+    const std::vector<Vec3<double>>& rest = coordinates().elements().vertices();
+    for (std::size_t v = 0; v < rest.size(); ++v)
+      if (posed[v] - posed[0] != rest[v] - rest[0]) return false;
+    return true;
+  }
+
+  // Of derivatives on the cage, and of what is solved from them, the posed vertices' roundings are as much as others.
+  void warn_of_roundings(const std::vector<Matrix<Mp50>>& data, const std::vector<Matrix<Mp50>>& other,
+                         const std::vector<Vec3<double>>& vertices, DeformationReport& report) const {
+    std::vector<Matrix<Mp50>> difference;
+    difference.reserve(data.size());
+    for (std::size_t b = 0; b < data.size(); ++b) difference.emplace_back(other[b] - data[b]);
+    const LinearPosed<double> off(in_double(difference), {});
+    double moved = 0;
+    const Images<double> steps = off.images(tables_, within_.size(), 0);
+    for (const double step : steps.tensors[0]) moved = std::max(moved, std::abs(step));
+    const auto [low, high] = box_of(vertices);
+    const double share = moved / (high - low).stableNorm();
+    if (share > most_moved)
+      report.warnings.push_back(fmt::format(
+          "posed vertices are rounded to double, and images are off by about {:.0e} of the posed cage's size with "
+          "them: {}",
+          share, where_));
+  }
+
   static std::vector<Vec3<Mp50>> in_wide(const std::vector<Vec3<double>>& points) {
     std::vector<Vec3<Mp50>> found;
     found.reserve(points.size());
@@ -76,6 +142,9 @@ class Rounded final : public Deformer<double> {
   }
 
   std::shared_ptr<const Deformer<Mp50>> wide_;
+  std::string where_;
+  std::vector<Vec3<double>> within_;
+  std::vector<CoordinateTable<double>> tables_;  // there
 };
 
 // Says something more of how it was prepared.
@@ -103,11 +172,11 @@ class Warned final : public Deformer<double> {
 };
 
 // Of all samples, by the method's parameters that say how often elements are split.
-double evaluations_of(const DeformMethod& method, const DeformOptions& options, double elements) {
+double evaluations_of(const DeformMethod& method, const DeformOptions& options, int dimension, double elements) {
   double samples = 0;
   for (std::size_t i = 0; i < method.parameters.size(); ++i)
     if (method.parameters[i].name == "level" || method.parameters[i].name == "energy_level")
-      samples += elements * std::pow(4, options.parameters[i]);
+      samples += elements * std::pow(dimension == 2 ? 2 : 4, options.parameters[i]);
   return 4 * samples * elements;
 }
 
@@ -115,22 +184,28 @@ double evaluations_of(const DeformMethod& method, const DeformOptions& options, 
 
 std::shared_ptr<const Deformer<double>> prepared_in_digits_enough(const DeformMethod& method, const Cage& cage,
                                                                   const DeformOptions& options) {
-  if (!method.takes_derivatives_on_cage) return method.prepare(cage, options);
+  // In the plane values next to each other lose as much where a cage is thin: the condition of what is solved from them
+  // grows as fast.
+  const bool loses =
+      cage.dimension() == 2 ? evaluations_of(method, options, 2, 1) > 0 : method.takes_derivatives_on_cage;
+  if (!loses) return method.prepare(cage, options);
   const CoordinateKind& kind = coordinate_kind_named(method.kind);
   const CageElements elements(cage, kind.keeps_quads, options.triangulation);
-  const Thinnest thinnest = thinnest_of(elements);
-  if (thinnest.aspect <= thin) return method.prepare(cage, options);
+  const Thinness thinness = thinness_of(elements);
+  if (thinness.times <= thin) return method.prepare(cage, options);
   const CageCoordinates coordinates(cage, kind, CoordinateOptions{options.evaluation, options.triangulation, {}});
+  const auto face = cage.parts(kind.keeps_quads, options.triangulation).face_of[thinness.element];
+  const std::string where = fmt::format("{} {}", cage.face_label(static_cast<std::size_t>(face)), thinness.what);
   if (coordinates.is_exact_in(ScalarKind::Digits50) &&
-      evaluations_of(method, options, static_cast<double>(elements.count())) <= most_evaluations)
-    return std::make_shared<Rounded>(method.prepare_in_50_digits(cage, options));
+      evaluations_of(method, options, elements.dimension(), static_cast<double>(elements.count())) <=
+          most_evaluations(elements.dimension()))
+    return std::make_shared<Rounded>(method.prepare_in_50_digits(cage, options), where);
   return std::make_shared<Warned>(
       method.prepare(cage, options),
-      fmt::format("{} is {:.2g} times as long as high: derivatives of layers there lose digits like its square, images "
-                  "with them, and 50 digits would take too long",
-                  cage.face_label(static_cast<std::size_t>(
-                      cage.parts(kind.keeps_quads, options.triangulation).face_of[thinnest.element])),
-                  thinnest.aspect));
+      fmt::format("{}: {}, and 50 digits would take too long", where,
+                  method.takes_derivatives_on_cage
+                      ? "derivatives of layers there lose digits like its square, images with them"
+                      : "densities may lose digits like its square, images with them"));
 }
 
 }  // namespace cageproof::deformation

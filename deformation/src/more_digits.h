@@ -6,9 +6,11 @@
 
 namespace cageproof::deformation {
 
-/// The method prepared in double, or, where the cage has an element so thin that derivatives of layers at samples lose
-/// more than images may, in 50 digits, from which poses are rounded to double: the prepared report has the figure
-/// "digits of systems" then. Where these would take too long it is in double, and a warning says so.
+/// The method prepared in double, or, where the cage is so thin that derivatives of layers at samples (in the plane
+/// what is solved from values, too) lose more than images may, in 50 digits, from which poses are rounded to double:
+/// the prepared report has the figure "digits of systems" then, and poses warn where their vertices' own roundings move
+/// images by more than 1e-12 of the posed cage's size. Where 50 digits would take too long it is in double, and a
+/// warning says so.
 std::shared_ptr<const Deformer<double>> prepared_in_digits_enough(const DeformMethod& method, const Cage& cage,
                                                                   const DeformOptions& options);
 

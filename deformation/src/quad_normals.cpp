@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "quad_normals.h"
 
+#include "posed_range.h"
+#include "stretched_squares.h"
+
 #include "cageproof/core/numbers/gauss_legendre.h"
 #include "cageproof/core/input_error.h"
 
@@ -48,10 +51,7 @@ R stretched_area(Stretch stretch, const std::array<Vec3<R>, 2>& rest, const std:
   using std::sqrt;
   if (stretch == Stretch::Unit) return area;
   if (stretch == Stretch::Area) return sqrt(R(area * posed_area));
-  // |N|^2 (s1^2 + s2^2)
-  const R squares =
-      std::max<R>(R(0), posed[0].dot(posed[0]) * rest[1].dot(rest[1]) + rest[0].dot(rest[0]) * posed[1].dot(posed[1]) -
-                            2 * posed[0].dot(posed[1]) * rest[0].dot(rest[1]));
+  const R squares = stretched_squares(rest, posed, area);
   return stretch == Stretch::Rms ? R(sqrt(R(squares / 2))) : R(sqrt(R(squares + 2 * area * posed_area)) / 2);
 }
 
@@ -127,6 +127,7 @@ std::array<Vec3<R>, 4> quad_normals(Stretch stretch, const CageElements& rest, c
     to[k] = vertices[corners[k]];
   }
   const Sides<R> sides(from), posed(to);
+  check_range(rest, element, posed.unit);
   std::array<Vec3<R>, 4> normals;
   bool has_area = false;
   for (int k = 0; k < 4; ++k) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/deformation/stretch.h"
 
+#include "posed_range.h"
 #include "quad_normals.h"
+#include "stretched_squares.h"
 
 #include "cageproof/core/input_error.h"
 
@@ -37,8 +39,7 @@ std::array<Vec3<R>, 2> tangents(const CageElements& rest, const Vertices& vertic
 
 // Outward, of no particular length; of tangents over their largest number, so that nothing leaves the range.
 template <Scalar R>
-Vec3<R> extent(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element, int corner) {
-  auto [u, v] = tangents<R>(rest, vertices, element, corner);
+Vec3<R> extent(const CageElements& rest, Vec3<R> u, Vec3<R> v) {
   const R of_u = u.cwiseAbs().maxCoeff(), of_v = v.cwiseAbs().maxCoeff();
   if (!(of_u > 0) || !(of_v > 0)) return Vec3<R>::Zero();
   u /= of_u;
@@ -47,16 +48,49 @@ Vec3<R> extent(const CageElements& rest, const std::vector<Vec3<R>>& vertices, s
   return u.cross(v);
 }
 
-// The squares' sum and the product of the singular values: with the rest edges' Gram matrix g and the posed ones' h,
-// trace(g^-1 h) and sqrt(det h / det g).
+// Edges from the corner between the two shorter ones, whose angle is the triangle's widest.
+template <Scalar R>
+std::array<std::array<Vec3<R>, 2>, 2> edges_of(const CageElements& rest, const std::vector<Vec3<R>>& vertices,
+                                               std::size_t element) {
+  const auto corners = rest.vertices_of(element);
+  const auto side = [&](const auto& of, int from, int to) {
+    return Vec3<R>(convert<R>(of[corners[to % 3]]) - convert<R>(of[corners[from % 3]]));
+  };
+  int corner = 0;
+  R longest = -1;
+  for (int k = 0; k < 3; ++k) {
+    const R length = length_of(side(rest.vertices(), k + 1, k + 2));
+    if (length > longest) longest = length, corner = k;
+  }
+  const auto edges = [&](const auto& of) {
+    return std::array{side(of, corner, corner + 1), side(of, corner, corner + 2)};
+  };
+  return {edges(rest.vertices()), edges(vertices)};
+}
+
+// Divides edges by their largest number, so that squares stay in range.
+template <Scalar R>
+R unit_taken_from(std::array<Vec3<R>, 2>& edges) {
+  const R unit = std::max<R>(edges[0].cwiseAbs().maxCoeff(), edges[1].cwiseAbs().maxCoeff());
+  if (unit > 0)
+    for (Vec3<R>& edge : edges) edge /= unit;
+  return unit;
+}
+
+// The squares' sum and the product of the singular values.
 template <Scalar R>
 std::array<R, 2> singular_values_of(const std::array<Vec3<R>, 2>& from, const std::array<Vec3<R>, 2>& to) {
-  using std::sqrt;
-  const R a = from[0].dot(from[0]), b = from[0].dot(from[1]), c = from[1].dot(from[1]);
-  const Vec3<R> area = from[0].cross(from[1]), posed = to[0].cross(to[1]);
-  const R square = area.dot(area);
-  const R trace = (c * to[0].dot(to[0]) - 2 * b * to[0].dot(to[1]) + a * to[1].dot(to[1])) / square;
-  return {trace, R(length_of(posed) / sqrt(square))};
+  const R area = length_of(Vec3<R>(from[0].cross(from[1]))), posed = length_of(Vec3<R>(to[0].cross(to[1])));
+  // Edges in line by 1e-3 and less cancel.
+  if constexpr (std::same_as<R, double>)
+    if (!(area > 1e-3 * length_of(from[0]) * length_of(from[1]))) {
+      const auto wide = [](const std::array<Vec3<R>, 2>& edges) {
+        return std::array{convert<Mp50>(edges[0]), convert<Mp50>(edges[1])};
+      };
+      const auto [squares, product] = singular_values_of<Mp50>(wide(from), wide(to));
+      return {static_cast<R>(squares), static_cast<R>(product)};
+    }
+  return {R(stretched_squares(from, to, area) / area / area), R(posed / area)};
 }
 
 }  // namespace
@@ -118,7 +152,9 @@ std::array<Vec3<R>, 2> tangents_of(const CageElements& rest, const std::vector<V
 
 template <Scalar R>
 Vec3<R> posed_normal(const CageElements& rest, const std::vector<Vec3<R>>& vertices, std::size_t element, int corner) {
-  const Vec3<R> n = extent(rest, vertices, element, corner);
+  const auto [u, v] = tangents<R>(rest, vertices, element, corner);
+  check_range<R>(rest, element, std::max<R>(u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff()));
+  const Vec3<R> n = extent<R>(rest, u, v);
   const R length = length_of(n);
   if (!(length > 0))
     throw InputError(fmt::format(
@@ -133,18 +169,23 @@ R stretch_of(Stretch stretch, const CageElements& rest, const std::vector<Vec3<R
              int corner) {
   using std::sqrt;
   if (stretch == Stretch::Unit) return R(1);
-  auto from = tangents<R>(rest, rest.vertices(), element, corner), to = tangents<R>(rest, vertices, element, corner);
-  if (rest.dimension() == 2) return length_of(to[0]) / length_of(from[0]);
-  // In a unit of the rest element's own, so that squares of areas stay in range.
-  const R unit = length_of(from[0]);
-  for (auto* edges : {&from, &to})
-    for (Vec3<R>& edge : *edges) edge /= unit;
+  if (rest.dimension() == 2) {
+    const R posed = length_of(tangents<R>(rest, vertices, element, 0)[0]);
+    check_range(rest, element, posed);
+    return posed / length_of(tangents<R>(rest, rest.vertices(), element, 0)[0]);
+  }
+  auto [from, to] = rest.type(element).flat ? edges_of<R>(rest, vertices, element)
+                                            : std::array{tangents<R>(rest, rest.vertices(), element, corner),
+                                                         tangents<R>(rest, vertices, element, corner)};
+  const R unit = unit_taken_from(from), posed_unit = unit_taken_from(to);
+  check_range(rest, element, posed_unit);
+  const R ratio = posed_unit / unit;
   const auto [squares, product] = singular_values_of(from, to);
   switch (stretch) {
-    case Stretch::Rms: return sqrt(R(squares / 2));
-    case Stretch::Mean: return sqrt(R(squares + 2 * product)) / 2;
-    case Stretch::Product: return product;
-    default: return sqrt(product);
+    case Stretch::Rms: return ratio * sqrt(R(squares / 2));
+    case Stretch::Mean: return ratio * (sqrt(R(squares + 2 * product)) / 2);
+    case Stretch::Product: return ratio * ratio * product;
+    default: return ratio * sqrt(product);
   }
 }
 

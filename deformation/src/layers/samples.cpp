@@ -2,6 +2,7 @@
 #include "samples.h"
 
 #include "../own_unit.h"
+#include "../thinness.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/deformation/stretch.h"
@@ -71,6 +72,19 @@ double unit_of_layers(double size) {
   return unit;
 }
 
+// \param what "values" or "derivatives", which leave so much of a sum that is exactly zero
+std::string why_no_limits(const CageCoordinates& coordinates, int element, std::string_view what, double left) {
+  if (coordinates.is_exact_in(ScalarKind::Digits50)) {
+    const Thinness thinness = thinness_of(coordinates.elements());
+    return fmt::format(
+        "double has no digits left of {} on element {} of the cage (counted from 0), from which densities "
+        "are solved: their sum is 0, and {:.2g} of their size is left of it; element {} {}",
+        what, element, left, thinness.element, thinness.what);
+  }
+  return fmt::format("'{}' has no limits of {} on the cage, from which densities are solved", coordinates.evaluation(),
+                     what);
+}
+
 // Basis functions as limits are taken with them: all but the first are the sample's doubles, and they sum to one in any
 // scalar.
 template <Scalar R>
@@ -122,8 +136,8 @@ std::vector<CoordinateTable<R>> checked_limits(const CageCoordinates& coordinate
                           "from 0) values sum to {:.0f}, not to 1, from which no densities can be solved; make one "
                           "surface of it (a union), or take green or mean_value",
                           samples[s].element, winding));
-        throw InputError(fmt::format("'{}' has no limits of {} on the cage, from which densities are solved",
-                                     coordinates.evaluation(), o == 0 ? "values" : "derivatives"));
+        throw InputError(why_no_limits(coordinates, samples[s].element, o == 0 ? "values" : "derivatives",
+                                       static_cast<double>(R(abs(sum) / size))));
       }
   }
   return tables;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "thinness.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cageproof::deformation {
+namespace {
+
+double aspect_of(const CageElements& elements, std::size_t e) {
+  const auto vertices = elements.vertices_of(e);
+  if (vertices.size() != 3) return 1;
+  const auto at = [&](int k) { return elements.vertices()[vertices[k % 3]]; };
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) longest = std::max(longest, (at(k + 1) - at(k)).stableNorm());
+  const Vec3<double> u = (at(1) - at(0)) / longest, v = (at(2) - at(0)) / longest;
+  return 1 / u.cross(v).norm();
+}
+
+Thinness thinness_in_space(const CageElements& elements) {
+  Thinness found{.times = 0};
+  for (std::size_t e = 0; e < elements.count(); ++e)
+    if (const double aspect = aspect_of(elements, e); !(aspect <= found.times)) found.times = aspect, found.element = e;
+  found.what = fmt::format("is {:.2g} times as long as high", found.times);
+  return found;
+}
+
+double distance_from(const Vec3<double>& from, const Vec3<double>& to, const Vec3<double>& point) {
+  const Vec3<double> along = to - from, step = point - from;
+  const double length = along.stableNorm();
+  if (!(length > 0)) return step.stableNorm();
+  return (step - std::clamp(step.dot(along / length), 0., length) * (along / length)).stableNorm();
+}
+
+struct NearestVertex {
+  double distance = std::numeric_limits<double>::infinity();
+  std::size_t edge = 0, vertex = 0;
+};
+
+// Of vertices and edges that they are no ends of.
+NearestVertex nearest_in(const CageElements& elements) {
+  NearestVertex found;
+  for (std::size_t e = 0; e < elements.count(); ++e) {
+    const auto ends = elements.vertices_of(e);
+    for (std::size_t v = 0; v < elements.vertices().size(); ++v) {
+      if (static_cast<int>(v) == ends[0] || static_cast<int>(v) == ends[1]) continue;
+      const double distance =
+          distance_from(elements.vertices()[ends[0]], elements.vertices()[ends[1]], elements.vertices()[v]);
+      if (!(distance >= found.distance)) found = {distance, e, v};
+    }
+  }
+  return found;
+}
+
+Thinness thinness_in_plane(const CageElements& elements) {
+  double longest = 0, shortest = std::numeric_limits<double>::infinity();
+  std::size_t edge = 0;
+  for (std::size_t e = 0; e < elements.count(); ++e) {
+    const auto ends = elements.vertices_of(e);
+    const double length = (elements.vertices()[ends[1]] - elements.vertices()[ends[0]]).stableNorm();
+    longest = std::max(longest, length);
+    if (!(length >= shortest)) shortest = length, edge = e;
+  }
+  const NearestVertex nearest = nearest_in(elements);
+  // A short edge's neighbours are as near to its ends.
+  if (!(nearest.distance < shortest / 2))
+    return {longest / shortest, edge, fmt::format("is {:.2g} times shorter than the longest edge", longest / shortest)};
+  const double times = longest / nearest.distance;
+  return {times, nearest.edge,
+          fmt::format("is {:.2g} times nearer to vertex {} than the longest edge is long", times, nearest.vertex)};
+}
+
+}  // namespace
+
+Thinness thinness_of(const CageElements& elements) {
+  return elements.dimension() == 2 ? thinness_in_plane(elements) : thinness_in_space(elements);
+}
+
+}  // namespace cageproof::deformation
