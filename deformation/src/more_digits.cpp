@@ -127,6 +127,7 @@ class Rounded final : public Deformer<double> {
     for (const double step : steps.tensors[0]) moved = std::max(moved, std::abs(step));
     const auto [low, high] = box_of(vertices);
     const double share = moved / (high - low).stableNorm();
+    report.pose_rounding = share;
     if (share > most_moved)
       report.warnings.push_back(fmt::format(
           "posed vertices are rounded to double, and images are off by about {:.0e} of the posed cage's size with "

@@ -42,10 +42,12 @@ std::vector<Vec3<R>> in(const std::vector<Vec3<double>>& points) {
 }
 
 // Of the worst system that was solved for the cage or for the pose; one where none was. A singular system has none: its
-// solution of least norm is as good as those of others.
+// solution of least norm is as good as those of others. What roundings of posed vertices cost, which a deformer states
+// within a factor of ten, counts as the condition that would cost as much.
 template <class R>
 double condition_of(const Deformer<R>& deformer, const Posed<R>& posed) {
-  double worst = 1;
+  constexpr double rounding = 1e-16, stated_within = 10;
+  double worst = std::max(1., stated_within * posed.report().pose_rounding / rounding);
   for (const auto& systems : {deformer.prepared().systems, posed.report().systems})
     for (const SolvedSystem& system : systems)
       if (!system.is_singular() && std::isfinite(system.condition)) worst = std::max(worst, system.condition);

@@ -19,6 +19,9 @@ struct DeformationReport {
   std::vector<SolvedSystem> systems;
   std::vector<std::pair<std::string, double>> figures;  ///< energies, counts, by name
   std::vector<std::string> warnings;
+  /// About how far images are off because posed vertices are rounded to double, in sizes of the posed cage; 0 where
+  /// that was not found.
+  double pose_rounding = 0;
   /// Of methods that iterate: the energy after every half step, or step.
   std::vector<double> energies = {};
   /// Of methods whose energy may rise on the way to the constraints: what does not, after every step.
