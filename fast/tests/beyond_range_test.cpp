@@ -169,10 +169,12 @@ TEST(beyond_range, hybrids_in_float_keep_what_float_holds) {
   for (const Input& input : inputs) {
     const auto in = [&]<Scalar R>(const char* evaluation) {
       std::vector<Vec3<R>> corners;
+      corners.reserve(input.corners.size());
       for (const Place& corner : input.corners) corners.push_back(convert<R>(corner));
+      const std::vector<Parameter>& named = find_formula(input.formula)->parameters;
       std::vector<R> parameters;
-      for (const Parameter& parameter : find_formula(input.formula)->parameters)
-        parameters.emplace_back(parameter.preset);
+      parameters.reserve(named.size());
+      for (const Parameter& parameter : named) parameters.emplace_back(parameter.preset);
       Result<R> result;
       evaluation_named(input.formula, evaluation)(Query<R>{corners, convert<R>(input.point), 2, parameters}, result);
       return result;

@@ -27,6 +27,7 @@ TEST(FormulaRows, say_what_vanishes_in_the_plane) {
     if (!integral) continue;
     const auto corners = flat_element(formula.element);
     std::vector<Mp50> parameters;
+    parameters.reserve(formula.parameters.size());
     for (const Parameter& parameter : formula.parameters) parameters.emplace_back(parameter.preset);
     Result<Mp50> found;
     (*integral)(Query<Mp50>{corners, in_plane_point(formula.element), 0, parameters}, found);

@@ -25,7 +25,7 @@ TEST(ShownNames, AreWholePathsWhereTwoShareTheirLastPart) {
   EXPECT_EQ(names.of("two/b.obj"), "b.obj");
 }
 
-RunResult run_in(std::vector<std::string> cages) {
+RunResult run_in(const std::vector<std::string>& cages) {
   RunResult run;
   for (const auto section : {RowKey::Section::Cage, RowKey::Section::Deformer})
     for (const std::string& cage : cages) {
