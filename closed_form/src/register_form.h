@@ -16,7 +16,7 @@ namespace cageproof::closed_form {
 template <Scalar R>
 using Given = std::conditional_t<is_multiprecision<R>, Mp200, double>;
 
-/// What closed forms on one kind of element share: the corners, and at each point what the engine sees of them.
+/// The parts that closed forms on one kind of element share: the corners, and the engine's view of them from a point.
 template <class Engine>
 struct SharedOn {
   template <Scalar R>

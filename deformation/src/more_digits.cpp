@@ -24,7 +24,7 @@ constexpr double thin = 100;
 // half a minute.
 double most_evaluations(int dimension) { return dimension == 2 ? 3e5 : 1e5; }
 
-// Of the posed cage's size, by which rounding its vertices may move images in silence.
+// Rounding a pose's vertices may move images by so much of the posed cage's size without a warning.
 constexpr double most_moved = 1e-12;
 
 // Before each element, as far from it as it is long, or as much less as keeps them inside: samples are on the cage
@@ -115,7 +115,7 @@ class Rounded final : public Deformer<double> {
     return true;
   }
 
-  // Of derivatives on the cage, and of what is solved from them, the posed vertices' roundings are as much as others.
+  // Posed vertices' roundings grow in derivatives on the cage, and in the systems made of these, as all roundings do.
   void warn_of_roundings(const std::vector<Matrix<Mp50>>& data, const std::vector<Matrix<Mp50>>& other,
                          const std::vector<Vec3<double>>& vertices, DeformationReport& report) const {
     std::vector<Matrix<Mp50>> difference;

@@ -40,7 +40,7 @@ struct NearestVertex {
   std::size_t edge = 0, vertex = 0;
 };
 
-// Of vertices and edges that they are no ends of.
+// The vertex and the edge next to each other; the vertex is no end of the edge.
 NearestVertex nearest_in(const CageElements& elements) {
   NearestVertex found;
   for (std::size_t e = 0; e < elements.count(); ++e) {

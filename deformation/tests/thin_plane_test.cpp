@@ -115,7 +115,7 @@ TEST(thin_plane, rounded_poses_are_kept_or_warned_of) {
         const auto posed = deformer->pose({turned(c.posed, 2), {}});
         const Images<double> images = deformed(*deformer, turned(c.posed, 2), c.points);
         const std::vector<Vec> expected = turned(c.points, 2);
-        // What is stated, to a factor of ten.
+        // The statement holds within a factor of ten.
         const double stated = posed->report().pose_rounding;
         EXPECT_EQ(stated > 0, setting.method != "green") << setting.text();
         for (std::size_t p = 0; p < c.points.size(); ++p)

@@ -11,7 +11,8 @@
 
 namespace cageproof::fast {
 
-/// What hybrids on one kind of element share: the corners, and at each point what the engine sees of them in double.
+/// The parts that hybrids on one kind of element share: the corners, and the engine's view of them from a point, in
+/// double.
 template <class Engine>
 struct SharedOn {
   template <Scalar R>

@@ -104,7 +104,7 @@ TEST(extreme, from_afar_a_tiny_triangle_has_the_kernels_hessian) {
         for (int k = 0; k < 3; ++k) EXPECT_NEAR(layer.hessian[k](i, j), s * s / 6 * kernel, 1e-13 * s * s) << s;
       }
   }
-  // What is smaller than any number of double's is zero.
+  // Numbers smaller than any of double's are zero.
   for (const double s : {1e-170, 1e-310, 5e-324})
     EXPECT_EQ(at<DoubleLayer>({Vec(0, 0, 0), Vec(s, 0, 0), Vec(0, s, 0)}, p).hessian[0].norm(), 0) << s;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a formula's row says of its kernel is so.
+// Formulas' rows say what is true of their kernels.
 #include "support.h"
 
 #include "cageproof/core/catalogue/evaluation.h"

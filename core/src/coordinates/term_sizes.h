@@ -33,7 +33,8 @@ class TermSizes {
     }
   }
 
-  /// Of weights, the first block: those of the terms of normalise(). \param sum of the weights \param lead leading()
+  /// Makes sizes of weights, the first block, those of the terms of normalise(). \param sum of the weights \param lead
+  /// leading()
   void normalise(int order, std::size_t dim, long double sum, std::size_t lead) {
     auto& [values, gradients, hessians] = of_[0];
     std::vector<long double> gradient(dim, 0), hessian(dim * dim, 0);

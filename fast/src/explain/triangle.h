@@ -12,7 +12,7 @@ namespace cageproof::fast::triangle {
 /// whether its numbers are the hybrid's
 std::string description_of(Route route, const Panels& panels, bool is_kept);
 
-/// Of the tensor of order O.
+/// Explains an entry of the tensor of order O.
 template <class F, int O>
 Explanation explain_order(const Query<double>& query, std::span<const double> values,
                           std::optional<std::size_t> entry) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What checks compare, in a line each, for those who see their names in a table.
+// A line per check that says what it compares, for readers who see its name in a table.
 #pragma once
 
 #include <string>

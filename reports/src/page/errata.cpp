@@ -24,7 +24,7 @@ constexpr std::array kPapers{
           "2023"},
     Paper{"T18", "Thiery, Memari, Boubekeur, Mean Value Coordinates for Quad Cages in 3D, 2018"}};
 
-// Those whose errata are shown.
+// The papers whose errata are shown.
 Data papers_of(const RunResult& result) {
   Data papers{Data::type::list};
   for (const Paper& paper : kPapers) {

@@ -14,7 +14,7 @@
 namespace cageproof::reports {
 namespace {
 
-// Of a scene the largest is that of the evaluation which its picture shows, in colours that end at one.
+// A scene's largest error is that of the evaluation which its picture shows, in colours that end at one.
 std::string largest_text(const FieldEntry& field) {
   constexpr std::string_view several = ": errors of ";
   const auto at = field.title.find(several);

@@ -57,7 +57,7 @@ void set_heat_map(Data& page, const RunResult& result) {
       if (std::ranges::find(regimes, regime) == regimes.end()) regimes.push_back(regime);
     tables.emplace_back(formula, std::move(table));
   }
-  // What the recommended evaluation was not asked for, as stored cases of others, is hidden: a script shows it when
+  // Regimes that the recommended evaluation was not asked for are hidden: a script shows them when
   // another is chosen.
   const auto is_shown = [&](const std::string& regime) {
     return std::ranges::any_of(

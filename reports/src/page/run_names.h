@@ -7,7 +7,7 @@
 
 namespace cageproof::reports {
 
-/// Of the cages that have rows, the cage and the points that were given.
+/// Names of the cages that have rows, and of the cage and the points that were given.
 ShownNames names_of_run(const RunResult& result);
 
 }  // namespace cageproof::reports

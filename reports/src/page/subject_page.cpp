@@ -38,7 +38,7 @@ Data line(const std::string& name, const std::string& note, const Data& cells) {
   return data;
 }
 
-// What a check compares, where its name is shown.
+// A check's words, where its name is shown.
 void set_words(Data& data, const std::string& check) {
   const std::string words(words_of_check(check));
   data.set("words", words);

@@ -69,7 +69,7 @@ class StoredMeasurement final : public Measurement {
   std::vector<WorstLine> lines_;
 };
 
-// What the algebra found hard is also asked of the evaluation that commands take.
+// Inputs that the algebra found hard are also asked of the evaluation that commands take.
 void add_recommended(std::vector<WorstLine>& lines) {
   const std::size_t stored = lines.size();
   for (std::size_t i = 0; i < stored; ++i) {

@@ -9,7 +9,7 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// Of the tensor of order O.
+/// Explains an entry of the tensor of order O.
 template <class F, int O>
 Explanation explain_order(const Query<double>& query, std::span<const double> values,
                           std::optional<std::size_t> entry) {

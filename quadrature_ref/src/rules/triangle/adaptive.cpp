@@ -53,7 +53,7 @@ class AdaptiveSum {
   W disc_;
   const Integrand& integrand_;
   int order_;
-  // What terms of the gradient lose far above the triangle.
+  // How many times as large as the gradient its terms are, far above the triangle.
   W cancelled_ = 1;
   RayCaster<W> caster_;
   Result<W> ray_, difference_t_, difference_w_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What people call a file: the last part of its path.
+// Files' names as people say them: the last part of the path.
 #pragma once
 
 #include <string>
