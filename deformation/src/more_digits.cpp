@@ -107,7 +107,7 @@ class Rounded final : public Deformer<double> {
     return found;
   }
 
-  // But for a shift.
+  // Shifted at most.
   bool is_rest(const std::vector<Vec3<double>>& posed) const {
     const std::vector<Vec3<double>>& rest = coordinates().elements().vertices();
     for (std::size_t v = 0; v < rest.size(); ++v)

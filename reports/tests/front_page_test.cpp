@@ -95,7 +95,7 @@ TEST(FrontPage, CellsLeadToTheirLine) {
   EXPECT_EQ(cells, 3 * 4 - 1);
 }
 
-// Rows of one regime, which another evaluation than the recommended one alone has.
+// Rows of one regime that the recommended evaluation lacks.
 TEST(FrontPage, LeavesOutColumnsAndLinesWithoutAFigure) {
   RunResult run = sample_run(2, 3);
   std::erase_if(run.rows, [&](const ResultRow& row) {

@@ -51,6 +51,27 @@ TEST(coordinates, of_every_kind_exist_on_every_embedded_surface) {
   }
 }
 
+// However few points meet the truth, one of them is inside, where cages are used.
+TEST(cage_properties, meet_the_truth_inside) {
+  CageCampaignOptions options;
+  options.points = 16;
+  options.truth_points = 1;
+  options.kinds = "green";
+  int seeds = 0;
+  for (options.seed = 1; options.seed <= 4; ++options.seed) {
+    std::uint64_t inside = 0, compared = 0;
+    for (const ResultRow& row : run_cage_campaign(embedded_cage("thin-box"), options)) {
+      if (row.place != "inside" || row.order != 0) continue;
+      if (row.check == "partition_of_unity") inside += row.samples;
+      if (row.check == "cage_truth") compared += row.samples;
+    }
+    if (inside == 0) continue;
+    EXPECT_GT(compared, 0U) << options.seed;
+    ++seeds;
+  }
+  EXPECT_GE(seeds, 3);
+}
+
 // Rows stand under the scalar that they are computed in: differences of double would not see 1e-30.
 TEST(cage_properties, name_the_scalar_of_differences) {
   CageCampaignOptions options = few_points();

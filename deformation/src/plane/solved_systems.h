@@ -11,8 +11,8 @@
 
 namespace cageproof::deformation {
 
-/// Above, roundings may cost images more than 1e-10 of their size. Of stout polygons it is 1e3 with 4 pieces an edge,
-/// and 1e5 with 16.
+/// Above, roundings may cost images more than 1e-10 of their size. Stout polygons have 1e3 with 4 pieces per
+/// edge, and 1e5 with 16.
 inline constexpr double most_harmless = 5e5;
 
 /// Warns of singular systems, and names a way out ([W12]'s square system, collocation=vertices, is singular for many a

@@ -9,8 +9,8 @@
 
 namespace cageproof::reports {
 
-/// {"reasons": [...], "checks": {name: words}, "rows": [...]}: a row a cell, with all that the cell answers. Quantiles
-/// are there from 1000 samples on: below, they would only repeat the largest.
+/// {"reasons": [...], "checks": {name: words}, "rows": [...]}: one row per cell, with all that the cell answers.
+/// Quantiles are there from 1000 samples on: below, they would only repeat the largest.
 Json rows_json(const Rows& rows, const WorstPlaces& places);
 
 /// Curves of a formula: the id of the cell, regime, check, evaluation, scalar, order, parameters, errors, bound.

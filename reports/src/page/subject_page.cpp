@@ -120,8 +120,8 @@ std::vector<const CageLine*> lines_of(const CageTable& table, const std::string&
 // left out.
 Matrix coordinates_matrix(const CageTable& table, const std::string& cage, const std::string& page) {
   Matrix matrix{
-      "Properties of whole coordinates: the largest error found of all places (inside, outside, on the cage) and "
-      "orders, in the unit below the check's name. Point at a name to see what is compared."};
+      "Each cell has the largest error of whole coordinates, of all places (inside, outside, on the cage) and orders, "
+      "in the unit below the check's name. Point at a name to see what is compared."};
   const std::vector<const CageLine*> checks = lines_of(table, cage);
   for (const CageLine* check : checks) matrix.heads << head(check->name, 1, unit_text(check->unit));
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
@@ -138,8 +138,9 @@ Matrix coordinates_matrix(const CageTable& table, const std::string& cage, const
 
 Matrix deformers_matrix(const CageTable& table, const std::string& cage, const std::string& page) {
   Matrix matrix{
-      "What deformers keep of maps of space, their derivatives and their truth: the largest error found of all poses "
-      "and orders. Where nothing is promised a deformer does not keep such maps, and the figure says by how much. "
+      "Each cell has the largest error of all poses and orders: of maps of space that a deformer keeps, of its "
+      "derivatives, and against the truth. Where nothing is promised a deformer does not keep such maps, and the "
+      "figure says by how much. "
       "Point at a check's name to see what is compared."};
   const std::vector<const CageLine*> deformers = lines_of(table, cage);
   std::vector<std::size_t> used;

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace cageproof::validation {
 namespace {
 
@@ -113,7 +115,10 @@ StoredCases stored_measurement(std::string_view text, std::string_view name, con
     return !matches(formulas, line.subject) ||
            !matches_evaluation(evaluations, evaluation_named(line.subject, line.evaluation));
   });
-  const std::size_t count = lines.size();
+  // A case counts once, whatever evaluations it is asked of.
+  std::set<std::size_t> numbers;
+  for (const WorstLine& line : lines) numbers.insert(static_cast<std::size_t>(line.number));
+  const std::size_t count = numbers.size();
   return {count == 0 ? nullptr : std::make_unique<StoredMeasurement>(std::move(lines)), count};
 }
 

@@ -6,6 +6,9 @@
 
 #include "cageproof/core/catalogue/evaluation.h"
 
+#include <array>
+#include <stdexcept>
+
 namespace cageproof::closed_form {
 
 /// Calls `f.template operator()<O>()` with the derivative order as a constant.
@@ -24,12 +27,13 @@ Corners corners_in(std::span<const Vec3<R>> given) {
   return corners;
 }
 
-/// A formula's parameters in another scalar. \pre at most four, as of any formula of the catalogue
+/// A formula's parameters in another scalar. \throws std::length_error for more than four
 template <Scalar W>
 class ParametersIn {
  public:
   template <Scalar R>
   explicit ParametersIn(std::span<const R> given) : count_(given.size()) {
+    if (count_ > parameters_.size()) throw std::length_error("closed forms take at most four parameters");
     for (std::size_t i = 0; i < count_; ++i) parameters_[i] = W(given[i]);
   }
   std::span<const W> all() const { return std::span<const W>(parameters_).first(count_); }
