@@ -134,6 +134,17 @@ TEST(extreme_cages, have_the_volume_of_their_shape) {
     EXPECT_NEAR(volume_of("wedge"), h / 2, 1e-16);
     EXPECT_NEAR(volume_of("crack"), 1 - h / 2, 4e-15);
   }
+  for (const int decade : {2, 5, 8}) {
+    const double w = std::pow(10.0, -decade);
+    const auto volume_of = [&](const char* family) {
+      return volume(embedded_cage(fmt::format("{}-1e-{}", family, decade)));
+    };
+    EXPECT_NEAR(volume_of("bevel"), (1 - w * w * w) / 6, 1e-15);
+    EXPECT_NEAR(volume_of("bump"), 1 + w * w * w / 3, 4e-15);
+    EXPECT_NEAR(volume_of("pinch"), (1 + w + w * w) / 3, 1e-15);
+    EXPECT_NEAR(volume_of("needles"), (2 + 2 * w + 1.5 * w * w) / 3, 4e-15);
+  }
+  EXPECT_NEAR(volume(embedded_cage("graded")), 8.0 / 3, 4e-15);
   EXPECT_NEAR(volume(embedded_cage("nested")), 1 - std::pow(0.75, 3) + 2.5361507 / 64 + 1.0 / 512, 1e-8);
   EXPECT_NEAR(volume(embedded_cage("fan")), 1.25 / 3 * 32 * std::sin(2 * std::numbers::pi / 64), 1e-14);
 }

@@ -2,16 +2,12 @@
 #include "more_digits.h"
 
 #include "linear_posed.h"
+#include "pose_roundings.h"
 #include "thinness.h"
-
-#include "cageproof/core/geometry/box.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <random>
 
 namespace cageproof::deformation {
 namespace {
@@ -24,52 +20,11 @@ constexpr double thin = 100;
 // half a minute.
 double most_evaluations(int dimension) { return dimension == 2 ? 3e5 : 1e5; }
 
-// Rounding a pose's vertices may move images by so much of the posed cage's size without a warning.
-constexpr double most_moved = 1e-12;
-
-// Before each element, as far from it as it is long, or as much less as keeps them inside: samples are on the cage
-// itself, where many methods' images are right whatever densities are.
-std::vector<Vec3<double>> points_within(const CageCoordinates& coordinates) {
-  const CageElements& elements = coordinates.elements();
-  std::vector<Vec3<double>> found;
-  found.reserve(elements.count());
-  for (std::size_t e = 0; e < elements.count(); ++e) {
-    const auto corners = elements.corners(e);
-    Vec3<double> middle = Vec3<double>::Zero();
-    for (const Vec3<double>& corner : corners) middle += corner / static_cast<double>(corners.size());
-    for (double step = (corners[1] - corners[0]).stableNorm(), halvings = 0; halvings < 50; step /= 2, ++halvings) {
-      const Vec3<double> point = middle - step * elements.normals()[e];
-      const auto phi = coordinates.at<double>(std::span(&point, 1), 0)[0];
-      // One inside, nothing outside.
-      if (std::accumulate(phi.tensors[0].begin(), phi.tensors[0].end(), 0.) < .5) continue;
-      found.push_back(point);
-      break;
-    }
-  }
-  return found;
-}
-
-// Vertices up to half a unit of their last digits off, each another way.
-std::vector<Vec3<Mp50>> nudged(std::vector<Vec3<Mp50>> vertices) {
-  using std::abs;
-  std::minstd_rand random(20);
-  for (Vec3<Mp50>& v : vertices)
-    for (Mp50& x : v) {
-      const double share = 2. * static_cast<double>(random()) / std::minstd_rand::max() - 1;
-      x += share * unit_roundoff<double>() * abs(x);
-    }
-  return vertices;
-}
-
 // A pose in double whose data were found in 50 digits.
 class Rounded final : public Deformer<double> {
  public:
-  /// \param where the cage is thin, and how
-  Rounded(std::shared_ptr<const Deformer<Mp50>> wide, std::string where)
-      : wide_(std::move(wide)),
-        where_(std::move(where)),
-        within_(points_within(wide_->coordinates())),
-        tables_(wide_->coordinates().at<double>(within_, 0)) {}
+  Rounded(std::shared_ptr<const Deformer<Mp50>> wide, std::shared_ptr<const PoseRoundings> roundings)
+      : wide_(std::move(wide)), roundings_(std::move(roundings)) {}
 
   const CageCoordinates& coordinates() const override { return wide_->coordinates(); }
   int max_order() const override { return wide_->max_order(); }
@@ -80,7 +35,7 @@ class Rounded final : public Deformer<double> {
   }
   std::shared_ptr<const Deformer<double>> with_parameters(const std::vector<double>& parameters) const override {
     auto other = wide_->with_parameters(parameters);
-    return other ? std::make_shared<Rounded>(std::move(other), where_) : nullptr;
+    return other ? std::make_shared<Rounded>(std::move(other), roundings_) : nullptr;
   }
 
   std::unique_ptr<const Posed<double>> pose(const Pose<double>& pose) const override {
@@ -89,9 +44,11 @@ class Rounded final : public Deformer<double> {
     const auto posed = wide_->pose(wide);
     const std::vector<Matrix<Mp50>>& data = data_of(*posed);
     DeformationReport report = posed->report();
-    if (!is_rest(pose.vertices)) {
+    if (!roundings_->is_rest(pose.vertices)) {
       wide.vertices = nudged(std::move(wide.vertices));
-      warn_of_roundings(data, data_of(*wide_->pose(wide)), pose.vertices, report);
+      std::vector<Matrix<Mp50>> moved = data_of(*wide_->pose(wide));
+      for (std::size_t b = 0; b < data.size(); ++b) moved[b] -= data[b];
+      roundings_->state(roundings_->images(LinearPosed<double>(in_double(moved), {})), pose.vertices, report);
     }
     return std::make_unique<LinearPosed<double>>(in_double(data), std::move(report));
   }
@@ -107,34 +64,6 @@ class Rounded final : public Deformer<double> {
     return found;
   }
 
-  // Shifted at most.
-  bool is_rest(const std::vector<Vec3<double>>& posed) const {
-    const std::vector<Vec3<double>>& rest = coordinates().elements().vertices();
-    for (std::size_t v = 0; v < rest.size(); ++v)
-      if (posed[v] - posed[0] != rest[v] - rest[0]) return false;
-    return true;
-  }
-
-  // Posed vertices' roundings grow in derivatives on the cage, and in the systems made of these, as all roundings do.
-  void warn_of_roundings(const std::vector<Matrix<Mp50>>& data, const std::vector<Matrix<Mp50>>& other,
-                         const std::vector<Vec3<double>>& vertices, DeformationReport& report) const {
-    std::vector<Matrix<Mp50>> difference;
-    difference.reserve(data.size());
-    for (std::size_t b = 0; b < data.size(); ++b) difference.emplace_back(other[b] - data[b]);
-    const LinearPosed<double> off(in_double(difference), {});
-    double moved = 0;
-    const Images<double> steps = off.images(tables_, within_.size(), 0);
-    for (const double step : steps.tensors[0]) moved = std::max(moved, std::abs(step));
-    const auto [low, high] = box_of(vertices);
-    const double share = moved / (high - low).stableNorm();
-    report.pose_rounding = share;
-    if (share > most_moved)
-      report.warnings.push_back(fmt::format(
-          "posed vertices are rounded to double, and images are off by about {:.0e} of the posed cage's size with "
-          "them: {}",
-          share, where_));
-  }
-
   static std::vector<Vec3<Mp50>> in_wide(const std::vector<Vec3<double>>& points) {
     std::vector<Vec3<Mp50>> found;
     found.reserve(points.size());
@@ -143,9 +72,7 @@ class Rounded final : public Deformer<double> {
   }
 
   std::shared_ptr<const Deformer<Mp50>> wide_;
-  std::string where_;
-  std::vector<Vec3<double>> within_;
-  std::vector<CoordinateTable<double>> tables_;  // there
+  std::shared_ptr<const PoseRoundings> roundings_;
 };
 
 // Says something more of how it was prepared.
@@ -187,20 +114,30 @@ std::shared_ptr<const Deformer<double>> prepared_in_digits_enough(const DeformMe
                                                                   const DeformOptions& options) {
   // In the plane values next to each other lose as much where a cage is thin: the condition of what is solved from them
   // grows as fast.
-  const bool loses =
-      cage.dimension() == 2 ? evaluations_of(method, options, 2, 1) > 0 : method.takes_derivatives_on_cage;
-  if (!loses) return method.prepare(cage, options);
+  const bool solves = evaluations_of(method, options, cage.dimension(), 1) > 0;
+  const bool loses = cage.dimension() == 2 ? solves : method.takes_derivatives_on_cage;
+  if (!solves) return method.prepare(cage, options);
   const CoordinateKind& kind = coordinate_kind_named(method.kind);
   const CageElements elements(cage, kind.keeps_quads, options.triangulation);
+  const auto said_of = [&](const Thinness& thinness) {
+    const auto face = cage.parts(kind.keeps_quads, options.triangulation).face_of[thinness.element];
+    return fmt::format("{} {}", cage.face_label(static_cast<std::size_t>(face)), thinness.what);
+  };
   const Thinness thinness = thinness_of(elements);
-  if (thinness.times <= thin) return method.prepare(cage, options);
+  if (!loses || thinness.times <= thin) {
+    // A small element is turned by the roundings of its posed corners.
+    const Thinness smallness = smallness_of(elements);
+    auto deformer = method.prepare(cage, options);
+    return smallness.times > thin ? stating_pose_roundings(std::move(deformer), said_of(smallness)) : deformer;
+  }
   const CageCoordinates coordinates(cage, kind, CoordinateOptions{options.evaluation, options.triangulation, {}});
-  const auto face = cage.parts(kind.keeps_quads, options.triangulation).face_of[thinness.element];
-  const std::string where = fmt::format("{} {}", cage.face_label(static_cast<std::size_t>(face)), thinness.what);
+  const std::string where = said_of(thinness);
   if (coordinates.is_exact_in(ScalarKind::Digits50) &&
       evaluations_of(method, options, elements.dimension(), static_cast<double>(elements.count())) <=
-          most_evaluations(elements.dimension()))
-    return std::make_shared<Rounded>(method.prepare_in_50_digits(cage, options), where);
+          most_evaluations(elements.dimension())) {
+    auto wide = method.prepare_in_50_digits(cage, options);
+    return std::make_shared<Rounded>(wide, std::make_shared<const PoseRoundings>(wide->coordinates(), where));
+  }
   return std::make_shared<Warned>(
       method.prepare(cage, options),
       fmt::format("{}: {}, and 50 digits would take too long", where,

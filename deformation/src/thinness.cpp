@@ -55,20 +55,38 @@ NearestVertex nearest_in(const CageElements& elements) {
   return found;
 }
 
-Thinness thinness_in_plane(const CageElements& elements) {
+struct Edges {
   double longest = 0, shortest = std::numeric_limits<double>::infinity();
-  std::size_t edge = 0;
+  std::size_t element = 0;  // with the shortest
+};
+
+Edges edges_of(const CageElements& elements) {
+  Edges found;
   for (std::size_t e = 0; e < elements.count(); ++e) {
-    const auto ends = elements.vertices_of(e);
-    const double length = (elements.vertices()[ends[1]] - elements.vertices()[ends[0]]).stableNorm();
-    longest = std::max(longest, length);
-    if (!(length >= shortest)) shortest = length, edge = e;
+    const auto vertices = elements.vertices_of(e);
+    // A segment has one edge.
+    const std::size_t edges = vertices.size() == 2 ? 1 : vertices.size();
+    for (std::size_t k = 0; k < edges; ++k) {
+      const Vec3<double>& from = elements.vertices()[vertices[k]];
+      const double length = (elements.vertices()[vertices[(k + 1) % vertices.size()]] - from).stableNorm();
+      found.longest = std::max(found.longest, length);
+      if (!(length >= found.shortest)) found.shortest = length, found.element = e;
+    }
   }
+  return found;
+}
+
+Thinness short_edge(const Edges& edges, std::string_view verb) {
+  const double times = edges.longest / edges.shortest;
+  return {times, edges.element, fmt::format("{} {:.2g} times shorter than the longest edge", verb, times)};
+}
+
+Thinness thinness_in_plane(const CageElements& elements) {
+  const Edges edges = edges_of(elements);
   const NearestVertex nearest = nearest_in(elements);
   // A short edge's neighbours are as near to its ends.
-  if (!(nearest.distance < shortest / 2))
-    return {longest / shortest, edge, fmt::format("is {:.2g} times shorter than the longest edge", longest / shortest)};
-  const double times = longest / nearest.distance;
+  if (!(nearest.distance < edges.shortest / 2)) return short_edge(edges, "is");
+  const double times = edges.longest / nearest.distance;
   return {times, nearest.edge,
           fmt::format("is {:.2g} times nearer to vertex {} than the longest edge is long", times, nearest.vertex)};
 }
@@ -77,6 +95,10 @@ Thinness thinness_in_plane(const CageElements& elements) {
 
 Thinness thinness_of(const CageElements& elements) {
   return elements.dimension() == 2 ? thinness_in_plane(elements) : thinness_in_space(elements);
+}
+
+Thinness smallness_of(const CageElements& elements) {
+  return short_edge(edges_of(elements), elements.dimension() == 2 ? "is" : "has an edge");
 }
 
 }  // namespace cageproof::deformation

@@ -20,4 +20,7 @@ struct Thinness {
 /// notch or a sharp corner.
 Thinness thinness_of(const CageElements& elements);
 
+/// The element with the shortest edge, as often as it goes into the longest.
+Thinness smallness_of(const CageElements& elements);
+
 }  // namespace cageproof::deformation

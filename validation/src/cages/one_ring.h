@@ -47,7 +47,8 @@ class OneRing {
   /// \throws InputError when there is no evaluation of that name
   OneRing(std::shared_ptr<const Cage> cage, const OneRingOptions& options);
   const Evaluation& evaluation() const { return evaluation_; }
-  /// What is asked of its derivatives: `own_derivative` and `one_ring_sum`.
+  /// The checks of its derivatives: `own_derivative` and `one_ring_sum`, or, of a form as printed on a cage with faces
+  /// some 1e-4 of its size, `one_ring_sum_small_faces`.
   std::vector<Question<OneRingAt>> questions() const;
   /// A point to ask at; valid while this object lives.
   OneRingAt at(const Vec3<double>& point, std::uint64_t index) const;

@@ -2,6 +2,7 @@
 #include "deformer_campaign.h"
 
 #include "cageproof/core/geometry/box.h"
+#include "cageproof/core/input_error.h"
 #include "cageproof/core/numbers/random_stream.h"
 #include "constrained_checks.h"
 #include "cageproof/validation/promise.h"
@@ -122,16 +123,27 @@ std::vector<Vec3<double>> interior_points(const Cage& cage, Triangulation rule, 
   return points;
 }
 
-Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options) {
+Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options,
+                                   RefusedMethods* refused) {
   Measurements measurements;
-  if (interior_points(*cage, options.triangulation, options.seed, 1).empty()) return measurements;
+  const bool has_points = !interior_points(*cage, options.triangulation, options.seed, 1).empty();
+  const auto refuse = [&](std::string reason, std::string_view method) {
+    if (refused != nullptr) (*refused)[std::move(reason)].push_back(method);
+  };
   for (const deformation::DeformMethod& method : deformation::deform_methods()) {
-    if (!matches(options.methods, method.name) || !deformation::why_refused(method, *cage).empty()) continue;
+    if (!matches(options.methods, method.name)) continue;
+    const CoordinateKind& kind = coordinate_kind_named(method.kind);
+    if (std::string reason = deformation::why_refused(method, *cage); !reason.empty()) {
+      // Methods of other dimensions, and those that keep quads, which polygons do not have, are no loss.
+      if (exists_on(kind, *cage) && !(kind.keeps_quads && cage->dimension() == 2))
+        refuse(std::move(reason), method.name);
+      continue;
+    }
+    if (!has_points) continue;
     std::vector<DeformerVariant> variants = variants_of(method);
     // All are asked on small cages, elsewhere every second and the default; of quads that are kept, whose layers take
     // several times as long, on the smallest alone.
-    const bool few = coordinate_kind_named(method.kind).keeps_quads ? cage->faces().size() > 6
-                                                                    : !is_small(*cage, options.triangulation);
+    const bool few = kind.keeps_quads ? cage->faces().size() > 6 : !is_small(*cage, options.triangulation);
     if (variants.size() > 2 && few) {
       std::size_t index = 0;
       std::erase_if(variants, [&](const DeformerVariant& v) { return index++ % 2 == 1 && !v.is_default; });
@@ -139,10 +151,18 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
     const auto prepared = std::make_shared<const Prepared>([cage, &method, rule = options.triangulation] {
       return deformation::prepare_deformer<double>(method, *cage, {.evaluation = {}, .triangulation = rule});
     });
+    if (refused != nullptr) {
+      try {
+        prepared->get();
+      } catch (const InputError& error) {
+        refuse(error.what(), method.name);
+        continue;
+      }
+    }
     for (DeformerVariant& variant : variants)
       measurements.push_back(std::make_unique<DeformerMeasurement>(cage, std::move(variant), options, prepared));
   }
-  add_constrained(cage, options, measurements);
+  if (has_points) add_constrained(cage, options, measurements);
   return measurements;
 }
 

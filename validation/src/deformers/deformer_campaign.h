@@ -25,9 +25,15 @@ const std::vector<std::string_view>& deformer_cage_names();
 /// Fewer, or none, of cages so thin that none is found.
 std::vector<Vec3<double>> interior_points(const Cage& cage, Triangulation rule, std::uint64_t seed, int count);
 
-/// One a variant of each method that matches and does not refuse the cage; on cages with more than few_elements of the
-/// first and last variants alone.
-Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options);
+/// Names of methods by the reason for which they refuse a cage.
+using RefusedMethods = std::map<std::string, std::vector<std::string_view>>;
+
+/// One a variant of each method that matches and does not refuse the cage; on cages with more than few_elements only
+/// the first and last variants.
+/// \param refused if given, gets the methods that refuse the cage, by its kind or when they are prepared. Without it
+///   they are prepared when they are measured, which fails where one refuses.
+Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options,
+                                   RefusedMethods* refused = nullptr);
 
 /// Measures and judges them.
 std::vector<ResultRow> run_deformer_campaign(const Cage& cage, const DeformerCampaignOptions& options);

@@ -149,24 +149,15 @@ class Planner {
   // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
   void add_deformers(const std::shared_ptr<const Cage>& cage) {
     if (options_.formulas != "*") return;
-    Measurements found = deformer_measurements(cage, {.triangulation = options_.triangulation, .seed = options_.seed});
-    if (found.empty())
+    RefusedMethods refused;
+    Measurements found = deformer_measurements(cage, {.triangulation = options_.triangulation, .seed = options_.seed},
+                                               options_.cage ? &refused : nullptr);
+    if (found.empty() && interior_points(*cage, options_.triangulation, options_.seed, 1).empty())
       plan_.header.notes.push_back(fmt::format(
           "{}: deformers are not judged, no point is found 2e-2 of its size and more inside", cage->name()));
     add(std::move(found));
-    if (options_.cage) tell_refused_deformers(*cage);
-  }
-
-  // A user waits for what the cage's own fault leaves out; polygons have no deformers that keep quads by nature.
-  void tell_refused_deformers(const Cage& cage) {
-    if (cage.dimension() == 2) return;
-    NamesByReason refused;
-    for (const deformation::DeformMethod& method : deformation::deform_methods())
-      if (const CoordinateKind& kind = coordinate_kind_named(method.kind); exists_on(kind, cage))
-        if (std::string reason = deformation::why_refused(method, cage); !reason.empty())
-          refused[std::move(reason)].push_back(method.name);
     for (const auto& [reason, names] : refused) {
-      plan_.warnings.push_back(fmt::format("{}: no deformer {}, {}", cage.name(), fmt::join(names, ", "), reason));
+      plan_.warnings.push_back(fmt::format("{}: no deformer {}, {}", cage->name(), fmt::join(names, ", "), reason));
       plan_.header.notes.push_back(plan_.warnings.back());
     }
   }

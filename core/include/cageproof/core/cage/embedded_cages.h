@@ -10,11 +10,11 @@ namespace cageproof {
 /// the plane square, l-shape, star, comb, thin-bar, frame (a square with a hole), figure (of a person, 100 edges).
 std::vector<std::string_view> embedded_cage_names();
 
-/// Names of the extreme ones, in report order, each family swept by decades of its thickness, opening or width, 1e-3
-/// for a thousandth: thin-wall-1e-1 ... thin-wall-1e-12 (a box open at the top), wedge-1e-2 ..., crack-1e-2 ...,
-/// hollow-1e-3
-/// ... (a cube around a cavity), gap-1e-3 ... (two cubes), nested (shells and cavities in turn), fan (64 triangles at a
-/// vertex).
+/// Names of the extreme ones, in report order. Most families are swept by decades of a length, 1e-3 for a thousandth:
+/// thin-wall-1e-1 ... (a box open at the top), wedge-1e-2 ..., crack-1e-2 ..., hollow-1e-3 ... (a cube around a
+/// cavity), gap-1e-3 ... (two cubes), nested (shells and cavities in turn), fan (64 triangles at a vertex), bevel-1e-2
+/// ... (a tetrahedron with a corner cut off), bump-1e-2 ... (a small pyramid on a cube), pinch-1e-2 ... (an hourglass),
+/// needles-1e-2 ... (a rounded corner, joined to far vertices), graded (rings of faces from 1 to 1e-8).
 std::vector<std::string_view> extreme_cage_names();
 
 /// Whether embedded_cage knows the name.
