@@ -349,8 +349,8 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
   }
 
   // Derivatives next to the cage, where the quotient of weights loses digits that they have (NextToCage): elements that
-  // the point is next to are computed in as many as that takes, and the quotient is. Values stay as they are where they
-  // are numbers. \return whether the point is one of these
+  // the point is next to are computed in as many as that takes, and the quotient is. \return whether the point is one
+  // of these
   template <Scalar R>
   bool sum_next_to_cage(const Vec3<R>& point, std::size_t p, int order, std::span<CoordinateTable<R>> tables) const {
     if (!next_to_ || order == 0) return false;
@@ -359,7 +359,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     if (next_to.order > order) return false;
     unsigned left = 0;  // orders that are to be put, a bit each
     for (int o = 0; o <= order; ++o)
-      if (o >= next_to.order || !is_finite(p, o, tables)) left |= 1u << o;
+      if (o == 0 || o >= next_to.order || !is_finite(p, o, tables)) left |= 1u << o;
     const auto put = [&](int o, std::span<const double> numbers) {
       std::ranges::transform(numbers, row_of(tables[0], p, o).begin(), [](double x) { return static_cast<R>(x); });
     };
@@ -371,7 +371,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
       left &= ~put_in_digits<Mp200>(seen, {moved.point, moved.further}, next_to.elements, order, left, put);
     }
     // Nobody knows the rest.
-    for (int o = 0; o <= order; ++o)
+    for (int o = 1; o <= order; ++o)
       if ((left >> o & 1u) != 0) std::ranges::fill(row_of(tables[0], p, o), std::numeric_limits<R>::quiet_NaN());
     return true;
   }
