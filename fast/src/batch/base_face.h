@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The face that a point is next to, B, and mean value coordinates seen from it, a vector of points at a time. The face's
-// weights are V/2 times its hat functions b_k, which its gradients continue off the plane, and what is left of them;
-// the sum V grows like one over the height d, so that derivatives of w/W lose powers of it. What is seen from the face
-// loses nothing, since V d is smooth:
+// The face that a point is next to, B, and mean value coordinates seen from it, a vector of points at a time. The
+// face's weights are V/2 times its hat functions b_k, which its gradients continue off the plane, and what is left of
+// them; the sum V grows like one over the height d, so that derivatives of w/W lose powers of it. What is seen from the
+// face loses nothing, since V d is smooth:
 //   lambda_k = b_k + d N_k/(d W),   N_k = w_k - b_k W,   of the face itself w_k - b_k V: the terms without V.
 #pragma once
 
@@ -113,8 +113,7 @@ void normalise_from_faces(Block& block, const BaseFace& base) {
     const SpaceJet part = product_of<O>(height, rest);
     SpaceJet lambda;
     lambda.value = part.value / whole.value;
-    for (int i = 0; i < 3; ++i)
-      lambda.gradient[i] = (part.gradient[i] - lambda.value * whole.gradient[i]) * over;
+    for (int i = 0; i < 3; ++i) lambda.gradient[i] = (part.gradient[i] - lambda.value * whole.gradient[i]) * over;
     if constexpr (O >= 2)
       for (int i = 0; i < 6; ++i) {
         const int a = kHessianFirst[i], b = kHessianSecond[i];

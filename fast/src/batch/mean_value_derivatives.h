@@ -81,7 +81,8 @@ class MeanValueFace {
     const double* const n = face_.n;
     base.seen |= mine;
     base.steepness = select(mine, magnitude(slope_), base.steepness);
-    take(base.height, d_, [&](int i) { return splat(n[i]); }, nothing);
+    take(
+        base.height, d_, [&](int i) { return splat(n[i]); }, nothing);
     const Weight sum = without_total().all();  // derivatives of V that have none of its powers of the height
     // d V, whose derivatives across the plane are -2 d sum h K4 and -2 sum h K4 + 8 d2 sum h K6.
     const Lanes rise = -2 * d_ * h4_, bend = -2 * h4_ + 8 * d_ * d_ * h6_;
@@ -98,13 +99,14 @@ class MeanValueFace {
       const Lanes hat = k < 2 ? h_[k + 1] * face_.hat[k] : last_hat;
       last_hat -= hat;
       const auto slope = [&](int i) { return k < 2 ? face_.g[k][i] : -face_.g[0][i] - face_.g[1][i]; };
-      take(base.hat[k], hat, [&](int i) { return splat(slope(i)); }, nothing);
+      take(
+          base.hat[k], hat, [&](int i) { return splat(slope(i)); }, nothing);
       const Weight rest = k < 2 ? rest_of_corner(k, hat, sum) : last;
       last.value -= rest.value;
       for (int i = 0; i < 3; ++i) last.gradient[i] -= rest.gradient[i];
       for (int i = 0; i < 6; ++i) last.hessian[i] -= rest.hessian[i];
-      take(base.rest[k], -rest.value, [&](int i) { return -rest.gradient[i]; },
-           [&](int i) { return -rest.hessian[i]; });
+      take(
+          base.rest[k], -rest.value, [&](int i) { return -rest.gradient[i]; }, [&](int i) { return -rest.hessian[i]; });
     }
   }
   /// Adds -M of the three corners, and their derivatives. \param mine points that the face is added for

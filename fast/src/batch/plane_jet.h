@@ -53,8 +53,7 @@ PlaneJet inverse_of(const PlaneJet& a) {
     for (int i = 0; i < 2; ++i) c.gradient[i] = -c.value * c.value * a.gradient[i];
   if constexpr (O >= 2)
     for (int at = 0; at < 3; ++at)
-      c.hessian[at] =
-          -c.value * (c.value * a.hessian[at] + 2 * c.gradient[kFirst[at]] * a.gradient[kSecond[at]]);
+      c.hessian[at] = -c.value * (c.value * a.hessian[at] + 2 * c.gradient[kFirst[at]] * a.gradient[kSecond[at]]);
   return c;
 }
 /// A linear function with that gradient.
