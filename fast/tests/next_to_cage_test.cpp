@@ -137,6 +137,22 @@ TEST(NextToCage, derivatives_go_on_to_the_end_of_doubles) {
   }
 }
 
+// In float too, which has as few digits to lose.
+TEST(NextToCage, so_have_those_in_float) {
+  const Cage cage = box_with_lean_sides();
+  for (const std::string_view evaluation : {"closed_form", "hybrid", "batched"}) {
+    const CageCoordinates coordinates(cage, coordinate_kind_named("mean_value"), evaluation, Triangulation::Shortest);
+    for (const double d : {0x1p-10, 0x1p-14, 0x1p-40, 0x1p-90})
+      for (const Point& p : points_at(d, 3)) {
+        const auto found = coordinates.at<float>(convert<float>(p), 2)[0];
+        const auto wide = coordinates.at<Mp100>(convert<Mp100>(p), 2)[0];
+        for (const int order : {1, 2})
+          EXPECT_LE(error_of(std::vector<double>(found.of(order).begin(), found.of(order).end()), wide.of(order)), 5e-7)
+              << evaluation << ", order " << order << " at " << d << ": " << p.transpose();
+      }
+  }
+}
+
 TEST(NextToCage, there_are_none_on_it) {
   for (const std::string_view evaluation : {"closed_form", "batched"}) {
     const CageCoordinates in_space(box_with_lean_sides(), coordinate_kind_named("mean_value"), evaluation,

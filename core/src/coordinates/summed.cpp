@@ -357,6 +357,15 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     const Vec3<double> seen = convert<double>(point);
     const NextToCage::Found next_to = next_to_->at(seen, order);
     if (next_to.order > order) return false;
+    if constexpr (std::same_as<R, float>) {
+      // Double has the digits, or takes more.
+      auto in_double = zero_tables<double>(blocks_, elements_->dimension(), 1, order);
+      sum_off<double>(std::span(&seen, 1), 0, order, in_double);
+      for (int o = 0; o <= order; ++o)
+        std::ranges::transform(in_double[0].tensors[o], row_of(tables[0], p, o).begin(),
+                               [](double x) { return static_cast<float>(x); });
+      return true;
+    }
     unsigned left = 0;  // orders that are to be put, a bit each
     for (int o = 0; o <= order; ++o)
       if (o == 0 || o >= next_to.order || !is_finite(p, o, tables)) left |= 1u << o;
