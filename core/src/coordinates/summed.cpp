@@ -2,6 +2,8 @@
 #include "summed.h"
 
 #include "element_axes.h"
+#include "moved_off.h"
+#include "next_to_cage.h"
 #include "normalise.h"
 #include "term_sizes.h"
 
@@ -12,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace cageproof {
 namespace {
@@ -75,6 +78,7 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
       jumps_.push_back(formula.shape.per_corner ? behaviour.face_jump.number : 0);
       has_area_elements_ = has_area_elements_ || (blocks_.back().owner == Owner::Normal && has_quads());
     }
+    if (normalised_ && find_evaluations_of_more_digits()) next_to_.emplace(*elements_, exponent_);
   }
 
   const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
@@ -168,6 +172,22 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     }
   }
 
+  // Of a normalised kind: its evaluations if they keep a promise by more digits and have these, and the recommended
+  // ones of those that have none. \return false where others show what they lose, or take their time
+  bool find_evaluations_of_more_digits() {
+    for (std::size_t kind = 0; kind < evaluations_.size(); ++kind) {
+      if (evaluations_[kind].empty()) continue;
+      const Evaluation& own = evaluations_[kind].front();
+      const Role role = own.role();
+      if (role != Role::Recommended && role != Role::ClosedForm && role != Role::Stated) return false;
+      const auto recommended = EvaluationRegister::instance().with_role(own.formula().name, Role::Recommended);
+      more_digits_[kind] = own.supports<Mp200>() || !recommended ? own : *recommended;
+      const Evaluation& more = more_digits_[kind];
+      if (!more.supports<Mp50>() || !more.supports<Mp100>() || !more.supports<Mp200>()) return false;
+    }
+    return true;
+  }
+
   // Quads' formulas leave the area element out. One point's, in the unit 2^-exponent.
   template <Scalar R>
   void times_area_elements_at(std::size_t p, int order, int exponent, std::span<CoordinateTable<R>> tables) const {
@@ -227,9 +247,10 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
                std::span<CoordinateTable<R>> tables) const {
     sum_in_range(points, first, order, tables);
     if constexpr (!is_multiprecision<R>)
-      for (std::size_t p = 0; p < points.size(); ++p)
-        if (!is_finite(first + p, order, tables) && points[p].allFinite())
-          sum_beyond_range(points[p], first + p, order, tables);
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        if (!points[p].allFinite() || sum_next_to_cage(points[p], first + p, order, tables)) continue;
+        if (!is_finite(first + p, order, tables)) sum_beyond_range(points[p], first + p, order, tables);
+      }
   }
 
   template <Scalar R>
@@ -325,6 +346,110 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
       here.slots = elements_->shares_of(e, blocks_[b].owner);
       sizes.add(b, order, part, here);
     };
+  }
+
+  // Derivatives next to the cage, where the quotient of weights loses digits that they have (NextToCage): elements that
+  // the point is next to are computed in as many as that takes, and the quotient is. \return whether the point is one
+  // of these
+  template <Scalar R>
+  bool sum_next_to_cage(const Vec3<R>& point, std::size_t p, int order, std::span<CoordinateTable<R>> tables) const {
+    if (!next_to_ || order == 0) return false;
+    const Vec3<double> seen = convert<double>(point);
+    const NextToCage::Found next_to = next_to_->at(seen, order);
+    if (next_to.order > order) return false;
+    if constexpr (std::same_as<R, float>) {
+      // Double has the digits, or takes more.
+      auto in_double = zero_tables<double>(blocks_, elements_->dimension(), 1, order);
+      sum_off<double>(std::span(&seen, 1), 0, order, in_double);
+      for (int o = 0; o <= order; ++o)
+        std::ranges::transform(in_double[0].tensors[o], row_of(tables[0], p, o).begin(),
+                               [](double x) { return static_cast<float>(x); });
+      return true;
+    }
+    unsigned left = 0;  // orders that are to be put, a bit each
+    for (int o = 0; o <= order; ++o)
+      if (o == 0 || o >= next_to.order || !is_finite(p, o, tables)) left |= 1u << o;
+    const auto put = [&](int o, std::span<const double> numbers) {
+      std::ranges::transform(numbers, row_of(tables[0], p, o).begin(), [](double x) { return static_cast<R>(x); });
+    };
+    left &= ~put_in_digits<Mp50>(seen, {convert<Mp50>(seen)}, next_to.elements, order, left, put);
+    if (left != 0) left &= ~put_in_digits<Mp100>(seen, {convert<Mp100>(seen)}, next_to.elements, order, left, put);
+    if (left != 0) left &= ~put_in_digits<Mp200>(seen, {convert<Mp200>(seen)}, next_to.elements, order, left, put);
+    if (left != 0 && !has_quads()) {
+      const MovedOff moved = moved_off(corners_of_some(next_to.elements), convert<Mp200>(seen));
+      left &= ~put_in_digits<Mp200>(seen, {moved.point, moved.further}, next_to.elements, order, left, put);
+    }
+    // Nobody knows the rest.
+    for (int o = 1; o <= order; ++o)
+      if ((left >> o & 1u) != 0) std::ranges::fill(row_of(tables[0], p, o), std::numeric_limits<R>::quiet_NaN());
+    return true;
+  }
+
+  std::vector<std::vector<Vec3<Mp200>>> corners_of_some(const std::vector<char>& which) const {
+    std::vector<std::vector<Vec3<Mp200>>> found;
+    std::array<Vec3<Mp200>, 4> storage;
+    for (std::size_t e = 0; e < which.size(); ++e) {
+      if (which[e] == 0) continue;
+      const auto corners = corners_of(e, storage);
+      found.emplace_back(corners.begin(), corners.end());
+    }
+    return found;
+  }
+
+  // Where elements that a point is next to see it, and how many times the Hessians there those of the point are.
+  template <Scalar W>
+  struct SeenAt {
+    Vec3<W> point;
+    W further = 1;
+  };
+
+  // Calls put(order, numbers) of coordinates whose weights of some elements are computed in W, of others in double.
+  // \param asked orders, a bit each \return those of them that these digits are enough for, which are put
+  template <Scalar W, class Put>
+  unsigned put_in_digits(const Vec3<double>& point, const SeenAt<W>& at, const std::vector<char>& beside, int order,
+                         unsigned asked, const Put& put) const {
+    const int exponent = std::abs(exponent_) <= kComfortable<double> ? 0 : -exponent_;
+    auto wide = zero_tables<W>(blocks_, elements_->dimension(), 1, order);
+    TermSizes sizes(wide);
+    const std::vector<W> parameters(parameters_.begin(), parameters_.end());
+    const auto in_double = parts_in_range(point, order, exponent);
+    std::array<Vec3<W>, 4> storage;
+    Result<double> rounded;
+    Result<W> part;
+    for (std::size_t e = 0; e < elements_->count(); ++e) {
+      if (beside[e] != 0) {
+        more_digits_[static_cast<std::size_t>(elements_->type(e).kind)](
+            Query<W>{corners_of(e, storage, exponent), in_unit(at.point, exponent), order, parameters}, part);
+      } else {
+        in_double(e, 0, false, rounded);
+        for (int o = 0; o <= order; ++o) part.of(o).assign(rounded.of(o).begin(), rounded.of(o).end());
+      }
+      BatchOutput<W> here = output_for(0, 0, wide[0]);
+      here.slots = elements_->shares_of(e, blocks_[0].owner);
+      for (int o = 0; o <= order; ++o) here.put(0, o, part.of(o));
+      sizes.add(0, order, part, here);
+    }
+    std::vector<W>& values = wide[0].tensors[0];
+    const W sum = std::accumulate(values.begin(), values.end(), W(0));
+    std::array<W*, 3> weights{};
+    for (int o = 0; o <= order; ++o) weights[o] = wide[0].tensors[o].data();
+    normalise(weights, values.size(), elements_->dimension(), order);
+    sizes.normalise(order, elements_->dimension(), std::abs(static_cast<long double>(sum)),
+                    leading(values.data(), values.size()));
+    unsigned found = 0;
+    for (int o = 0; o <= order; ++o) {
+      const W times = o == 2 ? at.further : W(1);
+      if ((asked >> o & 1u) == 0) continue;
+      if (!sizes.leave_digits(wide[0], o,
+                              std::ldexp(1.0L, -o * (exponent_ + exponent)) / static_cast<long double>(times)))
+        continue;
+      using std::ldexp;
+      std::vector<double> numbers;
+      for (const W& x : wide[0].tensors[o]) numbers.push_back(static_cast<double>(W(times * ldexp(x, o * exponent))));
+      put(o, numbers);
+      found |= 1u << o;
+    }
+    return found;
   }
 
   // One point's tables, rounded to a place in others.
@@ -569,6 +694,8 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
   int exponent_;  // of the largest coordinate
   std::vector<double> parameters_;
   std::array<ElementEvaluations, element_kinds.size()> evaluations_;
+  std::array<Evaluation, element_kinds.size()> more_digits_;  // of weights next to the cage
+  std::optional<NextToCage> next_to_;                         // of normalised kinds that have more digits there
   std::vector<CoordinateBlock> blocks_;
   std::vector<double> jumps_;  // of blocks, at faces
   std::vector<int> degrees_;   // of blocks

@@ -80,6 +80,17 @@ class TermSizes {
         }
   }
 
+  /// Whether roundings of the terms in W leave the first block's numbers of an order all of double's digits of the
+  /// largest of them, or of `least` where that is larger.
+  template <Scalar W>
+  bool leave_digits(const CoordinateTable<W>& table, int order, long double least) const {
+    const long double share = std::ldexp(1.0L, kRoundings - std::numeric_limits<W>::digits);
+    long double largest = least, terms = 0;
+    for (const W& x : table.tensors[order]) largest = std::max(largest, std::abs(static_cast<long double>(x)));
+    for (const long double size : of_[0][order]) terms = std::max(terms, size);
+    return share * terms <= std::ldexp(largest, -std::numeric_limits<double>::digits);
+  }
+
  private:
   // In powers of two: more than elements' integrals and their sums make.
   static constexpr int kRoundings = 30;

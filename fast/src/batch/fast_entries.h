@@ -50,7 +50,9 @@ inline bool sum_again(Block& block) {
   });
   return again;
 }
-inline long measured_bytes() { return sizeof(MeasuredBlock); }
+inline long measured_bytes() {
+  return sizeof(MeasuredBlock) > sizeof(BaseFace) ? sizeof(MeasuredBlock) : sizeof(BaseFace);
+}
 
 inline long scratch_bytes(int vertices, int edges, int faces, int columns) {
   // The most that any layers and order take.

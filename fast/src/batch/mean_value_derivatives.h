@@ -11,6 +11,7 @@
 // 2 d S, with R = sum h int 1/(r2 rho2) and S = sum h int 1/(r4 rho2), cancel nothing.
 #pragma once
 
+#include "base_face.h"
 #include "fast.h"
 #include "leading.h"
 #include "mean_value_edges.h"
@@ -48,6 +49,7 @@ class MeanValueFace {
     const Mask within = (h_[0] > Lanes{}) & (h_[1] > Lanes{}) & (h_[2] > Lanes{});
     const Mask low = ~within & (least > kLowest * d2);
     const Lanes over = 1 / d_;
+    flux_ = flux;
     whole_ = flux * over;
     slope_ = -whole_ * over - 2 * h4_;
     if constexpr (O >= 2) bend_ = 2 * over * (whole_ * over + h4_) + 8 * d_ * h6_;
@@ -67,6 +69,46 @@ class MeanValueFace {
   Lanes height() const { return d_; }
   /// V
   Lanes total() const { return whole_; }
+  /// Keeps the face as that which some points are seen from.
+  void keep(Mask mine, BaseFace& base) const {
+    const auto take = [&](SpaceJet& to, Lanes value, auto gradient, auto hessian) {
+      to.value = select(mine, value, to.value);
+      for (int i = 0; i < 3; ++i) to.gradient[i] = select(mine, gradient(i), to.gradient[i]);
+      if constexpr (O >= 2)
+        for (int i = 0; i < 6; ++i) to.hessian[i] = select(mine, hessian(i), to.hessian[i]);
+    };
+    const auto nothing = [](int) { return Lanes{}; };
+    const double* const n = face_.n;
+    base.seen |= mine;
+    base.steepness = select(mine, magnitude(slope_), base.steepness);
+    take(
+        base.height, d_, [&](int i) { return splat(n[i]); }, nothing);
+    const Weight sum = without_total().all();  // derivatives of V that have none of its powers of the height
+    // d V, whose derivatives across the plane are -2 d sum h K4 and -2 sum h K4 + 8 d2 sum h K6.
+    const Lanes rise = -2 * d_ * h4_, bend = -2 * h4_ + 8 * d_ * d_ * h6_;
+    take(
+        base.total, -flux_, [&](int i) { return -(d_ * sum.gradient[i] + rise * n[i]); },
+        [&](int at) {
+          const int i = kHessianFirst[at], j = kHessianSecond[at];
+          return -(d_ * sum.hessian[at] + sum.gradient[i] * n[j] + sum.gradient[j] * n[i] + bend * (n[i] * n[j]));
+        });
+    Lanes last_hat = splat(1);
+    Weight last{};
+    for (int k = 0; k < 3; ++k) {
+      base.vertex[k] = select(mine, splat(face_.vertex[k]), base.vertex[k]);
+      const Lanes hat = k < 2 ? h_[k + 1] * face_.hat[k] : last_hat;
+      last_hat -= hat;
+      const auto slope = [&](int i) { return k < 2 ? face_.g[k][i] : -face_.g[0][i] - face_.g[1][i]; };
+      take(
+          base.hat[k], hat, [&](int i) { return splat(slope(i)); }, nothing);
+      const Weight rest = k < 2 ? rest_of_corner(k, hat, sum) : last;
+      last.value -= rest.value;
+      for (int i = 0; i < 3; ++i) last.gradient[i] -= rest.gradient[i];
+      for (int i = 0; i < 6; ++i) last.hessian[i] -= rest.hessian[i];
+      take(
+          base.rest[k], -rest.value, [&](int i) { return -rest.gradient[i]; }, [&](int i) { return -rest.hessian[i]; });
+    }
+  }
   /// Adds -M of the three corners, and their derivatives. \param mine points that the face is added for
   void add(Mask mine, const Block& block) const {
     auto* const columns = reinterpret_cast<Lanes*>(block.columns);
@@ -166,10 +208,31 @@ class MeanValueFace {
     return weight;
   }
 
+  MeanValueFace without_total() const {
+    MeanValueFace rest = *this;
+    rest.whole_ = rest.slope_ = rest.bend_ = Lanes{};
+    return rest;
+  }
+  // A corner's weight less its hat function times V. \param sum all() without_total()
+  Weight rest_of_corner(int k, Lanes hat, const Weight& sum) const {
+    Weight rest = without_total().of_corner(k);
+    const double(&g)[3] = face_.g[k];
+    // Within the plane V's derivative takes part in the Hessian of the product that is taken off; the mixed ones of it
+    // are all of V's slope across.
+    for (int i = 0; i < 3; ++i) rest.gradient[i] -= hat * sum.gradient[i];
+    if constexpr (O >= 2)
+      for (int at = 0; at < 6; ++at) {
+        const int i = kHessianFirst[at], j = kHessianSecond[at];
+        rest.hessian[at] -= hat * sum.hessian[at] + g[i] * sum.gradient[j] + g[j] * sum.gradient[i];
+      }
+    return rest;
+  }
+
   const CageTables& cage_;
   const FaceTable<double>& face_;
   const MeanValueEdge* const (&side_)[3];
   Lanes d_{}, h_[3] = {}, h4_{}, h6_{};
+  Lanes flux_{};                      // d V
   Lanes whole_{}, slope_{}, bend_{};  // V, Q, dQ/dd
 };
 
@@ -178,8 +241,9 @@ class MeanValueFace {
 struct SteepSlopes {
   Lanes squares{}, limit = splat(1e300);
   /// \return points that have more of them than their gradients allow, with a limit that leaves no more than that
-  Mask lower(const Block& block, double most) {
-    const Lanes gradients = norm_of(block, 1, 0, 3);
+  /// \param beside gradients that the columns do not have
+  Mask lower(const Block& block, double most, Lanes beside) {
+    const Lanes gradients = norm_of(block, 1, 0, 3) + beside;
     const Mask many = squares > (most * gradients) * (most * gradients);
     limit = select(many, (most / root_of_faces(block)) * gradients, limit);
     return many;
@@ -187,11 +251,31 @@ struct SteepSlopes {
   static double root_of_faces(const Block& block) { return __builtin_sqrt(static_cast<double>(block.cage->faces)); }
 };
 
-/// Sums over the faces, and lists those that need more digits.
+/// Distances from edges and corners, over those that `near` stands for, below which derivatives are left to others.
+template <int O>
+inline constexpr double kLeftBeside = O == 1 ? 0.25 : 1;
+
+/// Whether a point is so near to an edge or a corner that its derivatives are left to others.
+template <int O>
+Mask is_left_beside(const CageTables& cage, const FaceTable<double>& face, const SeenVertex* const (&corner)[3],
+                    const MeanValueEdge* const (&side)[3]) {
+  Mask left{};
+  for (int k = 0; k < 3; ++k) {
+    const double close = kLeftBeside<O> * kBesideEdge * cage.edge[face.edge[k]].length;
+    left |= corner[k]->near & (corner[k]->r < splat(kLeftBeside<O> * cage.reach[face.vertex[k]]));
+    left |= side[k]->near & (side[k]->square < splat(close * close));
+  }
+  return left;
+}
+
+/// Sums over the faces, and lists those that need more digits. \param from the faces that points are seen from
 template <int O>
 void sum_mean_value_faces(Block& block, const SeenVertex* vertex, const MeanValueEdge* edge, const Lanes* height,
-                          Steepness& steep, SteepSlopes& slopes) {
+                          Lanes from, Steepness& steep, SteepSlopes& slopes) {
   const CageTables& cage = *block.cage;
+  BaseFace& base = *static_cast<BaseFace*>(block.measured);
+  base = BaseFace{};
+  Mask left{};
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
   for (int c = 0; c < block.layout.count; ++c) columns[c] = Lanes{};
   const Mask whole = mask_of(block.whole);
@@ -206,15 +290,25 @@ void sum_mean_value_faces(Block& block, const SeenVertex* vertex, const MeanValu
     const Mask near =
         corner[0]->near | corner[1]->near | corner[2]->near | side[0]->near | side[1]->near | side[2]->near;
     const Mask many = whole | steep.exceeds(steepness) | (slope > slopes.limit), marked = near | many;
+    const Mask mine = from == splat(f);
+    if (any(near)) left |= near & is_left_beside<O>(cage, face, corner, side);
+    if (any(mine)) {
+      // A height that is zero but for rounding is the point's on the face, or nobody knows.
+      const Lanes d = magnitude(seen.height());
+      left |= mine & ((marked & (d < splat(kLeftBeside<O> * kBesideEdge * __builtin_sqrt(face.area2)))) |
+                      (d < splat(kLostHeight)));
+      seen.keep(mine & ~marked, base);
+    }
     steep.count(select(marked, Lanes{}, steepness), seen.total());
     slopes.squares += select(marked, Lanes{}, slope * slope);
-    seen.add(~marked, block);
+    seen.add(~(marked | mine), block);
     if (!any(marked)) [[likely]]
       continue;
     const unsigned points = bits_of(marked), more = cage.folded[f] != 0 ? bits_of(near) : 0;
     if (more != 0) block.beyond[block.beyond_marked++] = {f, more};
     if (points != more) block.marks[block.marked++] = {f, points & ~more};
   }
+  block.left = bits_of(left);
 }
 
 template <int O>
@@ -237,16 +331,26 @@ void sum_mean_value_derivatives(Block& block) {
   fine_heights(block, height);
   Steepness steep(kSteepDerivatives);
   SteepSlopes slopes;
-  sum_mean_value_faces<O>(block, vertex, edge, height, steep, slopes);
-  const bool again = steep.again(), lowered = any(slopes.lower(block, kSteepGradients));
-  if (again || lowered) sum_mean_value_faces<O>(block, vertex, edge, height, steep, slopes);
-  block.left = 0;
+  const Lanes from = base_faces(cage, vertex, height);
+  sum_mean_value_faces<O>(block, vertex, edge, height, from, steep, slopes);
+  const bool again = steep.again();
+  const Lanes beside = static_cast<const BaseFace*>(block.measured)->steepness;
+  const bool lowered = any(slopes.lower(block, kSteepGradients, beside));
+  if (again || lowered) sum_mean_value_faces<O>(block, vertex, edge, height, from, steep, slopes);
 }
 
 /// Divides weights by their sum, by the quotient rule; leaves points to others whose sums are no numbers.
 inline void normalise(Block& block) {
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
   constexpr int kept[3] = {1, 3, 6}, first[6] = {0, 0, 0, 1, 1, 2}, second[6] = {0, 1, 2, 1, 2, 2};
+  if (block.order > 0) {
+    const BaseFace& base = *static_cast<const BaseFace*>(block.measured);
+    if (any(base.seen)) {
+      if (block.order == 1) normalise_from_faces<1>(block, base);
+      else normalise_from_faces<2>(block, base);
+      return complete(columns, block.layout, kept, block.order, block.cage->vertices);
+    }
+  }
   Lanes sum[3][6] = {};
   Mask left = mask_of(block.left);
   for (int o = 0; o <= block.order; ++o) {

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "leading.h"
-#include "plane_kelvin.h"
+#include "plane_base.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
@@ -17,25 +17,6 @@ template <int O>
 inline constexpr double kLeastSquareOfWeights = O == 0   ? kLeastSquare
                                                 : O == 1 ? 0x1p-600
                                                          : 0x1p-380;
-
-/// A function of the points with derivatives xx, xy, yy.
-struct PlaneJet {
-  Lanes value{}, gradient[2] = {}, hessian[3] = {};
-};
-template <int O>
-PlaneJet product_of(const PlaneJet& a, const PlaneJet& b) {
-  PlaneJet c;
-  c.value = a.value * b.value;
-  if constexpr (O >= 1)
-    for (int i = 0; i < 2; ++i) c.gradient[i] = a.gradient[i] * b.value + a.value * b.gradient[i];
-  if constexpr (O >= 2)
-    for (int at = 0; at < 3; ++at) {
-      const int i = kFirst[at], j = kSecond[at];
-      c.hessian[at] = a.hessian[at] * b.value + a.gradient[i] * b.gradient[j] + a.gradient[j] * b.gradient[i] +
-                      a.value * b.hessian[at];
-    }
-  return c;
-}
 
 /// 1/|z| of a vertex.
 template <int O>
@@ -74,6 +55,55 @@ PlaneJet tangent_of(const SideTable& side, const SeenEnd& a, const SeenEnd& b, L
     for (Lanes& d : t.gradient) d *= rise;
   }
   return t;
+}
+
+/// The weights' jets at each vertex, without those of base edges, become those of the coordinates.
+template <int O>
+void normalise_from_sides(PlaneBlock& block, const BaseSide& base) {
+  auto* const columns = reinterpret_cast<Lanes*>(block.columns);
+  const PlaneSums sums{columns, &block.layout};
+  const auto at = [&](int v) {
+    PlaneJet jet;
+    jet.value = *sums.at(0, 0, v, 1);
+    for (int i = 0; i < 2; ++i) jet.gradient[i] = sums.at(1, 0, v, 2)[i];
+    if constexpr (O >= 2)
+      for (int i = 0; i < 3; ++i) jet.hessian[i] = sums.at(2, 0, v, 3)[i];
+    return jet;
+  };
+  PlaneJet others;
+  for (int v = 0; v < block.cage->vertices; ++v) others = sum_of<O>(others, at(v));
+  // Without a base edge there is no height to multiply with.
+  PlaneJet height = base.height, share[2] = {base.share, scaled_jet<O>(base.share, -1)};
+  height.value = select(base.seen, height.value, splat(1));
+  share[1].value += 1;
+  const PlaneJet whole = sum_of<O>(product_of<O>(height, others), base.total);
+  const Lanes over = 1 / whole.value;
+  block.left |= bits_of_lanes(~((over - over) == Lanes{}));
+  for (int v = 0; v < block.cage->vertices; ++v) {
+    PlaneJet rest = at(v), own, part;
+    for (int k = 0; k < 2; ++k) {
+      const Mask mine = base.seen & (base.vertex[k] == splat(v));
+      if (!any(mine)) continue;
+      take<O>(mine, share[k], own);
+      take<O>(mine, scaled_jet<O>(base.rest, k == 0 ? 1 : -1), part);
+      rest = sum_of<O>(rest, kept<O>(mine, scaled_jet<O>(product_of<O>(share[k], others), -1)));
+    }
+    part = sum_of<O>(part, product_of<O>(height, rest));
+    *sums.at(0, 0, v, 1) = own.value + part.value * over;
+    Lanes gradient[2];
+    for (int i = 0; i < 2; ++i) {
+      gradient[i] = (part.gradient[i] - part.value * over * whole.gradient[i]) * over;
+      sums.at(1, 0, v, 2)[i] = own.gradient[i] + gradient[i];
+    }
+    if constexpr (O >= 2)
+      for (int i = 0; i < 3; ++i) {
+        const int a = kFirst[i], b = kSecond[i];
+        sums.at(2, 0, v, 3)[i] = (part.hessian[i] - part.value * over * whole.hessian[i] -
+                                  gradient[a] * whole.gradient[b] - gradient[b] * whole.gradient[a]) *
+                                 over;
+      }
+  }
+  complete(columns, block.layout, {1, 2, 3}, O, block.cage->vertices);
 }
 
 /// The weights' jets at each vertex become those of the coordinates. Points whose weights sum to nothing are left to
@@ -129,9 +159,22 @@ void sum_mean_values_of_plane(PlaneBlock& block) {
     if constexpr (O >= 1) seen.over = inverse(seen.z);
     block.left |= bits_of_lanes(seen.square < splat(kLeastSquareOfWeights<O>));
   }
+  BaseSide base;
+  Lanes from = splat(-1), least = splat(1e300);
+  if constexpr (O >= 1)
+    for (int s = 0; s < cage.sides; ++s)
+      from = select(is_base(cage.side[s], vertex[cage.side[s].from], vertex[cage.side[s].to], least), splat(s), from);
   for (int s = 0; s < cage.sides; ++s) {
     const SideTable& side = cage.side[s];
     const SeenEnd* const end[2] = {vertex + side.from, vertex + side.to};
+    Mask mine{};
+    if constexpr (O >= 1) {
+      mine = from == splat(s);
+      if (any(mine)) keep_side<O>(side, *end[0], *end[1], mine, base);
+      const double close = kLeftAtEnds[O] * kLeftAtEnds[O] * side.square;
+      block.left |= bits_of_lanes((end[0]->square < splat(close)) | (end[1]->square < splat(close)) |
+                                  (mine & (least < splat(kLostOverSide * side.length))));
+    }
     SeenSide seen;
     see_across(side, *end[0], *end[1], seen);
     decide_sides(block, side, seen);
@@ -142,7 +185,9 @@ void sum_mean_values_of_plane(PlaneBlock& block) {
     const PlaneJet tangent = tangent_of<O>(side, *end[0], *end[1], half);
     const int number[2] = {side.from, side.to};
     for (int k = 0; k < 2; ++k) {
-      const PlaneJet weight = product_of<O>(tangent, over_distance<O>(*end[k], end[k]->log));
+      PlaneJet weight = product_of<O>(tangent, over_distance<O>(*end[k], end[k]->log));
+      if constexpr (O >= 1)
+        if (any(mine)) weight = kept<O>(~mine, weight);
       *sums.at(0, 0, number[k], 1) += weight.value;
       if constexpr (O >= 1)
         for (int i = 0; i < 2; ++i) sums.at(1, 0, number[k], 2)[i] += weight.gradient[i];
@@ -150,6 +195,8 @@ void sum_mean_values_of_plane(PlaneBlock& block) {
         for (int i = 0; i < 3; ++i) sums.at(2, 0, number[k], 3)[i] += weight.hessian[i];
     }
   }
+  if constexpr (O >= 1)
+    if (any(base.seen)) return normalise_from_sides<O>(block, base);
   normalise_plane<O>(block);
 }
 
