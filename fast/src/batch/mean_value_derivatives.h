@@ -176,39 +176,45 @@ class MeanValueFace {
 /// As Steepness, of gradients: differences of int r^-2 over a face's edges times the slopes of its hat functions are
 /// parts of the weights' derivative across the face, whatever the height.
 struct SteepSlopes {
-  Lanes squares{}, limit = splat(1e300);
-  /// \return points that have more of them than their gradients allow, with a limit that leaves no more than that
-  Mask lower(const Block& block, double most) {
-    const Lanes gradients = norm_of(block, 1, 0, 3);
-    const Mask many = squares > (most * gradients) * (most * gradients);
-    limit = select(many, (most / root_of_faces(block)) * gradients, limit);
-    return many;
+  double most;
+  Lanes squares{}, gradients{}, limit = splat(1e300);
+
+  /// Points that have more of them than their gradients allow.
+  Mask many(const Block& block) {
+    gradients = norm_of(block, 1, 0, 3);
+    return squares > (most * gradients) * (most * gradients);
   }
-  static double root_of_faces(const Block& block) { return __builtin_sqrt(static_cast<double>(block.cage->faces)); }
+  /// Sets a limit for points that leaves no more than that.
+  void lower(const Block& block, Mask points) {
+    const double root_of_faces = __builtin_sqrt(static_cast<double>(block.cage->faces));
+    limit = select(points, (most / root_of_faces) * gradients, limit);
+  }
 };
 
-/// Sums over the faces, and lists those that need more digits.
+/// Adds the faces that are near, and lists those that need more digits.
 template <int O>
-void sum_mean_value_faces(Block& block, const SeenVertex* vertex, const MeanValueEdge* edge, const Lanes* height,
-                          Steepness& steep, SteepSlopes& slopes) {
+void sum_mean_value_faces(Block& block, const NearFaces& faces, const SeenVertex* vertex, const MeanValueEdge* edge,
+                          const Lanes* height, Steepness& steep, SteepSlopes& slopes) {
   const CageTables& cage = *block.cage;
-  auto* const columns = reinterpret_cast<Lanes*>(block.columns);
-  for (int c = 0; c < block.layout.count; ++c) columns[c] = Lanes{};
   const Mask whole = mask_of(block.whole);
   block.marked = block.beyond_marked = 0;
-  for (int f = 0; f < cage.faces; ++f) {
+  slopes.squares = Lanes{};
+  for (int place = 0; place < faces.count; ++place) {
+    const int f = faces.faces[place];
     const FaceTable<double>& face = cage.face[f];
+    const Mask far = ~widened(faces.is_near(f));
     const SeenVertex* const corner[3] = {vertex + face.vertex[0], vertex + face.vertex[1], vertex + face.vertex[2]};
     const MeanValueEdge* const side[3] = {edge + face.edge[0], edge + face.edge[1], edge + face.edge[2]};
     const MeanValueFace<O> seen(cage, face, corner, side, height[f]);
     const Lanes slope = face.steep * (side[0]->k2 + side[1]->k2 + side[2]->k2);
     const Lanes steepness = magnitude(seen.height()) * slope;
     const Mask near =
-        corner[0]->near | corner[1]->near | corner[2]->near | side[0]->near | side[1]->near | side[2]->near;
-    const Mask many = whole | steep.exceeds(steepness) | (slope > slopes.limit), marked = near | many;
-    steep.count(select(marked, Lanes{}, steepness), seen.total());
-    slopes.squares += select(marked, Lanes{}, slope * slope);
-    seen.add(~marked, block);
+        (corner[0]->near | corner[1]->near | corner[2]->near | side[0]->near | side[1]->near | side[2]->near) & ~far;
+    const Mask many = whole | steep.exceeds(steepness) | (slope > slopes.limit), marked = (near | many) & ~far;
+    const Mask out = marked | far;
+    steep.count(select(out, Lanes{}, steepness), select(far, Lanes{}, seen.total()));
+    slopes.squares += select(out, Lanes{}, slope * slope);
+    seen.add(~out, block);
     if (!any(marked)) [[likely]]
       continue;
     const unsigned points = bits_of(marked), more = cage.folded[f] != 0 ? bits_of(near) : 0;
@@ -223,23 +229,28 @@ void sum_mean_value_derivatives(Block& block) {
   auto* const vertex = static_cast<SeenVertex*>(block.scratch);
   auto* const edge = reinterpret_cast<MeanValueEdge*>(vertex + cage.vertices);
   auto* const height = reinterpret_cast<Lanes*>(edge + cage.edges);
-  const auto* const point = reinterpret_cast<const Lanes*>(block.points);
-  for (int v = 0; v < cage.vertices; ++v) {
-    SeenVertex& seen = vertex[v];
-    for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
-    seen.r = root(dot(seen.x, seen.x));
-    seen.near = less(seen.r, splat(cage.reach[v]));
-  }
-  for (int e = 0; e < cage.edges; ++e) {
-    const EdgeTable<double>& table = cage.edge[e];
-    edge[e] = mean_value_edge<O>(table, vertex[table.from], vertex[table.to]);
-  }
-  fine_heights(block, height);
+  auto* const columns = reinterpret_cast<Lanes*>(block.columns);
   Steepness steep(kSteepDerivatives);
-  SteepSlopes slopes;
-  sum_mean_value_faces<O>(block, vertex, edge, height, steep, slopes);
-  const bool again = steep.again(), lowered = any(slopes.lower(block, kSteepGradients));
-  if (again || lowered) sum_mean_value_faces<O>(block, vertex, edge, height, steep, slopes);
+  SteepSlopes slopes{kSteepGradients};
+  Attempts attempts;
+  fine_heights(block, height);
+  while (attempts.again) {
+    const NearFaces near =
+        find_near_faces(block, height + cage.faces, attempts.rules, kQuickMeanValueRules[O], kFewMeanValueRules[O]);
+    see_vertices(block, near, vertex);
+    for (int e = 0; e < cage.edges; ++e) {
+      if (near.edge[e] == 0) continue;
+      const EdgeTable<double>& table = cage.edge[e];
+      edge[e] = mean_value_edge<O>(table, vertex[table.from], vertex[table.to]);
+    }
+    for (int c = 0; c < block.layout.count; ++c) columns[c] = Lanes{};
+    steep.start(add_far_mean_values<O>(block, near, height));
+    sum_mean_value_faces<O>(block, near, vertex, edge, height, steep, slopes);
+    const Mask steeper = steep.many(), sloping = slopes.many(block);
+    const Mask limited = attempts.next(steeper | sloping, near);
+    steep.lower(limited & steeper);
+    slopes.lower(block, limited & sloping);
+  }
   block.left = 0;
 }
 
