@@ -92,7 +92,8 @@ Surface fan(double) {
   constexpr int spokes = 64;
   Surface s;
   for (int k = 0; k < spokes; ++k)
-    s.vertices.emplace_back(std::cos(2 * std::numbers::pi * k / spokes), std::sin(2 * std::numbers::pi * k / spokes), 0);
+    s.vertices.emplace_back(std::cos(2 * std::numbers::pi * k / spokes), std::sin(2 * std::numbers::pi * k / spokes),
+                            0);
   for (const double z : {1.0, -0.25}) s.vertices.emplace_back(0.125, 0, z);
   for (int k = 0; k < spokes; ++k) {
     const int next = (k + 1) % spokes;

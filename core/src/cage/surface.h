@@ -31,7 +31,8 @@ struct Surface {
 };
 
 /// A cube's faces, of its corners by the bits x, y, z of their numbers.
-inline constexpr int kBoxFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+inline constexpr int kBoxFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                        {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
 
 /// The corners of a cube of size 1 about the origin.
 Surface box_corners();

@@ -8,6 +8,7 @@
 
 #include "fast.h"
 #include "mean_value_edges.h"
+#include "near_faces.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
@@ -49,13 +50,14 @@ struct BaseFace {
   Lanes steepness{};  ///< about the gradient of V, which the columns do not have
 };
 
-/// The face that each point is seen from, the nearest; -1 where it is next to none.
-inline Lanes base_faces(const CageTables& cage, const SeenVertex* vertex, const Lanes* height) {
+/// The face that each point is seen from, the nearest of those that are not far; -1 where it is next to none.
+inline Lanes base_faces(const CageTables& cage, const NearFaces& faces, const SeenVertex* vertex, const Lanes* height) {
   Lanes base = splat(-1), least = splat(1e300);
-  for (int f = 0; f < cage.faces; ++f) {
+  for (int place = 0; place < faces.count; ++place) {
+    const int f = faces.faces[place];
     const FaceTable<double>& face = cage.face[f];
     const Lanes d = magnitude(height[f]);
-    const Mask low = (d < splat(kSeenFromFace * __builtin_sqrt(face.area2))) & (d < least);
+    const Mask low = (d < splat(kSeenFromFace * __builtin_sqrt(face.area2))) & (d < least) & widened(faces.is_near(f));
     if (!any(low)) [[likely]]
       continue;
     const SeenVertex* const corner[3] = {vertex + face.vertex[0], vertex + face.vertex[1], vertex + face.vertex[2]};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whole coordinates of closed triangle cages and of polygons, a vector of points at a time.
+#include "near_points.h"
 #include "plane_blocks.h"
 
 #include "cageproof/core/coordinates/coordinate_tables.h"
@@ -39,6 +40,9 @@ constexpr std::size_t kChunk = 16;
 constexpr std::size_t kCached = 4000000;
 // Numbers of a point below which its row is not sent past them: parts of lines cost more than they save.
 constexpr std::size_t kShortRow = 256;
+// Faces from which on points are taken in an order in which neighbours are near each other. Fewer faces are mostly seen
+// alike by all points of a cage.
+constexpr std::size_t kManyFaces = 256;
 
 // Of triangle cages: factors are 1/(4 pi) of harmonic layers and Kelvin's, 1/(8 pi) of biharmonic ones, of psibar's
 // values a third of it.
@@ -86,11 +90,10 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
       for (const std::vector<double>& tensor : table.tensors) numbers += tensor.size();
     over_blocks(
         points, order,
-        [&](const double* columns, const Request& request, std::size_t first, int count) {
+        [&](const double* columns, const Request& request, std::span<const long> rows) {
           for (int o = 0; o <= order; ++o)
             for (std::size_t b = 0; b < blocks().size(); ++b)
-              store(tables[b], first, request, o, b, columns, count,
-                    numbers > kCached && tables[b].stride[o] >= kShortRow);
+              store(tables[b], rows, request, o, b, columns, numbers > kCached && tables[b].stride[o] >= kShortRow);
         },
         [&](std::size_t p, const std::vector<CoordinateTable<double>>& own) {
           for (int o = 0; o <= order; ++o)
@@ -105,11 +108,12 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
              AppliedTable& table) const override {
     over_blocks(
         points, order,
-        [&](const double* columns, const Request& request, std::size_t first, int count) {
+        [&](const double* columns, const Request& request, std::span<const long> rows) {
           for (int o = 0; o <= order; ++o)
             for (std::size_t b = 0; b < blocks().size(); ++b)
-              kernels().multiply({.to = table.tensors[o].data() + first * table.stride[o],
+              kernels().multiply({.to = table.tensors[o].data(),
                                   .stride = static_cast<long>(table.stride[o]),
+                                  .point = rows.data(),
                                   .coordinates = blocks()[b].size,
                                   .rows = blocks()[b].shape.rows,
                                   .columns = blocks()[b].shape.columns,
@@ -118,7 +122,7 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
                                   .from = columns + at(request, o, b),
                                   .data = data.blocks[b].data(),
                                   .factor = factor(o, b)},
-                                 count);
+                                 static_cast<int>(rows.size()));
         },
         [&](std::size_t p, const std::vector<CoordinateTable<double>>& own) {
           for (int o = 0; o <= order; ++o) {
@@ -158,20 +162,28 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
     return std::ldexp(factor, (blocks()[b].degree - order) * geometry_.exponent());
   }
 
-  // put: (columns, request, first point, points). alone: (point, its tables), of what blocks leave out.
+  // put: (columns, request, the block's points). alone: (point, its tables), of what blocks leave out.
   template <class Put, class Alone>
   void over_blocks(std::span<const Vec3<double>> points, int order, Put put, Alone alone) const {
     const Request request = request_for(order);
     const std::size_t lanes = kernels().lanes, count = (points.size() + lanes - 1) / lanes;
+    const bool sorted = elements_->count() >= kManyFaces && points.size() > lanes;
+    const std::vector<std::size_t> order_of = sorted ? along_a_curve(points) : std::vector<std::size_t>();
     for_ranges_parallel(count, kChunk, [&](std::size_t begin, std::size_t end) {
       typename Shape::Runner runner(geometry_, *elements_, request);
+      std::vector<Vec3<double>> here;
+      std::vector<long> rows;
       for (std::size_t i = begin; i < end; ++i) {
-        const std::size_t first = i * lanes;
-        const auto here = points.subspan(first, std::min(lanes, points.size() - first));
+        here.clear();
+        rows.clear();
+        for (std::size_t p = i * lanes; p < std::min((i + 1) * lanes, points.size()); ++p) {
+          rows.push_back(static_cast<long>(sorted ? order_of[p] : p));
+          here.push_back(points[rows.back()]);
+        }
         const unsigned left = runner.run(here);
-        put(runner.columns(), request, first, static_cast<int>(here.size()));
+        put(runner.columns(), request, std::span<const long>(rows));
         for (std::size_t p = 0; left != 0 && p < here.size(); ++p)
-          if ((left >> p & 1u) != 0) alone(first + p, left_at(here[p], request, runner));
+          if ((left >> p & 1u) != 0) alone(static_cast<std::size_t>(rows[p]), left_at(here[p], request, runner));
       }
     });
   }
@@ -200,7 +212,7 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
     for (int o = 0; o <= request.order; ++o)
       for (std::size_t b = 0; b < blocks().size(); ++b) {
         if (blocks()[b].owner != Owner::Vertex) continue;
-        store(found[b], 0, request, o, b, runner.columns(), 1);
+        store(found[b], std::array{0L}, request, o, b, runner.columns());
         const std::size_t width = found[b].stride[o] / touched.size();
         for (std::size_t v = 0; v < touched.size(); ++v)
           if (touched[v] == 0)
@@ -208,18 +220,19 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
       }
   }
 
-  // One order and block of columns to the rows of points from `first` on.
-  void store(CoordinateTable<double>& table, std::size_t first, const Request& request, int o, std::size_t b,
-             const double* columns, int count, bool streaming = false) const {
-    kernels().store({.to = table.tensors[o].data() + first * table.stride[o],
+  // One order and block of columns to the rows of a block's points.
+  void store(CoordinateTable<double>& table, std::span<const long> rows, const Request& request, int o, std::size_t b,
+             const double* columns, bool streaming = false) const {
+    kernels().store({.to = table.tensors[o].data(),
                      .stride = static_cast<long>(table.stride[o]),
+                     .row = rows.data(),
                      .coordinates = blocks()[b].size,
                      .entries = blocks()[b].entries(),
                      .width = static_cast<int>(derivative_count(Shape::dimension, o)),
                      .from = columns + at(request, o, b),
                      .factor = factor(o, b),
                      .streaming = streaming},
-                    count);
+                    static_cast<int>(rows.size()));
   }
 
   Layers layers_;

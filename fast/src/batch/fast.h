@@ -8,6 +8,7 @@
 #include "face_terms.h"
 #include "far_border.h"
 #include "far_faces.h"
+#include "far_sums.h"
 #include "seen_vertex.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
@@ -95,36 +96,14 @@ void add_far_faces(const Block& block, const NearFaces& near) {
   const Sums<Lanes> sums{reinterpret_cast<Lanes*>(block.columns), &block.layout};
   const auto* const point = reinterpret_cast<const Lanes*>(block.points);
   const Lanes beta = splat(block.beta.high);
-  const auto from_point = [&](int v) {
-    Three<Lanes> x;
-    for (int i = 0; i < 3; ++i) x[i] = cage.vertex[3 * v + i] - point[i];
-    return x;
-  };
-  for (int f = 0; f < cage.faces; ++f) {
-    Small left = near.rule[f] < near.rules;
-    if (bytes_of(left) == 0) continue;
+  for_far_faces<L, O>(block, near, [&](int f, const Three<Lanes>& x, const FarMoments<L, O>& moments) {
     const FaceTable<double>& face = cage.face[f];
-    const double* const corner[3] = {cage.vertex + 3 * face.vertex[0], cage.vertex + 3 * face.vertex[1],
-                                     cage.vertex + 3 * face.vertex[2]};
-    double edges[2][3];
-    for (int i = 0; i < 3; ++i) {
-      edges[0][i] = corner[1][i] - corner[0][i];
-      edges[1][i] = corner[2][i] - corner[0][i];
-    }
-    const Three<Lanes> x = from_point(face.vertex[0]);
-    // For each rule that points take, those of them that do.
-    while (const unsigned long long bytes = bytes_of(left)) {
-      const int rule = static_cast<unsigned char>(near.rule[f][__builtin_ctzll(bytes) / 8]);
-      const Small mine = left & (near.rule[f] == Small{} + static_cast<signed char>(rule));
-      const FarMoments<L, O> moments(cage.rules[rule], x, edges, 0.5 * face.area2, widened(mine));
-      FarFace<L, O>{face, dot(face.n, x), moments}.add(f, beta, sums);
-      left &= ~mine;
-    }
-  }
+    FarFace<L, O>{face, dot(face.n, x), moments}.add(f, beta, sums);
+  });
   if constexpr (O >= 1 || L == Layers::Kelvin)
     for (int e = 0; e < cage.edges; ++e)
       if (bytes_of(near.sign[e]) != 0)
-        BorderEdge<L, O>(cage.edge[e], from_point(cage.edge[e].from), *cage.line,
+        BorderEdge<L, O>(cage.edge[e], from_point(cage, point, cage.edge[e].from), *cage.line,
                          __builtin_convertvector(near.sign[e], Lanes), beta)
             .add(sums);
 }
@@ -138,7 +117,7 @@ void sum_faces(Block& block, MeasuredBlock& measured) {
   auto* const edge = reinterpret_cast<Edge*>(vertex + cage.vertices);
   const auto* const point = reinterpret_cast<const Lanes*>(block.points);
   const Mask whole = mask_of(block.whole);
-  const NearFaces near = find_near_faces(block, edge + cage.edges, measured.rules);
+  const NearFaces near = find_near_faces(block, edge + cage.edges, measured.rules, kQuickRules, kQuickRules);
   for (int v = 0; v < cage.vertices; ++v) {
     if (near.vertex[v] == 0) continue;
     SeenVertex& seen = vertex[v];

@@ -112,7 +112,7 @@ void store_rows(const Rows& rows, int points) {
       __builtin_memcpy(scaled[c], &x, sizeof x);
     }
     for (int p = 0; p < points; ++p) {
-      double* to = rows.to + p * rows.stride + first / kept * Width;
+      double* to = rows.to + rows.row[p] * rows.stride + first / kept * Width;
       for (int c = 0; c < here; c += kept, to += Width)
         for (int i = 0; i < Width; ++i) put<Streaming>(to + i, scaled[c + Order<Width>::place(i)][p]);
     }
@@ -157,7 +157,7 @@ void multiply_sets(const Products& product, int points, int row, int first) {
     }
   for (int set = 0; set < Sets; ++set)
     for (int p = 0; p < points; ++p) {
-      double* const to = product.to + p * product.stride + (row * product.sets + first + set) * Width;
+      double* const to = product.to + product.point[p] * product.stride + (row * product.sets + first + set) * Width;
       for (int i = 0; i < Width; ++i) to[i] += sum[set][Order<Width>::place(i)][p] * product.factor;
     }
 }

@@ -239,16 +239,19 @@ class MeanValueFace {
 /// As Steepness, of gradients: differences of int r^-2 over a face's edges times the slopes of its hat functions are
 /// parts of the weights' derivative across the face, whatever the height.
 struct SteepSlopes {
-  Lanes squares{}, limit = splat(1e300);
-  /// \return points that have more of them than their gradients allow, with a limit that leaves no more than that
-  /// \param beside gradients that the columns do not have
-  Mask lower(const Block& block, double most, Lanes beside) {
-    const Lanes gradients = norm_of(block, 1, 0, 3) + beside;
-    const Mask many = squares > (most * gradients) * (most * gradients);
-    limit = select(many, (most / root_of_faces(block)) * gradients, limit);
-    return many;
+  double most;
+  Lanes squares{}, gradients{}, limit = splat(1e300);
+
+  /// Points that have more of them than their gradients allow. \param beside gradients that the columns do not have
+  Mask many(const Block& block, Lanes beside) {
+    gradients = norm_of(block, 1, 0, 3) + beside;
+    return squares > (most * gradients) * (most * gradients);
   }
-  static double root_of_faces(const Block& block) { return __builtin_sqrt(static_cast<double>(block.cage->faces)); }
+  /// Sets a limit for points that leaves no more than that.
+  void lower(const Block& block, Mask points) {
+    const double root_of_faces = __builtin_sqrt(static_cast<double>(block.cage->faces));
+    limit = select(points, (most / root_of_faces) * gradients, limit);
+  }
 };
 
 /// Distances from edges and corners, over those that `near` stands for, below which derivatives are left to others.
@@ -268,29 +271,30 @@ Mask is_left_beside(const CageTables& cage, const FaceTable<double>& face, const
   return left;
 }
 
-/// Sums over the faces, and lists those that need more digits. \param from the faces that points are seen from
+/// Adds the faces that are near, and lists those that need more digits. \param from the faces that points are seen from
 template <int O>
-void sum_mean_value_faces(Block& block, const SeenVertex* vertex, const MeanValueEdge* edge, const Lanes* height,
-                          Lanes from, Steepness& steep, SteepSlopes& slopes) {
+void sum_mean_value_faces(Block& block, const NearFaces& faces, const SeenVertex* vertex, const MeanValueEdge* edge,
+                          const Lanes* height, Lanes from, Steepness& steep, SteepSlopes& slopes) {
   const CageTables& cage = *block.cage;
   BaseFace& base = *static_cast<BaseFace*>(block.measured);
   base = BaseFace{};
   Mask left{};
-  auto* const columns = reinterpret_cast<Lanes*>(block.columns);
-  for (int c = 0; c < block.layout.count; ++c) columns[c] = Lanes{};
   const Mask whole = mask_of(block.whole);
   block.marked = block.beyond_marked = 0;
-  for (int f = 0; f < cage.faces; ++f) {
+  slopes.squares = Lanes{};
+  for (int place = 0; place < faces.count; ++place) {
+    const int f = faces.faces[place];
     const FaceTable<double>& face = cage.face[f];
+    const Mask far = ~widened(faces.is_near(f));
     const SeenVertex* const corner[3] = {vertex + face.vertex[0], vertex + face.vertex[1], vertex + face.vertex[2]};
     const MeanValueEdge* const side[3] = {edge + face.edge[0], edge + face.edge[1], edge + face.edge[2]};
     const MeanValueFace<O> seen(cage, face, corner, side, height[f]);
     const Lanes slope = face.steep * (side[0]->k2 + side[1]->k2 + side[2]->k2);
     const Lanes steepness = magnitude(seen.height()) * slope;
     const Mask near =
-        corner[0]->near | corner[1]->near | corner[2]->near | side[0]->near | side[1]->near | side[2]->near;
-    const Mask many = whole | steep.exceeds(steepness) | (slope > slopes.limit), marked = near | many;
-    const Mask mine = from == splat(f);
+        (corner[0]->near | corner[1]->near | corner[2]->near | side[0]->near | side[1]->near | side[2]->near) & ~far;
+    const Mask many = whole | steep.exceeds(steepness) | (slope > slopes.limit), marked = (near | many) & ~far;
+    const Mask out = marked | far, mine = from == splat(f);
     if (any(near)) left |= near & is_left_beside<O>(cage, face, corner, side);
     if (any(mine)) {
       // A height that is zero but for rounding is the point's on the face, or nobody knows.
@@ -299,9 +303,9 @@ void sum_mean_value_faces(Block& block, const SeenVertex* vertex, const MeanValu
                       (d < splat(kLostHeight)));
       seen.keep(mine & ~marked, base);
     }
-    steep.count(select(marked, Lanes{}, steepness), seen.total());
-    slopes.squares += select(marked, Lanes{}, slope * slope);
-    seen.add(~(marked | mine), block);
+    steep.count(select(out, Lanes{}, steepness), select(far, Lanes{}, seen.total()));
+    slopes.squares += select(out, Lanes{}, slope * slope);
+    seen.add(~(out | mine), block);
     if (!any(marked)) [[likely]]
       continue;
     const unsigned points = bits_of(marked), more = cage.folded[f] != 0 ? bits_of(near) : 0;
@@ -317,26 +321,30 @@ void sum_mean_value_derivatives(Block& block) {
   auto* const vertex = static_cast<SeenVertex*>(block.scratch);
   auto* const edge = reinterpret_cast<MeanValueEdge*>(vertex + cage.vertices);
   auto* const height = reinterpret_cast<Lanes*>(edge + cage.edges);
-  const auto* const point = reinterpret_cast<const Lanes*>(block.points);
-  for (int v = 0; v < cage.vertices; ++v) {
-    SeenVertex& seen = vertex[v];
-    for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
-    seen.r = root(dot(seen.x, seen.x));
-    seen.near = less(seen.r, splat(cage.reach[v]));
-  }
-  for (int e = 0; e < cage.edges; ++e) {
-    const EdgeTable<double>& table = cage.edge[e];
-    edge[e] = mean_value_edge<O>(table, vertex[table.from], vertex[table.to]);
-  }
-  fine_heights(block, height);
+  auto* const columns = reinterpret_cast<Lanes*>(block.columns);
   Steepness steep(kSteepDerivatives);
-  SteepSlopes slopes;
-  const Lanes from = base_faces(cage, vertex, height);
-  sum_mean_value_faces<O>(block, vertex, edge, height, from, steep, slopes);
-  const bool again = steep.again();
-  const Lanes beside = static_cast<const BaseFace*>(block.measured)->steepness;
-  const bool lowered = any(slopes.lower(block, kSteepGradients, beside));
-  if (again || lowered) sum_mean_value_faces<O>(block, vertex, edge, height, from, steep, slopes);
+  SteepSlopes slopes{kSteepGradients};
+  Attempts attempts;
+  fine_heights(block, height);
+  while (attempts.again) {
+    const NearFaces near =
+        find_near_faces(block, height + cage.faces, attempts.rules, kQuickMeanValueRules[O], kFewMeanValueRules[O]);
+    see_vertices(block, near, vertex);
+    for (int e = 0; e < cage.edges; ++e) {
+      if (near.edge[e] == 0) continue;
+      const EdgeTable<double>& table = cage.edge[e];
+      edge[e] = mean_value_edge<O>(table, vertex[table.from], vertex[table.to]);
+    }
+    for (int c = 0; c < block.layout.count; ++c) columns[c] = Lanes{};
+    steep.start(add_far_mean_values<O>(block, near, height));
+    const Lanes from = base_faces(cage, near, vertex, height);
+    sum_mean_value_faces<O>(block, near, vertex, edge, height, from, steep, slopes);
+    const Lanes beside = static_cast<const BaseFace*>(block.measured)->steepness;
+    const Mask steeper = steep.many(), sloping = slopes.many(block, beside);
+    const Mask limited = attempts.next(steeper | sloping, near);
+    steep.lower(limited & steeper);
+    slopes.lower(block, limited & sloping);
+  }
 }
 
 /// Divides weights by their sum, by the quotient rule; leaves points to others whose sums are no numbers.

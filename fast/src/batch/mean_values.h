@@ -8,6 +8,7 @@
 #pragma once
 
 #include "careful_entries.h"
+#include "far_mean_values.h"
 #include "fast.h"
 #include "mean_value_edges.h"
 
@@ -81,6 +82,11 @@ class Steepness {
   /// \param most what the root of the sum of squares may be of the total
   explicit Steepness(double most) : most_(most) {}
   Lanes of(const FaceTable<double>& face, Lanes height, Lanes k2) const { return magnitude(height) * face.steep * k2; }
+  /// Before faces are summed, again. \param total the weights of those that take rules
+  void start(Lanes total) {
+    squares_ = Lanes{};
+    total_ = total;
+  }
   /// \param steepness of a face that is added in double \param total its weights'
   void count(Lanes steepness, Lanes total) {
     squares_ += steepness * steepness;
@@ -89,35 +95,57 @@ class Steepness {
   /// Below which a height over the distance of a corner is next to the plane.
   Lanes low() const { return low_; }
   Mask exceeds(Lanes steepness) const { return steepness > limit_; }
-  /// Whether faces are to be summed again, with a limit.
-  bool again() {
-    if (limited_) return false;
-    limited_ = true;
-    const Lanes total = magnitude(total_);
-    const Mask many = squares_ > (most_ * total) * (most_ * total);
-    limit_ = select(many, (most_ / 16) * total, limit_);
-    low_ = select(many, splat(kLow), low_);
-    return any(many);
+  /// Where too much is left.
+  Mask many() const {
+    const Lanes most = most_ * magnitude(total_);
+    return squares_ > most * most;
+  }
+  /// Sets a limit for points, so that it no longer is when faces are summed again.
+  void lower(Mask points) {
+    limit_ = select(points, (most_ / 16) * magnitude(total_), limit_);
+    low_ = select(points, splat(kLow), low_);
   }
 
  private:
   double most_;
-
   Lanes squares_{}, total_{}, limit_ = splat(1e300), low_ = splat(kNextToPlane);
-  bool limited_ = false;
 };
 
-/// Sums over the faces. \return the points that are left to others
-inline Mask sum_mean_values_within(Block& block, const SeenVertex* vertex, const SeenEdge* edge, const Lanes* heights,
-                                   Steepness& steep) {
+/// How often faces are summed: first by the quick rules, then, for points that this leaves too much rounding of, by all
+/// rules that there are, then with a limit beyond which faces are left to others.
+struct Attempts {
+  Small rules = Small{} + static_cast<signed char>(kFirstRules);
+  Mask limited{};
+
+  /// \param many points that too much is left of \return those of them that are to have a limit
+  Mask next(Mask many, const NearFaces& near) {
+    const Mask ruled = many & near.between;
+    for (int i = 0; i < kLanes; ++i)
+      if (ruled[i] != 0) rules[i] = kFarRules;
+    const Mask fresh = many & ~ruled & ~limited;
+    limited |= fresh;
+    again = any(ruled | fresh);
+    return fresh;
+  }
+  bool again = true;
+};
+
+/// How many rules are taken first, by order: as many as are quicker than closed forms at points next to faces, and at
+/// others as many as fine cages need.
+inline constexpr int kFewMeanValueRules[3] = {2, 4, 4}, kQuickMeanValueRules[3] = {5, kQuickRules, kQuickRules};
+
+/// Adds the faces that are near. \return the points that are left to others
+inline Mask sum_mean_values_within(Block& block, const NearFaces& faces, const SeenVertex* vertex, const SeenEdge* edge,
+                                   const Lanes* heights, Steepness& steep) {
   const CageTables& cage = *block.cage;
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
-  for (int v = 0; v < cage.vertices; ++v) columns[v] = Lanes{};
   const Mask whole = mask_of(block.whole);
   Mask left{};
   block.marked = block.beyond_marked = 0;
-  for (int f = 0; f < cage.faces; ++f) {
+  for (int place = 0; place < faces.count; ++place) {
+    const int f = faces.faces[place];
     const FaceTable<double>& face = cage.face[f];
+    const Mask far = ~widened(faces.is_near(f));
     const SeenVertex* const corner[3] = {vertex + face.vertex[0], vertex + face.vertex[1], vertex + face.vertex[2]};
     const SeenEdge* side[3] = {edge + face.edge[0], edge + face.edge[1], edge + face.edge[2]};
     SeenHeights seen = seen_heights(face, corner, heights[f]);
@@ -139,7 +167,7 @@ inline Mask sum_mean_values_within(Block& block, const SeenVertex* vertex, const
     Lanes over = flux / d, rounding = sizes / height;
     if (any(near_plane)) {
       const Mask within = (h[0] >= Lanes{}) & (h[1] >= Lanes{}) & (h[2] >= Lanes{});
-      left |= within & (height < kLeftAlone * corner[0]->r);
+      left |= within & (height < kLeftAlone * corner[0]->r) & ~far;
       // Within the face, and where the projection is next to its border, F/d cancels little.
       Mask beyond = near_plane & ~within;
       for (int e = 0; e < 3; ++e) {
@@ -161,14 +189,15 @@ inline Mask sum_mean_values_within(Block& block, const SeenVertex* vertex, const
         const Lanes close = splat(kBesideEdge * cage.edge[face.edge[e]].length);
         near |= corner[e]->near | ((side[e]->ends < Lanes{}) & (side[e]->distance < close));
       }
-    const Mask marked = whole | near | steep.exceeds(steepness);
-    steep.count(select(marked, Lanes{}, steepness + rounding), over);
-    if (any(marked)) {
+    near &= ~far;
+    const Mask marked = (whole | near | steep.exceeds(steepness)) & ~far, out = marked | far;
+    steep.count(select(out, Lanes{}, steepness + rounding), select(far, Lanes{}, over));
+    if (any(out)) {
       const unsigned points = bits_of(marked), more = bits_of(near);
       if (more != 0) block.beyond[block.beyond_marked++] = {f, more};
       if (points != more) block.marks[block.marked++] = {f, points & ~more};
-      for (int e = 0; e < 3; ++e) angle[e] = select(marked, Lanes{}, angle[e]);
-      over = select(marked, Lanes{}, over);
+      for (int e = 0; e < 3; ++e) angle[e] = select(out, Lanes{}, angle[e]);
+      over = select(out, Lanes{}, over);
     }
     const Lanes hat[2] = {h[1] * face.hat[0], h[2] * face.hat[1]};
     Lanes last = -over;  // the three weights' sum, twice
@@ -183,30 +212,48 @@ inline Mask sum_mean_values_within(Block& block, const SeenVertex* vertex, const
   return left;
 }
 
-inline void sum_mean_values(Block& block) {
+/// What points see of a cage's near vertices.
+/// \return points that are so near to one that they are left to others
+inline Mask see_vertices(const Block& block, const NearFaces& near, SeenVertex* vertex) {
   const CageTables& cage = *block.cage;
-  auto* const vertex = static_cast<SeenVertex*>(block.scratch);
-  auto* const edge = reinterpret_cast<SeenEdge*>(vertex + cage.vertices);
-  auto* const height = reinterpret_cast<Lanes*>(edge + cage.edges);
   const auto* const point = reinterpret_cast<const Lanes*>(block.points);
   Mask left{};
   for (int v = 0; v < cage.vertices; ++v) {
+    if (near.vertex[v] == 0) continue;
     SeenVertex& seen = vertex[v];
     for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
     seen.r = root(dot(seen.x, seen.x));
     seen.near = less(seen.r, splat(cage.reach[v]));
     left |= less(seen.r, splat(kLeftAlone * cage.reach[v]));
   }
-  for (int e = 0; e < cage.edges; ++e) {
-    const EdgeTable<double>& table = cage.edge[e];
-    edge[e] = seen_edge(table, vertex[table.from], vertex[table.to]);
-    left |= less(edge[e].distance, splat(kLeftAlone * table.length));
-  }
-  fine_heights(block, height);
+  return left;
+}
+
+inline void sum_mean_values(Block& block) {
+  const CageTables& cage = *block.cage;
+  auto* const vertex = static_cast<SeenVertex*>(block.scratch);
+  auto* const edge = reinterpret_cast<SeenEdge*>(vertex + cage.vertices);
+  auto* const height = reinterpret_cast<Lanes*>(edge + cage.edges);
+  auto* const columns = reinterpret_cast<Lanes*>(block.columns);
   Steepness steep(kSteepValues);
-  Mask beside = sum_mean_values_within(block, vertex, edge, height, steep);
-  if (steep.again()) beside = sum_mean_values_within(block, vertex, edge, height, steep);
-  block.left = bits_of(left | beside);
+  Attempts attempts;
+  fine_heights(block, height);
+  while (attempts.again) {
+    const NearFaces near =
+        find_near_faces(block, height + cage.faces, attempts.rules, kQuickMeanValueRules[0], kFewMeanValueRules[0]);
+    Mask left = see_vertices(block, near, vertex);
+    for (int e = 0; e < cage.edges; ++e) {
+      if (near.edge[e] == 0) continue;
+      const EdgeTable<double>& table = cage.edge[e];
+      edge[e] = seen_edge(table, vertex[table.from], vertex[table.to]);
+      left |= less(edge[e].distance, splat(kLeftAlone * table.length));
+    }
+    for (int v = 0; v < cage.vertices; ++v) columns[v] = Lanes{};
+    steep.start(add_far_mean_values<0>(block, near, height));
+    left |= sum_mean_values_within(block, near, vertex, edge, height, steep);
+    block.left = bits_of(left);
+    steep.lower(attempts.next(steep.many(), near));
+  }
 }
 
 }  // namespace cageproof::closed_form::batch::CAGEPROOF_SIMD

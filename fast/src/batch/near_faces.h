@@ -12,6 +12,9 @@ namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 /// Squares of distances below this, in cages of about one, leave single precision, with which roots begin.
 inline constexpr double kLeastFarSquare = 1e-24;
 
+/// How many rules are taken of a point before that is decided.
+inline constexpr int kFirstRules = -1;
+
 /// A small number for each point.
 using Small = signed char __attribute__((vector_size(kLanes)));
 
@@ -45,8 +48,9 @@ inline long near_bytes(int vertices, int edges, int faces) {
 inline void find_rules(const Block& block, Small* rule) {
   const CageTables& cage = *block.cage;
   Lanes least[kFarRules];
+  const int order = block.order + static_cast<int>(block.layers == Layers::MeanValue);
   for (int r = 0; r < kFarRules; ++r) {
-    const double ratio = cage.rules[r].least[block.order];
+    const double ratio = cage.rules[r].least[order];
     least[r] = splat(ratio * ratio);
   }
   auto* const to = reinterpret_cast<signed char*>(rule);
@@ -77,17 +81,33 @@ inline void find_rules(const Block& block, Small* rule) {
   }
 }
 
-/// \param scratch near_bytes of it, aligned to 64 bytes \param rules how many are taken, for each point
-inline NearFaces find_near_faces(const Block& block, void* scratch, Small rules) {
+/// Points that are next to a face: no rule is good enough for it.
+inline Small next_to_faces(const CageTables& cage, const Small* rule) {
+  const Small none = Small{} + static_cast<signed char>(kFarRules);
+  Small found{};
+  for (int f = 0; f < cage.faces; ++f) found |= rule[f] == none;
+  return found;
+}
+
+/// \param scratch near_bytes of it, aligned to 64 bytes \param rules how many are taken, for each point; kFirstRules
+/// becomes `quick`, or `few` at points next to faces: these faces' coordinates are so large that little of the others'
+/// digits is asked
+inline NearFaces find_near_faces(const Block& block, void* scratch, Small& rules, int quick, int few) {
   const CageTables& cage = *block.cage;
   NearFaces near{};
-  near.rules = rules;
   near.faces = static_cast<int*>(scratch);
   near.rule = reinterpret_cast<Small*>(near.faces + cage.faces + cage.faces % 2);
   near.sign = near.rule + cage.faces + kLanes;
   near.vertex = reinterpret_cast<unsigned char*>(near.sign + cage.edges);
   near.edge = near.vertex + cage.vertices;
   find_rules(block, near.rule);
+  const Small first = rules == Small{} + static_cast<signed char>(kFirstRules);
+  if (bytes_of(first) != 0) {
+    const Small next = first & next_to_faces(cage, near.rule);
+    rules = (rules & ~first) | (first & ~next & (Small{} + static_cast<signed char>(quick))) |
+            (next & (Small{} + static_cast<signed char>(few)));
+  }
+  near.rules = rules;
   __builtin_memset(near.sign, 0, sizeof(Small) * cage.edges);
   __builtin_memset(near.vertex, 0, static_cast<unsigned long>(cage.vertices) + cage.edges);
   const Small none = Small{} + static_cast<signed char>(kFarRules);

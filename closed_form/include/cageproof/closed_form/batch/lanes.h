@@ -61,6 +61,18 @@ inline Lanes over_root(Lanes a) {
 #endif
 }
 
+/// 1/a within two roundings, of numbers from 1e-30 to 1e30.
+inline Lanes reciprocal(Lanes a) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  // y/(1 - left), whose next term is 2^-56 at most.
+  const Lanes y = __builtin_ia32_rcp14pd512_mask(a, Lanes{}, 0xff);
+  const Lanes left = 1 - a * y;
+  return y + (y * left) * (1 + left * (1 + left));
+#else
+  return 1 / a;
+#endif
+}
+
 /// log(num/den), both positive: ((sum + length)/(sum - length)) in any form that does not cancel. Where length is small
 /// against sum, as `small` says, 2 atanh(length/sum) is taken, which keeps all digits of a small result.
 ///

@@ -117,10 +117,11 @@ struct Block {
   int beyond_marked;
 };
 
-/// Where rows of one order and block of coordinates go: row p begins at to + p stride.
+/// Where rows of one order and block of coordinates go: that of point p begins at to + row[p] stride.
 struct Rows {
   double* to;
   long stride;
+  const long* row;
   int coordinates, entries, width;  ///< width: one derivative, two or four in the plane, three or nine in space
   const double* from;               ///< the columns, where three stand for four and six for nine
   double factor;
@@ -129,8 +130,9 @@ struct Rows {
 
 /// Cage data to multiply one order's columns of a block with: [coordinate][column][set].
 struct Products {
-  double* to;  ///< [point][row][set][derivative], added to
+  double* to;  ///< [point][row][set][derivative], added to; that of point p begins at to + point[p] stride
   long stride;
+  const long* point;
   int coordinates, rows, columns, sets, width;
   const double* from;
   const double* data;
