@@ -72,8 +72,7 @@ BoundaryData read_boundary_data(const std::filesystem::path& file, const CageCoo
   return data;
 }
 
-CoordinateColumns functions_of(const CoordinateColumns& table, const CageCoordinates& coordinates, int order,
-                               const BoundaryData& data) {
+CoordinateColumns function_columns(const CageCoordinates& coordinates, int order, const BoundaryData& data) {
   constexpr std::array titles{"", " gradient", " Hessian"}, words{"", "_gradient", "_hessian"};
   constexpr std::string_view axes = "xyz";
   const int dim = coordinates.dimension();
@@ -88,8 +87,17 @@ CoordinateColumns functions_of(const CoordinateColumns& table, const CageCoordin
       made.groups.push_back({fmt::format("f_{}{}", f, titles[o]), width, fmt::format("f_{}{}", f, words[o]),
                              std::vector<std::size_t>(o, dim)});
     }
-  const std::size_t columns = table.names.size(), points = table.values.size() / columns;
-  made.values.reserve(points * made.names.size());
+  return made;
+}
+
+std::vector<double> functions_of(std::span<const double> rows, const CageCoordinates& coordinates, int order,
+                                 const BoundaryData& data) {
+  const int dim = coordinates.dimension();
+  std::size_t columns = 0;
+  for (const CoordinateBlock& block : coordinates.blocks())
+    for (int o = 0; o <= order; ++o) columns += block.size * derivative_count(dim, o);
+  const std::size_t points = rows.size() / columns;
+  std::vector<double> sums;
   for (std::size_t p = 0; p < points; ++p)
     for (std::size_t f = 0; f < data.functions; ++f)
       for (int o = 0; o <= order; ++o)
@@ -100,13 +108,12 @@ CoordinateColumns functions_of(const CoordinateColumns& table, const CageCoordin
             std::size_t begin = block_begin;
             for (int lower = 0; lower < o; ++lower) begin += block.size * derivative_count(dim, lower);
             for (int i = 0; i < block.size; ++i, ++coordinate)
-              sum += table.values[begin + i * derivative_count(dim, o) + d] *
-                     data.numbers[coordinate * data.functions + f];
+              sum += rows[begin + i * derivative_count(dim, o) + d] * data.numbers[coordinate * data.functions + f];
             for (int any = 0; any <= order; ++any) block_begin += block.size * derivative_count(dim, any);
           }
-          made.values.push_back(sum);
+          sums.push_back(sum);
         }
-  return made;
+  return sums;
 }
 
 }  // namespace cageproof::cli

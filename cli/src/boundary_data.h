@@ -18,9 +18,12 @@ struct BoundaryData {
 /// lines and coordinates are not as many, or coordinates are matrices
 BoundaryData read_boundary_data(const std::filesystem::path& file, const CageCoordinates& coordinates);
 
-/// Sums of coordinates times data, with derivatives: `f_0`, `f_0_dx` ..., one group a function and order.
-/// \param table of all coordinates up to that order
-CoordinateColumns functions_of(const CoordinateColumns& table, const CageCoordinates& coordinates, int order,
-                               const BoundaryData& data);
+/// The columns of sums of coordinates times data, with derivatives: `f_0`, `f_0_dx` ..., one group a function and
+/// order.
+CoordinateColumns function_columns(const CageCoordinates& coordinates, int order, const BoundaryData& data);
+
+/// Such sums. \param rows of all coordinates up to that order
+std::vector<double> functions_of(std::span<const double> rows, const CageCoordinates& coordinates, int order,
+                                 const BoundaryData& data);
 
 }  // namespace cageproof::cli

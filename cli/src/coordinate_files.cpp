@@ -5,6 +5,7 @@
 #include "npz.h"
 
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/memory.h"
 #include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
 
@@ -138,11 +139,26 @@ std::vector<std::pair<std::filesystem::path, std::string>> coordinate_files(
   const std::string extension = extension_of(out);
   cage.metadata = description.dump(2);
   if (extension == ".npz") return {{out, npz_text(table, mesh, cage, coordinates)}};
-  if (extension == ".vtp")
-    return {{out, vtp_text(table, mesh, cage)}, {companion_of(out), reports::cage_vtp_text(cage)}};
+  return {{out, vtp_text(table, mesh, cage)}, {companion_of(out), reports::cage_vtp_text(cage)}};
+}
+
+std::pair<std::filesystem::path, std::string> description_file(const std::filesystem::path& out,
+                                                               const reports::DescribedCage& cage,
+                                                               const Json& description) {
   Json whole = description;
   whole.update(geometry_json(cage));
-  return {{out, extension == ".npy" ? npy_text(table) : csv_text(table)}, {companion_of(out), whole.dump() + '\n'}};
+  return {companion_of(out), whole.dump() + '\n'};
+}
+
+void require_memory_for(const std::filesystem::path& out, std::size_t points, std::size_t columns) {
+  // The table, its arrays, and the file's text: of .npz as large each, of .vtp by four thirds.
+  const double copies = extension_of(out) == ".npz" ? 3 : 4;
+  const double table = static_cast<double>(points) * static_cast<double>(columns) * sizeof(double);
+  require_memory(copies * table,
+                 fmt::format("{}: a table of {} points with {} numbers each has {}, and making this file", out.string(),
+                             points, columns, size_text(table)),
+                 "write .npy or .csv, which are written by blocks of points, or let `deform` apply coordinates without "
+                 "keeping them");
 }
 
 }  // namespace cageproof::cli

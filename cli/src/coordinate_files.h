@@ -23,10 +23,19 @@ std::filesystem::path companion_of(const std::filesystem::path& out);
 void check_coordinate_files(const std::filesystem::path& out,
                             const std::vector<std::pair<std::string, std::string>>& others);
 
-/// All files with their bytes, ready to be written together.
+/// Files that hold a whole table, with their bytes, ready to be written together: .npz, .vtp and what is beside it.
 /// \param description of everything but the geometry
 std::vector<std::pair<std::filesystem::path, std::string>> coordinate_files(
     const std::filesystem::path& out, const CoordinateColumns& table, const Mesh& mesh, reports::DescribedCage cage,
     const nlohmann::ordered_json& description, const CageCoordinates& coordinates);
+
+/// The description beside a .csv or .npy, which is written by rows.
+std::pair<std::filesystem::path, std::string> description_file(const std::filesystem::path& out,
+                                                               const reports::DescribedCage& cage,
+                                                               const nlohmann::ordered_json& description);
+
+/// Refuses a table that such a file cannot be made of in half of the memory there is: nothing of the work is done then.
+/// \throws InputError with the sizes, and what to do
+void require_memory_for(const std::filesystem::path& out, std::size_t points, std::size_t columns);
 
 }  // namespace cageproof::cli

@@ -8,11 +8,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <xtensor/xadapt.hpp>
-#include <xtensor/xnpy.hpp>
 
 #include <algorithm>
-#include <atomic>
+#include <bit>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <mutex>
 
 namespace cageproof::cli {
 namespace {
@@ -57,48 +59,112 @@ void add_columns(const CoordinateBlock& block, const CageElements& elements, int
       {block.label + titles[order], table.names.size() - first, block.label + words[order], std::move(shape)});
 }
 
+// What blocks of points are computed in, so that the next block takes the same memory. Not a thread's own: a thread
+// that waits within a block may compute another one.
+class RowBuffers {
+ public:
+  struct Buffer {
+    std::vector<CoordinateTable<double>> tables;
+    std::vector<double> rows;
+  };
+
+  std::unique_ptr<Buffer> taken() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) return std::make_unique<Buffer>();
+    auto buffer = std::move(free_.back());
+    free_.pop_back();
+    return buffer;
+  }
+  void give_back(std::unique_ptr<Buffer> buffer) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(buffer));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Buffer>> free_;
+};
+
+std::size_t columns_of(const CageCoordinates& coordinates, int order) {
+  std::size_t columns = 0;
+  for (const CoordinateBlock& block : coordinates.blocks())
+    for (int o = 0; o <= order; ++o)
+      columns += static_cast<std::size_t>(block.size) * block.entries() * derivative_count(coordinates.dimension(), o);
+  return columns;
+}
+
 }  // namespace
 
-CoordinateColumns coordinate_columns(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& points,
-                                     int order, int jobs, const std::function<void(std::size_t)>& progress) {
+CoordinateColumns headed_columns(const CageCoordinates& coordinates, int order) {
   if (order > coordinates.max_order())
     throw InputError(fmt::format("{} by {} gives derivatives up to order {}, not {}", coordinates.kind().name,
                                  coordinates.evaluation(), coordinates.max_order(), order));
   CoordinateColumns table;
   for (const CoordinateBlock& block : coordinates.blocks())
     for (int o = 0; o <= order; ++o) add_columns(block, coordinates.elements(), o, table);
-  const std::size_t columns = table.names.size();
-  table.values.resize(points.size() * columns);
-  // Blocks of points share what evaluations prepare for an element.
-  constexpr std::size_t together = 64;
-  std::atomic<std::size_t> done = 0;
-  for_each_parallel((points.size() + together - 1) / together, jobs, [&](std::size_t part) {
-    const std::size_t first = part * together, count = std::min(together, points.size() - first);
-    const auto found = coordinates.at<double>(std::span(points).subspan(first, count), order);
-    for (std::size_t p = 0; p < count; ++p) {
-      double* to = &table.values[(first + p) * columns];
-      for (const CoordinateTable<double>& block : found)
-        for (int o = 0; o <= order; ++o)
-          to = std::copy_n(block.tensors[o].data() + p * block.stride[o], block.stride[o], to);
-    }
-    done += count;
-    if (progress) progress(done);
-  });
   return table;
 }
 
-std::string csv_text(const CoordinateColumns& table) {
-  std::string text = fmt::format("{}\n", fmt::join(table.names, ","));
-  for (std::size_t i = 0; i < table.values.size(); ++i) {
-    text += format_scalar(table.values[i]);
-    text += (i + 1) % table.names.size() == 0 ? '\n' : ',';
+std::size_t points_together(std::size_t columns) {
+  // A block's numbers, and its rows once more.
+  constexpr std::size_t bytes = std::size_t{1} << 26, least = 16, most = 64;
+  return std::clamp(bytes / (sizeof(double) * columns), least, most);
+}
+
+void for_rows(const CageCoordinates& coordinates, std::span<const Vec3<double>> points, std::size_t first,
+              std::size_t count, int order, int jobs, const TakeRows& take) {
+  RowBuffers buffers;
+  const std::size_t columns = columns_of(coordinates, order), together = points_together(columns);
+  for_each_parallel((count + together - 1) / together, jobs, [&](std::size_t part) {
+    const std::size_t from = first + part * together, here = std::min(together, first + count - from);
+    auto buffer = buffers.taken();
+    auto& [tables, rows] = *buffer;
+    coordinates.at(points.subspan(from, here), order, tables);
+    rows.resize(here * columns);
+    double* to = rows.data();
+    for (std::size_t p = 0; p < here; ++p)
+      for (const CoordinateTable<double>& block : tables)
+        for (int o = 0; o <= order; ++o)
+          to = std::copy_n(block.tensors[o].data() + p * block.stride[o], block.stride[o], to);
+    take(from, here, rows);
+    buffers.give_back(std::move(buffer));
+  });
+}
+
+std::string csv_header(const CoordinateColumns& table) { return fmt::format("{}\n", fmt::join(table.names, ",")); }
+
+void add_csv_rows(std::string& text, std::span<const double> rows, std::size_t columns) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    // As format_scalar(), without a string a number.
+    if (std::isfinite(rows[i])) fmt::format_to(std::back_inserter(text), "{}", rows[i]);
+    else text += format_scalar(rows[i]);
+    text += (i + 1) % columns == 0 ? '\n' : ',';
   }
+}
+
+std::string csv_text(const CoordinateColumns& table) {
+  std::string text = csv_header(table);
+  add_csv_rows(text, table.values, table.names.size());
   return text;
 }
 
+std::string npy_header(std::size_t points, std::size_t columns) {
+  std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", points, columns);
+  // Its length is two bytes, and numbers begin at a multiple of 64.
+  constexpr std::size_t before = 10, unit = 64;
+  header.append((unit - (before + header.size() + 1) % unit) % unit, ' ');
+  header += '\n';
+  std::string start("\x93NUMPY\x01\x00", 8);
+  start += static_cast<char>(header.size() % 256);
+  start += static_cast<char>(header.size() / 256);
+  return start + header;
+}
+
 std::string npy_text(const CoordinateColumns& table) {
-  const std::vector<std::size_t> shape{table.values.size() / table.names.size(), table.names.size()};
-  return xt::dump_npy(xt::adapt(table.values, shape));
+  static_assert(std::endian::native == std::endian::little);
+  std::string text = npy_header(table.values.size() / table.names.size(), table.names.size());
+  text.append(reinterpret_cast<const char*>(table.values.data()), table.values.size() * sizeof(double));
+  return text;
 }
 
 MeshField field_of(const CoordinateColumns& table, const Mesh& mesh) {

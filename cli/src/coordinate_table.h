@@ -7,6 +7,7 @@
 #include "cageproof/reports/cage_vtp.h"
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,15 +28,31 @@ struct CoordinateColumns {
   std::vector<Group> groups;
 };
 
-/// \param order highest derivative \param jobs threads; 0: all cores \param progress called with the points that are
-/// done, from any thread \throws InputError when the coordinates have no derivatives of that order
-CoordinateColumns coordinate_columns(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& points,
-                                     int order, int jobs, const std::function<void(std::size_t)>& progress = {});
+/// The columns of coordinates without values. \param order highest derivative
+/// \throws InputError when the coordinates have no derivatives of that order
+CoordinateColumns headed_columns(const CageCoordinates& coordinates, int order);
+
+/// Takes rows of consecutive points, the first of them and the numbers.
+using TakeRows = std::function<void(std::size_t first, std::size_t count, std::span<const double> rows)>;
+
+/// Computes the rows of points [first, first + count) in blocks, which `take` gets as they are made, from any thread.
+/// \param jobs threads; 0: all cores
+void for_rows(const CageCoordinates& coordinates, std::span<const Vec3<double>> points, std::size_t first,
+              std::size_t count, int order, int jobs, const TakeRows& take);
+
+/// Points whose coordinates are computed together, because they share what evaluations prepare for an element: fewer
+/// where rows are long.
+std::size_t points_together(std::size_t columns);
 
 /// A header, then a row a point.
 std::string csv_text(const CoordinateColumns& table);
+std::string csv_header(const CoordinateColumns& table);
+/// Adds lines. \param columns numbers a line
+void add_csv_rows(std::string& text, std::span<const double> rows, std::size_t columns);
 /// points x columns.
 std::string npy_text(const CoordinateColumns& table);
+/// What stands before the numbers.
+std::string npy_header(std::size_t points, std::size_t columns);
 /// The mesh with an array a group.
 MeshField field_of(const CoordinateColumns& table, const Mesh& mesh);
 /// The same as text.

@@ -5,10 +5,12 @@
 #include "inputs_outside.h"
 #include "on_cage.h"
 #include "progress.h"
+#include "rows_file.h"
 #include "summary_lines.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/coordinates/whole_evaluation.h"
+#include "cageproof/core/parallel.h"
 #include "cageproof/reports/checked_file.h"
 
 #include <fmt/format.h>
@@ -16,8 +18,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <iostream>
+#include <optional>
 #include <span>
 
 namespace cageproof::cli {
@@ -75,6 +78,14 @@ nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
   return all;
 }
 
+// How many blocks of points are computed before what was made of them is written.
+std::size_t parts_together(std::size_t columns, int jobs) {
+  // Text of a number takes about 20 bytes.
+  constexpr std::size_t bytes = std::size_t{1} << 26, of_number = 20;
+  const std::size_t fitting = bytes / (of_number * points_together(columns) * columns);
+  return std::max(fitting, static_cast<std::size_t>(threads_for(jobs)));
+}
+
 // What was solved must not be written over what is read.
 void check_solved_file(const Arguments& a) {
   if (a.solved.empty()) return;
@@ -83,6 +94,47 @@ void check_solved_file(const Arguments& a) {
   for (const auto& [file, option] : {std::pair(a.cage.file, "--cage"), {a.points, "--points"}, {a.data, "--data"}})
     if (!file.empty() && place_of(file) == solved)
       throw InputError(fmt::format("{}: --solved is the file of {}, too", a.solved, option));
+}
+
+// Computes and writes: by rows where the file's format allows it, else as a whole.
+validation::CoordinateSummary written(const Arguments& a, const CageCoordinates& coordinates, const Cage& cage,
+                                      const Mesh& mesh, std::span<const Vec3<double>> points, const BoundaryData& data,
+                                      const DescribedRun& described) {
+  const bool by_rows = is_written_by_rows(a.out);
+  CoordinateColumns table = headed_columns(coordinates, a.order);
+  const std::size_t columns = table.names.size();
+  if (!a.data.empty()) table = function_columns(coordinates, a.order, data);
+  const std::size_t written_columns = table.names.size();
+  if (!by_rows) require_memory_for(a.out, points.size(), written_columns);
+  std::optional<RowsFile> file;
+  if (by_rows) file.emplace(a.out, table, points.size());
+  else table.values.resize(points.size() * written_columns);
+  validation::SummaryMaker summary(coordinates, cage, a.order);
+  Progress progress;
+  std::atomic<std::size_t> done = 0;
+  // Lines of CSV are kept until those before them are written: so many at a time.
+  const std::size_t parts = parts_together(columns, a.jobs), together = points_together(columns),
+                    most = parts * together;
+  if (file) file->expect(parts);
+  for (std::size_t begin = 0; begin < points.size(); begin += most) {
+    for_rows(coordinates, points, begin, std::min(most, points.size() - begin), a.order, a.jobs,
+             [&](std::size_t first, std::size_t count, std::span<const double> rows) {
+               summary.add(first, points.subspan(first, count), rows);
+               std::vector<double> functions;
+               if (!a.data.empty()) rows = functions = functions_of(rows, coordinates, a.order, data);
+               if (file) file->put((first - begin) / together, first, rows);
+               else std::ranges::copy(rows, &table.values[first * written_columns]);
+               progress("coordinates", done += count, points.size());
+             });
+    if (file) file->flush();
+  }
+  progress.clear();
+  const reports::DescribedCage of_cage = described_cage(coordinates, cage, a.cage.rule());
+  const auto description = description_of(coordinates, table, described);
+  if (!file) reports::replace_files(coordinate_files(a.out, table, mesh, of_cage, description, coordinates));
+  else if (a.out.empty()) file->finish({});
+  else file->finish({description_file(a.out, of_cage, description)});
+  return summary.summary();
 }
 
 int run(const Arguments& a) {
@@ -114,22 +166,9 @@ int run(const Arguments& a) {
   const BoundaryData data = a.data.empty() ? BoundaryData() : read_boundary_data(a.data, coordinates);
   tell_solved(coordinates);
   if (!a.solved.empty()) reports::replace_file(a.solved, solved_json(coordinates).dump(2) + '\n');
-  Progress progress;
-  CoordinateColumns table = coordinate_columns(coordinates, points, a.order, a.jobs, [&](std::size_t done) {
-    progress("coordinates", done, mesh.vertices.size());
-  });
-  progress.clear();
-  const validation::CoordinateSummary summary =
-      validation::summary_of(coordinates, cage, a.cage.rule(), points, table.values, a.jobs);
-  if (!a.data.empty()) table = functions_of(table, coordinates, a.order, data);
-  if (a.out.empty()) {
-    std::cout << csv_text(table);
-  } else {
-    const DescribedRun described{a.cage.file, a.points, a.cage.triangulate, a.data,
-                                 parameters,  a.order,  a.cage.merge,       a.on};
-    reports::replace_files(coordinate_files(a.out, table, mesh, described_cage(coordinates, cage, a.cage.rule()),
-                                            description_of(coordinates, table, described), coordinates));
-  }
+  const DescribedRun described{a.cage.file, a.points, a.cage.triangulate, a.data,
+                               parameters,  a.order,  a.cage.merge,       a.on};
+  const validation::CoordinateSummary summary = written(a, coordinates, cage, mesh, points, data, described);
   for (const std::string& line : lines_of(summary, kind, cage)) {
     if (line.starts_with("warning: ")) fmt::print(stderr, "{}\n", line);
     else remark(line);

@@ -2,7 +2,11 @@
 // Images that are sums of coordinates times data.
 #pragma once
 
+#include "row_products.h"
+
 #include "cageproof/deformation/deformer.h"
+
+#include <type_traits>
 
 namespace cageproof::deformation {
 
@@ -36,6 +40,13 @@ class LinearPosed final : public Posed<R> {
       for (std::size_t b = 0; b < data_.size(); ++b) {
         const CoordinateTable<R>& table = coordinates[b];
         const Eigen::Index count = data_[b].rows();
+        if constexpr (std::is_same_v<R, double>) {
+          if (o == 0) {
+            if (dimension == 3) add_values<3>(data_[b], table, points, images.tensors[0]);
+            else add_values<2>(data_[b], table, points, images.tensors[0]);
+            continue;
+          }
+        }
         if (o == 0) {
           Eigen::Map<Rows> into(images.tensors[0].data(), static_cast<Eigen::Index>(points), dimension);
           into.noalias() +=
@@ -53,6 +64,17 @@ class LinearPosed final : public Posed<R> {
   }
 
  private:
+  template <int D>
+  static void add_values(const Matrix<R>& data, const CoordinateTable<R>& table, std::size_t points,
+                         std::vector<R>& images) {
+    static_assert(!Matrix<R>::IsRowMajor);
+    std::array<const R*, D> columns;
+    for (int c = 0; c < D; ++c) columns[c] = data.col(c).data();
+    for (std::size_t p = 0; p < points; ++p)
+      add_row_products<D>(std::span(table.tensors[0]).subspan(p * table.stride[0], data.rows()), columns,
+                          &images[p * D]);
+  }
+
   std::vector<Matrix<R>> data_;
   DeformationReport report_;
 };

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/deformation/point_images.h"
 
+#include "cageproof/core/memory.h"
 #include "cageproof/core/parallel.h"
 #include "extended.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +17,97 @@ namespace {
 bool has_coordinates(const std::vector<CoordinateTable<double>>& tables, std::size_t p) {
   return std::ranges::none_of(tables, [&](const CoordinateTable<double>& table) {
     const auto row = std::span(table.tensors[0]).subspan(p * table.stride[0], table.stride[0]);
-    return std::ranges::any_of(row, [](double x) { return std::isnan(x); });
+    bool any = false;  // without leaving early, so that it takes vectors
+    for (const double x : row) any |= std::isnan(x);
+    return any;
   });
 }
 
 // Numbers of a point in a tensor of that many.
 std::size_t width_of(const std::vector<double>& tensor, std::size_t points) { return tensor.size() / points; }
+
+PointImages room_for(int dimension, std::size_t points, std::size_t maps, int order) {
+  PointImages all{std::vector<Images<double>>(maps), std::vector<char>(points)};
+  for (Images<double>& images : all.maps)
+    for (int o = 0; o <= order; ++o) images.tensors[o].resize(points * dimension * derivative_count(dimension, o));
+  return all;
+}
+
+// Points that come together.
+struct BlockPart {
+  std::size_t first, count;
+};
+
+BlockPart part_of(std::size_t block, std::size_t length, std::size_t points) {
+  return {block * length, std::min(length, points - block * length)};
+}
+
+// As a number that may be larger than integers are.
+double numbers_of_point(const CageCoordinates& coordinates, int order) {
+  double numbers = 0;
+  for (const CoordinateBlock& block : coordinates.blocks())
+    for (int o = 0; o <= order; ++o)
+      numbers += static_cast<double>(block.size) * block.entries() *
+                 static_cast<double>(derivative_count(coordinates.dimension(), o));
+  return numbers;
+}
+
+// How many points come together: so many that their numbers take 64 MB, a few at least.
+std::size_t block_length(double numbers, std::size_t most) {
+  constexpr double fitting = 1 << 23, least = 16;
+  return static_cast<std::size_t>(std::min(static_cast<double>(most), std::max(least, fitting / numbers)));
+}
+
+// Makes coordinates of blocks of points, and says which points have none.
+class BlockMaker {
+ public:
+  BlockMaker(const CageCoordinates& coordinates, std::span<const Vec3<double>> points, const ImageRun& run,
+             const std::optional<Inside>& region)
+      : coordinates_(coordinates),
+        points_(points),
+        run_(run),
+        region_(region),
+        length_(block_length(numbers_of_point(coordinates, run.order), run.block)) {
+    if (run.extend) extended_.emplace(coordinates);
+  }
+
+  std::size_t length() const { return length_; }
+  std::size_t count() const { return (points_.size() + length_ - 1) / length_; }
+  BlockPart part(std::size_t block) const { return part_of(block, length_, points_.size()); }
+
+  // \param missing, beyond as of PointImages, of all points
+  std::vector<CoordinateTable<double>> made(std::size_t block, std::vector<char>& missing,
+                                            std::vector<double>& beyond) const {
+    const auto [first, count] = part(block);
+    std::vector<CoordinateTable<double>> tables;
+    coordinates_.at(points_.subspan(first, count), run_.order, tables);
+    for (std::size_t p = 0; p < count; ++p) {
+      const bool outside = region_ && !region_->holds(points_[first + p]);
+      if (outside && extended_) beyond[first + p] = extended_->add_to(tables, p, points_[first + p], run_.order);
+      missing[first + p] = static_cast<char>((outside && !extended_) || !has_coordinates(tables, p));
+    }
+    return tables;
+  }
+
+ private:
+  const CageCoordinates& coordinates_;
+  std::span<const Vec3<double>> points_;
+  const ImageRun& run_;
+  const std::optional<Inside>& region_;
+  std::size_t length_;
+  std::optional<Extended> extended_;
+};
+
+void add_images(const std::vector<CoordinateTable<double>>& tables, int dimension, const BlockPart& part,
+                std::span<const Posed<double>* const> maps, int order, PointImages& all) {
+  for (std::size_t k = 0; k < maps.size(); ++k) {
+    const Images<double> found = maps[k]->images(tables, part.count, order);
+    for (int o = 0; o <= order; ++o) {
+      const std::size_t width = dimension * derivative_count(dimension, o);
+      std::copy_n(found.tensors[o].begin(), part.count * width, &all.maps[k].tensors[o][part.first * width]);
+    }
+  }
+}
 
 }  // namespace
 
@@ -31,31 +119,42 @@ std::optional<Inside> region_of(const CageCoordinates& coordinates) {
 PointImages images_of(const CageCoordinates& coordinates, std::span<const Vec3<double>> points,
                       std::span<const Posed<double>* const> maps, const ImageRun& run,
                       const std::optional<Inside>& region) {
-  const int d = coordinates.dimension(), order = run.order;
-  PointImages all{std::vector<Images<double>>(maps.size()), std::vector<char>(points.size())};
-  for (Images<double>& images : all.maps)
-    for (int o = 0; o <= order; ++o) images.tensors[o].resize(points.size() * d * derivative_count(d, o));
-  std::optional<Extended> extended;
-  if (run.extend) {
-    extended.emplace(coordinates);
-    all.beyond.resize(points.size());
-  }
+  PointImages all = room_for(coordinates.dimension(), points.size(), maps.size(), run.order);
+  if (run.extend) all.beyond.resize(points.size());
+  const BlockMaker maker(coordinates, points, run, region);
   // Blocks of points share what evaluations prepare for an element.
-  for_each_parallel((points.size() + run.block - 1) / run.block, run.jobs, [&](std::size_t block) {
-    const std::size_t first = block * run.block, count = std::min(run.block, points.size() - first);
-    auto tables = coordinates.at<double>(points.subspan(first, count), order);
-    for (std::size_t p = 0; p < count; ++p) {
-      const bool outside = region && !region->holds(points[first + p]);
-      if (outside && extended) all.beyond[first + p] = extended->add_to(tables, p, points[first + p], order);
-      all.missing[first + p] = (outside && !extended) || !has_coordinates(tables, p);
-    }
-    for (std::size_t k = 0; k < maps.size(); ++k) {
-      const Images<double> found = maps[k]->images(tables, count, order);
-      for (int o = 0; o <= order; ++o) {
-        const std::size_t width = d * derivative_count(d, o);
-        std::copy_n(found.tensors[o].begin(), count * width, &all.maps[k].tensors[o][first * width]);
-      }
-    }
+  for_each_parallel(maker.count(), run.jobs, [&](std::size_t block) {
+    add_images(maker.made(block, all.missing, all.beyond), coordinates.dimension(), maker.part(block), maps, run.order,
+               all);
+  });
+  return all;
+}
+
+BoundPoints::BoundPoints(const CageCoordinates& coordinates, std::span<const Vec3<double>> points, const ImageRun& run,
+                         const std::optional<Inside>& region)
+    : dimension_(coordinates.dimension()),
+      order_(run.order),
+      block_(0),
+      missing_(points.size()),
+      beyond_(run.extend ? points.size() : 0) {
+  const double numbers = numbers_of_point(coordinates, run.order);
+  require_memory(
+      numbers * static_cast<double>(points.size()) * sizeof(double),
+      fmt::format("binding {} points, which keeps {} numbers of each,", points.size(), numbers),
+      "bind fewer points at a time, or ask for images of points that are not bound, which keeps no coordinates");
+  const BlockMaker maker(coordinates, points, run, region);
+  block_ = maker.length();
+  blocks_.resize(maker.count());
+  for_each_parallel(maker.count(), run.jobs,
+                    [&](std::size_t block) { blocks_[block] = maker.made(block, missing_, beyond_); });
+}
+
+PointImages BoundPoints::images(std::span<const Posed<double>* const> maps, int order, int jobs) const {
+  PointImages all = room_for(dimension_, size(), maps.size(), order);
+  all.missing = missing_;
+  all.beyond = beyond_;
+  for_each_parallel(blocks_.size(), jobs, [&](std::size_t block) {
+    add_images(blocks_[block], dimension_, part_of(block, block_, size()), maps, order, all);
   });
   return all;
 }

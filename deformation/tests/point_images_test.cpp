@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
 
 namespace cageproof::deformation {
@@ -72,6 +74,76 @@ TEST(PointImages, without_coordinates_points_are_missing) {
   const std::vector<Vec> points{{.1, .2, .3}, {3, 0, 0}};
   const std::array maps{posed.get()};
   EXPECT_EQ(images_of(deformer->coordinates(), points, maps, {}, std::nullopt).missing, (std::vector<char>{0, 1}));
+}
+
+TEST(BoundPoints, have_the_images_that_points_have) {
+  for (const test::Case& c : {test::cube(), test::l_shape()}) {
+    const int d = c.cage.dimension();
+    for (const std::string method : {d == 2 ? "cauchy" : "mean_value", "green", "somigliana"}) {
+      const auto deformer = test::prepared(c.cage, method);
+      const auto posed = deformer->pose({c.posed, {}}), rest = deformer->pose({c.cage.vertices(), {}});
+      const std::array maps{posed.get(), rest.get()};
+      const std::vector<Vec> points = many_points(c);
+      const auto region = region_of(deformer->coordinates());
+      for (const int kept : {0, 1})
+        for (int order = 0; order <= kept; ++order) {
+          const BoundPoints bound(deformer->coordinates(), points, {kept, 2}, region);
+          EXPECT_EQ(bound.size(), points.size());
+          EXPECT_EQ(bound.order(), kept);
+          const PointImages found = bound.images(maps, order, 2),
+                            asked = images_of(deformer->coordinates(), points, maps, {order, 1}, region);
+          EXPECT_EQ(found.missing, asked.missing) << c.name << ' ' << method;
+          const double allowed = order == kept ? 0 : 1e-14 * c.size;
+          for (std::size_t k = 0; k < maps.size(); ++k)
+            for (int o = 0; o <= order; ++o)
+              for (std::size_t i = 0; i < asked.maps[k].tensors[o].size(); ++i) {
+                // What maps make of points without images may be of any size.
+                if (allowed > 0 && asked.missing[i * points.size() / asked.maps[k].tensors[o].size()]) continue;
+                const double x = found.maps[k].tensors[o][i], y = asked.maps[k].tensors[o][i];
+                ASSERT_TRUE(x == y || std::abs(x - y) <= allowed || (std::isnan(x) && std::isnan(y)))
+                    << c.name << ' ' << method << ' ' << order << ' ' << o << ' ' << i << ": " << x << ' ' << y;
+              }
+        }
+    }
+  }
+}
+
+TEST(BoundPoints, outside_are_continued_where_they_are_asked_to_be) {
+  const test::Case c = test::cube();
+  const auto deformer = test::prepared(c.cage, "green");
+  const auto posed = deformer->pose({c.posed, {}});
+  const std::array maps{posed.get()};
+  const std::vector<Vec> points{{.1, .2, .3}, {.75, 0, 0}};
+  ImageRun run;
+  run.extend = true;
+  const auto region = region_of(deformer->coordinates());
+  const PointImages found = BoundPoints(deformer->coordinates(), points, run, region).images(maps, 0, 1),
+                    asked = images_of(deformer->coordinates(), points, maps, run, region);
+  EXPECT_EQ(found.beyond, asked.beyond);
+  EXPECT_GT(found.beyond[1], 0.2);
+  EXPECT_EQ(found.maps[0].tensors[0], asked.maps[0].tensors[0]);
+}
+
+// A point's values hang on its own coordinates, not on the points that come with it.
+TEST(PointImages, are_the_same_in_any_blocks) {
+  const test::Case c = test::cube();
+  const std::vector<Vec> points = many_points(c);
+  for (const std::string method : {"green", "somigliana"}) {
+    const auto deformer = test::prepared(c.cage, method);
+    const auto posed = deformer->pose({c.posed, {}});
+    const auto tables = deformer->coordinates().at<double>(std::span(points), 0);
+    const Images<double> together = posed->images(tables, points.size(), 0);
+    for (std::size_t p = 0; p < points.size(); p += 7) {
+      std::vector<CoordinateTable<double>> one(tables.size());
+      for (std::size_t b = 0; b < tables.size(); ++b) {
+        one[b].stride = tables[b].stride;
+        const auto from = tables[b].tensors[0].begin() + static_cast<std::ptrdiff_t>(p * tables[b].stride[0]);
+        one[b].tensors[0].assign(from, from + static_cast<std::ptrdiff_t>(tables[b].stride[0]));
+      }
+      const Images<double> alone = posed->images(one, 1, 0);
+      for (int i = 0; i < 3; ++i) EXPECT_EQ(alone.tensors[0][i], together.tensors[0][3 * p + i]) << method << ' ' << p;
+    }
+  }
 }
 
 // Three points of the plane under two maps; the second point is missing.

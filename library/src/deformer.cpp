@@ -21,6 +21,9 @@ std::shared_ptr<const deformation::Deformer<double>> prepared_deformer(const cag
        .parameters = parameters_of(options, deformation::parameters_of(method), name)});
 }
 
+// Points whose coordinates are computed together.
+constexpr std::size_t kTogether = 64;
+
 }  // namespace
 
 struct Deformer::Prepared {
@@ -46,21 +49,67 @@ void Deformer::pose(std::span<const double> vertices) {
   prepared_->posed = prepared_->deformer->pose({.vertices = vectors_of(vertices, dimension, "posed vertices")});
 }
 
+struct BoundPoints::Kept {
+  std::shared_ptr<const deformation::Deformer<double>> of;
+  std::size_t dimension;
+  std::vector<Vec3<double>> points;
+  deformation::BoundPoints coordinates;
+};
+
+BoundPoints::BoundPoints(std::shared_ptr<const Kept> kept) : kept_(std::move(kept)) {}
+std::size_t BoundPoints::size() const { return kept_->points.size(); }
+bool BoundPoints::has_jacobians() const { return kept_->coordinates.order() >= 1; }
+
+namespace {
+
+// Room for images and, where they are asked for, Jacobians. \return the highest derivative
+int checked_order(std::size_t points, std::size_t d, int max_order, std::span<double> images,
+                  std::span<double> jacobians) {
+  const int order = jacobians.empty() ? 0 : 1;
+  if (order > max_order) throw InputError("the method gives no Jacobians");
+  check_size(images.size(), points * d, "images");
+  if (order == 1) check_size(jacobians.size(), points * d * d, "jacobians");
+  return order;
+}
+
+void put(deformation::PointImages found, std::span<const Vec3<double>> points, std::size_t d,
+         const std::array<std::span<double>, 2>& out) {
+  deformation::fill_missing(found, points, static_cast<int>(d), deformation::Missing::Nan);
+  for (std::size_t o = 0; o < 2; ++o)
+    if (!out[o].empty()) std::ranges::copy(found.maps.front().tensors[o], out[o].begin());
+}
+
+}  // namespace
+
 void Deformer::images(std::span<const double> points, std::span<double> images, std::span<double> jacobians) const {
   if (!prepared_->posed) throw InputError("images of points are asked for before the cage has a pose");
   const CageCoordinates& coordinates = prepared_->deformer->coordinates();
   const auto d = static_cast<std::size_t>(coordinates.dimension());
   const std::vector<Vec3<double>> at = vectors_of(points, coordinates.dimension(), "points");
-  const int order = jacobians.empty() ? 0 : 1;
-  if (order > prepared_->deformer->max_order()) throw InputError("the method gives no Jacobians");
-  const std::array<std::span<double>, 2> out{images, jacobians};
-  check_size(images.size(), at.size() * d, "images");
-  if (order == 1) check_size(jacobians.size(), at.size() * d * d, "jacobians");
+  const int order = checked_order(at.size(), d, prepared_->deformer->max_order(), images, jacobians);
   const std::array maps{prepared_->posed.get()};
-  deformation::PointImages found =
-      deformation::images_of(coordinates, at, maps, {order, prepared_->threads, 64}, prepared_->region);
-  deformation::fill_missing(found, at, coordinates.dimension(), deformation::Missing::Nan);
-  for (int o = 0; o <= order; ++o) std::ranges::copy(found.maps.front().tensors[o], out[o].begin());
+  put(deformation::images_of(coordinates, at, maps, {order, prepared_->threads, kTogether}, prepared_->region), at, d,
+      {images, jacobians});
+}
+
+BoundPoints Deformer::bind(std::span<const double> points, bool jacobians) const {
+  const CageCoordinates& coordinates = prepared_->deformer->coordinates();
+  if (jacobians && prepared_->deformer->max_order() < 1) throw InputError("the method gives no Jacobians");
+  std::vector<Vec3<double>> at = vectors_of(points, coordinates.dimension(), "points");
+  deformation::BoundPoints bound(coordinates, at, {jacobians ? 1 : 0, prepared_->threads, kTogether},
+                                 prepared_->region);
+  return BoundPoints(std::make_shared<const BoundPoints::Kept>(BoundPoints::Kept{
+      prepared_->deformer, static_cast<std::size_t>(coordinates.dimension()), std::move(at), std::move(bound)}));
+}
+
+void Deformer::images(const BoundPoints& points, std::span<double> images, std::span<double> jacobians) const {
+  if (!prepared_->posed) throw InputError("images of points are asked for before the cage has a pose");
+  const BoundPoints::Kept& kept = *points.kept_;
+  if (kept.of != prepared_->deformer) throw InputError("the points were bound by another Deformer");
+  const int order = checked_order(points.size(), kept.dimension, prepared_->deformer->max_order(), images, jacobians);
+  if (order > kept.coordinates.order()) throw InputError("jacobians: the points were bound without; bind them with");
+  const std::array maps{prepared_->posed.get()};
+  put(kept.coordinates.images(maps, order, prepared_->threads), kept.points, kept.dimension, {images, jacobians});
 }
 
 }  // namespace cageproof::library

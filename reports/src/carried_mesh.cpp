@@ -18,13 +18,13 @@ namespace {
 
 // A line of an OBJ file, with those that a backslash joins to it.
 struct ObjLine {
-  std::string_view whole;           // with its end
-  std::vector<std::string> tokens;  // without the comment
+  std::string_view whole;                // with its end
+  std::vector<std::string_view> tokens;  // without the comment
   std::string_view comment, end;
 };
 
-std::vector<std::string> tokens_of(std::string_view text) {
-  std::vector<std::string> tokens;
+std::vector<std::string_view> tokens_of(std::string_view text) {
+  std::vector<std::string_view> tokens;
   for (std::size_t at = 0; (at = text.find_first_not_of(" \t\r\n", at)) != std::string_view::npos;) {
     const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
     // A backslash before the end of a line joins it with the next.
@@ -57,9 +57,9 @@ void put(std::string& text, const ObjLine& line, const std::string& content) {
 }
 
 // "1/2/3" as "1/2", and "1//3" as "1".
-std::string without_normal(const std::string& corner) {
+std::string_view without_normal(std::string_view corner) {
   const std::size_t first = corner.find('/'), second = corner.find('/', first + 1);
-  if (first == std::string::npos || second == std::string::npos) return corner;
+  if (first == std::string_view::npos || second == std::string_view::npos) return corner;
   return corner.substr(0, second == first + 1 ? first : second);
 }
 
@@ -90,15 +90,16 @@ std::vector<std::string> beside_places_in_ply(std::string_view text) {
   std::vector<std::string> found;
   std::string element;
   while (!text.empty()) {
-    const std::vector<std::string> words = take_line(text).tokens;
+    const std::vector<std::string_view> words = take_line(text).tokens;
     if (words.empty()) continue;
     if (words[0] == "end_header") break;
     if (words[0] == "element" && words.size() > 1) {
       element = words[1];
-      if (element != "vertex" && element != "face") add_once(found, "element " + element);
+      if (element != "vertex" && element != "face") add_once(found, fmt::format("element {}", element));
     } else if (words[0] == "property" && (element == "vertex" || element == "face")) {
       constexpr std::array places{"x", "y", "z", "vertex_indices", "vertex_index"};
-      if (std::ranges::find(places, words.back()) == places.end()) add_once(found, "property " + words.back());
+      if (std::ranges::find(places, words.back()) == places.end())
+        add_once(found, fmt::format("property {}", words.back()));
     }
   }
   return found;
@@ -171,14 +172,14 @@ CarriedMesh obj_with_vertices(std::string_view text, std::span<const Vec3<double
       // Behind x, y and z stand a weight, which images do not have, or a colour, or both.
       const std::size_t colour = line.tokens.size() >= 7 ? line.tokens.size() - 3 : line.tokens.size();
       std::string content = fmt::format("v {} {} {}", v[0], v[1], v[2]);
-      for (std::size_t k = colour; k < line.tokens.size(); ++k) content += ' ' + line.tokens[k];
+      for (std::size_t k = colour; k < line.tokens.size(); ++k) content += fmt::format(" {}", line.tokens[k]);
       put(carried.text, line, content);
     } else if (keyword == "vn") {
       has_normals = true;
-    } else if (keyword == "f" && std::ranges::any_of(line.tokens, [](const std::string& corner) {
+    } else if (keyword == "f" && std::ranges::any_of(line.tokens, [](std::string_view corner) {
                  return without_normal(corner) != corner;
                })) {
-      std::vector<std::string> corners = line.tokens;
+      std::vector<std::string_view> corners = line.tokens;
       std::ranges::transform(corners, corners.begin(), without_normal);
       put(carried.text, line, fmt::format("{}", fmt::join(corners, " ")));
     } else {

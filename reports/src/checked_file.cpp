@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/checked_file.h"
+#include "cageproof/reports/piecewise_file.h"
 
 #include "aside.h"
 #include "aside_notes.h"
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -16,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 namespace cageproof::reports {
 
@@ -123,53 +126,179 @@ void require_writable(const std::vector<fs::path>& paths) {
   }
 }
 
-void replace_files(const std::vector<std::pair<fs::path, std::string>>& files) {
-  std::vector<fs::path> paths;
-  paths.reserve(files.size());
-  for (const auto& [path, bytes] : files) paths.push_back(path);
-  const std::vector<Target> targets = targets_of(paths);
-  const auto fresh = [&](std::size_t i) { return aside(targets[i].path, static_cast<int>(i)); };
-  std::vector<std::unique_ptr<AsideNote>> notes;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (targets[i].direct) continue;
-    remove_leftovers(targets[i].path);
-    notes.push_back(std::make_unique<AsideNote>(fresh(i)));
-  }
-  std::size_t written = 0;
-  const auto remove_fresh = [&](std::size_t first) {
-    std::error_code ignored;
-    for (std::size_t i = first; i < written; ++i)
-      if (!targets[i].direct) fs::remove(fresh(i), ignored);
-  };
-  try {
-    for (; written < files.size();) {
-      const std::size_t i = written++;
-      if (targets[i].direct) continue;
-      write_to(File(std::fopen(fresh(i).c_str(), "wb")), paths[i], files[i].second);
-      // A folder of that name is found before anything is renamed.
-      std::error_code ignored;
-      if (fs::is_directory(targets[i].path, ignored)) {
-        errno = EISDIR;
-        fail(paths[i]);
-      }
+struct PiecewiseFile::State {
+  explicit State(const fs::path& path) : named(path), target(target_of(path)) {
+    if (!target.direct) {
+      remove_leftovers(target.path);
+      fresh = aside(target.path, 0);
+      note = std::make_unique<AsideNote>(fresh);
     }
-  } catch (const InputError&) {
-    remove_fresh(0);
-    throw;
+    descriptor = target.descriptor ? ::dup(*target.descriptor)
+                                   : ::open((target.direct ? target.path : fresh).c_str(),
+                                            O_WRONLY | O_CLOEXEC | (target.direct ? 0 : O_CREAT | O_TRUNC), 0666);
+    if (descriptor < 0) fail(named);
   }
-  {
-    const auto lock = undisturbed();
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      if (targets[i].direct || std::rename(fresh(i).c_str(), targets[i].path.c_str()) == 0) continue;
+  ~State() {
+    if (descriptor >= 0) ::close(descriptor);
+    std::error_code ignored;
+    if (!is_renamed && !target.direct) fs::remove(fresh, ignored);
+  }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  // \param write a part of what is left, as ::write does
+  template <class Write>
+  void put(std::string_view bytes, Write write) const {
+    while (!bytes.empty()) {
+      const ::ssize_t done = write(bytes);
+      if (done < 0 && errno == EINTR) continue;
+      if (done <= 0) fail(named);
+      bytes.remove_prefix(static_cast<std::size_t>(done));
+    }
+  }
+
+  // A full disk may show only here.
+  void close() {
+    if (::close(std::exchange(descriptor, -1)) != 0) fail(named);
+  }
+
+  fs::path named, fresh;
+  Target target;
+  std::unique_ptr<AsideNote> note;
+  int descriptor = -1;
+  bool is_renamed = false;
+};
+
+PiecewiseFile::PiecewiseFile(const fs::path& path) : state_(std::make_unique<State>(path)) {}
+PiecewiseFile::~PiecewiseFile() = default;
+
+bool PiecewiseFile::takes_any_order() const { return !state_->target.direct; }
+
+void PiecewiseFile::append(std::string_view bytes) {
+  state_->put(bytes, [&](std::string_view left) { return ::write(state_->descriptor, left.data(), left.size()); });
+}
+
+void PiecewiseFile::write_at(std::uint64_t offset, std::string_view bytes) {
+  state_->put(bytes, [&](std::string_view left) {
+    const auto at = static_cast<::off_t>(offset + bytes.size() - left.size());
+    return ::pwrite(state_->descriptor, left.data(), left.size(), at);
+  });
+}
+
+namespace {
+
+// Files to be written, whole and aside, and where.
+class Replacement {
+ public:
+  // \param first number of the first one aside
+  Replacement(const std::vector<std::pair<fs::path, std::string>>& files, std::vector<Target> targets, int first)
+      : files_(files), targets_(std::move(targets)), first_(first) {
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      if (targets_[i].direct) continue;
+      remove_leftovers(targets_[i].path);
+      notes_.push_back(std::make_unique<AsideNote>(fresh(i)));
+    }
+  }
+
+  void write_aside() {
+    try {
+      while (written_ < files_.size()) {
+        const std::size_t i = written_++;
+        if (targets_[i].direct) continue;
+        write_to(File(std::fopen(fresh(i).c_str(), "wb")), files_[i].first, files_[i].second);
+        require_no_folder(targets_[i], files_[i].first);
+      }
+    } catch (const InputError&) {
+      remove_fresh(0);
+      throw;
+    }
+  }
+
+  // \pre undisturbed() is held
+  void rename() {
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      if (targets_[i].direct || std::rename(fresh(i).c_str(), targets_[i].path.c_str()) == 0) continue;
       const int reason = errno;
       remove_fresh(i);
       errno = reason;
-      fail(paths[i]);
+      fail(files_[i].first);
     }
   }
+
   // Last, since what a device or a pipe was given cannot be taken back.
-  for (std::size_t i = 0; i < files.size(); ++i)
-    if (targets[i].direct) write_to(targets[i].opened(), paths[i], files[i].second);
+  void write_direct() const {
+    for (std::size_t i = 0; i < files_.size(); ++i)
+      if (targets_[i].direct) write_to(targets_[i].opened(), files_[i].first, files_[i].second);
+  }
+
+  void remove_fresh(std::size_t first) const {
+    std::error_code ignored;
+    for (std::size_t i = first; i < written_; ++i)
+      if (!targets_[i].direct) fs::remove(fresh(i), ignored);
+  }
+
+  // A folder of that name is found before anything is renamed.
+  static void require_no_folder(const Target& target, const fs::path& named) {
+    std::error_code ignored;
+    if (!fs::is_directory(target.path, ignored)) return;
+    errno = EISDIR;
+    fail(named);
+  }
+
+ private:
+  fs::path fresh(std::size_t i) const { return aside(targets_[i].path, first_ + static_cast<int>(i)); }
+
+  const std::vector<std::pair<fs::path, std::string>>& files_;
+  std::vector<Target> targets_;
+  int first_;
+  std::vector<std::unique_ptr<AsideNote>> notes_;
+  std::size_t written_ = 0;
+};
+
+std::vector<fs::path> paths_of(const std::vector<std::pair<fs::path, std::string>>& files) {
+  std::vector<fs::path> paths;
+  paths.reserve(files.size());
+  for (const auto& file : files) paths.push_back(file.first);
+  return paths;
+}
+
+}  // namespace
+
+void replace_files(const std::vector<std::pair<fs::path, std::string>>& files) {
+  Replacement replacement(files, targets_of(paths_of(files)), 0);
+  replacement.write_aside();
+  {
+    const auto lock = undisturbed();
+    replacement.rename();
+  }
+  replacement.write_direct();
+}
+
+void replace_files(PiecewiseFile& pieces, const std::vector<std::pair<fs::path, std::string>>& others) {
+  PiecewiseFile::State& whole = *pieces.state_;
+  std::vector<fs::path> paths = paths_of(others);
+  paths.insert(paths.begin(), whole.named);
+  std::vector<Target> targets = targets_of(paths);
+  targets.erase(targets.begin());
+  Replacement replacement(others, std::move(targets), 1);
+  replacement.write_aside();
+  try {
+    whole.close();
+    if (!whole.target.direct) {
+      Replacement::require_no_folder(whole.target, whole.named);
+      const auto lock = undisturbed();
+      if (std::rename(whole.fresh.c_str(), whole.target.path.c_str()) != 0) fail(whole.named);
+      whole.is_renamed = true;
+      replacement.rename();
+    } else {
+      const auto lock = undisturbed();
+      replacement.rename();
+    }
+  } catch (const InputError&) {
+    replacement.remove_fresh(0);
+    throw;
+  }
+  replacement.write_direct();
 }
 
 void replace_file(const fs::path& path, std::string_view bytes) { replace_files({{path, std::string(bytes)}}); }

@@ -22,9 +22,7 @@ struct Summarised {
       for (const Result<double>& block : coordinates.at(point, order))
         for (int o = 0; o <= order; ++o) table.insert(table.end(), block.of(o).begin(), block.of(o).end());
   }
-  CoordinateSummary summary(int jobs = 1) const {
-    return summary_of(coordinates, cage, Triangulation::Shortest, points, table, jobs);
-  }
+  CoordinateSummary summary(int jobs = 1) const { return summary_of(coordinates, cage, points, table, jobs); }
   // A number in a point's row.
   double& at(std::size_t point, std::size_t column) { return table[point * (table.size() / points.size()) + column]; }
 
@@ -90,7 +88,7 @@ TEST(CoordinateSummary, counts_what_an_offset_misplaces) {
     for (const Vec& p : points)
       for (const auto& block : coordinates.at<double>(p, 0))
         table.insert(table.end(), block.value.begin(), block.value.end());
-    const CoordinateSummary found = summary_of(coordinates, far, Triangulation::Shortest, points, table, 1);
+    const CoordinateSummary found = summary_of(coordinates, far, points, table, 1);
     EXPECT_EQ(found.misplaced, expected) << offset << ' ' << found.reproduction.value;
     EXPECT_NEAR(found.far_off, offset / far.size(), 1) << offset;
     EXPECT_EQ(found.unusable, 0U);
@@ -155,7 +153,7 @@ TEST(CoordinateSummary, threads_change_nothing_and_of_equals_the_first_point_is_
     table.insert(table.end(), s.table.begin(), s.table.end());
   }
   for (const int jobs : {1, 4}) {
-    const CoordinateSummary found = summary_of(s.coordinates, s.cage, Triangulation::Shortest, points, table, jobs);
+    const CoordinateSummary found = summary_of(s.coordinates, s.cage, points, table, jobs);
     EXPECT_EQ(found.points, 6 * times);
     EXPECT_EQ(found.on, 2 * times);
     EXPECT_EQ(found.inexact, times);
@@ -166,7 +164,7 @@ TEST(CoordinateSummary, threads_change_nothing_and_of_equals_the_first_point_is_
 
 TEST(CoordinateSummary, of_no_points_is_empty) {
   const Summarised s("green");
-  const CoordinateSummary found = summary_of(s.coordinates, s.cage, Triangulation::Shortest, {}, {}, 1);
+  const CoordinateSummary found = summary_of(s.coordinates, s.cage, {}, {}, 1);
   EXPECT_EQ(found.points, 0U);
   EXPECT_EQ(found.unusable, 0U);
 }

@@ -23,6 +23,19 @@ Vec3<double> area_at_corner(const std::vector<Vec3<double>>& q, std::size_t k) {
   return (q[(k + 1) % 4] - q[k]).cross(q[(k + 3) % 4] - q[k]);
 }
 
+// Whether all corners lie on one side of the point along an axis, as those of nearly all elements do.
+bool is_beside(const std::vector<Vec3<double>>& vertices, std::span<const int> of_element, const Vec3<double>& point) {
+  for (int axis = 0; axis < 3; ++axis) {
+    bool below = true, above = true;
+    for (const int v : of_element) {
+      below = below && vertices[v][axis] < point[axis];
+      above = above && vertices[v][axis] > point[axis];
+    }
+    if (below || above) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string_view name_of(Owner owner) {
@@ -122,6 +135,7 @@ std::vector<Touching> CageElements::touching(const Vec3<double>& point) const {
   std::array<Vec3<double>, 4> corners;
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     const auto of_element = vertices_of(e);
+    if (is_beside(vertices_, of_element, point)) continue;
     for (std::size_t k = 0; k < of_element.size(); ++k) corners[k] = vertices_[of_element[k]];
     const ContactPoint at = type(e).contact(std::span(corners).first(of_element.size()), point);
     if (at.contact != Contact::Off) found.push_back({static_cast<int>(e), at.basis});

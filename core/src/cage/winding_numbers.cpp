@@ -4,6 +4,8 @@
 #include "cageproof/core/geometry/orientation.h"
 #include "cageproof/core/geometry/quad_geometry.h"
 
+#include <algorithm>
+
 namespace cageproof {
 namespace {
 
@@ -43,11 +45,13 @@ int turn(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& point
 
 // The signed crossing of a ray upward. Nothing for a point on the triangle.
 std::optional<int> crossing_above(const Triangle<double>& t, const Vec3<double>& point) {
-  const int side = side_of_plane(t, point);
-  if (side == 0) return touches_triangle(t, point) ? std::nullopt : std::optional(0);
+  // Below all corners a point is on no triangle, and under every one that its ray meets.
+  const bool is_below = point[2] < std::min({t[0][2], t[1][2], t[2][2]});
+  const int side = is_below ? 0 : side_of_plane(t, point);
+  if (side == 0 && !is_below) return touches_triangle(t, point) ? std::nullopt : std::optional(0);
   const int turned = turn(t[0], t[1], point);
   if (turned == 0 || turn(t[1], t[2], point) != turned || turn(t[2], t[0], point) != turned) return 0;
-  return side == -turned ? turned : 0;
+  return is_below || side == -turned ? turned : 0;
 }
 
 // As above, of a segment in the plane and a ray along the second axis.

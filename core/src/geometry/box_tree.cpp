@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/core/geometry/box_tree.h"
 
+#include "box_hierarchy.h"
+
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
-#include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,7 @@ double unit_of(const std::vector<Box>& boxes) {
 struct BoxTree::Tree {
   using Entry = std::pair<TreeBox, int>;
   std::vector<Box> boxes;
+  BoxHierarchy hierarchy;  // for what meets
   double unit;
   boost::geometry::index::rtree<Entry, boost::geometry::index::linear<16>> entries;
 
@@ -42,16 +44,18 @@ struct BoxTree::Tree {
     for (const Box& box : boxes) all.emplace_back(scaled(box), static_cast<int>(all.size()));
     return all;
   }
-  explicit Tree(const std::vector<Box>& given) : boxes(given), unit(unit_of(given)), entries(entries_of()) {}
+  explicit Tree(const std::vector<Box>& given)
+      : boxes(given), hierarchy(given), unit(unit_of(given)), entries(entries_of()) {}
 };
 
 BoxTree::BoxTree(const std::vector<Box>& boxes) : tree_(std::make_shared<const Tree>(boxes)) {}
 
 void BoxTree::for_each_meeting(const Box& box, const std::function<bool(int)>& with) const {
-  bool go_on = true;
-  tree_->entries.query(
-      boost::geometry::index::intersects(tree_->scaled(box)),
-      boost::make_function_output_iterator([&](const Tree::Entry& entry) { go_on = go_on && with(entry.second); }));
+  tree_->hierarchy.for_each_meeting(box, [&](int i) {
+    const Box& found = tree_->boxes[i];
+    const bool meets = (found.low.array() <= box.high.array()).all() && (box.low.array() <= found.high.array()).all();
+    return !meets || with(i);
+  });
 }
 
 void BoxTree::by_distance(const Vec3<double>& from, const std::function<double(int)>& visit) const {

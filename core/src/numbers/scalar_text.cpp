@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <system_error>
 
 namespace cageproof {
 namespace {
@@ -24,6 +26,12 @@ bool looks_like_number(std::string_view text) {
 template <Scalar R>
 std::optional<R> parse_scalar(std::string_view text) {
   if (!looks_like_number(text)) return std::nullopt;
+  if constexpr (std::same_as<R, double>) {
+    // Decimal numbers within range; what else the next ones know: signs in front, hexadecimal digits, infinities.
+    double x = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
+    if (error == std::errc() && end == text.data() + text.size()) return x;
+  }
   const std::string copy(text);
   char* end = nullptr;
   R x{};

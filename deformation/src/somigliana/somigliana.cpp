@@ -4,6 +4,7 @@
 #include "../posed_orientation.h"
 #include "corotation.h"
 #include "parts.h"
+#include "posed_matrices.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/deformation/stretch.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 namespace cageproof::deformation {
 namespace {
@@ -28,6 +30,9 @@ class SomiglianaPosed final : public Posed<R> {
       turned_vertices_.push_back(pose_.of_vertices[v].transpose() * vertices[v].head(d_));
     for (std::size_t i = 0; i < pose_.tractions.size(); ++i)
       turned_tractions_.push_back(pose_.of_normals[i].transpose() * pose_.tractions[i].head(d_));
+    if constexpr (std::is_same_v<R, double>)
+      if (d_ == 3)
+        values_ = PosedMatrices({pose_.of_vertices, turned_vertices_}, {pose_.of_normals, turned_tractions_});
   }
 
   const DeformationReport& report() const override { return report_; }
@@ -40,6 +45,16 @@ class SomiglianaPosed final : public Posed<R> {
     const std::span<const CoordinateTable<R>> coordinates = nu_ ? made : given;
     Images<R> images;
     for (int o = 0; o <= order; ++o) images.tensors[o].assign(points * d_ * derivative_count(d_, o), R(0));
+    if constexpr (std::is_same_v<R, double>)
+      if (d_ == 3 && order == 0) {
+        for (std::size_t p = 0; p < points; ++p) {
+          const auto row = [&](std::size_t b) {
+            return std::span(coordinates[b].tensors[0]).subspan(p * coordinates[b].stride[0], coordinates[b].stride[0]);
+          };
+          Eigen::Map<Vec3<double>>(&images.tensors[0][3 * p]) = values_.image(row(0), row(1));
+        }
+        return images;
+      }
     for (std::size_t p = 0; p < points; ++p) {
       const auto zeroth = sums(coordinates, p, 0, 0);
       const SpaceSolver<R> solver(zeroth.whole);
@@ -102,6 +117,7 @@ class SomiglianaPosed final : public Posed<R> {
   Corotation<R> pose_;
   std::optional<double> nu_;
   std::vector<Column> turned_vertices_, turned_tractions_;
+  PosedMatrices values_;  // of double in space
   DeformationReport report_;
 };
 

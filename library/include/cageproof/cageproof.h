@@ -5,6 +5,7 @@
 
 #include "cageproof/core/input_error.h"
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -106,6 +107,21 @@ class Coordinates {
   std::shared_ptr<const Prepared> prepared_;
 };
 
+/// Points that a Deformer was given once, for many poses: their coordinates are kept. Copies share them.
+class BoundPoints {
+ public:
+  /// How many points.
+  std::size_t size() const;
+  /// Whether Jacobians were asked for.
+  bool has_jacobians() const;
+
+ private:
+  friend class Deformer;
+  struct Kept;
+  explicit BoundPoints(std::shared_ptr<const Kept> kept);
+  std::shared_ptr<const Kept> kept_;
+};
+
 /// What a posed cage does to the points of space, by one method. `images` is safe from any thread, `pose` is not.
 class Deformer {
  public:
@@ -125,6 +141,18 @@ class Deformer {
   /// \param points `dimension` numbers a point \param images as many
   /// \param jacobians empty, or [point][component][axis] \throws InputError for spans of other sizes, or before `pose`
   void images(std::span<const double> points, std::span<double> images, std::span<double> jacobians = {}) const;
+
+  /// Computes the coordinates of points once, for any number of poses, before the first one or after it: `images` of
+  /// bound points costs no more than their coordinates times the pose.
+  /// \param jacobians whether images may have Jacobians: four times the memory in space, three times in the plane
+  /// \throws InputError for a broken number of numbers, and where the coordinates take more than half of the memory
+  /// that there is, with their size
+  BoundPoints bind(std::span<const double> points, bool jacobians = false) const;
+
+  /// The same numbers as of the points themselves; to rounding where Jacobians are bound and not asked for.
+  /// \param points of this Deformer's `bind`
+  /// \throws InputError as above, for Jacobians that were not bound, and for points of another Deformer
+  void images(const BoundPoints& points, std::span<double> images, std::span<double> jacobians = {}) const;
 
  private:
   struct Prepared;

@@ -128,6 +128,33 @@ int main(int, char** argv) {
   green.images(outside, std::span(images).first(3));
   expect(std::isnan(images[0]), "no image outside");
 
+  // Bound once, posed often: the same numbers.
+  for (const char* method : {"green", "somigliana", "mean_value"}) {
+    Deformer deformer(cube, method);
+    std::vector<double> asked(12), again(12), asked_jacobians(36), again_jacobians(36), four = points;
+    four.insert(four.end(), outside.begin(), outside.end());
+    const BoundPoints bound = deformer.bind(four, true), places = deformer.bind(four);
+    expect(bound.size() == 4 && bound.has_jacobians() && !places.has_jacobians(), "what was bound");
+    for (const double factor : {1.0, 0.5, -0.25}) {
+      std::vector<double> pose = twice;
+      pose[0] *= factor;
+      deformer.pose(pose);
+      deformer.images(four, asked, asked_jacobians);
+      deformer.images(bound, again, again_jacobians);
+      const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+      expect(std::ranges::equal(asked, again, same), "images of bound points");
+      expect(std::ranges::equal(asked_jacobians, again_jacobians, same), "Jacobians of bound points");
+      deformer.images(four, asked);
+      deformer.images(places, again);
+      expect(std::ranges::equal(asked, again, same), "images of points that are bound without Jacobians");
+    }
+    expect(refuses("without", [&] { deformer.images(places, again, again_jacobians); }),
+           "Jacobians that are not bound");
+    expect(refuses("another", [&] { green.images(places, again); }), "points of another deformer");
+    expect(refuses("before", [&] { Deformer(cube, method).images(places, again); }), "bound points before a pose");
+    expect(refuses("images", [&] { deformer.images(places, std::span(again).first(9)); }), "room for bound points");
+  }
+
   Cage open = cube;
   open.faces.pop_back();
   expect(refuses("hole", [&] { Coordinates(open, "green"); }), "a hole is named");

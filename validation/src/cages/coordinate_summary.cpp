@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/validation/coordinate_summary.h"
 
-#include "cageproof/validation/cage_campaign.h"
-#include "cageproof/validation/cage_errors.h"
-#include "cageproof/validation/cage_points.h"
+#include "row_residuals.h"
+
+#include "cageproof/core/cage/winding_numbers.h"
 #include "cageproof/core/geometry/box.h"
 #include "cageproof/core/parallel.h"
 
@@ -23,20 +23,6 @@ constexpr double kRoundings = 64;
 
 // Points that are looked at together.
 constexpr std::size_t kTogether = 64;
-
-// The values of one point, from its row.
-std::vector<Result<double>> blocks_of(const CageCoordinates& coordinates, std::span<const double> row,
-                                      std::size_t per_block) {
-  std::vector<Result<double>> blocks;
-  for (const CoordinateBlock& block : coordinates.blocks()) {
-    const std::size_t values = static_cast<std::size_t>(block.size) * block.entries();
-    Result<double> result;
-    result.value.assign(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(values));
-    blocks.push_back(std::move(result));
-    row = row.subspan(values * per_block);
-  }
-  return blocks;
-}
 
 void keep(Largest& largest, double value, std::size_t point) {
   // What is not a number is the largest, and of equals the first point.
@@ -91,61 +77,111 @@ bool reproduces_points(const CageCoordinates& coordinates) {
                              [](const CoordinateBlock& b) { return b.reproduces != Reproduces::Nothing; });
 }
 
-}  // namespace
-
-CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cage, Triangulation rule,
-                             const std::vector<Vec3<double>>& points, std::span<const double> table, int jobs) {
-  const CoordinateKind& kind = coordinates.kind();
-  const CageLocator locator(cage, rule, kind.keeps_quads);
-  const std::size_t columns = points.empty() ? 0 : table.size() / points.size();
+// Numbers of a point's values, in all blocks.
+std::size_t values_of(const CageCoordinates& coordinates) {
   std::size_t values = 0;
   for (const CoordinateBlock& block : coordinates.blocks())
     values += static_cast<std::size_t>(block.size) * block.entries();
-  const std::size_t per_block = values == 0 ? 1 : columns / values;
-  CoordinateSummary sum;
-  sum.points = points.size();
-  sum.reproduces = reproduces_points(coordinates);
-  const Box box = box_of(cage.vertices());
-  const double largest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-  sum.far_off = largest / cage.size();
-  sum.grain = (std::nextafter(largest, HUGE_VAL) - largest) / cage.size();
-  std::mutex adding;
-  for_each_parallel((points.size() + kTogether - 1) / kTogether, jobs, [&](std::size_t part) {
+  return values;
+}
+
+// Of a value and its derivatives.
+std::size_t numbers_up_to(int order, int dimension) {
+  std::size_t numbers = 0;
+  for (int o = 0; o <= order; ++o) numbers += derivative_count(dimension, o);
+  return numbers;
+}
+
+}  // namespace
+
+class SummaryMaker::State {
+ public:
+  State(const CageCoordinates& coordinates, const Cage& cage, int order)
+      : coordinates_(coordinates),
+        size_(cage.size()),
+        box_(box_of(cage.vertices())),
+        per_value_(numbers_up_to(order, coordinates.dimension())),
+        columns_(values_of(coordinates) * per_value_),
+        windings_(coordinates.elements()),
+        residuals_(coordinates, cage, per_value_) {
+    all_.reproduces = reproduces_points(coordinates);
+    const double largest = std::max(box_.low.cwiseAbs().maxCoeff(), box_.high.cwiseAbs().maxCoeff());
+    all_.far_off = largest / size_;
+    all_.grain = (std::nextafter(largest, HUGE_VAL) - largest) / size_;
+  }
+
+  void add(std::size_t first, std::span<const Vec3<double>> points, std::span<const double> rows) {
     CoordinateSummary mine;
-    for (std::size_t p = part * kTogether; p < std::min(points.size(), (part + 1) * kTogether); ++p) {
-      const bool on = !coordinates.elements().touching(points[p]).empty();
-      const int winding = on ? 1 : locator.winding(points[p]);
-      ++(on ? mine.on : winding == 0 ? mine.outside : mine.inside);
-      const std::span<const double> row = table.subspan(p * columns, columns);
-      const auto blocks = blocks_of(coordinates, row, per_block);
-      bool nan = false, infinite = false;
-      for (const Result<double>& block : blocks)
-        for (const double x : block.value) nan = nan || std::isnan(x), infinite = infinite || std::isinf(x);
-      if (nan) ++mine.missing;
-      else if (infinite) ++mine.infinite;
-      if (nan || infinite || (sum.reproduces && winding == 0 && !kind.normalised)) ++mine.unusable;
-      const Flaws flaws = nan || infinite ? Flaws() : flaws_of_derivatives(coordinates, row, per_block);
-      if (flaws.nan || flaws.infinite)
-        count(on ? mine.derivatives_on : flaws.nan ? mine.derivatives_missing : mine.derivatives_infinite, {1, p});
-      if (nan || infinite || !sum.reproduces) continue;
-      const double expected = kind.normalised ? 1 : winding;
-      const CageErrors errors = errors_of(coordinates, cage, blocks, points[p], expected, 0);
-      if (!(errors.partition[0].relative <= kExactSum)) {
-        ++mine.inexact;
-        const Vec3<double> nearest = points[p].cwiseMax(box.low).cwiseMin(box.high);
-        if ((points[p] - nearest).stableNorm() > cage.size()) ++mine.inexact_far;
-      }
-      // Other errors of kinds that are solved for are no rounding of places.
-      const double misplaced = errors.reproduction[0].relative;
-      if (!(misplaced <= kExactSum) && misplaced <= kRoundings * sum.grain && errors.partition[0].relative <= kExactSum)
-        ++mine.misplaced;
-      keep(mine.partition, errors.partition[0].relative, p);
-      keep(mine.reproduction, errors.reproduction[0].relative, p);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      add_point(mine, first + p, points[p], rows.subspan(p * columns_, columns_));
+    const std::lock_guard lock(adding_);
+    all_.points += points.size();
+    add_part(all_, mine);
+  }
+
+  CoordinateSummary summary() const { return all_; }
+
+ private:
+  void add_point(CoordinateSummary& mine, std::size_t number, const Vec3<double>& point,
+                 std::span<const double> row) const {
+    const CoordinateKind& kind = coordinates_.kind();
+    const std::optional<int> around = windings_.around(point);
+    const bool on = !around.has_value();
+    const int winding = around.value_or(1);
+    ++(on ? mine.on : winding == 0 ? mine.outside : mine.inside);
+    const Residuals found = residuals_.of(row, point, kind.normalised ? 1 : winding);
+    if (found.has_nan) ++mine.missing;
+    else if (found.has_infinity) ++mine.infinite;
+    const bool finite = !found.has_nan && !found.has_infinity;
+    if (!finite || (all_.reproduces && winding == 0 && !kind.normalised)) ++mine.unusable;
+    const Flaws flaws = finite ? flaws_of_derivatives(coordinates_, row, per_value_) : Flaws();
+    if (flaws.nan || flaws.infinite)
+      count(on ? mine.derivatives_on : flaws.nan ? mine.derivatives_missing : mine.derivatives_infinite, {1, number});
+    if (!finite || !all_.reproduces) return;
+    if (!(found.partition <= kExactSum)) {
+      ++mine.inexact;
+      const Vec3<double> nearest = point.cwiseMax(box_.low).cwiseMin(box_.high);
+      if ((point - nearest).stableNorm() > size_) ++mine.inexact_far;
     }
-    const std::lock_guard lock(adding);
-    add_part(sum, mine);
+    // Other errors of kinds that are solved for are no rounding of places.
+    if (!(found.reproduction <= kExactSum) && found.reproduction <= kRoundings * all_.grain &&
+        found.partition <= kExactSum)
+      ++mine.misplaced;
+    keep(mine.partition, found.partition, number);
+    keep(mine.reproduction, found.reproduction, number);
+  }
+
+  const CageCoordinates& coordinates_;
+  double size_;
+  Box box_;
+  std::size_t per_value_, columns_;
+  WindingNumbers windings_;
+  RowResiduals residuals_;
+  std::mutex adding_;
+  CoordinateSummary all_;
+};
+
+SummaryMaker::SummaryMaker(const CageCoordinates& coordinates, const Cage& cage, int order)
+    : state_(std::make_unique<State>(coordinates, cage, order)) {}
+SummaryMaker::~SummaryMaker() = default;
+
+void SummaryMaker::add(std::size_t first, std::span<const Vec3<double>> points, std::span<const double> rows) {
+  state_->add(first, points, rows);
+}
+
+CoordinateSummary SummaryMaker::summary() const { return state_->summary(); }
+
+CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cage,
+                             const std::vector<Vec3<double>>& points, std::span<const double> table, int jobs) {
+  const std::size_t columns = points.empty() ? 0 : table.size() / points.size();
+  int order = 0;
+  while (order < 2 && values_of(coordinates) * numbers_up_to(order, coordinates.dimension()) < columns) ++order;
+  SummaryMaker maker(coordinates, cage, order);
+  for_each_parallel((points.size() + kTogether - 1) / kTogether, jobs, [&](std::size_t part) {
+    const std::size_t first = part * kTogether, here = std::min(kTogether, points.size() - first);
+    maker.add(first, std::span(points).subspan(first, here), table.subspan(first * columns, here * columns));
   });
-  return sum;
+  return maker.summary();
 }
 
 }  // namespace cageproof::validation

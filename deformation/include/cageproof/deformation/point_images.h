@@ -28,7 +28,7 @@ std::optional<Inside> region_of(const CageCoordinates& coordinates);
 struct ImageRun {
   int order = 0;  ///< highest derivative
   int jobs = 0;   ///< threads; 0: all cores
-  /// Points whose coordinates are computed together; what is multiplied as matrices is rounded by it.
+  /// Points whose coordinates are computed together, at most: fewer where a cage has many.
   std::size_t block = 128;
   /// Points outside the region get images by coordinates that are continued through the nearest element.
   /// \pre the coordinates' kind extends
@@ -41,6 +41,29 @@ struct ImageRun {
 PointImages images_of(const CageCoordinates& coordinates, std::span<const Vec3<double>> points,
                       std::span<const Posed<double>* const> maps, const ImageRun& run,
                       const std::optional<Inside>& region);
+
+/// Points whose coordinates are kept, so that maps of them, poses say, cost a product each. Safe from any thread.
+class BoundPoints {
+ public:
+  /// \param region as of images_of() \pre as images_of()
+  /// \throws InputError where the coordinates take more than half of the memory there is, with their size
+  BoundPoints(const CageCoordinates& coordinates, std::span<const Vec3<double>> points, const ImageRun& run,
+              const std::optional<Inside>& region);
+
+  std::size_t size() const { return missing_.size(); }
+  /// The highest derivative that images have.
+  int order() const { return order_; }
+  /// What images_of() gives: to the bit at the same order, and to rounding at a lower one, whose coordinates an
+  /// evaluation may round otherwise. \pre the maps are made from the coordinates, and order <= order()
+  PointImages images(std::span<const Posed<double>* const> maps, int order, int jobs) const;
+
+ private:
+  int dimension_, order_;
+  std::size_t block_;  // points in each
+  std::vector<std::vector<CoordinateTable<double>>> blocks_;
+  std::vector<char> missing_;
+  std::vector<double> beyond_;
+};
 
 /// An image of a point, both counted from 0.
 struct ImagePlace {

@@ -6,6 +6,7 @@
 #include "cageproof/core/coordinates/coordinates.h"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -50,9 +51,30 @@ struct CoordinateSummary {
   std::size_t unusable = 0;
 };
 
+/// Makes a summary of coordinates while these are computed, a block of points at a time.
+class SummaryMaker {
+ public:
+  /// Keeps references. \param order the highest derivative that rows hold
+  SummaryMaker(const CageCoordinates& coordinates, const Cage& cage, int order);
+  ~SummaryMaker();
+  SummaryMaker(const SummaryMaker&) = delete;
+  SummaryMaker& operator=(const SummaryMaker&) = delete;
+
+  /// Looks at points that no other call looks at; from any thread, in any order.
+  /// \param first the first point's number \param rows of these points, as the table of summary_of()
+  void add(std::size_t first, std::span<const Vec3<double>> points, std::span<const double> rows);
+
+  /// Of all points that were added.
+  CoordinateSummary summary() const;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
 /// \param table one row per point; in a row block by block, all values of a block, then all its derivatives
 /// \param jobs threads; 0: all cores
-CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cage, Triangulation rule,
+CoordinateSummary summary_of(const CageCoordinates& coordinates, const Cage& cage,
                              const std::vector<Vec3<double>>& points, std::span<const double> table, int jobs);
 
 }  // namespace cageproof::validation
