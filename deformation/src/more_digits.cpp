@@ -99,13 +99,17 @@ class Warned final : public Deformer<double> {
   std::string warning_;
 };
 
+double evaluations_at(int level, int dimension, double elements) {
+  return 4 * std::pow(dimension == 2 ? 2 : 4, level) * elements * elements;
+}
+
 // Of all samples, by the method's parameters that say how often elements are split.
 double evaluations_of(const DeformMethod& method, const DeformOptions& options, int dimension, double elements) {
-  double samples = 0;
+  double all = 0;
   for (std::size_t i = 0; i < method.parameters.size(); ++i)
     if (method.parameters[i].name == "level" || method.parameters[i].name == "energy_level")
-      samples += elements * std::pow(dimension == 2 ? 2 : 4, options.parameters[i]);
-  return 4 * samples * elements;
+      all += evaluations_at(static_cast<int>(options.parameters[i]), dimension, elements);
+  return all;
 }
 
 }  // namespace
@@ -144,6 +148,12 @@ std::shared_ptr<const Deformer<double>> prepared_in_digits_enough(const DeformMe
                   method.takes_derivatives_on_cage
                       ? "derivatives of layers there lose digits like its square, images with them"
                       : "densities may lose digits like its square, images with them"));
+}
+
+bool wants_50_digits(const CageElements& elements, int level) {
+  return thinness_of(elements).times > thin &&
+         evaluations_at(level, elements.dimension(), static_cast<double>(elements.count())) <=
+             most_evaluations(elements.dimension());
 }
 
 }  // namespace cageproof::deformation

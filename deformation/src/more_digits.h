@@ -14,4 +14,8 @@ namespace cageproof::deformation {
 std::shared_ptr<const Deformer<double>> prepared_in_digits_enough(const DeformMethod& method, const Cage& cage,
                                                                   const DeformOptions& options);
 
+/// Whether derivatives of layers at samples lose so much on the elements that systems made of them are to be solved in
+/// 50 digits, and would be in half a minute. \param level how often elements are split into samples
+bool wants_50_digits(const CageElements& elements, int level);
+
 }  // namespace cageproof::deformation

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The regularised biharmonic coordinates of [T24] Eq 27: alpha = phi + phibar C11 + psibar C12 of vertices, beta = psi
 // + phibar C21 + psibar C22 of elements.
+#include "../more_digits.h"
 #include "construction.h"
 #include "overlap.h"
 
@@ -53,7 +54,10 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
   const SolvesSystems* systems() const override { return this; }
   const HasLimits* limits() const override { return this; }
   const HasTerms* terms() const override { return this; }
-  std::vector<SolvedSystem> solved() const override { return regularisation<double>(Account::Systems).solved; }
+  std::vector<SolvedSystem> solved() const override {
+    return takes_50_digits() ? regularisation<Mp50>(Account::Systems).solved
+                             : regularisation<double>(Account::Systems).solved;
+  }
 
   void fill_limits(std::span<const Touching> places, int order,
                    std::span<CoordinateTable<double>> tables) const override {
@@ -66,7 +70,15 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
 
   void fill_terms(std::span<const Vec3<double>> points, int order,
                   std::span<CoordinateTable<double>> tables) const override {
-    std::call_once(terms_made_, [&] { terms_ = transposed(regularisation<double>(Account::Terms).terms); });
+    std::call_once(terms_made_, [&] {
+      if (!takes_50_digits()) {
+        terms_ = transposed(regularisation<double>(Account::Terms).terms);
+        return;
+      }
+      // Nothing but the densities themselves is rounded.
+      const Densities<double>& known = densities<double>();
+      terms_ = {known.of_vertices.cwiseAbs(), known.of_elements.cwiseAbs()};
+    });
     for (std::size_t p = 0; p < points.size(); ++p) {
       const std::vector<Result<double>> layers = layers_.terms_at(points[p], order);
       put_point<double>(
@@ -97,6 +109,11 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
   };
 
   int level() const { return static_cast<int>(parameters_[0]); }
+  // As deformers by the same construction do.
+  bool takes_50_digits() const {
+    return (layers_.dimension() == 2 || construction_ == Construction::OneTwo) &&
+           layers_.is_exact_in(ScalarKind::Digits50) && wants_50_digits(layers_.elements(), level());
+  }
 
   template <Scalar R>
   Regularisation<R> regularisation(Account account) const {
@@ -112,10 +129,10 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
   const Densities<R>& densities() const {
     Prepared<R>& made = std::get<Prepared<R>>(prepared_);
     std::call_once(made.once, [&] {
-      if constexpr (std::same_as<R, Mp100>) {
+      if (std::same_as<R, Mp100> || (std::same_as<R, double> && takes_50_digits())) {
         const Densities<Mp50>& known = densities<Mp50>();
         made.densities = {known.of_vertices.template cast<R>(), known.of_elements.template cast<R>()};
-      } else {
+      } else if constexpr (!std::same_as<R, Mp100>) {
         const Regularisation<R> found = regularisation<R>(Account::None);
         made.densities = {found.to_vertices.transpose(), found.to_normals.transpose()};
       }

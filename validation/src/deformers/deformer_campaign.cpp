@@ -84,14 +84,31 @@ class ConstrainedMeasurement final : public Measurement {
   DeformerCampaignOptions options_;
 };
 
+// Why a method refuses a cage and constraints inside when it solves; empty where it does not.
+std::string why_refused(const std::shared_ptr<const Cage>& cage, const ConstrainedVariant& variant,
+                        const DeformerCampaignOptions& options) {
+  try {
+    const ConstrainedChecks checks(cage, variant, options.triangulation);
+    const auto point = interior_points(*cage, options.triangulation, options.seed, 1).front();
+    checks.questions().front().ask({point, 0});
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 // Of small cages, whose constraints determine their maps.
 void add_constrained(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options,
-                     Measurements& measurements) {
+                     Measurements& measurements, RefusedMethods* refused) {
   if (!is_small(*cage, options.triangulation)) return;
   for (const deformation::ConstraintMethod& method : deformation::constraint_methods()) {
     if (!matches(options.methods, method.name) || !can_be_asked(method, *cage, options.triangulation)) continue;
-    for (ConstrainedVariant& variant : variants_of(method))
-      measurements.push_back(std::make_unique<ConstrainedMeasurement>(cage, std::move(variant), options));
+    for (ConstrainedVariant& variant : variants_of(method)) {
+      std::string reason = refused == nullptr ? "" : why_refused(cage, variant, options);
+      if (reason.empty())
+        measurements.push_back(std::make_unique<ConstrainedMeasurement>(cage, std::move(variant), options));
+      else (*refused)[std::move(reason)].push_back(fmt::format("{} ({})", method.name, variant.name));
+    }
   }
 }
 
@@ -99,6 +116,11 @@ void add_constrained(const std::shared_ptr<const Cage>& cage, const DeformerCamp
 
 const std::vector<std::string_view>& deformer_cage_names() {
   static const std::vector<std::string_view> names{"cube", "l-block", "twisted-bar", "square", "l-shape"};
+  return names;
+}
+
+const std::vector<std::string_view>& small_face_cage_names() {
+  static const std::vector<std::string_view> names{"bevel-1e-2", "bump-1e-2", "pinch-1e-2", "needles-1e-2"};
   return names;
 }
 
@@ -128,7 +150,7 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
   Measurements measurements;
   const bool has_points = !interior_points(*cage, options.triangulation, options.seed, 1).empty();
   const auto refuse = [&](std::string reason, std::string_view method) {
-    if (refused != nullptr) (*refused)[std::move(reason)].push_back(method);
+    if (refused != nullptr) (*refused)[std::move(reason)].emplace_back(method);
   };
   for (const deformation::DeformMethod& method : deformation::deform_methods()) {
     if (!matches(options.methods, method.name)) continue;
@@ -162,7 +184,7 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
     for (DeformerVariant& variant : variants)
       measurements.push_back(std::make_unique<DeformerMeasurement>(cage, std::move(variant), options, prepared));
   }
-  if (has_points) add_constrained(cage, options, measurements);
+  if (has_points) add_constrained(cage, options, measurements, refused);
   return measurements;
 }
 

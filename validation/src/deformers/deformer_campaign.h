@@ -21,12 +21,15 @@ struct DeformerCampaignOptions {
 /// are prepared in seconds.
 const std::vector<std::string_view>& deformer_cage_names();
 
+/// Those with a small face beside large ones, which suites with time judge deformers on as well.
+const std::vector<std::string_view>& small_face_cage_names();
+
 /// Points inside a cage, at least 2e-2 of its size from it; point i is a function of (seed, cage name, i).
 /// Fewer, or none, of cages so thin that none is found.
 std::vector<Vec3<double>> interior_points(const Cage& cage, Triangulation rule, std::uint64_t seed, int count);
 
-/// Names of methods by the reason for which they refuse a cage.
-using RefusedMethods = std::map<std::string, std::vector<std::string_view>>;
+/// Names of methods, with their variant where only that one refuses, by the reason for which they refuse a cage.
+using RefusedMethods = std::map<std::string, std::vector<std::string>>;
 
 /// One a variant of each method that matches and does not refuse the cage; on cages with more than few_elements only
 /// the first and last variants.

@@ -9,6 +9,8 @@
 
 #include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/cage/winding_numbers.h"
+#include "cageproof/core/geometry/box.h"
+#include "cageproof/core/input_error.h"
 #include "cageproof/core/parallel.h"
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/reports/worst_file.h"
@@ -113,6 +115,9 @@ class Planner {
         add_recommended(std::make_shared<const Cage>(embedded_cage(name)), extreme_cage_options());
       add_extreme_batched();
       for (const auto name : deformer_cage_names()) add_deformers(std::make_shared<const Cage>(embedded_cage(name)));
+      if (!options_.suite.has_time_limit)
+        for (const auto name : small_face_cage_names())
+          add_deformers(std::make_shared<const Cage>(embedded_cage(name)));
     }
     // Figures show whole kinds of coordinates, on cages of their own.
     if (!options_.cage && options_.formulas == "*" && options_.evaluations == "*" && options_.regimes == "*")
@@ -173,6 +178,23 @@ class Planner {
                                [&](const Formula* formula) { return matches(options_.formulas, formula->name); });
   }
 
+  // Why there are no coordinates of the kind, empty where there are. Kinds that solve may find out when they do, which
+  // a user's cage is tried for: others are ours.
+  std::string refusal_of(const CoordinateKind& kind, const Cage& cage) {
+    if (!accepts(kind, cage)) return why_refused(kind, cage);
+    if (!options_.cage || kind.is_sum()) return "";
+    const auto [known, is_new] = refusals_.try_emplace(kind.name);
+    if (!is_new) return known->second;
+    try {
+      const auto [low, high] = box_of(cage.vertices());
+      CageCoordinates(cage, kind, CoordinateOptions{.triangulation = options_.triangulation})
+          .at<double>(Vec3<double>((low + high) / 2), 0);
+    } catch (const InputError& error) {
+      known->second = error.what();
+    }
+    return known->second;
+  }
+
   CampaignOptions campaign_options() const {
     CampaignOptions campaign;
     campaign.formulas = options_.formulas;
@@ -220,7 +242,7 @@ class Planner {
   // Every kind's recommended coordinates.
   void add_recommended(const std::shared_ptr<const Cage>& cage, CageCampaignOptions campaign) {
     for (const CoordinateKind& kind : coordinate_kinds()) {
-      if (!is_asked(kind, *cage) || !accepts(kind, *cage) || !is_affordable(kind, *cage, campaign)) continue;
+      if (!is_asked(kind, *cage) || !refusal_of(kind, *cage).empty() || !is_affordable(kind, *cage, campaign)) continue;
       campaign.kinds = kind.name;
       add(cage_measurements(cage, campaign));
     }
@@ -283,7 +305,9 @@ class Planner {
   }
 
   void add_cage(const std::shared_ptr<const Cage>& cage) {
-    const auto exists = [&](const CoordinateKind& kind) { return is_asked(kind, *cage) && accepts(kind, *cage); };
+    const auto exists = [&](const CoordinateKind& kind) {
+      return is_asked(kind, *cage) && refusal_of(kind, *cage).empty();
+    };
     add_recommended(cage, cage_options());
     add_batched(cage, block_options(), cage_options());
     // Whatever a quad's weights are computed with, they must keep the cage's own relations.
@@ -327,12 +351,12 @@ class Planner {
             fmt::format("{}: {} is not judged, the cage has more than {} elements, on which solving takes its time",
                         cage->name(), kind.name, cage_options().solved_elements));
       if (!is_asked(kind, *cage)) continue;
-      if (accepts(kind, *cage)) {
+      std::string reason = refusal_of(kind, *cage);
+      if (reason.empty()) {
         if (is_shown(*cage)) add_fields(cage, kind);
         else left_out = true;
         quads_left_out = quads_left_out || (is_shown(*cage) && !shows_truth(kind, *cage));
       } else {
-        std::string reason = why_refused(kind, *cage);
         plan_.header.notes.push_back(fmt::format("{}: no {} coordinates, {}", cage->name(), kind.name, reason));
         if (options_.cage) refused[std::move(reason)].push_back(kind.name);
       }
@@ -449,7 +473,7 @@ class Planner {
     const auto mesh = std::make_shared<const Mesh>(*options_.mesh);
     plan_.measurements.push_back(mesh_shape(mesh));
     for (const CoordinateKind& kind : coordinate_kinds())
-      if (is_asked(kind, *cage) && accepts(kind, *cage))
+      if (is_asked(kind, *cage) && refusal_of(kind, *cage).empty())
         add(mesh_measurement(cage, kind, mesh, options_.mesh_name, fields_++, cage_options()));
   }
 
@@ -520,6 +544,7 @@ class Planner {
   const VerifyOptions& options_;
   RunPlan plan_;
   int fields_ = 0;
+  std::map<std::string_view, std::string> refusals_;  // of the user's cage, by kind; empty where there is none
   int scenes_ = 0;
   std::string regimes_nowhere_;
 };
