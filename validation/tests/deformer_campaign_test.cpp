@@ -339,6 +339,26 @@ TEST(deformers, by_constraints_are_not_judged_in_cages_that_they_refuse) {
 }
 
 // Nothing is as deep inside a thin bar as points are asked for; a run ends all the same.
+// A square with an edge of 1e-9, and so many others that 50 digits would take too long.
+TEST(deformers, that_refuse_a_cage_when_they_solve_are_named) {
+  constexpr int edges = 140;
+  std::vector<Vec3<double>> corners;
+  for (int k = 0; k < edges; ++k) corners.emplace_back(static_cast<double>(k) / edges, 0, 0);
+  for (const auto& [x, y] : {std::pair{1., 0.}, {1., 1 - 1e-9}, {1 - 1e-9, 1.}, {0., 1.}})
+    corners.emplace_back(x, y, 0);
+  const int count = static_cast<int>(corners.size());
+  std::vector<Face> segments;
+  for (int k = 0; k < count; ++k) segments.push_back({{k, (k + 1) % count, -1, -1}});
+  const auto cage = std::make_shared<const Cage>(Cage::make_polygon("many", corners, segments, {}));
+  RefusedMethods refused;
+  const Measurements found = deformer_measurements(cage, {.methods = "aaap,green"}, &refused);
+  EXPECT_FALSE(found.empty());
+  for (const auto& measurement : found) EXPECT_NE(measurement->name().find("green"), std::string::npos);
+  ASSERT_EQ(refused.size(), 1u);
+  EXPECT_NE(refused.begin()->first.find("no digits left of derivatives"), std::string::npos);
+  EXPECT_EQ(refused.begin()->second, std::vector<std::string>{"aaap"});
+}
+
 TEST(deformers, are_not_judged_in_cages_without_points_deep_enough) {
   const auto bar = std::make_shared<const Cage>(embedded_cage("thin-bar"));
   EXPECT_TRUE(interior_points(*bar, Triangulation::Shortest, 1, 3).empty());

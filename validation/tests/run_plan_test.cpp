@@ -83,27 +83,6 @@ TEST(RunPlan, quick_leaves_slow_rows_and_fields_without_promise_to_standard_and_
   EXPECT_EQ(measured(plan_run(options), "star, biharmonic_boundary, offset-1e-6"), 1);
 }
 
-// A tetrahedron with a corner cut off at 1e-8 of its size: what double has no digits for is left out, and said; the run
-// goes on with everything else.
-TEST(RunPlan, leaves_out_what_refuses_a_cage_when_it_solves) {
-  VerifyOptions options;
-  options.suite = suites().front();
-  options.only_cage = true;
-  options.cage = embedded_cage("bevel-1e-8");
-  RunPlan plan = plan_run(options);
-  EXPECT_EQ(measured(plan, "bevel-1e-8, deformer variational, subspace=biharmonic"), 0);
-  EXPECT_EQ(measured(plan, "bevel-1e-8, deformer variational, subspace=harmonic"), 1);
-  EXPECT_GE(measured(plan, "bevel-1e-8, deformer biharmonic_1_3"), 1);
-  EXPECT_GE(measured(plan, "bevel-1e-8, green"), 1);
-  EXPECT_EQ(std::ranges::count_if(plan.warnings,
-                                  [](const std::string& warning) {
-                                    return warning.find("no deformer variational (subspace=biharmonic)") !=
-                                               std::string::npos &&
-                                           warning.find("no digits left of derivatives") != std::string::npos;
-                                  }),
-            1);
-}
-
 // Two cubes that cross: what solves for densities on the cage is left out, and said; a cube that touches another one's
 // edge with a corner keeps everything.
 TEST(RunPlan, leaves_out_what_a_cage_that_overlaps_itself_has_not) {

@@ -182,6 +182,9 @@ inline Mask sum_mean_values_within(Block& block, const NearFaces& faces, const S
         rounding = select(beyond, Lanes{}, rounding);
       }
     }
+    const Lanes hat[2] = {h[1] * face.hat[0], h[2] * face.hat[1]};
+    // F/d is shared out by the hat functions, which are large beside a thin face.
+    rounding *= magnitude(hat[0]) + magnitude(hat[1]) + magnitude(1 - hat[0] - hat[1]);
     const Lanes steepness = steep.of(face, d, angle[0] + angle[1] + angle[2]);
     Mask near{};
     if (cage.folded[f] != 0)
@@ -199,7 +202,6 @@ inline Mask sum_mean_values_within(Block& block, const NearFaces& faces, const S
       for (int e = 0; e < 3; ++e) angle[e] = select(out, Lanes{}, angle[e]);
       over = select(out, Lanes{}, over);
     }
-    const Lanes hat[2] = {h[1] * face.hat[0], h[2] * face.hat[1]};
     Lanes last = -over;  // the three weights' sum, twice
     for (int k = 0; k < 2; ++k) {
       const Lanes across = angle[0] * face.across[k][0] + angle[1] * face.across[k][1] + angle[2] * face.across[k][2];
