@@ -47,6 +47,23 @@ void expect_kept(double a, double b, std::size_t least) {
 TEST(BatchedMeanValues, next_to_planes_of_faces) { expect_kept(1.375, 0.8125, 120); }
 TEST(BatchedMeanValues, near_the_border_in_planes_of_faces) { expect_kept(1.015625, 0.25, 120); }
 TEST(BatchedMeanValues, beyond_ends_of_edges) { expect_kept(1.375, 0, 120); }
+// Next to the plane of slivers of 1e-5, in which a fan splits the faces around a bump, and beside them: F/d is shared
+// out by hat functions of 1e5 there.
+TEST(BatchedMeanValues, beside_slivers) {
+  const Cage cage = embedded_cage("bump-1e-5");
+  const CoordinateKind& kind = coordinate_kind_named("mean_value");
+  const CageCoordinates coordinates(cage, kind, "batched", Triangulation::Fan);
+  const BlockTruths truths(cage, kind, Triangulation::Fan);
+  for (const double height : {1e-4, 1.75e-3, 0.01})
+    for (const auto& [x, y] : {std::pair{0.495, -0.16}, {0.2, 0.45}, {-0.4, 0.3}, {0.1, -0.3}}) {
+      const Vec3<double> point(x, y, 0.5 - height);
+      const auto truth = truths.at(point, 0);
+      ASSERT_TRUE(truth);
+      const auto errors = block_errors(coordinates.at<double>(point, 0), {truth->blocks, truth->moved, 0});
+      EXPECT_LE(errors[0].roundings, 64) << point.transpose();
+    }
+}
+
 // Exactly in the plane of a face, across its border: projections to its neighbour's plane lie on the edge.
 TEST(BatchedMeanValues, across_edges_in_planes_of_faces) {
   for (const char* name : {"cube", "l-block"}) {
