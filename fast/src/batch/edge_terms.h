@@ -4,6 +4,7 @@
 #pragma once
 
 #include "edge_derivatives.h"
+#include "edge_tails.h"
 #include "cageproof/closed_form/batch/tables.h"
 
 namespace cageproof::closed_form::batch {
@@ -26,6 +27,13 @@ struct EdgeTerms<V, 0> {
   V between;               ///< the scalar product of the vectors to the ends
   V inverse;               ///< L = int 1/r
   V distance;              ///< P = int r
+  V sum, mean;             ///< r0 + r1, 2/(r0 + r1)
+  V tail, bulge;           ///< L - length mean; P - length/mean
+  V step;                  ///< r1 - r0
+  V skew;                  ///< of short edges int t/r, t along u from the edge's middle
+  V cubes;                 ///< K3 = int 1/r3
+  V cubes_tail;            ///< of short edges K3 - length mean^3
+  V cubes_skew;            ///< of short edges int t/r3
   Three<V> grad_inverse;   ///< grad L = S3 u + K3 D
   Three<V> grad_distance;  ///< grad P = -(r1 - r0) u - L D
   Three<V> turning;        ///< its part of grad omega: K3 D x u
@@ -49,6 +57,15 @@ EdgeTerms<V, Further> without(M mask, const EdgeTerms<V, Further>& e) {
   t.between = e.between;
   t.inverse = select(mask, V{}, e.inverse);
   t.distance = select(mask, V{}, e.distance);
+  t.sum = select(mask, V{}, e.sum);
+  t.mean = select(mask, V{}, e.mean);
+  t.tail = select(mask, V{}, e.tail);
+  t.bulge = select(mask, V{}, e.bulge);
+  t.step = select(mask, V{}, e.step);
+  t.skew = select(mask, V{}, e.skew);
+  t.cubes = select(mask, V{}, e.cubes);
+  t.cubes_tail = select(mask, V{}, e.cubes_tail);
+  t.cubes_skew = select(mask, V{}, e.cubes_skew);
   for (int i = 0; i < 3; ++i) {
     t.grad_inverse[i] = select(mask, V{}, e.grad_inverse[i]);
     t.grad_distance[i] = select(mask, V{}, e.grad_distance[i]);
@@ -82,20 +99,31 @@ EdgeTerms<V, Takes<L, O>::further> edge_terms(const EdgeTable<T>& e, const Three
   const auto obtuse = less(t.between, V{} + 0.0);
   const V whole = product + magnitude(t.between);
   const V over = select(obtuse, square, whole), under = select(obtuse, whole, V(V{} + 1.0));
-  t.inverse = log_of_quotient(V(reach * reach * under), V(over + over), V(V{} + e.length), sum);
+  const V length = V(V{} + e.length);
+  const V over_sum = reciprocal(sum);
+  t.sum = sum;
+  t.mean = over_sum + over_sum;
+  const auto logarithm = logarithm_of(V(reach * reach * under), V(over + over), length, sum, t.mean);
+  t.inverse = logarithm.whole;
+  t.tail = logarithm.tail;
+  const V s = dot(e.u, p0);
+  const V twice = s + s + e.length;  // s0 + s1
+  const V ratio = twice * over_sum;  // (r1 - r0)/length
+  t.step = ratio * e.length;
   if constexpr (Use::distances || Use::inverse_gradients) {
-    const V s = dot(e.u, p0);
-    const V twice = s + s + e.length;  // s0 + s1
-    const V ratio = twice / sum;       // (r1 - r0)/length
-    if constexpr (Use::distances)
-      t.distance = (square * t.inverse * e.over * e.over + (sum + twice * ratio) * e.length * 0.5) * 0.5;
+    if constexpr (Use::distances) {
+      const V line = square * e.over * e.over;
+      t.distance = (line * t.inverse + (sum + twice * ratio) * e.length * 0.5) * 0.5;
+      t.bulge = bulge_of(t.distance, length, sum, line, t.tail, t.mean, whole);
+    }
     if constexpr (Use::distance_gradients || Use::inverse_gradients) {
-      const V step = ratio * e.length;
+      const V step = t.step;
       Three<V> foot;
       for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         foot[i] = (normal[k] * e.u[j] - normal[j] * e.u[k]) * e.over;
       }
+      if constexpr (Use::distance_gradients && kReducesGradients<V>) t.skew = -0.5 * twice * t.tail;
       if constexpr (Use::distance_gradients)
         for (int i = 0; i < 3; ++i) t.grad_distance[i] = -(step * e.u[i] + t.inverse * foot[i]);
       if constexpr (Use::inverse_gradients) {
@@ -103,6 +131,12 @@ EdgeTerms<V, Takes<L, O>::further> edge_terms(const EdgeTable<T>& e, const Three
         const V cubes = sum * under * e.length * over_product;  // K3
         const V ends = step * over * over_product;              // S3
         const V turn = cubes * e.over;
+        if constexpr (kReducesGradients<V>) {
+          const V step2 = step * step, length2 = length * length, scaled = 0.125 * length * t.mean * over_product;
+          t.cubes = cubes;
+          t.cubes_tail = scaled * t.mean * t.mean * (4 * product * (length2 + step2) + step2 * step2);
+          t.cubes_skew = -2 * scaled * twice * length2;
+        }
         for (int i = 0; i < 3; ++i) {
           t.grad_inverse[i] = ends * e.u[i] + cubes * foot[i];
           t.turning[i] = turn * normal[i];

@@ -14,6 +14,13 @@
 
 namespace cageproof::closed_form::batch {
 
+/// Gradients of one edge's integrals.
+template <class V>
+struct EdgeGradients {
+  Three<V> inverse, distance;  ///< of L, of P
+  Three<V> turning;            ///< its part of grad omega
+};
+
 /// One face seen from the point, and its moments.
 template <Layers L, int O, class V, class T>
 class FaceTerms {
@@ -25,24 +32,38 @@ class FaceTerms {
     d_ = -dot(face.n, *x[0]);
     V h[3];
     for (int e = 0; e < 3; ++e) h[e] = dot(face.nu[e], *x[e]);
-    J_ = h[0] * edges[0]->inverse + h[1] * edges[1]->inverse + h[2] * edges[2]->inverse + d_ * omega;
+    // What sums over edges of length times a number are left with when that of edge 0 is taken off all of them: with
+    // edges' normals and slopes of hat functions they are the same, with heights twice the area less.
+    rise_[0] = edges[2]->step * face.along[2];     // r0 - r2
+    rise_[1] = -(edges[1]->step * face.along[1]);  // r1 - r2
+    inverse_of_[0] = edges[0]->tail;
+    for (int e = 1; e < 3; ++e)
+      inverse_of_[e] = edges[e]->tail + edges[0]->mean * edges[e]->mean * rise_[e - 1] * V(V{} + face.length[e]) * 0.5;
+    J_ = h[0] * inverse_of_[0] + h[1] * inverse_of_[1] + h[2] * inverse_of_[2] +
+         (edges[0]->mean * face.area2 + d_ * omega);
+    if constexpr (Takes<L, O>::distances) {
+      distance_of_[0] = edges[0]->bulge;
+      for (int e = 1; e < 3; ++e) distance_of_[e] = edges[e]->bulge - rise_[e - 1] * V(V{} + face.length[e]) * 0.5;
+    }
     for (int k = 0; k < 2; ++k) {
       hat_[k] = h[k + 1] * face.hat[k];
-      inverse_[k] = across(k, [](const EdgeTerms<V>& e) -> const V& { return e.inverse; });
+      inverse_[k] = across(k, inverse_of_);
       B_[k] = hat_[k] * omega + d_ * inverse_[k];
       if constexpr (Takes<L, O>::distances) {
-        distance_[k] = across(k, [](const EdgeTerms<V>& e) -> const V& { return e.distance; });
+        distance_[k] = across(k, distance_of_);
         A_[k] = hat_[k] * J_ + distance_[k];
       }
     }
-    if constexpr (Takes<L, O>::distances)
-      thrice_i_ = h[0] * edges[0]->distance + h[1] * edges[1]->distance + h[2] * edges[2]->distance + d_ * d_ * J_;
+    find_gradients(*x[0]);
+    if constexpr (L == Layers::Biharmonic)
+      thrice_i_ = h[0] * distance_of_[0] + h[1] * distance_of_[1] + h[2] * distance_of_[2] +
+                  (edges[0]->sum * face.area2 * 0.5 + d_ * d_ * J_);
   }
 
   /// \param beta 1/(2 (1 - nu)), of Kelvin's layers
   void add(int f, const V& beta, const Sums<V>& sums) const {
     if constexpr (L == Layers::Kelvin) {
-      KelvinTerms<O, V, T>{face_, edges_, beta, omega_, d_, J_, gradient_of_J(), B_, inverse_}.add(f, sums);
+      KelvinTerms<O, V, T>{face_, edges_, gradients_, beta, omega_, d_, J_, gradient_of_J(), B_, inverse_}.add(f, sums);
     } else {
       add_values(f, sums);
       if constexpr (O >= 1) add_gradients(f, sums);
@@ -51,17 +72,66 @@ class FaceTerms {
   }
 
  private:
-  template <class Of>
-  V across(int k, Of of) const {
-    return of(*edges_[0]) * face_.across[k][0] + of(*edges_[1]) * face_.across[k][1] +
-           of(*edges_[2]) * face_.across[k][2];
+  using Use = Takes<L, O>;
+
+  // With m to an edge's middle: grad P = -int p/r = -(L m + skew u), grad L = int p/r3. Where all edges are short for
+  // their distance, what sums to nothing is left out, by the vector p0 to corner 0 that they have in common: p0 length
+  // mean of grad P and p0 length mean^3 of grad L, with edge 0's mean.
+  void find_gradients(const Three<V>& p0) {
+    if constexpr (Use::distance_gradients || Use::inverse_gradients) {
+      for (int e = 0; e < 3; ++e) {
+        if constexpr (Use::distance_gradients) gradients_[e].distance = edges_[e]->grad_distance;
+        if constexpr (Use::inverse_gradients) {
+          gradients_[e].inverse = edges_[e]->grad_inverse;
+          for (int i = 0; i < 3; ++i) gradients_[e].turning[i] = edges_[e]->turning[i] * face_.along[e];
+        }
+      }
+      if constexpr (kReducesGradients<V>) reduce_gradients(p0);
+    }
+  }
+  void reduce_gradients(const Three<V>& p0) {
+    auto brief = 10 * face_.length[0] * edges_[0]->mean < V{} + 4.0;
+    for (int e = 1; e < 3; ++e) brief &= 10 * face_.length[e] * edges_[e]->mean < V{} + 4.0;
+    if (!any(brief)) return;
+    const V mean0 = edges_[0]->mean;
+    for (int e = 0; e < 3; ++e) {
+      EdgeGradients<V>& to = gradients_[e];
+      const EdgeTerms<V>& edge = *edges_[e];
+      const double* const middle = face_.middle[e];
+      const double* const u = face_.u[e];
+      if constexpr (Use::distance_gradients)
+        for (int i = 0; i < 3; ++i)
+          to.distance[i] =
+              select(brief, -(p0[i] * inverse_of_[e] + edge.inverse * middle[i] + edge.skew * u[i] * face_.along[e]),
+                     to.distance[i]);
+      if constexpr (Use::inverse_gradients) {
+        V tail = edge.cubes_tail;
+        if (e > 0) {
+          const V mean = edge.mean, difference = 0.5 * mean0 * mean * rise_[e - 1];
+          tail += face_.length[e] * difference * (mean * mean + mean * mean0 + mean0 * mean0);
+        }
+        Three<V> p;
+        for (int i = 0; i < 3; ++i) {
+          p[i] = p0[i] * tail + edge.cubes * middle[i];
+          to.inverse[i] = select(brief, p[i] + edge.cubes_skew * u[i] * face_.along[e], to.inverse[i]);
+        }
+        for (int i = 0; i < 3; ++i) {
+          const int j = (i + 1) % 3, k = (i + 2) % 3;
+          to.turning[i] = select(brief, p[j] * u[k] - p[k] * u[j], to.turning[i]);
+        }
+      }
+    }
+  }
+
+  V across(int k, const V (&of)[3]) const {
+    return of[0] * face_.across[k][0] + of[1] * face_.across[k][1] + of[2] * face_.across[k][2];
   }
   // omega n - sum L nu
   Three<V> gradient_of_J() const {
     Three<V> v;
     for (int i = 0; i < 3; ++i)
-      v[i] = omega_ * face_.n[i] - (edges_[0]->inverse * face_.nu[0][i] + edges_[1]->inverse * face_.nu[1][i] +
-                                    edges_[2]->inverse * face_.nu[2][i]);
+      v[i] = omega_ * face_.n[i] -
+             (inverse_of_[0] * face_.nu[0][i] + inverse_of_[1] * face_.nu[1][i] + inverse_of_[2] * face_.nu[2][i]);
     return v;
   }
   // grad(d J) = J n + d grad J
@@ -97,8 +167,8 @@ class FaceTerms {
       const V dJ = d_ * J_;
       V* const own = sums.at(1, 3, f, 3);
       for (int i = 0; i < 3; ++i)
-        own[i] += dJ * face_.n[i] - (edges_[0]->distance * face_.nu[0][i] + edges_[1]->distance * face_.nu[1][i] +
-                                     edges_[2]->distance * face_.nu[2][i]);
+        own[i] += dJ * face_.n[i] - (distance_of_[0] * face_.nu[0][i] + distance_of_[1] * face_.nu[1][i] +
+                                     distance_of_[2] * face_.nu[2][i]);
       V* const rest = sums.at(1, 2, face_.vertex[2], 3);
       for (int i = 0; i < 3; ++i) rest[i] += (J_ + J_) * face_.n[i];
       for (int k = 0; k < 2; ++k) {
@@ -117,13 +187,12 @@ class FaceTerms {
     const Three<V> n = constant<V>(face_.n);
     Three<V> turn;  // grad omega
     for (int i = 0; i < 3; ++i)
-      turn[i] = edges_[0]->turning[i] * face_.along[0] + edges_[1]->turning[i] * face_.along[1] +
-                edges_[2]->turning[i] * face_.along[2];
-    add_own(sums.at(2, 1, f, 6), n, turn, [](const EdgeTerms<V>& e) -> const Three<V>& { return e.grad_inverse; });
-    add_corners(sums, 0, turn, [](const EdgeTerms<V>& e) -> const Three<V>& { return e.grad_inverse; });
+      turn[i] = gradients_[0].turning[i] + gradients_[1].turning[i] + gradients_[2].turning[i];
+    add_own(sums.at(2, 1, f, 6), n, turn, [](const EdgeGradients<V>& e) -> const Three<V>& { return e.inverse; });
+    add_corners(sums, 0, turn, [](const EdgeGradients<V>& e) -> const Three<V>& { return e.inverse; });
     if constexpr (L == Layers::Biharmonic) {
       const Three<V> grad_J = gradient_of_J(), slope = slope_of(grad_J);
-      add_own(sums.at(2, 3, f, 6), n, slope, [](const EdgeTerms<V>& e) -> const Three<V>& { return e.grad_distance; });
+      add_own(sums.at(2, 3, f, 6), n, slope, [](const EdgeGradients<V>& e) -> const Three<V>& { return e.distance; });
       V* const last = sums.at(2, 2, face_.vertex[2], 6);
       const Three<V> zero{{V{}, V{}, V{}}};
       const Three<V> twice{{grad_J[0] + grad_J[0], grad_J[1] + grad_J[1], grad_J[2] + grad_J[2]}};
@@ -131,9 +200,9 @@ class FaceTerms {
       for (int k = 0; k < 2; ++k) {
         Three<V> q;
         for (int i = 0; i < 3; ++i) {
-          const V rest = edges_[0]->grad_distance[i] * face_.across[k][0] +
-                         edges_[1]->grad_distance[i] * face_.across[k][1] +
-                         edges_[2]->grad_distance[i] * face_.across[k][2];
+          const V rest = gradients_[0].distance[i] * face_.across[k][0] +
+                         gradients_[1].distance[i] * face_.across[k][1] +
+                         gradients_[2].distance[i] * face_.across[k][2];
           q[i] = (J_ + J_) * face_.g[k][i] + hat_[k] * twice[i] + rest + rest + rest;
         }
         add_pair(sums, 2, k, slope, q);
@@ -147,8 +216,8 @@ class FaceTerms {
     int at = 0;
     for (int i = 0; i < 3; ++i)
       for (int j = i; j < 3; ++j, ++at)
-        to[at] += n[i] * w[j] - (of(*edges_[0])[j] * face_.nu[0][i] + of(*edges_[1])[j] * face_.nu[1][i] +
-                                 of(*edges_[2])[j] * face_.nu[2][i]);
+        to[at] += n[i] * w[j] - (of(gradients_[0])[j] * face_.nu[0][i] + of(gradients_[1])[j] * face_.nu[1][i] +
+                                 of(gradients_[2])[j] * face_.nu[2][i]);
   }
 
   template <class Of>
@@ -156,8 +225,8 @@ class FaceTerms {
     for (int k = 0; k < 2; ++k) {
       Three<V> q;
       for (int i = 0; i < 3; ++i)
-        q[i] = of(*edges_[0])[i] * face_.across[k][0] + of(*edges_[1])[i] * face_.across[k][1] +
-               of(*edges_[2])[i] * face_.across[k][2];
+        q[i] = of(gradients_[0])[i] * face_.across[k][0] + of(gradients_[1])[i] * face_.across[k][1] +
+               of(gradients_[2])[i] * face_.across[k][2];
       add_pair(sums, block, k, turn, q);
     }
   }
@@ -177,6 +246,9 @@ class FaceTerms {
   const FaceTable<T>& face_;
   const V omega_;
   const EdgeTerms<V, Takes<L, O>::further>* const (&edges_)[3];
+  EdgeGradients<V> gradients_[3];
+  V rise_[2];
+  V inverse_of_[3], distance_of_[3];  // of edges: L and P, less what sums to nothing
   V d_, J_, thrice_i_, hat_[2], inverse_[2], distance_[2], B_[2], A_[2];
 };
 

@@ -29,6 +29,19 @@ template <Layers L>
 inline constexpr double kManyThin = L == Layers::Biharmonic ? 100 : 160;
 inline constexpr double kThinOfMany = 4;
 
+/// How many rules are taken before roundings are known: those that are quicker than closed forms, and of Kelvin's
+/// derivatives, which edge_tails.h does not reduce, those that keep their digits.
+template <Layers L, int O>
+inline constexpr int kRulesFirst = L == Layers::Kelvin&& O >= 1 ? 5 : 2;
+
+/// What a face that is small for its distance leaves of rounding, of what it does next to it: edge_tails.h takes off
+/// what its edges' integrals have in common, so that they cancel by its circumference over the distance, times this.
+/// Roundings of such faces are as many and as random as the faces. At least a third of what they are held to is the
+/// slope of the coordinates, which is at least twice these over the distance.
+inline constexpr double kOfShort = 0.05;
+/// The same of derivatives of Kelvin's layers, whatever the distance.
+inline constexpr double kOfShortKelvin = 0.015;
+
 inline unsigned bits_of(Mask m) {
   unsigned bits = 0;
   for (int i = 0; i < kLanes; ++i) bits |= (m[i] != 0 ? 1u : 0u) << i;
@@ -67,6 +80,14 @@ void sum_faces_within(Block& block, const NearFaces& near, const SeenVertex* ver
     Measures measures;
     measures.of_layer = face.steep_around * (v0.r + v1.r + v2.r);
     measures.thin = Takes<L, O>::distances ? face.steep * (e0.distance + e1.distance + e2.distance) : measures.of_layer;
+    // Five times its edges are shorter than the sums of their ends' distances.
+    const double around = face.length[0] + face.length[1] + face.length[2];
+    const Mask brief = ((5 * face.length[0]) * e0.mean < splat(2)) & ((5 * face.length[1]) * e1.mean < splat(2)) &
+                       ((5 * face.length[2]) * e2.mean < splat(2));
+    const Lanes part =
+        select(brief, L == Layers::Kelvin && O >= 1 ? splat(kOfShortKelvin) : (kOfShort * around) * e0.mean, splat(1));
+    measures.of_layer *= part;
+    measures.thin *= part;
     if constexpr (L == Layers::Biharmonic) measures.of_distance = measures.thin * magnitude(height);
     const Mask far = ~widened(near.is_near(f));
     const Mask marked = (measures.exceeds(limits) | ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
@@ -117,7 +138,8 @@ void sum_faces(Block& block, MeasuredBlock& measured) {
   auto* const edge = reinterpret_cast<Edge*>(vertex + cage.vertices);
   const auto* const point = reinterpret_cast<const Lanes*>(block.points);
   const Mask whole = mask_of(block.whole);
-  const NearFaces near = find_near_faces(block, edge + cage.edges, measured.rules, kQuickRules, kQuickRules);
+  const NearFaces near =
+      find_near_faces(block, edge + cage.edges, measured.rules, kRulesFirst<L, O>, kRulesFirst<L, O>);
   for (int v = 0; v < cage.vertices; ++v) {
     if (near.vertex[v] == 0) continue;
     SeenVertex& seen = vertex[v];

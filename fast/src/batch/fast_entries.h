@@ -23,7 +23,7 @@ inline void sum(Block& block) {
   }
   auto& measured = *static_cast<MeasuredBlock*>(block.measured);
   measured.limits = first_limits();
-  measured.rules = Small{} + static_cast<signed char>(kQuickRules);
+  measured.rules = Small{} + static_cast<signed char>(kFirstRules);
   measured.lowered = Mask{};
   with_layers(block.layers, block.order, [&]<Layers L, int O> { sum_faces<L, O>(block, measured); });
 }

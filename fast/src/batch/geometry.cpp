@@ -35,8 +35,13 @@ FaceTable<To> converted(const FaceTable<Mp200>& from, Convert convert) {
     to.vertex[i] = from.vertex[i];
     to.edge[i] = from.edge[i];
     to.along[i] = from.along[i];
+    to.length[i] = convert(from.length[i]);
     to.n[i] = convert(from.n[i]);
-    for (int c = 0; c < 3; ++c) to.nu[i][c] = convert(from.nu[i][c]);
+    for (int c = 0; c < 3; ++c) {
+      to.nu[i][c] = convert(from.nu[i][c]);
+      to.u[i][c] = convert(from.u[i][c]);
+      to.middle[i][c] = convert(from.middle[i][c]);
+    }
     for (int k = 0; k < 2; ++k) {
       to.g[k][i] = convert(from.g[k][i]);
       to.across[k][i] = convert(from.across[k][i]);
@@ -191,8 +196,12 @@ LongFace Geometry::long_face(int f) const {
     const LongVector u = times(along[e], over);
     outward[e] = cross_of(u, n);
     put(face.nu[e], outward[e]);
+    put(face.u[e], u);
+    for (int i = 0; i < 3; ++i)
+      face.middle[e][i] = (corner[e][i] - corner[0][i] + (corner[(e + 1) % 3][i] - corner[0][i])) / 2;
     const bool forward = ends_[face.edge[e]].first == face.vertex[e];
     face.along[e] = forward ? 1 : -1;
+    face.length[e] = length[e];
     EdgeTable<Mp200>& edge = found.edge[e];
     edge.from = ends_[face.edge[e]].first;
     edge.to = ends_[face.edge[e]].second;

@@ -14,11 +14,15 @@
 
 namespace cageproof::closed_form::batch {
 
+template <class V>
+struct EdgeGradients;
+
 /// What derivatives of order O are made of. T: the type of constants.
 template <int O, class V, class T>
 struct KelvinTerms {
   const FaceTable<T>& face;
   const EdgeTerms<V, O>* const (&edges)[3];
+  const EdgeGradients<V> (&gradients)[3];
   const V& beta;
   const V &omega, &d, &J;
   const Three<V> grad_j;
@@ -32,7 +36,7 @@ struct KelvinTerms {
     for (int i = 0; i < 3; ++i) slope[i] = J * n[i] + d * grad_j[i];
     const Symmetric<V, 0> own[2] = {{{B[0]}}, {{B[1]}}};
     add_order<0>(
-        f, sums, {{J}}, slope, own, [](const auto& e) -> const auto& { return e.grad_distance; });
+        f, sums, {{J}}, slope, own, [&](int e) -> const auto& { return gradients[e].distance; });
     V* const last = sums.at(0, 0, face.vertex[2], 9);
     for (int i = 0; i < 3; ++i) last[4 * i] += omega;
     if constexpr (O >= 1) add_gradients(f, sums, n);
@@ -42,11 +46,11 @@ struct KelvinTerms {
  private:
   // Hess J
   Symmetric<V, 2> hessian_of_J(const Three<V>& n) const {
-    const Three<V> turn = along([](const auto& e) -> const auto& { return e.turning; });
+    const Three<V> turn = turning_of_face();
     Symmetric<V, 2> hess;
     for_each_entry<2>([&](int i, int j, int at) {
       hess[at] = n[i] * turn[j] - outward(
-                                      i, j, [](const auto& e) -> const auto& { return e.grad_inverse; });
+                                      i, j, [&](int e) -> const auto& { return gradients[e].inverse; });
     });
     return hess;
   }
@@ -61,11 +65,11 @@ struct KelvinTerms {
     Symmetric<V, 2> bend;  // Hess(d J)
     for_each_entry<2>([&](int i, int j, int at) { bend[at] = n[i] * grad_j[j] + (n[j] * grad_j[i] + d * hess[at]); });
     add_order<1>(
-        f, sums, slope, bend, own, [](const auto& e) -> const auto& { return e.hess_distance; });
+        f, sums, slope, bend, own, [&](int e) -> const auto& { return edges[e]->hess_distance; });
   }
 
   void add_hessians(int f, const Sums<V>& sums, const Three<V>& n) const {
-    const Three<V> turn = along([](const auto& e) -> const auto& { return e.turning; });
+    const Three<V> turn = turning_of_face();
     const Symmetric<V, 2> hess = hessian_of_J(n);
     Symmetric<V, 2> turning, own[2];  // Hess omega, the ring's Hess B
     for (int m = 0; m < 6; ++m)
@@ -75,14 +79,14 @@ struct KelvinTerms {
       Three<V> q;
       for (int i = 0; i < 3; ++i)
         q[i] = inward(
-            k, i, [](const auto& e) -> const auto& { return e.grad_inverse; });
+            k, i, [&](int e) -> const auto& { return gradients[e].inverse; });
       for (V& x : own[k].c) x = V{};
       add_symmetric(own[k].c.data(), constant<V>(face.g[k]), turn, n, q);
     }
     Symmetric<V, 3> third;  // of d J
     for_each_entry<3>([&](int i, int m, int at) {
       third[at] = d * (n[i] * turning[m] - outward(
-                                               i, m, [](const auto& e) -> const auto& { return e.hess_inverse; }));
+                                               i, m, [&](int e) -> const auto& { return edges[e]->hess_inverse; }));
     });
     for (int i = 0; i < 3; ++i)
       for (int j = i; j < 3; ++j)
@@ -91,25 +95,22 @@ struct KelvinTerms {
           third[at] = third[at] + (n[i] * hess[jk] + n[j] * hess[kWith<2>[i][k]] + n[k] * hess[kWith<2>[i][j]]);
         }
     add_order<2>(
-        f, sums, hess, third, own, [](const auto& e) -> const auto& { return e.third_distance; });
+        f, sums, hess, third, own, [&](int e) -> const auto& { return edges[e]->third_distance; });
   }
 
   // Sums over the edges, of entry m of what `of` takes of each: times its direction, nu_i, and across_k.
-  template <class Of>
-  Three<V> along(Of of) const {
+  Three<V> turning_of_face() const {
     Three<V> v;
-    for (int i = 0; i < 3; ++i)
-      v[i] = of(*edges[0])[i] * face.along[0] + of(*edges[1])[i] * face.along[1] + of(*edges[2])[i] * face.along[2];
+    for (int i = 0; i < 3; ++i) v[i] = gradients[0].turning[i] + gradients[1].turning[i] + gradients[2].turning[i];
     return v;
   }
   template <class Of>
   V outward(int i, int m, Of of) const {
-    return of(*edges[0])[m] * face.nu[0][i] + of(*edges[1])[m] * face.nu[1][i] + of(*edges[2])[m] * face.nu[2][i];
+    return of(0)[m] * face.nu[0][i] + of(1)[m] * face.nu[1][i] + of(2)[m] * face.nu[2][i];
   }
   template <class Of>
   V inward(int k, int m, Of of) const {
-    return of(*edges[0])[m] * face.across[k][0] + of(*edges[1])[m] * face.across[k][1] +
-           of(*edges[2])[m] * face.across[k][2];
+    return of(0)[m] * face.across[k][0] + of(1)[m] * face.across[k][1] + of(2)[m] * face.across[k][2];
   }
 
   // Derivatives of order N of J and of the corners' B, of order N + 1 of d J and, by `of`, of each edge's P.

@@ -107,6 +107,9 @@ inline NearFaces find_near_faces(const Block& block, void* scratch, Small& rules
     rules = (rules & ~first) | (first & ~next & (Small{} + static_cast<signed char>(quick))) |
             (next & (Small{} + static_cast<signed char>(few)));
   }
+  // What is near is summed in twice the digits at points that are far from the cage.
+  for (int i = 0; i < kLanes; ++i)
+    if ((block.whole >> i & 1u) != 0) rules[i] = kFarRules;
   near.rules = rules;
   __builtin_memset(near.sign, 0, sizeof(Small) * cage.edges);
   __builtin_memset(near.vertex, 0, static_cast<unsigned long>(cage.vertices) + cage.edges);

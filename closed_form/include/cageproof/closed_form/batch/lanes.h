@@ -77,8 +77,9 @@ inline Lanes reciprocal(Lanes a) {
 /// against sum, as `small` says, 2 atanh(length/sum) is taken, which keeps all digits of a small result.
 ///
 /// One division: the quotient is brought next to one by a power of two, and log x = 2 atanh((x - 1)/(x + 1)), whose
-/// series is replaced by Chebyshev's polynomial for |z| <= 1/5.
-inline Lanes log_of_quotient(Lanes num, Lanes den, Lanes length, Lanes sum, Mask small) {
+/// series is replaced by Chebyshev's polynomial for |z| <= 1/5. \param after_first if not null: where `small`, what
+/// comes after 2 length/sum
+inline Lanes log_of_quotient(Lanes num, Lanes den, Lanes length, Lanes sum, Mask small, Lanes* after_first) {
   constexpr std::uint64_t one = 1023;
   const Bits bits = (Bits)num - (Bits)den + ((one << 52) + (UINT64_C(1) << 51));
   const Bits exponent = bits >> 52;  // of the power of two, plus `one`
@@ -90,9 +91,13 @@ inline Lanes log_of_quotient(Lanes num, Lanes den, Lanes length, Lanes sum, Mask
       ((0.66666666666666663 + 0.40000000000007857 * q) + (0.28571428567313978 + 0.22222223042012851 * q) * q2) +
       ((0.18181738124060123 + 0.15388847910642214 * q) + (0.132100997526584 + 0.13606021764231466 * q) * q2) * q4;
   // The logarithm of two in two parts, the first of which has zeros to multiply whole numbers with.
-  const Lanes rest = 2 * z + (z * q) * series;
+  const Lanes after = (z * q) * series, rest = 2 * z + after;
   const Lanes whole = power * 0.6931471805592082 + (rest + power * 7.371002565167799e-13);
+  if (after_first != nullptr) *after_first = after;
   return select(small, rest, whole);
+}
+inline Lanes log_of_quotient(Lanes num, Lanes den, Lanes length, Lanes sum, Mask small) {
+  return log_of_quotient(num, den, length, sum, small, nullptr);
 }
 
 /// Of a positive length.
@@ -126,6 +131,7 @@ inline Lanes angle_of(Lanes y, Lanes x) {
 // Numbers that are vectors belong to no namespace in which templates would look for their functions.
 namespace cageproof::closed_form::batch {
 using CAGEPROOF_SIMD::angle_of;
+using CAGEPROOF_SIMD::any;
 using CAGEPROOF_SIMD::less;
 using CAGEPROOF_SIMD::log_of_quotient;
 using CAGEPROOF_SIMD::magnitude;

@@ -23,6 +23,9 @@ template <class T>
 struct FaceTable {
   int vertex[3], edge[3];
   double along[3];      ///< of edges: 1, or -1 where the edge's table runs the other way
+  T length[3];          ///< of edges
+  T u[3][3];            ///< of edges: direction, from corner to corner
+  T middle[3][3];       ///< of edges: vector from corner 0 to the middle
   T n[3];               ///< outward unit normal
   T nu[3][3];           ///< of edges: outward in-plane unit normal
   T hat[2];             ///< of corners 0 and 1: the hat function over the height above the line of the opposite edge
