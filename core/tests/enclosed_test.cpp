@@ -57,8 +57,8 @@ TEST(Enclosed, is_closed_where_every_edge_is_run_along_as_often_both_ways) {
     RandomStream random(12, "faces", trial);
     Mesh mesh;
     for (int f = 0; f < 1 + trial % 5; ++f) {
-      std::vector<int> face;
-      for (int k = 0; k < 3 + trial % 3; ++k) face.push_back(random.below(6));
+      std::vector<int> face(3 + trial % 3);
+      for (int& v : face) v = random.below(6);
       mesh.faces.push_back(face);
       std::ranges::reverse(face);
       if (random.below(8) != 0) mesh.faces.push_back(face);
