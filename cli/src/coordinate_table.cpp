@@ -5,6 +5,7 @@
 #include "cageproof/core/numbers/scalar_text.h"
 #include "cageproof/reports/vtk_text.h"
 #include "cageproof/core/parallel.h"
+#include "cageproof/core/reused.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,8 +14,6 @@
 #include <bit>
 #include <cmath>
 #include <iterator>
-#include <memory>
-#include <mutex>
 
 namespace cageproof::cli {
 namespace {
@@ -59,30 +58,10 @@ void add_columns(const CoordinateBlock& block, const CageElements& elements, int
       {block.label + titles[order], table.names.size() - first, block.label + words[order], std::move(shape)});
 }
 
-// What blocks of points are computed in, so that the next block takes the same memory. Not a thread's own: a thread
-// that waits within a block may compute another one.
-class RowBuffers {
- public:
-  struct Buffer {
-    std::vector<CoordinateTable<double>> tables;
-    std::vector<double> rows;
-  };
-
-  std::unique_ptr<Buffer> taken() {
-    const std::lock_guard lock(mutex_);
-    if (free_.empty()) return std::make_unique<Buffer>();
-    auto buffer = std::move(free_.back());
-    free_.pop_back();
-    return buffer;
-  }
-  void give_back(std::unique_ptr<Buffer> buffer) {
-    const std::lock_guard lock(mutex_);
-    free_.push_back(std::move(buffer));
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<Buffer>> free_;
+// What a block of points is computed in.
+struct RowBuffer {
+  std::vector<CoordinateTable<double>> tables;
+  std::vector<double> rows;
 };
 
 std::size_t columns_of(const CageCoordinates& coordinates, int order) {
@@ -113,7 +92,7 @@ std::size_t points_together(std::size_t columns) {
 
 void for_rows(const CageCoordinates& coordinates, std::span<const Vec3<double>> points, std::size_t first,
               std::size_t count, int order, int jobs, const TakeRows& take) {
-  RowBuffers buffers;
+  Reused<RowBuffer> buffers;
   const std::size_t columns = columns_of(coordinates, order), together = points_together(columns);
   for_each_parallel((count + together - 1) / together, jobs, [&](std::size_t part) {
     const std::size_t from = first + part * together, here = std::min(together, first + count - from);
@@ -127,7 +106,6 @@ void for_rows(const CageCoordinates& coordinates, std::span<const Vec3<double>> 
         for (int o = 0; o <= order; ++o)
           to = std::copy_n(block.tensors[o].data() + p * block.stride[o], block.stride[o], to);
     take(from, here, rows);
-    buffers.give_back(std::move(buffer));
   });
 }
 

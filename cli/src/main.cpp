@@ -3,6 +3,7 @@
 
 #include "cageproof/core/results/build_facts.h"
 #include "cageproof/core/input_error.h"
+#include "cageproof/core/memory.h"
 #include "cageproof/reports/clean_end.h"
 
 #include <fmt/format.h>
@@ -78,6 +79,11 @@ int main(int argc, char** argv) {
     if (std::string_view(e.what()).starts_with("cannot write to file"))
       return complain(fmt::format("cannot write to standard output: {}", e.code().message()));
     return complain(fmt::format("unexpected: {}", e.what()));
+  } catch (const std::bad_alloc&) {
+    return complain(fmt::format(
+        "there is too little memory for this: of {} that this process may use; take fewer points at a time, a cage of "
+        "fewer faces, or fewer threads (--jobs 1), each of which keeps numbers of its own",
+        size_text(static_cast<double>(usable_memory()))));
   } catch (const std::exception& e) {
     return complain(fmt::format("unexpected: {}", e.what()));
   }

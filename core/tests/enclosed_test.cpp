@@ -2,10 +2,13 @@
 // Contents of meshes whose volumes and areas are known, and meshes that are open.
 #include "cageproof/core/cage/enclosed.h"
 #include "cageproof/core/cage/mesh_io.h"
+#include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 namespace cageproof {
 namespace {
@@ -45,6 +48,34 @@ TEST(Enclosed, a_bilinear_quad_holds_the_same_wherever_its_corners_begin) {
     EXPECT_DOUBLE_EQ(content(mesh, 3, {.simplices = 6}), 1.25) << turns;
     for (auto& face : mesh.faces) std::ranges::rotate(face, face.begin() + 1);
   }
+}
+
+// Faces of few vertices at random, in pairs that are turned over or not, against counts of directed edges.
+TEST(Enclosed, is_closed_where_every_edge_is_run_along_as_often_both_ways) {
+  std::array<int, 2> seen{};
+  for (int trial = 0; trial < 400; ++trial) {
+    RandomStream random(12, "faces", trial);
+    Mesh mesh;
+    for (int f = 0; f < 1 + trial % 5; ++f) {
+      std::vector<int> face(3 + trial % 3);
+      for (int& v : face) v = random.below(6);
+      mesh.faces.push_back(face);
+      std::ranges::reverse(face);
+      if (random.below(8) != 0) mesh.faces.push_back(face);
+    }
+    std::map<std::pair<int, int>, int> ways;
+    for (const auto& face : mesh.faces)
+      for (std::size_t k = 0; k < face.size(); ++k) ++ways[{face[k], face[(k + 1) % face.size()]}];
+    const bool expected = std::ranges::all_of(ways, [&](const auto& way) {
+      const auto other = ways.find({way.first.second, way.first.first});
+      return other != ways.end() && other->second == way.second;
+    });
+    EXPECT_EQ(is_closed(mesh), expected) << trial;
+    ++seen[expected ? 1 : 0];
+  }
+  EXPECT_GT(seen[0], 20);
+  EXPECT_GT(seen[1], 20);
+  EXPECT_TRUE(is_closed(Mesh()));
 }
 
 TEST(Enclosed, parts_that_cancel_have_no_known_content) {

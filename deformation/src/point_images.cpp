@@ -3,6 +3,7 @@
 
 #include "cageproof/core/memory.h"
 #include "cageproof/core/parallel.h"
+#include "cageproof/core/reused.h"
 #include "extended.h"
 
 #include <fmt/format.h>
@@ -76,17 +77,15 @@ class BlockMaker {
   BlockPart part(std::size_t block) const { return part_of(block, length_, points_.size()); }
 
   // \param missing, beyond as of PointImages, of all points
-  std::vector<CoordinateTable<double>> made(std::size_t block, std::vector<char>& missing,
-                                            std::vector<double>& beyond) const {
+  void make(std::size_t block, std::vector<CoordinateTable<double>>& tables, std::vector<char>& missing,
+            std::vector<double>& beyond) const {
     const auto [first, count] = part(block);
-    std::vector<CoordinateTable<double>> tables;
     coordinates_.at(points_.subspan(first, count), run_.order, tables);
     for (std::size_t p = 0; p < count; ++p) {
       const bool outside = region_ && !region_->holds(points_[first + p]);
       if (outside && extended_) beyond[first + p] = extended_->add_to(tables, p, points_[first + p], run_.order);
       missing[first + p] = static_cast<char>((outside && !extended_) || !has_coordinates(tables, p));
     }
-    return tables;
   }
 
  private:
@@ -122,10 +121,12 @@ PointImages images_of(const CageCoordinates& coordinates, std::span<const Vec3<d
   PointImages all = room_for(coordinates.dimension(), points.size(), maps.size(), run.order);
   if (run.extend) all.beyond.resize(points.size());
   const BlockMaker maker(coordinates, points, run, region);
+  Reused<std::vector<CoordinateTable<double>>> reused;
   // Blocks of points share what evaluations prepare for an element.
   for_each_parallel(maker.count(), run.jobs, [&](std::size_t block) {
-    add_images(maker.made(block, all.missing, all.beyond), coordinates.dimension(), maker.part(block), maps, run.order,
-               all);
+    auto held = reused.taken();
+    maker.make(block, *held, all.missing, all.beyond);
+    add_images(*held, coordinates.dimension(), maker.part(block), maps, run.order, all);
   });
   return all;
 }
@@ -146,7 +147,7 @@ BoundPoints::BoundPoints(const CageCoordinates& coordinates, std::span<const Vec
   block_ = maker.length();
   blocks_.resize(maker.count());
   for_each_parallel(maker.count(), run.jobs,
-                    [&](std::size_t block) { blocks_[block] = maker.made(block, missing_, beyond_); });
+                    [&](std::size_t block) { maker.make(block, blocks_[block], missing_, beyond_); });
 }
 
 PointImages BoundPoints::images(std::span<const Posed<double>* const> maps, int order, int jobs) const {

@@ -2,6 +2,7 @@
 #include "conversions.h"
 
 #include "cageproof/core/coordinates/whole_evaluation.h"
+#include "cageproof/core/reused.h"
 
 #include <fmt/format.h>
 
@@ -84,8 +85,11 @@ void Coordinates::evaluate(std::span<const double> points, std::span<double> val
     throw InputError(fmt::format("{} by {} gives derivatives up to order {}, not {}",
                                  prepared_->coordinates.kind().name, evaluation(), max_order(), order));
   for (int o = 0; o <= order; ++o) check_size(out[o].size(), at.size() * row(o), names[o]);
+  Reused<std::vector<CoordinateTable<double>>> reused;
   for_blocks(at.size(), prepared_->threads, [&](std::size_t first, std::size_t count) {
-    const auto tables = prepared_->coordinates.at<double>(std::span(at).subspan(first, count), order);
+    auto held = reused.taken();
+    std::vector<CoordinateTable<double>>& tables = *held;
+    prepared_->coordinates.at(std::span(at).subspan(first, count), order, tables);
     for (int o = 0; o <= order; ++o)
       for (std::size_t p = 0; p < count; ++p) {
         auto to = out[o].begin() + static_cast<std::ptrdiff_t>((first + p) * row(o));

@@ -72,8 +72,9 @@ int BoxHierarchy::add_node(const std::vector<Box>& boxes, int* first, int* last)
   }
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   Node node;
-  node.low.fill({nan, nan, nan, nan});
-  node.high = node.low;
+  const Floats none{nan, nan, nan, nan};
+  node.low.fill(none);
+  node.high.fill(none);
   node.child.fill(0);
   for (int k = 0; k < count; ++k) {
     const Box box = box_around(boxes, ends[k], ends[k + 1]);
