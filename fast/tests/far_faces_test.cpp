@@ -83,6 +83,46 @@ TEST(FarFaces, fine_cages_keep_the_promise) {
   for (const char* kind : {"green", "biharmonic", "somigliana"}) EXPECT_LE(worst_error(fine, kind, 1, 4), 64) << kind;
 }
 
+TEST(FarFaces, a_sphere_of_1280_triangles_keeps_the_promise) {
+  const Cage cage = sphere(3);
+  for (const char* kind : {"green", "biharmonic", "somigliana", "mean_value"})
+    EXPECT_LE(worst_error(cage, kind, 1, 2), 64) << kind;
+}
+
+// Faces about one corner of an icosahedron are cut again and again, halfway to that corner.
+Cage graded(int times) {
+  const Cage cage = embedded_cage("icosphere");
+  std::vector<Point> vertices = cage.vertices();
+  std::vector<Face> faces = cage.faces();
+  for (; times > 0; --times) {
+    std::map<int, int> middles;
+    const auto middle = [&](int v) {
+      const auto [place, added] = middles.try_emplace(v, static_cast<int>(vertices.size()));
+      if (added) vertices.emplace_back((vertices[0] + vertices[v]) / 2);
+      return place->second;
+    };
+    std::vector<Face> cut;
+    for (const Face& face : faces) {
+      std::array<int, 3> v{face.vertices[0], face.vertices[1], face.vertices[2]};
+      const auto corner = std::ranges::find(v, 0);
+      if (corner == v.end()) {
+        cut.push_back(face);
+        continue;
+      }
+      std::ranges::rotate(v, corner);
+      const int b = middle(v[1]), c = middle(v[2]);
+      for (const auto& [i, j, k] : {std::array{0, b, c}, {b, v[1], v[2]}, {b, v[2], c}}) cut.push_back({{i, j, k, -1}});
+    }
+    faces = std::move(cut);
+  }
+  return cage.with(std::move(vertices), std::move(faces));
+}
+
+TEST(FarFaces, graded_cages_keep_the_promise) {
+  for (const char* kind : {"green", "biharmonic", "somigliana", "mean_value"})
+    EXPECT_LE(worst_error(graded(14), kind, 2, 4), 64) << kind;
+}
+
 TEST(FarFaces, one_small_face_breaks_nothing) {
   for (const double size : {0.1, 5e-3, 1e-4, 1e-7})
     for (const char* kind : {"green", "biharmonic", "somigliana"})
@@ -92,23 +132,25 @@ TEST(FarFaces, one_small_face_breaks_nothing) {
 
 // Whatever points it is computed with, which may be nearer, further, or see faces as thin.
 TEST(FarFaces, a_point_does_not_depend_on_its_neighbours) {
-  const Cage cage = sphere(1);
-  const std::vector<Point> points = points_about(cage, 24);
-  for (const char* kind : {"green", "biharmonic", "somigliana"})
-    for (int order = 0; order <= 2; ++order) {
-      const CageCoordinates coordinates = coordinates_of(cage, kind, "batched");
-      std::vector<CoordinateTable<double>> together, alone;
-      coordinates.at(points, order, together);
-      for (std::size_t p = 0; p < points.size(); ++p) {
-        coordinates.at(std::span(points).subspan(p, 1), order, alone);
-        for (std::size_t b = 0; b < alone.size(); ++b)
-          for (int o = 0; o <= order; ++o) {
-            const auto first = together[b].tensors[o].begin() + static_cast<std::ptrdiff_t>(p * together[b].stride[o]);
-            ASSERT_TRUE(std::equal(alone[b].tensors[o].begin(), alone[b].tensors[o].end(), first))
-                << kind << ' ' << order << ", at " << points[p].transpose();
-          }
+  for (const Cage& cage : {sphere(1), sphere(2)}) {
+    const std::vector<Point> points = points_about(cage, 24);
+    for (const char* kind : {"green", "biharmonic", "somigliana", "mean_value"})
+      for (int order = 0; order <= 2; ++order) {
+        const CageCoordinates coordinates = coordinates_of(cage, kind, "batched");
+        std::vector<CoordinateTable<double>> together, alone;
+        coordinates.at(points, order, together);
+        for (std::size_t p = 0; p < points.size(); ++p) {
+          coordinates.at(std::span(points).subspan(p, 1), order, alone);
+          for (std::size_t b = 0; b < alone.size(); ++b)
+            for (int o = 0; o <= order; ++o) {
+              const auto first =
+                  together[b].tensors[o].begin() + static_cast<std::ptrdiff_t>(p * together[b].stride[o]);
+              ASSERT_TRUE(std::equal(alone[b].tensors[o].begin(), alone[b].tensors[o].end(), first))
+                  << kind << ' ' << order << ", at " << points[p].transpose();
+            }
+        }
       }
-    }
+  }
 }
 
 // Mean of a monomial of barycentric coordinates over a triangle: 2 i! j!/(i + j + 2)!.

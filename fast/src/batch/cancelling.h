@@ -23,13 +23,21 @@ struct Measures {
   Lanes of_layer{};     ///< of the double layer's values
   Lanes of_distance{};  ///< of the biharmonic double layer's values; of its derivatives it is `thin`
 
+  /// Of harmonic layers `thin` and `of_layer` are the same.
+  template <Layers L>
   void add_squares(const Measures& m, Mask but) {
-    thin += select(but, Lanes{}, m.thin * m.thin);
     of_layer += select(but, Lanes{}, m.of_layer * m.of_layer);
-    of_distance += select(but, Lanes{}, m.of_distance * m.of_distance);
+    if constexpr (L != Layers::Harmonic) thin += select(but, Lanes{}, m.thin * m.thin);
+    else thin = of_layer;
+    if constexpr (L == Layers::Biharmonic) of_distance += select(but, Lanes{}, m.of_distance * m.of_distance);
   }
+  template <Layers L>
   Mask exceeds(const Measures& limits) const {
-    return (thin > limits.thin) | (of_layer > limits.of_layer) | (of_distance > limits.of_distance);
+    if constexpr (L == Layers::Harmonic)
+      return of_layer > select(limits.thin < limits.of_layer, limits.thin, limits.of_layer);
+    const Mask beyond = (thin > limits.thin) | (of_layer > limits.of_layer);
+    if constexpr (L != Layers::Biharmonic) return beyond;
+    return beyond | (of_distance > limits.of_distance);
   }
 };
 

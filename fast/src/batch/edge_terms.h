@@ -106,10 +106,9 @@ EdgeTerms<V, Takes<L, O>::further> edge_terms(const EdgeTable<T>& e, const Three
   const auto logarithm = logarithm_of(V(reach * reach * under), V(over + over), length, sum, t.mean);
   t.inverse = logarithm.whole;
   t.tail = logarithm.tail;
-  const V s = dot(e.u, p0);
-  const V twice = s + s + e.length;  // s0 + s1
-  const V ratio = twice * over_sum;  // (r1 - r0)/length
-  t.step = ratio * e.length;
+  const V twice = dot(e.u, p0) * 2.0 + length;  // s0 + s1
+  const V ratio = twice * over_sum;             // (r1 - r0)/length
+  t.step = ratio * length;
   if constexpr (Use::distances || Use::inverse_gradients) {
     if constexpr (Use::distances) {
       const V line = square * e.over * e.over;

@@ -21,6 +21,14 @@ struct EdgeGradients {
   Three<V> turning;            ///< its part of grad omega
 };
 
+/// A face's edges are short where the longest is less than this times the mean distance of edge 0's ends: then each is
+/// less than a fifth of the sum of its ends' distances.
+inline constexpr double kShort = 1. / 3;
+inline double longest_of(const FaceTable<double>& face) {
+  const double longer = face.length[0] > face.length[1] ? face.length[0] : face.length[1];
+  return longer > face.length[2] ? longer : face.length[2];
+}
+
 /// One face seen from the point, and its moments.
 template <Layers L, int O, class V, class T>
 class FaceTerms {
@@ -90,8 +98,7 @@ class FaceTerms {
     }
   }
   void reduce_gradients(const Three<V>& p0) {
-    auto brief = 10 * face_.length[0] * edges_[0]->mean < V{} + 4.0;
-    for (int e = 1; e < 3; ++e) brief &= 10 * face_.length[e] * edges_[e]->mean < V{} + 4.0;
+    const auto brief = longest_of(face_) * edges_[0]->mean < V{} + kShort;
     if (!any(brief)) return;
     const V mean0 = edges_[0]->mean;
     for (int e = 0; e < 3; ++e) {

@@ -34,11 +34,11 @@ inline constexpr double kThinOfMany = 4;
 template <Layers L, int O>
 inline constexpr int kRulesFirst = L == Layers::Kelvin&& O >= 1 ? 5 : 2;
 
-/// What a face that is small for its distance leaves of rounding, of what it does next to it: edge_tails.h takes off
-/// what its edges' integrals have in common, so that they cancel by its circumference over the distance, times this.
+/// What a face with short edges leaves of rounding, of what it leaves next to it: edge_tails.h takes off
+/// what its edges' integrals have in common, so that they cancel by the longest edge over the distance, times this.
 /// Roundings of such faces are as many and as random as the faces. At least a third of what they are held to is the
 /// slope of the coordinates, which is at least twice these over the distance.
-inline constexpr double kOfShort = 0.05;
+inline constexpr double kOfShort = 0.15;
 /// The same of derivatives of Kelvin's layers, whatever the distance.
 inline constexpr double kOfShortKelvin = 0.015;
 
@@ -53,10 +53,43 @@ inline Mask mask_of(unsigned bits) {
   return m;
 }
 
+/// Faces ahead of the one that is summed whose tables are fetched, in cages of more faces than caches hold.
+inline constexpr int kAhead = 3, kCachedFaces = 1000;
+/// Coordinates of a face's single layer.
+template <Layers L>
+inline constexpr int kOfFace = L == Layers::Kelvin ? 9 : 1;
+inline void prefetch(const FaceTable<double>& face) {
+  const auto* const bytes = reinterpret_cast<const char*>(&face);
+  for (unsigned long at = 0; at < sizeof face; at += 64) __builtin_prefetch(bytes + at);
+}
+
+/// What points see of the vertices and edges that near faces of a tile have.
+template <Layers L, int O>
+[[gnu::noinline]] void see_tile(const Block& block, const NearFaces& near, int tile, SeenVertex* vertex,
+                                EdgeTerms<Lanes, Takes<L, O>::further>* edge) {
+  const CageTables& cage = *block.cage;
+  const Tiles& tiles = cage.tiles;
+  const auto* const point = reinterpret_cast<const Lanes*>(block.points);
+  const Mask whole = mask_of(block.whole);
+  for (int slot = 0, i = tiles.first_vertex[tile]; i < tiles.first_vertex[tile + 1]; ++i, ++slot) {
+    const int v = tiles.vertex[i];
+    if (near.vertex[v] == 0) continue;
+    SeenVertex& seen = vertex[slot];
+    for (int k = 0; k < 3; ++k) seen.x[k] = cage.vertex[3 * v + k] - point[k];
+    seen.r = root(dot(seen.x, seen.x));
+    seen.near = less(seen.r, splat(cage.reach[v])) | whole;
+  }
+  for (int slot = 0, i = tiles.first_edge[tile]; i < tiles.first_edge[tile + 1]; ++i, ++slot) {
+    const TileEdge& its = tiles.edge[i];
+    if (near.edge[its.edge] == 0) continue;
+    const SeenVertex &a = vertex[its.from], &b = vertex[its.to];
+    edge[slot] = edge_terms<L, O, Lanes, double>(cage.edge[its.edge], a.x, b.x, a.r, b.r);
+  }
+}
+
 /// Sums over the faces that are near, and lists those that need more digits, as the limits say.
 template <Layers L, int O>
-void sum_faces_within(Block& block, const NearFaces& near, const SeenVertex* vertex,
-                      const EdgeTerms<Lanes, Takes<L, O>::further>* edge, MeasuredBlock& measured) {
+[[gnu::noinline]] void sum_faces_within(Block& block, const NearFaces& near, MeasuredBlock& measured) {
   using Edge = EdgeTerms<Lanes, Takes<L, O>::further>;
   const CageTables& cage = *block.cage;
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
@@ -67,45 +100,62 @@ void sum_faces_within(Block& block, const NearFaces& near, const SeenVertex* ver
   Measures squares;
   measured.thin_below = {};
   block.marked = 0;
-  for (int place = 0; place < near.count; ++place) {
-    const int f = near.faces[place];
-    const FaceTable<double>& face = cage.face[f];
-    const SeenVertex &v0 = vertex[face.vertex[0]], &v1 = vertex[face.vertex[1]], &v2 = vertex[face.vertex[2]];
-    const Edge &e0 = edge[face.edge[0]], &e1 = edge[face.edge[1]], &e2 = edge[face.edge[2]];
-    const Lanes product = v0.r * v1.r * v2.r;
-    const Lanes height = dot(face.n, v0.x), across = face.area2 * height;
-    const Lanes along = product + e0.between * v2.r + e1.between * v0.r + e2.between * v1.r;
-    const Lanes omega = 2 * angle_of(across, along);
-    const Lanes high = magnitude(across), wide = magnitude(along);
-    Measures measures;
-    measures.of_layer = face.steep_around * (v0.r + v1.r + v2.r);
-    measures.thin = Takes<L, O>::distances ? face.steep * (e0.distance + e1.distance + e2.distance) : measures.of_layer;
-    // Five times its edges are shorter than the sums of their ends' distances.
-    const double around = face.length[0] + face.length[1] + face.length[2];
-    const Mask brief = ((5 * face.length[0]) * e0.mean < splat(2)) & ((5 * face.length[1]) * e1.mean < splat(2)) &
-                       ((5 * face.length[2]) * e2.mean < splat(2));
-    const Lanes part =
-        select(brief, L == Layers::Kelvin && O >= 1 ? splat(kOfShortKelvin) : (kOfShort * around) * e0.mean, splat(1));
-    measures.of_layer *= part;
-    measures.thin *= part;
-    if constexpr (L == Layers::Biharmonic) measures.of_distance = measures.thin * magnitude(height);
-    const Mask far = ~widened(near.is_near(f));
-    const Mask marked = (measures.exceeds(limits) | ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
-                         ((along < Lanes{}) & (high < kNextToFace * wide)) | v0.near | v1.near | v2.near) &
-                        ~far;
-    const Mask out = marked | far;
-    squares.add_squares(measures, out);
-    if constexpr (L == Layers::Biharmonic && O >= 1) measured.thin_below.add(measures.thin, out);
-    const Three<Lanes>* const x[3] = {&v0.x, &v1.x, &v2.x};
-    if (!any(out)) [[likely]] {
-      const Edge* const edges[3] = {&e0, &e1, &e2};
+  auto* const vertex = static_cast<SeenVertex*>(block.scratch);
+  auto* const edge = reinterpret_cast<Edge*>(vertex + cage.vertices);
+  for (int tile = 0; tile < cage.tiles.count; ++tile) {
+    bool seen = false;
+    for (int place = cage.tiles.first_face[tile]; place < cage.tiles.first_face[tile + 1]; ++place) {
+      const int f = cage.tiles.face[place];
+      const Small is_near = near.is_near(f);
+      if (bytes_of(is_near) == 0) continue;
+      if (!seen) see_tile<L, O>(block, near, tile, vertex, edge);
+      seen = true;
+      if (cage.faces > kCachedFaces && place + kAhead < cage.faces) {
+        const int next = cage.tiles.face[place + kAhead];
+        prefetch(cage.face[next]);
+        __builtin_prefetch(sums.at(0, 1, next, kOfFace<L>), 1);
+      }
+      const FaceTable<double>& face = cage.face[f];
+      const int(&slot)[6] = cage.tiles.slot[f];
+      const SeenVertex &v0 = vertex[slot[0]], &v1 = vertex[slot[1]], &v2 = vertex[slot[2]];
+      const Edge &e0 = edge[slot[3]], &e1 = edge[slot[4]], &e2 = edge[slot[5]];
+      const Lanes product = v0.r * v1.r * v2.r;
+      const Lanes height = dot(face.n, v0.x), across = face.area2 * height;
+      const Lanes along = product + e0.between * v2.r + e1.between * v0.r + e2.between * v1.r;
+      Lanes omega = 2 * angle_of(across, along);
+      const Lanes high = magnitude(across), wide = magnitude(along);
+      Measures measures;
+      measures.of_layer = face.steep_around * (v0.r + v1.r + v2.r);
+      measures.thin =
+          Takes<L, O>::distances ? face.steep * (e0.distance + e1.distance + e2.distance) : measures.of_layer;
+      const Lanes angle = longest_of(face) * e0.mean;
+      const Lanes part =
+          select(angle < kShort, L == Layers::Kelvin && O >= 1 ? splat(kOfShortKelvin) : kOfShort * angle, splat(1));
+      measures.of_layer *= part;
+      measures.thin *= part;
+      if constexpr (L == Layers::Biharmonic) measures.of_distance = measures.thin * magnitude(height);
+      const Mask far = ~widened(is_near);
+      const Mask marked =
+          (measures.template exceeds<L>(limits) | ((high < kNextToEdge * product) & (wide < kNextToEdge * product)) |
+           ((along < Lanes{}) & (high < kNextToFace * wide)) | v0.near | v1.near | v2.near) &
+          ~far;
+      const Mask out = marked | far;
+      squares.template add_squares<L>(measures, out);
+      if constexpr (L == Layers::Biharmonic && O >= 1) measured.thin_below.add(measures.thin, out);
+      const Three<Lanes>* const x[3] = {&v0.x, &v1.x, &v2.x};
+      // One piece of code adds whole faces and parts of them, so that it rounds alike.
+      const Edge* edges[3] = {&e0, &e1, &e2};
+      Edge left[3];
+      if (any(out)) [[unlikely]] {
+        if (any(marked)) block.marks[block.marked++] = {f, bits_of(marked)};
+        for (int e = 0; e < 3; ++e) {
+          left[e] = without(out, *edges[e]);
+          edges[e] = &left[e];
+        }
+        omega = select(out, Lanes{}, omega);
+      }
       FaceTerms<L, O, Lanes, double>(face, x, omega, edges).add(f, beta, sums);
-      continue;
     }
-    if (any(marked)) block.marks[block.marked++] = {f, bits_of(marked)};
-    const Edge left[3] = {without(out, e0), without(out, e1), without(out, e2)};
-    const Edge* const edges[3] = {&left[0], &left[1], &left[2]};
-    FaceTerms<L, O, Lanes, double>(face, x, select(out, Lanes{}, omega), edges).add(f, beta, sums);
   }
   measured.squares = squares;
 }
@@ -136,26 +186,11 @@ void sum_faces(Block& block, MeasuredBlock& measured) {
   const CageTables& cage = *block.cage;
   auto* const vertex = static_cast<SeenVertex*>(block.scratch);
   auto* const edge = reinterpret_cast<Edge*>(vertex + cage.vertices);
-  const auto* const point = reinterpret_cast<const Lanes*>(block.points);
-  const Mask whole = mask_of(block.whole);
   const NearFaces near =
       find_near_faces(block, edge + cage.edges, measured.rules, kRulesFirst<L, O>, kRulesFirst<L, O>);
-  for (int v = 0; v < cage.vertices; ++v) {
-    if (near.vertex[v] == 0) continue;
-    SeenVertex& seen = vertex[v];
-    for (int i = 0; i < 3; ++i) seen.x[i] = cage.vertex[3 * v + i] - point[i];
-    seen.r = root(dot(seen.x, seen.x));
-    seen.near = less(seen.r, splat(cage.reach[v])) | whole;
-  }
-  for (int e = 0; e < cage.edges; ++e) {
-    if (near.edge[e] == 0) continue;
-    const EdgeTable<double>& table = cage.edge[e];
-    const SeenVertex &a = vertex[table.from], &b = vertex[table.to];
-    edge[e] = edge_terms<L, O, Lanes, double>(table, a.x, b.x, a.r, b.r);
-  }
   measured.faces = near.faces_of;
   measured.between = near.between;
-  sum_faces_within<L, O>(block, near, vertex, edge, measured);
+  sum_faces_within<L, O>(block, near, measured);
   const Mask many = measured.squares.thin > kManyThin<L> * kManyThin<L>;
   if (any(many & near.between)) {
     take_all_rules(measured, many & near.between);
@@ -164,7 +199,7 @@ void sum_faces(Block& block, MeasuredBlock& measured) {
   if (any(many)) {
     Lanes& limit = measured.limits.thin;
     limit = select(many & (splat(kThinOfMany) < limit), splat(kThinOfMany), limit);
-    sum_faces_within<L, O>(block, near, vertex, edge, measured);
+    sum_faces_within<L, O>(block, near, measured);
   }
   add_far_faces<L, O>(block, near);
 }

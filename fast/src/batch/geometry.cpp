@@ -2,6 +2,7 @@
 #include "cageproof/core/geometry/box.h"
 #include "far_rules.h"
 #include "geometry.h"
+#include "near_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +119,7 @@ Geometry::Geometry(const CageElements& elements) {
   if (sound_) find_reach();
   if (sound_) find_folds();
   if (sound_) find_centroids();
+  if (sound_) find_tiles();
 }
 
 // Faces that meet at an edge under less than a fifth of a radian, and those at the tips of spikes as narrow.
@@ -171,6 +173,14 @@ void Geometry::find_centroids() {
     for (std::size_t i = 0; i < 3; ++i) centroid_[i * stride + f] = corner(0)[i] + middle[i];
     over_square_[f] = 1 / square;
   }
+}
+
+void Geometry::find_tiles() {
+  std::vector<Vec3<double>> centroids;
+  const std::size_t stride = over_square_.size();
+  for (std::size_t f = 0; f < face_.size(); ++f)
+    centroids.emplace_back(centroid_[f], centroid_[stride + f], centroid_[2 * stride + f]);
+  tiling_ = Tiling(face_, edge_, along_a_curve(centroids));
 }
 
 LongFace Geometry::long_face(int f) const {
@@ -240,7 +250,8 @@ CageTables Geometry::tables() const {
           over_square_.data(),
           static_cast<int>(over_square_.size()),
           far_rules(),
-          line_rule()};
+          line_rule(),
+          tiling_.tables()};
 }
 
 }  // namespace cageproof::closed_form::batch

@@ -4,6 +4,8 @@
 
 #include "cageproof/closed_form/batch/tables.h"
 
+#include "tiling.h"
+
 #include "cageproof/core/cage/cage_elements.h"
 #include "cageproof/core/numbers/mp.h"
 
@@ -45,6 +47,7 @@ class Geometry {
   void find_reach();
   void find_folds();
   void find_centroids();
+  void find_tiles();
 
   int exponent_ = 0;
   bool sound_ = true;
@@ -57,6 +60,7 @@ class Geometry {
   std::vector<EdgeTable<TwoDoubles>> fine_edge_;
   std::vector<FaceTable<TwoDoubles>> fine_face_;
   std::vector<double> centroid_, over_square_;  // of faces, as CageTables has them
+  Tiling tiling_;
   std::array<double, 3> centre_{};
   double radius_ = 0;
 };

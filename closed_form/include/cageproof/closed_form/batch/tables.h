@@ -21,19 +21,20 @@ struct EdgeTable {
 /// A triangle; its edge i runs from corner i to corner i + 1.
 template <class T>
 struct FaceTable {
+  // First what values take, since tables of many faces come from memory.
   int vertex[3], edge[3];
   double along[3];      ///< of edges: 1, or -1 where the edge's table runs the other way
-  T length[3];          ///< of edges
-  T u[3][3];            ///< of edges: direction, from corner to corner
-  T middle[3][3];       ///< of edges: vector from corner 0 to the middle
+  double steep;         ///< the largest of `across`: how much differences of integrals over its edges are multiplied
+  double steep_around;  ///< the same times a third of its circumference
+  T area2;              ///< twice the area
   T n[3];               ///< outward unit normal
   T nu[3][3];           ///< of edges: outward in-plane unit normal
   T hat[2];             ///< of corners 0 and 1: the hat function over the height above the line of the opposite edge
+  T across[2][3];       ///< gradient of that hat function times each edge's nu
+  T length[3];          ///< of edges
   T g[2][3];            ///< of corners 0 and 1: gradient of the hat function
-  T across[2][3];       ///< the same times each edge's nu
-  T area2;              ///< twice the area
-  double steep;         ///< the largest of `across`: how much differences of integrals over its edges are multiplied
-  double steep_around;  ///< the same times a third of its circumference
+  T u[3][3];            ///< of edges: direction, from corner to corner
+  T middle[3][3];       ///< of edges: vector from corner 0 to the middle
 };
 
 /// What kinds of coordinates are made of.
@@ -74,6 +75,21 @@ struct Columns {
 struct FarRule;
 struct LineRule;
 
+/// An edge that faces of a tile have.
+struct TileEdge {
+  int edge, from, to;  ///< the edge's number; its ends among the tile's vertices
+};
+
+/// Faces near each other, some at a time, so that what is computed of their vertices and edges stays in caches.
+struct Tiles {
+  int count;
+  const int *first_face, *first_vertex, *first_edge;  ///< [count + 1], in:
+  const int* face;                                    ///< all faces
+  const int* vertex;                                  ///< each tile's vertices
+  const TileEdge* edge;                               ///< each tile's edges
+  const int (*slot)[6];  ///< of faces by their numbers: corners and edges among those of their tile
+};
+
 /// Tables of one cage, in a unit in which its size is about one.
 struct CageTables {
   int vertices, edges, faces;
@@ -93,6 +109,7 @@ struct CageTables {
   int stride;
   const FarRule* rules;  ///< kFarRules
   const LineRule* line;
+  Tiles tiles;
 };
 
 /// A face, and the points of a block that see it otherwise than the others: a bit each.
