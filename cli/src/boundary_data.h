@@ -22,7 +22,7 @@ BoundaryData read_boundary_data(const std::filesystem::path& file, const CageCoo
 /// order.
 CoordinateColumns function_columns(const CageCoordinates& coordinates, int order, const BoundaryData& data);
 
-/// Such sums. \param rows of all coordinates up to that order
+/// Functions that are sums of coordinates times data. \param rows of all coordinates up to that order
 std::vector<double> functions_of(std::span<const double> rows, const CageCoordinates& coordinates, int order,
                                  const BoundaryData& data);
 

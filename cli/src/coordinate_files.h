@@ -23,7 +23,7 @@ std::filesystem::path companion_of(const std::filesystem::path& out);
 void check_coordinate_files(const std::filesystem::path& out,
                             const std::vector<std::pair<std::string, std::string>>& others);
 
-/// Files that hold a whole table, with their bytes, ready to be written together: .npz, .vtp and what is beside it.
+/// Files that hold a whole table, with their bytes, ready to be written together: .npz, or .vtp with the cage's file.
 /// \param description of everything but the geometry
 std::vector<std::pair<std::filesystem::path, std::string>> coordinate_files(
     const std::filesystem::path& out, const CoordinateColumns& table, const Mesh& mesh, reports::DescribedCage cage,

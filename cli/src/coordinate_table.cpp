@@ -58,7 +58,7 @@ void add_columns(const CoordinateBlock& block, const CageElements& elements, int
       {block.label + titles[order], table.names.size() - first, block.label + words[order], std::move(shape)});
 }
 
-// What a block of points is computed in.
+// The memory that a block of points is computed in.
 struct RowBuffer {
   std::vector<CoordinateTable<double>> tables;
   std::vector<double> rows;
@@ -113,7 +113,7 @@ std::string csv_header(const CoordinateColumns& table) { return fmt::format("{}\
 
 void add_csv_rows(std::string& text, std::span<const double> rows, std::size_t columns) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    // As format_scalar(), without a string a number.
+    // As format_scalar() writes it, without a string per number.
     if (std::isfinite(rows[i])) fmt::format_to(std::back_inserter(text), "{}", rows[i]);
     else text += format_scalar(rows[i]);
     text += (i + 1) % columns == 0 ? '\n' : ',';

@@ -51,7 +51,7 @@ std::string csv_header(const CoordinateColumns& table);
 void add_csv_rows(std::string& text, std::span<const double> rows, std::size_t columns);
 /// points x columns.
 std::string npy_text(const CoordinateColumns& table);
-/// What stands before the numbers.
+/// The header, which stands before the numbers.
 std::string npy_header(std::size_t points, std::size_t columns);
 /// The mesh with an array a group.
 MeshField field_of(const CoordinateColumns& table, const Mesh& mesh);

@@ -17,7 +17,7 @@
 namespace cageproof {
 namespace {
 
-// Of this process's container; the largest number where there is no limit, or none that can be read.
+// The limit of this process's container; the largest number where it has none, or none that can be read.
 std::uint64_t container_limit() {
   std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
   for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})

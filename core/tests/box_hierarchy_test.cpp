@@ -28,7 +28,7 @@ std::vector<int> found_in(const BoxHierarchy& hierarchy, const Box& box) {
   return found;
 }
 
-// All that meet are found, once each. \return how many others are
+// Expects each box that meets the given one to be found once. \return how many others are found
 std::size_t others_found(const std::vector<Box>& boxes, const BoxHierarchy& hierarchy, const Box& box) {
   const std::vector<int> found = found_in(hierarchy, box);
   EXPECT_EQ(std::ranges::adjacent_find(found), found.end());

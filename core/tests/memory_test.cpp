@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory that there is, and refusals of what would not fit.
+// The limits of memory, and refusals of tables that would not fit.
 #include "cageproof/core/memory.h"
 
 #include "support.h"

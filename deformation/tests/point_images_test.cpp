@@ -97,7 +97,7 @@ TEST(BoundPoints, have_the_images_that_points_have) {
           for (std::size_t k = 0; k < maps.size(); ++k)
             for (int o = 0; o <= order; ++o)
               for (std::size_t i = 0; i < asked.maps[k].tensors[o].size(); ++i) {
-                // What maps make of points without images may be of any size.
+                // Points without images may have numbers of any size.
                 if (allowed > 0 && asked.missing[i * points.size() / asked.maps[k].tensors[o].size()]) continue;
                 const double x = found.maps[k].tensors[o][i], y = asked.maps[k].tensors[o][i];
                 ASSERT_TRUE(x == y || std::abs(x - y) <= allowed || (std::isnan(x) && std::isnan(y)))

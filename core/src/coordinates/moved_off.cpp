@@ -46,7 +46,7 @@ NearPlace nearest_vertex(const std::vector<Corners3>& elements, const Vec3<Numbe
   return *best;
 }
 
-// Of the feet within edges; the nearest vertex stands for those beyond.
+// The nearest foot within an edge; the nearest vertex stands for feet beyond the ends.
 std::optional<NearPlace> nearest_edge(const std::vector<Corners3>& elements, const Vec3<Number>& point) {
   std::optional<NearPlace> best;
   for (const Corners3& corners : elements)
@@ -58,7 +58,7 @@ std::optional<NearPlace> nearest_edge(const std::vector<Corners3>& elements, con
   return best;
 }
 
-// Of the feet within triangles.
+// The nearest foot within a triangle.
 std::optional<NearPlace> nearest_face(const std::vector<Corners3>& elements, const Vec3<Number>& point) {
   std::optional<NearPlace> best;
   for (const Corners3& corners : elements) {
@@ -91,7 +91,7 @@ MovedOff moved_off(const std::vector<Corners3>& elements, const Vec3<Number>& po
     moved.further *= move_from(vertex, kFromVertex * unit);
     vertex = nearest_vertex(elements, moved.point);
   }
-  // What the next nearer things are to be much nearer than.
+  // The distance of a vertex, than which edges and faces count only where they are much nearer.
   Number least = kApart * vertex.distance;
   if (!in_plane) {
     if (auto edge = nearest_edge(elements, moved.point)) {

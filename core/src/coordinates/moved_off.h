@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Points so near to a cage that 200 digits do not hold what derivatives of normalised weights cancel, seen from further
-// off, where they are the same but for 1e-20: mean value coordinates are smooth up to a face, and next to an edge or a
+// off, where they are the same up to 1e-20: mean value coordinates are smooth up to a face, and next to an edge or a
 // vertex they are linear in the distance, for each direction, so that gradients stay and Hessians are over the
 // distance.
 #pragma once

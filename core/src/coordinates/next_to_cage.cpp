@@ -13,7 +13,8 @@ namespace {
 // Distances from an element, over its longest edge, below which derivatives of that order take more digits: about 2^10
 // roundings are lost there.
 constexpr std::array<double, 3> kNextTo{0, 0x1p-9, 0x1p-5};
-// And below which elements have them, where any is next to the point: those beside it are parts of the same quotient.
+// Distances below which elements have more digits where any element is next to the point: neighbours are parts of the
+// same quotient.
 constexpr double kBesideIt = 0x1p-3;
 
 }  // namespace

@@ -16,7 +16,7 @@ class NextToCage {
   /// \param exponent coordinates are measured in 2^exponent, in which their squares stay in range
   NextToCage(const CageElements& elements, int exponent);
 
-  /// What is next to a point.
+  /// The elements next to a point.
   struct Found {
     int order = 3;               ///< the lowest derivative that takes more digits; 3 where none does
     std::vector<char> elements;  ///< which elements take them, one an element; empty where none does

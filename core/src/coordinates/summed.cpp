@@ -172,8 +172,9 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     }
   }
 
-  // Of a normalised kind: its evaluations if they keep a promise by more digits and have these, and the recommended
-  // ones of those that have none. \return false where others show what they lose, or take their time
+  // Finds evaluations in more digits of a normalised kind: its own if they keep a promise by more digits and have
+  // these, and the recommended ones of those that have none. \return false where others show what they lose, or take
+  // their time
   bool find_evaluations_of_more_digits() {
     for (std::size_t kind = 0; kind < evaluations_.size(); ++kind) {
       if (evaluations_[kind].empty()) continue;

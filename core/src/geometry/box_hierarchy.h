@@ -57,7 +57,8 @@ class BoxHierarchy {
     std::array<int, kChildren> child;  // a node, or of a box -1 - index
   };
 
-  // What stands for a coordinate. It never falls where the coordinate rises: boxes that meet do so as they are stored.
+  // The float that stands for a coordinate. It never falls where the coordinate rises: boxes that meet do so as they
+  // are stored.
   float stored(double x, int axis) const {
     return static_cast<float>(std::clamp(unit_ * x - middle_[axis], -8.0, 8.0));
   }

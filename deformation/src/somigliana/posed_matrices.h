@@ -12,7 +12,7 @@ namespace cageproof::deformation {
 /// x' = T^-1 y, T = sum R_i T_i R_i^t, y = sum R_i T_i u_i + sum R_j K_j w_j, in space ([C23] Eq 11).
 class PosedMatrices {
  public:
-  /// What a block of coordinates multiplies: R, and u or w.
+  /// The data that a block of coordinates multiplies: R, and u or w.
   struct Data {
     const std::vector<SpaceMatrix<double>>& rotations;
     const std::vector<SpaceVector<double>>& turned;

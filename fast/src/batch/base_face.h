@@ -14,7 +14,8 @@ namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
 /// Heights over a face, over the root of twice its area, below which points within are seen from it.
 inline constexpr double kSeenFromFace = 0x1p-3;
-/// And below which heights are lost to those of the plane, so that nobody knows whether a point is on it.
+/// Heights over a face, likewise, below which they are lost to the rounding of its plane, so that nobody knows whether
+/// a point is on it.
 inline constexpr double kLostHeight = 0x1p-92;
 
 /// A function with gradient, and Hessian as xx, xy, xz, yy, yz, zz.
@@ -39,7 +40,7 @@ SpaceJet product_of(const SpaceJet& a, const SpaceJet& b) {
   return c;
 }
 
-/// What points see of their base faces; zero where there is none.
+/// Base faces as points see them; zero where a point has none.
 struct BaseFace {
   Mask seen{};
   Lanes vertex[3] = {splat(-1), splat(-1), splat(-1)};

@@ -297,7 +297,7 @@ void sum_mean_value_faces(Block& block, const NearFaces& faces, const SeenVertex
     const Mask out = marked | far, mine = from == splat(f);
     if (any(near)) left |= near & is_left_beside<O>(cage, face, corner, side);
     if (any(mine)) {
-      // A height that is zero but for rounding is the point's on the face, or nobody knows.
+      // A height that is nothing but rounding: the point is on the face, or nobody knows.
       const Lanes d = magnitude(seen.height());
       left |= mine & ((marked & (d < splat(kLeftBeside<O> * kBesideEdge * __builtin_sqrt(face.area2)))) |
                       (d < splat(kLostHeight)));

@@ -112,7 +112,7 @@ class Steepness {
 };
 
 /// How often faces are summed: first by the quick rules, then, for points that this leaves too much rounding of, by all
-/// rules that there are, then with a limit beyond which faces are left to others.
+/// rules, then with a limit beyond which faces are left to others.
 struct Attempts {
   Small rules = Small{} + static_cast<signed char>(kFirstRules);
   Mask limited{};
@@ -183,7 +183,7 @@ inline Mask sum_mean_values_within(Block& block, const NearFaces& faces, const S
       }
     }
     const Lanes hat[2] = {h[1] * face.hat[0], h[2] * face.hat[1]};
-    // F/d is shared out by the hat functions, which are large beside a thin face.
+    // F/d is shared out by the hat functions, which are large next to a thin face.
     rounding *= magnitude(hat[0]) + magnitude(hat[1]) + magnitude(1 - hat[0] - hat[1]);
     const Lanes steepness = steep.of(face, d, angle[0] + angle[1] + angle[2]);
     Mask near{};
@@ -214,7 +214,7 @@ inline Mask sum_mean_values_within(Block& block, const NearFaces& faces, const S
   return left;
 }
 
-/// What points see of a cage's near vertices.
+/// Sees a cage's near vertices from the points.
 /// \return points that are so near to one that they are left to others
 inline Mask see_vertices(const Block& block, const NearFaces& near, SeenVertex* vertex) {
   const CageTables& cage = *block.cage;

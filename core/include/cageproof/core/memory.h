@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What memory this process may use, and refusals of what would not fit.
+// The memory that this process may use, and refusals of tables that would not fit.
 #pragma once
 
 #include <cstdint>

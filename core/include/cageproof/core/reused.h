@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tasks of a loop use one after the other, so that the next one finds memory where one before it left it.
+// Objects that tasks of a loop use one after the other, so that the next task finds memory where one before it left it.
 #pragma once
 
 #include <cstddef>

@@ -53,8 +53,8 @@ class BoundPoints {
   std::size_t size() const { return missing_.size(); }
   /// The highest derivative that images have.
   int order() const { return order_; }
-  /// What images_of() gives: to the bit at the same order, and to rounding at a lower one, whose coordinates an
-  /// evaluation may round otherwise. \pre the maps are made from the coordinates, and order <= order()
+  /// The images that images_of() gives: to the bit at the same order, and to rounding at a lower one, whose coordinates
+  /// an evaluation may round otherwise. \pre the maps are made from the coordinates, and order <= order()
   PointImages images(std::span<const Posed<double>* const> maps, int order, int jobs) const;
 
  private:
