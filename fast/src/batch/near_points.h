@@ -2,7 +2,7 @@
 // An order of points in which neighbours are near each other, so that a block of them sees faces alike.
 #pragma once
 
-#include "cageproof/core/numbers/scalar.h"
+#include "cageproof/core/numbers/vector.h"
 
 #include <cstddef>
 #include <span>
