@@ -83,6 +83,25 @@ TEST(RunPlan, quick_leaves_slow_rows_and_fields_without_promise_to_standard_and_
   EXPECT_EQ(measured(plan_run(options), "star, biharmonic_boundary, offset-1e-6"), 1);
 }
 
+// A flat tetrahedron whose densities double has just digits enough for, and not where it is turned: the kind is left
+// out, and said.
+TEST(RunPlan, leaves_out_kinds_that_refuse_the_cage_when_it_is_turned) {
+  VerifyOptions options;
+  options.suite = suites().front();
+  options.only_cage = true;
+  options.cage = Cage::make("flat", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {.3, .3, 1e-9}},
+                            {{{0, 2, 1, -1}}, {{0, 1, 3, -1}}, {{0, 3, 2, -1}}, {{1, 2, 3, -1}}});
+  const RunPlan plan = plan_run(options);
+  EXPECT_EQ(measured(plan, "flat, regularised_1_2"), 0);
+  EXPECT_GE(measured(plan, "flat, regularised_1_3"), 1);
+  EXPECT_EQ(std::ranges::count_if(plan.warnings,
+                                  [](const std::string& warning) {
+                                    return warning.find("no regularised_1_2 coordinates") != std::string::npos &&
+                                           warning.find("no digits left of derivatives") != std::string::npos;
+                                  }),
+            1);
+}
+
 // Two cubes that cross: what solves for densities on the cage is left out, and said; a cube that touches another one's
 // edge with a corner keeps everything.
 TEST(RunPlan, leaves_out_what_a_cage_that_overlaps_itself_has_not) {

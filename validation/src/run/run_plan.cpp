@@ -15,6 +15,7 @@
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/reports/worst_file.h"
 #include "cages/block_campaign.h"
+#include "cages/cage_symmetries.h"
 #include "cageproof/validation/cage_campaign.h"
 #include "campaign.h"
 #include "cageproof/validation/compared_fields.h"
@@ -187,8 +188,10 @@ class Planner {
     if (!is_new) return known->second;
     try {
       const auto [low, high] = box_of(cage.vertices());
-      CageCoordinates(cage, kind, CoordinateOptions{.triangulation = options_.triangulation})
-          .at<double>(Vec3<double>((low + high) / 2), 0);
+      const CageCoordinates coordinates(cage, kind, CoordinateOptions{.triangulation = options_.triangulation});
+      coordinates.at<double>(Vec3<double>((low + high) / 2), 0);
+      // Where digits just suffice, those of the cage scaled or turned, which checks ask for, may not.
+      const CageSymmetries symmetries(cage, kind, coordinates.evaluation(), options_.triangulation);
     } catch (const InputError& error) {
       known->second = error.what();
     }
