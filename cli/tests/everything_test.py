@@ -78,13 +78,14 @@ def verify(program: str, listed: dict, failures: Failures) -> None:
     Path("tetrahedron.obj").write_text(TETRAHEDRON)
     rows = []
     # Every formula in some regimes and a small cage of space; every regime of some formulas, because integrals of Kelvin kernels on quads take a minute there, and
-    # twenty under a sanitizer; then only cages and deformers, which the regime of hulls leaves: in the plane, and with symmetric poses.
+    # twenty under a sanitizer; then only cages and deformers, which the regime of hulls leaves: in the plane, with symmetric poses, and with a small face.
     small = ["--cage", "tetrahedron.obj", "--enclosures", "1"]
     for options in (
         [*small, "--points", "tetrahedron.obj", "--regimes", "generic,near-face,on-line,tiny"],
         [*small, "--formulas", "*.single_layer,*.mean_value,triangle.double_layer,segment.*"],
         ["--cage", "square", "--regimes", "hull"],
         ["--cage", "cube", "--regimes", "hull"],
+        ["--cage", "pinch-1e-8", "--regimes", "hull", "--formulas", "triangle.double_layer"],
     ):
         ended = run(program, "verify", "--suite", "quick", "--samples", "1", "--out", "report", *options)
         # A sample is too few for promises to be kept; only a run that ends with its report is asked for. Sanitizers exit with 1, too.
