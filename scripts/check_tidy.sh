@@ -42,7 +42,7 @@ source_of() {
     if [[ -z $file ]]; then
       local header
       header=$(git grep -l -F "$included\"" -- '*.h' | head -n 1 || true)
-      [[ -n $header && ${2-0} -lt 4 ]] || return 0
+      [[ -n $header && ${2-0} -lt 8 ]] || return 0
       source_of "$header" $((${2-0} + 1))
       return
     fi
@@ -93,7 +93,7 @@ cmake -S . -B "$work/commands" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COM
 written_source_of() {
   local source includer
   source=$(grep -rlF --include=*.cpp "$(basename "$1")\"" "$work/commands" | head -n 1 || true)
-  if [[ -z $source && ${2-0} -lt 4 ]]; then
+  if [[ -z $source && ${2-0} -lt 8 ]]; then
     for includer in $(git grep -l -F "$(basename "$1")\"" -- '*.h' || true); do
       [[ -n $source ]] || source=$(written_source_of "$includer" $((${2-0} + 1)))
     done
