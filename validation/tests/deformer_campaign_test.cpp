@@ -343,11 +343,13 @@ TEST(deformers, by_constraints_are_not_judged_in_cages_that_they_refuse) {
 TEST(deformers, that_refuse_a_cage_when_they_solve_are_named) {
   constexpr int edges = 140;
   std::vector<Vec3<double>> corners;
+  corners.reserve(edges + 4);
   for (int k = 0; k < edges; ++k) corners.emplace_back(static_cast<double>(k) / edges, 0, 0);
   for (const auto& [x, y] : {std::pair{1., 0.}, {1., 1 - 1e-9}, {1 - 1e-9, 1.}, {0., 1.}})
     corners.emplace_back(x, y, 0);
   const int count = static_cast<int>(corners.size());
   std::vector<Face> segments;
+  segments.reserve(count);
   for (int k = 0; k < count; ++k) segments.push_back({{k, (k + 1) % count, -1, -1}});
   const auto cage = std::make_shared<const Cage>(Cage::make_polygon("many", corners, segments, {}));
   RefusedMethods refused;
