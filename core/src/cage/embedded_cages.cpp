@@ -122,6 +122,7 @@ bool is_embedded_cage(std::string_view name) {
 
 std::vector<std::string_view> embedded_cage_names() {
   std::vector<std::string_view> names;
+  names.reserve(kRows.size() + embedded_polygons().size());
   for (const Row& row : kRows) names.push_back(row.name);
   for (const EmbeddedPolygon& polygon : embedded_polygons()) names.push_back(polygon.name);
   return names;
