@@ -79,6 +79,8 @@ void start_thread() {
 }  // namespace
 
 void end_cleanly_on_signals() {
+  // A file beyond `ulimit -f` is an error of its write then, which is told as a full disk is.
+  ::signal(SIGXFSZ, SIG_IGN);
   if (to_thread < 0) start_thread();
   if (to_thread < 0) return;
   for (std::size_t k = 0; k < signals.size(); ++k) {

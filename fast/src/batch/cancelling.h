@@ -23,7 +23,7 @@ struct Measures {
   Lanes of_layer{};     ///< of the double layer's values
   Lanes of_distance{};  ///< of the biharmonic double layer's values; of its derivatives it is `thin`
 
-  /// Of harmonic layers `thin` and `of_layer` are the same.
+  /// For harmonic layers `thin` and `of_layer` are the same.
   template <Layers L>
   void add_squares(const Measures& m, Mask but) {
     of_layer += select(but, Lanes{}, m.of_layer * m.of_layer);

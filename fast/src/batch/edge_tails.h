@@ -23,7 +23,7 @@ Logarithm<V> logarithm_of(const V& num, const V& den, const V& length, const V& 
   const V whole = log_of_quotient(num, den, length, sum);
   return {whole, whole - length * mean};
 }
-/// What is left of int r without length * sum/2. \param distance int r \param square of the line's distance
+/// The rest of int r without length * sum/2. \param distance int r \param square of the line's distance
 /// \param reach r0 r1 + p0 p1
 template <class V>
 V bulge_of(const V& distance, const V& length, const V& sum, const V&, const V&, const V&, const V&) {

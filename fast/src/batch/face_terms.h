@@ -40,7 +40,7 @@ class FaceTerms {
     d_ = -dot(face.n, *x[0]);
     V h[3];
     for (int e = 0; e < 3; ++e) h[e] = dot(face.nu[e], *x[e]);
-    // What sums over edges of length times a number are left with when that of edge 0 is taken off all of them: with
+    // Sums over edges of length times a number, after the number of edge 0 is taken off all of them: with
     // edges' normals and slopes of hat functions they are the same, with heights twice the area less.
     rise_[0] = edges[2]->step * face.along[2];     // r0 - r2
     rise_[1] = -(edges[1]->step * face.along[1]);  // r1 - r2

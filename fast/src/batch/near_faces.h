@@ -107,7 +107,7 @@ inline NearFaces find_near_faces(const Block& block, void* scratch, Small& rules
     rules = (rules & ~first) | (first & ~next & (Small{} + static_cast<signed char>(quick))) |
             (next & (Small{} + static_cast<signed char>(few)));
   }
-  // What is near is summed in twice the digits at points that are far from the cage.
+  // Near faces are summed in twice the digits at points that are far from the cage.
   for (int i = 0; i < kLanes; ++i)
     if ((block.whole >> i & 1u) != 0) rules[i] = kFarRules;
   near.rules = rules;

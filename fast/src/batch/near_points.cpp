@@ -44,7 +44,7 @@ std::vector<std::size_t> along_a_curve(std::span<const Vec3<double>> points) {
     std::uint32_t key = 0;
     for (int i = 0; i < 3; ++i) {
       const double cell = std::floor((points[p][i] / 2 - low[i] / 2) / side * cells);
-      // What is no number is no cell either.
+      // A coordinate that is no number has no cell.
       if (cell >= 0) key |= spread(static_cast<std::uint32_t>(std::min(cell, cells - 1))) << i;
     }
     placed.emplace_back(key, p);

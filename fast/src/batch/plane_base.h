@@ -17,7 +17,7 @@ inline constexpr double kLostOverSide = 0x1p-44;
 /// Distances from an edge's ends, over its length, below which derivatives of that order are left to others.
 inline constexpr double kLeftAtEnds[3] = {0, 0x1p-9, 0x1p-7};
 
-/// What points see of their base edges; zero where there is none.
+/// Base edges as points see them; zero where a point has none.
 struct BaseSide {
   Mask seen{};
   Lanes vertex[2] = {splat(-1), splat(-1)};

@@ -145,8 +145,8 @@ class Deformer {
   /// Computes the coordinates of points once, for any number of poses, before the first one or after it: `images` of
   /// bound points costs no more than their coordinates times the pose.
   /// \param jacobians whether images may have Jacobians: four times the memory in space, three times in the plane
-  /// \throws InputError for a broken number of numbers, and where the coordinates take more than half of the memory
-  /// that there is, with their size
+  /// \throws InputError for a broken number of numbers, and where the coordinates take more than half of the
+  /// memory, with their size
   BoundPoints bind(std::span<const double> points, bool jacobians = false) const;
 
   /// The same numbers as of the points themselves; to rounding where Jacobians are bound and not asked for.

@@ -51,7 +51,7 @@ constexpr std::array kWords{
           "units of what rounding the cage and the point costs a block"},
     Words{"own_derivative", "each triangle's derivatives and the truth of that triangle"},
     Words{"one_ring_sum", "a vertex's derivatives, summed over its triangles, and the truth of the sum"},
-    Words{"one_ring_sum_small_faces", "the same in a cage with faces some 1e-4 of its size"},
+    Words{"one_ring_sum_small_faces", "the same in a cage with faces below some 3e-4 of its size"},
     Words{"keeps_rigid", "images under a shift, a turn and the identity and those of the map itself"},
     Words{"keeps_scale", "images under a uniform scale and those of the map itself"},
     Words{"keeps_mirror", "images under a reversed axis and those of the map itself"},

@@ -85,7 +85,7 @@ std::size_t values_of(const CageCoordinates& coordinates) {
   return values;
 }
 
-// Of a value and its derivatives.
+// The count of numbers of a value and its derivatives.
 std::size_t numbers_up_to(int order, int dimension) {
   std::size_t numbers = 0;
   for (int o = 0; o <= order; ++o) numbers += derivative_count(dimension, o);

@@ -48,7 +48,7 @@ class OneRing {
   OneRing(std::shared_ptr<const Cage> cage, const OneRingOptions& options);
   const Evaluation& evaluation() const { return evaluation_; }
   /// The checks of its derivatives: `own_derivative` and `one_ring_sum`, or, of a form as printed on a cage with faces
-  /// some 1e-4 of its size, `one_ring_sum_small_faces`.
+  /// below some 3e-4 of its size, `one_ring_sum_small_faces`.
   std::vector<Question<OneRingAt>> questions() const;
   /// A point to ask at; valid while this object lives.
   OneRingAt at(const Vec3<double>& point, std::uint64_t index) const;

@@ -14,7 +14,7 @@ struct RowSums {
   Vec3<double> positions = Vec3<double>::Zero();
 };
 
-// Of numbers, one after the other. \return their sum: how often the identity, or the quarter turn, is in it
+// Adds coordinates that are numbers. \return their sum: how often the identity, or the quarter turn, is in it
 double add_numbers(std::span<const double> values, const std::array<std::vector<double>, 3>& data, RowSums& sums) {
   double one = 0, x = sums.positions[0], y = sums.positions[1], z = sums.positions[2];
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -27,7 +27,7 @@ double add_numbers(std::span<const double> values, const std::array<std::vector<
   return one;
 }
 
-// Of matrices, [coordinate][row][column].
+// Adds coordinates that are matrices, [coordinate][row][column].
 template <int D>
 Mat3<double> add_matrices(std::span<const double> values, const std::array<std::vector<double>, 3>& data,
                           RowSums& sums) {
@@ -49,7 +49,7 @@ Mat3<double> add_matrices(std::span<const double> values, const std::array<std::
   return matrix;
 }
 
-// What is neither finite nor zero is infinitely wrong.
+// A residual that is no number is infinitely wrong.
 double or_infinite(double error) { return std::isfinite(error) ? error : std::numeric_limits<double>::infinity(); }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct DeformerCampaignOptions {
 /// are prepared in seconds.
 const std::vector<std::string_view>& deformer_cage_names();
 
-/// Those with a small face beside large ones, which suites with time judge deformers on as well.
+/// Embedded cages with a small face next to large ones, which suites with time judge deformers on as well.
 const std::vector<std::string_view>& small_face_cage_names();
 
 /// Points inside a cage, at least 2e-2 of its size from it; point i is a function of (seed, cage name, i).

@@ -5,7 +5,8 @@
 namespace cageproof::reports {
 
 /// From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE first remove what this process has written aside and not yet put in
-/// its place, then end it as they would have. Those that are ignored stay so (nohup).
+/// its place, then end it as they would have. Those that are ignored stay so (nohup). SIGXFSZ is ignored: a file beyond
+/// `ulimit -f` is an error of its write.
 void end_cleanly_on_signals();
 
 /// Does not come back when such a signal has arrived: what fails after it is its doing, and nothing to complain of.

@@ -64,7 +64,7 @@ class SummaryMaker {
   /// \param first the first point's number \param rows of these points, as the table of summary_of()
   void add(std::size_t first, std::span<const Vec3<double>> points, std::span<const double> rows);
 
-  /// Of all points that were added.
+  /// The summary of all points that were added.
   CoordinateSummary summary() const;
 
  private:
