@@ -6,6 +6,7 @@
 #include "data_cages.h"
 #include "pair_benchmarks.h"
 #include "pairs.h"
+#include "peer_benchmarks.h"
 #include "yardstick.h"
 
 #include "cageproof/closed_form/batch/instruction_set.h"
@@ -92,6 +93,9 @@ int main(int argc, char** argv) {
   for (const char* name : {"icosphere", "twisted-bar", "comb"})
     register_cage_benchmarks(std::make_shared<const DeformedCage>(embedded_deformed_cage(name, points)));
   for (const auto& cage : cages) register_cage_benchmarks(cage);
+  for (const char* name : {"icosphere", "comb"})
+    register_peer_benchmarks(std::make_shared<const DeformedCage>(embedded_deformed_cage(name, points)));
+  for (const auto& cage : cages) register_peer_benchmarks(cage);
   register_scaling_benchmarks();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

@@ -2,6 +2,8 @@
 // Cauchy coordinates against Cauchy's integral, and as what they are: Green coordinates in complex numbers.
 #include "support.h"
 
+#include "cageproof/core/coordinates/whole_evaluation.h"
+
 #include <gtest/gtest.h>
 
 namespace cageproof::solved::test {
@@ -85,6 +87,41 @@ TEST(cauchy, are_holomorphic) {
     EXPECT_NEAR(re[0], im[1], 1e-14);
     EXPECT_NEAR(re[1], -im[0], 1e-14);
     EXPECT_NEAR(found[0].hessian[4 * j], found[1].hessian[4 * j + 1], 1e-14);
+  }
+}
+
+// Kelvin's tractions without their logarithm, against the layers of Green coordinates in 50 digits. Next to a vertex
+// derivatives of its two edges' layers are 1e9 times what is left of them.
+TEST(cauchy, are_right_at_many_points_at_once) {
+  const double short_edge = 1e-6;
+  const Cage bevel = polygon({{0, 0}, {1, 0}, {1, 1 - short_edge}, {1 - short_edge, 1}, {0, 1}});
+  for (const Cage& cage : {polygon(convex_pentagon), polygon(l_shape), bevel}) {
+    std::vector<Vec> points{Vec(0.3, 0.4, 0), Vec(0.7, 0.9, 0), Vec(0.999, 0.998, 0), Vec(-0.5, 2.5, 0),
+                            Vec(40, 30, 0)};
+    for (const Vec& v : cage.vertices())
+      for (const double from : {1e-3, 1e-9}) points.emplace_back(v + from * Vec(0.3, 0.9, 0));
+    const CageCoordinates many(cage, coordinate_kind_named("cauchy"),
+                               CoordinateOptions{.evaluation = std::string(quickest)});
+    EXPECT_EQ(many.evaluation(), "batched");
+    const CageCoordinates layers(cage, coordinate_kind_named("cauchy"), CoordinateOptions{});
+    std::vector<Vec3<Mp50>> exactly;
+    exactly.reserve(points.size());
+    for (const Vec& p : points) exactly.push_back(convert<Mp50>(p));
+    const auto found = many.at<double>(std::span<const Vec>(points), 2);
+    const auto truth = layers.at<Mp50>(std::span<const Vec3<Mp50>>(exactly), 2);
+    for (int o = 0; o <= 2; ++o)
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        const std::size_t width = found[0].stride[o];
+        Mp50 largest = 0, error = 0;
+        for (std::size_t block = 0; block < 2; ++block)
+          for (std::size_t i = 0; i < width; ++i) {
+            const Mp50 is = truth[block].tensors[o][p * width + i];
+            largest = std::max(largest, Mp50(abs(is)));
+            error = std::max(error, Mp50(abs(found[block].tensors[o][p * width + i] - is)));
+          }
+        EXPECT_LT(static_cast<double>(error / largest), 64 * 0x1p-53)
+            << cage.name() << " order " << o << " at " << points[p].transpose();
+      }
   }
 }
 

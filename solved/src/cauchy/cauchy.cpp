@@ -4,9 +4,12 @@
 #include "cageproof/core/geometry/box.h"
 #include "cageproof/core/coordinates/coordinates.h"
 #include "cageproof/core/coordinates/coordinates_in_double.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace cageproof::solved {
 namespace {
@@ -14,12 +17,23 @@ namespace {
 // In f(z) = sum phi_j f_j + sum psi_j d_j of Green coordinates, a similarity of the edge gives d_j = -i (f_next - f_j)
 // / length_j for the outward normal. So C_j = phi_j + i (psi_j / length_j - psi_before / length_before): the complex
 // number that vertex j is multiplied with. What the single layers' logarithm makes of a unit of length drops out.
+//
+// Many points at once take int_s Gamma_j (x.n I + n x' - x n')/(2 pi r^2) instead, the matrix of the same complex
+// number and Kelvin's traction where nu is infinite: differences of logarithms over lengths lose what a short segment
+// is shorter than a block's largest entry.
 class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates>, public HasTerms {
  public:
   CauchyCoordinates(const Cage& cage, const CoordinateOptions& options)
       : exponent_(exponent_of(cage)),
         green_(in_unit(cage, exponent_), coordinate_kind_named("green"),
-               CoordinateOptions{.evaluation = options.evaluation}) {
+               CoordinateOptions{.evaluation = options.evaluation == quickest ? std::string() : options.evaluation}) {
+    if (options.evaluation == quickest) {
+      const CoordinateKind& tractions = coordinate_kind_named("somigliana");
+      CoordinateOptions whole{.evaluation = std::string(quickest)};
+      for (const KindParameter& p : parameters_of(tractions))
+        whole.parameters.push_back(p.name == "nu" ? std::numeric_limits<double>::infinity() : 1);
+      whole_.emplace(in_unit(cage, exponent_), tractions, whole);
+    }
     const int vertices = static_cast<int>(cage.vertices().size());
     for (const auto& [label, reproduces] :
          {std::pair{"re", Reproduces::Vertices}, std::pair{"im", Reproduces::TurnedVertices}})
@@ -33,7 +47,7 @@ class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates>, public 
 
   const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
   int max_order() const override { return green_.max_order(); }
-  std::string evaluation() const override { return green_.evaluation(); }
+  std::string evaluation() const override { return whole_ ? whole_->evaluation() : green_.evaluation(); }
   bool is_exact_in(ScalarKind scalar) const override {
     return scalar != ScalarKind::Digits200 && green_.is_exact_in(scalar);
   }
@@ -82,6 +96,8 @@ class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates>, public 
       using std::hypot, std::ldexp;
       std::vector<Vec3<R>> scaled;
       for (const Vec3<R>& p : points) scaled.push_back(Vec3<R>(ldexp(p[0], -exponent_), ldexp(p[1], -exponent_), R(0)));
+      if constexpr (std::same_as<R, double>)
+        if (whole_) return take_tractions(scaled, order, tables);
       const auto green = green_.at<R>(scaled, order);
       const CageElements& elements = green_.elements();
       for (int o = 0; o <= order; ++o) {
@@ -106,6 +122,26 @@ class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates>, public 
   }
 
  private:
+  /// \param scaled points in units of 2^exponent_
+  void take_tractions(std::span<const Vec3<double>> scaled, int order,
+                      std::span<CoordinateTable<double>> tables) const {
+    const auto tractions = whole_->at<double>(scaled, order);
+    constexpr std::size_t real = 0, imaginary = 2, entries = 4;  // of a matrix, row by row
+    const auto vertices = static_cast<std::size_t>(blocks_[0].size);
+    for (int o = 0; o <= order; ++o) {
+      const std::size_t width = derivative_count(2, o);
+      for (std::size_t p = 0; p < scaled.size(); ++p)
+        for (std::size_t v = 0; v < vertices; ++v) {
+          const double* const matrix = &tractions[0].tensors[o][p * tractions[0].stride[o] + v * entries * width];
+          for (std::size_t d = 0; d < width; ++d) {
+            const std::size_t at = p * tables[0].stride[o] + v * width + d;
+            tables[0].tensors[o][at] = std::ldexp(matrix[real * width + d], -o * exponent_);
+            tables[1].tensors[o][at] = std::ldexp(matrix[imaginary * width + d], -o * exponent_);
+          }
+        }
+    }
+  }
+
   // Of the largest extent: in a unit of that size logarithms are no larger than need be.
   static int exponent_of(const Cage& cage) {
     const auto [low, high] = box_of(cage.vertices());
@@ -122,6 +158,7 @@ class CauchyCoordinates final : public CoordinatesIn<CauchyCoordinates>, public 
 
   int exponent_;
   CageCoordinates green_;
+  std::optional<CageCoordinates> whole_;  // of many points at once
   std::vector<CoordinateBlock> blocks_;
 };
 
@@ -131,7 +168,8 @@ const RegisterCoordinateKind register_cauchy{
      .own_dimension = 2,
      .prepare = [](const Cage& cage, const CoordinateOptions& options) -> std::shared_ptr<const PreparedCoordinates> {
        return std::make_shared<CauchyCoordinates>(cage, options);
-     }}};
+     },
+     .made_of_sums = true}};
 
 }  // namespace
 }  // namespace cageproof::solved
