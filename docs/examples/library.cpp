@@ -6,7 +6,7 @@ int main() {
   using namespace cageproof::library;
   const Cage cube{{-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1},
                   {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-  const std::vector<double> points{0.5, 0, 0, 0, 0.25, 0.5};  // three numbers a point
+  const std::vector<double> points{0.5, 0, 0, 0, 0.25, 0.5};  // three numbers per point
 
   const Coordinates green(cube, "green");
   std::vector<double> values(2 * green.row());
