@@ -44,11 +44,11 @@ SpaceJet product_of(const SpaceJet& a, const SpaceJet& b) {
 struct BaseFace {
   Mask seen{};
   Lanes vertex[3] = {splat(-1), splat(-1), splat(-1)};
-  SpaceJet height;    ///< d
-  SpaceJet hat[3];    ///< b_k
-  SpaceJet rest[3];   ///< w_k - b_k V, in the scale of the columns
-  SpaceJet total;     ///< d V, likewise
-  Lanes steepness{};  ///< about the gradient of V, which the columns do not have
+  SpaceJet height;       ///< d
+  SpaceJet hat[3];       ///< b_k
+  SpaceJet rest[3];      ///< w_k - b_k V, in the scale of the columns
+  SpaceJet total;        ///< d V, likewise
+  Lanes beside[2] = {};  ///< V's derivatives across the plane, which the columns do not have
 };
 
 /// The face that each point is seen from, the nearest of those that are not far; -1 where it is next to none.

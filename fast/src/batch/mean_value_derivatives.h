@@ -16,14 +16,15 @@
 #include "leading.h"
 #include "mean_value_edges.h"
 #include "mean_values.h"
+#include "steep_derivatives.h"
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
 /// Squares of distances from the edges within the plane, over the height's, above which a projection is beyond.
 inline constexpr double kLowest = 9;
 
-/// What steep faces may leave of rounding in gradients.
-inline constexpr double kSteepGradients = 32;
+/// Roundings of a sum over a face's edges, over the sum of its terms' sizes.
+inline constexpr double kOfSum = 0.125;
 
 /// One face seen from the points.
 template <int O>
@@ -38,16 +39,23 @@ class MeanValueFace {
     Lanes flux{}, least = splat(1e300);
     for (int e = 0; e < 3; ++e) {
       h_[e] = seen.h[e];
-      flux += h_[e] * side[e]->k2;
-      h4_ += h_[e] * side[e]->k4;
-      if constexpr (O >= 2) h6_ += h_[e] * side[e]->k6;
+      const Lanes second = h_[e] * side[e]->k2, fourth = h_[e] * side[e]->k4;
+      flux += second;
+      h4_ += fourth;
+      sizes_.second += magnitude(second);
+      sizes_.fourth += magnitude(fourth);
+      if constexpr (O >= 2) {
+        const Lanes sixth = h_[e] * side[e]->k6;
+        h6_ += sixth;
+        sizes_.sixth += magnitude(sixth);
+      }
       const Lanes r0 = corner[e]->r, r1 = corner[(e + 1) % 3]->r;
       const Lanes end = select(r0 < r1, r0, r1);
       const Lanes away = select(side[e]->ends > Lanes{}, end * end - d2, h_[e] * h_[e]);
       least = select(away < least, away, least);
     }
     const Mask within = (h_[0] > Lanes{}) & (h_[1] > Lanes{}) & (h_[2] > Lanes{});
-    const Mask low = ~within & (least > kLowest * d2);
+    const Mask low = low_ = ~within & (least > kLowest * d2);
     const Lanes over = 1 / d_;
     flux_ = flux;
     whole_ = flux * over;
@@ -69,6 +77,24 @@ class MeanValueFace {
   Lanes height() const { return d_; }
   /// V
   Lanes total() const { return whole_; }
+  /// About what the roundings of V, Q, dQ/dd and of sums over the edges leave in the weights and their derivatives.
+  Roundings<O> roundings() const {
+    const Lanes d = magnitude(d_), over = 1 / d;
+    const Lanes slope = face_.steep * (side_[0]->k2 + side_[1]->k2 + side_[2]->k2);
+    const Lanes hat[2] = {h_[1] * face_.hat[0], h_[2] * face_.hat[1]};
+    const Lanes hats = magnitude(hat[0]) + magnitude(hat[1]) + magnitude(1 - hat[0] - hat[1]);
+    const Lanes whole = select(low_, d * sizes_.fourth, sizes_.second * over);
+    const Lanes across = select(low_, sizes_.fourth, whole * over) + 2 * sizes_.fourth;
+    Roundings<O> left;
+    const auto larger = [](Lanes a, Lanes b) { return select(a < b, b, a); };
+    left.of[0] = larger(d * slope, kOfSum * whole * hats);
+    left.of[1] = larger(slope, kOfSum * (whole * face_.steep + across * hats));
+    if constexpr (O >= 2) {
+      const Lanes bend = select(low_, d * sizes_.sixth, over * (whole * over + sizes_.fourth)) + 8 * d * sizes_.sixth;
+      left.of[2] = kOfSum * (across * face_.steep + bend * hats);
+    }
+    return left;
+  }
   /// Keeps the face as that which some points are seen from.
   void keep(Mask mine, BaseFace& base) const {
     const auto take = [&](SpaceJet& to, Lanes value, auto gradient, auto hessian) {
@@ -80,7 +106,8 @@ class MeanValueFace {
     const auto nothing = [](int) { return Lanes{}; };
     const double* const n = face_.n;
     base.seen |= mine;
-    base.steepness = select(mine, magnitude(slope_), base.steepness);
+    base.beside[0] = select(mine, magnitude(slope_), base.beside[0]);
+    if constexpr (O >= 2) base.beside[1] = select(mine, magnitude(bend_), base.beside[1]);
     take(
         base.height, d_, [&](int i) { return splat(n[i]); }, nothing);
     const Weight sum = without_total().all();  // derivatives of V that have none of its powers of the height
@@ -232,26 +259,12 @@ class MeanValueFace {
   const FaceTable<double>& face_;
   const MeanValueEdge* const (&side_)[3];
   Lanes d_{}, h_[3] = {}, h4_{}, h6_{};
+  struct {
+    Lanes second{}, fourth{}, sixth{};
+  } sizes_;  // sums of |h K|
+  Mask low_{};
   Lanes flux_{};                      // d V
   Lanes whole_{}, slope_{}, bend_{};  // V, Q, dQ/dd
-};
-
-/// As Steepness, of gradients: differences of int r^-2 over a face's edges times the slopes of its hat functions are
-/// parts of the weights' derivative across the face, whatever the height.
-struct SteepSlopes {
-  double most;
-  Lanes squares{}, gradients{}, limit = splat(1e300);
-
-  /// Points that have more of them than their gradients allow. \param beside gradients that the columns do not have
-  Mask many(const Block& block, Lanes beside) {
-    gradients = norm_of(block, 1, 0, 3) + beside;
-    return squares > (most * gradients) * (most * gradients);
-  }
-  /// Sets a limit for points that leaves no more than that.
-  void lower(const Block& block, Mask points) {
-    const double root_of_faces = __builtin_sqrt(static_cast<double>(block.cage->faces));
-    limit = select(points, (most / root_of_faces) * gradients, limit);
-  }
 };
 
 /// Distances from edges and corners, over those that `near` stands for, below which derivatives are left to others.
@@ -274,14 +287,13 @@ Mask is_left_beside(const CageTables& cage, const FaceTable<double>& face, const
 /// Adds the faces that are near, and lists those that need more digits. \param from the faces that points are seen from
 template <int O>
 void sum_mean_value_faces(Block& block, const NearFaces& faces, const SeenVertex* vertex, const MeanValueEdge* edge,
-                          const Lanes* height, Lanes from, Steepness& steep, SteepSlopes& slopes) {
+                          const Lanes* height, Lanes from, SteepDerivatives<O>& steep) {
   const CageTables& cage = *block.cage;
   BaseFace& base = *static_cast<BaseFace*>(block.measured);
   base = BaseFace{};
   Mask left{};
   const Mask whole = mask_of(block.whole);
   block.marked = block.beyond_marked = 0;
-  slopes.squares = Lanes{};
   for (int place = 0; place < faces.count; ++place) {
     const int f = faces.faces[place];
     const FaceTable<double>& face = cage.face[f];
@@ -289,12 +301,12 @@ void sum_mean_value_faces(Block& block, const NearFaces& faces, const SeenVertex
     const SeenVertex* const corner[3] = {vertex + face.vertex[0], vertex + face.vertex[1], vertex + face.vertex[2]};
     const MeanValueEdge* const side[3] = {edge + face.edge[0], edge + face.edge[1], edge + face.edge[2]};
     const MeanValueFace<O> seen(cage, face, corner, side, height[f]);
-    const Lanes slope = face.steep * (side[0]->k2 + side[1]->k2 + side[2]->k2);
-    const Lanes steepness = magnitude(seen.height()) * slope;
+    const Roundings<O> roundings = seen.roundings();
     const Mask near =
         (corner[0]->near | corner[1]->near | corner[2]->near | side[0]->near | side[1]->near | side[2]->near) & ~far;
-    const Mask many = whole | steep.exceeds(steepness) | (slope > slopes.limit), marked = (near | many) & ~far;
-    const Mask out = marked | far, mine = from == splat(f);
+    const Mask mine = from == splat(f);
+    const Mask many = whole | (steep.exceeded(face.steep, roundings) & ~mine), marked = (near | many) & ~far;
+    const Mask out = marked | far;
     if (any(near)) left |= near & is_left_beside<O>(cage, face, corner, side);
     if (any(mine)) {
       // A height that is nothing but rounding: the point is on the face, or nobody knows.
@@ -303,8 +315,7 @@ void sum_mean_value_faces(Block& block, const NearFaces& faces, const SeenVertex
                       (d < splat(kLostHeight)));
       seen.keep(mine & ~marked, base);
     }
-    steep.count(select(out, Lanes{}, steepness), select(far, Lanes{}, seen.total()));
-    slopes.squares += select(out, Lanes{}, slope * slope);
+    steep.count(face.steep, out | mine, roundings, select(far, Lanes{}, seen.total()));
     seen.add(~(out | mine), block);
     if (!any(marked)) [[likely]]
       continue;
@@ -322,8 +333,7 @@ void sum_mean_value_derivatives(Block& block) {
   auto* const edge = reinterpret_cast<MeanValueEdge*>(vertex + cage.vertices);
   auto* const height = reinterpret_cast<Lanes*>(edge + cage.edges);
   auto* const columns = reinterpret_cast<Lanes*>(block.columns);
-  Steepness steep(kSteepDerivatives);
-  SteepSlopes slopes{kSteepGradients};
+  SteepDerivatives<O> steep;
   Attempts attempts;
   fine_heights(block, height);
   while (attempts.again) {
@@ -336,14 +346,11 @@ void sum_mean_value_derivatives(Block& block) {
       edge[e] = mean_value_edge<O>(table, vertex[table.from], vertex[table.to]);
     }
     for (int c = 0; c < block.layout.count; ++c) columns[c] = Lanes{};
-    steep.start(add_far_mean_values<O>(block, near, height));
     const Lanes from = base_faces(cage, near, vertex, height);
-    sum_mean_value_faces<O>(block, near, vertex, edge, height, from, steep, slopes);
-    const Lanes beside = static_cast<const BaseFace*>(block.measured)->steepness;
-    const Mask steeper = steep.many(), sloping = slopes.many(block, beside);
-    const Mask limited = attempts.next(steeper | sloping, near);
-    steep.lower(limited & steeper);
-    slopes.lower(block, limited & sloping);
+    steep.start(cage, add_far_mean_values<O>(block, near, height), from);
+    sum_mean_value_faces<O>(block, near, vertex, edge, height, from, steep);
+    steep.hold(block);
+    steep.lower(attempts.next(steep.many(), near), near.faces_of);
   }
 }
 
