@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -33,6 +34,13 @@ double seconds_between_lines() {
   return *seconds;
 }
 
+// What has passed.
+std::string elapsed_text(double seconds) {
+  return seconds < 120 ? fmt::format("{:.0f} s", std::floor(seconds))
+                       : fmt::format("{:.0f} min", std::floor(seconds / 60));
+}
+
+// What is left.
 std::string duration_text(double seconds) {
   if (seconds < 60) return fmt::format("{:.0f} s", std::ceil(seconds));
   if (seconds < 5400) return fmt::format("{:.0f} min", std::ceil(seconds / 60));
@@ -50,6 +58,48 @@ void remark(const std::string& text) {
 }
 
 Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0), between_(seconds_between_lines()) {}
+
+Progress::~Progress() {
+  {
+    const std::scoped_lock lock(mutex_);
+    ended_ = true;
+  }
+  changed_.notify_all();
+  if (watcher_.joinable()) watcher_.join();
+}
+
+// Units of work may take minutes, and so may what is prepared before the first: lines come by the clock.
+void Progress::watch() {
+  std::unique_lock lock(mutex_);
+  while (!ended_) {
+    // Not beyond what clocks count to.
+    const auto due = last_ + std::chrono::duration_cast<Clock::duration>(std::min(between_, Seconds(1e8)));
+    if (Clock::now() < due) {
+      changed_.wait_until(lock, due);
+      continue;
+    }
+    last_ = Clock::now();
+    if (const std::string text = state(last_); !text.empty()) write(text + '\n');
+  }
+}
+
+// How far the stage is, and what has taken longest of all that is done now.
+std::string Progress::state(Clock::time_point now) const {
+  std::string text = stage_.empty() ? "" : fmt::format("{} {} %{}", stage_, percent_, left(done_, all_, now));
+  const auto longest = std::ranges::min_element(doing_, {}, [](const auto& one) { return one.second.since; });
+  if (longest == doing_.end()) return text;
+  const auto& [what, since] = longest->second;
+  return fmt::format("{}{}{} for {}", text, text.empty() ? "" : ": ", what, elapsed_text(Seconds(now - since).count()));
+}
+
+void Progress::doing(const std::string& what) {
+  // Lines as often as something ends need no clock.
+  if (quiet() || terminal_ || between_.count() == 0) return;
+  const std::scoped_lock lock(mutex_);
+  if (what.empty()) doing_.erase(std::this_thread::get_id());
+  else doing_[std::this_thread::get_id()] = {what, Clock::now()};
+  if (!watcher_.joinable()) watcher_ = std::thread([this] { watch(); });
+}
 
 bool Progress::is_time_for_line(Clock::time_point now) {
   if (now - last_ < between_) return false;
@@ -76,7 +126,10 @@ void Progress::operator()(const std::string& stage, std::size_t done, std::size_
     first_ = done;
     start_ = now;
   }
+  done_ = done;
+  all_ = all;
   if (!terminal_) {
+    percent_ = percent;
     if (is_time_for_line(now)) write(fmt::format("{} {} %{}\n", stage, percent, left(done, all, now)));
     return;
   }

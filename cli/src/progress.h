@@ -5,9 +5,12 @@
 #include "command_line.h"
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <map>
 #include <mutex>
 #include <string>
+#include <thread>
 
 namespace cageproof::cli {
 
@@ -23,11 +26,17 @@ class Progress {
  public:
   /// \throws InputError where CAGEPROOF_PROGRESS is no number of seconds
   Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();
 
   /// \param stage what is being done \param done how much of `all` of it
   void operator()(const std::string& stage, std::size_t done, std::size_t all);
   /// What is done now, of an amount that is not known: each time on a terminal, elsewhere as often as lines may come.
   void operator()(const std::string& event);
+  /// What the calling thread does from now on; empty where it has ended that. Where there is no terminal and no other
+  /// line comes for as long as lines take, one says what of that has taken longest.
+  void doing(const std::string& what);
   void clear() const;
   /// What those at a terminal are told when it is done.
   void say(const std::string& text) const;
@@ -36,6 +45,13 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   using Seconds = std::chrono::duration<double>;
 
+  struct Doing {
+    std::string what;
+    Clock::time_point since;
+  };
+
+  void watch();
+  std::string state(Clock::time_point now) const;
   bool is_time_for_line(Clock::time_point now);
   std::string left(std::size_t done, std::size_t all, Clock::time_point now) const;
 
@@ -44,7 +60,11 @@ class Progress {
   std::mutex mutex_;
   Clock::time_point start_ = Clock::now(), last_ = start_;
   std::string stage_;
-  std::size_t first_ = 0, percent_ = 0;
+  std::size_t first_ = 0, percent_ = 0, done_ = 0, all_ = 0;
+  std::map<std::thread::id, Doing> doing_;
+  bool ended_ = false;
+  std::condition_variable changed_;
+  std::thread watcher_;
 };
 
 }  // namespace cageproof::cli

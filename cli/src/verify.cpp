@@ -128,6 +128,7 @@ int run(Arguments& a) {
   };
   options.warn = [](const std::string& text) { fmt::print(stderr, "warning: {}\n", text); };
   Progress progress;
+  options.doing = [&](const std::string& what) { progress.doing(what); };
   options.progress = [&](std::size_t done, std::size_t all) { progress("measuring", done, all); };
   const validation::Verified done = validation::verify(options);
   progress.clear();

@@ -22,6 +22,12 @@ CAGEPROOF_PROGRESS=1h "$cageproof" verify --formulas segment.winding_angle --sam
 CAGEPROOF_PROGRESS=-1 "$cageproof" verify --formulas segment.winding_angle --samples 2 --out refused >stdout 2>stderr
 [ $? -eq 2 ] || fail "CAGEPROOF_PROGRESS=-1: $(cat stderr)"
 
+# Lines come by the clock, also before the first unit of work has ended, and name what is being done.
+CAGEPROOF_PROGRESS=0.1 "$cageproof" verify --cage cube --evaluations batched --out report >stdout 2>stderr || fail "verify --cage cube: $(cat stderr)"
+grep -Eq '^(measuring [0-9]+ %.*: )?[a-z].* for [0-9]+ s$' stderr || fail "no line names what is done: $(cat stderr)"
+CAGEPROOF_PROGRESS=0.1 "$cageproof" verify --quiet --cage cube --evaluations batched --out report >stdout 2>stderr || fail 'verify --quiet --cage cube'
+[ ! -s stderr ] || fail "verify --quiet --cage says: $(cat stderr)"
+
 # On a terminal one line is rewritten.
 if command -v script >/dev/null; then
   script -qec "'$cageproof' verify --formulas segment.winding_angle --samples 20 --out report" /dev/null >typed </dev/null || fail 'verify at a terminal'

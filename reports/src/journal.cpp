@@ -115,7 +115,8 @@ class Reader {
     if (version < schema_of_hybrids) return take(with_hybrids(line), schema_version);
     if (line.contains("session")) journal_.sessions.push_back(session_of(line["session"]));
     PartialResult found = partial_result_of(line);
-    open_ = open_ || !found.rows.empty() || !found.fields.empty() || !found.meshes.empty() || !found.errata.empty();
+    open_ = open_ || !found.rows.empty() || !found.fields.empty() || !found.meshes.empty() || !found.errata.empty() ||
+            !found.refused.empty();
     journal_.gathered.merge(std::move(found));
     if (line.contains("seconds") && !journal_.sessions.empty()) {
       double& seconds = journal_.sessions.back().seconds;
@@ -225,6 +226,7 @@ void put_journal(const Journal& journal, const std::function<void(std::string_vi
     put_one(&PartialResult::fields, std::pair(place, std::size_t{0}), std::move(field));
   for (const auto& [name, mesh] : journal.gathered.meshes) put_one(&PartialResult::meshes, name, mesh);
   for (const auto& [place, erratum] : journal.gathered.errata) put_one(&PartialResult::errata, place, erratum);
+  for (const auto& [reason, names] : journal.gathered.refused) put_one(&PartialResult::refused, reason, names);
   Json units = Json::array();
   if (journal.header.units > 0) units.push_back(Json::array({std::size_t{0}, journal.header.units - 1}));
   put(dump(Json{{"units", units}}) + "\n");

@@ -219,6 +219,8 @@ Json partial_result_json(const PartialResult& gathered) {
   for (const auto& [at, part] : gathered.fields) json["fields"].push_back(json_of(at.first, part));
   for (const auto& [name, mesh] : gathered.meshes) json["meshes"].push_back(json_of(mesh));
   for (const auto& [place, row] : gathered.errata) json["errata"].push_back(json_of(place, row));
+  for (const auto& [reason, names] : gathered.refused)
+    json["refused"].push_back({{"reason", reason}, {"names", names}});
   return json;
 }
 
@@ -238,6 +240,9 @@ PartialResult partial_result_of(const Json& json) {
     gathered.meshes.try_emplace(found.name, std::move(found));
   }
   for (const Json& row : list(json, "errata")) gathered.errata.try_emplace(small(row.at("place")), erratum_of(row));
+  for (const Json& one : list(json, "refused"))
+    for (const Json& name : one.at("names"))
+      gathered.refused[one.at("reason").get<std::string>()].insert(name.get<std::string>());
   return gathered;
 }
 

@@ -7,7 +7,7 @@
 
 namespace cageproof::reports {
 
-/// Members "rows", "fields", "meshes", "errata", each an array, left out when empty.
+/// Members "rows", "fields", "meshes", "errata", "refused", each an array, left out when empty.
 Json partial_result_json(const PartialResult& gathered);
 
 /// One row, as in "rows".

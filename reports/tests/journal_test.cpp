@@ -76,6 +76,7 @@ PartialResult found(int i) {
   gathered.fields.emplace(std::pair(7, part.first), part);
   if (i == 0) gathered.meshes["mesh"] = {"mesh", {Vec3<double>(1, 2, 1.0 / 3)}, {{0, 0, 0}}, {}};
   gathered.errata[i] = {"source", "printed", "correct", "f", "e", "generic", 1, 24, 3, 0.1, kDenormal};
+  gathered.refused["too thin"].insert(i == 0 ? "one" : "another");
   return gathered;
 }
 
@@ -134,6 +135,7 @@ TEST_F(Journals, KeepEveryBit) {
   EXPECT_EQ(journal.gathered.meshes.at("mesh").vertices[0][2], 1.0 / 3);
   EXPECT_EQ(journal.gathered.errata.at(2).corrected_error, kDenormal);
   EXPECT_EQ(journal.gathered.errata.at(2).nonfinite, 3u);
+  EXPECT_EQ(journal.gathered.refused.at("too thin"), (std::set<std::string>{"another", "one"}));
 }
 
 TEST_F(Journals, LoseOnlyTheLineThatIsTorn) {

@@ -369,5 +369,86 @@ TEST(deformers, are_not_judged_in_cages_without_points_deep_enough) {
   EXPECT_EQ(interior_points(*cube, Triangulation::Shortest, 1, 3).size(), 3U);
 }
 
+// A cage at that distance along each axis.
+Cage far_cube(double offset) {
+  const Cage cube = embedded_cage("cube");
+  std::vector<Vec3<double>> moved = cube.vertices();
+  for (Vec3<double>& v : moved) v.array() += offset;
+  return cube.with(moved, cube.faces());
+}
+
+TEST(deformers, that_round_alone_keep_their_promises_far_from_the_origin) {
+  for (const double offset : {1e3, 1e6, 1e8, 1e9})
+    for (const ResultRow& row : run_deformer_campaign(far_cube(offset), {.methods = "green,mean_value,variational"}))
+      EXPECT_NE(row.verdict, Verdict::Broken)
+          << offset << ' ' << row.subject << ' ' << row.check << ' ' << row.place << ": " << row.max;
+}
+
+TEST(deformers, are_excused_by_conditions_to_seven_digits_and_by_four_roundings_everywhere) {
+  constexpr double u = 0x1p-53, promised = 1e-13;
+  const auto is_kept = [](double plain, const Excuses& excuses) { return excused(plain, excuses).error <= promised; };
+  EXPECT_FALSE(is_kept(2e-13, {}));
+  EXPECT_TRUE(is_kept(9e-8, {1e8, 1e6 * u}));
+  EXPECT_FALSE(is_kept(2e-7, {1e8, 1e6 * u}));
+  for (const double sizes : {1e3, 1e6, 1e8, 1e9, 1e12}) {
+    EXPECT_TRUE(is_kept(3.9 * sizes * u, {1, sizes * u})) << sizes;
+    EXPECT_FALSE(is_kept(4.1 * sizes * u, {1, sizes * u})) << sizes;
+  }
+}
+
+TEST(deformers, by_maps_that_are_rounded_once) {
+  for (const SpaceMap& map : space_maps(3)) {
+    const Vec3<double> at(1e9 + .25, 1e9 + .5, 1e9);
+    for (int c = 0; c < 3; ++c) {
+      Mp50 expected = Mp50(map.shift[c]) * Mp50(2);
+      for (int k = 0; k < 3; ++k) expected += Mp50(map.linear(c, k)) * Mp50(at[k]);
+      EXPECT_NEAR(map(at, 2)[c], static_cast<double>(expected), std::abs(static_cast<double>(expected)) * 0x1p-52)
+          << map.pose << ' ' << c;
+    }
+  }
+}
+
+// A method for cages next to the origin, so that only moved copies are refused.
+constexpr std::string_view only_near = "near_cage_alone";
+
+std::string why_far_is_refused(const Cage& cage) { return cage.name() == only_near ? "" : "not of this cage"; }
+
+template <Scalar R>
+std::shared_ptr<const deformation::Deformer<R>> prepare_near(const Cage& cage, const deformation::DeformOptions&) {
+  if (cage.vertices()[0].cwiseAbs().maxCoeff() > 1e5) throw InputError("far cages are refused");
+  return deformation::prepare_deformer<R>(deformation::deform_method_named("mean_value"), cage, {});
+}
+
+const deformation::RegisterDeformMethod near_method{{.name = "only_near",
+                                                     .source = "a test's",
+                                                     .keeps = "linear maps",
+                                                     .kind = "mean_value",
+                                                     .refuses = why_far_is_refused,
+                                                     .prepare = prepare_near<double>,
+                                                     .prepare_in_50_digits = prepare_near<Mp50>}};
+
+TEST(deformers, that_refuse_a_moved_copy_are_named_and_judged_by_the_rest) {
+  const Cage cube = embedded_cage("cube");
+  const auto cage = std::make_shared<const Cage>(Cage::make(std::string(only_near), cube.vertices(), cube.faces()));
+  RefusedMethods refused;
+  const PartialResult found = measure_all(deformer_measurements(cage, {.methods = "only_near"}, &refused), 1);
+  EXPECT_TRUE(refused.empty());
+  ASSERT_EQ(found.refused.size(), 1U);
+  EXPECT_EQ(found.refused.begin()->first, "far cages are refused");
+  EXPECT_EQ(found.refused.begin()->second,
+            std::set<std::string>{"near_cage_alone, deformer only_near, , keeps_offset, 1e6 sizes off"});
+  const auto has = [&](std::string_view check, std::string_view place) {
+    return std::ranges::any_of(found.rows, [&](const auto& row) {
+      return row.first.check == check && row.first.place == place && row.second.errors.count() > 0;
+    });
+  };
+  EXPECT_TRUE(has("keeps_offset", "1e3 sizes off"));
+  EXPECT_FALSE(has("keeps_offset", "1e6 sizes off"));
+  EXPECT_TRUE(has("keeps_symmetry_of_quads", "symmetric in x"));
+  EXPECT_TRUE(has("deformer_truth", "bent"));
+  EXPECT_THROW(measure_all(deformer_measurements(cage, {.methods = "only_near"}), 1), InputError)
+      << "without a user's cage nothing may be left out";
+}
+
 }  // namespace
 }  // namespace cageproof::validation

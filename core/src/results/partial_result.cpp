@@ -40,6 +40,7 @@ void PartialResult::merge(PartialResult other) {
   fields.merge(other.fields);
   meshes.merge(other.meshes);
   errata.merge(other.errata);
+  for (auto& [reason, names] : other.refused) refused[reason].merge(names);
 }
 
 void PartialResult::drop_unwanted(const PartialResult& so_far) {

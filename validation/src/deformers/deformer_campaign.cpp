@@ -21,14 +21,46 @@ constexpr double depth = 2e-2;
 
 bool is_small(const Cage& cage, Triangulation rule) { return cage.parts(false, rule).elements.size() <= few_elements; }
 
+// Asks questions of a measurement. Whoever has a user's cage also wants to know of what a method refuses, and of the
+// rest of its questions.
+class Asker {
+ public:
+  Asker(std::string name, bool tells_refusals, PartialResult& gathered)
+      : name_(std::move(name)), tells_refusals_(tells_refusals), gathered_(gathered) {}
+
+  /// Asks a part of a measurement, up to where it is refused.
+  void ask(const std::string& part, const std::function<void()>& questions) const {
+    if (!tells_refusals_) return questions();
+    try {
+      questions();
+    } catch (const InputError& error) {
+      gathered_.refused[error.what()].insert(part.empty() ? name_ : fmt::format("{}, {}", name_, part));
+    }
+  }
+  void ask(const Question<PointAt>& question, const std::vector<Vec3<double>>& points, std::size_t count) const {
+    ask(fmt::format("{}, {}", question.key.check, question.key.place), [&] {
+      for (std::size_t p = 0; p < count; ++p) record(question, {points[p], p}, gathered_.rows);
+    });
+  }
+
+ private:
+  std::string name_;
+  bool tells_refusals_;
+  PartialResult& gathered_;
+};
+
 // A method prepared with its defaults, which its variants share.
 using Prepared = Lazy<std::shared_ptr<const deformation::Deformer<double>>>;
 
 class DeformerMeasurement final : public Measurement {
  public:
   DeformerMeasurement(std::shared_ptr<const Cage> cage, DeformerVariant variant, const DeformerCampaignOptions& options,
-                      std::shared_ptr<const Prepared> prepared)
-      : cage_(std::move(cage)), variant_(std::move(variant)), options_(options), prepared_(std::move(prepared)) {}
+                      std::shared_ptr<const Prepared> prepared, bool tells_refusals)
+      : cage_(std::move(cage)),
+        variant_(std::move(variant)),
+        options_(options),
+        prepared_(std::move(prepared)),
+        tells_refusals_(tells_refusals) {}
 
   std::string name() const override {
     return fmt::format("{}, deformer {}, {}", cage_->name(), variant_.method->name, variant_.name);
@@ -36,14 +68,16 @@ class DeformerMeasurement final : public Measurement {
   int blocks() const override { return 1; }
 
   PartialResult measure(int) const override {
-    const DeformerChecks checks(cage_, variant_, options_.triangulation, prepared_->get().get());
-    const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
     PartialResult gathered;
-    for (const Question<PointAt>& question : checks.questions()) {
-      const bool costly = question.key.place == bent_pose || question.key.check == "keeps_offset";
-      const std::size_t count = std::min<std::size_t>(points.size(), costly ? few() : points.size());
-      for (std::size_t p = 0; p < count; ++p) record(question, {points[p], p}, gathered.rows);
-    }
+    const Asker asker(name(), tells_refusals_, gathered);
+    asker.ask("", [&] {
+      const DeformerChecks checks(cage_, variant_, options_.triangulation, prepared_->get().get());
+      const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
+      for (const Question<PointAt>& question : checks.questions()) {
+        const bool costly = question.key.place == bent_pose || question.key.check == "keeps_offset";
+        asker.ask(question, points, std::min<std::size_t>(points.size(), costly ? few() : points.size()));
+      }
+    });
     return gathered;
   }
 
@@ -54,14 +88,15 @@ class DeformerMeasurement final : public Measurement {
   DeformerVariant variant_;
   DeformerCampaignOptions options_;
   std::shared_ptr<const Prepared> prepared_;
+  bool tells_refusals_;
 };
 
 // A method that takes constraints.
 class ConstrainedMeasurement final : public Measurement {
  public:
   ConstrainedMeasurement(std::shared_ptr<const Cage> cage, ConstrainedVariant variant,
-                         const DeformerCampaignOptions& options)
-      : cage_(std::move(cage)), variant_(std::move(variant)), options_(options) {}
+                         const DeformerCampaignOptions& options, bool tells_refusals)
+      : cage_(std::move(cage)), variant_(std::move(variant)), options_(options), tells_refusals_(tells_refusals) {}
 
   std::string name() const override {
     return fmt::format("{}, deformer {}, {}", cage_->name(), variant_.method->name, variant_.name);
@@ -69,12 +104,14 @@ class ConstrainedMeasurement final : public Measurement {
   int blocks() const override { return 1; }
 
   PartialResult measure(int) const override {
-    const ConstrainedChecks checks(cage_, variant_, options_.triangulation);
-    const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
     PartialResult gathered;
-    for (const Question<PointAt>& question : checks.questions())
-      for (std::size_t p = 0; p < (question.once ? 1 : points.size()); ++p)
-        record(question, {points[p], p}, gathered.rows);
+    const Asker asker(name(), tells_refusals_, gathered);
+    asker.ask("", [&] {
+      const ConstrainedChecks checks(cage_, variant_, options_.triangulation);
+      const auto points = interior_points(*cage_, options_.triangulation, options_.seed, options_.points);
+      for (const Question<PointAt>& question : checks.questions())
+        asker.ask(question, points, question.once ? 1 : points.size());
+    });
     return gathered;
   }
 
@@ -82,6 +119,7 @@ class ConstrainedMeasurement final : public Measurement {
   std::shared_ptr<const Cage> cage_;
   ConstrainedVariant variant_;
   DeformerCampaignOptions options_;
+  bool tells_refusals_;
 };
 
 // Why a method refuses a cage and constraints inside when it solves; empty where it does not.
@@ -104,9 +142,12 @@ void add_constrained(const std::shared_ptr<const Cage>& cage, const DeformerCamp
   for (const deformation::ConstraintMethod& method : deformation::constraint_methods()) {
     if (!matches(options.methods, method.name) || !can_be_asked(method, *cage, options.triangulation)) continue;
     for (ConstrainedVariant& variant : variants_of(method)) {
+      if (refused != nullptr && options.doing)
+        options.doing(fmt::format("{}, preparing deformer {}", cage->name(), method.name));
       std::string reason = refused == nullptr ? "" : why_refused(cage, variant, options);
       if (reason.empty())
-        measurements.push_back(std::make_unique<ConstrainedMeasurement>(cage, std::move(variant), options));
+        measurements.push_back(
+            std::make_unique<ConstrainedMeasurement>(cage, std::move(variant), options, refused != nullptr));
       else (*refused)[std::move(reason)].push_back(fmt::format("{} ({})", method.name, variant.name));
     }
   }
@@ -174,6 +215,7 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
       return deformation::prepare_deformer<double>(method, *cage, {.evaluation = {}, .triangulation = rule});
     });
     if (refused != nullptr) {
+      if (options.doing) options.doing(fmt::format("{}, preparing deformer {}", cage->name(), method.name));
       try {
         prepared->get();
       } catch (const InputError& error) {
@@ -182,7 +224,8 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
       }
     }
     for (DeformerVariant& variant : variants)
-      measurements.push_back(std::make_unique<DeformerMeasurement>(cage, std::move(variant), options, prepared));
+      measurements.push_back(
+          std::make_unique<DeformerMeasurement>(cage, std::move(variant), options, prepared, refused != nullptr));
   }
   if (has_points) add_constrained(cage, options, measurements, refused);
   return measurements;

@@ -15,6 +15,8 @@ struct DeformerCampaignOptions {
   int points = 12;     ///< inside the cage, for the maps that are kept
   int few_points = 2;  ///< of these, for derivatives and what takes 50 digits or quadrature; one on larger cages
   int jobs = 0;
+  /// Told which method is prepared, where `refused` is given. Null: nobody.
+  std::function<void(const std::string&)> doing = nullptr;
 };
 
 /// The embedded cages that runs judge deformers on, in report order: small ones, so that all variants of all methods
@@ -33,8 +35,9 @@ using RefusedMethods = std::map<std::string, std::vector<std::string>>;
 
 /// One a variant of each method that matches and does not refuse the cage; on cages with more than few_elements only
 /// the first and last variants.
-/// \param refused if given, gets the methods that refuse the cage, by its kind or when they are prepared. Without it
-///   they are prepared when they are measured, which fails where one refuses.
+/// \param refused if given, gets the methods that refuse the cage, by its kind or when they are prepared. What refuses
+///   later, when it is measured, a moved copy of the cage or a pose, goes to PartialResult::refused. Without it methods
+///   are prepared when they are measured, which fails where one refuses.
 Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options,
                                    RefusedMethods* refused = nullptr);
 

@@ -2,6 +2,7 @@
 #include "deformer_checks.h"
 
 #include "deformers/deformer_route.h"
+#include "sampling/generic_direction.h"
 
 #include "cageproof/core/catalogue/unknown_name.h"
 #include "cageproof/deformation/stretch.h"
@@ -29,17 +30,9 @@ constexpr double most_excused = 1e8;
 // to.
 constexpr double harmless_rounding = 2.5e-14;
 
-// Images that are promised to 1e-13 sizes keep their first seven digits whatever excuses them, so that no promise is
+// Images that are promised to 1e-13 sizes keep their first seven digits whatever the condition, so that no promise is
 // kept without a right digit.
 constexpr double largest_factor = 1e6;
-
-template <class R>
-std::vector<Vec3<R>> in(const std::vector<Vec3<double>>& points) {
-  std::vector<Vec3<R>> found;
-  found.reserve(points.size());
-  for (const Vec3<double>& p : points) found.push_back(convert<R>(p));
-  return found;
-}
 
 // Of the worst system that was solved for the cage or for the pose; one where none was. A singular system has none: its
 // solution of least norm is as good as those of others. What roundings of posed vertices cost, which a deformer states
@@ -60,12 +53,6 @@ auto lazily(Make make) {
   return std::make_shared<const Lazy<std::invoke_result_t<Make>>>(std::move(make));
 }
 
-// Each point by itself: products of larger matrices sum in another order.
-template <class R>
-Images<R> images_at(const Deformer<R>& deformer, const Posed<R>& posed, const Vec3<R>& point, int order) {
-  return deformer.images(posed, std::span(&point, 1), order);
-}
-
 Vec3<double> image_at(const Deformer<double>& deformer, const Posed<double>& posed, const Vec3<double>& point, int d) {
   const Images<double> images = images_at(deformer, posed, point, 0);
   Vec3<double> image = Vec3<double>::Zero();
@@ -76,15 +63,16 @@ Vec3<double> image_at(const Deformer<double>& deformer, const Posed<double>& pos
 }  // namespace
 
 double Excuses::factor() const {
-  return std::min(largest_factor, std::max(1.0, std::min(condition, most_excused) / harmless_condition) *
-                                      std::max(1.0, rounding / harmless_rounding));
+  const double of_rounding = std::max(1.0, rounding / harmless_rounding),
+               of_condition = std::max(1.0, std::min(condition, most_excused) / harmless_condition);
+  // Vertices, points and images a billion sizes off are doubles of six digits, whatever is computed with them.
+  return std::max(of_rounding, std::min(largest_factor, of_condition * of_rounding));
 }
 
 DeformerError excused(double plain, const Excuses& excuses) { return {plain / excuses.factor(), plain}; }
 
-double rounding_of_coordinates(const Cage& cage) {
-  double largest = 0;
-  for (const Vec3<double>& v : cage.vertices()) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+double rounding_of_coordinates(const Cage& cage, const std::vector<Vec3<double>>& posed) {
+  const double largest = std::max(largest_coordinate(cage.vertices()), largest_coordinate(posed));
   return unit_roundoff<double>() * largest / cage.size();
 }
 
@@ -122,6 +110,8 @@ DeformerChecks::DeformerChecks(std::shared_ptr<const Cage> cage, DeformerVariant
       rule_(rule),
       deformer_(like != nullptr ? like->with_parameters(variant_.parameters) : nullptr),
       in_50_digits_([this] { return prepared<Mp50>(""); }),
+      bent_(cage_, [this] { return deformer_; }),
+      bent_in_50_digits_(cage_, [this] { return in_50_digits_.get(); }),
       prior_() {
   if (!deformer_) deformer_ = prepared<double>("");
   prior_ = prior_of(*cage_, deformer_->coordinates().kind(), rule);
@@ -223,8 +213,9 @@ std::vector<Question<PointAt>> DeformerChecks::questions() const {
 }
 
 DeformerChecks::Ask DeformerChecks::kept(const SpaceMap& map, bool with_normals) const {
-  const auto posed = lazily([this, map, with_normals] {
-    deformation::Pose<double> pose{posed_by(map, *cage_)};
+  const auto vertices = std::make_shared<const std::vector<Vec3<double>>>(posed_by(map, *cage_));
+  const auto posed = lazily([this, map, vertices, with_normals] {
+    deformation::Pose<double> pose{*vertices};
     const CageElements& elements = deformer_->coordinates().elements();
     const Owner owner = deformation::normals_owner(deformer_->coordinates());
     if (with_normals)
@@ -232,13 +223,15 @@ DeformerChecks::Ask DeformerChecks::kept(const SpaceMap& map, bool with_normals)
         pose.normal_derivatives.push_back(map.linear * elements.normal_of(i, owner));
     return deformer_->pose(pose);
   });
-  return [this, map, posed](const Vec3<double>& point) {
+  return [this, map, vertices, posed](const Vec3<double>& point) {
     const double size = cage_->size();
     const int d = cage_->dimension();
-    const Vec3<double> image = image_at(*deformer_, *posed->get(), point, d), expected = map(point, size);
+    const Vec3<double> image = image_at(*deformer_, *posed->get(), point, d);
+    const Vec3<long double> expected = map.exactly(point, size);
     Vec3<double> difference = Vec3<double>::Zero();
-    for (int c = 0; c < d; ++c) difference[c] = image[c] - expected[c];
-    return Errors{excused(difference.norm() / size, with_condition(condition_of(*deformer_, *posed->get())))};
+    for (int c = 0; c < d; ++c) difference[c] = static_cast<double>(image[c] - expected[c]);
+    return Errors{
+        excused(difference.norm() / size, with_condition(condition_of(*deformer_, *posed->get()), *vertices))};
   };
 }
 
@@ -249,11 +242,12 @@ DeformerChecks::Ask DeformerChecks::kept_far_off(const SpaceMap& offset) const {
                                                  {.triangulation = rule_, .parameters = variant_.parameters});
   });
   const auto posed = lazily([vertices, deformer] { return deformer->get()->pose({*vertices}); });
-  return [this, offset, vertices, deformer, posed](const Vec3<double>& point) {
+  const double rounding = unit_roundoff<double>() * largest_coordinate(*vertices);
+  return [this, offset, rounding, deformer, posed](const Vec3<double>& point) {
     const int d = cage_->dimension();
     const Vec3<double> there = offset(point, cage_->size());
     const Vec3<double> image = image_at(*deformer->get(), *posed->get(), there, d);
-    return Errors{excused(in_roundings(image - there, *vertices), {condition_of(*deformer->get(), *posed->get())})};
+    return Errors{excused((image - there).norm() / rounding, {condition_of(*deformer->get(), *posed->get())})};
   };
 }
 
@@ -269,25 +263,20 @@ DeformerChecks::Ask DeformerChecks::mirrored(const MirrorSymmetry& mirror) const
 }
 
 DeformerChecks::Ask DeformerChecks::compared_with_truth(int order) const {
-  const auto posed = lazily([this] { return deformer_->pose({bent(*cage_)}); });
-  const auto exact = lazily([this] { return in_50_digits_.get()->pose({in<Mp50>(bent(*cage_))}); });
-  return [this, order, posed, exact](const Vec3<double>& point) {
-    return compared(images_at(*deformer_, *posed->get(), point, order),
-                    images_at(*in_50_digits_.get(), *exact->get(), convert<Mp50>(point), order), order,
-                    condition_of(*deformer_, *posed->get()));
+  return [this, order](const Vec3<double>& point) {
+    return compared(bent_.at(point, order), bent_in_50_digits_.at(point, order), order,
+                    condition_of(*deformer_, bent_.posed()));
   };
 }
 
 DeformerChecks::Ask DeformerChecks::compared_with_quadrature() const {
-  const auto posed = lazily([this] { return deformer_->pose({bent(*cage_)}); });
   const auto other = lazily([this] { return prepared<double>(quadrature().value()); });
   const auto other_posed = lazily([this, other] { return other->get()->pose({bent(*cage_)}); });
-  return [this, posed, other, other_posed](const Vec3<double>& point) {
+  return [this, other, other_posed](const Vec3<double>& point) {
     Images<Mp50> expected;
     const Images<double> integrated = images_at(*other->get(), *other_posed->get(), point, 0);
     for (const double x : integrated.tensors[0]) expected.tensors[0].emplace_back(x);
-    return compared(images_at(*deformer_, *posed->get(), point, 0), expected, 0,
-                    condition_of(*deformer_, *posed->get()));
+    return compared(bent_.at(point, 0), expected, 0, condition_of(*deformer_, bent_.posed()));
   };
 }
 
@@ -340,37 +329,34 @@ DeformerChecks::Ask DeformerChecks::compared_with_second_route() const {
 }
 
 template <class R>
-const Deformer<R>& DeformerChecks::deformer_in() const {
-  if constexpr (is_multiprecision<R>) return *in_50_digits_.get();
-  else return *deformer_;
+const BentImages<R>& DeformerChecks::bent_images() const {
+  if constexpr (is_multiprecision<R>) return bent_in_50_digits_;
+  else return bent_;
 }
 
 template <class R>
 DeformerChecks::Ask DeformerChecks::differences() const {
-  const auto posed = lazily([this] { return deformer_in<R>().pose({in<R>(bent(*cage_))}); });
-  return [this, posed](const Vec3<double>& at) {
+  return [this](const Vec3<double>& at) {
     using std::sqrt;
     const int d = cage_->dimension(), highest = deformer_->max_order();
     // The truncation error is the step squared, the rounding error one rounding over the step.
     const R step = R(cage_->size()) * (is_multiprecision<R> ? R(1e-16) : R(0x1p-17));
-    const Vec3<R> point = convert<R>(at);
-    std::vector<Vec3<R>> asked{point};
-    for (int a = 0; a < d; ++a)
-      for (const int sign : {1, -1}) {
-        asked.push_back(point);
-        asked.back()[a] += sign * step;
-      }
-    const Images<R> images = deformer_in<R>().images(*posed->get(), asked, highest);
+    // One direction that no symmetry knows tells as much of a tensor as all axes do, from a third of the images.
+    const Vec3<R> point = convert<R>(at), direction = generic_direction<R>(at, d);
+    const Vec3<R> above = point + step * direction, below = point - step * direction;
+    // The step as it was taken: far from the origin points are rounded.
+    const Vec3<R> taken = above - below;
+    const BentImages<R>& images = bent_images<R>();
+    const Images<R> here = images.at(at, highest), up = images.of(above, highest - 1),
+                    down = images.of(below, highest - 1);
     Errors errors;
     for (int o = 1; o <= highest; ++o) {
-      const std::size_t below = images.tensors[o - 1].size() / asked.size();
+      const std::vector<R> changes = along(taken, here.tensors[o], d);
       R sum = 0;
-      for (std::size_t i = 0; i < below; ++i)
-        for (int a = 0; a < d; ++a) {
-          const R *up = &images.tensors[o - 1][(1 + 2 * a) * below], *down = up + below;
-          const R difference = images.tensors[o][i * d + a] - (up[i] - down[i]) / (2 * step);
-          sum += difference * difference;
-        }
+      for (std::size_t i = 0; i < changes.size(); ++i) {
+        const R difference = (changes[i] - (up.tensors[o - 1][i] - down.tensors[o - 1][i])) / (2 * step);
+        sum += difference * difference;
+      }
       errors[o] = excused(static_cast<double>(R(sqrt(sum))) * std::pow(cage_->size(), o - 1), {});
     }
     return errors;

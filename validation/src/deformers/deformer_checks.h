@@ -5,6 +5,7 @@
 
 #include "cageproof/deformation/deformer.h"
 #include "cageproof/validation/cage_campaign.h"
+#include "bent_images.h"
 #include "deformer_poses.h"
 #include "cages/mirror_symmetry.h"
 #include "cageproof/core/lazy.h"
@@ -46,9 +47,11 @@ struct DeformerError {
 /// Reasons for which images may err by more than is promised next to the origin.
 struct Excuses {
   double condition = 1;  ///< of the worst system that was solved; up to 1e3 it excuses nothing, beyond 1e8 nothing more
-  double rounding = 0;   ///< of the cage's largest coordinate, in cage sizes; up to 2.5e-14 it excuses nothing
+  double rounding = 0;   ///< of the largest coordinate, in cage sizes; up to 2.5e-14 it excuses nothing
 
-  /// How many times as large as without excuses an error may be: 1 to 1e6.
+  /// How many times as large as without excuses an error may be: up to 1e6, so that of images that are promised to
+  /// 1e-13 sizes seven digits are asked whatever the condition is; or, where that is more, what four roundings of
+  /// coordinates are, which no method can do without: from 2e8 sizes off.
   double factor() const;
 };
 
@@ -56,7 +59,8 @@ struct Excuses {
 DeformerError excused(double plain, const Excuses& excuses);
 
 /// Excuses::rounding of a cage: of one next to the origin some 1e-16, of one a thousand sizes off 1e-13.
-double rounding_of_coordinates(const Cage& cage);
+/// \param posed its vertices elsewhere, which are rounded, too
+double rounding_of_coordinates(const Cage& cage, const std::vector<Vec3<double>>& posed = {});
 
 /// A deformer and its questions. Safe from any thread.
 class DeformerChecks {
@@ -77,7 +81,7 @@ class DeformerChecks {
   /// that solve systems for the cage on small cages alone, and by default parameters; of those that keep quads by
   /// default parameters.
   /// deformer_jacobian: derivatives with central differences of the images and of the Jacobian, in 50 digits where
-  /// these are prompt, else in double.
+  /// these are prompt, else in double, along one direction a point.
   /// deformer_by_quadrature: images with those that an adaptive rule gives, on small cages, by default parameters.
   /// second_route: images in 50 digits with those of second_routes::LayerRoute, of methods that solve for densities; in
   /// space by default parameters, in the plane of the cage turned.
@@ -109,17 +113,21 @@ class DeformerChecks {
   template <class R>
   Ask differences() const;
   template <class R>
-  const deformation::Deformer<R>& deformer_in() const;
+  const BentImages<R>& bent_images() const;
   Errors compared(const deformation::Images<double>& images, const deformation::Images<Mp50>& with, int order,
                   double condition) const;
-  /// Of images in double: a system's condition, and where the cage lies.
-  Excuses with_condition(double condition) const { return {condition, rounding_of_coordinates(*cage_)}; }
+  /// Of images in double: a system's condition, and where the cage lies, and its pose.
+  Excuses with_condition(double condition, const std::vector<Vec3<double>>& posed = {}) const {
+    return {condition, rounding_of_coordinates(*cage_, posed)};
+  }
 
   std::shared_ptr<const Cage> cage_;
   DeformerVariant variant_;
   Triangulation rule_;
   Prepared<double> deformer_;
   Lazy<Prepared<Mp50>> in_50_digits_;
+  BentImages<double> bent_;
+  BentImages<Mp50> bent_in_50_digits_;
   std::optional<CageCoordinates> prior_;
 };
 

@@ -37,10 +37,10 @@ std::array<SpaceMap, 2> offsets(int dimension) {
   return found;
 }
 
-double in_roundings(const Vec3<double>& difference, const std::vector<Vec3<double>>& shifted) {
+double largest_coordinate(const std::vector<Vec3<double>>& points) {
   double largest = 0;
-  for (const Vec3<double>& v : shifted) largest = std::max(largest, v.cwiseAbs().maxCoeff());
-  return difference.norm() / (unit_roundoff<double>() * largest);
+  for (const Vec3<double>& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return largest;
 }
 
 std::vector<Vec3<double>> posed_by(const SpaceMap& map, const Cage& cage) {

@@ -18,7 +18,13 @@ struct SpaceMap {
   Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
   Vec3<double> shift = Vec3<double>::Zero();  ///< in cage sizes
 
-  Vec3<double> operator()(const Vec3<double>& x, double size) const { return linear * x + size * shift; }
+  /// With more digits than double, so that in a cage far from the origin a map's own roundings are not taken for
+  /// those of whoever keeps it.
+  Vec3<long double> exactly(const Vec3<double>& x, double size) const {
+    return linear.cast<long double>() * x.cast<long double>() + size * shift.cast<long double>();
+  }
+  /// Rounded once.
+  Vec3<double> operator()(const Vec3<double>& x, double size) const { return exactly(x, size).cast<double>(); }
 };
 
 /// Identity, shift and rotation (keeps_rigid), scale 1.5 (keeps_scale), the last axis reversed (keeps_mirror), and a
@@ -28,8 +34,8 @@ std::vector<SpaceMap> space_maps(int dimension);
 /// Shifts by a thousand and by a million sizes (keeps_offset), of a cage that is not posed.
 std::array<SpaceMap, 2> offsets(int dimension);
 
-/// An error in roundings of a shifted cage's largest coordinate.
-double in_roundings(const Vec3<double>& difference, const std::vector<Vec3<double>>& shifted);
+/// Of all points.
+double largest_coordinate(const std::vector<Vec3<double>>& points);
 
 /// The cage's vertices under a map.
 std::vector<Vec3<double>> posed_by(const SpaceMap& map, const Cage& cage);

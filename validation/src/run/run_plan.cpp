@@ -98,6 +98,7 @@ class Planner {
 
   RunPlan plan() {
     require_known_names(options_);
+    doing("planning");
     if (options_.cage && options_.mesh) tell_points_outside(*options_.cage, options_.mesh->vertices);
     if (names_whole_evaluations_alone(options_.evaluations)) return plan_of_whole_evaluations();
     const std::size_t stored_cases = options_.only_cage ? 0 : add_elements();
@@ -127,10 +128,14 @@ class Planner {
     for (std::string& note : notes_on_truth(options_.formulas)) plan_.header.notes.push_back(std::move(note));
     plan_.units = units_of(plan_.measurements);
     set_header(stored_cases);
+    doing("");
     return std::move(plan_);
   }
 
  private:
+  void doing(const std::string& what) const {
+    if (options_.doing) options_.doing(what);
+  }
   void add(std::unique_ptr<const Measurement> measurement) { plan_.measurements.push_back(std::move(measurement)); }
   void add(Measurements measurements) {
     for (auto& measurement : measurements) add(std::move(measurement));
@@ -156,8 +161,10 @@ class Planner {
   void add_deformers(const std::shared_ptr<const Cage>& cage) {
     if (options_.formulas != "*") return;
     RefusedMethods refused;
-    Measurements found = deformer_measurements(cage, {.triangulation = options_.triangulation, .seed = options_.seed},
-                                               options_.cage ? &refused : nullptr);
+    Measurements found = deformer_measurements(
+        cage, {.triangulation = options_.triangulation, .seed = options_.seed, .doing = options_.doing},
+        options_.cage ? &refused : nullptr);
+    doing("planning");
     if (found.empty() && interior_points(*cage, options_.triangulation, options_.seed, 1).empty())
       plan_.header.notes.push_back(fmt::format(
           "{}: deformers are not judged, no point is found 2e-2 of its size and more inside", cage->name()));
@@ -186,6 +193,7 @@ class Planner {
     if (!options_.cage || kind.is_sum()) return "";
     const auto [known, is_new] = refusals_.try_emplace(kind.name);
     if (!is_new) return known->second;
+    doing(fmt::format("{}, solving for {} coordinates", cage.name(), kind.name));
     try {
       const auto [low, high] = box_of(cage.vertices());
       const CageCoordinates coordinates(cage, kind, CoordinateOptions{.triangulation = options_.triangulation});
@@ -195,6 +203,7 @@ class Planner {
     } catch (const InputError& error) {
       known->second = error.what();
     }
+    doing("planning");
     return known->second;
   }
 
@@ -295,6 +304,7 @@ class Planner {
     }
     plan_.units = units_of(plan_.measurements);
     set_header(0);
+    doing("");
     return std::move(plan_);
   }
 

@@ -117,6 +117,14 @@ std::optional<std::string> unfinished(const Journal& journal, const std::filesys
       journal.units_done(), header.shard_units, folder.string());
 }
 
+std::vector<std::string> notes_on_refusals(const PartialResult& gathered) {
+  std::vector<std::string> notes;
+  notes.reserve(gathered.refused.size());
+  for (const auto& [reason, names] : gathered.refused)
+    notes.push_back(fmt::format("not judged, {}: {}", reason, fmt::join(names, "; ")));
+  return notes;
+}
+
 std::vector<std::string> session_notes(const std::vector<Session>& sessions) {
   std::vector<std::string> notes;
   const auto compare = [&](const char* fact, const char* many, const char* meaning) {
@@ -178,6 +186,7 @@ RunResult result_of(Journal& journal) {
   result.curves = std::move(found.curves);
   result.notes = std::move(found.notes);
   result.notes.insert(result.notes.end(), journal.header.notes.begin(), journal.header.notes.end());
+  for (std::string& note : notes_on_refusals(journal.gathered)) result.notes.push_back(std::move(note));
   for (const auto& [place, row] : journal.gathered.errata) result.errata.push_back(row);
   return result;
 }

@@ -23,4 +23,7 @@ std::string difference_of_runs(const reports::JournalHeader& before, const repor
 /// their processors, and the instruction set.
 std::vector<std::string> session_notes(const std::vector<Session>& sessions);
 
+/// PartialResult::refused in words, one for each reason.
+std::vector<std::string> notes_on_refusals(const PartialResult& gathered);
+
 }  // namespace cageproof::validation

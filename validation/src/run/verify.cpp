@@ -158,6 +158,9 @@ std::optional<std::string> why_no_truth_cache(const std::filesystem::path& folde
 }
 
 Verified verify(const VerifyOptions& options) {
+  const auto doing = [&](const std::string& what) {
+    if (options.doing) options.doing(what);
+  };
   RunPlan plan = plan_run(options);
   if (options.warn)
     for (const std::string& warning : plan.warnings) options.warn(warning);
@@ -167,7 +170,9 @@ Verified verify(const VerifyOptions& options) {
   std::optional<TruthCache> truths;
   if (!options.truth_cache.empty() && build_id() != "unknown") truths.emplace(options.truth_cache, build_id());
   const CachedTruths cached(truths ? &*truths : nullptr);
+  doing("taking times");
   const Session session = session_of(options);
+  doing("");
   Journal journal{plan.header, {}, std::vector<bool>(plan.units.size()), {}};
   std::filesystem::path path;
   if (options.resume) {
@@ -193,7 +198,9 @@ Verified verify(const VerifyOptions& options) {
       for_each_parallel(open.size(), options.jobs, [&](std::size_t i) {
         const std::string name = work.name(open[i]);
         const double start = thread_seconds();
+        doing(name);
         recorder.add(open[i], work.measure(open[i]));
+        doing("");
         timings.add(name, work.block(open[i]), thread_seconds() - start);
         if (options.progress) options.progress(++done, own.size());
       });
@@ -205,7 +212,11 @@ Verified verify(const VerifyOptions& options) {
     }
     result.seconds = recorder.seconds();
     result.session_notes = session_notes(journal.sessions);
+    if (options.warn)
+      for (const std::string& note : notes_on_refusals(journal.gathered)) options.warn(note);
+    doing("writing the report");
     if (options.shards == 1) result.report = write_report(options.out, std::move(journal));
+    doing("");
   }
   return result;
 }

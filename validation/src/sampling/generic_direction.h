@@ -6,6 +6,7 @@
 #include "cageproof/core/numbers/random_stream.h"
 
 #include <bit>
+#include <cmath>
 #include <vector>
 
 namespace cageproof::validation {
@@ -13,6 +14,7 @@ namespace cageproof::validation {
 /// A unit vector, drawn by the point's first coordinate. Each of its components is at least a sixth.
 template <Scalar R>
 Vec3<R> generic_direction(const Vec3<double>& point, int dim) {
+  using std::sqrt;
   RandomStream random(0, "direction", std::bit_cast<std::uint64_t>(point[0]));
   Vec3<R> direction = Vec3<R>::Zero();
   for (int c = 0; c < dim; ++c) direction[c] = R((random.uniform() < 0.5 ? -1 : 1) * random.uniform(0.3, 1));

@@ -66,6 +66,9 @@ struct VerifyOptions {
   std::function<std::vector<EvaluationTime>(const std::string& formulas, const std::string& evaluations)> take_times;
   /// Told what the run leaves out of the user's cage, and why, before anything is measured.
   std::function<void(const std::string&)> warn;
+  /// Told what a thread begins, by name, and, with an empty one, that it has ended that: in planning, in measuring and
+  /// in drawing the report. From any thread. Null: nobody.
+  std::function<void(const std::string& what)> doing = nullptr;
   /// Called as units of work end.
   std::function<void(std::size_t done, std::size_t all)> progress;
 };

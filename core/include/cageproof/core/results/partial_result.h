@@ -5,6 +5,10 @@
 
 #include "cageproof/core/results/run_result.h"
 
+#include <map>
+#include <set>
+#include <string>
+
 namespace cageproof {
 
 /// Consecutive samples of a field, and what the field shows. Parts of one field agree in all but `first` and the
@@ -30,6 +34,8 @@ struct PartialResult {
       fields;                               ///< by the field's place in the report and the part's first sample
   std::map<std::string, MeshField> meshes;  ///< vertices and faces, by name
   std::map<int, ErratumRow> errata;         ///< by place in the report
+  /// What of a user's cage is not judged, because a method refuses what was made of the cage for it: by the reason.
+  std::map<std::string, std::set<std::string>> refused;
 
   /// \throws std::invalid_argument when units of tallies do not agree
   void merge(PartialResult other);
