@@ -19,10 +19,12 @@ struct Compared {
   std::size_t entries;  // of a point
 
   Compared(std::shared_ptr<const DeformedCage> cage, const Peer& of)
-      : what(std::move(cage)), coordinates(what->cage, coordinate_kind_named(of.kind),
-                                           CoordinateOptions{.evaluation = std::string(quickest)}),
-        peer(of.prepare(coordinates.elements())), entries(0) {
-    for (const CoordinateBlock& block : coordinates.blocks()) entries += static_cast<std::size_t>(block.size) * block.entries();
+      : what(std::move(cage)),
+        coordinates(what->cage, coordinate_kind_named(of.kind), CoordinateOptions{.evaluation = std::string(quickest)}),
+        peer(of.prepare(coordinates.elements())),
+        entries(0) {
+    for (const CoordinateBlock& block : coordinates.blocks())
+      entries += static_cast<std::size_t>(block.size) * block.entries();
   }
 };
 

@@ -36,7 +36,8 @@ TEST(Peers, compute_the_kind_they_are_timed_beside) {
       SCOPED_TRACE(std::string(cage) + ' ' + std::string(peer.kind) + ' ' + std::string(peer.name));
       const CageCoordinates coordinates(in.cage, coordinate_kind_named(peer.kind), CoordinateOptions{});
       std::size_t entries = 0;
-      for (const CoordinateBlock& block : coordinates.blocks()) entries += static_cast<std::size_t>(block.size) * block.entries();
+      for (const CoordinateBlock& block : coordinates.blocks())
+        entries += static_cast<std::size_t>(block.size) * block.entries();
       // What was there before must not count.
       std::vector<double> values(in.points.size() * entries, 1e300);
       peer.prepare(coordinates.elements())(in.points, values);

@@ -62,8 +62,9 @@ PeerFill green_by_edges(const CageElements& elements) {
           r[k] = x[k].norm();
         }
         const double height = triangle.normal.dot(x[0]);
-        const double angle = 2 * std::atan2(x[0].dot(x[1].cross(x[2])), r[0] * r[1] * r[2] + x[0].dot(x[1]) * r[2] +
-                                                                            x[1].dot(x[2]) * r[0] + x[2].dot(x[0]) * r[1]);
+        const double angle =
+            2 * std::atan2(x[0].dot(x[1].cross(x[2])),
+                           r[0] * r[1] * r[2] + x[0].dot(x[1]) * r[2] + x[1].dot(x[2]) * r[0] + x[2].dot(x[0]) * r[1]);
         std::array<double, 3> distance{}, logarithm{};
         double single = -height * angle;
         for (int k = 0; k < 3; ++k) {
@@ -79,7 +80,8 @@ PeerFill green_by_edges(const CageElements& elements) {
           const Side& side = triangle.sides[opposite];
           double slopes = 0;
           for (int e = 0; e < 3; ++e) slopes += side.outward.dot(triangle.sides[e].outward) * logarithm[e];
-          row[triangle.vertices[k]] += (distance[opposite] * angle + height * slopes) / (4 * std::numbers::pi * side.height);
+          row[triangle.vertices[k]] +=
+              (distance[opposite] * angle + height * slopes) / (4 * std::numbers::pi * side.height);
         }
         row[vertices + t] = single / (4 * std::numbers::pi);
       }

@@ -38,8 +38,7 @@ PeerFill mean_value_by_angles(const CageElements& elements) {
           angle[k] = 2 * std::asin(chord / 2);
           half += angle[k] / 2;
         }
-        const double turn =
-            direction[corner[0]].dot(direction[corner[1]].cross(direction[corner[2]])) < 0 ? -1. : 1.;
+        const double turn = direction[corner[0]].dot(direction[corner[1]].cross(direction[corner[2]])) < 0 ? -1. : 1.;
         bool is_in_plane = false;
         for (int k = 0; k < 3; ++k) {
           const int next = (k + 1) % 3, last = (k + 2) % 3;

@@ -11,9 +11,14 @@
 namespace cageproof::closed_form::batch {
 namespace {
 
-// In radii of the cage: beyond the first, sums in double cancel more than they may, beyond the second those in
-// double-double may as well.
+// In radii of the cage: beyond the second, sums may cancel more than they may in double-double. Beyond the first they
+// may in double, where nothing measures that: of Kelvin's layers values are measured alone (cancelling.h), and the
+// weights of mean values, whose sum cancels there, have limits of their own.
 constexpr double kFar = 1.25, kTooFar = 256;
+
+bool is_measured_far_away(Layers layers, int order) {
+  return layers == Layers::Harmonic || layers == Layers::Biharmonic || (layers == Layers::Kelvin && order == 0);
+}
 
 }  // namespace
 
@@ -47,7 +52,8 @@ BlockRunner::BlockRunner(const Geometry& geometry, const CageElements& elements,
 unsigned BlockRunner::run(std::span<const Vec3<double>> points) {
   const int lanes = kernels_.lanes;
   const double scale = std::ldexp(1., -geometry_.exponent()), unit = std::ldexp(1., geometry_.exponent());
-  const double far = kFar * geometry_.radius(), too_far = kTooFar * geometry_.radius();
+  const double too_far = kTooFar * geometry_.radius();
+  const double far = is_measured_far_away(request_.layers, request_.order) ? too_far : kFar * geometry_.radius();
   unsigned left = 0;
   block_.whole = 0;
   for (int p = 0; p < lanes; ++p) {
