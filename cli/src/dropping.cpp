@@ -49,8 +49,7 @@ void add_dropping(Command& command, Dropping& dropping, const Option& data) {
       .in_range(0.0, 1000.0)
       .showing_default()
       .needs(drop);
-  command
-      .option("--store", dropping.store, "with --drop: what weights are rounded to, which is part of the tolerance")
+  command.option("--store", dropping.store, "with --drop: what weights are rounded to, which is part of the tolerance")
       .one_of(store_names())
       .showing_default()
       .needs(drop);
@@ -109,8 +108,9 @@ std::vector<std::string> lines_of(const Dropping& dropping, const SparseTotals& 
       fmt::format("no point is off by more than {} of the cage's size, {:.6g}, in poses that move vertices by at most "
                   "{} of it; point {} has the largest bound; sums of weights change by at most {}",
                   bound_text(totals.bound / size), size, dropping.budget, totals.worst, bound_text(totals.sum_change))};
-  if (static_cast<double>(bytes) > whole)
-    lines.push_back("sparse rows are larger than the whole table would be: a larger --drop or a smaller --budget leaves fewer");
+  if (static_cast<double>(totals.bytes) > whole)
+    lines.push_back(
+        "sparse rows are larger than the whole table would be: a larger --drop or a smaller --budget leaves fewer");
   return lines;
 }
 

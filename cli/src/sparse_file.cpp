@@ -29,8 +29,13 @@ void append(std::string& bytes, WeightFormat format, double weight) {
   else append(bytes, deformation::half_bits(weight));
 }
 
-// Columns take two bytes where these are enough: SciPy widens them.
-bool has_short_columns(std::size_t columns) { return columns <= std::numeric_limits<std::uint16_t>::max() + 1U; }
+// Numbers of columns take one or two bytes where these are enough: SciPy widens them.
+int bytes_of_column(std::size_t columns) {
+  if (columns <= std::numeric_limits<std::uint8_t>::max() + 1U) return 1;
+  return columns <= std::numeric_limits<std::uint16_t>::max() + 1U ? 2 : 4;
+}
+
+std::string_view type_of_columns(int bytes) { return bytes == 1 ? "|u1" : bytes == 2 ? "<u2" : "<i4"; }
 
 void merge(SparseTotals& into, const SparseTotals& more) {
   if (more.bound > into.bound || into.rows == into.missing) into.worst = more.worst;
@@ -66,8 +71,10 @@ SparseFile::SparseFile(const std::filesystem::path& file, deformation::SparseWei
 
 void SparseFile::add(const SparseRow& row, std::size_t number, Part& part) const {
   for (const double weight : row.weights) append(part.data, weights_.format(), weight);
+  const int bytes = bytes_of_column(weights_.columns());
   for (const int column : row.columns) {
-    if (has_short_columns(weights_.columns())) append(part.indices, static_cast<std::uint16_t>(column));
+    if (bytes == 1) append(part.indices, static_cast<std::uint8_t>(column));
+    else if (bytes == 2) append(part.indices, static_cast<std::uint16_t>(column));
     else append(part.indices, static_cast<std::int32_t>(column));
   }
   part.counts.push_back(row.columns.size());
@@ -84,12 +91,12 @@ void SparseFile::put(std::size_t part, std::size_t first, std::span<const double
 void SparseFile::flush() {
   for (Part& part : parts_) {
     if (part.counts.empty()) continue;
-    bytes_ += part.data.size() + part.indices.size() + part.counts.size() * sizeof(std::size_t);
+    totals_.bytes += part.data.size() + part.indices.size() + part.counts.size() * sizeof(std::int32_t);
     merge(totals_, part.totals);
     done_.push_back(std::move(part));
     part = {};
   }
-  require_memory(static_cast<double>(bytes_),
+  require_memory(static_cast<double>(totals_.bytes + totals_.rows * sizeof(std::size_t)),
                  fmt::format("{}: what is kept of the first {} points", name_, totals_.rows),
                  "ask for fewer points, or for a larger --drop");
 }
@@ -101,9 +108,9 @@ std::size_t SparseFile::finish(const std::vector<std::pair<std::string, std::str
   append(shape, static_cast<std::int64_t>(totals_.rows));
   append(shape, static_cast<std::int64_t>(weights_.columns()));
   const std::string data = npy_header(types[static_cast<std::size_t>(weights_.format())], {totals_.kept});
-  const std::string indices = npy_header(has_short_columns(weights_.columns()) ? "<u2" : "<i4", {totals_.kept});
-  std::vector<ZipMember> members{{"format.npy", {format}}, {"shape.npy", {shape}}, {"data.npy", {data}},
-                                 {"indices.npy", {indices}}};
+  const std::string indices = npy_header(type_of_columns(bytes_of_column(weights_.columns())), {totals_.kept});
+  std::vector<ZipMember> members{
+      {"format.npy", {format}}, {"shape.npy", {shape}}, {"data.npy", {data}}, {"indices.npy", {indices}}};
   std::vector<std::size_t> counts;
   counts.reserve(totals_.rows);
   for (const Part& part : done_) {

@@ -37,11 +37,12 @@ double most_change(const std::array<Vec3<double>, 3>& corners) {
 // How far a stretched normal may be from the normal at rest.
 double most_turned(const CageElements& elements, std::size_t element, double moved, double size) {
   std::vector<Vec3<double>> corners = elements.corners(element);
-  for (const Vec3<double> origin = corners[0]; Vec3<double>& corner : corners) corner = (corner - origin) / size;
+  for (const Vec3<double> origin = corners[0]; Vec3<double> & corner : corners) corner = (corner - origin) / size;
   const double share = moved / size;
   if (share == 0) return 0;
-  const double rho = kOutward * share *
-                     (elements.dimension() == 2 ? 2 / corners[1].norm() : most_change({corners[0], corners[1], corners[2]}));
+  const double rho =
+      kOutward * share *
+      (elements.dimension() == 2 ? 2 / corners[1].norm() : most_change({corners[0], corners[1], corners[2]}));
   const double always = 2 + rho / std::sqrt(2.0);
   if (!(rho < .999)) return kOutward * always;
   const double near = rho * std::sqrt(1 + 2 * (1 + rho) / (1 + std::sqrt(1 - rho * rho)));
@@ -88,7 +89,8 @@ std::vector<PoseReach> pose_reach(const CageCoordinates& coordinates, double mov
       if (block.reproduces == Reproduces::Normals) {
         const std::size_t e = elements.element_of(i, block.owner);
         const double factor = block.normal_factor;
-        reaches.push_back({factor * elements.normals()[e], most_turned(elements, e, moved, size) * std::abs(factor), -1});
+        reaches.push_back(
+            {factor * elements.normals()[e], most_turned(elements, e, moved, size) * std::abs(factor), -1});
       } else {
         const Vec3<double>& v = elements.vertices()[i];
         const bool turned = block.reproduces == Reproduces::TurnedVertices;

@@ -55,7 +55,8 @@ std::vector<double> changes_of(const std::vector<double>& before, const std::vec
 // What a row makes of what it multiplies.
 Wide image(const std::vector<double>& weights, const std::vector<Vec>& multiplied) {
   Wide sum = Wide::Zero();
-  for (std::size_t i = 0; i < multiplied.size(); ++i) sum += multiplied[i].cast<long double>() * (long double)(weights[i]);
+  for (std::size_t i = 0; i < multiplied.size(); ++i)
+    sum += multiplied[i].cast<long double>() * (long double)(weights[i]);
   return sum;
 }
 
@@ -190,15 +191,17 @@ double farthest_normal(const CageElements& elements, std::size_t element, double
   double most = 0;
   const auto look = [&](const std::vector<Vec>& posed) {
     for (const Stretch stretch : {Stretch::Rms, Stretch::Mean, Stretch::Area, Stretch::Unit})
-      most = std::max(most, (stretch_of(stretch, elements, posed, element) * posed_normal(elements, posed, element) - normal).norm());
+      most = std::max(
+          most,
+          (stretch_of(stretch, elements, posed, element) * posed_normal(elements, posed, element) - normal).norm());
   };
   for (int start = 0; start < 20; ++start) {
     std::vector<Vec> posed = random_pose(rest, moved, 3, random);
     for (int step = 0; step < 50; ++step) {
       const Eigen::Matrix3d map = edges(posed) * gradients;
       for (int k = 0; k < 3; ++k) {
-        const Vec gradient = k == 0 ? Vec(-(gradients.row(0) + gradients.row(1)).transpose())
-                                    : Vec(gradients.row(k - 1).transpose());
+        const Vec gradient =
+            k == 0 ? Vec(-(gradients.row(0) + gradients.row(1)).transpose()) : Vec(gradients.row(k - 1).transpose());
         posed[corners[k]] = rest[corners[k]] + moved * (map * gradient).normalized();
       }
     }

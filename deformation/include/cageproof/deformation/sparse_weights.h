@@ -31,16 +31,17 @@ struct SparseRow {
 };
 
 /// Drops weights of rows, and rounds the rest. A group's largest weight is kept. What is dropped of a group goes to its
-/// kept weights, in proportion to them and, where that has the lower bound, with a share that is linear in their centres,
-/// so that what the row makes of all centres stays, too. What rounding takes goes on from the largest to the smallest,
-/// as far as they can have it without a change of sign. So translations of the cage stay translations. With the change
-/// d_i of each weight, a point moves by
+/// kept weights, in proportion to them and, where that has the lower bound, with a share that is linear in their
+/// centres, so that what the row makes of all centres stays, too. What rounding takes goes on from the largest to the
+/// smallest, as far as they can have it without a change of sign. So translations of the cage stay translations. With
+/// the change d_i of each weight, a point moves by
 ///     |sum d_i q_i| <= |sum d_i centre_i| + sum |d_i| radius_i
 /// over all q_i within reach: the bound, of which all roundings here are part. It is attained where reaches are balls.
 /// Not in it: roundings of whoever multiplies rows with a pose.
 class SparseWeights {
  public:
-  /// \param reaches one a column, pose_reach(), with one or two groups \param tolerance how far a point may be moved, in the unit of length
+  /// \param reaches one a column, pose_reach(), with one or two groups \param tolerance how far a point may be moved,
+  /// in the unit of length
   SparseWeights(std::vector<PoseReach> reaches, double tolerance, WeightFormat format);
 
   /// As many of the least weights are dropped as a bisection finds to keep the bound below the tolerance; none where
@@ -53,7 +54,7 @@ class SparseWeights {
 
  private:
   class Trial;
-  std::vector<PoseReach> reaches_;  // centres as seen from the middle of their group
+  std::vector<PoseReach> reaches_;     // centres as seen from the middle of their group
   std::vector<Vec3<double>> middles_;  // of groups
   double extent_ = 0;                  // the farthest centre from its middle
   double tolerance_;
