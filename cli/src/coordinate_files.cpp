@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 namespace cageproof::cli {
 namespace {
@@ -89,15 +90,21 @@ std::string npz_text(const CoordinateColumns& table, const Mesh& mesh, const rep
   }
   for (const CoordinateBlock& block : coordinates.blocks()) add_corners(members, block, coordinates.elements());
   add_vectors(members, "points", mesh.vertices, cage.dimension);
+  std::ranges::move(cage_members(cage), std::back_inserter(members));
+  return zip_text(members);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> cage_members(const reports::DescribedCage& cage) {
+  Members members;
   add_vectors(members, "cage_vertices", cage.vertices, cage.dimension);
   add_elements(members, cage);
   add_vectors(members, "element_normals", cage.normals, cage.dimension);
   add(members, cage.dimension == 2 ? "element_lengths" : "element_areas", cage.measures, {cage.measures.size()});
   members.emplace_back("metadata.json", cage.metadata + '\n');
-  return zip_text(members);
+  return members;
 }
-
-}  // namespace
 
 std::string coordinate_extensions() { return ".csv, .npy, .npz or .vtp"; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "coordinate_table.h"
 
+#include "npz.h"
+
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/numbers/scalar_text.h"
 #include "cageproof/reports/vtk_text.h"
@@ -126,17 +128,7 @@ std::string csv_text(const CoordinateColumns& table) {
   return text;
 }
 
-std::string npy_header(std::size_t points, std::size_t columns) {
-  std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", points, columns);
-  // Its length is two bytes, and numbers begin at a multiple of 64.
-  constexpr std::size_t before = 10, unit = 64;
-  header.append((unit - (before + header.size() + 1) % unit) % unit, ' ');
-  header += '\n';
-  std::string start("\x93NUMPY\x01\x00", 8);
-  start += static_cast<char>(header.size() % 256);
-  start += static_cast<char>(header.size() / 256);
-  return start + header;
-}
+std::string npy_header(std::size_t points, std::size_t columns) { return npy_header("<f8", {points, columns}); }
 
 std::string npy_text(const CoordinateColumns& table) {
   static_assert(std::endian::native == std::endian::little);

@@ -2,6 +2,7 @@
 #include "boundary_data.h"
 #include "commands.h"
 #include "coordinate_files.h"
+#include "dropping.h"
 #include "inputs_outside.h"
 #include "on_cage.h"
 #include "progress.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -33,6 +35,7 @@ struct Arguments {
   int order = 0, jobs = 0;
   double on = 0;  ///< a share of the cage's size
   bool strict = false, keep_quads = false;
+  Dropping dropping;
 };
 
 void warn(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
@@ -96,6 +99,30 @@ void check_solved_file(const Arguments& a) {
       throw InputError(fmt::format("{}: --solved is the file of {}, too", a.solved, option));
 }
 
+// Takes rows of consecutive points, from any thread: the number of their block since the last flush, the first point.
+using TakePart = std::function<void(std::size_t part, std::size_t first, std::span<const double> rows)>;
+
+// Computes rows by blocks of points, so many at a time that what was made of them is flushed.
+validation::CoordinateSummary for_all_rows(const Arguments& a, const CageCoordinates& coordinates, const Cage& cage,
+                                           std::span<const Vec3<double>> points, std::size_t columns, std::size_t parts,
+                                           const TakePart& take, const std::function<void()>& flush) {
+  validation::SummaryMaker summary(coordinates, cage, a.order);
+  Progress progress;
+  std::atomic<std::size_t> done = 0;
+  const std::size_t together = points_together(columns), most = parts * together;
+  for (std::size_t begin = 0; begin < points.size(); begin += most) {
+    for_rows(coordinates, points, begin, std::min(most, points.size() - begin), a.order, a.jobs,
+             [&](std::size_t first, std::size_t count, std::span<const double> rows) {
+               summary.add(first, points.subspan(first, count), rows);
+               take((first - begin) / together, first, rows);
+               progress("coordinates", done += count, points.size());
+             });
+    flush();
+  }
+  progress.clear();
+  return summary.summary();
+}
+
 // Computes and writes: by rows where the file's format allows it, else as a whole.
 validation::CoordinateSummary written(const Arguments& a, const CageCoordinates& coordinates, const Cage& cage,
                                       const Mesh& mesh, std::span<const Vec3<double>> points, const BoundaryData& data,
@@ -109,36 +136,51 @@ validation::CoordinateSummary written(const Arguments& a, const CageCoordinates&
   std::optional<RowsFile> file;
   if (by_rows) file.emplace(a.out, table, points.size());
   else table.values.resize(points.size() * written_columns);
-  validation::SummaryMaker summary(coordinates, cage, a.order);
-  Progress progress;
-  std::atomic<std::size_t> done = 0;
   // Lines of CSV are kept until those before them are written: so many at a time.
-  const std::size_t parts = parts_together(columns, a.jobs), together = points_together(columns),
-                    most = parts * together;
+  const std::size_t parts = parts_together(columns, a.jobs);
   if (file) file->expect(parts);
-  for (std::size_t begin = 0; begin < points.size(); begin += most) {
-    for_rows(coordinates, points, begin, std::min(most, points.size() - begin), a.order, a.jobs,
-             [&](std::size_t first, std::size_t count, std::span<const double> rows) {
-               summary.add(first, points.subspan(first, count), rows);
-               std::vector<double> functions;
-               if (!a.data.empty()) rows = functions = functions_of(rows, coordinates, a.order, data);
-               if (file) file->put((first - begin) / together, first, rows);
-               else std::ranges::copy(rows, &table.values[first * written_columns]);
-               progress("coordinates", done += count, points.size());
-             });
+  const auto take = [&](std::size_t part, std::size_t first, std::span<const double> rows) {
+    std::vector<double> functions;
+    if (!a.data.empty()) rows = functions = functions_of(rows, coordinates, a.order, data);
+    if (file) file->put(part, first, rows);
+    else std::ranges::copy(rows, &table.values[first * written_columns]);
+  };
+  const validation::CoordinateSummary summary = for_all_rows(a, coordinates, cage, points, columns, parts, take, [&] {
     if (file) file->flush();
-  }
-  progress.clear();
+  });
   const reports::DescribedCage of_cage = described_cage(coordinates, cage, a.cage.rule());
   const auto description = description_of(coordinates, table, described);
   if (!file) reports::replace_files(coordinate_files(a.out, table, mesh, of_cage, description, coordinates));
   else if (a.out.empty()) file->finish({});
   else file->finish({description_file(a.out, of_cage, description)});
-  return summary.summary();
+  return summary;
+}
+
+// The same of weights that are left when small ones are dropped.
+validation::CoordinateSummary written_sparse(const Arguments& a, const CageCoordinates& coordinates, const Cage& cage,
+                                             std::span<const Vec3<double>> points, const DescribedRun& described) {
+  const double size = cage.size();
+  const CoordinateColumns table = headed_columns(coordinates, 0);
+  const std::size_t columns = table.names.size(), parts = parts_together(columns, a.jobs);
+  SparseFile file(a.out, weights_of(a.dropping, coordinates, size));
+  file.expect(parts);
+  const validation::CoordinateSummary summary = for_all_rows(
+      a, coordinates, cage, points, columns, parts,
+      [&](std::size_t part, std::size_t first, std::span<const double> rows) { file.put(part, first, rows); },
+      [&] { file.flush(); });
+  require_within(a.dropping, file.totals(), size);
+  reports::DescribedCage of_cage = described_cage(coordinates, cage, a.cage.rule());
+  auto description = description_of(coordinates, table, described);
+  description["sparse"] = json_of(a.dropping, file.totals(), size);
+  of_cage.metadata = description.dump(2);
+  const std::size_t bytes = file.finish(cage_members(of_cage));
+  for (const std::string& line : lines_of(a.dropping, file.totals(), size, bytes, columns)) remark(line);
+  return summary;
 }
 
 int run(const Arguments& a) {
   check_solved_file(a);
+  check_dropping(a.dropping, a.out, a.order);
   const CoordinateKind& named = coordinate_kind_named(a.kind);
   const CoordinateKind& kind = a.keep_quads ? keeping_quads(named) : named;
   if (a.cage.allow_invalid_quads && !kind.keeps_quads)
@@ -168,7 +210,9 @@ int run(const Arguments& a) {
   if (!a.solved.empty()) reports::replace_file(a.solved, solved_json(coordinates).dump(2) + '\n');
   const DescribedRun described{a.cage.file, a.points, a.cage.triangulate, a.data,
                                parameters,  a.order,  a.cage.merge,       a.on};
-  const validation::CoordinateSummary summary = written(a, coordinates, cage, mesh, points, data, described);
+  const validation::CoordinateSummary summary = a.dropping.is_asked()
+                                                    ? written_sparse(a, coordinates, cage, points, described)
+                                                    : written(a, coordinates, cage, mesh, points, data, described);
   for (const std::string& line : lines_of(summary, kind, cage)) {
     if (line.starts_with("warning: ")) fmt::print(stderr, "{}\n", line);
     else remark(line);
@@ -223,10 +267,10 @@ void add_coordinates(CommandLine& line) {
               "beside it a .json that says what they are), or .vtp (and beside it the cage as .cage.vtp); CSV on "
               "standard output if not given")
       .taking("FILE");
-  command
-      .option("--data", a->data,
-              "text, a line of numbers a coordinate: writes the functions that coordinates make of them instead")
-      .taking("FILE");
+  Option data = command.option(
+      "--data", a->data,
+      "text, a line of numbers a coordinate: writes the functions that coordinates make of them instead");
+  add_dropping(command, a->dropping, data.taking("FILE"));
   command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system")
       .taking("FILE");
   command.heading("Running");
