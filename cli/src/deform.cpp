@@ -141,6 +141,39 @@ std::vector<std::string_view> methods_that_extend() {
   return names;
 }
 
+// \throws InputError where images to a number of digits cannot have what else is asked for
+void require_digits_served(const DeformArguments& a, const Chosen& chosen) {
+  if (a.digits == 0) return;
+  if (chosen.name != "green")
+    throw InputError(fmt::format("--digits: {} has all digits only; there is green", chosen.name));
+  if (a.order > 0) throw InputError("--digits: derivatives have all digits only; --order 0 leaves them out");
+  if (a.outside == "extend") throw InputError("--digits: --outside extend has all digits only");
+  if (!a.evaluation.empty() && a.evaluation != "batched")
+    throw InputError(fmt::format("--digits: --evaluation {} sums face by face; batched does not", a.evaluation));
+}
+
+Json digits_json(int digits, const DigitsReport& report) {
+  return {{"asked", digits},
+          {"degree", report.degree},
+          {"points_by_faces", report.by_faces},
+          {"largest_error_over_posed_size", report.error}};
+}
+
+void tell_digits(const std::vector<DigitsReport>& reports, std::size_t points) {
+  for (std::size_t k = 0; k < reports.size(); ++k) {
+    const std::string map = reports.size() > 1 ? fmt::format("map {}: ", k + 1) : "";
+    const DigitsReport& r = reports[k];
+    if (r.degree == 0) {
+      remark(fmt::format("{}summed face by face, which is quicker here", map));
+      continue;
+    }
+    remark(
+        fmt::format("{}far faces are summed together, by harmonics up to degree {}: images are off by at most "
+                    "{:.1e} of the posed cage's size; {} of {} points are summed face by face",
+                    map, r.degree, r.error, r.by_faces, points));
+  }
+}
+
 void tell_continued(const PointImages& images, double size) {
   const auto count = std::ranges::count_if(images.beyond, [](double way) { return way > 0; });
   if (count > 0)
@@ -150,7 +183,8 @@ void tell_continued(const PointImages& images, double size) {
 }
 
 // Images that can be written, by --outside. \throws InputError for the first point that has none
-PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage& cage, const Mesh& mesh) {
+PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage& cage, const Mesh& mesh,
+                      std::vector<DigitsReport>& digits) {
   std::vector<const Posed<double>*> maps;
   maps.reserve(posing.maps.size());
   for (const DescribedMap& map : posing.maps) maps.push_back(map.map.get());
@@ -161,7 +195,9 @@ PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage
                                  fmt::join(methods_that_extend(), ", ")));
   ImageRun run{a.order, a.jobs};
   run.extend = extend;
-  PointImages images = images_of(coordinates, mesh.vertices, maps, run, region_of(coordinates));
+  PointImages images = a.digits > 0 ? images_to_digits(coordinates, mesh.vertices, maps, a.digits, a.jobs,
+                                                       region_of(coordinates), digits)
+                                    : images_of(coordinates, mesh.vertices, maps, run, region_of(coordinates));
   if (const auto place = first_not_finite(images))
     throw InputError(fmt::format(
         "{}the image of point number {} is not finite: the pose or a parameter is beyond what the method can "
@@ -175,6 +211,7 @@ PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage
         "there; {}",
         missing, mesh.vertices.size(), first, cage.name(), advice_for(coordinates, cage, mesh.vertices[first])));
   tell_continued(images, cage.size());
+  tell_digits(digits, mesh.vertices.size());
   fill_missing(images, mesh.vertices, cage.dimension(), a.outside == "rest" ? Missing::Rest : Missing::Nan);
   return images;
 }
@@ -196,6 +233,7 @@ void print_warnings(const Json& warnings, const Chosen& chosen, const DescribedM
 int run(DeformArguments& a) {
   split_collection(a);
   const Chosen chosen = chosen_by(a);
+  require_digits_served(a, chosen);
   check_names(a, chosen.constrained ? 1 : a.posed.size() * chosen.parameters.size());
   const auto [cage, merging] = a.cage.load_merged();
   Mesh mesh = load_points(a.points, cage.dimension());
@@ -207,7 +245,8 @@ int run(DeformArguments& a) {
   const CageCoordinates& coordinates = *posing.coordinates;
   require_order(a, posing.max_order);
   take_onto_cage(a.on, coordinates, cage.size(), mesh.vertices, a.jobs);
-  const PointImages images = images_by(a, posing, cage, mesh);
+  std::vector<DigitsReport> digits;
+  const PointImages images = images_by(a, posing, cage, mesh, digits);
   // Everything is made before anything is written.
   PoseFiles files(a);
   std::set<std::string> said;
@@ -225,6 +264,7 @@ int run(DeformArguments& a) {
     if (!images.beyond.empty())
       json["points_continued"] = {{"count", std::ranges::count_if(images.beyond, [](double way) { return way > 0; })},
                                   {"farthest_over_cage_size", std::ranges::max(images.beyond) / cage.size()}};
+    if (!digits.empty()) json["digits"] = digits_json(a.digits, digits[k]);
     print_warnings(json["warnings"], chosen, map, files.name_of(k + 1), posing.maps.size() == 1, said);
     files.add(map.file, deformed, image_columns(images.maps[k], cage.dimension(), a.order), json);
     if (!a.energies.empty())
@@ -283,6 +323,12 @@ void add_deform(CommandLine& line) {
               "there is "
               "such a one, else as recommended")
       .taking("EVALUATION");
+  command
+      .option("--digits", a->digits,
+              "of images, of the posed cage's size: far faces are summed together where that is quicker, and the error "
+              "is stated; of green; all digits by default")
+      .in_range(3, 12)
+      .taking("N");
   command
       .option("--normal-derivatives", a->data.normal_derivatives,
               "text, three numbers per line, for polygons two; one line per triangle or segment (neumann=affine: per "

@@ -18,6 +18,7 @@ struct DeformArguments {
   std::vector<std::string> posed, parameters;
   DataFiles data;
   int order = 0, jobs = 0;
+  int digits = 0;           ///< of images; 0 for all
   double on = 0;            ///< a share of the cage's size
   double frame_rate = 0;    ///< frames a second; 0 where the user gave none
   std::string collection;   ///< a .pvd file that names those of out; by split_collection

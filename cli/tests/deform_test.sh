@@ -364,6 +364,46 @@ done
 "$cageproof" deform --cage joined.obj --posed joined.obj --points mesh.obj --method green --out joined.csv 2>stderr || fail "parts that meet: $(cat stderr)"
 grep -q '^warning: joined.obj: parts of the surface meet in 1 edge (the first between vertices 3 and 7)' stderr || fail "what meets: $(cat stderr)"
 
+# Images to some digits: of a cube of 1,728 triangles, and face by face of one of twelve.
+awk 'function at(x, y, z, key) {
+       key = x "," y "," z
+       if (!(key in number)) { number[key] = ++count; printf "v %g %g %g\n", 2 * x / n - 1, 2 * y / n - 1, 2 * z / n - 1 }
+       return number[key]
+     }
+     function square(a, b, c, d) { faces = faces "f " a " " b " " c " " d "\n" }
+     BEGIN {
+       n = 12
+       for (i = 0; i < n; ++i) for (j = 0; j < n; ++j) {
+         square(at(i, j, 0), at(i, j + 1, 0), at(i + 1, j + 1, 0), at(i + 1, j, 0)); square(at(i, j, n), at(i + 1, j, n), at(i + 1, j + 1, n), at(i, j + 1, n))
+         square(at(i, 0, j), at(i + 1, 0, j), at(i + 1, 0, j + 1), at(i, 0, j + 1)); square(at(i, n, j), at(i, n, j + 1), at(i + 1, n, j + 1), at(i + 1, n, j))
+         square(at(0, i, j), at(0, i, j + 1), at(0, i + 1, j + 1), at(0, i + 1, j)); square(at(n, i, j), at(n, i + 1, j), at(n, i + 1, j + 1), at(n, i, j + 1))
+       }
+       printf "%s", faces
+     }' >fine.obj
+awk '$1 == "v" { print "v", $2 + 0.3 * $3 * $4 + 5, $3 * 1.2, $4 - 0.2 * $2 * $2; next } { print }' fine.obj >bent.obj
+awk 'BEGIN { srand(3); for (i = 0; i < 20000; ++i) print 1.98 * rand() - 0.99, 1.98 * rand() - 0.99, 1.98 * rand() - 0.99; print 1, 0, 0; print 7, 0, 0 }' >many.txt
+fine=(--cage fine.obj --posed bent.obj --points many.txt --method green --outside rest)
+"$cageproof" deform "${fine[@]}" --out all.csv || fail "all digits"
+for digits in 3 6 12; do
+  "$cageproof" deform "${fine[@]}" --digits $digits --out some.csv 2>stderr || fail "--digits $digits: $(cat stderr)"
+  grep -q '^far faces are summed together, by harmonics up to degree [1-9]' stderr || fail "what --digits does: $(cat stderr)"
+  grep -q "\"asked\": $digits" some.json || fail "digits in the report"
+  paste -d, all.csv some.csv | awk -F, -v most=1e-$digits '
+    NR > 1 { square = ($1 - $4) ^ 2 + ($2 - $5) ^ 2 + ($3 - $6) ^ 2; if (square > (4 * most) ^ 2) wrong = 1; if (square > 0) differs = 1 }
+    END { exit wrong || !differs || NR != 20003 }' || fail "images to $digits digits"
+done
+"$cageproof" deform "${common[@]}" --method green --digits 3 --out some.obj 2>stderr || fail "--digits on few faces: $(cat stderr)"
+grep -q 'summed face by face, which is quicker' stderr || fail "few faces: $(cat stderr)"
+"$cageproof" deform "${common[@]}" --method green --out every.obj || fail "all digits on few faces"
+cmp -s some.obj every.obj || fail "--digits on few faces has other images"
+refuses --digits 'there is green' -- "${common[@]}" --method somigliana --digits 6 --out out.obj
+refuses --digits quad_green -- "${common[@]}" --method green --keep-quads --digits 6 --out out.obj
+refuses --digits derivatives -- "${common[@]}" --method green --digits 6 --order 1 --derivatives out.csv --out out.obj
+refuses --digits hybrid batched -- "${common[@]}" --method green --digits 6 --evaluation hybrid --out out.obj
+refuses --digits extend -- "${common[@]}" --method green --digits 6 --outside extend --out out.obj
+refuses 'have all digits only' batched -- --cage square --posed square --points points.csv --method green --digits 6 --out out.csv
+refuses --digits 2 -- "${common[@]}" --method green --digits 2 --out out.obj
+
 # What is refused.
 refuses "unknown deformer 'grean'" -- "${common[@]}" --method grean --out out.obj
 refuses stretch rms -- "${common[@]}" --method green --parameter stretch=most --out out.obj

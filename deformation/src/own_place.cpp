@@ -22,6 +22,8 @@ class ShiftedPosed final : public Posed<R> {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] += place_[static_cast<int>(i % dimension_)];
     return found;
   }
+  const Posed<R>& posed() const { return *posed_; }
+  const Vec3<R>& place() const { return place_; }
   const DeformationReport& report() const override { return posed_->report(); }
   std::vector<Vec3<R>> vertices() const override {
     std::vector<Vec3<R>> found = posed_->vertices();
@@ -86,6 +88,12 @@ template <Scalar R>
 std::unique_ptr<const Posed<R>> shifted(std::unique_ptr<const Posed<R>> posed, const Vec3<double>& by, int dimension) {
   if (by == Vec3<double>::Zero()) return posed;
   return std::make_unique<ShiftedPosed<R>>(std::move(posed), by, dimension);
+}
+
+std::pair<const Posed<double>*, Vec3<double>> without_shift(const Posed<double>& posed) {
+  const auto* const moved = dynamic_cast<const ShiftedPosed<double>*>(&posed);
+  if (moved == nullptr) return {&posed, Vec3<double>::Zero()};
+  return {&moved->posed(), moved->place()};
 }
 
 template <Scalar R>

@@ -15,6 +15,9 @@ Vec3<double> own_place(const std::vector<Vec3<double>>& points);
 template <Scalar R>
 std::unique_ptr<const Posed<R>> shifted(std::unique_ptr<const Posed<R>> posed, const Vec3<double>& by, int dimension);
 
+/// A pose that `shifted` has made, as it was given, and what is added to its images; others with zero.
+std::pair<const Posed<double>*, Vec3<double>> without_shift(const Posed<double>& posed);
+
 /// The deformer with poses taken to their own place, and images taken back. Images are sums of coordinates times data,
 /// and coordinates are rounded: their roundings are multiplied with the posed vertices' coordinates, which far from the
 /// origin are large beside the cage. All methods commute with shifts of the pose, so that the map is the same.

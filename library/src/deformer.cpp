@@ -5,6 +5,8 @@
 #include "cageproof/deformation/deformer.h"
 #include "cageproof/deformation/point_images.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace cageproof::library {
@@ -30,12 +32,17 @@ struct Deformer::Prepared {
   Prepared(const cageproof::Cage& cage, const std::string& method, const Options& options)
       : deformer(prepared_deformer(cage, method, options)),
         region(deformation::region_of(deformer->coordinates())),
-        threads(options.threads) {}
+        threads(options.threads),
+        digits(options.digits) {
+    if (digits == 0) return;
+    if (method != "green") throw InputError(fmt::format("digits: {} has all digits only; there is green", method));
+    if (digits < 3 || digits > 12) throw InputError(fmt::format("digits: {} is not from 3 to 12", digits));
+  }
 
   std::shared_ptr<const deformation::Deformer<double>> deformer;
   std::unique_ptr<const deformation::Posed<double>> posed;
   std::optional<deformation::Inside> region;
-  int threads;
+  int threads, digits;
 };
 
 Deformer::Deformer(const Cage& rest, const std::string& method, const Options& options)
@@ -88,6 +95,13 @@ void Deformer::images(std::span<const double> points, std::span<double> images, 
   const std::vector<Vec3<double>> at = vectors_of(points, coordinates.dimension(), "points");
   const int order = checked_order(at.size(), d, prepared_->deformer->max_order(), images, jacobians);
   const std::array maps{prepared_->posed.get()};
+  if (prepared_->digits > 0) {
+    if (order > 0) throw InputError("digits: Jacobians have all digits only");
+    std::vector<deformation::DigitsReport> reports;
+    return put(deformation::images_to_digits(coordinates, at, maps, prepared_->digits, prepared_->threads,
+                                             prepared_->region, reports),
+               at, d, {images, jacobians});
+  }
   put(deformation::images_of(coordinates, at, maps, {order, prepared_->threads, kTogether}, prepared_->region), at, d,
       {images, jacobians});
 }

@@ -141,6 +141,11 @@ AppliedTable CageCoordinates::apply(std::span<const Vec3<double>> points, int or
   return result;
 }
 
+std::unique_ptr<const StatedSum> CageCoordinates::sum_to(double error, const CageData& data, std::size_t points) const {
+  const AppliesData* const products = prepared_->products(0);
+  return products == nullptr ? nullptr : products->sum_to(error, data, points);
+}
+
 template <Scalar R>
 std::vector<CoordinateTable<R>> CageCoordinates::limits_at(std::span<const Touching> places, int order) const {
   const HasLimits* limits = prepared_->limits();

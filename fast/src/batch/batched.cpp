@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Whole coordinates of closed triangle cages and of polygons, a vector of points at a time.
+#include "clustered_sum.h"
 #include "near_points.h"
 #include "plane_blocks.h"
 
 #include "cageproof/core/coordinates/coordinate_tables.h"
 #include "cageproof/core/coordinates/coordinates_in_double.h"
+#include "cageproof/core/lazy.h"
 #include "cageproof/core/parallel.h"
 #include "cageproof/core/coordinates/whole_evaluation.h"
 
@@ -73,7 +75,8 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
       : BesideSums(std::move(summed), Shape::dimension),
         layers_(layers),
         elements_(std::move(elements)),
-        geometry_(*elements_) {
+        geometry_(*elements_),
+        tree_([this] { return tree(); }) {
     if (layers_ == Layers::Kelvin) {
       mu_ = options.parameters[0];
       const double nu = options.parameters[1];
@@ -135,7 +138,17 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
         });
   }
 
+  std::unique_ptr<const StatedSum> sum_to(double error, const CageData& data, std::size_t points) const override {
+    if (Shape::dimension != 3 || layers_ != Layers::Harmonic || data.sets != 3 || !computes(0)) return nullptr;
+    return clustered_sum(tree_, static_cast<int>(elements_->count()), *this, data, error, points);
+  }
+
  private:
+  std::shared_ptr<const ClusterTree> tree() const {
+    if constexpr (Shape::dimension == 3) return std::make_shared<const ClusterTree>(geometry_);
+    else return nullptr;
+  }
+
   bool computes(int order) const {
     return order <= 2 && geometry_.is_sound() && std::abs(geometry_.exponent()) <= kLargestExponent;
   }
@@ -238,6 +251,7 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
   Layers layers_;
   std::shared_ptr<const CageElements> elements_;
   typename Shape::Geometry geometry_;
+  Lazy<std::shared_ptr<const ClusterTree>> tree_;
   double mu_ = 1;
   Mp200 beta_ = 0;
 };

@@ -22,7 +22,7 @@ bool is_measured_far_away(Layers layers, int order) {
 
 }  // namespace
 
-BlockRunner::BlockRunner(const Geometry& geometry, const CageElements& elements, const Request& request,
+BlockRunner::BlockRunner(const Geometry& geometry, const CageElements* elements, const Request& request,
                          const Kernels& with)
     : geometry_(geometry),
       elements_(elements),
@@ -84,7 +84,7 @@ unsigned BlockRunner::run(std::span<const Vec3<double>> points) {
     return block_.left & all;
   }
   left |= add_marked(points);
-  while (kernels_.sum_again(block_)) left |= add_marked(points);
+  while (elements_ != nullptr && kernels_.sum_again(block_)) left |= add_marked(points);
   return left & all;
 }
 
@@ -114,9 +114,13 @@ unsigned BlockRunner::add_beyond(std::span<const Vec3<double>> points) {
     for (int m = 0; m < block_.beyond_marked; ++m)
       if ((beyond_[m].points >> p & 1u) != 0) faces.push_back(beyond_[m].face);
     if (faces.empty()) continue;
+    if (elements_ == nullptr) {
+      left |= 1u << p;
+      continue;
+    }
     const std::array<double, 3> x{points_[p], points_[lanes + p], points_[2 * lanes + p]};
     // Within a face there are limits of all derivatives, on its border of none but values.
-    const std::vector<Touching> touches = elements_.touching(points[p]);
+    const std::vector<Touching> touches = elements_->touching(points[p]);
     const int on = touches.size() == 1 ? touches.front().element : -1;
     if (touches.size() > 1 || !add_in_long(geometry_, request_.layers, request_.order, faces, on, x.data(),
                                            request_.long_beta, request_.layout, columns_.get() + p, lanes))

@@ -28,6 +28,11 @@ class BlockRunner {
  public:
   /// They must outlive it.
   BlockRunner(const Geometry& geometry, const CageElements& elements, const Request& request,
+              const Kernels& with = kernels())
+      : BlockRunner(geometry, &elements, request, with) {}
+  /// \param elements null for a part of a cage. Then points on the part's border are left to others, and sums are not
+  /// made again where they are small against their terms: the whole sums are not, at points inside.
+  BlockRunner(const Geometry& geometry, const CageElements* elements, const Request& request,
               const Kernels& with = kernels());
 
   /// Up to as many points as the kernels have lanes. \return a bit for each point that the kernels leave to others: on
@@ -44,7 +49,7 @@ class BlockRunner {
   unsigned add_beyond(std::span<const Vec3<double>> points);
 
   const Geometry& geometry_;
-  const CageElements& elements_;
+  const CageElements* elements_;
   const Request& request_;
   const Kernels& kernels_;
   CageTables tables_;

@@ -122,6 +122,50 @@ Geometry::Geometry(const CageElements& elements) {
   if (sound_) find_tiles();
 }
 
+Geometry Geometry::part(std::span<const int> faces, std::vector<int>& vertices) const {
+  Geometry found;
+  found.exponent_ = exponent_;
+  found.centre_ = centre_;
+  found.radius_ = radius_;
+  std::map<int, int> vertex, edge;
+  const auto vertex_of = [&](int v) {
+    const auto [place, added] = vertex.try_emplace(v, static_cast<int>(vertices.size()));
+    if (added) {
+      vertices.push_back(v);
+      found.vertex_.insert(found.vertex_.end(), &vertex_[3 * v], &vertex_[3 * v] + 3);
+      found.reach_.push_back(reach_[v]);
+    }
+    return place->second;
+  };
+  const auto edge_of = [&](int e) {
+    const auto [place, added] = edge.try_emplace(e, found.edges());
+    if (added) {
+      const std::pair ends{vertex_of(ends_[e].first), vertex_of(ends_[e].second)};
+      found.ends_.push_back(ends);
+      found.edge_.push_back(edge_[e]);
+      found.fine_edge_.push_back(fine_edge_[e]);
+      found.edge_.back().from = found.fine_edge_.back().from = ends.first;
+      found.edge_.back().to = found.fine_edge_.back().to = ends.second;
+    }
+    return place->second;
+  };
+  vertices.clear();
+  for (const int f : faces) {
+    FaceTable<double>& face = found.face_.emplace_back(face_[f]);
+    FaceTable<TwoDoubles>& fine = found.fine_face_.emplace_back(fine_face_[f]);
+    for (int k = 0; k < 3; ++k) {
+      face.vertex[k] = fine.vertex[k] = vertex_of(corner_[f][k]);
+      face.edge[k] = fine.edge[k] = edge_of(edge_of_[f][k]);
+    }
+    found.corner_.push_back({face.vertex[0], face.vertex[1], face.vertex[2]});
+    found.edge_of_.push_back({face.edge[0], face.edge[1], face.edge[2]});
+    found.folded_.push_back(folded_[f]);
+  }
+  found.find_centroids();
+  found.find_tiles();
+  return found;
+}
+
 // Faces that meet at an edge under less than a fifth of a radian, and those at the tips of spikes as narrow.
 void Geometry::find_folds() {
   const double most = std::cos(0.2);

@@ -10,6 +10,7 @@
 #include "cageproof/core/numbers/mp.h"
 
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,13 @@ class Geometry {
  public:
   /// \pre all elements are triangles
   explicit Geometry(const CageElements& elements);
+  /// No cage.
+  Geometry() = default;
+
+  /// Some of the faces with their vertices and edges, in the same unit and about the same centre. Whatever neighbours
+  /// decide of them is as in the whole.
+  /// \param vertices becomes the numbers in the whole of the part's
+  Geometry part(std::span<const int> faces, std::vector<int>& vertices) const;
 
   /// Whether double holds all tables: the vertices are what they were, divided by the unit, and triangles have areas.
   bool is_sound() const { return sound_; }

@@ -42,6 +42,10 @@ struct Options {
   bool flip_inward = false;          ///< turn parts whose normals point inward, instead of refusing them
   bool allow_invalid_quads = false;  ///< of kinds that keep quads: compute with those that cross themselves or fold
   int threads = 0;                   ///< at most so many; 0: all cores
+  /// Of images by the Deformer "green" in space: 3 to 12 digits of the posed cage's size, sooner where faces and points
+  /// are many; 0 for all. The error is bounded, and roundings come on top. Each call of `images` prepares for its
+  /// points, so that many should come at once; bound points have all digits.
+  int digits = 0;
 };
 
 /// Coordinates that belong together: one for each vertex, element, or corner of an element.
@@ -126,7 +130,7 @@ class BoundPoints {
 class Deformer {
  public:
   /// \param method "mean_value", "green", "biharmonic_1_3", "somigliana" ... of `cageproof list`
-  /// \throws InputError as Coordinates does
+  /// \throws InputError as Coordinates does, and for digits out of range or of another method than "green"
   Deformer(const Cage& rest, const std::string& method, const Options& options = {});
   ~Deformer();
   Deformer(Deformer&&) noexcept;
@@ -139,7 +143,8 @@ class Deformer {
   /// Where points go, and the Jacobians there. Points outside the cage have no image where the method's coordinates sum
   /// to zero there, all but interpolating ones; their numbers are NaN.
   /// \param points `dimension` numbers a point \param images as many
-  /// \param jacobians empty, or [point][component][axis] \throws InputError for spans of other sizes, or before `pose`
+  /// \param jacobians empty, or [point][component][axis]; there are none to some digits
+  /// \throws InputError for spans of other sizes, or before `pose`
   void images(std::span<const double> points, std::span<double> images, std::span<double> jacobians = {}) const;
 
   /// Computes the coordinates of points once, for any number of poses, before the first one or after it: `images` of

@@ -128,6 +128,18 @@ int main(int, char** argv) {
   green.images(outside, std::span(images).first(3));
   expect(std::isnan(images[0]), "no image outside");
 
+  Deformer some(cube, "green", {.digits = 6});
+  some.pose(twice);
+  std::vector<double> some_images(9);
+  some.images(points, some_images);
+  for (std::size_t i = 0; i < 9; ++i)
+    expect(std::abs(some_images[i] - 2 * points[i]) < 1e-14, "few faces have all digits");
+  some.images(outside, std::span(some_images).first(3));
+  expect(std::isnan(some_images[0]), "no image outside to some digits");
+  expect(refuses("Jacobians", [&] { some.images(points, images, jacobians); }), "Jacobians to some digits");
+  expect(refuses("green", [&] { Deformer(cube, "somigliana", {.digits = 6}); }), "digits of another method");
+  expect(refuses("13", [&] { Deformer(cube, "green", {.digits = 13}); }), "too many digits");
+
   // Bound once, posed often: the same numbers.
   for (const char* method : {"green", "somigliana", "mean_value"}) {
     Deformer deformer(cube, method);

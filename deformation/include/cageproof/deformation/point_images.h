@@ -42,6 +42,22 @@ PointImages images_of(const CageCoordinates& coordinates, std::span<const Vec3<d
                       std::span<const Posed<double>* const> maps, const ImageRun& run,
                       const std::optional<Inside>& region);
 
+/// What images to a number of digits are.
+struct DigitsReport {
+  int degree = 0;            ///< of the expansions, the highest; 0 where all is summed face by face
+  std::size_t by_faces = 0;  ///< points that are summed face by face
+  double error = 0;          ///< what images are off at most, over the size of the posed cage; roundings come on top
+};
+
+/// Images, no derivatives, to so many digits of the posed cage's size (the diagonal of its box), which are quicker than
+/// all digits where elements and points are many: far elements are summed together, and what that costs is bounded.
+/// \param reports one a map
+/// \pre as images_of()
+/// \throws InputError where there are no such sums: there are for `green` by the evaluation `batched`
+PointImages images_to_digits(const CageCoordinates& coordinates, std::span<const Vec3<double>> points,
+                             std::span<const Posed<double>* const> maps, int digits, int jobs,
+                             const std::optional<Inside>& region, std::vector<DigitsReport>& reports);
+
 /// Points whose coordinates are kept, so that maps of them, poses say, cost a product each. Safe from any thread.
 class BoundPoints {
  public:

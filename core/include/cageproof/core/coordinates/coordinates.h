@@ -176,6 +176,10 @@ class CageCoordinates {
   /// \throws InputError where blocks have different numbers of rows
   AppliedTable apply(std::span<const Vec3<double>> points, int order, const CageData& data) const;
 
+  /// The same to a stated error (AppliesData::sum_to); null for coordinates that have nothing but sums element by
+  /// element.
+  std::unique_ptr<const StatedSum> sum_to(double error, const CageData& data, std::size_t points) const;
+
   /// One point: one result a block.
   template <Scalar R>
   std::vector<Result<R>> at(const Vec3<R>& point, int order) const;

@@ -109,12 +109,33 @@ class HasTerms {
   ~HasTerms() = default;
 };
 
+/// The functions that coordinates make of one set of cage data, to a stated error. Safe from any thread. The
+/// coordinates must outlive it.
+class StatedSum {
+ public:
+  virtual ~StatedSum() = default;
+  /// \param jobs threads; 0: all cores \param values [point][set], stored \param errors stored: what each point's
+  /// values are off at most, besides roundings, in the Euclidean norm over the sets; zero where they are summed element
+  /// by element
+  virtual void fill(std::span<const Vec3<double>> points, int jobs, std::span<double> values,
+                    std::span<double> errors) const = 0;
+  /// The highest degree of the expansions that elements are summed together by; zero where none are.
+  virtual int degree() const = 0;
+};
+
 /// Sums of coordinates times data, without keeping coordinates.
 class AppliesData {
  public:
   /// Adds them to a table that the caller sized and set to zero.
   virtual void apply(std::span<const Vec3<double>> points, int order, const CageData& data,
                      AppliedTable& table) const = 0;
+  /// The same, of values, with elements that are far away summed together. Null where that is not known, and for other
+  /// than three sets. \param error in the data's unit of length, which no point's exceeds \param points how many will
+  /// be asked: where they or the elements are few, element by element is quicker, and done
+  virtual std::unique_ptr<const StatedSum> sum_to(double /*error*/, const CageData& /*data*/,
+                                                  std::size_t /*points*/) const {
+    return nullptr;
+  }
 
  protected:
   ~AppliesData() = default;

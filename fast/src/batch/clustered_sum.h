@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Sums of harmonic layers with data, clusters of far faces at a time, to a stated error.
+#pragma once
+
+#include "cluster_tree.h"
+
+#include "cageproof/core/coordinates/prepared_coordinates.h"
+
+#include <memory>
+
+namespace cageproof::closed_form::batch {
+
+/// Far faces together where that is quicker for that many points, else face by face.
+/// \param tree made where it is taken; what it returns must outlive the sum, as `exact`, which sums face by face
+/// \param data three sets: of vertices and of faces \param error in the data's unit of length
+std::unique_ptr<const StatedSum> clustered_sum(const Lazy<std::shared_ptr<const ClusterTree>>& tree, int faces,
+                                               const AppliesData& exact, const CageData& data, double error,
+                                               std::size_t points);
+
+}  // namespace cageproof::closed_form::batch
