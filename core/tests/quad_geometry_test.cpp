@@ -155,6 +155,30 @@ TEST(on_quad, one_ulp_off) {
   EXPECT_FALSE(on_quad(kTwisted, Vec(std::nan(""), 0.5, 0.125)));
 }
 
+TEST(on_quad, numbers_that_are_no_doubles) {
+  using Wide = Vec3<Mp200>;
+  const Mp200 third = Mp200(1) / 3, least("1e-190"), tenth("0.1");
+  const auto in_parts = [](const Q& q, const Mp200& unit) {
+    Quad<Mp200> result;
+    for (int k = 0; k < 4; ++k) result[k] = unit * convert<Mp200>(q[k]);
+    return result;
+  };
+  const Quad<Mp200> square = in_parts(kSquare, Mp200(3)), twisted = in_parts(kTwisted, Mp200(1));
+  for (const Mp200& x : {third, tenth}) {
+    const auto found = on_quad(square, Wide(x, tenth, 0));
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->u, static_cast<double>(x) / 3, 1e-16);
+    EXPECT_NEAR(found->v, 0.1 / 3, 1e-16);
+    EXPECT_FALSE(on_quad(square, Wide(x, tenth, least)));
+    EXPECT_TRUE(on_quad(square, Wide(x, 0, 0)));
+    EXPECT_FALSE(on_quad(square, Wide(x, -least, 0)));
+  }
+  ASSERT_TRUE(on_quad(twisted, Wide(0.5, 0.5, 0.125)));
+  EXPECT_FALSE(on_quad(twisted, Wide(0.5, 0.5, Mp200(0.125) + least)));
+  EXPECT_FALSE(on_quad(square, Wide(third, tenth, Mp200("1e-100000"))));
+  EXPECT_FALSE(on_quad(square, Wide(std::numeric_limits<Mp200>::infinity(), tenth, 0)));
+}
+
 TEST(on_quad, any_unit) {
   for (const double unit : {0x1p-600, 0x1p-150, 1.0, 0x1p150, 0x1p500}) {
     Q twisted = kTwisted, flat = kSquare;

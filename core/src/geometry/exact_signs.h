@@ -17,6 +17,12 @@ using Rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
 using Exact3 = std::array<Rational, 3>;
 
 inline Exact3 from(const Vec3<double>& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
+/// \pre finite
+inline Exact3 from(const Vec3<Mp200>& v) {
+  Exact3 result;
+  for (int i = 0; i < 3; ++i) mpfr_get_q(result[i].backend().data(), v[i].data());
+  return result;
+}
 inline Exact3 minus(const Exact3& a, const Exact3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline Rational dot(const Exact3& a, const Exact3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 inline Exact3 cross(const Exact3& a, const Exact3& b) {

@@ -144,19 +144,21 @@ std::array<R, 4> kernel(const std::array<V, 4>& a) {
 }
 
 // Whether rounded arithmetic proves that the point is off the quad.
-bool surely_off(const Quad<double>& q, const Vec& point) {
-  Quad<double> a;
-  double largest = 0;
+template <class R>
+bool surely_off(const Quad<R>& q, const Vec3<R>& point) {
+  using std::abs;
+  Quad<R> a;
+  R largest = R(0);
   for (int i = 0; i < 4; ++i) {
     a[i] = q[i] - point;
-    largest = std::max(largest, a[i].cwiseAbs().maxCoeff());
+    largest = std::max<R>(largest, a[i].cwiseAbs().maxCoeff());
   }
-  if (!(largest > 1e-40 && largest < 1e40)) return false;
-  const auto k = kernel<double>(a);
+  if (!(largest > R(1e-40) && largest < R(1e40))) return false;
+  const auto k = kernel<R>(a);
   // A determinant, at most 6 M^3, is wrong by 48 u M^3; the difference of two products of them by 1300 u M^6.
-  const double cube = largest * largest * largest, bound = 50 * kU * cube;
+  const R unit = std::numeric_limits<R>::epsilon() / 2, cube = largest * largest * largest, bound = 50 * unit * cube;
   const auto [least, most] = std::ranges::minmax(k);
-  return (least < -bound && most > bound) || std::abs(k[0] * k[2] - k[1] * k[3]) > 1400 * kU * cube * cube;
+  return (least < -bound && most > bound) || abs(R(k[0] * k[2] - k[1] * k[3])) > 1400 * unit * cube * cube;
 }
 
 std::optional<BilinearPoint> on_twisted_quad(const std::array<Exact3, 4>& q, const Exact3& point) {
@@ -197,15 +199,42 @@ std::optional<std::string> invalid_because(const Quad<double>& q) {
 
 bool is_planar(const Quad<double>& q) { return finite(q) && side_of_plane({q[0], q[1], q[2]}, q[3]) == 0; }
 
-std::optional<BilinearPoint> on_quad(const Quad<double>& q, const Vec& point) {
-  if (!finite(q) || !point.allFinite()) return std::nullopt;
+namespace {
+
+// Whether a point is outside the box of the corners, or off the quad by the filter.
+template <class R>
+bool is_off(const Quad<R>& q, const Vec3<R>& point) {
   for (int c = 0; c < 3; ++c) {
     const auto [low, high] = std::minmax({q[0][c], q[1][c], q[2][c], q[3][c]});
-    if (point[c] < low || point[c] > high) return std::nullopt;
+    if (point[c] < low || point[c] > high) return true;
   }
-  if (surely_off(q, point)) return std::nullopt;
-  const std::array<Exact3, 4> corners{exact::from(q[0]), exact::from(q[1]), exact::from(q[2]), exact::from(q[3])};
-  return is_planar(q) ? on_plane_quad(corners, exact::from(point)) : on_twisted_quad(corners, exact::from(point));
+  return surely_off(q, point);
+}
+
+std::optional<BilinearPoint> on_exact_quad(const std::array<Exact3, 4>& q, const Exact3& point) {
+  const Exact3 normal = exact::cross(exact::minus(q[1], q[0]), exact::minus(q[2], q[0]));
+  const bool planar = exact::dot(normal, exact::minus(q[3], q[0])) == 0;
+  return planar ? on_plane_quad(q, point) : on_twisted_quad(q, point);
+}
+
+// Rationals of such numbers are small enough to compute with.
+bool has_exact_numbers(const Vec3<Mp200>& v) {
+  constexpr int kMost = 1 << 14;
+  return std::ranges::all_of(v, [](const Mp200& x) { return x == 0 || (isfinite(x) && std::abs(ilogb(x)) < kMost); });
+}
+
+}  // namespace
+
+std::optional<BilinearPoint> on_quad(const Quad<double>& q, const Vec& point) {
+  if (!finite(q) || !point.allFinite() || is_off(q, point)) return std::nullopt;
+  return on_exact_quad({exact::from(q[0]), exact::from(q[1]), exact::from(q[2]), exact::from(q[3])},
+                       exact::from(point));
+}
+
+std::optional<BilinearPoint> on_quad(const Quad<Mp200>& q, const Vec3<Mp200>& point) {
+  if (!std::ranges::all_of(q, has_exact_numbers) || !has_exact_numbers(point) || is_off(q, point)) return std::nullopt;
+  return on_exact_quad({exact::from(q[0]), exact::from(q[1]), exact::from(q[2]), exact::from(q[3])},
+                       exact::from(point));
 }
 
 namespace {

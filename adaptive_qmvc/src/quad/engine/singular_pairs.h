@@ -89,14 +89,8 @@ void find_pairs_one_by_one(const QuadFrame<R>& q, const R& line, const Add& add)
     known[count++] = pair;
     add(pair);
   };
-  const QuarticZeros<F> first = zeros_at(line);
-  for (int i = 0; i < first.count; ++i) {
-    // One of each conjugate two; of a double zero all that rounding makes of it.
-    if (first.zero[i].imag() < -1e-6 * std::abs(first.zero[i])) continue;
-    if (!(std::abs(first.zero[i]) < 30)) continue;
-    R centre = line;
-    Complex<F> z = first.zero[i];
-    QuarticZeros<F> seen = first;
+  // From one line to the pair's own; what is found next to it is added with it.
+  const auto follow = [&](R centre, Complex<F> z, QuarticZeros<F> seen) {
     for (int round = 0; round < 40 && std::abs(z.real()) > 0.01 * std::abs(z.imag()); ++round) {
       const R next = centre + R(z.real());
       if (next == centre) break;
@@ -110,6 +104,33 @@ void find_pairs_one_by_one(const QuadFrame<R>& q, const R& line, const Add& add)
     for (int k = 0; k < seen.count; ++k)
       if (seen.zero[k] == z || std::abs(seen.zero[k]) <= kSeen * std::abs(z))
         add_new({R(centre + R(seen.zero[k].real())), std::abs(seen.zero[k].imag())});
+  };
+  // One of each conjugate two; of a double zero all that rounding makes of it, which may be two of the same side.
+  const auto is_sought = [](Complex<F> z, const QuarticZeros<F>& among) {
+    const auto is_upper = [](Complex<F> one) { return !(one.imag() < -1e-6 * std::abs(one)); };
+    const auto is_conjugate = [&](Complex<F> other) {
+      return is_upper(other) && std::abs(other - std::conj(z)) <= 1e-3 * std::abs(z);
+    };
+    return std::abs(z) < 30 &&
+           (is_upper(z) || std::none_of(among.zero.begin(), among.zero.begin() + among.count, is_conjugate));
+  };
+  const QuarticZeros<F> first = zeros_at(line);
+  for (int i = 0; i < first.count; ++i)
+    if (is_sought(first.zero[i], first)) follow(line, first.zero[i], first);
+  // Two pairs much closer to each other than to that line are one to it, and all ways may have led to the same of them.
+  // From there the other is as clear as its distance.
+  for (int i = 0; i < count; ++i) {
+    const SingularPair<R> from = known[i];
+    const QuarticZeros<F> seen = zeros_at(from.centre);
+    for (int k = 0; k < seen.count; ++k) {
+      const Complex<F> z = seen.zero[k];
+      const auto is_there = [&](const SingularPair<R>& other) {
+        return std::hypot(static_cast<F>(R(other.centre - from.centre)) - z.real(), other.width - std::abs(z.imag())) <=
+               0.1 * std::abs(z);
+      };
+      if (!is_sought(z, seen) || std::abs(z) <= kSeen * from.width) continue;
+      if (std::none_of(known.begin(), known.begin() + count, is_there)) follow(from.centre, z, seen);
+    }
   }
 }
 

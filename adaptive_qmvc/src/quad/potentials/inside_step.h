@@ -101,30 +101,4 @@ bool is_in_plane(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
   return true;
 }
 
-/// place_on_quad, which decides for doubles; and, of coordinates that are none, on a side, where products of 800 digits
-/// are exact.
-template <Scalar R>
-std::optional<BilinearPoint> place(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
-  auto on = place_on_quad<R>(corners, point);
-  const auto is_double = [](const Vec3<R>& x) { return convert<R>(convert<double>(x)) == x; };
-  if (!is_multiprecision<R> || on || (is_double(point) && std::ranges::all_of(corners, is_double))) return on;
-  const auto wide = [](const Vec3<R>& x) { return Vec3<Mp800>(convert<Mp200>(x).template cast<Mp800>()); };
-  const Vec3<Mp800> eta = wide(point);
-  for (int k = 0; k < 4; ++k) {
-    const Vec3<Mp800> a = wide(corners[k]) - eta, b = wide(corners[(k + 1) % 4]) - eta, area = a.cross(b);
-    if (area[0] != 0 || area[1] != 0 || area[2] != 0 || a.dot(b) > 0) continue;
-    const Mp800 square = Vec3<Mp800>(b - a).squaredNorm();
-    const double t = square > 0 ? static_cast<double>(Mp800(-a.dot(b - a) / square)) : 0;
-    constexpr std::array<std::array<double, 2>, 4> start{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-    const auto &from = start[k], &to = start[(k + 1) % 4];
-    on.emplace();
-    on->u = from[0] + t * (to[0] - from[0]);
-    on->v = from[1] + t * (to[1] - from[1]);
-    on->basis[k] = 1 - t;
-    on->basis[(k + 1) % 4] = t;
-    return on;
-  }
-  return on;
-}
-
 }  // namespace cageproof::adaptive_qmvc

@@ -93,7 +93,7 @@ Statement limit_on_quad(std::span<const Vec3<R>> corners, const Vec3<R>& point, 
 template <Scalar R>
 Statement evaluate_distant(std::span<const Vec3<R>> corners, const Vec3<R>& point, double order,
                            const PotentialTask<R>& task, PotentialTensors<R>& tensors) {
-  if (const auto on = place<R>(corners, point)) return limit_on_quad<R>(corners, point, *on, task, tensors);
+  if (const auto on = place_on_quad<R>(corners, point)) return limit_on_quad<R>(corners, point, *on, task, tensors);
   std::array<Vec3<Mp200>, 4> wide;
   for (int k = 0; k < 4; ++k) wide[k] = convert<Mp200>(corners[k]);
   const SeenQuad seen = see_in_800_digits(wide, convert<Mp200>(point), order, task.digits);
@@ -130,12 +130,11 @@ Statement evaluate_once(std::span<const Vec3<R>> corners, const Vec3<R>& point, 
   } else {
     const SingularPairs<R> singular = singular_pairs(*q);
     if (is_within(1e-12, *q, ends, singular))
-      if (const auto on = place<R>(corners, point)) return limit_on_quad<R>(corners, point, *on, task, tensors);
-    if constexpr (!is_multiprecision<R>)
-      if (is_within(kDoubleHolds, *q, ends, singular)) {
-        if (exponents.are_distant()) return of_distant();
-        return sum_seen_from<Mp100, R>(corners, convert<Mp100>(point), task, tensors);
-      }
+      if (const auto on = place_on_quad<R>(corners, point)) return limit_on_quad<R>(corners, point, *on, task, tensors);
+    if (is_within(kHolds<R>, *q, ends, singular)) {
+      if (is_multiprecision<R> || exponents.are_distant()) return of_distant();
+      return sum_seen_from<Mp100, R>(corners, convert<Mp100>(point), task, tensors);
+    }
     if constexpr (is_multiprecision<R>)
       return sum_rules_narrowly<R>(see_frame(*q, singular, order, task.digits), task, false, tensors);
     thread_local OuterRules<R> across;

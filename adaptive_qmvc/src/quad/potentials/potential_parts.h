@@ -102,7 +102,7 @@ void PotentialParts<R>::put(const FrameUnit& unit, PotentialTensors<R>& tensors)
         norm = std::hypot(norm, static_cast<F>(entry));
         to[unit.corner[k] * count + n] = ldexp(R(sign * entry), exponent);
       }
-    // On the border without being placed there, as points that are no doubles are: more digits find no limit.
+    // On the border without being placed there, as numbers beyond on_quad() are: more digits find no limit.
     if (sizes_[o] == 0 || (is_multiprecision<R> && !std::isfinite(norm))) continue;
     const double held = kPotentialCancelled[o] + decades_;
     const auto ratio = static_cast<double>(sizes_[o] / norm) * (kPotentialCancelled[0] / held);

@@ -80,7 +80,7 @@ Explanation explain_order(const Query<double>& query, std::span<const double> va
   const Exponents exponents = exponents_of(query.corners, query.point);
   const bool extreme = exponents.are_extreme() || (plain && exponents.are_distant() &&
                                                    (has_short_side(*plain) || is_all_but_in_plane(*plain, exponents)));
-  if (!plain || extreme || (!far && is_within(kDoubleHolds, *plain, ends, singular))) {
+  if (!plain || extreme || (!far && is_within(kHolds<double>, *plain, ends, singular))) {
     explanation.route =
         "none in double: on the quad, so close to it that differences are taken in 50 digits, or at the ends of "
         "doubles' "

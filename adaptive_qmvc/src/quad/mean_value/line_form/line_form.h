@@ -38,24 +38,21 @@ bool is_within(double distance, const QuadFrame<R>& q, double ends, const Singul
   return std::ranges::any_of(singular, close) || q.a.dot(q.a) < R(distance * distance);
 }
 
-/// Where the point lies on the quad, exactly, for inputs that are doubles; others are taken to be off it.
+/// Where the point lies on the quad: on_quad(), which decides exactly, whatever the scalar.
 template <Scalar R>
 std::optional<BilinearPoint> place_on_quad(std::span<const Vec3<R>> corners, const Vec3<R>& point) {
-  Quad<double> q;
-  Vec3<double> eta;
-  for (int i = 0; i < 3; ++i) {
-    eta[i] = static_cast<double>(point[i]);
-    if (R(eta[i]) != point[i]) return std::nullopt;
-    for (int k = 0; k < 4; ++k) {
-      q[k][i] = static_cast<double>(corners[k][i]);
-      if (R(q[k][i]) != corners[k][i]) return std::nullopt;
-    }
-  }
-  return on_quad(q, eta);
+  using W = std::conditional_t<is_multiprecision<R>, Mp200, double>;
+  Quad<W> q;
+  for (int k = 0; k < 4; ++k) q[k] = convert<W>(corners[k]);
+  return on_quad(q, convert<W>(point));
 }
 
-/// Nearer than this, doubles hold too little of the distance.
-inline constexpr double kDoubleHolds = 0x1p-46;
+/// Nearer than this, a scalar's digits hold too little of the distance.
+template <class R>
+inline constexpr double kHolds = std::same_as<R, Mp50>    ? 1e-30
+                                 : std::same_as<R, Mp100> ? 1e-60
+                                 : std::same_as<R, Mp200> ? 1e-120
+                                                          : 0x1p-46;
 
 /// Whether a side that is not zero is so short that products of its square leave doubles' range.
 inline bool has_short_side(const QuadFrame<double>& q) {
@@ -221,9 +218,9 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
         return statement;
       }
     }
-    if constexpr (!is_multiprecision<R>) {
-      if (is_within(kDoubleHolds, *q, ends, singular))
-        return line_form_in_more_digits<Order, R>(corners, point, digits, 1, weights);
+    if (is_within(kHolds<R>, *q, ends, singular)) {
+      if constexpr (is_multiprecision<R>) return line_form_of_distant<Order, R>(corners, point, order, digits, weights);
+      else return line_form_in_more_digits<Order, R>(corners, point, digits, 1, weights);
     }
     // Ordinary quads do not pay for what folds need.
     sums.watched = is_folded(*q);

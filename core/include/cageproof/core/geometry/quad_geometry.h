@@ -32,6 +32,9 @@ struct BilinearPoint {
 /// finite.
 std::optional<BilinearPoint> on_quad(const Quad<double>& q, const Vec3<double>& point);
 
+/// The same of numbers of up to 200 digits, exactly as well. Nothing where a number's exponent of two is beyond +-2^14.
+std::optional<BilinearPoint> on_quad(const Quad<Mp200>& q, const Vec3<Mp200>& point);
+
 /// Which two triangles a point sees under the solid angle of a bilinear quad.
 enum class SeenTriangles {
   Diagonal02,  ///< corners 0 1 2 and 0 2 3
