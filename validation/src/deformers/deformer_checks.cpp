@@ -30,9 +30,9 @@ constexpr double most_excused = 1e8;
 // to.
 constexpr double harmless_rounding = 2.5e-14;
 
-// Images that are promised to 1e-13 sizes keep their first seven digits whatever the condition, so that no promise is
-// kept without a right digit.
-constexpr double largest_factor = 1e6;
+// Images that are promised to 1e-13 sizes keep their first seven digits whatever the condition, and five whatever
+// coordinates are rounded by, so that no promise is kept without a right digit.
+constexpr double largest_factor = 1e6, largest_of_rounding = 1e8;
 
 // Of the worst system that was solved for the cage or for the pose; one where none was. A singular system has none: its
 // solution of least norm is as good as those of others. What roundings of posed vertices cost, which a deformer states
@@ -63,7 +63,7 @@ Vec3<double> image_at(const Deformer<double>& deformer, const Posed<double>& pos
 }  // namespace
 
 double Excuses::factor() const {
-  const double of_rounding = std::max(1.0, rounding / harmless_rounding),
+  const double of_rounding = std::clamp(rounding / harmless_rounding, 1.0, largest_of_rounding),
                of_condition = std::max(1.0, std::min(condition, most_excused) / harmless_condition);
   // Vertices, points and images a billion sizes off are doubles of six digits, whatever is computed with them.
   return std::max(of_rounding, std::min(largest_factor, of_condition * of_rounding));

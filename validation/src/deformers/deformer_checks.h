@@ -51,7 +51,7 @@ struct Excuses {
 
   /// How many times as large as without excuses an error may be: up to 1e6, so that of images that are promised to
   /// 1e-13 sizes seven digits are asked whatever the condition is; or, where that is more, what four roundings of
-  /// coordinates are, which no method can do without: from 2e8 sizes off.
+  /// coordinates are, which no method can do without: from 2e8 sizes off, and up to 1e8, which leaves five digits.
   double factor() const;
 };
 

@@ -29,7 +29,7 @@ constexpr double exact_map = 1e-13;
 constexpr std::string_view deformer_reason =
     "exact but for roundings: 1e-16 of the size, a thousand times or by the condition of what is solved, which excuses "
     "down to the seventh digit and no further; in a cage or a pose far from the origin four roundings of its "
-    "coordinates, also where these leave fewer digits";
+    "coordinates, down to the fifth digit";
 constexpr std::string_view least_energy =
     "steps end where rounding hides the energy's slope, and a minimum is as far off as the root of that";
 constexpr std::string_view unit_normals =
