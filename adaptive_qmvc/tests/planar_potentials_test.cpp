@@ -144,6 +144,7 @@ TEST(PlanarPotentials, on_quads_of_decimals_are_two_triangles) {
   const Mp100 unit = Mp100(1) / 1000;
   const auto whole = corners_of(q, {0, 1, 2, 3});
   std::vector<Vec3<Mp100>> decimals;
+  decimals.reserve(whole.size());
   for (const auto& x : whole) decimals.emplace_back(unit * x);
   struct Kernel {
     std::string name;
