@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What published forms and a public library take beside what commands take.
+// Times of published forms and of a public library, next to those of the evaluation that commands take.
 #pragma once
 
 #include "deformer_benchmarks.h"

@@ -49,7 +49,7 @@ TEST(GaussLoop, sums_what_the_rule_of_quadrature_sums) {
       ASSERT_TRUE(GaussLoop::exists(kind, in.cage));
       const GaussLoop loop(in.cage, kind, rule);
       const CageCoordinates expected(in.cage, kind, rule.name, Triangulation::Shortest);
-      // What was there before must not count.
+      // Numbers that stand there before must not count.
       std::vector<double> values(in.points.size() * loop.entries(), 1e300);
       loop.fill_on_vectors(in.points, values);
       EXPECT_LT(difference(expected, in.points, values), 1e-12) << "on vectors";

@@ -38,7 +38,7 @@ TEST(Peers, compute_the_kind_they_are_timed_beside) {
       std::size_t entries = 0;
       for (const CoordinateBlock& block : coordinates.blocks())
         entries += static_cast<std::size_t>(block.size) * block.entries();
-      // What was there before must not count.
+      // Numbers that stand there before must not count.
       std::vector<double> values(in.points.size() * entries, 1e300);
       peer.prepare(coordinates.elements())(in.points, values);
       EXPECT_LT(difference(coordinates, in.points, values), 1e-9);

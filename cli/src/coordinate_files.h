@@ -29,7 +29,7 @@ std::vector<std::pair<std::filesystem::path, std::string>> coordinate_files(
     const std::filesystem::path& out, const CoordinateColumns& table, const Mesh& mesh, reports::DescribedCage cage,
     const nlohmann::ordered_json& description, const CageCoordinates& coordinates);
 
-/// What an .npz has of the cage: its vertices, elements, normals, and the description, by name and bytes.
+/// Members of an .npz that describe the cage (vertices, elements, normals, metadata.json), by name and bytes.
 std::vector<std::pair<std::string, std::string>> cage_members(const reports::DescribedCage& cage);
 
 /// The description beside a .csv or .npy, which is written by rows.

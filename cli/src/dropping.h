@@ -14,7 +14,7 @@
 
 namespace cageproof::cli {
 
-/// Lengths in sizes of the cage: the diagonal of its bounding box.
+/// The options. Lengths are shares of the cage's size, the diagonal of its bounding box.
 struct Dropping {
   double tolerance = std::numeric_limits<double>::quiet_NaN();  ///< of --drop; NaN: everything is written
   double budget = 1;                                            ///< of --budget: how far a pose may move vertices
@@ -38,7 +38,7 @@ void require_within(const Dropping& dropping, const SparseTotals& totals, double
 /// For the file's description: `sparse`, with the bound.
 nlohmann::ordered_json json_of(const Dropping& dropping, const SparseTotals& totals, double size);
 
-/// What was kept, and the bound. \param bytes of the file \param columns numbers of a row
+/// Lines that say how many weights were kept, and the bound. \param bytes of the file \param columns numbers of a row
 std::vector<std::string> lines_of(const Dropping& dropping, const SparseTotals& totals, double size, std::size_t bytes,
                                   std::size_t columns);
 

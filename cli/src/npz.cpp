@@ -23,7 +23,7 @@ void check(struct archive* zip, int code) {
   if (code != ARCHIVE_OK) fail(zip);
 }
 
-// What takes the bytes, and what it threw: nothing may be thrown through libarchive.
+// A function that takes the bytes, and its exception, which may not pass through libarchive.
 struct Taker {
   const std::function<void(std::string_view)>& take;
   std::exception_ptr thrown = {};
@@ -65,7 +65,7 @@ void write_members(struct archive* zip, const std::vector<ZipMember>& members) {
 }  // namespace
 
 std::string npy_header(std::string_view type, const std::vector<std::size_t>& shape) {
-  // A tuple of one has a comma.
+  // Python writes a tuple with one entry with a comma.
   std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}), }}", type,
                                    fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
   // Its length is two bytes, and numbers begin at a multiple of 64.

@@ -34,13 +34,13 @@ double seconds_between_lines() {
   return *seconds;
 }
 
-// What has passed.
+// Time that has passed.
 std::string elapsed_text(double seconds) {
   return seconds < 120 ? fmt::format("{:.0f} s", std::floor(seconds))
                        : fmt::format("{:.0f} min", std::floor(seconds / 60));
 }
 
-// What is left.
+// Time that is left.
 std::string duration_text(double seconds) {
   if (seconds < 60) return fmt::format("{:.0f} s", std::ceil(seconds));
   if (seconds < 5400) return fmt::format("{:.0f} min", std::ceil(seconds / 60));

@@ -34,8 +34,8 @@ class Progress {
   void operator()(const std::string& stage, std::size_t done, std::size_t all);
   /// What is done now, of an amount that is not known: each time on a terminal, elsewhere as often as lines may come.
   void operator()(const std::string& event);
-  /// What the calling thread does from now on; empty where it has ended that. Where there is no terminal and no other
-  /// line comes for as long as lines take, one says what of that has taken longest.
+  /// Says what the calling thread does from now on; empty when it has ended that. Where there is no terminal, and no
+  /// other line comes for the time between lines, a line names what has taken longest.
   void doing(const std::string& what);
   void clear() const;
   /// What those at a terminal are told when it is done.

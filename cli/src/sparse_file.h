@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coordinates with few, short weights: compressed sparse rows in an .npz, as SciPy's load_npz reads them.
+// Writes compressed sparse rows of weights as an .npz that SciPy's load_npz reads.
 #pragma once
 
 #include "cageproof/deformation/sparse_weights.h"
@@ -14,7 +14,7 @@
 
 namespace cageproof::cli {
 
-/// What was kept of so many rows, and how far it moves a point.
+/// Sums over rows: how many weights were kept, and how far a point is moved.
 struct SparseTotals {
   std::size_t rows = 0, missing = 0;  ///< missing: rows that are not finite, whose one weight is NaN
   std::size_t kept = 0;               ///< weights

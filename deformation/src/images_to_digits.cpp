@@ -16,7 +16,7 @@
 namespace cageproof::deformation {
 namespace {
 
-// What images are sums of coordinates with, as CageData has it.
+// The data that images are sums of coordinates with.
 CageData data_of(const CageCoordinates& coordinates, const Posed<double>& map) {
   const auto* const linear = dynamic_cast<const LinearPosed<double>*>(&map);
   CageData data{coordinates.dimension(), {}};

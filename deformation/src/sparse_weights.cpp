@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-// What stays of a row: its sums over groups, of which there are two at most, and what it makes of centres.
+// Moments of a row that are kept: its sums over groups, two at most, and its product with the centres.
 constexpr int kMostKept = 5;
 using KeptMoments = std::array<double, kMostKept>;
 
@@ -115,7 +115,7 @@ class SparseWeights::Trial {
     std::ranges::stable_sort(droppable_, {}, [&](int column) { return costs[column]; });
   }
 
-  // What a weight of one adds to what stays, centres in sizes of their extent.
+  // Moments of a weight of one, centres in units of their extent.
   KeptMoments moments_of(int column) const {
     const auto& [centre, radius, group] = all_.reaches_[column];
     KeptMoments moments{};
@@ -124,8 +124,8 @@ class SparseWeights::Trial {
     return moments;
   }
 
-  // What makes up for what was dropped, of the first so many moments: kept weights grow by themselves times the product
-  // with their moments.
+  // Factors that restore the first `size` moments without the dropped weights: each kept weight grows by itself times
+  // the product of the factors with its moments.
   KeptMoments correction(int size) const {
     std::array<KeptMoments, kMostKept> matrix{};
     KeptMoments missing{};
@@ -151,7 +151,7 @@ class SparseWeights::Trial {
       for (int k = 0; k < size; ++k) more += factors[k] * moments[k];
       return weights_[column] + std::abs(weights_[column]) * more;
     };
-    // What a group's sum is short of.
+    // The difference that each group's sum still has.
     std::array<double, kMostKept> carried{};
     if (!whole)
       for (const int column : by_size_)
@@ -182,7 +182,7 @@ class SparseWeights::Trial {
     return changes;
   }
 
-  // Of the weights that are stored, whatever they are.
+  // The bound of the weights that are stored, however they were chosen.
   double bound() const {
     Vec3<double> centre = Vec3<double>::Zero();
     double reached = 0, rounding = 0;

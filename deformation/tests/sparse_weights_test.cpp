@@ -52,7 +52,7 @@ std::vector<double> changes_of(const std::vector<double>& before, const std::vec
   return changes;
 }
 
-// What a row makes of what it multiplies.
+// The product of a row with what it multiplies.
 Wide image(const std::vector<double>& weights, const std::vector<Vec>& multiplied) {
   Wide sum = Wide::Zero();
   for (std::size_t i = 0; i < multiplied.size(); ++i)
@@ -141,7 +141,7 @@ Ratios ratios(const CageCoordinates& coordinates, const std::vector<Vec>& points
   return found;
 }
 
-// Of rows that multiply vertices the bound is attained: 0.99 of it would be broken.
+// Rows that multiply vertices attain the bound: 0.99 of it would be broken.
 TEST(SparseWeights, of_vertices_are_off_by_their_bound) {
   std::mt19937 random(3);
   for (const char* name : {"cube", "l-block", "icosphere"}) {
@@ -279,7 +279,7 @@ TEST(SparseWeights, keep_sums_and_signs_and_drop_what_they_can) {
       EXPECT_GT(half.weights[i] * row[half.columns[i]], 0);
       EXPECT_EQ(rounded_to(WeightFormat::Half, half.weights[i]), half.weights[i]);
     }
-    // What half takes by rounding is more than this: none is dropped for it, and the bound says so.
+    // Rounding to half takes more than this: nothing is dropped then, and the bound says so.
     EXPECT_GT(of(1e-9, WeightFormat::Half).row(row).bound, 1e-9 * cage.size());
   }
 }

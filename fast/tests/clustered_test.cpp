@@ -3,47 +3,19 @@
 #include "../src/batch/cluster_error.h"
 #include "../src/batch/clustered_sum.h"
 #include "block_errors.h"
+#include "fine_sphere.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 
 namespace cageproof {
 namespace {
 
 using namespace block_errors;
 namespace batch = closed_form::batch;
-
-// Each face cut in four, with the new vertices on the unit sphere.
-Cage finer(const Cage& cage) {
-  std::vector<Point> vertices = cage.vertices();
-  for (Point& v : vertices) v.normalize();
-  std::map<std::pair<int, int>, int> middles;
-  const auto middle = [&](int a, int b) {
-    const auto [place, added] = middles.try_emplace(std::minmax(a, b), static_cast<int>(vertices.size()));
-    if (added) vertices.emplace_back((vertices[a] + vertices[b]).normalized());
-    return place->second;
-  };
-  std::vector<Face> faces;
-  faces.reserve(4 * cage.faces().size());
-  for (const Face& face : cage.faces()) {
-    const auto& [a, b, c, none] = face.vertices;
-    const int x = middle(a, b), y = middle(b, c), z = middle(c, a);
-    for (const auto& [i, j, k] : {std::array{a, x, z}, {x, b, y}, {z, y, c}, {x, y, z}})
-      faces.push_back({{i, j, k, -1}});
-  }
-  return cage.with(std::move(vertices), std::move(faces));
-}
-
-Cage sphere(int faces) {
-  Cage cage = embedded_cage("icosphere");
-  while (static_cast<int>(cage.faces().size()) < faces) cage = finer(cage);
-  EXPECT_EQ(static_cast<int>(cage.faces().size()), faces);
-  return cage;
-}
 
 // The sphere drawn out to a limb along x that is a hundredth as thick at its end: faces of all sizes from 1 to 1e-3.
 Cage graded(int faces) {
@@ -192,7 +164,7 @@ TEST(Clustered, others_than_green_by_batched_have_none) {
     EXPECT_EQ(coordinates_of(cage, kind, evaluation).sum_to(1e-3, {3, {}}, 1000), nullptr) << kind;
 }
 
-// What is cut off of a pole and of a dipole, over all directions of both.
+// The terms of a pole and of a dipole that are cut off, over all directions of both.
 TEST(Clustered, bounds_of_what_is_cut_off_hold_and_are_met) {
   for (const double rho : {0.1, 0.4, 0.7})
     for (const int degree : {2, 7, 16}) {

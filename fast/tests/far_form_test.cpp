@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The far form's error bound, against the edge form in 50 digits.
 #include "cageproof/fast/triangle/hybrid.h"
+#include "cageproof/closed_form/batch/instruction_set.h"
 #include "cageproof/core/numbers/random_stream.h"
 
 #include <gtest/gtest.h>
@@ -165,6 +166,16 @@ OnPanels on_panels(double thinness, int sample) {
   return result;
 }
 
+// Roundings of a panel's sum: the more lanes share the terms, the fewer each adds one after the other. Found with one
+// lane 18.3, with four 13.2.
+double most_roundings() {
+  switch (closed_form::batch::instruction_set()) {
+    case closed_form::batch::InstructionSet::Avx512: return 12;
+    case closed_form::batch::InstructionSet::Avx2: return 14;
+    default: return 20;
+  }
+}
+
 TEST(panels, sums_are_as_good_as_they_say_near_and_far_and_on_thin_triangles) {
   for (const double thinness : {1., 0.1, 1e-3, 1e-8}) {
     double worst = 0, value = 0;
@@ -177,7 +188,7 @@ TEST(panels, sums_are_as_good_as_they_say_near_and_far_and_on_thin_triangles) {
       many += found.panels > 4;
     }
     EXPECT_LE(worst, 1) << thinness;
-    EXPECT_LE(value, 20) << thinness;  // one number at a time 18.3; four at a time 13.2, eight 12
+    EXPECT_LE(value, most_roundings()) << thinness;
     EXPECT_GE(worst, 1e-2) << thinness;
     EXPECT_GE(one, 5) << thinness;
     EXPECT_GE(many, 5) << thinness;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What becomes of deformers that refuse only what is made of a user's cage.
+// Deformers that refuse only a moved copy or a pose of a user's cage are named, and judged by the rest.
 #include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 #include "deformers/deformer_campaign.h"

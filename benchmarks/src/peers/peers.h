@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whole coordinates as others write them: published forms, point by point and element by element, without any care
-// about cancellation; and a public library's. `batched` is timed beside them.
+// about cancellation; and a public library's. `batched` is timed in turns with them.
 #pragma once
 
 #include "cageproof/core/cage/cage_elements.h"

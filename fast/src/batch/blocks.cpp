@@ -11,9 +11,9 @@
 namespace cageproof::closed_form::batch {
 namespace {
 
-// In radii of the cage: beyond the second, sums may cancel more than they may in double-double. Beyond the first they
-// may in double, where nothing measures that: of Kelvin's layers values are measured alone (cancelling.h), and the
-// weights of mean values, whose sum cancels there, have limits of their own.
+// In radii of the cage. Beyond kTooFar sums of closed forms stand in, because double-doubles may cancel too much.
+// Beyond kFar double may, where nothing measures it: cancelling.h measures only values of Kelvin's layers, and mean
+// values, whose weights' sum cancels far away, have limits of their own.
 constexpr double kFar = 1.25, kTooFar = 256;
 
 bool is_measured_far_away(Layers layers, int order) {

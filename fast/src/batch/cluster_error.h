@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is left out where layers far away are cut off behind a degree of solid harmonics: proven bounds.
+// Proven bounds of the terms that expansions of far layers leave out beyond a degree of solid harmonics.
 //
 // With rho = |y|/r for a source y, seen from r, terms of degree l of 1/|x - y| are at most rho^l/r, and those of its
 // gradient by y at most l rho^(l - 1)/r^2, since (1 - t^2) P_l'(t)^2 + l^2 P_l(t)^2 <= l^2 on [-1, 1] (Bernstein's
@@ -10,10 +10,10 @@
 
 namespace cageproof::closed_form::batch {
 
-/// Of 1/|x - y|, times r. \pre 0 <= rho < 1
+/// Bound for 1/|x - y|, times r. \pre 0 <= rho < 1
 inline double cut_off_single(int degree, double rho) { return std::pow(rho, degree + 1) / (1 - rho); }
 
-/// Of its gradient by y, times r^2.
+/// Bound for the gradient of 1/|x - y| by y, times r^2.
 inline double cut_off_double(int degree, double rho) {
   return std::pow(rho, degree) * ((degree + 1) * (1 - rho) + rho) / ((1 - rho) * (1 - rho));
 }

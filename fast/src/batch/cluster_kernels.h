@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What sums over clusters do for a vector of points or sources at a time, once for each instruction set. Plain arrays,
-// as the tables of cages are.
+// Inner loops of sums over clusters, for a vector of points or sources at a time, once per instruction set. Their
+// arguments are plain arrays, as the tables of cages are.
 #pragma once
 
 namespace cageproof::closed_form::batch {
@@ -25,7 +25,7 @@ struct FarCluster {
 /// Vectors of sources that are taken together.
 inline constexpr int kMomentBlocks = 4;
 
-/// Sources of a cluster's moments: poles and dipoles, lengths in the cluster's radii from its centre.
+/// Poles and dipoles that a cluster's moments are made of. Lengths are in the cluster's radii, from its centre.
 struct MomentSources {
   int order;
   const double *places, *normals;   ///< [3][block][lanes]
@@ -40,7 +40,7 @@ struct ClusterKernels {
   void (*sum_far_cluster)(const FarCluster&);
 };
 
-/// Those for instruction_set(). \throws InputError as that does
+/// The kernels for instruction_set(). \throws InputError as that does
 const ClusterKernels& cluster_kernels();
 
 #if defined(__x86_64__)

@@ -16,7 +16,7 @@
 namespace cageproof::closed_form::batch {
 namespace {
 
-// Parts of what a cluster may be off: for terms beyond the degree, and for Gauss points in place of faces.
+// How a cluster's error is shared out: terms beyond the degree take the first part, Gauss points for faces the second.
 constexpr double kForTerms = 0.875, kForPoints = 0.125;
 // Clusters are taken from no nearer than their radii over this.
 constexpr double kNearest = 0.75;
@@ -63,7 +63,7 @@ class Sources {
 
   // As FarCluster has them.
   std::vector<double> moments() {
-    // What is left over has no strength.
+    // The places that are left over get sources without strength.
     for (int i = 6; i < kNumbers; ++i) std::fill_n(&numbers_[i * together_ + count_], together_ - count_, 0.0);
     flush();
     std::vector<double> found;
@@ -102,7 +102,7 @@ class Sources {
 
 }  // namespace
 
-// Of a cluster: areas times densities.
+// Sums over a cluster's faces: areas times densities.
 struct ClusterMoments::Densities {
   double charge = 0, dipole = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What clusters of faces are to points far away from them, for one set of data: expansions, and from where on they do.
+// Expansions of clusters of faces for one set of data, and the distances from which on they are accurate enough.
 #pragma once
 
 #include "cluster_tree.h"

@@ -20,7 +20,7 @@ namespace {
 
 // Points that go down the tree together: enough of them to fill vectors wherever they part.
 constexpr std::size_t kTogether = 1024;
-// Functions of an image: its components.
+// An image is this many functions: its components.
 constexpr int kComponents = 3;
 
 std::vector<double> by_faces(const AppliesData& exact, const CageData& data, std::span<const Vec3<double>> points) {

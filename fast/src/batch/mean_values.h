@@ -25,7 +25,7 @@ struct SeenEdge {
 /// Heights below this, over the distance of a corner, take the form next to the plane; and where roundings of those
 /// above it add up.
 inline constexpr double kNextToPlane = 0x1p-9, kLow = 0.25;
-/// What steep faces may leave of rounding in values.
+/// How much rounding steep faces may leave in values.
 inline constexpr double kSteepValues = 20;
 /// Distances from an edge's line, or from a corner, below this times the edge are left to others; likewise heights
 /// within a face.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What faces leave of rounding in the weights of mean value coordinates and their derivatives, and how much of it
-// derivatives of coordinates allow, a vector of points at a time.
+// Roundings that faces leave in weights of mean value coordinates and their derivatives, and how much of them
+// derivatives of coordinates allow, for a vector of points at a time.
 #pragma once
 
 #include "base_face.h"
@@ -9,7 +9,7 @@
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
-/// What is left in a face's weights and their derivatives, by order, in roundings.
+/// Errors of a face's weights and their derivatives, by order, in roundings.
 template <int O>
 struct Roundings {
   Lanes of[O + 1];
@@ -44,19 +44,20 @@ struct HeldRoundings {
     const Lanes over = 1 / root(faces);
     for (int o = 0; o <= O; ++o) {
       const Mask mine = points & (squares[o] > most[o] * most[o]);
-      limit[o] = select(mine, most[o] * (o == 0 ? splat(1 / 16.) : over), limit[o]);
+      limit[o] = select(mine, most[o] * over, limit[o]);
     }
   }
 };
 
-/// By order, what the root of the sum of squares may be of the weights' total and of all weights' derivatives; and of
-/// what coordinates allow that are seen from a face.
-inline constexpr double kSteepOrders[3] = {8, 32, 64}, kSteeperOrders[3] = {16, 16, 16};
-/// Faces that are that much steeper than the one that a point is seen from. Others leave no more than that one's hat
-/// functions allow.
+/// The root of the sum of squares may be this much of the weights' total and, by order, of all weights' derivatives.
+inline constexpr double kSteepOrders[3] = {8, 32, 64};
+/// The same, of what coordinates allow that are seen from a face.
+inline constexpr double kSteeperMost = 16;
+/// Faces count as steeper when they are this much steeper than the face that a point is seen from. Others leave no more
+/// than that face's hat functions allow.
 inline constexpr double kSteeper = 4;
 
-/// What the roundings of faces add up to.
+/// Sums the roundings of faces.
 template <int O>
 class SteepDerivatives {
  public:
@@ -68,7 +69,7 @@ class SteepDerivatives {
     total_ = total;
     for (int i = 0; i < kLanes; ++i) steep_[i] = from[i] < 0 ? kBeyond : cage.face[static_cast<int>(from[i])].steep;
   }
-  /// Of a face. \param but points that it is not added for in double \param total its weights'
+  /// Counts a face. \param but points that it is not added for in double \param total its weights'
   void count(double steep, Mask but, const Roundings<O>& roundings, Lanes total) {
     all_.add(roundings, but);
     const Mask steeper = is_steeper(steep);
@@ -90,7 +91,7 @@ class SteepDerivatives {
     for (int o = 1; o <= O; ++o) all_.most[o] = kSteepOrders[o] * (norm_of(block, o, 0, kept[o]) + base.beside[o - 1]);
     // A face that is left to others is none to be seen from.
     const auto held = [&](int o, Lanes most) {
-      steeper_.most[o] = select(base.seen, kSteeperOrders[o] * most, splat(kBeyond));
+      steeper_.most[o] = select(base.seen, kSteeperMost * most, splat(kBeyond));
     };
     Lanes power = steep_;
     for (int o = 0; o < O; ++o, power *= steep_) held(o, low * power);

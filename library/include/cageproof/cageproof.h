@@ -42,9 +42,9 @@ struct Options {
   bool flip_inward = false;          ///< turn parts whose normals point inward, instead of refusing them
   bool allow_invalid_quads = false;  ///< of kinds that keep quads: compute with those that cross themselves or fold
   int threads = 0;                   ///< at most so many; 0: all cores
-  /// Of images by the Deformer "green" in space: 3 to 12 digits of the posed cage's size, sooner where faces and points
-  /// are many; 0 for all. The error is bounded, and roundings come on top. Each call of `images` prepares for its
-  /// points, so that many should come at once; bound points have all digits.
+  /// For images by the Deformer "green" in space: 3 to 12 digits of the posed cage's size, sooner where faces and
+  /// points are many; 0 for all. The error is bounded, and roundings come on top. Each call of `images` prepares for
+  /// its points, so that many should come at once; bound points have all digits.
   int digits = 0;
 };
 

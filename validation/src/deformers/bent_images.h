@@ -40,8 +40,8 @@ class BentImages {
 
   const deformation::Posed<R>& posed() const { return *posed_.get(); }
 
-  /// Image and derivatives up to that order, kept for whoever asks the same again: images that more is computed beside
-  /// may have other last bits, and a question has the same answer whatever was asked before.
+  /// Image and derivatives up to that order, kept for whoever asks the same again: images that are computed together
+  /// with more may have other last bits, and a question has the same answer whatever was asked before.
   /// \pre order <= Deformer::max_order()
   deformation::Images<R> at(const Vec3<double>& point, int order) const {
     const std::scoped_lock lock(mutex_);

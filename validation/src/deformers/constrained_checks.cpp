@@ -149,8 +149,8 @@ ConstrainedChecks::Ask ConstrainedChecks::moved(std::string_view pose, const Spa
 }
 
 ConstrainedChecks::Ask ConstrainedChecks::kept_far_off(const SpaceMap& offset) const {
-  // Of places far off, and of their targets, which a turn about the origin takes further off where the cage is far
-  // away.
+  // Roundings of places far off, and of their targets, which a turn about the origin takes further off where the cage
+  // is far away.
   const std::vector<Vec3<double>> vertices = posed_by(offset, *cage_);
   double largest = largest_coordinate(vertices);
   for (const Vec3<double>& v : posed_by(turn(cage_->dimension()), *cage_))

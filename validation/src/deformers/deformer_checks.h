@@ -81,7 +81,7 @@ class DeformerChecks {
   /// that solve systems for the cage on small cages alone, and by default parameters; of those that keep quads by
   /// default parameters.
   /// deformer_jacobian: derivatives with central differences of the images and of the Jacobian, in 50 digits where
-  /// these are prompt, else in double, along one direction a point.
+  /// these are prompt, else in double, along one direction per point.
   /// deformer_by_quadrature: images with those that an adaptive rule gives, on small cages, by default parameters.
   /// second_route: images in 50 digits with those of second_routes::LayerRoute, of methods that solve for densities; in
   /// space by default parameters, in the plane of the cage turned.
@@ -116,7 +116,7 @@ class DeformerChecks {
   const BentImages<R>& bent_images() const;
   Errors compared(const deformation::Images<double>& images, const deformation::Images<Mp50>& with, int order,
                   double condition) const;
-  /// Of images in double: a system's condition, and where the cage lies, and its pose.
+  /// Excuses of images in double: a system's condition, and where the cage lies, and its pose.
   Excuses with_condition(double condition, const std::vector<Vec3<double>>& posed = {}) const {
     return {condition, rounding_of_coordinates(*cage_, posed)};
   }

@@ -34,7 +34,7 @@ std::vector<SpaceMap> space_maps(int dimension);
 /// Shifts by a thousand and by a million sizes (keeps_offset), of a cage that is not posed.
 std::array<SpaceMap, 2> offsets(int dimension);
 
-/// Of all points.
+/// The largest absolute coordinate of all points.
 double largest_coordinate(const std::vector<Vec3<double>>& points);
 
 /// The cage's vertices under a map.

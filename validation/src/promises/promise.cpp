@@ -27,7 +27,8 @@ constexpr std::string_view recommended = "@(hybrid|closed_form|line_form|recomme
 // where that is above 1e3, which the figures are divided by.
 constexpr double exact_map = 1e-13;
 constexpr std::string_view deformer_reason =
-    "exact but for roundings: 1e-16 of the size, a thousand times or by the condition of what is solved, which excuses "
+    "exact except for roundings: 1e-16 of the size, a thousand times or by the condition of what is solved, which "
+    "excuses "
     "down to the seventh digit and no further; in a cage or a pose far from the origin four roundings of its "
     "coordinates, down to the fifth digit";
 constexpr std::string_view least_energy =

@@ -42,7 +42,7 @@ PointImages images_of(const CageCoordinates& coordinates, std::span<const Vec3<d
                       std::span<const Posed<double>* const> maps, const ImageRun& run,
                       const std::optional<Inside>& region);
 
-/// What images to a number of digits are.
+/// How images to a number of digits were computed.
 struct DigitsReport {
   int degree = 0;            ///< of the expansions, the highest; 0 where all is summed face by face
   std::size_t by_faces = 0;  ///< points that are summed face by face

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What coordinates multiply, over all poses whose vertices move by no more than a given length.
+// Bounds on the vectors that coordinates multiply, over all poses whose vertices move by at most a given length.
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"
@@ -31,7 +31,7 @@ struct PoseReach {
 std::vector<PoseReach> pose_reach(const CageCoordinates& coordinates, double moved, double size);
 
 /// Why nothing bounds what a kind's coordinates multiply, the first reason; empty where something does: each block has
-/// one number a vertex, or one a flat element, and multiplies posed vertices or stretched normals.
+/// one number per vertex, or one per flat element, and multiplies posed vertices or stretched normals.
 std::string why_without_reach(const CageCoordinates& coordinates);
 
 /// The kinds, with their parameters' defaults, that have bounds in cages of that dimension, 2 or 3.

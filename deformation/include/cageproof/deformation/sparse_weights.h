@@ -10,7 +10,7 @@
 
 namespace cageproof::deformation {
 
-/// What weights are stored in: IEEE's formats of 8, 4 and 2 bytes.
+/// Formats that weights are stored in: IEEE's formats of 8, 4 and 2 bytes.
 enum class WeightFormat { Double, Float, Half };
 
 /// Bytes of a weight.

@@ -34,7 +34,7 @@ struct PartialResult {
       fields;                               ///< by the field's place in the report and the part's first sample
   std::map<std::string, MeshField> meshes;  ///< vertices and faces, by name
   std::map<int, ErratumRow> errata;         ///< by place in the report
-  /// What of a user's cage is not judged, because a method refuses what was made of the cage for it: by the reason.
+  /// Questions about a user's cage that are not judged, because a method refuses a moved copy or a pose, by the reason.
   std::map<std::string, std::set<std::string>> refused;
 
   /// \throws std::invalid_argument when units of tallies do not agree
