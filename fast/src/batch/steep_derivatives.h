@@ -44,7 +44,8 @@ struct HeldRoundings {
     const Lanes over = 1 / root(faces);
     for (int o = 0; o <= O; ++o) {
       const Mask mine = points & (squares[o] > most[o] * most[o]);
-      limit[o] = select(mine, most[o] * over, limit[o]);
+      // Totals as for values (Steepness::lower): an even share leaves too much in cages with a small face.
+      limit[o] = select(mine, most[o] * (o == 0 ? splat(1 / 16.) : over), limit[o]);
     }
   }
 };
