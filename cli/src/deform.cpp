@@ -164,7 +164,7 @@ void tell_digits(const std::vector<DigitsReport>& reports, std::size_t points) {
     const std::string map = reports.size() > 1 ? fmt::format("map {}: ", k + 1) : "";
     const DigitsReport& r = reports[k];
     if (r.degree == 0) {
-      remark(fmt::format("{}summed face by face, which is quicker here", map));
+      remark(fmt::format("{}summed face by face, which is quicker here or the only way", map));
       continue;
     }
     remark(

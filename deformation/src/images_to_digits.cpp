@@ -68,14 +68,17 @@ PointImages images_to_digits(const CageCoordinates& coordinates, std::span<const
     for_each_parallel(data.blocks.empty() ? 0 : 1, jobs, [&](std::size_t /*only*/) {
       sum = coordinates.sum_to(std::pow(10., -digits) * size, data, asked.size());
     });
-    if (sum == nullptr)
+    // Cages at the ends of the exponent range are not computed in blocks: all faces are summed there, too.
+    const bool beyond_blocks = sum == nullptr && coordinates.kind().name == "green" && coordinates.dimension() == 3 &&
+                               coordinates.evaluation() == "batched";
+    if (sum == nullptr && !beyond_blocks)
       throw InputError(
           fmt::format("images by {} coordinates, evaluation {}, have all digits only: there is green, by "
                       "batched, of cages in space",
                       coordinates.kind().name, coordinates.evaluation()));
     // The same numbers as without digits.
-    if (sum->degree() == 0) {
-      reports.assign(maps.size(), {});
+    if (beyond_blocks || sum->degree() == 0) {
+      reports.assign(maps.size(), {.by_faces = asked.size()});
       return images_of(coordinates, points, maps, {.order = 0, .jobs = jobs}, region);
     }
     sum->fill(asked, jobs, values, errors);

@@ -15,6 +15,8 @@ struct BiharmonicDoubleLayer : OddPowers {
   static constexpr OnBorder on_border = OnBorder::LogarithmAndDirection;
   // Straight above the triangle the gradient of x.n/r is less than its terms by the square of the distance.
   static constexpr bool cancels_far = true;
+  /// Next to the triangle's plane the Hessian is as small as the solid angle, and its terms are some of this size.
+  static constexpr double terms_of_hessian = 0.1;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R>, std::array<Taylor<R, N>, 3>& out) {
     const auto& a = s.A();

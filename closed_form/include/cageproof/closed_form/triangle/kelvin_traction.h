@@ -34,6 +34,8 @@ std::array<R, 9> border_height_hessian(const Frame<R>& f) {
 struct KelvinTraction : OddPowers {
   static constexpr int components = 27, degree = 0, extra = 2, parameter_count = 2, border_order = 0, far_power = -3;
   static constexpr OnBorder on_border = OnBorder::Logarithm;
+  /// Next to the triangle's plane the value is as small as the solid angle, and its terms are some of this size.
+  static constexpr double terms_of_value = 0.1;
   template <class S, class R, int N>
   static void compose(const S& s, std::span<const R> parameters, std::array<Taylor<R, N>, 27>& out) {
     const KelvinShares<R> shares(parameters[1]);

@@ -65,9 +65,9 @@ struct Hybrid {
 
   explicit Hybrid(Route taken = Route::ClosedForm) : route(taken) {}
   Hybrid(Route taken, const Jet<double, F::components>& result) : route(taken), jet(result) {}
-  /// A result with a bound, where that is small enough.
-  Hybrid(Route taken, const BoundedJet<double, F::components>& result) : Hybrid() {
-    if (result.worst() <= kTolerance) *this = {taken, result.jet};
+  /// A result with a bound, where that is at most `tolerance`, relative to each tensor.
+  Hybrid(Route taken, const BoundedJet<double, F::components>& result, double tolerance = kTolerance) : Hybrid() {
+    if (result.worst() <= tolerance) *this = {taken, result.jet};
   }
 };
 
@@ -82,10 +82,12 @@ Hybrid<F> from_panels(HybridMoments<O>& at, const Panels& panels, std::span<cons
                                  3)};
 }
 
-/// The size of a formula's terms in its derivatives of an order, in the longest edge's units, next to points where they
-/// add up to zero; 0 where none vanish.
+/// The size of a formula's terms in its derivatives of an order, 0 for values, in the longest edge's units, next to
+/// points where they add up to zero; 0 where none vanish.
 template <class F>
-constexpr double terms_of_derivatives(int order) {
+constexpr double size_of_terms(int order) {
+  if constexpr (requires { F::terms_of_value; })
+    if (order == 0) return F::terms_of_value;
   if constexpr (requires { F::terms_of_gradient; })
     if (order == 1) return F::terms_of_gradient;
   if constexpr (requires { F::terms_of_hessian; })
@@ -93,17 +95,17 @@ constexpr double terms_of_derivatives(int order) {
   return 0;
 }
 
-/// Whether derivatives, in the frame's units, are much smaller than their terms: next to a zero.
+/// Whether values or derivatives, in the frame's units, are much smaller than their terms: next to a zero.
 template <class F, int O>
-bool has_small_derivatives(const Components<F, double, O>& components) {
-  for (int order = 1; order <= O; ++order) {
-    if (terms_of_derivatives<F>(order) == 0) continue;
+bool is_small(const Components<F, double, O>& components) {
+  for (int order = 0; order <= O; ++order) {
+    if (size_of_terms<F>(order) == 0) continue;
     double largest = 0;
     for (const auto& polynomial : components)
       for (int m = 0; m < Monomials<O>::count; ++m)
         if (const auto& e = Monomials<O>::exponents[m]; e[0] + e[1] + e[2] == order)
           largest = std::max(largest, std::abs(polynomial.c[m]));
-    if (largest < terms_of_derivatives<F>(order) / 32) return true;
+    if (largest < size_of_terms<F>(order) / 32) return true;
   }
   return false;
 }
@@ -116,13 +118,17 @@ Hybrid<F> hybrid(HybridMoments<O>& at, std::span<const double> parameters) {
   if (closed_form::triangle::first_divergent<F>(f) < 3) return Hybrid<F>(Route::Border);
   const Panels& few = at.on_panels().panels(panels_wanted<F, O>(f));
   if (!few.empty()) return from_panels<F>(at, few, parameters);
+  double tolerance = kTolerance;
   if (!F::cancels_nearby && f.shape() >= kThinShape) {
     const auto components = composed<F, O, double>(at.near().template near<F>(), parameters);
-    if (!has_small_derivatives<F, O>(components)) return {Route::Near, finish<F, O, double>(components, f.unit, 3)};
+    if (!is_small<F, O>(components)) return {Route::Near, finish<F, O, double>(components, f.unit, 3)};
+    // Small values of two faces whose large ones cancel are what a cage's sum is made of: a thin cage needs their
+    // digits.
+    tolerance = closed_form::kAccurateTolerance;
   }
   constexpr double largest = std::numeric_limits<double>::max();
   Hybrid<F> near{Route::Tracked,
-                 closed_form::triangle::tracked_near<F, double, O>(at.algebra(), parameters, 3, largest)};
+                 closed_form::triangle::tracked_near<F, double, O>(at.algebra(), parameters, 3, largest), tolerance};
   if (near.jet) return near;
   const Panels& many = at.on_panels().panels(panels_wanted<F, O>(f, kMostPoints));
   return many.empty() ? Hybrid<F>() : from_panels<F>(at, many, parameters);
