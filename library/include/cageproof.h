@@ -152,6 +152,24 @@ CAGEPROOF_API void cageproof_bound_free(cageproof_bound* bound);
 CAGEPROOF_API int cageproof_bound_images(const cageproof_deformer* deformer, const cageproof_bound* bound,
                                          double* images, size_t images_size, double* jacobians, size_t jacobians_size);
 
+/* ---- Inside ---- */
+
+typedef struct cageproof_inside cageproof_inside;
+
+/* any_mesh: 0 for a cage, which is checked, and whose answers are exact; 1 for any faces in space: open, turned over,
+ * overlapping. Options: "triangulation", "flip_inward", "keep_quads" ("0" or "1": quads stay bilinear surfaces). */
+CAGEPROOF_API int cageproof_inside_make(const cageproof_cage* cage, int any_mesh, const cageproof_option* options,
+                                        size_t count, cageproof_inside** inside);
+CAGEPROOF_API void cageproof_inside_free(cageproof_inside* inside);
+/* One number per point in each array; each array may be NULL, with size 0. places: 1 inside, 0 on the surface, exactly,
+ * -1 outside. faces: the first face that the point is on, or -1. windings: how often the surface winds around the
+ * point, NaN on it; bounds: what that is off at most, 0 for cages and closed meshes. Of meshes inside is where they
+ * wind by more than 1/2, of either sign. threads: 0 for all cores. */
+CAGEPROOF_API int cageproof_inside_points(const cageproof_inside* inside, const double* points, size_t points_size,
+                                          int threads, int32_t* places, size_t places_size, int32_t* faces,
+                                          size_t faces_size, double* windings, size_t windings_size, double* bounds,
+                                          size_t bounds_size);
+
 /* ---- Potentials of elements ---- */
 
 /* What a formula takes and gives per element and point: `tensors` (one, or one per corner) of rows x columns. */

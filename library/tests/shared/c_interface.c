@@ -125,6 +125,33 @@ static void deformers(void) {
   cageproof_deformer_free(green);
 }
 
+static void inside(void) {
+  const double asked[12] = {0, 0, 0, 1, 0.5, 0.25, 1.0000000000000002, 0.5, 0.25, 1, 1, 1};
+  cageproof_cage *cage = cube(), *cup = NULL;
+  cageproof_inside *of_cage = NULL, *of_cup = NULL, *other = NULL;
+  cageproof_option keep = {"keep_quads", "1"}, unknown = {"nu", "0.3"};
+  int32_t places[4], faces[4];
+  double windings[4], bounds[4];
+  expect(cageproof_inside_make(cage, 0, &keep, 1, &of_cage) == CAGEPROOF_OK, "inside a cube");
+  expect(cageproof_inside_points(of_cage, asked, 12, 0, places, 4, faces, 4, windings, 4, bounds, 4) == CAGEPROOF_OK, "places");
+  expect(places[0] == 1 && places[1] == 0 && places[2] == -1 && places[3] == 0, "places of a cube");
+  expect(faces[1] == 3 && faces[0] == -1 && windings[0] == 1 && isnan(windings[1]) && bounds[2] == 0, "faces and windings");
+  expect(cageproof_cage_make(3, kCorners, 24, kFaces, 20, kSizes, 5, &cup) == CAGEPROOF_OK, "a cube without one side");
+  refuses(cageproof_inside_make(cup, 0, NULL, 0, &other), "hole", "no cage");
+  expect(cageproof_inside_make(cup, 1, NULL, 0, &of_cup) == CAGEPROOF_OK, "any mesh");
+  expect(cageproof_inside_points(of_cup, asked, 3, 1, NULL, 0, NULL, 0, windings, 1, bounds, 1) == CAGEPROOF_OK &&
+             fabs(windings[0] - 5. / 6) <= bounds[0] && bounds[0] < 1e-13, "five sixths");
+  refuses(cageproof_inside_points(of_cage, asked, 12, 0, places, 3, NULL, 0, NULL, 0, NULL, 0), "places", "room for places");
+  refuses(cageproof_inside_points(of_cage, asked, 11, 0, places, 4, NULL, 0, NULL, 0, NULL, 0), "multiple", "a broken point");
+  refuses(cageproof_inside_points(NULL, asked, 12, 0, places, 4, NULL, 0, NULL, 0, NULL, 0), "null", "no handle");
+  refuses(cageproof_inside_make(cage, 0, &unknown, 1, &other), "nu", "an option that there is not");
+  refuses(cageproof_inside_make(cup, 1, &keep, 1, &other), "keep_quads", "quads of any mesh");
+  cageproof_inside_free(of_cage);
+  cageproof_inside_free(of_cup);
+  cageproof_cage_free(cage);
+  cageproof_cage_free(cup);
+}
+
 static void potentials(void) {
   /* A face of the cube of edge 2, as two triangles, seen from its centre: a sixth of the sphere. */
   const double face[18] = {1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, -1, 1, 1, 1, 1, -1, 1}, centre[6] = {0, 0, 0, 0, 0, 0};
@@ -206,6 +233,7 @@ int main(void) {
   cages();
   coordinates();
   deformers();
+  inside();
   potentials();
   names();
   if (failures == 0) printf("cageproof %s does what its C interface says\n", cageproof_version());
