@@ -4,6 +4,8 @@
 add_library(cageproof_flags INTERFACE)
 target_compile_options(cageproof_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-float-conversion -Werror
+  # Nobody replaces functions of the shared library, so GCC may inline them.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   # GCC 12 sees overflows in std::string's own operator+ when it inlines Boost.Multiprecision's printing.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>

@@ -12,7 +12,7 @@ endforeach()
 add_library(cageproof_shared SHARED ${shared_objects})
 set_target_properties(cageproof_shared PROPERTIES OUTPUT_NAME cageproof EXPORT_NAME shared VERSION ${PROJECT_VERSION} SOVERSION 1
   LINKER_LANGUAGE CXX LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib LINK_DEPENDS ${exports})
-target_link_options(cageproof_shared PRIVATE -Wl,--version-script=${exports} -Wl,--no-undefined $<$<NOT:$<BOOL:${CAGEPROOF_SANITIZE}>>:-Wl,--as-needed>)
+target_link_options(cageproof_shared PRIVATE -Wl,--version-script=${exports} -Wl,--no-undefined -Wl,--as-needed)
 target_link_libraries(cageproof_shared PRIVATE fmt::fmt NLopt::nlopt ${MPFR_SHARED_LIBRARY} ${GMP_SHARED_LIBRARY} $<$<BOOL:${CAGEPROOF_TBB}>:TBB::tbb>)
 target_include_directories(cageproof_shared INTERFACE $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
   $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
