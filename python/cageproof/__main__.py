@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import Cage, Error, names, read, version
+from . import Cage, Error, Places, names, read, version
 
 
 def cage_of(text: str) -> Cage:
@@ -41,7 +41,22 @@ def write(file: str, header: str, table: np.ndarray, faces_of: str = "") -> None
             rows += [line.rstrip() for line in open(faces_of) if line.startswith("f ")]
     else:
         rows.insert(0, header)
-    text = "\n".join(rows) + "\n"
+    write_text(file, "\n".join(rows) + "\n")
+
+
+def write_places(file: str, found: Places) -> None:
+    """As the program writes them: words in CSV, numbers in .npy."""
+    if file.lower().endswith(".npy"):
+        np.save(file, np.column_stack(found))
+        return
+    words = {1: "inside", 0: "on", -1: "outside"}
+    rows = [f"{words[p]},{f},{repr(float(w))},{repr(float(b))}".replace(".0,", ",") for p, f, w, b in zip(*(x.tolist() for x in found))]
+    rows = [row[:-2] if row.endswith(".0") else row for row in rows]
+    write_text(file, "\n".join(["place,face,winding_number,bound", *rows]) + "\n")
+
+
+def write_text(file: str, text: str) -> None:
+    """On standard output for no file; else aside first, so that no half is left."""
     if not file:
         sys.stdout.write(text)
         return
@@ -76,8 +91,7 @@ def main() -> int:
     try:
         cage, points = cage_of(a.cage), points_of(a.points)
         if a.command == "inside":
-            found = cage.places(points, any_mesh=a.any_mesh)
-            write(a.out, "place,face,winding_number,bound", np.column_stack(found))
+            write_places(a.out, cage.places(points, any_mesh=a.any_mesh))
             return 0
         options = dict(text.split("=", 1) if "=" in text else (text, "") for text in a.parameter)
         if a.command == "coordinates":

@@ -191,7 +191,10 @@ def test_module_without_a_program(tmp_path, cube):
     np.save(tmp_path / "points.npy", [[0, 0, 0], [0.5, 0.25, 0.125]])
     done = run("inside", "--cage", "cube", "--points", "points.npy")
     assert done.returncode == 0, done.stderr
-    assert done.stdout.splitlines()[1:] == ["1.0,-1.0,1.0,0.0", "0.0,5.0,nan,0.0"]
+    assert done.stdout.splitlines()[1:] == ["inside,-1,1,0", "on,5,nan,0"]
+    if "CAGEPROOF_PROGRAM" in os.environ:
+        arguments = [os.environ["CAGEPROOF_PROGRAM"], "inside", "--cage", "cube", "--points", "points.npy", "--quiet"]
+        assert subprocess.run(arguments, cwd=tmp_path, capture_output=True, text=True).stdout == done.stdout
     cage = cageproof.Cage.embedded("cube")
     np.save(tmp_path / "posed.npy", 2 * cage.vertices)
     run("deform", "--cage", "cube", "--posed", "posed.npy", "--points", "points.npy", "--method", "green", "--out", "images.npy")
