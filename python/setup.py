@@ -18,9 +18,10 @@ PROJECT = HERE.parent
 
 
 def version() -> str:
-    text = (PROJECT / "CMakeLists.txt").read_text() if (PROJECT / "CMakeLists.txt").is_file() else ""
-    words = text.partition("project(cageproof VERSION ")[2].split()
-    return words[0] if words else (HERE / "VERSION").read_text().strip()
+    words = (PROJECT / "CMakeLists.txt").read_text().partition("project(cageproof VERSION ")[2].split()
+    if not words:
+        raise SystemExit(f"{PROJECT}/CMakeLists.txt names no version: build the package within the project")
+    return words[0]
 
 
 def library() -> Path:
@@ -41,6 +42,10 @@ class BuildWithLibrary(build_py):
         to = Path(self.build_lib) / "cageproof" / "libcageproof.so"
         to.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(library(), to)
+        # What is linked, and under which licences, goes with it.
+        for name in ("LICENSE", "docs/licences.md"):
+            if (PROJECT / name).is_file():
+                shutil.copyfile(PROJECT / name, to.parent / Path(name).name)
         if shutil.which("strip"):
             subprocess.run(["strip", "--strip-unneeded", str(to)], check=True)
 

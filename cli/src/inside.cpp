@@ -88,7 +88,8 @@ int run(const Arguments& a) {
   std::array<std::size_t, 3> counts{};
   double bound = 0;
   for (const PointPlace& at : places) {
-    ++counts[static_cast<std::size_t>(static_cast<int>(at.place) + 1)];
+    const int slot = static_cast<int>(at.place) + 1;
+    ++counts[static_cast<std::size_t>(slot)];
     bound = std::max(bound, at.bound);
   }
   const std::string how = surface.places.is_closed() ? "exactly" : fmt::format("winding numbers to {:.2g}", bound);

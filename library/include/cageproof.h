@@ -49,10 +49,11 @@ CAGEPROOF_API const char* cageproof_error(void);
  * not fit is an error. */
 CAGEPROOF_API int cageproof_list(const char* of, char* text, size_t size, size_t* needed);
 
-/* An option by name. Every function with options takes "threads" (0: all cores); those with a cage also
- * "evaluation", "triangulation" of quads ("shortest" diagonal or "fan"), "flip_inward" ("0" or "1": turns parts whose
- * normals point inward), "allow_invalid_quads" ("0" or "1"); deformers also "digits" (3 to 12, of "green"). Any other
- * name is a parameter of the kind, method or formula: "nu", "mu", "pieces" ... */
+/* An option by name. Coordinates and deformers take "threads" (0: all cores), "evaluation", "triangulation" of quads
+ * ("shortest" diagonal or "fan"), "flip_inward" ("0" or "1": turns parts whose normals point inward) and
+ * "allow_invalid_quads" ("0" or "1"); deformers also "digits" (3 to 12, of "green"); formulas "threads". Any other name
+ * is a parameter of the kind, method or formula: "nu", "mu", "pieces" ... Functions that take other options say so.
+ * None is ignored: a name that means nothing is an error. */
 typedef struct cageproof_option {
   const char* name;
   const char* value;
@@ -74,7 +75,8 @@ CAGEPROOF_API int cageproof_cage_read(const char* file, cageproof_cage** cage);
 CAGEPROOF_API int cageproof_cage_embedded(const char* name, cageproof_cage** cage);
 /* Frees it; NULL is allowed, here and in all functions that free. Nothing that was made of it needs it. */
 CAGEPROOF_API void cageproof_cage_free(cageproof_cage* cage);
-/* Refuses a cage that is not closed, not oriented or otherwise broken, naming the face or vertex. */
+/* Refuses a cage that is not closed, not oriented or otherwise broken, naming the face or vertex. Options:
+ * "flip_inward", "allow_invalid_quads". */
 CAGEPROOF_API int cageproof_cage_check(const cageproof_cage* cage, const cageproof_option* options, size_t count);
 /* Each of the pointers to results may be NULL. vertices, corners: numbers in these arrays. */
 CAGEPROOF_API int cageproof_cage_sizes(const cageproof_cage* cage, int* dimension, size_t* vertices, size_t* corners,

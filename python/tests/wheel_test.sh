@@ -12,7 +12,8 @@ fail() {
   exit 1
 }
 # A copy of what pip reads, so that the project's folder stays as it is.
-mkdir "$work/project" && cp -r "$root/python" "$work/project/" && cp "$root/CMakeLists.txt" "$work/project/"
+mkdir "$work/project" && cp -r "$root/python" "$work/project/" && cp "$root/CMakeLists.txt" "$root/LICENSE" "$work/project/" &&
+  mkdir "$work/project/docs" && cp "$root/docs/licences.md" "$work/project/docs/"
 /usr/bin/python3 -m venv --system-site-packages "$work/venv" || fail "no virtual environment: on Debian, python3-venv"
 "$work/venv/bin/pip" install --no-index --no-build-isolation --no-deps "$work/project/python" >"$work/log" 2>&1 || { tail -n 30 "$work/log"; fail "pip install"; }
 # Away from the sources, and without the build's library.
@@ -22,6 +23,7 @@ import sys, pathlib, importlib.metadata, cageproof, numpy as np
 folder = pathlib.Path(cageproof.__file__).parent
 assert str(folder).startswith(sys.argv[1]), folder
 assert (folder / "libcageproof.so").is_file() and (folder / "py.typed").is_file()
+assert (folder / "LICENSE").is_file() and (folder / "licences.md").is_file()
 tags = [line for line in importlib.metadata.distribution("cageproof").read_text("WHEEL").splitlines() if line.startswith("Tag:")]
 assert len(tags) == 1 and tags[0].startswith("Tag: py3-none-linux_"), tags
 assert importlib.metadata.version("cageproof") == cageproof.version()

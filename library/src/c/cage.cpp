@@ -73,6 +73,7 @@ void cageproof_cage_free(cageproof_cage* cage) { delete cage; }
 int cageproof_cage_check(const cageproof_cage* cage, const cageproof_option* options, size_t count) {
   return c::guarded([&] {
     c::require(cage, "cage");
+    c::require_names(c::span_of(options, count, "options"), {"flip_inward", "allow_invalid_quads"});
     checked_cage(cage->cage, c::options_of(options, count));
   });
 }

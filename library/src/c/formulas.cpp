@@ -35,7 +35,8 @@ struct Asked {
     require(request, "request");
     require(request->formula, "formula");
     const Options options = options_of(request->options, request->option_count);
-    if (!options.evaluation.empty() || options.digits != 0 || options.flip_inward || options.allow_invalid_quads)
+    if (!options.evaluation.empty() || options.digits != 0 || options.flip_inward || options.allow_invalid_quads ||
+        options.triangulation != Options().triangulation)
       throw InputError("options of a formula are threads and its parameters; the evaluation is the request's own");
     of.emplace(request->formula, request->evaluation != nullptr ? request->evaluation : "", options.parameters);
     if (request->side < CAGEPROOF_INSIDE || request->side > CAGEPROOF_MEAN)

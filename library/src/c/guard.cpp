@@ -2,7 +2,9 @@
 #include "guard.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <new>
 
@@ -80,6 +82,15 @@ Options options_of(const cageproof_option* options, std::size_t count) {
     else found.parameters.emplace_back(name, value);
   }
   return found;
+}
+
+void require_names(std::span<const cageproof_option> options, std::initializer_list<std::string_view> taken) {
+  for (const cageproof_option& option : options) {
+    require(option.name, "an option's name");
+    if (std::ranges::find(taken, std::string_view(option.name)) == taken.end())
+      throw InputError(
+          fmt::format("option {}: there is none of that name here, but {}", option.name, fmt::join(taken, ", ")));
+  }
 }
 
 }  // namespace cageproof::library::c

@@ -30,4 +30,7 @@ std::span<T> span_of(T* data, std::size_t size, const char* what) {
 /// \throws InputError for null names and values, and values that are not what the option takes
 Options options_of(const cageproof_option* options, std::size_t count);
 
+/// \throws InputError for the first option whose name is not among those that are taken
+void require_names(std::span<const cageproof_option> options, std::initializer_list<std::string_view> taken);
+
 }  // namespace cageproof::library::c

@@ -17,19 +17,16 @@ namespace cageproof::library::c {
 namespace {
 
 PointPlaces places_of(const Cage& cage, bool any_mesh, std::span<const cageproof_option> given) {
+  require_names(given, {"triangulation", "flip_inward", "keep_quads"});
   bool keep_quads = false;
   std::vector<cageproof_option> others;
   for (const cageproof_option& option : given) {
-    require(option.name, "an option's name");
     require(option.value, option.name);
     if (std::string_view(option.name) != "keep_quads") others.push_back(option);
     else if (const std::string_view value = option.value; value == "0" || value == "1") keep_quads = value == "1";
     else throw InputError(fmt::format("option keep_quads: '{}' is neither 0 nor 1", value));
   }
   const Options options = options_of(others.data(), others.size());
-  if (!options.parameters.empty())
-    throw InputError(fmt::format("option {}: there is none, but triangulation, flip_inward and keep_quads",
-                                 options.parameters.front().first));
   if (!any_mesh) return {checked_cage(cage, options), keep_quads, triangulation_of(options)};
   if (keep_quads || options.flip_inward)
     throw InputError("any mesh is taken as it is: without keep_quads and flip_inward");

@@ -33,6 +33,7 @@ static cageproof_cage* cube(void) {
 
 static void cages(void) {
   cageproof_cage *cage = cube(), *other = NULL;
+  const cageproof_option threads = {"threads", "1"};
   double vertices[24];
   int32_t corners[24], sizes[6], negative = -1, far[3] = {0, 1, 99}, three = 3;
   int dimension = 0;
@@ -57,6 +58,7 @@ static void cages(void) {
   refuses(cageproof_cage_read("/nonexistent/file.obj", &other), "nonexistent", "no file");
   expect(cageproof_cage_make(3, kCorners, 24, far, 3, &three, 1, &other) == CAGEPROOF_OK, "is checked later");
   refuses(cageproof_cage_check(other, NULL, 0), "face 0", "an index out of range");
+  refuses(cageproof_cage_check(other, &threads, 1), "flip_inward", "an option that means nothing here");
   cageproof_cage_free(other);
   cageproof_cage_free(cage);
   cageproof_cage_free(NULL);
