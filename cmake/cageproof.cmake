@@ -2,8 +2,15 @@
 # What every room's CMakeLists.txt uses: one flag set, one way to declare a room, one way to declare its tests.
 
 add_library(cageproof_flags INTERFACE)
+# Other projects' compilers may warn of more.
+set(errors -Werror)
+if(CAGEPROOF_LIBRARY_ONLY)
+  set(errors)
+endif()
 target_compile_options(cageproof_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-float-conversion -Werror
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-float-conversion ${errors}
+  # Nobody replaces functions of the shared library, so GCC may inline them.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   # GCC 12 sees overflows in std::string's own operator+ when it inlines Boost.Multiprecision's printing.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
@@ -131,7 +138,7 @@ endfunction()
 function(cageproof_tests name)
   cmake_parse_arguments(ARG "" "" "LINK;LABELS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/*.cpp)
-  if(NOT sources)
+  if(NOT sources OR CAGEPROOF_LIBRARY_ONLY)
     return()
   endif()
   add_executable(${name}_tests ${sources} ${PROJECT_SOURCE_DIR}/cmake/test_main.cpp)
@@ -140,7 +147,7 @@ function(cageproof_tests name)
   target_include_directories(${name}_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
   target_precompile_headers(${name}_tests PRIVATE <cageproof/core/numbers/linear.h> <gtest/gtest.h>)
   target_compile_definitions(${name}_tests PRIVATE
-    CAGEPROOF_SHARED_DATA="${CMAKE_SOURCE_DIR}/../shared/data")
+    CAGEPROOF_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data")
   set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
   add_custom_command(TARGET ${name}_tests POST_BUILD BYPRODUCTS ${suites} COMMENT ""
     COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}_tests> -DPREFIX=${name} "-DLABEL=${ARG_LABELS}" -DTIMEOUT=900 -DOUT=${suites}

@@ -60,6 +60,11 @@ openmpi-bin              starts four ranks that measure one run
 python3                  runs the commands of README.md and docs/
 python3-clang-16         reads sources for scripts/mutate, whose accounting is tested
 python3-numpy            docs/apply.md's examples: what coordinates' files hold, and what is done with it
+python3-pytest           runs the tests of the package for Python
+python3-pip              builds and installs that package
+python3-setuptools       builds its wheel
+python3-wheel            likewise
+python3-venv             installs it in a folder of its own
 pkgconf                  the installed library, found by pkg-config
 chromium                 opens the report's pages, without a display
 python3-vtk9             looks at the picture of a field's page

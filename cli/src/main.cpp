@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
   add_list(line);
   add_eval(line);
   add_explain(line);
+  add_inside(line);
   add_coordinates(line);
   add_deform(line);
   add_verify(line, as_given);

@@ -80,11 +80,14 @@ std::vector<double> parameters_of(const Options& options, const std::vector<Kind
 
 std::vector<Vec3<double>> vectors_of(std::span<const double> numbers, int dimension, std::string_view what) {
   const auto width = static_cast<std::size_t>(dimension);
-  if (numbers.size() % width != 0)
-    throw InputError(fmt::format("{}: {} numbers are no multiple of {}", what, numbers.size(), dimension));
+  check_multiple(numbers.size(), width, what);
   std::vector<Vec3<double>> vectors(numbers.size() / width, Vec3<double>::Zero());
   for (std::size_t i = 0; i < numbers.size(); ++i) vectors[i / width][static_cast<int>(i % width)] = numbers[i];
   return vectors;
+}
+
+void check_multiple(std::size_t numbers, std::size_t of, std::string_view what) {
+  if (numbers % of != 0) throw InputError(fmt::format("{}: {} numbers are no multiple of {}", what, numbers, of));
 }
 
 void check_size(std::size_t given, std::size_t wanted, std::string_view what) {

@@ -22,6 +22,9 @@ std::vector<double> parameters_of(const Options& options, const std::vector<Kind
 /// Points as vectors; in the plane with a third number of zero. \throws InputError for a broken number of numbers
 std::vector<Vec3<double>> vectors_of(std::span<const double> numbers, int dimension, std::string_view what);
 
+/// \throws InputError unless the numbers make up groups of that size
+void check_multiple(std::size_t numbers, std::size_t of, std::string_view what);
+
 /// \throws InputError unless there are so many
 void check_size(std::size_t given, std::size_t wanted, std::string_view what);
 

@@ -40,6 +40,7 @@ run cmake -S "$here/consumer" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$work/pre
 run cmake --build "$work/consumer"
 run "$work/consumer/consumer"
 run "$work/consumer/closed_form"
+run "$work/consumer/c_interface"
 
 # The same by pkg-config.
 export PKG_CONFIG_PATH=$work/prefix/lib/pkgconfig:$work/prefix/lib64/pkgconfig
@@ -47,6 +48,9 @@ pc_flags=$(pkg-config --cflags --libs cageproof) || fail "pkg-config: $(pkg-conf
 # shellcheck disable=SC2086
 run "$compiler" -std=c++20 $flags "$work/consumer.o" $pc_flags -o "$work/by_pkg_config"
 run "$work/by_pkg_config"
+# shellcheck disable=SC2046
+run "$compiler" -x c++ -std=c++20 $flags "$here/shared/cpp_interface.cpp" -x none $(pkg-config --cflags --libs cageproof-c) -o "$work/shared_by_pkg_config"
+LD_LIBRARY_PATH=$(pkg-config --variable=libdir cageproof-c) run "$work/shared_by_pkg_config"
 
 # What docs/library.md shows is what was run, with its output.
 page=$root/docs/library.md

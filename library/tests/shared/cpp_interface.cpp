@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The C++ header over the C interface: the same numbers as C gives, errors as exceptions.
+#include <cageproof.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+int main() {
+  using namespace cageproof::shared;
+  int failures = 0;
+  const auto expect = [&](bool holds, const char* what) {
+    if (!holds) std::printf("FAILED: %s\n", what), ++failures;
+  };
+  const Cage cube = Cage::embedded("cube");
+  const std::vector<double> points{0.1, 0.2, 0.3, -0.2, 0.1, 0};
+  const Coordinates green(cube, "green", {{"threads", "1"}});
+  std::vector<double> values(2 * green.row()), gradients(6 * green.row());
+  green.evaluate(points, values, gradients);
+  double sum = 0;
+  for (std::size_t i = 0; i < 8; ++i) sum += values[i];
+  expect(std::abs(sum - 1) < 1e-14, "phi sum to one");
+  Deformer deformer(cube, "green");
+  std::vector<double> posed = cube.vertices(), images(6), again(6);
+  for (double& x : posed) x *= 3;
+  deformer.pose(posed);
+  deformer.images(points, images);
+  const BoundPoints bound = deformer.bind(points);
+  deformer.images(bound, again);
+  expect(images == again && std::abs(images[0] - 0.3) < 1e-14, "images");
+  expect(list("methods").find("somigliana") != std::string::npos, "names");
+  try {
+    Coordinates(cube, "nonsense");
+    expect(false, "an unknown kind");
+  } catch (const Error& error) {
+    expect(error.code() == CAGEPROOF_BAD_INPUT && std::string(error.what()).find("nonsense") != std::string::npos,
+           "an exception with C's text");
+  }
+  return failures;
+}
