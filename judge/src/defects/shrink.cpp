@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "defects/shrink.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace cageproof::judge {
+namespace {
+
+using validation::Sample;
+
+constexpr int kMostQuestions = 100;
+
+double rounded(double x, int digits) { return std::stod(fmt::format("{:.{}e}", x, digits - 1)); }
+
+template <class F>
+void for_each_coordinate(Sample& sample, int dim, F&& f) {
+  for (int i = 0; i < dim; ++i) {
+    for (auto& corner : sample.corners) f(corner[i]);
+    f(sample.point[i]);
+  }
+}
+
+Sample at_origin(Sample sample) {
+  const Vec3<double> origin = sample.corners[0];
+  for (auto& corner : sample.corners) corner -= origin;
+  sample.point -= origin;
+  return sample;
+}
+
+// The point in the frame of two sides and the normal, whose length is that of the first side.
+Sample on_unit_triangle(const Sample& sample) {
+  const auto& c = sample.corners;
+  Eigen::Matrix3d frame;
+  const Vec3<double> u = c[1] - c[0], v = c[2] - c[0];
+  frame << u, v, u.cross(v).normalized() * u.norm();
+  Sample simple = sample;
+  simple.corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  simple.point = frame.inverse() * (sample.point - c[0]);
+  return simple;
+}
+
+Sample on_unit_segment(const Sample& sample) {
+  const Vec3<double> u = sample.corners[1] - sample.corners[0], p = sample.point - sample.corners[0];
+  Sample simple = sample;
+  simple.corners = {{0, 0, 0}, {1, 0, 0}};
+  simple.point = Vec3<double>(u.dot(p), u[0] * p[1] - u[1] * p[0], 0) / u.squaredNorm();
+  return simple;
+}
+
+Sample all_rounded(Sample sample, int dim, int digits) {
+  for_each_coordinate(sample, dim, [digits](double& x) { x = rounded(x, digits); });
+  return sample;
+}
+
+}  // namespace
+
+std::size_t length_of(const Sample& sample, int dim) {
+  std::size_t length = 0;
+  Sample copy = sample;
+  for_each_coordinate(
+      copy, dim, [&](double& x) { length += fmt::format("{}", x).size() + (x != 0) + (std::abs(x) != 1 && x != 0); });
+  return length;
+}
+
+Sample shrunk(Sample sample, ElementKind element, const std::function<bool(const Sample&)>& shows) {
+  const int dim = dimension(element);
+  int questions = 0;
+  const auto take = [&](const Sample& simpler) {
+    if (!is_finite(simpler) || length_of(simpler, dim) >= length_of(sample, dim)) return false;
+    if (++questions > kMostQuestions || !shows(simpler)) return false;
+    sample = simpler;
+    return true;
+  };
+  const auto round_all = [&] {
+    for (int digits = 1; digits <= 4; ++digits)
+      if (take(all_rounded(sample, dim, digits))) return;
+  };
+  if (element == ElementKind::Triangle)
+    for (const int digits : {1, 2, 17})
+      if (take(all_rounded(on_unit_triangle(sample), dim, digits))) break;
+  if (element == ElementKind::Segment)
+    for (const int digits : {1, 2, 17})
+      if (take(all_rounded(on_unit_segment(sample), dim, digits))) break;
+  take(at_origin(sample));
+  round_all();
+  for (std::size_t before = 0; before != length_of(sample, dim);) {
+    before = length_of(sample, dim);
+    for (int i = 0; i < dim; ++i)
+      for (std::size_t v = 0; v <= sample.corners.size(); ++v) {
+        const auto at = [&](Sample& s) -> double& { return v < s.corners.size() ? s.corners[v][i] : s.point[i]; };
+        const double x = at(sample);
+        for (const double y : {0.0, x < 0 ? -1.0 : 1.0, rounded(x, 1), rounded(x, 2), rounded(x, 3)}) {
+          if (x == 0 || y == x) continue;
+          Sample simpler = sample;
+          at(simpler) = y;
+          if (take(simpler)) break;
+        }
+      }
+  }
+  return sample;
+}
+
+}  // namespace cageproof::judge

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "defects/study.h"
+
+#include <cmath>
+
+namespace cageproof::judge {
+
+using validation::Sample;
+
+Study::Study(const Evaluation& ours, std::uint64_t seed, int order, bool presets)
+    : ours_(ours), prober_(ours.formula(), order) {
+  const std::vector<Probe>& probes = probes_of(prober_, seed, presets);
+  samples_ = probes.size();
+  for (const Probe& probe : probes)
+    for (int o = 0; o <= order; ++o)
+      if (probe.truth.exists[o]) cases_.push_back(ask(probe, o));
+  for (int o = 0; o <= order; ++o) patterns_[static_cast<std::size_t>(o)] = pattern_of(*this, o, seed);
+}
+
+Result<double> Study::ask(const Sample& sample, int order) const {
+  return validation::evaluate<double>(ours_, sample, order);
+}
+
+Case Study::ask(const Probe& probe, int order) const {
+  Case made{.probe = &probe, .order = order, .found = ask(probe.sample, prober_.order())};
+  if (!probe.truth.exists[order]) return made;
+  for (const double x : made.found.of(order)) made.finite &= std::isfinite(x);
+  made.error = error_of(made.found, probe, order);
+  made.relative = made.finite ? validation::relative_error(made.found, probe.truth, order) : INFINITY;
+  made.bad = made.error > limit_of(probe, order);
+  return made;
+}
+
+}  // namespace cageproof::judge
