@@ -33,6 +33,15 @@ void move_away(Sample& sample, RandomStream& random, int dim) {
 
 }  // namespace
 
+Sample on_element(Sample sample, ElementKind element) {
+  for (auto& corner : sample.corners)
+    for (double& x : corner) x = std::round(64 * x) / 64;
+  const auto& c = sample.corners;
+  if (element == ElementKind::Segment) sample.point = 0.375 * c[0] + 0.625 * c[1];
+  else sample.point = 0.25 * c[0] + 0.5 * c[1] + 0.25 * c[2];
+  return sample;
+}
+
 std::vector<Sample> convention_samples(const Formula& formula, std::uint64_t seed, bool far, bool presets) {
   std::vector<Sample> samples;
   for (std::uint64_t i = 0; i < kSamples; ++i) {

@@ -10,4 +10,7 @@ namespace cageproof::judge {
 /// right too \param presets parameters at their presets; else drawn from their open ranges, within 1/8 ... 8
 std::vector<validation::Sample> convention_samples(const Formula& formula, std::uint64_t seed, bool far, bool presets);
 
+/// The sample with the point exactly on the element, on a copy whose coordinates are 64ths.
+validation::Sample on_element(validation::Sample sample, ElementKind element);
+
 }  // namespace cageproof::judge

@@ -30,12 +30,13 @@ std::string factor_text(const Convention& convention, const Formula& formula) {
 // A sign alone may come from three habits, which numbers cannot tell apart.
 std::string sign_hint(const Convention& convention, const Formula& formula) {
   if (convention.factor >= 0) return {};
-  if (formula.flip_sign < 0) return " (inward normals, corners in the other order, or point minus element)";
+  if (formula.flip_sign < 0) return " (the sign of the kernel, or point minus element)";
   return " (the sign of the fundamental solution)";
 }
 
 std::string half_hint(const Convention& convention) {
-  const bool about_angles = convention.formula.find("angle") != std::string::npos || convention.formula.find("mean_value") != std::string::npos;
+  const bool about_angles = convention.formula.find("angle") != std::string::npos ||
+                            convention.formula.find("mean_value") != std::string::npos;
   if (!about_angles) return {};
   const double size = std::abs(convention.factor);
   if (size == 2) return " (angles in place of half angles)";
@@ -56,6 +57,7 @@ std::string sentence_of(const Convention& convention, const Formula& registered_
     for (const int k : convention.corners) order.push_back(k + 1);
     text += fmt::format(", with corners in the order {}", fmt::join(order, ", "));
   }
+  if (convention.reversed) text += ", with corners the other way round, so that normals point inward";
   if (convention.transposed) text += ", with rows and columns swapped";
   if (convention.normalised) text += ", divided by the sum over the corners";
   if (convention.derivative_sign < 0) text += ", and derivatives by the element's position instead of the point's";

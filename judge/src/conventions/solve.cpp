@@ -127,6 +127,29 @@ std::optional<Convention> fit(const Formula& formula, const Pairs& pairs, int or
   return std::nullopt;
 }
 
+// Signs of layers that jump: with normals that point inward, the limit on the element is that from the other side.
+// Whether theirs, asked of the reversed element, has our limit on it, and theirs times the sign has not.
+bool has_inward_normals(const Evaluation& theirs, const Convention& found, std::uint64_t seed) {
+  const Formula& formula = formula_named(found.formula);
+  if (found.factor > 0 || formula.flip_sign > 0 || found.normalised) return false;
+  Convention turned = found;
+  turned.factor = -found.factor;
+  turned.reversed = true;
+  const Evaluation by_sign = in_our_convention(theirs, found), by_turning = in_our_convention(theirs, turned);
+  int sign = 0, turn = 0;
+  for (Sample sample : convention_samples(formula, seed, false, true)) {
+    sample = on_element(sample, formula.element);
+    const auto wanted = reference_of(formula, sample, 0)[0];
+    if (!std::ranges::all_of(wanted, [](double x) { return std::isfinite(x); }) || dot(wanted, wanted) == 0) continue;
+    const auto is_wanted = [&](const Evaluation& e) {
+      return std::abs(factor_between(wanted, tensors_of(e, sample, 0)[0]) - 1) < 1e-6;
+    };
+    sign += is_wanted(by_sign);
+    turn += is_wanted(by_turning);
+  }
+  return turn > sign;
+}
+
 // The formula itself first, then those on the same element that have as many numbers and the same parameters.
 std::vector<const Formula*> formulas_like(const Formula& formula) {
   std::vector<const Formula*> alike{&formula};
@@ -140,7 +163,7 @@ std::vector<const Formula*> formulas_like(const Formula& formula) {
 }  // namespace
 
 bool Convention::is_ours(std::string_view registered_for) const {
-  return formula == registered_for && factor == 1 && corners.empty() && !transposed && !normalised &&
+  return formula == registered_for && factor == 1 && corners.empty() && !reversed && !transposed && !normalised &&
          derivative_sign == 1 && !derivative_first && std::ranges::all_of(powers, [](int p) { return p == 0; });
 }
 
@@ -152,6 +175,10 @@ std::optional<Convention> find_convention(const Evaluation& theirs, std::uint64_
     for (const Formula* formula : formulas_like(theirs.formula()))
       if (auto found = fit(*formula, pairs, order)) {
         found->from_afar = far;
+        if (has_inward_normals(theirs, *found, seed)) {
+          found->factor = -found->factor;
+          found->reversed = true;
+        }
         found->sentence = sentence_of(*found, theirs.formula());
         return found;
       }

@@ -31,6 +31,25 @@ Tensors undone(const Formula& formula, const Convention& convention, const Tenso
   return arranged(formula, ours, inverse);
 }
 
+// The same element the other way round: the first two corners swapped, of quads the second and the fourth.
+std::array<std::size_t, 2> swapped(std::size_t corners) {
+  return corners == 4 ? std::array<std::size_t, 2>{1, 3} : std::array<std::size_t, 2>{0, 1};
+}
+std::vector<Vec3<double>> turned(std::span<const Vec3<double>> corners, const Convention& convention) {
+  std::vector<Vec3<double>> all(corners.begin(), corners.end());
+  const auto [a, b] = swapped(all.size());
+  if (convention.reversed) std::swap(all[a], all[b]);
+  return all;
+}
+std::vector<int> turned_corners(const Formula& formula) {
+  if (!formula.shape.per_corner) return {};
+  std::vector<int> order(static_cast<std::size_t>(formula.corners()));
+  std::iota(order.begin(), order.end(), 0);
+  const auto [a, b] = swapped(order.size());
+  std::swap(order[a], order[b]);
+  return order;
+}
+
 void divide(std::vector<double>& tensor, double by) {
   for (double& x : tensor) x /= by;
 }
@@ -45,12 +64,14 @@ Evaluation in_our_convention(const Evaluation& theirs, const Convention& convent
   const Formula& formula = ours.formula();
   ours.set_point<double>([theirs, convention, &formula](const Query<double>& query, Result<double>& result) {
     Result<double> given;
-    theirs(query, given);
+    const std::vector<Vec3<double>> corners = turned(query.corners, convention);
+    theirs(Query<double>{corners, query.point, query.order, query.parameters, query.finite_part}, given);
     Tensors tensors{given.value, given.gradient};
     const double scale = scale_of(formula, convention, query.parameters);
     if (convention.derivative_first) tensors[1] = component_first(tensors[1], formula.dim());
     divide(tensors[0], scale);
     divide(tensors[1], scale * convention.derivative_sign);
+    if (convention.reversed) tensors = arranged(formula, tensors, {.corners = turned_corners(formula)});
     if (convention.normalised || convention.transposed || !convention.corners.empty()) {
       const Sample sample{.corners{query.corners.begin(), query.corners.end()},
                           .point = query.point,

@@ -87,7 +87,7 @@ Verdict judge(const Evaluation& theirs, const JudgeOptions& options) {
                                                    : "none fits all generic samples, so that yours is taken for ours";
   const Evaluation ours =
       in_our_convention(theirs, verdict.convention.value_or(Convention{.formula = std::string(theirs.formula().name)}));
-  const Study study(ours, options.seed, order, presets);
+  const Study study(ours, options.seed, order, presets, verdict.convention && verdict.convention->normalised);
   verdict.samples = study.samples();
   std::ranges::move(findings_of(study), std::back_inserter(verdict.findings));
   return verdict;

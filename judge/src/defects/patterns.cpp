@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the whole of an implementation's errors looks like.
 #include "defects/closed_sum.h"
-#include "defects/study.h"
-
-#include "conventions/samples.h"
-#include "conventions/tensors.h"
+#include "defects/ladder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +9,6 @@
 
 namespace cageproof::judge {
 namespace {
-
-using validation::Sample;
 
 // Slope of the straight line through the points; 0 for fewer than three.
 double slope_of(const std::vector<std::array<double, 2>>& points) {
@@ -55,25 +50,6 @@ double growth(const Study& study, int order, Wanted&& wanted, Size&& size_of, Er
       if (const double e = error_of_case(c); std::isfinite(e) && e > 16)
         points.push_back({std::log10(size_of(c)), std::log10(e)});
   return slope_of(points);
-}
-
-bool right_afar(const Study& study, int order, std::uint64_t seed) {
-  std::size_t right = 0, all = 0;
-  for (Sample sample : convention_samples(study.formula(), seed, true, true)) {
-    Vec3<double> centre = Vec3<double>::Zero();
-    for (const auto& corner : sample.corners) centre += corner / static_cast<double>(sample.corners.size());
-    sample.point = centre + 2 * (sample.point - centre);
-    const Tensors ours = reference_of(study.formula(), sample, order);
-    const Result<double> theirs = study.ask(sample, order);
-    double difference = 0, size = 0;
-    for (std::size_t i = 0; i < ours[order].size(); ++i) {
-      difference = std::max(difference, std::abs(theirs.of(order)[i] - ours[order][i]));
-      size = std::max(size, std::abs(ours[order][i]));
-    }
-    ++all;
-    if (difference <= 1e-10 * size) ++right;
-  }
-  return 10 * right >= 9 * all;
 }
 
 // Of generic results, how many satisfy a relation between theirs and the truth.
@@ -138,9 +114,11 @@ Pattern pattern_of(const Study& study, int order, std::uint64_t seed) {
   };
   Pattern found;
   const Count generic = count(study, order, in("generic"));
+  const Count beside = count(
+      study, order, [](const Case& c) { return c.probe->regime == "near-face" && c.probe->sample.parameter > 1e-4; });
+  found.quadrature = 2 * beside.bad >= beside.all && beside.bad > 0 && errors_rise_towards(study, order, seed);
   found.everywhere = 2 * generic.bad >= generic.all && generic.bad > 0;
   if (found.everywhere) {
-    found.right_afar = right_afar(study, order, seed);
     found.in_proportion = order == 0 && mostly(study, proportional);
     found.right_in_sum = order == 0 && mostly(study, [&](const Case& c) { return same_sum(study.formula(), c); });
     found.right_when_closed = order == 1 && closed_sum_is_right(study.evaluation(), order);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "defects/probes.h"
 
-#include "cageproof/core/geometry/orientation.h"
 #include "cageproof/validation/regime.h"
 
 #include <algorithm>
@@ -76,8 +75,7 @@ Prober::Prober(const Formula& formula, int order)
 void Prober::measure_plain(Probe& probe) const {
   if (!plain_) return;
   const auto found = validation::evaluate<double>(*plain_, probe.sample, order_);
-  for (int o = 0; o <= order_; ++o)
-    if (const double error = error_of(found, probe, o); std::isfinite(error)) probe.plain[o] = error;
+  for (int o = 0; o <= order_; ++o) probe.plain[o] = error_of(found, probe, o);
 }
 
 Probe Prober::at(const Sample& sample, std::string_view regime) const {
@@ -117,32 +115,5 @@ double error_of(const Result<double>& found, const Probe& probe, int order) {
 }
 
 double limit_of(const Probe& probe, int order) { return std::max(16384.0, 64 * probe.plain[order]); }
-
-Place place_of(ElementKind element, const Sample& sample) {
-  const ElementType& type = type_of(element);
-  const auto& c = sample.corners;
-  Place place;
-  place.contact = type.contact(c, sample.point).contact;
-  place.size = 0;
-  place.distance = place.edge = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    const Vec3<double> edge = c[(k + 1) % c.size()] - c[k], to = sample.point - c[k];
-    const double along = std::clamp(to.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-    place.at_vertex |= c[k] == sample.point;
-    place.size = std::max(place.size, edge.norm());
-    place.distance = std::min(place.distance, to.norm());
-    place.edge = std::min(place.edge, (to - along * edge).norm());
-  }
-  const Vec3<double> normal = type.normal(c, {0.25, 0.25, 0.25, 0.25}), unit = normal / normal.norm();
-  const double height = unit.dot(sample.point - c[0]);
-  place.foot = sample.point - height * unit;
-  place.height = std::abs(height) / place.size;
-  place.distance /= place.size;
-  place.edge /= place.size;
-  if (type.dimension == 3) place.aspect = type.extent(c).norm() / (place.size * place.size);
-  if (element == ElementKind::Triangle) place.in_plane = side_of_plane({c[0], c[1], c[2]}, sample.point) == 0;
-  if (element == ElementKind::Segment) place.in_plane = side_of_line({c[0], c[1]}, sample.point) == 0;
-  return place;
-}
 
 }  // namespace cageproof::judge

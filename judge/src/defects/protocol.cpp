@@ -145,10 +145,11 @@ struct Attempt {
   Evidence (*find)(const Trial&);
 };
 // What disturbs memory comes first. Chance comes before order and state, since each differs by chance as well.
-constexpr std::array kAttempts{Attempt{"writes_past_output", writes_past}, Attempt{"non_deterministic", by_chance},
-                             Attempt{"appended_output", appended},       Attempt{"uninitialised_output", uninitialised},
-                             Attempt{"reads_past_input", reads_past},    Attempt{"order_of_calls", by_order},
-                             Attempt{"state_between_calls", by_state},   Attempt{"differs_between_threads", by_threads}};
+constexpr std::array kAttempts{
+    Attempt{"writes_past_output", writes_past}, Attempt{"non_deterministic", by_chance},
+    Attempt{"appended_output", appended},       Attempt{"uninitialised_output", uninitialised},
+    Attempt{"reads_past_input", reads_past},    Attempt{"order_of_calls", by_order},
+    Attempt{"state_between_calls", by_state},   Attempt{"differs_between_threads", by_threads}};
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -51,6 +52,27 @@ Sample on_unit_segment(const Sample& sample) {
   return simple;
 }
 
+// Coordinates that are roundings of zero.
+Sample snapped(Sample sample, int dim) {
+  double largest = 0;
+  for_each_coordinate(sample, dim, [&](double& x) { largest = std::max(largest, std::abs(x)); });
+  for_each_coordinate(sample, dim, [&](double& x) { x = std::abs(x) < 1e-15 * largest ? 0 : x; });
+  return sample;
+}
+
+Sample in_quarters(Sample sample, int dim) {
+  for_each_coordinate(sample, dim, [](double& x) { x = std::abs(x) > 0.1 ? std::round(4 * x) / 4 : x; });
+  return sample;
+}
+
+// The element with corner `first` first.
+Sample begun_at(const Sample& sample, std::size_t first) {
+  Sample turned = sample;
+  for (std::size_t k = 0; k < sample.corners.size(); ++k)
+    turned.corners[k] = sample.corners[(first + k) % sample.corners.size()];
+  return turned;
+}
+
 Sample all_rounded(Sample sample, int dim, int digits) {
   for_each_coordinate(sample, dim, [digits](double& x) { x = rounded(x, digits); });
   return sample;
@@ -79,12 +101,17 @@ Sample shrunk(Sample sample, ElementKind element, const std::function<bool(const
     for (int digits = 1; digits <= 4; ++digits)
       if (take(all_rounded(sample, dim, digits))) return;
   };
+  const auto take_unit = [&](const Sample& unit) {
+    const Sample simple = snapped(unit, dim);
+    if (take(in_quarters(simple, dim))) return true;
+    for (const int digits : {1, 2, 17})
+      if (take(all_rounded(simple, dim, digits))) return true;
+    return false;
+  };
+  if (element == ElementKind::Segment) take_unit(on_unit_segment(sample));
   if (element == ElementKind::Triangle)
-    for (const int digits : {1, 2, 17})
-      if (take(all_rounded(on_unit_triangle(sample), dim, digits))) break;
-  if (element == ElementKind::Segment)
-    for (const int digits : {1, 2, 17})
-      if (take(all_rounded(on_unit_segment(sample), dim, digits))) break;
+    for (std::size_t first = 0; first < 3; ++first)
+      if (take_unit(on_unit_triangle(begun_at(sample, first)))) break;
   take(at_origin(sample));
   round_all();
   for (std::size_t before = 0; before != length_of(sample, dim);) {

@@ -7,13 +7,15 @@ namespace cageproof::judge {
 
 using validation::Sample;
 
-Study::Study(const Evaluation& ours, std::uint64_t seed, int order, bool presets)
+Study::Study(const Evaluation& ours, std::uint64_t seed, int order, bool presets, bool sums_to_one)
     : ours_(ours), prober_(ours.formula(), order) {
   const std::vector<Probe>& probes = probes_of(prober_, seed, presets);
   samples_ = probes.size();
-  for (const Probe& probe : probes)
+  for (const Probe& probe : probes) {
+    if (sums_to_one && place_of(formula().element, probe.sample).in_plane) continue;
     for (int o = 0; o <= order; ++o)
       if (probe.truth.exists[o]) cases_.push_back(ask(probe, o));
+  }
   for (int o = 0; o <= order; ++o) patterns_[static_cast<std::size_t>(o)] = pattern_of(*this, o, seed);
 }
 

@@ -20,7 +20,7 @@ struct Case {
 /// What no single result shows, of one order.
 struct Pattern {
   bool everywhere = false;         ///< half of all generic results are bad
-  bool right_afar = false;         ///< though 32 sizes away they are right to ten digits
+  bool quadrature = false;         ///< errors rise smoothly towards the element, and vanish some sizes away
   bool in_proportion = false;      ///< and they are ours times a factor of the sample
   bool right_in_sum = false;       ///< and the sum over the corners is right
   bool right_when_closed = false;  ///< and the sum over the faces of a closed cage is right
@@ -33,7 +33,8 @@ struct Pattern {
 class Study {
  public:
   /// \param ours theirs in our convention
-  Study(const Evaluation& ours, std::uint64_t seed, int order, bool presets);
+  /// \param sums_to_one theirs is divided by its sum, so that nothing is asked where that vanishes
+  Study(const Evaluation& ours, std::uint64_t seed, int order, bool presets, bool sums_to_one);
 
   const Evaluation& evaluation() const { return ours_; }
   const Formula& formula() const { return ours_.formula(); }

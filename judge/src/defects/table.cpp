@@ -79,15 +79,15 @@ constexpr std::array kDefects{
     Defect{"outer_limit_on_face", "On the face it gives the limit from outside.",
            "the whole jump is missing exactly on the face", "give the limit from inside, or say which is meant",
            "errors.md"},
-    Defect{"projected_into_face", "A point near the plane is treated as if it were in the plane.",
-           "the result equals that of the point's foot in the plane", "keep the height: it decides values and signs",
-           "evaluations.md"},
     Defect{"far_cancellation", "Digits cancel far from the element.",
            "conditioned errors grow with a power of the distance",
            "far away take a rule of few points, or a form without cancellation", "evaluations.md"},
     Defect{"sliver_cancellation", "Digits cancel on slivers and needles.",
            "conditioned errors grow with a power of one over the aspect",
            "form heights and areas from differences of coordinates, with the shortest edges", "evaluations.md"},
+    Defect{"projected_into_face", "A point near the plane is treated as if it were in the plane.",
+           "the result equals that of the point's foot in the plane", "keep the height: it decides values and signs",
+           "evaluations.md"},
     Defect{"wrong_values", "It is wrong, by none of the causes that have a name.",
            "a result fails that no row above explains", "look at the input below", "errors.md"}};
 

@@ -17,6 +17,7 @@ struct Convention {
   double factor = 1;        ///< theirs = factor times the parameters' powers times ours
   std::vector<int> powers;  ///< one a parameter of the formula: mu^power, and (1 - nu)^power
   std::vector<int> corners;       ///< their tensor k belongs to our corner corners[k]; empty where the order is ours
+  bool reversed = false;          ///< corners run the other way round, so that normals point inward
   bool transposed = false;        ///< rows and columns of matrices are swapped
   bool normalised = false;        ///< the corners' values are divided by their sum
   int derivative_sign = 1;        ///< -1: derivatives are by the element's position instead of the point's
