@@ -30,8 +30,13 @@ std::vector<double> in_double(const std::vector<Mp100>& tensor) {
 // The finding of one defect from all the cases that it explains.
 Finding finding_of(const Study& study, const Signature& signature, const std::vector<const Case*>& cases) {
   const int dim = study.formula().dim();
+  // Inputs within roundings of the element, and not on it, cannot be made plain.
+  const auto awkward = [&](const Case* c) {
+    const Place at = place_of(study.formula().element, c->probe->sample);
+    return at.exactly_off && (at.edge < 1e-12 || at.height < 1e-12);
+  };
   const Case& shortest = **std::ranges::min_element(
-      cases, {}, [&](const Case* c) { return std::pair(c->order, length_of(c->probe->sample, dim)); });
+      cases, {}, [&](const Case* c) { return std::tuple(c->order, awkward(c), length_of(c->probe->sample, dim)); });
   const int order = shortest.order;
   const auto shows = [&](const Sample& sample) {
     const Probe probe = study.prober().at(sample);

@@ -41,13 +41,13 @@ Count count(const Study& study, int order, Wanted&& wanted) {
   return found;
 }
 
-// Exponent that errors grow with, of what `size_of` gives, where they are at least sixteen units.
+// Exponent that errors grow with, of what `size_of` gives, where they are at least sixteen units and a digit is right.
 template <class Wanted, class Size, class Error>
 double growth(const Study& study, int order, Wanted&& wanted, Size&& size_of, Error&& error_of_case) {
   std::vector<std::array<double, 2>> points;
   for (const Case& c : study.cases())
     if (c.order == order && wanted(c))
-      if (const double e = error_of_case(c); std::isfinite(e) && e > 16)
+      if (const double e = error_of_case(c); std::isfinite(e) && e > 16 && c.relative < 0.1)
         points.push_back({std::log10(size_of(c)), std::log10(e)});
   return slope_of(points);
 }
@@ -106,6 +106,18 @@ double edge_slope(const Study& study, int order) {
   return slope_of(points);
 }
 
+double projected_below(const Study& study, int order) {
+  std::size_t projected = 0;
+  double height = 0;
+  for (const Case& c : study.cases()) {
+    const bool clearly_off = c.probe->regime.starts_with("near") && c.probe->sample.parameter > 1e-13;
+    if (c.order != order || !c.bad || !c.finite || !clearly_off || !is_projected(study, c)) continue;
+    ++projected;
+    height = std::max(height, place_of(study.formula().element, c.probe->sample).height);
+  }
+  return projected < 3 ? 0 : height;
+}
+
 }  // namespace
 
 Pattern pattern_of(const Study& study, int order, std::uint64_t seed) {
@@ -125,6 +137,7 @@ Pattern pattern_of(const Study& study, int order, std::uint64_t seed) {
     return found;
   }
   found.edge_slope = edge_slope(study, order);
+  found.projected_below = projected_below(study, order);
   const auto theirs = [](const Case& c) { return c.error; };
   const auto plain = [order](const Case& c) { return c.probe->plain[order]; };
   const auto distance = [](const Case& c) { return c.probe->sample.parameter; };

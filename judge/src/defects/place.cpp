@@ -40,8 +40,9 @@ std::array<double, 4> basis_at(ElementKind element, const Sample& sample, const 
 Place place_of(ElementKind element, const Sample& sample) {
   const ElementType& type = type_of(element);
   const auto& c = sample.corners;
-  const double rounding = kRoundings * std::numeric_limits<double>::epsilon() * largest_coordinate(sample);
   Place place;
+  place.rounding = std::numeric_limits<double>::epsilon() * largest_coordinate(sample);
+  const double rounding = kRoundings * place.rounding;
   place.exactly_off = type.contact(c, sample.point).contact == Contact::Off;
   place.size = 0;
   place.distance = place.edge = std::numeric_limits<double>::infinity();
@@ -54,6 +55,7 @@ Place place_of(ElementKind element, const Sample& sample) {
   }
   const Vec3<double> normal = type.normal(c, {0.25, 0.25, 0.25, 0.25}), unit = normal / normal.norm();
   const double height = unit.dot(sample.point - c[0]);
+  place.normal = unit;
   place.foot = sample.point - height * unit;
   place.basis = basis_at(element, sample, place.foot);
   place.in_plane = std::abs(height) <= rounding;

@@ -47,8 +47,8 @@ std::vector<Probe> made(const Prober& prober, std::uint64_t seed, bool presets) 
     if (!validation::exists_for(regime, formula.element)) continue;
     for (std::uint64_t i = 0; i < samples; ++i) {
       Sample sample = make_sample(formula, regime, seed, i);
-      for (std::size_t p = 0; presets && p < sample.parameters.size(); ++p)
-        sample.parameters[p] = formula.parameters[p].preset;
+      for (std::size_t p = 0; p < sample.parameters.size(); ++p)
+        if (presets || !std::isfinite(sample.parameters[p])) sample.parameters[p] = formula.parameters[p].preset;
       probes.push_back(prober.at(sample, name));
     }
   }

@@ -54,14 +54,16 @@ double limit_of(const Probe& probe, int order);
 struct Place {
   Contact contact = Contact::Off;
   bool at_vertex = false;
-  bool in_plane = false;                     ///< in the plane, or on a segment's line
-  bool exactly_off = true;                   ///< whether it is not exactly on the element
-  double size = 1;                           ///< longest edge
-  double height = 0;                         ///< distance from the plane, in sizes
-  double distance = 0;                       ///< from the nearest corner, in sizes
-  double edge = 0;                           ///< from the nearest edge, in sizes
-  double aspect = 1;                         ///< twice the area over the squared size; 1 for segments
-  Vec3<double> foot = Vec3<double>::Zero();  ///< the point's foot in the plane
+  bool in_plane = false;                       ///< in the plane, or on a segment's line
+  bool exactly_off = true;                     ///< whether it is not exactly on the element
+  double size = 1;                             ///< longest edge
+  double height = 0;                           ///< distance from the plane, in sizes
+  double distance = 0;                         ///< from the nearest corner, in sizes
+  double edge = 0;                             ///< from the nearest edge, in sizes
+  double aspect = 1;                           ///< twice the area over the squared size; 1 for segments
+  double rounding = 0;                         ///< an ulp of the largest coordinate
+  Vec3<double> normal = Vec3<double>::Zero();  ///< unit
+  Vec3<double> foot = Vec3<double>::Zero();    ///< the point's foot in the plane
   std::array<double, 4> basis{};  ///< the corners' basis functions at the foot; of quads on the element alone
 };
 Place place_of(ElementKind element, const validation::Sample& sample);

@@ -140,6 +140,14 @@ Evidence by_threads(const Trial& trial) {
   return fmt::format("{} of the calls made by four threads at once differ from the same calls of one thread", differ);
 }
 
+// Plain numbers, so that a call is easily made again.
+Sample in_eighths(Sample sample) {
+  for (auto& corner : sample.corners)
+    for (double& x : corner) x = std::round(8 * x) / 8;
+  for (double& x : sample.point) x = x == 0 ? 0 : (std::floor(8 * x) + 0.5) / 8;
+  return sample;
+}
+
 struct Attempt {
   std::string_view key;
   Evidence (*find)(const Trial&);
@@ -154,10 +162,12 @@ constexpr std::array kAttempts{
 }  // namespace
 
 std::optional<Finding> find_disturbed_calls(const Evaluation& theirs, std::uint64_t seed, int order) {
-  const Trial trial{theirs, order, convention_samples(theirs.formula(), seed, false, true)};
+  Trial trial{theirs, order, convention_samples(theirs.formula(), seed, false, true)};
+  for (Sample& sample : trial.samples) sample = in_eighths(sample);
   for (const Attempt& attempt : kAttempts)
     if (Evidence evidence = attempt.find(trial))
-      return Finding{.defect = &defect_named(attempt.key), .order = 0, .input{}, .cases = 1, .evidence = *evidence};
+      return Finding{
+          .defect = &defect_named(attempt.key), .input = trial.samples[0], .cases = 1, .evidence = *evidence};
   return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "defects/study.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cageproof::judge {
@@ -31,6 +32,32 @@ Case Study::ask(const Probe& probe, int order) const {
   made.relative = made.finite ? validation::relative_error(made.found, probe.truth, order) : INFINITY;
   made.bad = made.error > limit_of(probe, order);
   return made;
+}
+
+double off_by(const Case& c) {
+  double off = 0;
+  for (std::size_t i = 0; i < c.found.of(c.order).size(); ++i)
+    off = std::max(off, std::abs(c.found.of(c.order)[i] - static_cast<double>(c.probe->truth.tensors.of(c.order)[i])));
+  return off;
+}
+
+bool is_projected(const Study& study, const Case& c) {
+  const Place at = place_of(study.formula().element, c.probe->sample);
+  if (at.height == 0 || at.height > 0.01) return false;
+  // Their foot may lie a rounding on the other side of the plane.
+  for (const double roundings : {0.0, 8.0, -8.0}) {
+    Sample foot = c.probe->sample;
+    foot.point = at.foot + roundings * at.rounding * at.normal;
+    const auto there = study.ask(foot, study.prober().order()).of(c.order);
+    double off = 0;
+    bool finite = true;
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      off = std::max(off, std::abs(there[i] - c.found.of(c.order)[i]));
+      finite &= std::isfinite(there[i]);
+    }
+    if (c.finite ? off < 1e-3 * off_by(c) : !finite) return true;
+  }
+  return false;
 }
 
 }  // namespace cageproof::judge

@@ -24,7 +24,8 @@ struct Pattern {
   bool in_proportion = false;      ///< and they are ours times a factor of the sample
   bool right_in_sum = false;       ///< and the sum over the corners is right
   bool right_when_closed = false;  ///< and the sum over the faces of a closed cage is right
-  double edge_slope = 0;  ///< exponent of the distance from an edge that the relative error grows with; 0: none
+  double edge_slope = 0;       ///< exponent of the distance from an edge that the relative error grows with; 0: none
+  double projected_below = 0;  ///< largest height at which results are those of the feet, if three or more are; 0: none
   bool far = false, sliver = false;  ///< it is bad far away, or on slivers and needles, and not in the generic regime
   double far_slope = 0, plain_far_slope = 0;  ///< exponents of the distance that theirs and plain's errors grow with
   double sliver_slope = 0, plain_sliver_slope = 0;  ///< of one over the aspect
@@ -52,6 +53,13 @@ class Study {
   std::array<Pattern, 2> patterns_{};
   std::size_t samples_ = 0;
 };
+
+/// The largest difference of a finite result's entries from the truth.
+double off_by(const Case& c);
+
+/// Whether a result is that of the point's foot in the plane: finite and much nearer to it than to the truth, or
+/// neither is finite. The point lies within a hundredth of a size of the plane, and not in it.
+bool is_projected(const Study& study, const Case& c);
 
 /// The patterns of one order. \pre study.cases() is complete
 Pattern pattern_of(const Study& study, int order, std::uint64_t seed);
