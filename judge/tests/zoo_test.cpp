@@ -97,7 +97,12 @@ INSTANTIATE_TEST_SUITE_P(defects, zoo,
                                          MEMBER(zero_on_face, kDouble, "zero_on_face", kOurs),
                                          MEMBER(projected_into_face, kSolid, "projected_into_face", kOurs),
                                          MEMBER(far_cancellation, kSolid, "far_cancellation", kOurs),
-                                         MEMBER(sliver_cancellation, kSingle, "sliver_cancellation", kOurs)));
+                                         MEMBER(sliver_cancellation, kSingle, "sliver_cancellation", kOurs),
+                                         MEMBER(plane_cancellation, kSolid, "plane_cancellation", kOurs),
+                                         MEMBER(few_digits, kDouble, "few_digits", kNone),
+                                         MEMBER(wrong_gradient, kSingle, "wrong_gradient", kOurs),
+                                         MEMBER(outer_limit_on_face, kSolid, "outer_limit_on_face", kOurs),
+                                         MEMBER(wrong_values, kSingle, "wrong_values", kNone)));
 
 INSTANTIATE_TEST_SUITE_P(
     sound_ones, zoo,

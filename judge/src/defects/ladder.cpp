@@ -39,13 +39,10 @@ bool rises(const Study& study, Sample sample, int order) {
   }
   constexpr double rounding = 1e-10;
   const auto between = std::ranges::count_if(errors, [](double e) { return e > rounding && e < 1e-2; });
-  bool falls = false;
-  double largest = 0;
-  for (const double e : errors) {
-    falls |= e < largest / 10 && largest > rounding && largest < 1e-2;
-    largest = std::max(largest, e);
-  }
-  return errors.front() < rounding && errors.back() > 1e-5 && between > 0 && !falls;
+  const auto seen = std::ranges::count_if(errors, [](double e) { return e > rounding; });
+  const double largest = *std::ranges::max_element(errors);
+  return errors.front() < rounding && errors.back() > 1e-8 && between > 0 && seen > 2 &&
+         errors.back() >= std::min(largest / 2, 1e-2);
 }
 
 }  // namespace

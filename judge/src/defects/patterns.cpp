@@ -67,44 +67,49 @@ std::vector<double> truth_of(const Case& c) {
   return truth;
 }
 
+// Relations must hold to a thousandth of the error: one of few digits satisfies them all.
+constexpr double kShare = 1e-3;
+
 bool proportional(const Case& c) {
   const std::vector<double> truth = truth_of(c);
   const auto& found = c.found.value;
   const double tt = std::inner_product(truth.begin(), truth.end(), truth.begin(), 0.0);
   const double factor = std::inner_product(truth.begin(), truth.end(), found.begin(), 0.0) / tt;
   for (std::size_t i = 0; i < truth.size(); ++i)
-    if (!(std::abs(found[i] - factor * truth[i]) <= 1e-9 * std::abs(factor) * std::sqrt(tt))) return false;
+    if (!(std::abs(found[i] - factor * truth[i]) <= kShare * off_by(c))) return false;
   return truth.size() > 1;
 }
 
 bool same_sum(const Formula& formula, const Case& c) {
   const std::vector<double> truth = truth_of(c);
   const auto entries = static_cast<std::size_t>(formula.shape.entries());
-  double size = 0;
-  for (const double x : truth) size = std::max(size, std::abs(x));
   for (std::size_t e = 0; e < entries; ++e) {
     double difference = 0;
     for (std::size_t i = e; i < truth.size(); i += entries) difference += c.found.value[i] - truth[i];
-    if (!(std::abs(difference) <= 1e-10 * size)) return false;
+    if (!(std::abs(difference) <= kShare * off_by(c))) return false;
   }
   return formula.tensors() > 1;
 }
 
-// Next to an edge, and nowhere else, relative errors grow as the distance falls.
-double edge_slope(const Study& study, int order) {
-  const auto at_edge = [](const Case& c) { return c.probe->regime == "near-edge"; };
-  const Count elsewhere = count(study, order, [](const Case& c) {
-    return c.probe->regime == "generic" || c.probe->regime == "near-face" ||
-           (c.probe->regime == "near-edge" && c.probe->sample.parameter > 0.05);
+// Next to a feature, and nowhere else, relative errors grow as the distance falls, or are not finite. Exponent of one
+// over the distance; 1 where all are not finite.
+double slope_near(const Study& study, int order, std::string_view regime, std::span<const std::string_view> clean) {
+  const auto near = [&](const Case& c) { return c.probe->regime == regime; };
+  const Count elsewhere = count(study, order, [&](const Case& c) {
+    return std::ranges::count(clean, c.probe->regime) > 0 || (near(c) && c.probe->sample.parameter > 0.05);
   });
-  const Count near = count(study, order, at_edge);
-  if (elsewhere.bad > 0 || near.bad < 3) return 0;
+  if (elsewhere.bad > 0 || count(study, order, near).bad < 3) return 0;
   std::vector<std::array<double, 2>> points;
   for (const Case& c : study.cases())
-    if (c.order == order && at_edge(c) && c.bad && c.finite && c.relative > 0)
+    if (c.order == order && near(c) && c.bad && c.finite && c.relative > 0)
       points.push_back({-std::log10(c.probe->sample.parameter), std::log10(std::min(c.relative, 1.0))});
+  const Count infinite = count(study, order, [&](const Case& c) { return near(c) && !c.finite; });
+  if (points.size() < 3) return infinite.all >= 3 ? 1 : 0;
   return slope_of(points);
 }
+
+constexpr std::array<std::string_view, 3> kCleanByEdges{"generic", "near-face", "near-plane"};
+constexpr std::array<std::string_view, 2> kCleanByPlane{"generic", "near-face"};
 
 double projected_below(const Study& study, int order) {
   std::size_t projected = 0;
@@ -129,6 +134,9 @@ Pattern pattern_of(const Study& study, int order, std::uint64_t seed) {
   const Count beside = count(
       study, order, [](const Case& c) { return c.probe->regime == "near-face" && c.probe->sample.parameter > 1e-4; });
   found.quadrature = 2 * beside.bad >= beside.all && beside.bad > 0 && errors_rise_towards(study, order, seed);
+  for (const Case& c : study.cases())
+    if (c.order == order && c.bad && c.probe->regime == "generic")
+      found.generic_error = std::max(found.generic_error, c.relative);
   found.everywhere = 2 * generic.bad >= generic.all && generic.bad > 0;
   if (found.everywhere) {
     found.in_proportion = order == 0 && mostly(study, proportional);
@@ -136,7 +144,8 @@ Pattern pattern_of(const Study& study, int order, std::uint64_t seed) {
     found.right_when_closed = order == 1 && closed_sum_is_right(study.evaluation(), order);
     return found;
   }
-  found.edge_slope = edge_slope(study, order);
+  found.edge_slope = slope_near(study, order, "near-edge", kCleanByEdges);
+  found.plane_slope = slope_near(study, order, "near-plane", kCleanByPlane);
   found.projected_below = projected_below(study, order);
   const auto theirs = [](const Case& c) { return c.error; };
   const auto plain = [order](const Case& c) { return c.probe->plain[order]; };

@@ -45,12 +45,13 @@ Place place_of(ElementKind element, const Sample& sample) {
   const double rounding = kRoundings * place.rounding;
   place.exactly_off = type.contact(c, sample.point).contact == Contact::Off;
   place.size = 0;
-  place.distance = place.edge = std::numeric_limits<double>::infinity();
+  place.distance = place.edge = place.line = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < c.size(); ++k) {
     const Vec3<double> edge = c[(k + 1) % c.size()] - c[k], to = sample.point - c[k];
     const double along = std::clamp(to.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
     place.size = std::max(place.size, edge.norm());
     place.distance = std::min(place.distance, to.norm());
+    place.line = std::min(place.line, edge.cross(to).norm() / edge.norm());
     place.edge = std::min(place.edge, (to - along * edge).norm());
   }
   const Vec3<double> normal = type.normal(c, {0.25, 0.25, 0.25, 0.25}), unit = normal / normal.norm();
@@ -69,6 +70,7 @@ Place place_of(ElementKind element, const Sample& sample) {
   place.height = std::abs(height) / place.size;
   place.distance /= place.size;
   place.edge /= place.size;
+  place.line /= place.size;
   if (has_border) place.aspect = type.extent(c).norm() / (place.size * place.size);
   return place;
 }

@@ -42,10 +42,12 @@ constexpr std::array kTriedUnits{-42, -21, -10, 10, 21, 42};
 std::vector<Probe> made(const Prober& prober, std::uint64_t seed, bool presets) {
   std::vector<Probe> probes;
   const Formula& formula = prober.formula();
+  // Truths of quads cost twenty times as much.
+  const std::uint64_t step = formula.element == ElementKind::Quad ? 3 : 1;
   for (const auto& [name, samples] : kShares) {
     const validation::Regime& regime = *validation::find_regime(name);
     if (!validation::exists_for(regime, formula.element)) continue;
-    for (std::uint64_t i = 0; i < samples; ++i) {
+    for (std::uint64_t i = 0; i < samples; i += step) {
       Sample sample = make_sample(formula, regime, seed, i);
       for (std::size_t p = 0; p < sample.parameters.size(); ++p)
         if (presets || !std::isfinite(sample.parameters[p])) sample.parameters[p] = formula.parameters[p].preset;

@@ -59,6 +59,7 @@ struct Place {
   double size = 1;                             ///< longest edge
   double height = 0;                           ///< distance from the plane, in sizes
   double distance = 0;                         ///< from the nearest corner, in sizes
+  double line = 0;                             ///< from the nearest edge's line, in sizes
   double edge = 0;                             ///< from the nearest edge, in sizes
   double aspect = 1;                           ///< twice the area over the squared size; 1 for segments
   double rounding = 0;                         ///< an ulp of the largest coordinate

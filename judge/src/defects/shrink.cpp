@@ -73,6 +73,12 @@ Sample begun_at(const Sample& sample, std::size_t first) {
   return turned;
 }
 
+bool is_degenerate(const Sample& sample, ElementKind element) {
+  std::vector<Vec3<Mp200>> corners;
+  for (const auto& corner : sample.corners) corners.push_back(convert<Mp200>(corner));
+  return type_of(element).degenerate(corners);
+}
+
 Sample all_rounded(Sample sample, int dim, int digits) {
   for_each_coordinate(sample, dim, [digits](double& x) { x = rounded(x, digits); });
   return sample;
@@ -92,7 +98,8 @@ Sample shrunk(Sample sample, ElementKind element, const std::function<bool(const
   const int dim = dimension(element);
   int questions = 0;
   const auto take = [&](const Sample& simpler) {
-    if (!is_finite(simpler) || length_of(simpler, dim) >= length_of(sample, dim)) return false;
+    if (!is_finite(simpler) || length_of(simpler, dim) >= length_of(sample, dim) || is_degenerate(simpler, element))
+      return false;
     if (++questions > kMostQuestions || !shows(simpler)) return false;
     sample = simpler;
     return true;

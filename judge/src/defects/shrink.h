@@ -11,8 +11,9 @@ namespace cageproof::judge {
 /// Characters that an input's coordinates take in decimals: what is plain is short.
 std::size_t length_of(const validation::Sample& sample, int dim);
 
-/// Takes simpler inputs as long as the defect shows: the unit triangle or segment, a corner at the origin, coordinates
-/// of fewer digits, zeros and ones. \param shows whether an input still has the defect; asked a hundred times at most
+/// Takes simpler inputs, of elements that are not degenerate, as long as the defect shows: the unit triangle or
+/// segment, a corner at the origin, coordinates of fewer digits, zeros and ones. \param shows whether an input still
+/// has the defect; asked a hundred times at most
 validation::Sample shrunk(validation::Sample sample, ElementKind element,
                           const std::function<bool(const validation::Sample&)>& shows);
 

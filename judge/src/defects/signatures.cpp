@@ -33,8 +33,17 @@ std::string error_text(const Study&, const Case& c) {
   return fmt::format("a relative error of {:.1e}, {:.1e} conditioned units", c.relative, c.error);
 }
 
-bool by_quadrature(const Study& study, const Case& c) {
-  return pattern(study, c).quadrature || (c.order > 0 && values(study).quadrature);
+bool by_quadrature(const Study& study, const Case&) {
+  return study.pattern(0).quadrature || study.pattern(1).quadrature;
+}
+// A few digits less everywhere: of rounding to float, or of a tolerance.
+bool few_digits(const Study& study, const Case& c) {
+  const double error = pattern(study, c).generic_error;
+  return error > 0 && error < 1e-5 && c.finite && c.relative < 1e3 * error;
+}
+std::string digits_text(const Study& study, const Case& c) {
+  return fmt::format("{}; in the generic regime it keeps {:.0f} digits", error_text(study, c),
+                     -std::log10(pattern(study, c).generic_error));
 }
 bool in_proportion(const Study& study, const Case&) { return values(study).everywhere && values(study).in_proportion; }
 bool in_sum(const Study& study, const Case&) { return values(study).everywhere && values(study).right_in_sum; }
@@ -63,7 +72,7 @@ std::string unit_text(const Study& study, const Case& c) {
 bool by_edge_logarithm(const Study& study, const Case& c) {
   const Place at = place(study, c);
   const bool grows = std::max(study.pattern(0).edge_slope, study.pattern(1).edge_slope) > 0.7;
-  return grows && at.edge < 0.1;
+  return grows && (at.edge < 0.1 || at.line < 1e-3);
 }
 std::string slope_text(const Study& study, const Case& c) {
   return fmt::format("{}; errors grow as the distance from the edge falls, like its power {:.1f}", error_text(study, c),
@@ -157,12 +166,21 @@ std::string thin_text(const Study& study, const Case& c) {
       error_text(study, c), pattern(study, c).sliver_slope, pattern(study, c).plain_sliver_slope);
 }
 
+bool by_plane(const Study& study, const Case& c) {
+  return pattern(study, c).plane_slope > 0.7 && place(study, c).height < 0.1;
+}
+std::string plane_text(const Study& study, const Case& c) {
+  return fmt::format("{}; relative errors grow like the height over the plane to the power {:.1f}",
+                     error_text(study, c), -pattern(study, c).plane_slope);
+}
+
 bool always(const Study&, const Case&) { return true; }
 
 constexpr std::array kSignatures{Signature{"quadrature_near", by_quadrature, error_text},
                                  Signature{"right_after_normalising", in_proportion, error_text},
                                  Signature{"sum_made_right", in_sum, error_text},
                                  Signature{"gradient_only_in_sums", in_closed_sum, error_text},
+                                 Signature{"few_digits", few_digits, digits_text},
                                  Signature{"wrong_gradient", wrong_gradient, error_text},
                                  Signature{"absolute_threshold", by_unit, unit_text},
                                  Signature{"log_next_to_edge", by_edge_logarithm, slope_text},
@@ -172,6 +190,7 @@ constexpr std::array kSignatures{Signature{"quadrature_near", by_quadrature, err
                                  Signature{"outer_limit_on_face", outer_limit, jump_text},
                                  Signature{"far_cancellation", far_off, far_text},
                                  Signature{"sliver_cancellation", thin, thin_text},
+                                 Signature{"plane_cancellation", by_plane, plane_text},
                                  Signature{"projected_into_face", projected, foot_text},
                                  Signature{"nan_at_vertex", nan_at_vertex, error_text},
                                  Signature{"nan_at_edge", nan_at_edge, error_text},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "defects/study.h"
 
+#include "conventions/tensors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,13 +51,16 @@ bool is_projected(const Study& study, const Case& c) {
     Sample foot = c.probe->sample;
     foot.point = at.foot + roundings * at.rounding * at.normal;
     const auto there = study.ask(foot, study.prober().order()).of(c.order);
-    double off = 0;
+    const std::vector<double> right = reference_of(study.formula(), foot, c.order)[static_cast<std::size_t>(c.order)];
+    double off = 0, moved = 0;
     bool finite = true;
     for (std::size_t i = 0; i < there.size(); ++i) {
       off = std::max(off, std::abs(there[i] - c.found.of(c.order)[i]));
       finite &= std::isfinite(there[i]);
+      const auto truth = static_cast<double>(c.probe->truth.tensors.of(c.order)[i]);
+      moved = std::max(moved, std::isfinite(right[i]) ? std::abs(right[i] - truth) : INFINITY);
     }
-    if (c.finite ? off < 1e-3 * off_by(c) : !finite) return true;
+    if (c.finite ? off < 1e-3 * off_by(c) && moved > 0.5 * off_by(c) : !finite) return true;
   }
   return false;
 }

@@ -24,6 +24,8 @@ struct Pattern {
   bool in_proportion = false;      ///< and they are ours times a factor of the sample
   bool right_in_sum = false;       ///< and the sum over the corners is right
   bool right_when_closed = false;  ///< and the sum over the faces of a closed cage is right
+  double generic_error = 0;        ///< largest relative error of generic results that are bad
+  double plane_slope = 0;          ///< exponent of one over the height that errors near the plane grow with; 0: none
   double edge_slope = 0;       ///< exponent of the distance from an edge that the relative error grows with; 0: none
   double projected_below = 0;  ///< largest height at which results are those of the feet, if three or more are; 0: none
   bool far = false, sliver = false;  ///< it is bad far away, or on slivers and needles, and not in the generic regime
@@ -57,8 +59,8 @@ class Study {
 /// The largest difference of a finite result's entries from the truth.
 double off_by(const Case& c);
 
-/// Whether a result is that of the point's foot in the plane: finite and much nearer to it than to the truth, or
-/// neither is finite. The point lies within a hundredth of a size of the plane, and not in it.
+/// Whether a result is that of the point's foot in the plane, and the truth is not; or neither result is finite. The
+/// point lies within a hundredth of a size of the plane, and not in it.
 bool is_projected(const Study& study, const Case& c);
 
 /// The patterns of one order. \pre study.cases() is complete
