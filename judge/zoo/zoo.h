@@ -18,6 +18,20 @@ struct zoo_call {
   double* gradients; /* [point][component][i], i below the dimension of the space; null for order 0 */
 };
 
+/* A cage of triangles and a block of points: mean value coordinates. */
+struct zoo_cage {
+  const double* vertices; /* three numbers each */
+  size_t vertex_count;
+  const int* faces; /* three indices each, counter-clockwise seen from outside */
+  size_t face_count;
+  const double* points; /* three numbers each */
+  size_t count;
+  double* coordinates; /* [point][vertex] */
+};
+
+/* What a point on a face is given: three weights for its corners. */
+typedef void (*zoo_on_face)(const double* corners, const double* point, const double* basis, double* weights);
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -28,6 +42,8 @@ int zoo_components(const char* formula);
 int zoo_dimension(const char* formula);
 /* The closed form in double, as one would write it, with stable branches. */
 void zoo_sound(const struct zoo_call* call);
+/* Mean value coordinates in a cage, sound but for what `on_face` makes of points on faces; null for what is right. */
+void zoo_mean_value(const struct zoo_cage* cage, zoo_on_face on_face);
 
 #ifdef __cplusplus
 }

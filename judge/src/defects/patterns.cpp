@@ -132,8 +132,8 @@ Pattern pattern_of(const Study& study, int order, std::uint64_t seed) {
   Pattern found;
   const Count generic = count(study, order, in("generic"));
   const Count beside = count(
-      study, order, [](const Case& c) { return c.probe->regime == "near-face" && c.probe->sample.parameter > 1e-4; });
-  found.quadrature = 2 * beside.bad >= beside.all && beside.bad > 0 && errors_rise_towards(study, order, seed);
+      study, order, [](const Case& c) { return c.probe->regime == "near-face" && c.probe->sample.parameter > 1e-5; });
+  found.quadrature = beside.bad > 0 && errors_rise_towards(study, order, seed);
   for (const Case& c : study.cases())
     if (c.order == order && c.bad && c.probe->regime == "generic")
       found.generic_error = std::max(found.generic_error, c.relative);

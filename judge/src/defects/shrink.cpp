@@ -73,7 +73,11 @@ Sample begun_at(const Sample& sample, std::size_t first) {
   return turned;
 }
 
+// Corners that fall together make another element, even where it has an area.
 bool is_degenerate(const Sample& sample, ElementKind element) {
+  for (std::size_t k = 1; k < sample.corners.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j)
+      if (sample.corners[j] == sample.corners[k]) return true;
   std::vector<Vec3<Mp200>> corners;
   for (const auto& corner : sample.corners) corners.push_back(convert<Mp200>(corner));
   return type_of(element).degenerate(corners);

@@ -56,10 +56,14 @@ bool wrong_gradient(const Study& study, const Case& c) {
 
 constexpr std::array kCures{10, -10, 20, -20, 30, -30, 42, -42, 60};
 
+// Units are powers of two, so that what no threshold decides rounds alike in all of them. Formulas with a logarithm of
+// lengths do not: there a cure must bring back three digits.
 std::optional<int> cure(const Study& study, const Case& c) {
+  const bool has_logarithm = study.formula().behaviour(c.probe->sample.parameters).logarithmic.factor != 0;
   for (const int k : kCures) {
     const Probe scaled = study.prober().scaled(*c.probe, k);
-    if (!study.ask(scaled, c.order).bad) return k;
+    const Case there = study.ask(scaled, c.order);
+    if (!there.bad && (!has_logarithm || 1e3 * there.error < c.error)) return k;
   }
   return std::nullopt;
 }
@@ -79,13 +83,18 @@ std::string slope_text(const Study& study, const Case& c) {
                      -std::max(study.pattern(0).edge_slope, study.pattern(1).edge_slope));
 }
 
-bool nan_at_vertex(const Study& study, const Case& c) { return !c.finite && place(study, c).at_vertex; }
+// Sizes that count as next to a corner, an edge or a face.
+constexpr double kNext = 1e-6;
+
+bool nan_at_vertex(const Study& study, const Case& c) { return !c.finite && place(study, c).distance < kNext; }
 bool nan_at_edge(const Study& study, const Case& c) {
-  const Place at = place(study, c);
-  return !c.finite && at.contact == Contact::Border && !at.at_vertex;
+  return !c.finite && study.formula().dim() == 3 && place(study, c).edge < kNext;
 }
 bool nan_at_face(const Study& study, const Case& c) {
-  return !c.finite && place(study, c).contact == Contact::Interior;
+  const Place at = place(study, c);
+  const auto corners = static_cast<std::ptrdiff_t>(c.probe->sample.corners.size());
+  return !c.finite && at.height < kNext &&
+         std::all_of(at.basis.begin(), at.basis.begin() + corners, [](double b) { return b > 0; });
 }
 
 // The corner whose result a point on an edge is given; negative where it is none.
