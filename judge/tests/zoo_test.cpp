@@ -135,6 +135,33 @@ TEST(judged, the_suites_own_evaluations_are_clean) {
     }
 }
 
+// Its values are those of the published form, with that one's defects.
+TEST(judged, the_curl_form_is_right_in_sums_only) {
+  const Verdict verdict = judge(evaluation_named(kDouble, "curl-form"), {});
+  ASSERT_EQ(verdict.findings.size(), 3U) << text_of(verdict);
+  EXPECT_EQ(verdict.findings[0].defect->key, "gradient_only_in_sums");
+}
+
+TEST(judged, an_edge_form_with_the_papers_logarithm_loses_digits_next_to_edges_and_far_away) {
+  const Verdict verdict = judge(evaluation_named(kSingle, "published"), {});
+  ASSERT_EQ(verdict.findings.size(), 2U) << text_of(verdict);
+  EXPECT_EQ(verdict.findings[0].defect->key, "log_next_to_edge");
+  EXPECT_EQ(verdict.findings[1].defect->key, "far_cancellation");
+}
+
+// Sixteen characters or fewer a coordinate would be doubles as they come; a shrunk input is plain.
+TEST(judged, inputs_are_shrunk_to_the_unit_triangle) {
+  const Verdict verdict = judge(zoo_evaluation(kSolid, "projected", zoo_projected_into_face), {});
+  ASSERT_EQ(verdict.findings.size(), 1U);
+  const validation::Sample& input = verdict.findings[0].input;
+  EXPECT_EQ(input.corners, (std::vector<Vec3<double>>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_LT(std::abs(input.point[2]), 1e-6);
+  const auto again =
+      validation::evaluate<double>(zoo_evaluation(kSolid, "projected", zoo_projected_into_face), input, 1);
+  EXPECT_EQ(again.value, verdict.findings[0].theirs);
+  EXPECT_GT(std::abs(verdict.findings[0].theirs[0] - verdict.findings[0].ours[0]), 1e-10);
+}
+
 TEST(judged, a_gauss_rule_is_named_and_nothing_else) {
   for (const char* formula : {kDouble, "segment.single_layer"}) {
     const Verdict verdict = judge(evaluation_named(formula, "gauss-64"), {});
