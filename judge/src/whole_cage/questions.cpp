@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "whole_cage/questions.h"
+
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/numbers/random_stream.h"
+
+#include <cmath>
+
+namespace cageproof::judge {
+namespace {
+
+struct Shape {
+  std::vector<Vec3<double>> vertices;
+  std::vector<std::array<int, 3>> faces;
+};
+
+const std::vector<Shape>& shapes() {
+  static const std::vector<Shape> all{
+      {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}},
+      {{{4, 0, 0}, {-4, 0, 0}, {0, 4, 0}, {0, -4, 0}, {0, 0, 4}, {0, 0, -4}},
+       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}},
+      {{{0, 0, 0}, {12, 0, 0}, {0, 4, 0}, {1, 1, 4}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}};
+  return all;
+}
+
+CageQuestion question_of(const Shape& shape, const Vec3<double>& point) {
+  return {shape.vertices, shape.faces, {point}};
+}
+
+Vec3<double> inside(const Shape& shape, std::uint64_t index) {
+  RandomStream random(3, "whole cage", index);
+  Vec3<double> point = Vec3<double>::Zero();
+  double sum = 0;
+  for (const auto& vertex : shape.vertices) {
+    const double weight = random.uniform(0.1, 1);
+    point += weight * vertex;
+    sum += weight;
+  }
+  return point / sum;
+}
+
+// Sixteenths of a face's corners: within it, on an edge, at a corner.
+constexpr std::array<std::array<int, 3>, 4> kOnFaces{{{4, 5, 7}, {11, 3, 2}, {12, 4, 0}, {0, 16, 0}}};
+
+std::vector<double> in_double(const CageQuestion& q, const CoordinateKind& kind) {
+  std::vector<Face> faces;
+  for (const auto& face : q.faces) faces.push_back({{face[0], face[1], face[2], -1}});
+  const CageCoordinates coordinates(Cage::make("judged", q.vertices, faces), kind, CoordinateOptions{"closed_form"});
+  std::vector<double> values;
+  for (const auto& block : coordinates.at<double>(q.points[0], 0))
+    values.insert(values.end(), block.value.begin(), block.value.end());
+  return values;
+}
+
+CageSample on_face(const Shape& shape, int face, const std::array<int, 3>& weights) {
+  Vec3<double> point = Vec3<double>::Zero();
+  std::vector<double> truth(shape.vertices.size(), 0.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto v = static_cast<std::size_t>(shape.faces[static_cast<std::size_t>(face)][k]);
+    point += weights[k] / 16.0 * shape.vertices[v];
+    truth[v] = weights[k] / 16.0;
+  }
+  return {question_of(shape, point), truth, face};
+}
+
+void scale(CageSample& sample, double unit, std::size_t faces_from, double face_factor) {
+  for (auto& vertex : sample.question.vertices) vertex *= unit;
+  sample.question.points[0] *= unit;
+  for (std::size_t i = faces_from; i < sample.truth.size(); ++i) sample.truth[i] *= face_factor;
+}
+
+}  // namespace
+
+std::vector<CageSample> cage_samples(std::string_view kind, double unit) {
+  const CoordinateKind& row = coordinate_kind_named(kind);
+  std::vector<CageSample> samples;
+  std::uint64_t index = 0;
+  for (const Shape& shape : shapes()) {
+    for (int i = 0; i < 6; ++i) {
+      CageSample sample{question_of(shape, inside(shape, index++)), {}};
+      sample.truth = in_double(sample.question, row);
+      samples.push_back(std::move(sample));
+    }
+    // Mean value coordinates interpolate: on a face they are the barycentric ones, whatever the cage.
+    for (int face = 0; kind == "mean_value" && face < static_cast<int>(shape.faces.size()); face += 2)
+      for (const auto& weights : kOnFaces) samples.push_back(on_face(shape, face, weights));
+  }
+  // Coordinates of vertices have no unit; those of faces have one of length.
+  for (CageSample& sample : samples) scale(sample, unit, sample.question.vertices.size(), unit);
+  return samples;
+}
+
+std::array<CageQuestion, 2> alike_cages() {
+  const Shape& shape = shapes()[0];
+  const Vec3<double> point(1, 1, 0.5);
+  CageQuestion moved = question_of(shape, point);
+  moved.vertices[3] = {1, 0, 6};
+  return {question_of(shape, point), moved};
+}
+
+std::array<double, 3> chord_weights(const CageSample& sample) {
+  const auto& face = sample.question.faces[static_cast<std::size_t>(sample.face)];
+  std::array<Vec3<double>, 3> unit;
+  for (std::size_t k = 0; k < 3; ++k)
+    unit[k] = (sample.question.vertices[static_cast<std::size_t>(face[k])] - sample.question.points[0]).normalized();
+  std::array<double, 3> chord{}, weights{};
+  for (std::size_t k = 0; k < 3; ++k) chord[k] = (unit[(k + 1) % 3] - unit[(k + 2) % 3]).norm();
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    weights[k] = std::sin(2 * std::asin(std::min(1.0, chord[k] / 2))) * chord[(k + 1) % 3] * chord[(k + 2) % 3];
+    sum += weights[k];
+  }
+  for (double& w : weights) w /= sum;
+  return weights;
+}
+
+}  // namespace cageproof::judge

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The cages and points that whole-cage implementations are asked at, with their truths.
+#pragma once
+
+#include "cageproof/judge/whole_cage.h"
+
+namespace cageproof::judge {
+
+/// One point of one cage, and its coordinates.
+struct CageSample {
+  CageQuestion question;
+  std::vector<double> truth;
+  int face = -1;  ///< that the point is on; negative for none
+};
+
+/// \param unit what all coordinates are multiplied with, a power of two
+std::vector<CageSample> cage_samples(std::string_view kind, double unit);
+
+/// The two cages that a state between calls would show on: alike, but for one vertex. The same point in both.
+std::array<CageQuestion, 2> alike_cages();
+
+/// What chords of the unit sphere in place of distances give on a face: the corners' weights there.
+std::array<double, 3> chord_weights(const CageSample& sample);
+
+}  // namespace cageproof::judge

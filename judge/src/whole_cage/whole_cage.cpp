@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// Defects that show on whole cages.
+#include "cageproof/judge/whole_cage.h"
+
+#include "cageproof/core/coordinates/coordinates.h"
+#include "cageproof/core/input_error.h"
+#include "whole_cage/questions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace cageproof::judge {
+namespace {
+
+constexpr double kWrong = 1e-9;  // of coordinates of size one: what is less is no defect of these
+constexpr double kOtherUnit = 0x1p-20;
+
+struct CageCase {
+  CageSample sample;
+  std::vector<double> theirs;
+  double off = 0;
+};
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return INFINITY;
+  double off = 0, size = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    off = std::isfinite(a[i]) ? std::max(off, std::abs(a[i] - b[i])) : INFINITY;
+    size = std::max(size, std::abs(b[i]));
+  }
+  return off / size;
+}
+
+bool is_bad(const CageCase& c) { return !(c.off <= kWrong); }
+
+std::vector<CageCase> asked(const WholeCageFunction& theirs, std::string_view kind, double unit) {
+  std::vector<CageCase> cases;
+  for (CageSample& sample : cage_samples(kind, unit)) {
+    std::vector<double> answer = theirs(sample.question);
+    const double off = difference(answer, sample.truth);
+    cases.push_back({std::move(sample), std::move(answer), off});
+  }
+  return cases;
+}
+
+std::string off_text(const CageCase& c) { return fmt::format("off by {:.3g}", c.off); }
+
+bool has_wrong_size(const CageCase& c) { return c.theirs.size() != c.sample.truth.size(); }
+
+bool in_proportion(const CageCase& c) {
+  double tt = 0, ft = 0;
+  for (std::size_t i = 0; i < c.theirs.size(); ++i) {
+    tt += c.sample.truth[i] * c.sample.truth[i];
+    ft += c.theirs[i] * c.sample.truth[i];
+  }
+  std::vector<double> scaled(c.theirs);
+  for (double& x : scaled) x *= tt / ft;
+  return difference(scaled, c.sample.truth) < 1e-3 * c.off;
+}
+
+bool has_right_sum(const CageCase& c) {
+  double sum = 0, size = 0;
+  for (std::size_t i = 0; i < c.sample.question.vertices.size(); ++i) {
+    sum += c.theirs[i] - c.sample.truth[i];
+    size = std::max(size, std::abs(c.sample.truth[i]));
+  }
+  return std::abs(sum) < 1e-3 * c.off * size;
+}
+
+bool has_chords(const CageCase& c) {
+  if (c.sample.face < 0) return false;
+  const auto weights = chord_weights(c.sample);
+  const auto& face = c.sample.question.faces[static_cast<std::size_t>(c.sample.face)];
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!(std::abs(c.theirs[static_cast<std::size_t>(face[k])] - weights[k]) < kWrong)) return false;
+  return true;
+}
+
+// What the cases of one unit look like as a whole.
+struct Seen {
+  bool everywhere = false;  // more than half of those inside are wrong
+  bool inside = false;      // some are
+};
+
+std::string_view cause_of(const CageCase& c, const Seen& seen, bool right_in_other_unit) {
+  if (has_wrong_size(c)) return "wrong_size";
+  if (seen.everywhere && in_proportion(c)) return "right_after_normalising";
+  if (seen.everywhere && has_right_sum(c)) return "sum_made_right";
+  if (right_in_other_unit) return "absolute_threshold";
+  if (has_chords(c)) return "chord_for_distance";
+  if (c.sample.face >= 0 && !seen.inside) return "wrong_on_cage";
+  return "wrong_values";
+}
+
+Seen seen_in(const std::vector<CageCase>& cases) {
+  std::size_t all = 0, bad = 0;
+  for (const CageCase& c : cases)
+    if (c.sample.face < 0) {
+      ++all;
+      bad += is_bad(c);
+    }
+  return {2 * bad > all, bad > 0};
+}
+
+CageFinding finding_of(std::string_view key, const CageCase& c, std::size_t cases, std::string evidence) {
+  return {&defect_named(key), c.sample.question, c.sample.truth, c.theirs, cases, std::move(evidence)};
+}
+
+// An answer that depends on the cage that was asked before; the question is the second one.
+std::optional<CageFinding> find_state(const WholeCageFunction& theirs) {
+  const auto [a, b] = alike_cages();
+  const auto first = theirs(a), second = theirs(b), third = theirs(a), again = theirs(b);
+  if (first.size() != second.size() || first.size() != third.size())
+    return CageFinding{&defect_named("wrong_size"),
+                       b,
+                       {},
+                       second,
+                       1,
+                       fmt::format("the first call gives {} numbers, the next ones {} and {}", first.size(),
+                                   second.size(), third.size())};
+  const CageFinding state{&defect_named("state_between_calls"), b, first, second, 1, ""};
+  const auto with = [&](std::string evidence) {
+    CageFinding found = state;
+    found.evidence = std::move(evidence);
+    return found;
+  };
+  if (first == second) return with("a second cage, which differs by a vertex, gets the first one's coordinates");
+  if (difference(third, first) > kWrong || difference(again, second) > kWrong)
+    return with("a cage gets other coordinates after a call with another cage");
+  return std::nullopt;
+}
+
+}  // namespace
+
+CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view kind) {
+  for (const SummedBlock& block : coordinate_kind_named(kind).blocks)
+    if (block.kernel.find("kelvin") != std::string_view::npos)
+      throw InputError(fmt::format("{} has matrices for coordinates: judge its formulas one by one", kind));
+  CageVerdict verdict;
+  if (auto state = find_state(theirs)) {
+    verdict.findings.push_back(std::move(*state));
+    return verdict;
+  }
+  const std::array<std::vector<CageCase>, 2> units{asked(theirs, kind, 1), asked(theirs, kind, kOtherUnit)};
+  std::map<std::string_view, std::vector<const CageCase*>> causes;
+  for (std::size_t u = 0; u < 2; ++u) {
+    const Seen seen = seen_in(units[0]);
+    verdict.points += units[u].size();
+    for (std::size_t i = 0; i < units[u].size(); ++i)
+      if (is_bad(units[u][i])) causes[cause_of(units[u][i], seen, !is_bad(units[1 - u][i]))].push_back(&units[u][i]);
+  }
+  for (const Defect& defect : defects())
+    if (const auto found = causes.find(defect.key); found != causes.end())
+      verdict.findings.push_back(
+          finding_of(defect.key, *found->second.front(), found->second.size(), off_text(*found->second.front())));
+  return verdict;
+}
+
+}  // namespace cageproof::judge

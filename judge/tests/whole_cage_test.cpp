@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Implementations of whole cages: each defect of the zoo is named, and nothing else.
+#include "zoo.h"
+
+#include "cageproof/judge/whole_cage.h"
+
+#include "cageproof/core/coordinates/coordinates.h"
+
+#include <gtest/gtest.h>
+
+extern "C" {
+void zoo_cage_sound(const zoo_cage*);
+void zoo_cage_chord_for_distance(const zoo_cage*);
+void zoo_cage_state(const zoo_cage*);
+void zoo_cage_sum_made_right(const zoo_cage*);
+void zoo_cage_wrong_at_vertex(const zoo_cage*);
+void zoo_cage_absolute_threshold(const zoo_cage*);
+}
+
+namespace cageproof::judge {
+namespace {
+
+using ZooCage = void (*)(const zoo_cage*);
+
+std::vector<double> asked(ZooCage function, const CageQuestion& q) {
+  std::vector<double> coordinates(q.points.size() * q.vertices.size());
+  const zoo_cage cage{q.vertices.data()->data(), q.vertices.size(), q.faces.data()->data(), q.faces.size(),
+                      q.points.data()->data(),   q.points.size(),   coordinates.data()};
+  function(&cage);
+  return coordinates;
+}
+
+std::string found_in(const CageVerdict& verdict) {
+  std::string found;
+  for (const CageFinding& finding : verdict.findings)
+    found += (found.empty() ? "" : " ") + std::string(finding.defect->key);
+  return found;
+}
+
+std::string keys_of(ZooCage function) {
+  return found_in(judge_whole_cage([=](const CageQuestion& q) { return asked(function, q); }, "mean_value"));
+}
+
+TEST(whole_cage, each_defect_is_named_and_nothing_else) {
+  EXPECT_EQ(keys_of(zoo_cage_sound), "");
+  EXPECT_EQ(keys_of(zoo_cage_chord_for_distance), "chord_for_distance");
+  EXPECT_EQ(keys_of(zoo_cage_state), "state_between_calls");
+  EXPECT_EQ(keys_of(zoo_cage_sum_made_right), "sum_made_right");
+  EXPECT_EQ(keys_of(zoo_cage_wrong_at_vertex), "wrong_on_cage");
+  EXPECT_EQ(keys_of(zoo_cage_absolute_threshold), "absolute_threshold");
+}
+
+TEST(whole_cage, values_that_are_appended_have_the_wrong_size) {
+  std::vector<double> all;
+  const auto appended = [&](const CageQuestion& q) {
+    const auto more = asked(zoo_cage_sound, q);
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  EXPECT_EQ(found_in(judge_whole_cage(appended, "mean_value")), "wrong_size");
+}
+
+TEST(whole_cage, values_without_their_sum_are_right_after_normalising) {
+  const auto raw = [](const CageQuestion& q) {
+    auto weights = asked(zoo_cage_sound, q);
+    for (double& w : weights) w *= 1 + (q.points[0] - q.vertices[0]).norm() / (q.vertices[1] - q.vertices[0]).norm();
+    return weights;
+  };
+  EXPECT_EQ(found_in(judge_whole_cage(raw, "mean_value")), "right_after_normalising");
+}
+
+TEST(whole_cage, green_coordinates_of_the_suite_are_clean_and_have_two_blocks) {
+  const auto green = [](const CageQuestion& q) {
+    std::vector<Face> faces;
+    for (const auto& face : q.faces) faces.push_back({{face[0], face[1], face[2], -1}});
+    const CageCoordinates coordinates(Cage::make("test", q.vertices, faces), coordinate_kind_named("green"),
+                                      CoordinateOptions{"hybrid"});
+    std::vector<double> values;
+    for (const auto& block : coordinates.at<double>(q.points[0], 0))
+      values.insert(values.end(), block.value.begin(), block.value.end());
+    return values;
+  };
+  EXPECT_EQ(found_in(judge_whole_cage(green, "green")), "");
+}
+
+}  // namespace
+}  // namespace cageproof::judge
