@@ -71,6 +71,25 @@ bool add_numbers(const Json& json, std::vector<double>& numbers) {
   return json.is_array() && std::ranges::all_of(json, [&](const Json& one) { return add_numbers(one, numbers); });
 }
 
+// Python and others write NaN, Infinity and -Infinity, which JSON does not have: as text they are numbers here.
+std::string without_bare_words(std::string_view line) {
+  std::string text;
+  bool is_in_text = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"' && (i == 0 || line[i - 1] != '\\')) is_in_text = !is_in_text;
+    const std::string_view rest = is_in_text ? std::string_view() : line.substr(i);
+    const auto replace = [&](std::string_view word, std::string_view by) {
+      if (!rest.starts_with(word)) return false;
+      text += by;
+      i += word.size() - 1;
+      return true;
+    };
+    if (!replace("NaN", "\"nan\"") && !replace("-Infinity", "\"-inf\"") && !replace("Infinity", "\"inf\""))
+      text += line[i];
+  }
+  return text;
+}
+
 std::string shortened(std::string_view line) {
   constexpr std::size_t most = 80;
   std::string text(line.substr(0, most));
@@ -97,8 +116,8 @@ std::string exact_line(const Formula& formula, const Asked& asked, std::size_t p
 
 LineAnswer parse_answer(std::string_view line, const Request& request) {
   LineAnswer answer;
-  // Python writes NaN and Infinity, which JSON does not have.
-  const Json json = Json::parse(line, nullptr, false);
+  Json json = Json::parse(line, nullptr, false);
+  if (json.is_discarded()) json = Json::parse(without_bare_words(line), nullptr, false);
   if (!json.is_object()) {
     answer.text = fmt::format("a line is no JSON object: {}", shortened(line));
     return answer;
