@@ -99,10 +99,6 @@ int run(Arguments& a) {
   require_known("regime", a.options.regimes, regimes);
   a.limits.memory = static_cast<std::uint64_t>(std::ldexp(a.memory, 30));
   a.options.single = a.scalar == "float";
-  if (!a.out.empty()) {
-    std::filesystem::create_directories(a.out);
-    reports::require_writable({a.out + "/certificate.json", a.out + "/certificate.md"});
-  }
   judge::Certificate c;
   c.started = validation::timestamp();
   const auto code = std::make_shared<judge::ForeignCode>(what, a.limits);
@@ -117,8 +113,14 @@ int run(Arguments& a) {
   c.samples = a.options.samples;
   c.seed = a.options.seed;
   const std::string list = a.formulas.empty() ? "*" : fmt::format("{}", fmt::join(a.formulas, ","));
+  const std::vector<std::string> formulas = judge::register_foreign_code(code, name, list);
+  // What cannot be written should not cost a wait.
+  if (!a.out.empty()) {
+    std::filesystem::create_directories(a.out);
+    reports::require_writable({a.out + "/certificate.json", a.out + "/certificate.md"});
+  }
   Progress progress;
-  for (const std::string& formula : judge::register_foreign_code(code, name, list)) {
+  for (const std::string& formula : formulas) {
     if (code->order_of(formula_named(formula), a.options.single) < 0) continue;
     a.options.progress = [&](std::size_t done, std::size_t all) { progress(formula, done, all); };
     c.formulas.push_back(judge::run_element_campaign(*code, formula_named(formula), name, a.options));
