@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 #include "inputs_outside.h"
+#include "judge_option.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/catalogue/name_pattern.h"
@@ -27,6 +28,7 @@ struct Arguments {
   std::vector<std::string> regimes{"generic", "near-face"}, parameters;
   benchmarks::WorkPrecisionOptions options;
   bool csv = false, coordinates = false;
+  JudgeOption judge;
 };
 
 // Notes say what the groups of given points are, and how many points are in none.
@@ -110,11 +112,12 @@ WorkPrecision measure(const Arguments& a) {
   return a.kind.empty() ? measure_formula(a, a.options) : measure_cage(a, a.options);
 }
 
-int run(const Arguments& a) {
+int run(Arguments& a) {
   // Before anything is measured: a folder that cannot be written should not cost a wait.
   require_outside(a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}});
   std::unique_ptr<reports::WorkPrecisionWriter> writer;
   if (!a.out.empty()) writer = std::make_unique<reports::WorkPrecisionWriter>(a.out);
+  a.judge.begin(a.formula.empty() ? "*" : a.formula);
   const std::string started = validation::timestamp();
   WorkPrecision result = measure(a);
   result.version = CAGEPROOF_VERSION;
@@ -192,6 +195,7 @@ void add_bench(CommandLine& line, const std::string& command_line) {
   command.option("--jobs", a->options.jobs, "threads for the errors; 0: one a core")
       .in_range(0, 1024)
       .showing_default();
+  a->judge.add_to(command);
   command.flag("--csv", a->csv, "as CSV");
   command.option("--out", a->out, "a folder for CSV, JSON and pictures").taking("FOLDER");
   command.example("cageproof bench --formula triangle.kelvin_traction --regime near-face --order 1");

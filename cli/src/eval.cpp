@@ -7,10 +7,13 @@
 #include "cageproof/core/numbers/scalar_text.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <map>
+#include <tuple>
 
 namespace cageproof::cli {
 namespace {
@@ -66,26 +69,86 @@ std::string evaluated(const QueryText& text, const Formula& formula, const Evalu
   return line + '}';
 }
 
+// The evaluation of the formulas that lines ask for, each found once.
+class Evaluations {
+ public:
+  explicit Evaluations(const EvalOptions& options) : options_(options) {}
+
+  // What a line asks for: its own members, or the options. \throws InputError where there is no such evaluation
+  struct Asked {
+    Evaluation evaluation;
+    ScalarKind scalar = ScalarKind::Double;
+    int order = 0;
+  };
+  const Asked& of(const LineOptions& line) {
+    const std::string& formula = line.formula.empty() ? options_.formula : line.formula;
+    if (formula.empty()) throw InputError("which formula? Give --formula, or a member \"formula\" in each line");
+    if (!options_.formula.empty() && formula != options_.formula)
+      throw InputError(fmt::format("\"formula\" is {}, --formula {}", formula, options_.formula));
+    const std::string scalar = line.scalar.empty() ? options_.scalar : line.scalar;
+    const int order = line.order.value_or(options_.order);
+    const std::tuple key(formula, scalar, order);
+    if (const auto found = known_.find(key); found != known_.end()) return found->second;
+    formula_named(formula);
+    const auto kind = scalar_named(scalar);
+    if (!kind) throw InputError(fmt::format("\"scalar\": '{}' is none of float, double, mp50, mp100, mp200", scalar));
+    Asked asked{evaluation_named(formula, options_.evaluation), *kind, order};
+    if (!asked.evaluation.supports(*kind) || order > asked.evaluation.max_order())
+      throw InputError(
+          fmt::format("{} of {} does not exist in {} at order {}", options_.evaluation, formula, scalar, order));
+    return known_.emplace(key, std::move(asked)).first->second;
+  }
+
+ private:
+  const EvalOptions& options_;
+  std::map<std::tuple<std::string, std::string, int>, Asked> known_;
+};
+
+// What `judge` asks a program first: the formulas, each with its highest derivative in double.
+std::string description(const EvalOptions& options) {
+  nlohmann::ordered_json formulas = nlohmann::ordered_json::object();
+  bool has_float = true;
+  for (const Formula& formula : catalogue()) {
+    if (!options.formula.empty() && formula.name != options.formula) continue;
+    const auto evaluation = EvaluationRegister::instance().find(formula.name, options.evaluation);
+    if (!evaluation || !evaluation->supports<double>()) continue;
+    formulas[std::string(formula.name)] = evaluation->max_order();
+    has_float = has_float && evaluation->supports<float>();
+  }
+  return nlohmann::ordered_json{{"formulas", formulas},
+                                {"float", has_float},
+                                {"about", fmt::format("cageproof {}, {}", CAGEPROOF_VERSION, options.evaluation)}}
+      .dump();
+}
+
 int run(const EvalOptions& options) {
-  const Formula& formula = formula_named(options.formula);
-  check_allows_invalid_quads(options.allow_invalid_quads, formula);
-  const Evaluation evaluation = evaluation_named(options.formula, options.evaluation);
-  const ScalarKind scalar = *scalar_named(options.scalar);
-  if (!evaluation.supports(scalar) || options.order > evaluation.max_order())
-    throw InputError(fmt::format("{} of {} does not exist in {} at order {}", options.evaluation, options.formula,
-                                 options.scalar, options.order));
+  Evaluations evaluations(options);
+  // What is wrong with the options is wrong before any line.
+  if (!options.formula.empty()) {
+    check_allows_invalid_quads(options.allow_invalid_quads, formula_named(options.formula));
+    evaluations.of({});
+  }
   int code = success;
   std::size_t number = 0;
   for (std::string line; std::getline(std::cin, line);) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (asks_for_description(line)) {
+      std::cout << description(options) << '\n';
+      continue;
+    }
     try {
-      const QueryText query = parse_query(line, formula);
+      const Evaluations::Asked* asked = nullptr;
+      const QueryText query = parse_query(line, [&](const LineOptions& own) -> const Formula& {
+        asked = &evaluations.of(own);
+        return asked->evaluation.formula();
+      });
+      const Formula& formula = asked->evaluation.formula();
       if (!options.allow_invalid_quads) require_valid_quad(query, formula);
       else if (const auto reason = invalid_quad(query, formula))
         fmt::print(stderr, "warning: line {}: {}\n", number, *reason);
-      std::cout << with_scalar(scalar, [&]<Scalar R>() {
-        return evaluated<R>(query, formula, evaluation, options.order);
+      std::cout << with_scalar(asked->scalar, [&]<Scalar R>() {
+        return evaluated<R>(query, formula, asked->evaluation, asked->order);
       }) << '\n';
     } catch (const InputError& e) {
       std::cout << error_line(e.what(), number) << '\n';
@@ -101,7 +164,8 @@ int run(const EvalOptions& options) {
 void add_eval(CommandLine& line) {
   Command command = line.command("eval", "evaluate JSON lines from standard input");
   auto options = std::make_shared<EvalOptions>();
-  command.option("--formula", options->formula, "a formula of the catalogue").taking("FORMULA").required();
+  command.option("--formula", options->formula, "a formula of the catalogue; without, each line names its own")
+      .taking("FORMULA");
   command.option("--evaluation", options->evaluation, "one of its evaluations").taking("EVALUATION").required();
   command.option("--order", options->order, "0 value, 1 and gradient, 2 and Hessian").in_range(0, 2).showing_default();
   command.option("--scalar", options->scalar, "what it computes in: mp50 is 50 digits")

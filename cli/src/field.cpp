@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 #include "inputs_outside.h"
+#include "judge_option.h"
 
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/catalogue/name_pattern.h"
@@ -27,6 +28,7 @@ struct Arguments {
   std::vector<std::string> parameters;
   std::vector<double> colours;
   int order = 0, resolution = 0, jobs = 0;
+  JudgeOption judge;
 };
 
 // A field, and what its picture shows of it.
@@ -178,9 +180,10 @@ void write_all(reports::ReportWriter& writer, const RunResult& result) {
   writer.commit();
 }
 
-int run(const Arguments& a) {
+int run(Arguments& a) {
   require_outside(a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}});
   const auto limits = limits_of(a);
+  a.judge.begin(a.formula.empty() ? "*" : a.formula);
   RunResult result;
   result.version = CAGEPROOF_VERSION;
   result.suite = "field";
@@ -248,6 +251,7 @@ void add_field(CommandLine& line, const std::string& command_line) {
   command.option("--parameter", a->parameters, "mu=..., nu=... of a kind").excludes(formula);
   kind.needs(a->cage.add_to(command, false));
   command.option("--resolution", a->resolution, "samples a side").in_range(2, 4096);
+  a->judge.add_to(command);
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
   command.option("--colours", a->colours, "LOW HIGH: the same colours in every run; without, the field's own range")
       .values(2)

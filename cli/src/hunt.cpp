@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
+#include "judge_option.h"
 #include "progress.h"
 
 #include "cageproof/core/input_error.h"
@@ -27,6 +28,7 @@ struct Arguments {
   std::string formula, scalar = "double", out;
   std::vector<std::string> evaluations, checks;
   validation::HuntOptions options;
+  JudgeOption judge;
 };
 
 std::optional<double> bound_of(const Arguments& a, const HuntObjective& objective) {
@@ -181,6 +183,7 @@ bool print(const Arguments& a, const HuntObjective& objective, const HuntResult&
 int run(Arguments& a) {
   auto& options = a.options;
   options.formula = &formula_named(a.formula);
+  a.judge.begin(a.formula);
   options.scalar = *scalar_named(a.scalar);
   options.objectives = objectives_of(a);
   Progress progress;
@@ -224,6 +227,7 @@ void add_hunt(CommandLine& line) {
   command.option("--seed", a->options.seed, "64-bit seed").showing_default();
   command.option("--jobs", a->options.jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();
   command.option("--out", a->out, "worst-case file to add the worst cases to").taking("FILE");
+  a->judge.add_to(command);
   add_quiet(command);
   command.example(
       "cageproof hunt --formula triangle.solid_angle --evaluation closed_form --budget 1000 --out worst.jsonl");

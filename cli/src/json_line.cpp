@@ -118,22 +118,34 @@ std::string parameter(const Json& given, const Parameter& p) {
                                p.includes_highest ? "]" : ")", p.includes_infinity ? " and not infinite" : ""));
 }
 
-}  // namespace
-
-QueryText parse_members(const std::string& element, const std::string& point, const Formula& formula) {
-  // Each by itself: a fault is that of its option, and neither may close the object that both stand in.
-  for (const auto& [option, text, form] :
-       {std::tuple("--element", &element, form_of_element(formula)), {"--point", &point, form_of_point(formula.dim())}})
-    if (!Json::accept(*text)) throw InputError(fmt::format("{} {}: malformed JSON; expected {}", option, *text, form));
-  return parse_query(fmt::format("{{\"element\":{},\"point\":{}}}", element, point), formula);
+Json object_of(const std::string& line, const std::string& form) {
+  NumbersAsText reader;
+  if (!Json::sax_parse(line, &reader)) throw InputError(fmt::format("{}; expected {}", reader.error, form));
+  if (!reader.root.is_object()) throw InputError(fmt::format("not a JSON object; expected {}", form));
+  return std::move(reader.root);
 }
 
-QueryText parse_query(const std::string& line, const Formula& formula) {
-  NumbersAsText reader;
-  if (!Json::sax_parse(line, &reader))
-    throw InputError(fmt::format("{}; expected {}", reader.error, form_of_query(formula)));
-  const Json& json = reader.root;
-  if (!json.is_object()) throw InputError(fmt::format("not a JSON object; expected {}", form_of_query(formula)));
+// A member that is text, taken out; empty where it is not there.
+std::string text_member(Json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end()) return {};
+  if (!found->is_string()) throw InputError(fmt::format("\"{}\" is no text", key));
+  std::string text = found->get<std::string>();
+  json.erase(found);
+  return text;
+}
+
+// Numbers are texts here.
+std::optional<int> order_member(Json& json) {
+  const auto found = json.find("order");
+  if (found == json.end()) return std::nullopt;
+  const std::string text = found->is_string() ? found->get<std::string>() : "";
+  if (text != "0" && text != "1" && text != "2") throw InputError("\"order\" must be 0, 1 or 2");
+  json.erase(found);
+  return text[0] - '0';
+}
+
+QueryText query_of(const Json& json, const Formula& formula) {
   for (const auto& [key, value] : json.items())
     if (key != "element" && key != "point" && key != "parameters")
       throw InputError(fmt::format("unknown key \"{}\"; known: element, point, parameters", key));
@@ -155,6 +167,32 @@ QueryText parse_query(const std::string& line, const Formula& formula) {
       throw InputError(fmt::format("{} has no parameter \"{}\"", formula.name, key));
   for (const Parameter& p : formula.parameters) query.parameters.push_back(parameter(given, p));
   return query;
+}
+
+}  // namespace
+
+QueryText parse_members(const std::string& element, const std::string& point, const Formula& formula) {
+  // Each by itself: a fault is that of its option, and neither may close the object that both stand in.
+  for (const auto& [option, text, form] :
+       {std::tuple("--element", &element, form_of_element(formula)), {"--point", &point, form_of_point(formula.dim())}})
+    if (!Json::accept(*text)) throw InputError(fmt::format("{} {}: malformed JSON; expected {}", option, *text, form));
+  return parse_query(fmt::format("{{\"element\":{},\"point\":{}}}", element, point), formula);
+}
+
+bool asks_for_description(const std::string& line) {
+  constexpr const char* key = "describe";
+  return line.find(key) != std::string::npos && Json::parse(line, nullptr, false) == Json{{key, true}};
+}
+
+QueryText parse_query(const std::string& line, const Formula& formula) {
+  return query_of(object_of(line, form_of_query(formula)), formula);
+}
+
+QueryText parse_query(const std::string& line, const std::function<const Formula&(const LineOptions&)>& formula_for) {
+  Json json = object_of(line, "{\"formula\":NAME,\"element\":[...],\"point\":[...]}");
+  const LineOptions options{text_member(json, "formula"), text_member(json, "scalar"), order_member(json)};
+  const Formula& formula = formula_for(options);
+  return query_of(json, formula);
 }
 
 std::string error_line(const std::string& message, std::size_t line) {

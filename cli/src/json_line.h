@@ -4,6 +4,8 @@
 
 #include "cageproof/core/catalogue/evaluation.h"
 
+#include <functional>
+#include <optional>
 #include <string>
 
 namespace cageproof::cli {
@@ -15,10 +17,23 @@ struct QueryText {
   std::vector<std::string> parameters;  ///< in the order of Formula::parameters, presets filled in
 };
 
+/// What a line says beside its input, in place of options; empty where it says nothing.
+struct LineOptions {
+  std::string formula, scalar;
+  std::optional<int> order;
+};
+
 /// Reads {"element":[[x,y,z],...],"point":[x,y,z],"parameters":{...}}; numbers may be JSON numbers or decimal or
 /// hexadecimal strings. Points of 2D elements have two numbers. \throws InputError with the reason, without the line's
 /// number
 QueryText parse_query(const std::string& line, const Formula& formula);
+
+/// The same of a line that may also have the members "formula", "order" and "scalar".
+/// \param formula_for called with these before the input is read; the formula stays \throws InputError as formula_for
+QueryText parse_query(const std::string& line, const std::function<const Formula&(const LineOptions&)>& formula_for);
+
+/// Whether a line is {"describe":true}, which asks a program what it has.
+bool asks_for_description(const std::string& line);
 
 /// The same of an element and a point that are given as options.
 /// \throws InputError naming the option that is no JSON, or as parse_query

@@ -4,6 +4,7 @@
 #include "cageproof/core/results/build_facts.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/memory.h"
+#include "cageproof/judge/host.h"
 #include "cageproof/reports/clean_end.h"
 
 #include <fmt/format.h>
@@ -43,6 +44,7 @@ std::string quoted(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace cli;
+  if (judge::is_host(argc, argv)) return judge::run_host(argc, argv);
   CommandLine line("Cageproof: every cage-coordinate formula, several independent ways, against its definition.",
                    fmt::format("cageproof {} (commit {})", CAGEPROOF_VERSION, build_commit()));
   const std::string as_given = quoted(argc, argv);
@@ -61,6 +63,7 @@ int main(int argc, char** argv) {
   add_replay(line);
   add_hunt(line);
   add_bench(line, as_given);
+  add_judge(line, as_given);
   add_descriptions(line);
   reports::end_cleanly_on_signals();
   try {

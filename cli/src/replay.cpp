@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
+#include "judge_option.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
@@ -11,8 +12,10 @@
 #include "cageproof/validation/replay.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
+#include <set>
 
 namespace cageproof::cli {
 namespace {
@@ -68,6 +71,7 @@ void print(const Summary& all, const std::string& file) {
 struct Arguments {
   std::string file;
   int line = 0;  // 0: all
+  JudgeOption judge;
 };
 
 // The lines asked for. A report's worst.jsonl is empty where nothing fell short.
@@ -77,6 +81,14 @@ std::vector<reports::WorstLine> lines_of(const Arguments& asked) {
   std::erase_if(lines, [&](const reports::WorstLine& line) { return line.number != asked.line; });
   if (lines.empty()) throw InputError(fmt::format("{}: no case in line {}", asked.file, asked.line));
   return lines;
+}
+
+// The formulas of the lines, as a list.
+std::string formulas_of(const std::vector<reports::WorstLine>& lines) {
+  std::set<std::string> names;
+  for (const reports::WorstLine& line : lines)
+    if (find_formula(line.subject) != nullptr) names.insert(line.subject);
+  return fmt::format("{}", fmt::join(names, ","));
 }
 
 // The folder of the file, its report's, and those above: the run may have stood in any of them.
@@ -90,7 +102,7 @@ std::vector<std::filesystem::path> folders_above(const std::filesystem::path& fi
   }
 }
 
-int run(const Arguments& asked) {
+int run(Arguments& asked) {
   Summary all;
   const std::string& file = asked.file;
   const std::vector<reports::WorstLine> lines = lines_of(asked);
@@ -98,6 +110,7 @@ int run(const Arguments& asked) {
     fmt::print("{} is empty: there is nothing to run again\n", file);
     return success;
   }
+  asked.judge.begin(formulas_of(lines));
   const std::vector<std::filesystem::path> folders = folders_above(file);
   for (const reports::WorstLine& line : lines) {
     validation::Finding finding;
@@ -126,6 +139,7 @@ void add_replay(CommandLine& line) {
       .taking("FILE")
       .required();
   command.option("--line", asked->line, "the case of this line alone, from 1").in_range(1, 1000000000);
+  asked->judge.add_to(command);
   command.example("cageproof replay report/worst.jsonl");
   command.example("cageproof replay report/worst/triangle.double_layer.jsonl.gz --line 12");
   command.runs([asked] { return run(*asked); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
 #include "inputs_outside.h"
+#include "judge_option.h"
 #include "progress.h"
 
 #include "cageproof/benchmarks/evaluation_times.h"
@@ -24,6 +25,7 @@ struct Arguments {
   validation::VerifyOptions options;
   int samples = 0, enclosures = -1;
   bool strict = false;
+  JudgeOption judge;
   std::optional<Command> command;  // knows which options are given
 };
 
@@ -116,6 +118,7 @@ int run(Arguments& a) {
   else if (a.truth_cache != "off") options.truth_cache = a.truth_cache;
   require_outside(a.out, {{a.cage.file, "--cage"}, {a.points, "--points"}});
   if (!a.cage.file.empty()) options.cage = a.cage.load();
+  a.judge.begin(options.formulas);
   if (!a.points.empty()) {
     if (!options.cage) throw InputError("--points needs --cage");
     options.mesh_name = a.points;
@@ -157,6 +160,7 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   command.option("--regimes,--regime", a->options.regimes, "how points sit to elements")
       .taking("REGIMES")
       .showing_default();
+  a->judge.add_to(command);
   command.heading("A cage of one's own");
   a->cage.add_to(command, false);
   command
@@ -210,6 +214,7 @@ void add_verify(CommandLine& line, const std::string& command_line) {
   command.example("cageproof verify --cage my-cage.obj --points my-mesh.obj --out my-report");
   command.example("cageproof verify --formulas '*' --cage my-cage.obj --out cage-and-elements");
   command.example("cageproof verify --resume report");
+  command.example("cageproof verify --judge mine=./libmine.so --formulas triangle.double_layer");
   command.runs([a] { return run(*a); });
 }
 

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+#include "judge_option.h"
+#include "progress.h"
+
+#include "cageproof/core/catalogue/name_pattern.h"
+#include "cageproof/core/input_error.h"
+#include "cageproof/core/results/build_facts.h"
+#include "cageproof/judge/certificate.h"
+#include "cageproof/judge/templates.h"
+#include "cageproof/reports/checked_file.h"
+#include "cageproof/validation/machine_facts.h"
+#include "cageproof/validation/regime.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+namespace cageproof::cli {
+namespace {
+
+struct Arguments {
+  std::string code, scalar = "double", measure = "relative", out, language, command_line;
+  std::vector<std::string> formulas;
+  judge::ElementCampaignOptions options;
+  judge::Limits limits;
+  double promise = std::numeric_limits<double>::quiet_NaN(), memory = 4;
+  bool strict = false, inputs = false;
+};
+
+// Files that are there stay as they are.
+int write_template(const Arguments& a) {
+  const std::filesystem::path folder = a.out.empty() ? "." : a.out;
+  const auto files = judge::template_files(a.language);
+  for (const auto& [name, text] : files)
+    if (std::filesystem::exists(folder / name))
+      throw InputError(fmt::format("{} is there already: name another folder with --out", (folder / name).string()));
+  std::filesystem::create_directories(folder);
+  for (const auto& [name, text] : files) {
+    reports::write_file(folder / name, text);
+    if (name.ends_with(".py"))
+      std::filesystem::permissions(folder / name,
+                                   std::filesystem::perms::owner_exec | std::filesystem::perms::group_exec,
+                                   std::filesystem::perm_options::add);
+    fmt::print("{}\n", (folder / name).string());
+  }
+  fmt::print("the commands to build and to judge it stand at the top of {}\n", (folder / files.back().first).string());
+  return success;
+}
+
+// All that is printed and stands in the certificate. What recognises conventions and defects of the registered
+// evaluation adds its findings here; the code still runs.
+std::vector<judge::CodeFinding> all_findings(const judge::Certificate& certificate, judge::ForeignCode& code) {
+  code.finish();
+  return judge::findings_of(certificate.formulas, code.incidents());
+}
+
+void print(const judge::Certificate& c, const Arguments& a) {
+  for (const judge::CodeFinding& finding : c.findings) {
+    std::string text = fmt::format("{}{}", finding.is_defect ? "DEFECT " : "remark ", finding.kind);
+    if (!finding.formula.empty()) text += fmt::format(", {}, order {}", finding.formula, finding.order);
+    fmt::print("{}: {}{}\n", text, finding.text, finding.count > 1 ? fmt::format(" ({} times)", finding.count) : "");
+    if (!finding.input.empty()) fmt::print("  {}\n", finding.input);
+  }
+  if (c.skipped > 0) fmt::print("{} inputs were not asked, because it hung or died too often\n", c.skipped);
+  if (c.promise)
+    fmt::print("its own promise, {} error at most {:g}: {}\n", name_of(c.promise->measure), c.promise->bound,
+               c.promise->is_kept
+                   ? "kept"
+                   : fmt::format("BROKEN in {} rows, as {}", c.promise->broken.size(), c.promise->broken.front()));
+  fmt::print("{}: {}; {} samples a regime, {} formula{}\n", c.name,
+             c.has_defects()    ? "DEFECTS"
+             : c.is_undecided() ? "undecided: rows without a sample, or inputs that it declined"
+                                : "clean",
+             c.samples, c.formulas.size(), c.formulas.size() == 1 ? "" : "s");
+  if (!a.out.empty()) fmt::print("certificate: {0}/certificate.md, {0}/certificate.json\n", a.out);
+}
+
+std::optional<judge::OwnPromise> promise_of(const Arguments& a) {
+  if (std::isnan(a.promise)) return std::nullopt;
+  using Measure = judge::OwnPromise::Measure;
+  judge::OwnPromise promise;
+  promise.bound = a.promise;
+  for (const Measure measure : {Measure::Relative, Measure::Absolute, Measure::Conditioned})
+    if (judge::name_of(measure) == a.measure) promise.measure = measure;
+  return promise;
+}
+
+int run(Arguments& a) {
+  if (!a.language.empty()) return write_template(a);
+  if (a.code.empty()) throw InputError("what is to be judged? NAME=WHAT, as mine=./libmine.so; or --template");
+  const auto [name, what] = judge::name_and_what(a.code);
+  std::vector<std::string_view> regimes;
+  for (const validation::Regime& regime : validation::regimes()) regimes.push_back(regime.name);
+  require_known("regime", a.options.regimes, regimes);
+  a.limits.memory = static_cast<std::uint64_t>(std::ldexp(a.memory, 30));
+  a.options.single = a.scalar == "float";
+  judge::Certificate c;
+  c.started = validation::timestamp();
+  const auto code = std::make_shared<judge::ForeignCode>(what, a.limits);
+  c.name = name;
+  c.what = what;
+  c.about = code->about();
+  c.files = code->files();
+  c.version = CAGEPROOF_VERSION;
+  c.commit = build_commit();
+  c.command_line = a.command_line;
+  c.scalar = a.scalar;
+  c.samples = a.options.samples;
+  c.seed = a.options.seed;
+  const std::string list = a.formulas.empty() ? "*" : fmt::format("{}", fmt::join(a.formulas, ","));
+  const std::vector<std::string> formulas = judge::register_foreign_code(code, name, list);
+  // What cannot be written should not cost a wait.
+  if (!a.out.empty()) {
+    std::filesystem::create_directories(a.out);
+    reports::require_writable({a.out + "/certificate.json", a.out + "/certificate.md"});
+  }
+  Progress progress;
+  for (const std::string& formula : formulas) {
+    if (code->order_of(formula_named(formula), a.options.single) < 0) continue;
+    a.options.progress = [&](std::size_t done, std::size_t all) { progress(formula, done, all); };
+    c.formulas.push_back(judge::run_element_campaign(*code, formula_named(formula), name, a.options));
+    progress.clear();
+    std::cout << judge::table_of(c.formulas.back(), a.inputs);
+  }
+  const bool has_rows = std::ranges::any_of(c.formulas, [](const auto& one) { return !one.rows.empty(); });
+  if (!c.formulas.empty() && !has_rows)
+    throw InputError(fmt::format("no regime of '{}' exists for these formulas", a.options.regimes));
+  if (c.formulas.empty()) throw InputError(fmt::format("{} gives none of the formulas in {}", name, a.scalar));
+  c.findings = all_findings(c, *code);
+  c.skipped = code->skipped();
+  if (auto promise = promise_of(a)) c.promise = judge::judged_promise(*promise, c.formulas, a.options.single);
+  if (!a.out.empty())
+    reports::replace_files(
+        {{a.out + "/certificate.json", judge::json_of(c)}, {a.out + "/certificate.md", judge::markdown_of(c)}});
+  print(c, a);
+  return c.has_defects() || (a.strict && c.is_undecided()) ? promise_broken : success;
+}
+
+}  // namespace
+
+void add_judge(CommandLine& line, const std::string& command_line) {
+  Command command = line.command("judge", "somebody else's code against the truth, and a certificate");
+  auto a = std::make_shared<Arguments>();
+  a->command_line = command_line;
+  command
+      .option("code", a->code,
+              "NAME=WHAT: a library (./libmine.so) that defines the functions of cageproof_judge.h, or a command "
+              "('./my_program') that answers lines of eval")
+      .taking("NAME=WHAT");
+  command.option("--formula,--formulas", a->formulas, "which; without, all that the code says it has")
+      .taking("FORMULAS");
+  command.option("--regimes,--regime", a->options.regimes, "how points sit to elements")
+      .taking("REGIMES")
+      .showing_default();
+  command.option("--scalar", a->scalar, "what the code is asked in").one_of({"double", "float"}).showing_default();
+  command.heading("How much");
+  command
+      .option("--samples", a->options.samples,
+              "of each formula in each regime; an eighth where a truth is a costly integral")
+      .in_range(1, 1000000)
+      .showing_default();
+  command.option("--seed", a->options.seed, "64-bit seed of all samples").showing_default();
+  command.option("--jobs", a->options.jobs, "threads for the truths; 0: one a core")
+      .in_range(0, 1024)
+      .showing_default();
+  command.heading("The code's own promise");
+  Option promise = command.option("--promise", a->promise, "the largest error that the code promises, as 1e-10")
+                       .in_range(0.0, 1e300);
+  command
+      .option("--measure", a->measure,
+              "of the promise: conditioned errors are relative to the truth and what rounding the input costs")
+      .one_of({"relative", "absolute", "conditioned"})
+      .showing_default()
+      .needs(promise);
+  command.heading("Limits of its process");
+  command.option("--seconds", a->limits.seconds, "without an answer").in_range(0.01, 3600.0).showing_default();
+  command.option("--memory", a->memory, "address space in GB").in_range(0.01, 1024.0).showing_default();
+  command.heading("What is written");
+  command.option("--out", a->out, "a folder for certificate.json and certificate.md, or for --template")
+      .taking("FOLDER");
+  command.flag("--inputs", a->inputs, "show each row's worst input, as a line of eval");
+  std::vector<std::string> languages;
+  for (const std::string_view language : judge::template_languages()) languages.emplace_back(language);
+  command.option("--template", a->language, "write an example in this language, complete, to begin with")
+      .one_of(languages);
+  command.flag("--strict", a->strict, "exit with 1 also where nothing can be said of some regime");
+  add_quiet(command);
+  command.example("cageproof judge mine=./libmine.so --out certificate");
+  command.example("cageproof judge mine='python3 mine.py' --formula triangle.solid_angle --promise 1e-10");
+  command.example("cageproof judge --template c --out example");
+  command.runs([a] { return run(*a); });
+}
+
+}  // namespace cageproof::cli

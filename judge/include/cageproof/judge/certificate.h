@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// What was found of foreign code, on one page and in one file.
+#pragma once
+
+#include "cageproof/judge/element_campaign.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cageproof::judge {
+
+/// Something to know of the code: a defect, or a remark.
+struct CodeFinding {
+  std::string kind;     ///< "crash", "not finite", "other numbers", "range" ...
+  std::string text;     ///< one sentence
+  std::string formula;  ///< empty where it is of all
+  int order = 0;
+  std::string input;        ///< a line of `eval` that shows it; empty where none does
+  std::uint64_t count = 1;  ///< how often it was seen
+  bool is_defect = true;
+};
+
+/// A promise of the code's own, and what became of it.
+struct OwnPromise {
+  enum class Measure { Relative, Absolute, Conditioned } measure = Measure::Relative;
+  double bound = 0;  ///< of the error; of a conditioned one relative to its denominator, not in units of u
+  bool is_kept = true;
+  std::vector<std::string> broken;  ///< "FORMULA, REGIME, order N: ERROR at INPUT"
+};
+
+/// "relative", "absolute", "conditioned".
+std::string_view name_of(OwnPromise::Measure measure);
+
+struct Certificate {
+  std::string name, what, about;
+  std::vector<JudgedFile> files;
+  std::string version, commit, started, command_line, scalar;  ///< of this program and its run
+  int samples = 0;
+  std::uint64_t seed = 0;
+  std::vector<FormulaCampaign> formulas;
+  std::vector<CodeFinding> findings;
+  std::uint64_t skipped = 0;  ///< inputs that were not asked
+  std::optional<OwnPromise> promise;
+
+  bool has_defects() const;
+  /// Whether some row measured nothing, or inputs were skipped or declined, so that there is no word of them.
+  bool is_undecided() const;
+};
+
+/// The findings that errors and incidents alone give.
+std::vector<CodeFinding> findings_of(const std::vector<FormulaCampaign>& campaigns,
+                                     const std::vector<Incident>& incidents);
+/// Whether the campaigns keep a promise. \param single whether they were in float
+OwnPromise judged_promise(OwnPromise promise, const std::vector<FormulaCampaign>& campaigns, bool single);
+
+/// The certificate as JSON, "schema": "cageproof-certificate", version 1. Infinite numbers are the string "inf".
+std::string json_of(const Certificate& certificate);
+/// The same as a page of Markdown.
+std::string markdown_of(const Certificate& certificate);
+/// The table of a formula, as it is printed. \param width of the longest line of input, 0: inputs are left out
+std::string table_of(const FormulaCampaign& campaign, bool with_inputs);
+/// Correct decimal digits of a relative error: 0 to 17.
+double digits_of(double relative_error);
+
+}  // namespace cageproof::judge

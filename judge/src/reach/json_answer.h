@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Lines of the protocol of `cageproof eval`: what a program is asked, and what it answers.
+#pragma once
+
+#include "reach/worker.h"
+
+#include <string>
+#include <string_view>
+
+namespace cageproof::judge {
+
+/// The line that asks a program which formulas it has.
+inline constexpr const char* describe_line = "{\"describe\":true}\n";
+
+/// The line of one point, with its end; numbers are the shortest decimals that read back exactly.
+void add_line(std::string& text, const Request& request, const Asked& asked, std::size_t point);
+
+/// What a line says.
+struct LineAnswer {
+  enum class Kind { Given, Error, Short, Garbage } kind = Kind::Garbage;
+  std::string text;                            ///< what is wrong, or the program's own error
+  std::array<std::vector<double>, 3> tensors;  ///< where given
+};
+LineAnswer parse_answer(std::string_view line, const Request& request);
+
+/// The description in a line, {"formulas":{"NAME":ORDER,...},"about":"..."}; nothing known where it is none.
+Description parse_description(std::string_view line);
+
+}  // namespace cageproof::judge
