@@ -35,7 +35,7 @@ std::vector<Vec3<double>> finite_vectors(std::span<const double> numbers, int di
 
 // The corners of elements, one after another.
 std::vector<Vec3<double>> checked_elements(const Formula& formula, std::span<const double> numbers) {
-  const std::vector<Vec3<double>> all = finite_vectors(numbers, formula.dim(), "elements");
+  std::vector<Vec3<double>> all = finite_vectors(numbers, formula.dim(), "elements");
   const auto corners = static_cast<std::size_t>(formula.corners());
   check_multiple(numbers.size(), corners * static_cast<std::size_t>(formula.dim()), "elements");
   const ElementType& type = type_of(formula.element);

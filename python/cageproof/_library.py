@@ -122,12 +122,12 @@ class Handle:
     """Owns one of the library's objects."""
 
     def __init__(self, kind: str, make: str, *arguments: Any):
-        self._kind, self.pointer = kind, c_void_p()
+        self.pointer, self._free = c_void_p(), getattr(library, f"cageproof_{kind}_free")
         call(make, *arguments, byref(self.pointer))
 
     def __del__(self):
         if getattr(self, "pointer", None):
-            getattr(library, f"cageproof_{self._kind}_free")(self.pointer)
+            self._free(self.pointer)
             self.pointer = c_void_p()
 
 

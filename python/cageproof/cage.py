@@ -45,15 +45,18 @@ class Cage:
         given = numbers(vertices, "vertices")
         if given.ndim != 2 or given.shape[1] not in (2, 3):
             raise Error(f"vertices: the shape is {given.shape}, not (n, 3) or (n, 2)")
-        rows = [np.asarray(face) for face in faces]
-        for f, row in enumerate(rows):
-            if row.ndim != 1 or not np.issubdtype(row.dtype, np.integer):
-                raise Error(f"faces: face {f} is no list of whole numbers (faces counted from 0)")
-        corners = np.concatenate(rows) if rows else np.empty(0, np.int64)
+        if isinstance(faces, np.ndarray) and faces.ndim == 2 and np.issubdtype(faces.dtype, np.integer):
+            corners, sizes = faces.ravel(), np.full(len(faces), faces.shape[1], np.int32)
+        else:
+            rows = [np.asarray(face) for face in faces]
+            for f, row in enumerate(rows):
+                if row.ndim != 1 or not np.issubdtype(row.dtype, np.integer):
+                    raise Error(f"faces: face {f} is no list of whole numbers (faces counted from 0)")
+            corners = np.concatenate(rows) if rows else np.empty(0, np.int64)
+            sizes = np.array([len(row) for row in rows], np.int32)
         if corners.size and (corners.min() < -(2**31) or corners.max() >= 2**31):
             raise Error("faces: an index is out of range")
         corners = np.ascontiguousarray(corners, np.int32)
-        sizes = np.array([len(row) for row in rows], np.int32)
         self._own(Handle("cage", "cage_make", given.shape[1], *passed(given), *passed(corners), *passed(sizes)))
 
     @classmethod
@@ -75,15 +78,19 @@ class Cage:
         self.dimension: int = dimension.value
         #: (n, dimension), read-only
         self.vertices = np.empty((count.value // self.dimension, self.dimension))
-        indices, sizes = np.empty(corners.value, np.int32), np.empty(faces.value, np.int32)
-        call("cage_copy", handle.pointer, *passed(self.vertices), *passed(indices), *passed(sizes))
+        self._corners, self._sizes = np.empty(corners.value, np.int32), np.empty(faces.value, np.int32)
+        call("cage_copy", handle.pointer, *passed(self.vertices), *passed(self._corners), *passed(self._sizes))
         self.vertices.flags.writeable = False
-        #: lists of vertices
-        self.faces: List[List[int]] = [face.tolist() for face in np.split(indices, np.cumsum(sizes)[:-1])] if sizes.size else []
         #: what was left out of a file, or cut in triangles
         self.warnings: List[str] = []
         while (text := library.cageproof_cage_warning(handle.pointer, len(self.warnings))) is not None:
             self.warnings.append(text.decode())
+
+    @property
+    def faces(self) -> List[List[int]]:
+        """The vertices of each face: new lists."""
+        corners, ends = self._corners.tolist(), np.cumsum(self._sizes).tolist()
+        return [corners[first:end] for first, end in zip([0, *ends], ends)]
 
     def check(self, **given: Any) -> None:
         """Raises Error for a mesh that is no cage, naming the face or vertex at fault."""
@@ -122,7 +129,7 @@ class Cage:
         return found
 
     def __repr__(self) -> str:
-        return f"<cageproof.Cage of {len(self.vertices)} vertices and {len(self.faces)} faces>"
+        return f"<cageproof.Cage of {len(self.vertices)} vertices and {len(self._sizes)} faces>"
 
 
 def read(file: Any) -> Cage:

@@ -10,6 +10,7 @@ import time
 import cageproof
 import numpy as np
 import pytest
+from conftest import PROJECT
 
 
 def test_names():
@@ -203,3 +204,21 @@ def test_module_without_a_program(tmp_path, cube):
     assert done.returncode == 2 and "nonsense" in done.stderr and done.stderr.count("\n") == 1
     done = run("coordinates", "--cage", "cube", "--points", "points.npy", "--kind", "somigliana", "--parameter", "nu=0.25", "--out", "c.npy")
     assert np.array_equal(np.load(tmp_path / "c.npy"), cage.coordinates("somigliana", np.load(tmp_path / "points.npy"), nu=0.25))
+
+
+def test_second_pose_is_quick(capsys):
+    data = PROJECT.parent / "shared/data"
+    if not (data / "FireHydrant.obj").is_file():
+        pytest.skip(f"no {data}/FireHydrant.obj")
+    cage, posed = cageproof.read(data / "FireHydrant_Cage.obj"), cageproof.read(data / "FireHydrant_Cage_Deformed.obj")
+    mesh = cageproof.read(data / "FireHydrant.obj").vertices
+    deformer, times = cage.deformer("green", threads=1), []
+    bound, out = deformer.bind(mesh), np.empty_like(mesh)
+    for turn in range(7):
+        begin = time.process_time()
+        deformer.pose(posed.vertices * (1 + turn / 100)).images(bound, out=out)
+        times.append(1000 * (time.process_time() - begin))
+    assert np.array_equal(out, deformer.images(mesh), equal_nan=True)
+    with capsys.disabled():
+        print(f" {len(mesh)} points, a further pose: {np.median(times):.1f} ms ", end="")
+    assert np.median(times) < 60  # some 6 on a machine with nothing else to do; coordinates anew take ten times as long

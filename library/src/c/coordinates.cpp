@@ -6,15 +6,15 @@
 
 #include <algorithm>
 
-struct cageproof_coordinates {
+struct cageproof_coordinates {  // NOLINT(readability-identifier-naming): of the C interface
   cageproof::library::Coordinates coordinates;
 };
 
-struct cageproof_deformer {
+struct cageproof_deformer {  // NOLINT(readability-identifier-naming): of the C interface
   cageproof::library::Deformer deformer;
 };
 
-struct cageproof_bound {
+struct cageproof_bound {  // NOLINT(readability-identifier-naming): of the C interface
   cageproof::library::BoundPoints bound;
 };
 

@@ -8,7 +8,7 @@
 #include <functional>
 #include <span>
 
-struct cageproof_cage {
+struct cageproof_cage {  // NOLINT(readability-identifier-naming): of the C interface
   cageproof::library::Cage cage;
 };
 

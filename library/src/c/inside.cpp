@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-struct cageproof_inside {
+struct cageproof_inside {  // NOLINT(readability-identifier-naming): of the C interface
   cageproof::PointPlaces places;
   int dimension;
 };
