@@ -29,6 +29,7 @@ Limits limits() {
 // Nine elements with one point each; the fifth has the x that hostile code waits for.
 std::vector<Asked> nine() {
   std::vector<Asked> asked;
+  asked.reserve(9);
   for (int i = 0; i < 9; ++i)
     asked.push_back({{0, 0, 0, 1, 0, 0, 0, 1, 0}, {}, {i == 4 ? 0.5 : 0.125 * i + 0.0625, 0.25, 1}, 1});
   return asked;
