@@ -92,6 +92,7 @@ bool Certificate::is_undecided() const {
 std::vector<CodeFinding> findings_of(const std::vector<FormulaCampaign>& campaigns,
                                      const std::vector<Incident>& incidents) {
   std::vector<CodeFinding> found;
+  found.reserve(incidents.size());
   for (const Incident& incident : incidents)
     found.push_back(
         {incident.kind, incident.text, incident.formula, incident.order, incident.input, incident.count, true});

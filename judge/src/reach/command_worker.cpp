@@ -65,7 +65,15 @@ class CommandWorker final : public Worker {
     if (nanoseconds != nullptr) *nanoseconds = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
   }
 
-  std::vector<std::pair<std::string, std::string>> finish() override { return process_.finish(); }
+  std::vector<std::pair<std::string, std::string>> finish() override {
+    auto found = process_.finish();
+    // Answers that nobody asked for may come after the last one that was.
+    std::array<char, 4096> bytes{};
+    const ssize_t count = read(process_.answers(), bytes.data(), bytes.size());
+    if (count > 0) unread_.append(bytes.data(), static_cast<std::size_t>(count));
+    if (unread_.find_first_not_of(" \t\r\n") != std::string::npos) found.emplace_back("garbage", too_many);
+    return found;
+  }
 
  private:
   static void put(const Request& request, std::size_t count, std::size_t point, const LineAnswer& found,
@@ -83,13 +91,13 @@ class CommandWorker final : public Worker {
   void exchange(std::string_view text, std::size_t lines, double seconds,
                 const std::function<void(std::string_view)>& take) {
     if (!unread_.empty() || process_.wait(Clock::now(), false) == KeptProcess::Event::Readable)
-      throw process_.fault("garbage", "it wrote more lines to standard output than it was asked for");
+      throw process_.fault("garbage", too_many);
     Clock::time_point until = in_seconds(seconds);
     while (lines > 0) {
+      // Bytes that make up no line are no answer, however many there are.
+      if (Clock::now() > until) throw late(seconds);
       switch (process_.wait(until, !text.empty())) {
-        case KeptProcess::Event::Late:
-          throw process_.fault(
-              "hang", fmt::format("no answer within {:g} s; a program must flush its output after each line", seconds));
+        case KeptProcess::Event::Late: throw late(seconds);
         case KeptProcess::Event::Ended: throw process_.fault("crash", "its process closed its output");
         case KeptProcess::Event::Writable:
           if (const ssize_t sent = process_.send(text.data(), text.size()); sent > 0)
@@ -103,6 +111,11 @@ class CommandWorker final : public Worker {
           }
       }
     }
+  }
+
+  Fault late(double seconds) {
+    return process_.fault(
+        "hang", fmt::format("no answer within {:g} s; a program must flush its output after each line", seconds));
   }
 
   std::size_t read_lines(std::size_t most, const std::function<void(std::string_view)>& take) {
@@ -125,6 +138,8 @@ class CommandWorker final : public Worker {
       throw process_.fault("garbage", fmt::format("it wrote a line of more than {} bytes", longest));
     return taken;
   }
+
+  static constexpr const char* too_many = "it wrote more lines to standard output than it was asked for";
 
   Limits limits_;
   std::string unread_;

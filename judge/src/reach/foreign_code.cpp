@@ -35,8 +35,10 @@ std::string found_in_path(const std::string& word) {
   if (word.find('/') != std::string::npos) return word;
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
-  for (std::string folder; std::getline(folders, folder, ':');)
-    if (const std::string file = folder + "/" + word; access(file.c_str(), X_OK) == 0) return file;
+  for (std::string file; std::getline(folders, file, ':');) {
+    file.append("/").append(word);
+    if (access(file.c_str(), X_OK) == 0) return file;
+  }
   return word;
 }
 

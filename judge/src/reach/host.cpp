@@ -47,6 +47,10 @@ void limit(int resource, rlim_t most) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, written);
   limit(RLIMIT_AS, memory);
+  // What forks without end is stopped by the system, where it is not root's.
+  constexpr rlim_t more_tasks = 256;
+  if (const int tasks = tasks_of_user(); tasks > 0 && getuid() != 0)
+    limit(RLIMIT_NPROC, static_cast<rlim_t>(tasks) + more_tasks);
   close(descriptor::lifeline);
   close(descriptor::status);
   if (kind == "library") _exit(serve_library(what));

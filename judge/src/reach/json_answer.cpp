@@ -58,7 +58,9 @@ void add_members(std::string& text, const Formula& formula, const Asked& asked, 
   text += '}';
 }
 
-bool add_numbers(const Json& json, std::vector<double>& numbers) {
+// Lists of lists are taken as they come, as deep as tensors are.
+bool add_numbers(const Json& json, std::vector<double>& numbers, int depth = 0) {
+  constexpr int deepest = 8;
   if (json.is_number()) {
     numbers.push_back(json.get<double>());
     return true;
@@ -68,7 +70,8 @@ bool add_numbers(const Json& json, std::vector<double>& numbers) {
     if (x) numbers.push_back(*x);
     return x.has_value();
   }
-  return json.is_array() && std::ranges::all_of(json, [&](const Json& one) { return add_numbers(one, numbers); });
+  return depth < deepest && json.is_array() &&
+         std::ranges::all_of(json, [&](const Json& one) { return add_numbers(one, numbers, depth + 1); });
 }
 
 // Python and others write NaN, Infinity and -Infinity, which JSON does not have: as text they are numbers here.

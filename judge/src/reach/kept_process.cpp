@@ -173,8 +173,9 @@ KeptProcess::Event KeptProcess::wait(Clock::time_point until, bool writes) {
   for (;;) {
     std::array<pollfd, 3> fds{pollfd{answers_.get(), POLLIN, 0}, pollfd{status_.get(), POLLIN, 0},
                               pollfd{writes ? requests_.get() : -1, POLLOUT, 0}};
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now()).count();
-    const int ready = poll(fds.data(), fds.size(), static_cast<int>(std::clamp<long>(left + 1, 0, 1 << 30)));
+    // Rounded up, so that nothing is late before its time; what is to be looked at only is not waited for.
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
+    const int ready = poll(fds.data(), fds.size(), static_cast<int>(std::clamp<long>(left, 0, 1 << 30)));
     if (ready < 0 && errno == EINTR) continue;
     if (ready <= 0) return Event::Late;
     // What came before the end counts.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reach/process_tree.h"
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -87,6 +88,19 @@ int kill_descendants(const std::function<bool(pid_t)>& doomed) {
   }
   for (const pid_t pid : killed) waitpid(pid, nullptr, WNOHANG);
   return static_cast<int>(killed.size());
+}
+
+int tasks_of_user() {
+  int count = 0;
+  for (const auto& [pid, seen] : processes()) {
+    const std::filesystem::path folder = "/proc/" + std::to_string(pid) + "/task";
+    struct stat facts {};
+    std::error_code error;
+    if (stat(folder.c_str(), &facts) != 0 || facts.st_uid != getuid()) continue;
+    for (std::filesystem::directory_iterator task(folder, error), end; !error && task != end; task.increment(error))
+      ++count;
+  }
+  return count;
 }
 
 int kill_all_descendants() {

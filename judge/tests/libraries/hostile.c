@@ -35,6 +35,8 @@ static int do_it(const char* what, const double* points, double* values, size_t 
   if (strcmp(what, "kill group") == 0) kill(-getpgid(getppid()), SIGKILL);
   if (strcmp(what, "kill own group") == 0) kill(0, SIGKILL);
   if (strcmp(what, "stop parent") == 0) kill(getppid(), SIGSTOP);
+  if (strcmp(what, "fork without end") == 0)
+    for (;;) fork();
   if (strcmp(what, "fork") == 0) leave_children();
   if (strcmp(what, "fork and crash") == 0) {
     leave_children();

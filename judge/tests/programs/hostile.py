@@ -41,6 +41,15 @@ for line in sys.stdin:
         elif what == "endless lines":
             while True:
                 sys.stdout.write("7\n" * 65536)
+        elif what == "nested":
+            answer = '{"value":' + "[" * 400000 + "7" + "]" * 400000 + "}"
+        elif what == "blank lines":
+            while True:
+                sys.stdout.write("\n" * 4096)
+        elif what == "drip":
+            while True:
+                sys.stdout.write(" ")
+                time.sleep(0.05)
         elif what == "fork":
             if os.fork() == 0:
                 os.setsid()
