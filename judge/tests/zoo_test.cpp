@@ -135,6 +135,19 @@ TEST(judged, the_suites_own_evaluations_are_clean) {
     }
 }
 
+// Other inputs, with roundings off edges and faces where several defects look alike.
+TEST(judged, other_seeds_find_the_same) {
+  constexpr std::array<std::pair<const char*, ZooFunction>, 3> members{{{"nan_at_face", &zoo_nan_at_face},
+                                                                        {"nan_at_edge", &zoo_nan_at_edge},
+                                                                        {"vertex_for_edge", &zoo_vertex_for_edge}}};
+  for (const std::uint64_t seed : {2, 5})
+    for (const auto& [key, function] : members) {
+      const Verdict verdict = judge(zoo_evaluation(kSingle, key, function), {.seed = seed});
+      ASSERT_EQ(verdict.findings.size(), 1U) << seed << ' ' << text_of(verdict);
+      EXPECT_EQ(verdict.findings[0].defect->key, key);
+    }
+}
+
 // Its values are those of the published form, with that one's defects.
 TEST(judged, the_curl_form_is_right_in_sums_only) {
   const Verdict verdict = judge(evaluation_named(kDouble, "curl-form"), {});

@@ -27,16 +27,16 @@ std::vector<double> in_double(const std::vector<Mp100>& tensor) {
   return numbers;
 }
 
+bool is_ambiguous(const Study& study, const Case& c) {
+  return place_of(study.formula().element, c.probe->sample).ambiguous;
+}
+
 // The finding of one defect from all the cases that it explains.
 Finding finding_of(const Study& study, const Signature& signature, const std::vector<const Case*>& cases) {
   const int dim = study.formula().dim();
-  // Inputs within roundings of the element, and not on it, cannot be made plain.
-  const auto awkward = [&](const Case* c) {
-    const Place at = place_of(study.formula().element, c->probe->sample);
-    return at.exactly_off && (at.edge < 1e-12 || at.height < 1e-12);
-  };
-  const Case& shortest = **std::ranges::min_element(
-      cases, {}, [&](const Case* c) { return std::tuple(c->order, awkward(c), length_of(c->probe->sample, dim)); });
+  const Case& shortest = **std::ranges::min_element(cases, {}, [&](const Case* c) {
+    return std::tuple(c->order, is_ambiguous(study, *c), length_of(c->probe->sample, dim));
+  });
   const int order = shortest.order;
   const auto shows = [&](const Sample& sample) {
     const Probe probe = study.prober().at(sample);
@@ -56,10 +56,23 @@ Finding finding_of(const Study& study, const Signature& signature, const std::ve
           .evidence = signature.evidence(study, smallest)};
 }
 
-std::vector<Finding> findings_of(const Study& study) {
-  std::map<const Signature*, std::vector<const Case*>> explained;
+using Explained = std::map<const Signature*, std::vector<const Case*>>;
+
+// A rounding off an edge or the plane, several defects look alike: what is found elsewhere explains such cases, and
+// only where nothing is they count by themselves.
+Explained explained_by_signature(const Study& study) {
+  Explained clear, ambiguous;
   for (const Case& c : study.cases())
-    if (c.bad) explained[&explaining(study, c)].push_back(&c);
+    if (c.bad) (is_ambiguous(study, c) ? ambiguous : clear)[&explaining(study, c)].push_back(&c);
+  if (clear.empty()) return ambiguous;
+  for (auto& [signature, cases] : clear)
+    if (const auto more = ambiguous.find(signature); more != ambiguous.end())
+      cases.insert(cases.end(), more->second.begin(), more->second.end());
+  return clear;
+}
+
+std::vector<Finding> findings_of(const Study& study) {
+  const Explained explained = explained_by_signature(study);
   std::vector<Finding> findings;
   for (const Signature& signature : signatures())
     if (const auto found = explained.find(&signature); found != explained.end())

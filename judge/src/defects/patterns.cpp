@@ -111,7 +111,7 @@ double slope_near(const Study& study, int order, std::string_view regime, std::s
 constexpr std::array<std::string_view, 3> kCleanByEdges{"generic", "near-face", "near-plane"};
 constexpr std::array<std::string_view, 2> kCleanByPlane{"generic", "near-face"};
 
-double projected_below(const Study& study, int order) {
+double height_of_projections(const Study& study, int order) {
   std::size_t projected = 0;
   double height = 0;
   for (const Case& c : study.cases()) {
@@ -146,7 +146,7 @@ Pattern pattern_of(const Study& study, int order, std::uint64_t seed) {
   }
   found.edge_slope = slope_near(study, order, "near-edge", kCleanByEdges);
   found.plane_slope = slope_near(study, order, "near-plane", kCleanByPlane);
-  found.projected_below = projected_below(study, order);
+  found.projected_below = height_of_projections(study, order);
   const auto theirs = [](const Case& c) { return c.error; };
   const auto plain = [order](const Case& c) { return c.probe->plain[order]; };
   const auto distance = [](const Case& c) { return c.probe->sample.parameter; };

@@ -2,6 +2,8 @@
 // Where a point lies to an element, up to roundings.
 #include "defects/probes.h"
 
+#include "cageproof/core/geometry/orientation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,6 +37,14 @@ std::array<double, 4> basis_at(ElementKind element, const Sample& sample, const 
   return basis;
 }
 
+// Quads are not flat: theirs is what rounding makes of it.
+bool exactly_in_plane(ElementKind element, const Sample& sample) {
+  const auto& c = sample.corners;
+  if (element == ElementKind::Triangle) return side_of_plane({c[0], c[1], c[2]}, sample.point) == 0;
+  if (element == ElementKind::Segment) return side_of_line({c[0], c[1]}, sample.point) == 0;
+  return type_of(element).contact(c, sample.point).contact != Contact::Off;
+}
+
 }  // namespace
 
 Place place_of(ElementKind element, const Sample& sample) {
@@ -43,7 +53,7 @@ Place place_of(ElementKind element, const Sample& sample) {
   Place place;
   place.rounding = std::numeric_limits<double>::epsilon() * largest_coordinate(sample);
   const double rounding = kRoundings * place.rounding;
-  place.exactly_off = type.contact(c, sample.point).contact == Contact::Off;
+
   place.size = 0;
   place.distance = place.edge = place.line = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < c.size(); ++k) {
@@ -66,7 +76,12 @@ Place place_of(ElementKind element, const Sample& sample) {
       std::all_of(place.basis.begin(), place.basis.begin() + type.corners, [](double b) { return b > 0; });
   if (place.at_vertex || (has_border && place.edge <= rounding)) place.contact = Contact::Border;
   else if (place.in_plane && inside) place.contact = Contact::Interior;
-  if (place.contact == Contact::Off && !place.exactly_off) place.contact = type.contact(c, sample.point).contact;
+  const Contact exactly = type.contact(c, sample.point).contact;
+  place.exactly_off = exactly == Contact::Off;
+  if (place.contact == Contact::Off && !place.exactly_off) place.contact = exactly;
+  const bool is_corner = std::ranges::count(c, sample.point) > 0;
+  place.ambiguous =
+      exactly != place.contact || is_corner != place.at_vertex || exactly_in_plane(element, sample) != place.in_plane;
   place.height = std::abs(height) / place.size;
   place.distance /= place.size;
   place.edge /= place.size;

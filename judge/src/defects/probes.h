@@ -54,8 +54,10 @@ double limit_of(const Probe& probe, int order);
 struct Place {
   Contact contact = Contact::Off;
   bool at_vertex = false;
-  bool in_plane = false;                       ///< in the plane, or on a segment's line
-  bool exactly_off = true;                     ///< whether it is not exactly on the element
+  bool in_plane = false;    ///< in the plane, or on a segment's line
+  bool exactly_off = true;  ///< whether it is not exactly on the element
+  /// Whether exact arithmetic sees it elsewhere than double's does: off the plane, an edge or a corner by a rounding.
+  bool ambiguous = false;
   double size = 1;                             ///< longest edge
   double height = 0;                           ///< distance from the plane, in sizes
   double distance = 0;                         ///< from the nearest corner, in sizes

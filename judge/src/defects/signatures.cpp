@@ -97,15 +97,16 @@ bool nan_at_face(const Study& study, const Case& c) {
          std::all_of(at.basis.begin(), at.basis.begin() + corners, [](double b) { return b > 0; });
 }
 
-// The corner whose result a point on an edge is given; negative where it is none.
+// The corner whose result, right there, a point on an edge is given; negative where it is none.
 int taken_for(const Study& study, const Case& c) {
   const Place at = place(study, c);
   if (at.contact != Contact::Border || at.at_vertex || !c.finite) return -1;
   for (std::size_t k = 0; k < c.probe->sample.corners.size(); ++k) {
     Sample corner = c.probe->sample;
     corner.point = corner.corners[k];
-    if (difference(study.ask(corner, study.prober().order()).of(c.order), c.found.of(c.order)) < 1e-9)
-      return static_cast<int>(k);
+    if (difference(study.ask(corner, study.prober().order()).of(c.order), c.found.of(c.order)) >= 1e-9) continue;
+    const Probe at_corner = study.prober().at(corner);
+    if (!study.ask(at_corner, c.order).bad) return static_cast<int>(k);
   }
   return -1;
 }
@@ -149,14 +150,18 @@ bool less_jump(const Study& study, const Case& c, double share) {
   return false;
 }
 bool zero_on_face(const Study& study, const Case& c) { return less_jump(study, c, 0.5); }
-bool outer_limit(const Study& study, const Case& c) { return less_jump(study, c, 1); }
+double projected_below(const Study& study) {
+  return std::max(study.pattern(0).projected_below, study.pattern(1).projected_below);
+}
+
+// A foot that is computed may lie a rounding outside of the face.
+bool outer_limit(const Study& study, const Case& c) { return projected_below(study) == 0 && less_jump(study, c, 1); }
 
 // Where feet fall on an element's border, or a rounding beyond the plane, theirs may differ from that of our foot.
 bool projected(const Study& study, const Case& c) {
   if (c.finite && is_projected(study, c)) return true;
   const Place at = place(study, c);
-  const double below = std::max(study.pattern(0).projected_below, study.pattern(1).projected_below);
-  return below > 0 && at.exactly_off && at.height <= below;
+  return projected_below(study) > 0 && (at.exactly_off || c.finite) && at.height <= projected_below(study);
 }
 std::string foot_text(const Study& study, const Case& c) {
   return fmt::format("{}; it gives the result of the point's foot in the plane", error_text(study, c));
@@ -175,12 +180,12 @@ std::string thin_text(const Study& study, const Case& c) {
       error_text(study, c), pattern(study, c).sliver_slope, pattern(study, c).plain_sliver_slope);
 }
 
-bool by_plane(const Study& study, const Case& c) {
-  return pattern(study, c).plane_slope > 0.7 && place(study, c).height < 0.1;
-}
+double plane_slope(const Study& study) { return std::max(study.pattern(0).plane_slope, study.pattern(1).plane_slope); }
+
+bool by_plane(const Study& study, const Case& c) { return plane_slope(study) > 0.7 && place(study, c).height < 0.1; }
 std::string plane_text(const Study& study, const Case& c) {
   return fmt::format("{}; relative errors grow like the height over the plane to the power {:.1f}",
-                     error_text(study, c), -pattern(study, c).plane_slope);
+                     error_text(study, c), -plane_slope(study));
 }
 
 bool always(const Study&, const Case&) { return true; }
