@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cageproof/reports/compare.h"
 
+#include "compare_rows.h"
+
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
 #include "cageproof/reports/summary.h"
@@ -166,6 +168,15 @@ Renamed read_renamed(const std::filesystem::path& path) {
     renamed[name] = value.get<std::string>();
   }
   return renamed;
+}
+
+MatchedRows::MatchedRows(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
+                         std::string_view old_name, std::string_view new_name)
+    : before(parsed(old_text, old_name)), after(parsed(new_text, new_name)) {
+  if (version_of(before, old_name) < schema_of_hybrids && version_of(after, new_name) >= schema_of_hybrids)
+    taken_for_hybrid = name_hybrids(before, after);
+  old_rows = entries(before, lists[0], renamed);
+  new_rows = entries(after, lists[0], {});
 }
 
 Differences compare_summaries(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
