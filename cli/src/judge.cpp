@@ -52,11 +52,25 @@ int write_template(const Arguments& a) {
   return success;
 }
 
-// All that is printed and stands in the certificate. What recognises conventions and defects of the registered
-// evaluation adds its findings here; the code still runs.
-std::vector<judge::CodeFinding> all_findings(const judge::Certificate& certificate, judge::ForeignCode& code) {
-  code.finish();
-  return judge::findings_of(certificate.formulas, code.incidents());
+// What stands in the certificate of one formula: its convention, its defects by name, its errors in that convention.
+void judge_formula(judge::Certificate& c, judge::ForeignCode& code, const Formula& formula, const std::string& name,
+                   judge::ElementCampaignOptions options) {
+  // Conventions and defects are told from results in double.
+  std::optional<judge::Verdict> verdict;
+  if (!options.single) {
+    const Evaluation theirs = evaluation_named(formula.name, name);
+    verdict = judge::judge(theirs, {.seed = options.seed, .max_order = theirs.max_order()});
+    if (verdict->convention && !verdict->convention->is_ours(formula.name))
+      options.ours = judge::in_our_convention(theirs, *verdict->convention);
+  }
+  c.formulas.push_back(judge::run_element_campaign(code, formula, name, options));
+  std::vector<judge::CodeFinding> found = judge::findings_of({c.formulas.back()}, {});
+  if (verdict) {
+    found = judge::beside_named(std::move(found), *verdict);
+    const auto named = judge::named_findings(*verdict, formula);
+    found.insert(found.begin(), named.begin(), named.end());
+  }
+  c.findings.insert(c.findings.end(), found.begin(), found.end());
 }
 
 void print(const judge::Certificate& c, const Arguments& a) {
@@ -123,7 +137,7 @@ int run(Arguments& a) {
   for (const std::string& formula : formulas) {
     if (code->order_of(formula_named(formula), a.options.single) < 0) continue;
     a.options.progress = [&](std::size_t done, std::size_t all) { progress(formula, done, all); };
-    c.formulas.push_back(judge::run_element_campaign(*code, formula_named(formula), name, a.options));
+    judge_formula(c, *code, formula_named(formula), name, a.options);
     progress.clear();
     std::cout << judge::table_of(c.formulas.back(), a.inputs);
   }
@@ -131,7 +145,9 @@ int run(Arguments& a) {
   if (!c.formulas.empty() && !has_rows)
     throw InputError(fmt::format("no regime of '{}' exists for these formulas", a.options.regimes));
   if (c.formulas.empty()) throw InputError(fmt::format("{} gives none of the formulas in {}", name, a.scalar));
-  c.findings = all_findings(c, *code);
+  code->finish();
+  const auto incidents = judge::findings_of({}, code->incidents());
+  c.findings.insert(c.findings.begin(), incidents.begin(), incidents.end());
   c.skipped = code->skipped();
   if (auto promise = promise_of(a)) c.promise = judge::judged_promise(*promise, c.formulas, a.options.single);
   if (!a.out.empty())

@@ -18,12 +18,14 @@ int cageproof_judge_order(const char* formula) { return strcmp(formula, "segment
 
 /* atan2(a x b, a . b) of the ends as the point sees them (K. Hormann and A. Agathos, "The point in polygon problem for
  * arbitrary polygons", Comput. Geom. 20 (2001), Section 2). a x b is the nearer end times the segment itself, which loses
- * nothing far away or near an end. There is no threshold. */
+ * nothing far away or near an end. There is no threshold. At an end it is a right angle, half of what the inside sees on the
+ * segment. */
 static double winding_angle(const double* corners, const double* point) {
   const double a[2] = {corners[0] - point[0], corners[1] - point[1]};
   const double b[2] = {corners[2] - point[0], corners[3] - point[1]};
   const double side[2] = {corners[2] - corners[0], corners[3] - corners[1]};
   const double* const nearer = hypot(a[0], a[1]) < hypot(b[0], b[1]) ? a : b;
+  if (nearer[0] == 0 && nearer[1] == 0) return acos(0);
   return atan2(nearer[0] * side[1] - nearer[1] * side[0], a[0] * b[0] + a[1] * b[1]);
 }
 

@@ -23,9 +23,11 @@ double length(const Vector& a) { return std::hypot(a.x, a.y); }
 
 // atan2(a x b, a . b) of the ends as the point sees them (K. Hormann and A. Agathos, "The point in polygon problem for
 // arbitrary polygons", Comput. Geom. 20 (2001), Section 2). a x b is the nearer end times the segment itself, which
-// loses nothing far away or near an end. There is no threshold.
+// loses nothing far away or near an end. There is no threshold. At an end it is a right angle, half of what the inside
+// sees on the segment.
 double winding_angle(const Vector& first, const Vector& second, const Vector& point) {
   const Vector a = first - point, b = second - point;
+  if (length(a) == 0 || length(b) == 0) return std::acos(0.0);
   return std::atan2(cross(length(a) < length(b) ? a : b, second - first), dot(a, b));
 }
 

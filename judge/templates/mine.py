@@ -7,7 +7,7 @@
 """
 import json
 import sys
-from math import atan2, hypot
+from math import acos, atan2, hypot
 
 # The formulas that are there, each with its highest derivative: 0 is the value alone.
 DESCRIPTION = {"formulas": {"segment.winding_angle": 0}, "about": "winding angle by the arctangent, 1.0"}
@@ -22,9 +22,12 @@ def winding_angle(corners, point):
     (2001), Section 2).
 
     a x b is the nearer end times the segment itself, which loses nothing far away or near an end. There is no threshold.
+    At an end it is a right angle, half of what the inside sees on the segment.
     """
     a, b = minus(corners[0], point), minus(corners[1], point)
     nearer, side = (a if hypot(*a) < hypot(*b) else b), minus(corners[1], corners[0])
+    if hypot(*nearer) == 0:
+        return acos(0)
     return atan2(nearer[0] * side[1] - nearer[1] * side[0], a[0] * b[0] + a[1] * b[1])
 
 

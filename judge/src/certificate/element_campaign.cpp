@@ -135,9 +135,20 @@ CampaignRow row_of(const Asking& asking, const Formula& formula, int order) {
   return row;
 }
 
+// What the code gives for a sample, in our convention.
+Answer answer_of(const Evaluation& ours, const Sample& sample, int order) {
+  Result<double> result;
+  ours(Query<double>{
+           .corners = sample.corners, .point = sample.point, .order = order, .parameters = sample.parameters},
+       result);
+  Answer answer{result.converged ? Answer::Status::Given : Answer::Status::Declined, {}};
+  for (int o = 0; o <= order; ++o) answer.tensors[o] = result.of(o);
+  return answer;
+}
+
 std::vector<Asking> ask_all(ForeignCode& code, const Request& request, const ElementCampaignOptions& options,
                             int samples) {
-  const Formula& formula = *request.formula;
+  const Formula& formula = options.ours ? options.ours->formula() : *request.formula;
   std::vector<Asking> all;
   for (const validation::Regime& regime : validation::regimes()) {
     if (!matches(options.regimes, regime.name) || !validation::exists_for(regime, formula.element)) continue;
@@ -148,7 +159,10 @@ std::vector<Asking> ask_all(ForeignCode& code, const Request& request, const Ele
       asking.asked.push_back(asked_of(sample, formula.dim()));
       asking.samples.push_back(std::move(sample));
     }
-    asking.answers = code.ask(request, asking.asked);
+    if (options.ours)
+      for (const Sample& sample : asking.samples)
+        asking.answers.push_back(answer_of(*options.ours, sample, request.order));
+    else asking.answers = code.ask(request, asking.asked);
     asking.measured.resize(asking.samples.size());
     all.push_back(std::move(asking));
   }
@@ -160,7 +174,11 @@ std::vector<Asking> ask_all(ForeignCode& code, const Request& request, const Ele
 FormulaCampaign run_element_campaign(ForeignCode& code, const Formula& formula, const std::string& name,
                                      const ElementCampaignOptions& options) {
   FormulaCampaign campaign{&formula, code.order_of(formula, options.single), {}, {}};
-  const validation::TruthSource source = quick_truth_source(formula);
+  if (options.ours) {
+    campaign.formula = &options.ours->formula();
+    campaign.order = std::min(campaign.order, options.ours->max_order());
+  }
+  const validation::TruthSource source = quick_truth_source(*campaign.formula);
   constexpr int costly = 8, least = 10;
   const int samples =
       source.is_costly() ? std::max(std::min(least, options.samples), options.samples / costly) : options.samples;
@@ -175,7 +193,7 @@ FormulaCampaign run_element_campaign(ForeignCode& code, const Formula& formula, 
     if (options.progress) options.progress(++done, all.size() * per_regime);
   });
   for (const Asking& asking : all)
-    for (int order = 0; order <= campaign.order; ++order) campaign.rows.push_back(row_of(asking, formula, order));
+    for (int order = 0; order <= campaign.order; ++order) campaign.rows.push_back(row_of(asking, *campaign.formula, order));
   campaign.times = pair_times(code, request, name);
   return campaign;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cageproof/judge/element_campaign.h"
+#include "cageproof/judge/verdict.h"
 
 #include <optional>
 #include <string>
@@ -51,6 +52,12 @@ struct Certificate {
 /// The findings that errors and incidents alone give.
 std::vector<CodeFinding> findings_of(const std::vector<FormulaCampaign>& campaigns,
                                      const std::vector<Incident>& incidents);
+/// A formula's convention and defects by name, with advice and the page of docs/ that derives the right form.
+/// \param formula what the code was asked for
+std::vector<CodeFinding> named_findings(const Verdict& verdict, const Formula& formula);
+/// What errors say of a formula beside its named defects. Where a defect has a name, errors are what it does; where
+/// none has, lost digits are a remark, because sound forms lose them, too.
+std::vector<CodeFinding> beside_named(std::vector<CodeFinding> found, const Verdict& verdict);
 /// Whether the campaigns keep a promise. \param single whether they were in float
 OwnPromise judged_promise(OwnPromise promise, const std::vector<FormulaCampaign>& campaigns, bool single);
 

@@ -2,10 +2,12 @@
 // Foreign code against the truth, over all regimes of a formula.
 #pragma once
 
+#include "cageproof/core/catalogue/evaluation.h"
 #include "cageproof/judge/foreign_code.h"
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,8 @@ struct ElementCampaignOptions {
   std::string regimes = "*";  ///< names and globs
   bool single = false;        ///< in float
   int jobs = 0;               ///< threads for the truths; 0: one a core
+  /// The code in our convention (in_our_convention), which is asked instead of the code itself where it has another.
+  std::optional<Evaluation> ours = {};
   /// Called as truths are found, from any thread.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
 };
@@ -59,7 +63,9 @@ struct FormulaCampaign {
   std::vector<PairTime> times;
 };
 
-/// Asks all samples, in one process as far as it lives, and measures the answers. \pre code.order_of(formula) >= 0
+/// Asks all samples, in one process as far as it lives, and measures the answers. Rows are of the formula that
+/// options.ours computes, where it is set, and to its order.
+/// \param formula what the code is asked for \pre code.order_of(formula) >= 0
 FormulaCampaign run_element_campaign(ForeignCode& code, const Formula& formula, const std::string& name,
                                      const ElementCampaignOptions& options);
 

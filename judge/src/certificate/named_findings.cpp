@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// A verdict as findings of a certificate.
+#include "cageproof/judge/certificate.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace cageproof::judge {
+namespace {
+
+// A sample as a line of `eval`; empty where the defect has no single input.
+std::string line_of(const validation::Sample& sample, const Formula& formula) {
+  if (sample.corners.empty()) return "";
+  Asked asked{.parameters = sample.parameters};
+  for (const Vec3<double>& corner : sample.corners)
+    asked.corners.insert(asked.corners.end(), corner.data(), corner.data() + formula.dim());
+  asked.points.assign(sample.point.data(), sample.point.data() + formula.dim());
+  return exact_line(formula, asked, 0);
+}
+
+// Long tensors say no more than their first entries.
+std::string text_of(const std::vector<double>& tensor) {
+  constexpr std::size_t most = 9;
+  const auto shown = std::span(tensor).first(std::min(most, tensor.size()));
+  return fmt::format("{:.12g}{}", fmt::join(shown, " "), tensor.size() > most ? " ..." : "");
+}
+
+}  // namespace
+
+std::vector<CodeFinding> named_findings(const Verdict& verdict, const Formula& formula) {
+  std::vector<CodeFinding> found;
+  const std::string name(formula.name);
+  const bool has_other = verdict.convention && !verdict.convention->is_ours(formula.name);
+  if (has_other || !verdict.convention)
+    found.push_back({"convention", verdict.convention_sentence, name, 0, "", 1, false});
+  const Formula& computed = verdict.convention ? formula_named(verdict.convention->formula) : formula;
+  for (const Finding& finding : verdict.findings) {
+    const Defect& defect = *finding.defect;
+    std::string text = fmt::format("{} Seen: {}", defect.sentence, finding.evidence);
+    if (!finding.ours.empty())
+      text += fmt::format("; right is {}, yours {}", text_of(finding.ours), text_of(finding.theirs));
+    text += fmt::format(". To do: {} (docs/defects.md#{}, docs/{})", defect.advice, defect.key, defect.page);
+    found.push_back({std::string(defect.key), std::move(text), name, finding.order, line_of(finding.input, computed),
+                     std::max<std::uint64_t>(1, finding.cases), true});
+  }
+  return found;
+}
+
+std::vector<CodeFinding> beside_named(std::vector<CodeFinding> found, const Verdict& verdict) {
+  const auto is_of_errors = [](const CodeFinding& f) {
+    return f.kind == "inaccurate" || f.kind == "other numbers" || f.kind == "not finite" || f.kind == "on the element";
+  };
+  if (!verdict.findings.empty()) std::erase_if(found, is_of_errors);
+  else
+    for (CodeFinding& finding : found)
+      if (finding.kind == "inaccurate") finding.is_defect = false;
+  return found;
+}
+
+}  // namespace cageproof::judge
