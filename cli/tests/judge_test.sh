@@ -68,6 +68,14 @@ END
 "$cageproof" replay --judge mine=c/libmine.so worst.jsonl | grep -q ' 0 changed since stored$' || fail "replay --judge"
 "$cageproof" field --judge mine=c/libmine.so --formula segment.winding_angle --evaluation mine --resolution 8 --out field >/dev/null || fail "field --judge"
 
+# A convention is found and taken into account, and a defect is named with an input that proves it.
+"$cageproof" judge mine="$folder/tests/programs/threshold.py" --samples 20 --regimes generic,near-face --out threshold >stdout 2>stderr
+[ $? -eq 1 ] || fail "a threshold is a defect: $(cat stdout stderr)"
+grep -q 'yours is ours times 1/(4 pi)' stdout || fail "a factor is recognised: $(cat stdout)"
+grep -q '^DEFECT absolute_threshold, triangle.solid_angle, order 0: ' stdout || fail "a threshold is named: $(cat stdout)"
+grep -q '^  generic  *value  *20 .* 1[45]\.[0-9] ' stdout || fail "errors are those in our convention: $(cat stdout)"
+grep -q 'absolute_threshold' threshold/certificate.md || fail "the defect in the certificate"
+
 # Exit codes: defects are 1, what cannot be judged is 2.
 "$cageproof" judge mine="$folder/tests/programs/hostile.py crash" --samples 20 --regimes generic >stdout 2>stderr
 [ $? -eq 1 ] && grep -q '^DEFECT other numbers, triangle.single_layer, order 0: generic: ' stdout || fail "sevens: $(cat stdout stderr)"

@@ -138,8 +138,7 @@ CampaignRow row_of(const Asking& asking, const Formula& formula, int order) {
 // What the code gives for a sample, in our convention.
 Answer answer_of(const Evaluation& ours, const Sample& sample, int order) {
   Result<double> result;
-  ours(Query<double>{
-           .corners = sample.corners, .point = sample.point, .order = order, .parameters = sample.parameters},
+  ours(Query<double>{.corners = sample.corners, .point = sample.point, .order = order, .parameters = sample.parameters},
        result);
   Answer answer{result.converged ? Answer::Status::Given : Answer::Status::Declined, {}};
   for (int o = 0; o <= order; ++o) answer.tensors[o] = result.of(o);
@@ -193,7 +192,8 @@ FormulaCampaign run_element_campaign(ForeignCode& code, const Formula& formula, 
     if (options.progress) options.progress(++done, all.size() * per_regime);
   });
   for (const Asking& asking : all)
-    for (int order = 0; order <= campaign.order; ++order) campaign.rows.push_back(row_of(asking, *campaign.formula, order));
+    for (int order = 0; order <= campaign.order; ++order)
+      campaign.rows.push_back(row_of(asking, *campaign.formula, order));
   campaign.times = pair_times(code, request, name);
   return campaign;
 }

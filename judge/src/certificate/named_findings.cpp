@@ -39,7 +39,9 @@ std::vector<CodeFinding> named_findings(const Verdict& verdict, const Formula& f
     std::string text = fmt::format("{} Seen: {}", defect.sentence, finding.evidence);
     if (!finding.ours.empty())
       text += fmt::format("; right is {}, yours {}", text_of(finding.ours), text_of(finding.theirs));
-    text += fmt::format(". To do: {} (docs/defects.md#{}, docs/{})", defect.advice, defect.key, defect.page);
+    const std::string own_page = fmt::format("defects.md#{}", defect.key);
+    text += fmt::format(". To do: {} (docs/{}{})", defect.advice, own_page,
+                        defect.page == own_page ? "" : fmt::format(", docs/{}", defect.page));
     found.push_back({std::string(defect.key), std::move(text), name, finding.order, line_of(finding.input, computed),
                      std::max<std::uint64_t>(1, finding.cases), true});
   }

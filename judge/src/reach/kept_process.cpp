@@ -36,9 +36,10 @@ struct Hosts {
   std::set<pid_t> running;
 };
 
+// Never destroyed: code that commands registered ends after all other statics.
 Hosts& hosts() {
-  static Hosts all;
-  return all;
+  static auto* const all = new Hosts;
+  return *all;
 }
 
 [[noreturn]] void cannot(const char* what) {

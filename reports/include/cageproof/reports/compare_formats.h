@@ -13,7 +13,7 @@ std::string changes_text(const Changes& changes);
 /// The same as tables for a pull request's comment: what fails is open, the rest folded. Long lists are cut at 50 rows,
 /// and say so.
 std::string changes_markdown(const Changes& changes);
-/// The same as JSON, which docs/schemas/comparison.schema.json describes.
+/// The same as JSON.
 std::string changes_json(const Changes& changes);
 /// JUnit's XML: a test case per compared row or benchmark that changed, and one for all that did not.
 std::string changes_junit(const Changes& changes);
