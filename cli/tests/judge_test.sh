@@ -78,7 +78,7 @@ grep -q 'absolute_threshold' threshold/certificate.md || fail "the defect in the
 
 # Exit codes: defects are 1, what cannot be judged is 2.
 "$cageproof" judge mine="$folder/tests/programs/hostile.py crash" --samples 20 --regimes generic >stdout 2>stderr
-[ $? -eq 1 ] && grep -q '^DEFECT other numbers, triangle.single_layer, order 0: generic: ' stdout || fail "sevens: $(cat stdout stderr)"
+[ $? -eq 1 ] && grep -q '^DEFECT wrong_values, triangle.single_layer, order 0: ' stdout || fail "sevens: $(cat stdout stderr)"
 refuses_to judge 'nothing.so' 'no such file' -- mine=./nothing.so --out nowhere
 refuses_to judge 'no_such_program' 'not found' -- mine=./no_such_program
 refuses_to judge 'does not say which formulas' -- mine='while read -r line; do echo "{\"error\":1}"; done'

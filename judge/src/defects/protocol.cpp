@@ -107,7 +107,16 @@ Evidence by_state(const Trial& trial) {
   Desk one(trial.theirs, trial.order), two(trial.theirs, trial.order), three(trial.theirs, trial.order);
   const auto first = one.ask(a), second = one.ask(b), third = one.ask(a);
   const auto apart = two.ask(b), once_more = three.ask(a);
-  if (same(first, second) && same(second, apart)) return "a second element gives the numbers of the first";
+  if (same(first, second) && same(second, apart)) {
+    // The same numbers everywhere are wrong values, and no memory of an element.
+    const Block elsewhere{a.corners, trial.block(0, 2).points, a.parameters};
+    const auto others = one.ask(elsewhere);
+    const auto half = others.size() / 2;
+    if (same({others.begin(), others.begin() + static_cast<std::ptrdiff_t>(half)},
+             {others.begin() + static_cast<std::ptrdiff_t>(half), others.end()}))
+      return std::nullopt;
+    return "a second element gives the numbers of the first";
+  }
   if (same(second, apart, kRounding) && same(first, third, kRounding) && same(third, once_more, kRounding))
     return std::nullopt;
   return "an element gives other numbers after a call with another element, or in memory where another was";
