@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
   add_replay(line);
   add_hunt(line);
   add_bench(line, as_given);
+  add_vectors(line, as_given);
   add_descriptions(line);
   reports::end_cleanly_on_signals();
   try {
