@@ -37,6 +37,7 @@ void add_replay(CommandLine& line);
 void add_hunt(CommandLine& line);
 void add_bench(CommandLine& line, const std::string& command_line);
 void add_judge(CommandLine& line, const std::string& command_line);
+void add_vectors(CommandLine& line, const std::string& command_line);
 /// `help`, `version`, `man` and `completion`: what the program says of itself. \param line lives as long as the program
 void add_descriptions(CommandLine& line);
 

@@ -64,6 +64,7 @@ int main(int argc, char** argv) {
   add_hunt(line);
   add_bench(line, as_given);
   add_judge(line, as_given);
+  add_vectors(line, as_given);
   add_descriptions(line);
   reports::end_cleanly_on_signals();
   try {
