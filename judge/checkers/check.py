@@ -23,13 +23,35 @@ def function(element, point, parameters):
     volume = (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0])
               + e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]))
     if volume == 0:
-        return [0.0]
+        return [angle_in_plane(e)]
     la, lb, lc = math.hypot(*a), math.hypot(*b), math.hypot(*c)
     size = max(la, lb, lc)
     a, b, c = ([t / size for t in v] for v in (a, b, c))
     la, lb, lc = la / size, lb / size, lc / size
     below = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb
     return [2 * math.atan2(float(volume / Fraction(size) ** 3), below)]
+
+
+def angle_in_plane(corners):
+    """What a triangle fills of its plane around the origin: the limit from inside on it, zero beside it. Takes exact numbers."""
+    def cross(u, v):
+        return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+
+    normal = cross([s - t for s, t in zip(corners[1], corners[0])], [s - t for s, t in zip(corners[2], corners[0])])
+    angles = []
+    for u, v in ((corners[0], corners[1]), (corners[1], corners[2]), (corners[2], corners[0])):
+        turn = cross(u, v)
+        along = sum(s * t for s, t in zip(u, v))
+        size = max(map(abs, turn + [along]))
+        # An edge that the point lies on has the plane on one of its sides only.
+        if size == 0 or not any(turn):
+            continue
+        across = math.hypot(*(float(t / size) for t in turn))
+        side = 1 if sum(s * t for s, t in zip(turn, normal)) > 0 else -1
+        angles.append(side * math.atan2(across, float(along / size)))
+    # Beside the triangle the angles add up to zero, up to rounding.
+    total = math.fsum(angles)
+    return total if len(angles) == 1 or total > 1 else 0.0
 
 
 def units(found, truth, denominator, unit):

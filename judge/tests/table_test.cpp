@@ -23,7 +23,7 @@ std::string page(std::string_view name) {
 }
 
 // GitHub's anchor of a heading.
-std::string anchor_of(std::string heading) {
+std::string anchor_of(const std::string& heading) {
   std::string anchor;
   for (const char c : heading.substr(heading.find(' ') + 1))
     if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-')

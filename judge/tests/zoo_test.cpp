@@ -42,9 +42,9 @@ std::string text_of(const Verdict& verdict) {
   return text.str();
 }
 
-class zoo : public testing::TestWithParam<Member> {};
+class Zoo : public testing::TestWithParam<Member> {};
 
-TEST_P(zoo, is_named_and_nothing_else_is_claimed) {
+TEST_P(Zoo, is_named_and_nothing_else_is_claimed) {
   const Member& member = GetParam();
   const Verdict verdict = judge(zoo_evaluation(member.formula, member.name, member.function, member.max_order), {});
   if (std::getenv("CAGEPROOF_ZOO_TEXT") != nullptr) std::cout << text_of(verdict);
@@ -65,7 +65,7 @@ constexpr const char* kKelvin = "triangle.kelvin_displacement";
 constexpr const char* kOurs = "yours is ours";
 constexpr const char* kNone = "none fits all generic samples, so that yours is taken for ours";
 
-INSTANTIATE_TEST_SUITE_P(defects, zoo,
+INSTANTIATE_TEST_SUITE_P(defects, Zoo,
                          testing::Values(MEMBER(writes_past_output, kDouble, "writes_past_output", ""),
                                          MEMBER(non_deterministic, kSingle, "non_deterministic", ""),
                                          MEMBER(appended_output, kDouble, "appended_output", ""),
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(defects, zoo,
                                          MEMBER(wrong_values, kSingle, "wrong_values", kNone)));
 
 INSTANTIATE_TEST_SUITE_P(
-    sound_ones, zoo,
+    sound_ones, Zoo,
     testing::Values(
         MEMBER(sound, kSolid, "", kOurs), MEMBER(sound, kSingle, "", kOurs), MEMBER(sound, kDouble, "", kOurs),
         MEMBER(sound, kMean, "", kOurs), MEMBER(sound, kKelvin, "", kOurs),

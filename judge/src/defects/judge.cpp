@@ -23,6 +23,7 @@ const Signature& explaining(const Study& study, const Case& c) {
 
 std::vector<double> in_double(const std::vector<Mp100>& tensor) {
   std::vector<double> numbers;
+  numbers.reserve(tensor.size());
   for (const Mp100& x : tensor) numbers.push_back(static_cast<double>(x));
   return numbers;
 }

@@ -63,6 +63,7 @@ bool mostly(const Study& study, Relation&& holds) {
 
 std::vector<double> truth_of(const Case& c) {
   std::vector<double> truth;
+  truth.reserve(c.probe->truth.tensors.value.size());
   for (const Mp100& x : c.probe->truth.tensors.value) truth.push_back(static_cast<double>(x));
   return truth;
 }

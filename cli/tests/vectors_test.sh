@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# vectors_test.sh CAGEPROOF CHECKERS: test vectors are the same files each time, a sound function passes them, and each kind of wrong one fails those that aim at it.
+set -u
+cageproof=$1 checkers=$2
+failures=0
+fail() {
+  printf 'FAILED: %s\n' "$1"
+  failures=1
+}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 2
+
+"$cageproof" vectors --formulas triangle.solid_angle,segment.single_layer --out one >stdout || fail "vectors: $(cat stdout)"
+"$cageproof" vectors --formulas triangle.solid_angle,segment.single_layer --out two --jobs 1 >/dev/null || fail "vectors with one thread"
+for file in one/*; do
+  cmp -s <(sed 's/"command":"[^"]*"//' "$file") <(sed 's/"command":"[^"]*"//' "two/${file#one/}") || fail "$file differs between two runs"
+done
+vectors=one/triangle.solid_angle.json
+check() { /usr/bin/python3 "$@" >stdout 2>stderr; }
+check "$checkers/check.py" $vectors || fail "a sound solid angle: $(cat stdout stderr)"
+grep -q '^all: \([0-9]*\) of \1 within 64 units$' stdout || fail "all vectors pass: $(cat stdout)"
+
+# wrong NAME OLD NEW FLAG: with OLD replaced by NEW in the function, vectors that aim at FLAG fail.
+wrong() {
+  python3 - "$checkers/check.py" "$2" "$3" >wrong.py <<'END'
+import sys
+text = open(sys.argv[1]).read()
+assert sys.argv[2] in text
+print(text.replace(sys.argv[2], sys.argv[3], 1))
+END
+  check wrong.py $vectors
+  [ $? -eq 1 ] || fail "$1 passes: $(cat stdout stderr)"
+  grep "^$4: " stdout | awk '{exit !($2 < $4)}' || fail "$1 passes what aims at it: $(cat stdout)"
+}
+wrong 'a threshold on volumes' 'if volume == 0:' 'if abs(volume) < 1e-6:' height-threshold
+wrong 'half a jump in the plane' 'return [angle_in_plane(e)]' 'return [2 * math.pi]' half-in-plane
+wrong 'a determinant in floats' 'Fraction(s) - Fraction(t)' 'Fraction(s - t)' cancellation
+
+# Truths are those of the integral in 50 digits.
+/usr/bin/python3 - "$cageproof" $vectors <<'END' || fail "truths are not those of the integral"
+import json
+import subprocess
+import sys
+from fractions import Fraction
+data = json.load(open(sys.argv[2]))
+some = [v for v in data["vectors"] if v["regime"] not in ("on-face", "on-edge", "on-vertex", "on-plane", "on-line", "hunted")][::12]
+lines = "\n".join(json.dumps({"element": v["element"], "point": v["point"]}) for v in some)
+run = subprocess.run([sys.argv[1], "eval", "--formula", data["formula"], "--evaluation", "multiprecision", "--scalar", "mp50"], input=lines, capture_output=True, text=True)
+answers = [json.loads(line) for line in run.stdout.splitlines()]
+assert len(answers) == len(some) >= 5, (len(some), run.stderr)
+for vector, answer in zip(some, answers):
+    truth, integral = Fraction(vector["value"][0]), Fraction(answer["value"][0])
+    assert abs(truth - integral) <= Fraction(1, 10**28) * max(abs(truth), Fraction(1, 10**30)), (vector, answer)
+END
+
+"$cageproof" vectors --formulas 'triangle.nothing' --out three >stdout 2>stderr
+[ $? -eq 2 ] && [ ! -e three ] || fail "an unknown formula: $(cat stdout stderr)"
+check "$checkers/check.py" nothing.json
+[ $? -eq 2 ] && grep -q 'cannot read vectors' stderr || fail "a file that is not there"
+[ "$failures" -eq 0 ] || exit 1
+echo "vectors: ok"
