@@ -72,6 +72,7 @@ TEST(whole_cage, values_without_their_sum_are_right_after_normalising) {
 TEST(whole_cage, green_coordinates_of_the_suite_are_clean_and_have_two_blocks) {
   const auto green = [](const CageQuestion& q) {
     std::vector<Face> faces;
+    faces.reserve(q.faces.size());
     for (const auto& face : q.faces) faces.push_back({{face[0], face[1], face[2], -1}});
     const CageCoordinates coordinates(Cage::make("test", q.vertices, faces), coordinate_kind_named("green"),
                                       CoordinateOptions{"hybrid"});

@@ -90,8 +90,9 @@ void prove(TestVector& vector, const Evaluation& certified) {
     const Mp100 off = abs(Mp100(ball.value[i]) - vector.truth.tensors.value[i]);
     if (off > Mp100(radius[i]) + abs(vector.truth.tensors.value[i]) * Mp100("1e-30"))
       throw InputError("a truth lies outside of its proven interval: this is an error of Cageproof, please report it");
-    // The printed truth has 40 digits.
-    about.push_back(off + Mp100(radius[i]) + abs(vector.truth.tensors.value[i]) * Mp100("1e-39"));
+    // The printed truth has 40 digits, and the printed radius three, rounded by half a hundredth at most.
+    about.push_back(Mp100("1.01") *
+                    (off + Mp100(radius[i]) + abs(vector.truth.tensors.value[i]) * Mp100("1e-39")));
   }
   vector.radius = std::move(about);
 }

@@ -44,6 +44,7 @@ constexpr std::array<std::array<int, 3>, 4> kOnFaces{{{4, 5, 7}, {11, 3, 2}, {12
 
 std::vector<double> in_double(const CageQuestion& q, const CoordinateKind& kind) {
   std::vector<Face> faces;
+  faces.reserve(q.faces.size());
   for (const auto& face : q.faces) faces.push_back({{face[0], face[1], face[2], -1}});
   const CageCoordinates coordinates(Cage::make("judged", q.vertices, faces), kind, CoordinateOptions{"closed_form"});
   std::vector<double> values;
