@@ -20,10 +20,11 @@ using Change = std::function<void(const Query<double>&, Result<double>&)>;
 Evaluation changed(std::string_view formula, Change change) {
   const Evaluation closed = evaluation_named(formula, "closed_form");
   Evaluation evaluation(formula, "changed", {.description = "test", .role = Role::Foreign, .max_order = 1});
-  evaluation.set_point<double>([closed, change = std::move(change)](const Query<double>& query, Result<double>& result) {
-    closed(query, result);
-    change(query, result);
-  });
+  evaluation.set_point<double>(
+      [closed, change = std::move(change)](const Query<double>& query, Result<double>& result) {
+        closed(query, result);
+        change(query, result);
+      });
   return evaluation;
 }
 

@@ -54,6 +54,7 @@ std::string sentence_of(const Convention& convention, const Formula& registered_
   if (factor != "1") text += " times " + factor + sign_hint(convention, formula) + half_hint(convention);
   if (!convention.corners.empty()) {
     std::vector<int> order;
+    order.reserve(convention.corners.size());
     for (const int k : convention.corners) order.push_back(k + 1);
     text += fmt::format(", with corners in the order {}", fmt::join(order, ", "));
   }

@@ -112,9 +112,11 @@ void solve_gradient(const Formula& formula, const Pairs& pairs, const std::vecto
 
 std::optional<Convention> fit(const Formula& formula, const Pairs& pairs, int order) {
   std::vector<Tensors> reference;
+  reference.reserve(pairs.samples.size());
   for (const Sample& sample : pairs.samples) reference.push_back(reference_of(formula, sample, order));
   for (const Arrangement& arrangement : arrangements_of(formula)) {
     std::vector<Tensors> ours;
+    ours.reserve(reference.size());
     for (const Tensors& tensors : reference) ours.push_back(arranged(formula, tensors, arrangement));
     Convention found{.formula = std::string(formula.name),
                      .corners = arrangement.corners,

@@ -79,6 +79,7 @@ bool is_degenerate(const Sample& sample, ElementKind element) {
     for (std::size_t j = 0; j < k; ++j)
       if (sample.corners[j] == sample.corners[k]) return true;
   std::vector<Vec3<Mp200>> corners;
+  corners.reserve(sample.corners.size());
   for (const auto& corner : sample.corners) corners.push_back(convert<Mp200>(corner));
   return type_of(element).degenerate(corners);
 }

@@ -11,6 +11,7 @@ std::size_t calls_that_differ(const Evaluation& theirs, const std::vector<Block>
   constexpr int calls = 2000;
   constexpr std::chrono::milliseconds limit{200};
   std::vector<std::vector<double>> alone;
+  alone.reserve(blocks.size());
   for (const Block& block : blocks) alone.push_back(Desk(theirs, order).ask(block));
   std::atomic<std::size_t> differ{0};
   const auto end = std::chrono::steady_clock::now() + limit;

@@ -15,6 +15,7 @@
 #include <bit>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -105,8 +106,9 @@ R* copied(Guarded& array, const double* from, std::size_t count) {
 template <class R>
 bool is_changed(const R* array, const double* from, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
-    const R was = static_cast<R>(from[i]);
-    if (std::memcmp(&was, array + i, sizeof was) != 0) return true;
+    // NaN and the sign of zero count, too.
+    using Bits = std::conditional_t<sizeof(R) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
+    if (std::bit_cast<Bits>(static_cast<R>(from[i])) != std::bit_cast<Bits>(array[i])) return true;
   }
   return false;
 }

@@ -91,8 +91,7 @@ void prove(TestVector& vector, const Evaluation& certified) {
     if (off > Mp100(radius[i]) + abs(vector.truth.tensors.value[i]) * Mp100("1e-30"))
       throw InputError("a truth lies outside of its proven interval: this is an error of Cageproof, please report it");
     // The printed truth has 40 digits, and the printed radius three, rounded by half a hundredth at most.
-    about.push_back(Mp100("1.01") *
-                    (off + Mp100(radius[i]) + abs(vector.truth.tensors.value[i]) * Mp100("1e-39")));
+    about.push_back(Mp100("1.01") * (off + Mp100(radius[i]) + abs(vector.truth.tensors.value[i]) * Mp100("1e-39")));
   }
   vector.radius = std::move(about);
 }
