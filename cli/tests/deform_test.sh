@@ -398,9 +398,9 @@ grep -q 'summed face by face, which is quicker' stderr || fail "few faces: $(cat
 cmp -s some.obj every.obj || fail "--digits on few faces has other images"
 grep -q '"points_by_faces": [1-9]' some.json || fail "points by faces of few faces: $(cat some.json)"
 # At the end of the exponent range nothing is computed in blocks.
-"$cageproof" list --cage cube --out cube.obj >/dev/null && sed -E 's/^v ([^ ]+) ([^ ]+) ([^ ]+)$/v \1e90 \2e90 \3e90/' cube.obj >large.obj
-echo 1e89,2e89,3e89 | "$cageproof" deform --cage large.obj --posed large.obj --points - --method green --digits 6 --out large.csv || fail "--digits of a large cage"
-grep -q '"points_by_faces": 1' large.json || fail "points by faces of a large cage: $(cat large.json)"
+"$cageproof" list --cage cube --out unit.obj >/dev/null && sed -E 's/^v ([^ ]+) ([^ ]+) ([^ ]+)$/v \1e90 \2e90 \3e90/' unit.obj >vast.obj
+echo 1e89,2e89,3e89 | "$cageproof" deform --cage vast.obj --posed vast.obj --points - --method green --digits 6 --out vast.csv || fail "--digits of a large cage"
+grep -q '"points_by_faces": 1' vast.json || fail "points by faces of a large cage: $(cat vast.json)"
 refuses --digits 'there is green' -- "${common[@]}" --method somigliana --digits 6 --out out.obj
 refuses --digits quad_green -- "${common[@]}" --method green --keep-quads --digits 6 --out out.obj
 refuses --digits derivatives -- "${common[@]}" --method green --digits 6 --order 1 --derivatives out.csv --out out.obj
