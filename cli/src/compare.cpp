@@ -65,7 +65,7 @@ int judge(const Arguments& a) {
   const double tolerance = factor_of(a.tolerance);
   const reports::Renamed renamed = a.names.empty() ? reports::Renamed() : reports::read_renamed(a.names);
   std::vector<fs::path> paths;
-  for (const std::string& file : {a.junit, a.action, a.bencher})
+  for (const std::string& file : {a.junit, a.action, a.bencher, a.history})
     if (!file.empty()) paths.emplace_back(file);
   for (const std::string& file : a.badges) {
     if (!file.ends_with(".json") && !file.ends_with(".svg"))

@@ -36,4 +36,11 @@ for number, (measure, compare) in enumerate(jobs):
         worse = run(compare)
         assert worse.returncode == 1, worse.stdout + worse.stderr
         assert 'failures="1"' in (folder / "compare.xml").read_text()
+with tempfile.TemporaryDirectory() as name:
+    # A history that cannot be written is found before anything else is.
+    folder = Path(name)
+    (folder / "times.json").write_text(json.dumps({"context": {}, "benchmarks": [{"name": "one", "cpu_time": 1}]}))
+    command = [program, "compare", "times.json", "times.json", "--tolerance", "2x", "--junit", "compare.xml", "--history", "no/folder.jsonl"]
+    refused = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    assert refused.returncode == 2 and "no/folder.jsonl" in refused.stderr and not (folder / "compare.xml").exists(), refused
 print("The steps of docs/ci.md pass, and stop a change that costs accuracy.")

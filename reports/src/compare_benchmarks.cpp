@@ -27,16 +27,24 @@ double in_nanoseconds(double time, const std::string& unit, std::string_view nam
   return time * found->second;
 }
 
+// A member that is text, or the fallback where it is missing.
+std::string text_in(const Json& entry, const char* key, const char* fallback, std::string_view name) {
+  if (!entry.contains(key)) return fallback;
+  if (!entry[key].is_string()) throw InputError(fmt::format("{}: {} of a benchmark is no text", name, key));
+  return entry[key].get<std::string>();
+}
+
 // Repetitions by the benchmark's name. Aggregates are left out: they are computed here.
 std::map<std::string, Timed> repetitions(const Json& output, std::string_view name) {
   std::map<std::string, Timed> found;
   for (const Json& entry : output["benchmarks"]) {
-    if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string())
+    if (!entry.is_object() || !entry.contains("name"))
       throw InputError(fmt::format("{}: a benchmark has no name", name));
-    if (entry.value("run_type", "iteration") == "aggregate") continue;
-    const std::string run = entry.value("run_name", entry["name"].get<std::string>());
+    if (text_in(entry, "run_type", "iteration", name) == "aggregate") continue;
+    const std::string own_name = text_in(entry, "name", "", name);
+    const std::string run = text_in(entry, "run_name", own_name.c_str(), name);
     Timed& timed = found[run];
-    if (entry.value("error_occurred", false)) {
+    if (entry.contains("error_occurred") && entry["error_occurred"] == true) {
       timed.failed = true;
       continue;
     }
@@ -44,7 +52,8 @@ std::map<std::string, Timed> repetitions(const Json& output, std::string_view na
     const char* time = run.find("/real_time") != std::string::npos ? "real_time" : "cpu_time";
     if (!entry.contains(time) || !entry[time].is_number())
       throw InputError(fmt::format("{}: {} has no number {}", name, run, time));
-    timed.nanoseconds.push_back(in_nanoseconds(entry[time].get<double>(), entry.value("time_unit", "ns"), name));
+    timed.nanoseconds.push_back(
+        in_nanoseconds(entry[time].get<double>(), text_in(entry, "time_unit", "ns", name), name));
   }
   if (found.empty())
     throw InputError(
@@ -118,8 +127,8 @@ Changes changes_of_benchmarks(std::string_view old_text, std::string_view new_te
   }
   const Json& context = new_output["context"];
   if (context.is_object()) {
-    result.date = context.value("date", "");
-    result.commit = context.value("commit", "");
+    result.date = text_in(context, "date", "", new_name);
+    result.commit = text_in(context, "commit", "", new_name);
   }
   return result;
 }

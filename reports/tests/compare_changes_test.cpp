@@ -109,6 +109,19 @@ TEST(CompareChanges, CallsTimesSlowerOnlyWhereRanksShowIt) {
   EXPECT_THROW(changes_of_benchmarks(benchmark({}), benchmark({}), 2, "old", "new"), InputError);
 }
 
+TEST(CompareChanges, NamesTheFileWhereAMemberIsNoText) {
+  for (const char* member : {"name", "run_type", "run_name", "time_unit"}) {
+    Json output = Json::parse(benchmark({1, 2}));
+    output["benchmarks"][1][member] = 3;
+    try {
+      changes_of_benchmarks(benchmark({1, 2}), dump(output), 2, "old", "new");
+      ADD_FAILURE() << member;
+    } catch (const InputError& e) {
+      EXPECT_EQ(std::string(e.what()), fmt::format("new: {} of a benchmark is no text", member));
+    }
+  }
+}
+
 TEST(CompareChanges, SaysTheSameInEveryFormat) {
   const Changes bad = changed(nothing, [](ResultRow& row) { row.max = 1000; });
   EXPECT_NE(changes_text(bad).find("max 10 -> 1000 (100x)"), std::string::npos);
