@@ -144,7 +144,7 @@ function(cageproof_tests name)
     return()
   endif()
   add_executable(${name}_tests ${sources} ${PROJECT_SOURCE_DIR}/cmake/test_main.cpp)
-  # Sources without a group are compiled alone.
+  # Sources without a group are compiled one by one.
   set_target_properties(${name}_tests PROPERTIES UNITY_BUILD_MODE GROUP)
   set(first 0)
   set(second 0)

@@ -42,7 +42,7 @@ class BuildWithLibrary(build_py):
         to = Path(self.build_lib) / "cageproof" / "libcageproof.so"
         to.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(library(), to)
-        # What is linked, and under which licences, goes with it.
+        # The list of linked libraries and their licences goes with it.
         for name in ("LICENSE", "docs/licences.md"):
             if (PROJECT / name).is_file():
                 shutil.copyfile(PROJECT / name, to.parent / Path(name).name)

@@ -74,7 +74,8 @@ class Evaluations {
  public:
   explicit Evaluations(const EvalOptions& options) : options_(options) {}
 
-  // What a line asks for: its own members, or the options. \throws InputError where there is no such evaluation
+  // The evaluation, order and scalar of a line: its own members, or else the options. \throws InputError where there is
+  // no such evaluation
   struct Asked {
     Evaluation evaluation;
     ScalarKind scalar = ScalarKind::Double;
@@ -123,7 +124,7 @@ std::string description(const EvalOptions& options) {
 
 int run(const EvalOptions& options) {
   Evaluations evaluations(options);
-  // What is wrong with the options is wrong before any line.
+  // Errors in the options are found before any line is read.
   if (!options.formula.empty()) {
     check_allows_invalid_quads(options.allow_invalid_quads, formula_named(options.formula));
     evaluations.of({});

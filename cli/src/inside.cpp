@@ -26,7 +26,7 @@ struct Arguments {
   int jobs = 0;
 };
 
-// What is asked: a cage, or with --any-mesh the faces of a file, whatever they make up.
+// The surface: a cage, or with --any-mesh the faces of a file, closed or not.
 struct Surface {
   PointPlaces places;
   int dimension;

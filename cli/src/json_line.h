@@ -17,7 +17,7 @@ struct QueryText {
   std::vector<std::string> parameters;  ///< in the order of Formula::parameters, presets filled in
 };
 
-/// What a line says beside its input, in place of options; empty where it says nothing.
+/// Members of a line that stand in place of options; empty where they are missing.
 struct LineOptions {
   std::string formula, scalar;
   std::optional<int> order;

@@ -52,7 +52,7 @@ int write_template(const Arguments& a) {
   return success;
 }
 
-// What stands in the certificate of one formula: its convention, its defects by name, its errors in that convention.
+// Adds one formula to the certificate: its convention, its defects by name, its errors in that convention.
 void judge_formula(judge::Certificate& c, judge::ForeignCode& code, const Formula& formula, const std::string& name,
                    judge::ElementCampaignOptions options) {
   // Conventions and defects are told from results in double.
@@ -128,7 +128,7 @@ int run(Arguments& a) {
   c.seed = a.options.seed;
   const std::string list = a.formulas.empty() ? "*" : fmt::format("{}", fmt::join(a.formulas, ","));
   const std::vector<std::string> formulas = judge::register_foreign_code(code, name, list);
-  // What cannot be written should not cost a wait.
+  // A folder that cannot be written is refused before the wait.
   if (!a.out.empty()) {
     std::filesystem::create_directories(a.out);
     reports::require_writable({a.out + "/certificate.json", a.out + "/certificate.md"});

@@ -30,7 +30,7 @@ class JudgeOption {
   std::vector<std::pair<std::string, std::shared_ptr<judge::ForeignCode>>> codes_;
 };
 
-/// What foreign code did beside computing, a line each: kind, formula, sentence, the input.
+/// Incidents of foreign code, one line each: kind, formula, sentence, input.
 std::string text_of(const judge::Incident& incident);
 
 }  // namespace cageproof::cli

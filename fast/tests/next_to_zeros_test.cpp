@@ -50,8 +50,8 @@ TEST(NextToZeros, hessians_of_solid_angles_keep_thirteen_digits) {
             1e-13);
 }
 
-// Faces of a thin octahedron: on its two sides large terms cancel, and what is left of each face is all that the cage
-// has.
+// Large terms cancel between the two sides of a thin octahedron, so that its sums need the digits of each face's small
+// value.
 TEST(NextToZeros, faces_of_a_thin_cage_keep_fourteen_digits) {
   const Vec3<double> point{1.3350990963495217, -0.009829443941199192, -0.8712413718314224};
   const std::array parameters{1., 0.25};

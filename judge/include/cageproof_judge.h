@@ -28,6 +28,8 @@
 extern "C" {
 #endif
 
+/* Names are C's. NOLINTBEGIN(readability-identifier-naming) */
+
 /* Required: returns CAGEPROOF_JUDGE_VERSION, so that a library that was built with another header is told apart. */
 CAGEPROOF_JUDGE_EXPORT int cageproof_judge_version(void);
 
@@ -67,6 +69,8 @@ CAGEPROOF_JUDGE_EXPORT int cageproof_judge_double(const cageproof_judge_block* b
 CAGEPROOF_JUDGE_EXPORT int cageproof_judge_float(const cageproof_judge_block* block, const float* corners,
                                                  const float* parameters, const float* points, float* values,
                                                  float* gradients, float* hessians);
+
+/* NOLINTEND(readability-identifier-naming) */
 
 #ifdef __cplusplus
 }

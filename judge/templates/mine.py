@@ -9,7 +9,7 @@ import json
 import sys
 from math import acos, atan2, hypot
 
-# The formulas that are there, each with its highest derivative: 0 is the value alone.
+# The formulas that are there, each with its highest derivative: 0 is the value only.
 DESCRIPTION = {"formulas": {"segment.winding_angle": 0}, "about": "winding angle by the arctangent, 1.0"}
 
 
@@ -36,7 +36,7 @@ def answer(query):
     if "describe" in query:
         return DESCRIPTION
     if query["formula"] != "segment.winding_angle" or query["order"] > 0:
-        return {"error": "values of segment.winding_angle alone"}
+        return {"error": "values of segment.winding_angle only"}
     return {"value": [winding_angle(query["element"], query["point"])]}
 
 

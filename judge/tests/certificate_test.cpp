@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What errors, incidents and promises become in a certificate.
+// A certificate's findings from errors, incidents and promises.
 #include "cageproof/core/input_error.h"
 #include "cageproof/judge/certificate.h"
 #include "cageproof/judge/templates.h"

@@ -33,7 +33,7 @@ void scale(Result<double>& result, double factor) {
     for (double& x : result.of(o)) x *= factor;
 }
 
-// What the convention of `theirs` makes of it, against the closed form at fresh samples.
+// Holds `theirs` in its convention against the closed form at fresh samples.
 void expect_undone(const Evaluation& theirs, const Convention& convention) {
   const Evaluation ours = in_our_convention(theirs, convention);
   const Evaluation closed = evaluation_named(convention.formula, "closed_form");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What foreign code does to its process is found, and nothing else is lost.
+// Harm that foreign code does to its process is found, and nothing else is lost.
 #include "cageproof/core/input_error.h"
 #include "cageproof/judge/foreign_code.h"
 

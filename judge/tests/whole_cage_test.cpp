@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Implementations of whole cages: each defect of the zoo is named, and nothing else.
+// Each defect of the zoo's implementations of whole cages is named, and nothing else.
 #include "zoo.h"
 
 #include "cageproof/judge/whole_cage.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A gradient with terms of each edge that cancel between neighbours: right in closed cages alone.
+// A gradient with terms of each edge that cancel between neighbours: right only in closed cages.
 #include "sound.h"
 
 using namespace cageproof::zoo;

@@ -7,7 +7,7 @@
 namespace cageproof::zoo {
 namespace {
 
-// One face's weights at a point, added; or, on the face, those of its corners alone. Whether it is on the face.
+// One face's weights at a point, added; or, on the face, those of its corners only. Whether it is on the face.
 bool add_face(const zoo_cage& cage, std::size_t f, const double* point, zoo_on_face on_face, double* weights) {
   const int* const face = cage.faces + 3 * f;
   std::array<double, 9> corners{};

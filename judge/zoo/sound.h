@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the zoo's members share: the sound form at one point, and where the point lies.
+// Shared by the zoo's members: the sound form at one point, and where the point lies.
 #pragma once
 
 #include "zoo.h"

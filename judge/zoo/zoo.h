@@ -6,6 +6,8 @@
 
 #include <stddef.h>
 
+/* Names are C's. NOLINTBEGIN(readability-identifier-naming) */
+
 /* One element and a block of points. Points and corners have three coordinates each, in the plane the third is zero. */
 struct zoo_call {
   const char* formula;      /* the catalogue's name, such as "triangle.solid_angle" */
@@ -36,14 +38,17 @@ typedef void (*zoo_on_face)(const double* corners, const double* point, const do
 extern "C" {
 #endif
 
-/* Numbers of a value; 0 for a formula that the zoo has not. */
+/* Numbers of a value; 0 for a formula that is not in the zoo. */
 int zoo_components(const char* formula);
 /* 2 for segments, 3 for triangles. */
 int zoo_dimension(const char* formula);
 /* The closed form in double, as one would write it, with stable branches. */
 void zoo_sound(const struct zoo_call* call);
-/* Mean value coordinates in a cage, sound but for what `on_face` makes of points on faces; null for what is right. */
+/* Mean value coordinates in a cage, sound except for points on faces, whose weights `on_face` gives; null: the right
+ * ones. */
 void zoo_mean_value(const struct zoo_cage* cage, zoo_on_face on_face);
+
+/* NOLINTEND(readability-identifier-naming) */
 
 #ifdef __cplusplus
 }

@@ -16,7 +16,7 @@ enum class Side { Inside, Outside, Mean };
 class ElementFormula {
  public:
   /// \param evaluation empty for the recommended one \param parameters names and texts of values
-  /// \throws InputError for a name that there is not, and a parameter out of range
+  /// \throws InputError for an unknown name, and for a parameter out of range
   ElementFormula(const std::string& formula, const std::string& evaluation,
                  const std::vector<std::pair<std::string, std::string>>& parameters);
 
@@ -29,7 +29,7 @@ class ElementFormula {
   std::vector<double> parameters_;
 };
 
-/// What is asked of lists of elements and points.
+/// A question about lists of elements and points.
 struct ElementRequest {
   const ElementFormula& of;
   int order = 0;
@@ -43,7 +43,7 @@ using TensorSpans = std::array<std::span<double>, 3>;
 /// A result per pair of an element and a point; one of either goes with all of the other.
 /// \param elements [n][corner][axis] \param points [n][axis]
 /// \throws InputError for spans of other sizes, numbers that are not finite, an element without length or area, a quad
-/// that is not valid, and an order that there is not
+/// that is not valid, and an order that does not exist
 void evaluate_pairs(const ElementRequest& request, std::span<const double> elements, std::span<const double> points,
                     const TensorSpans& results);
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The sources in another project, by FetchContent and by add_subdirectory: it configures without what the program alone needs, and gets no
+# The sources in another project, by FetchContent and by add_subdirectory: it configures without what only the program needs, and gets no
 # tests, install rules or flags. It is not built here, which takes as long as the project itself: --build does. Usage: taken_test.sh C_COMPILER CXX_COMPILER [--build]
 set -u
 c=$1 cxx=$2 build=${3-}

@@ -16,7 +16,7 @@ namespace {
 constexpr std::array change_kinds{Change::Kind::Worse,  Change::Kind::Gone,   Change::Kind::Undecided,
                                   Change::Kind::Slight, Change::Kind::Better, Change::Kind::Added};
 
-// Of one kind, those that changed most first.
+// Within one kind, the largest changes come first.
 std::vector<const Change*> changes_of(const Changes& all, Change::Kind kind) {
   std::vector<const Change*> found;
   for (const Change& change : all.changes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What programs read that watch figures over time.
+// Files for programs that watch figures over time.
 #include "cageproof/reports/compare_formats.h"
 
 #include "compare_xml.h"

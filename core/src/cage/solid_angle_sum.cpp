@@ -74,7 +74,7 @@ BoundedSum solid_angles(std::span<const Triangle<double>> triangles, const Vec3<
     sum.value += angle.value;
     sum.bound += angle.bound + unit * std::abs(sum.value);
   }
-  // Of the bound's own roundings.
+  // Covers the bound's own roundings.
   sum.bound *= 1 + 1e-6;
   return sum;
 }

@@ -22,7 +22,7 @@ using validation::Truth;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double none = -1;
 
-// What one sample says at one order; errors are negative where there is none.
+// Errors of one sample at one order; negative where it has none.
 struct Measured {
   enum class Status { Error, NoTruth, Declined, Failed } status = Status::NoTruth;
   double relative = none, conditioned = none, absolute = none, beside = none, on = none;
@@ -135,7 +135,7 @@ CampaignRow row_of(const Asking& asking, const Formula& formula, int order) {
   return row;
 }
 
-// What the code gives for a sample, in our convention.
+// The code's answer for a sample, in our convention.
 Answer answer_of(const Evaluation& ours, const Sample& sample, int order) {
   Result<double> result;
   ours(Query<double>{.corners = sample.corners, .point = sample.point, .order = order, .parameters = sample.parameters},

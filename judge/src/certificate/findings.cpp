@@ -99,7 +99,7 @@ std::vector<CodeFinding> findings_of(const std::vector<FormulaCampaign>& campaig
   for (const FormulaCampaign& campaign : campaigns) {
     const std::size_t before = found.size();
     add_other_numbers(campaign, found);
-    // What is another formula everywhere needs no list of where.
+    // Another formula is wrong everywhere, so that no regime is named.
     if (found.size() == before) add_inaccurate(campaign, found);
     add_nonfinite(campaign, found);
   }

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t elements = 16, points = 64;
 constexpr int repeats = 5;
 
-// One element with the points of many samples: each is generic to it as to its own, but for its size.
+// One element with the points of many samples: each is generic to it as to its own, except for its size.
 struct Blocks {
   std::vector<std::vector<Vec3<double>>> corners;
   std::vector<Vec3<double>> places;

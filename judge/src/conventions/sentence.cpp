@@ -27,7 +27,7 @@ std::string factor_text(const Convention& convention, const Formula& formula) {
   return text;
 }
 
-// A sign alone may come from three habits, which numbers cannot tell apart.
+// A sign may come from three habits, which numbers cannot tell apart.
 std::string sign_hint(const Convention& convention, const Formula& formula) {
   if (convention.factor >= 0) return {};
   if (formula.flip_sign < 0) return " (the sign of the kernel, or point minus element)";

@@ -35,7 +35,7 @@ double largest_error(const Evaluation& ours, const std::vector<std::size_t>& fac
   return off;
 }
 
-// The sum at each vertex, one after the other; of formulas with one tensor an element all are at the first.
+// The sum at each vertex, one after the other; with one tensor per element all are at the first.
 template <class Tensor>
 std::vector<double> summed(const Formula& formula, const std::vector<std::vector<std::size_t>>& faces,
                            const Vec3<double>& point, Tensor&& tensor_of) {

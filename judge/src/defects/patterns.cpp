@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the whole of an implementation's errors looks like.
+// Patterns of an implementation's errors, seen over all samples.
 #include "defects/closed_sum.h"
 #include "defects/ladder.h"
 
@@ -52,7 +52,7 @@ double growth(const Study& study, int order, Wanted&& wanted, Size&& size_of, Er
   return slope_of(points);
 }
 
-// Of generic results, how many satisfy a relation between theirs and the truth.
+// Counts the generic results that satisfy a relation between theirs and the truth.
 template <class Relation>
 bool mostly(const Study& study, Relation&& holds) {
   const Count bad = count(study, 0, [](const Case& c) { return c.probe->regime == "generic" && c.bad && c.finite; });

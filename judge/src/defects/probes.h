@@ -19,7 +19,7 @@ struct Probe {
   std::array<double, 2> plain{};
 };
 
-/// What makes probes of one formula.
+/// Makes probes of one formula.
 class Prober {
  public:
   /// \param order highest derivative \throws InputError where the formula has no truth

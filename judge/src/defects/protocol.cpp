@@ -55,7 +55,7 @@ Evidence reads_past(const Trial& trial) {
   return std::nullopt;
 }
 
-// What two calls, which differ in what the output held, say of an entry.
+// Entries that depend on what the output held before the call, counted over pairs of calls.
 struct Held {
   std::size_t kept = 0, added = 0, changed = 0;
 };
@@ -161,7 +161,7 @@ struct Attempt {
   std::string_view key;
   Evidence (*find)(const Trial&);
 };
-// What disturbs memory comes first. Chance comes before order and state, since each differs by chance as well.
+// Defects that disturb memory come first. Chance comes before order and state, since each differs by chance as well.
 constexpr std::array kAttempts{
     Attempt{"writes_past_output", writes_past}, Attempt{"non_deterministic", by_chance},
     Attempt{"appended_output", appended},       Attempt{"uninitialised_output", uninitialised},

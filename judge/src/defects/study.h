@@ -17,7 +17,7 @@ struct Case {
   bool finite = true;   ///< all of its entries are
 };
 
-/// What no single result shows, of one order.
+/// Facts of one order that no single result shows.
 struct Pattern {
   bool everywhere = false;         ///< half of all generic results are bad
   bool quadrature = false;         ///< errors rise smoothly towards the element, and vanish some sizes away

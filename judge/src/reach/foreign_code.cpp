@@ -67,7 +67,7 @@ Asked easy_input(const Formula& formula) {
   return asked;
 }
 
-// What was noticed at one input may be another's doing: the first of [begin, end) that fails by itself, or end.
+// Trouble at one input may be another's doing: the first of [begin, end) that fails by itself, or end.
 template <class Attempt>
 std::size_t culprit(std::size_t begin, std::size_t end, const Attempt& attempt) {
   while (begin < end && !attempt(begin, begin + 1)) ++begin;

@@ -35,7 +35,7 @@ void limit(int resource, rlim_t most) {
   setrlimit(static_cast<__rlimit_resource_t>(resource), &both);
 }
 
-// What the code runs as: in a session of its own, so that ending its group ends no more than itself.
+// Runs the code in a session of its own, so that ending its group ends no more than itself.
 [[noreturn]] void become_code(std::string_view kind, const char* what, rlim_t memory, rlim_t written) {
   setsid();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -47,7 +47,7 @@ void limit(int resource, rlim_t most) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, written);
   limit(RLIMIT_AS, memory);
-  // What forks without end is stopped by the system, where it is not root's.
+  // The system stops a process that forks without end, unless root runs it.
   constexpr rlim_t more_tasks = 256;
   if (const int tasks = tasks_of_user(); tasks > 0 && getuid() != 0)
     limit(RLIMIT_NPROC, static_cast<rlim_t>(tasks) + more_tasks);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines of the protocol of `cageproof eval`: what a program is asked, and what it answers.
+// Writes and reads lines of the protocol of `cageproof eval`: questions to a program, and its answers.
 #pragma once
 
 #include "reach/worker.h"
@@ -15,7 +15,7 @@ inline constexpr const char* describe_line = "{\"describe\":true}\n";
 /// The line of one point, with its end; numbers are the shortest decimals that read back exactly.
 void add_line(std::string& text, const Request& request, const Asked& asked, std::size_t point);
 
-/// What a line says.
+/// One line of answer.
 struct LineAnswer {
   enum class Kind { Given, Error, Short, Garbage } kind = Kind::Garbage;
   std::string text;                            ///< what is wrong, or the program's own error

@@ -179,7 +179,7 @@ KeptProcess::Event KeptProcess::wait(Clock::time_point until, bool writes) {
     const int ready = poll(fds.data(), fds.size(), static_cast<int>(std::clamp<long>(left, 0, 1 << 30)));
     if (ready < 0 && errno == EINTR) continue;
     if (ready <= 0) return Event::Late;
-    // What came before the end counts.
+    // Bytes that came before the end count.
     if ((fds[0].revents & POLLIN) != 0) return Event::Readable;
     if (fds[1].revents != 0 && !read_status(Clock::now())) return Event::Ended;
     if ((fds[0].revents & (POLLHUP | POLLERR)) != 0) return Event::Ended;
@@ -255,7 +255,7 @@ Fault KeptProcess::fault(const std::string& kind, const std::string& why) {
             fmt::format("it wrote more than {} MB to a file or a standard stream{}", limits_.written >> 20U, words)};
   if (signal >= 0)
     return {"crash", fmt::format("it died by signal {} ({}){}", signal, strsignal(static_cast<int>(signal)), words)};
-  // What a shell says of a program that a signal ended.
+  // A shell's exit code for a program that a signal ended.
   constexpr long by_signal = 128, last_signal = 64;
   if (code > by_signal && code <= by_signal + last_signal)
     return {"crash", fmt::format("it died by signal {} ({}){}", code - by_signal,

@@ -33,7 +33,7 @@ class KeptProcess {
   enum class Event { Readable, Writable, Ended, Late };
   /// Waits for the code's answer, or, where `writes`, until it takes more.
   Event wait(Clock::time_point until, bool writes);
-  /// What became of code that has ended, or is not to be asked again: kind and sentence. Ends whatever is left of it.
+  /// Says how code ended, or why it is not asked again, as kind and sentence. Ends whatever is left of it.
   /// \param why of code that is still there: kind and sentence; where it had ended by itself that is said instead
   Fault fault(const std::string& kind, const std::string& why);
   /// Lets it end by itself, for a while. \return as Worker::finish

@@ -166,7 +166,7 @@ void evaluate(const Library& library, double* words) {
     const GroupLayout at(begin, *shared, count);
     if (shared->single != 0) evaluate_one<float>(library.in_float, at, words);
     else evaluate_one<double>(library.in_double, at, words);
-    // Noticed here, since the answer of the whole block would be missed at its end alone.
+    // Noticed here, because at the end only the answer of the whole block would be missed.
     if (fcntl(descriptor::answers, F_GETFD) < 0) {
       std::snprintf(shared->text, sizeof shared->text, "it closed a file that it did not open");
       std::abort();

@@ -114,7 +114,7 @@ class LibraryWorker final : public Worker {
     try {
       call(header, limits_.seconds);
     } catch (Fault& fault) {
-      // Those before the one that it died at are done.
+      // Inputs before the one that it died at are done.
       const std::size_t at = std::min<std::size_t>(shared()->current, places.size() - 1);
       for (std::size_t g = 0; g < at; ++g) take(request, places[g], answers[first + g], first + g, note);
       fault.index = first + at;

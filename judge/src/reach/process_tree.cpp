@@ -65,7 +65,7 @@ std::vector<pid_t> descendants(const std::function<bool(pid_t)>& doomed) {
 }  // namespace
 
 int kill_descendants(const std::function<bool(pid_t)>& doomed) {
-  // What cannot be killed (another user's) ends no loop.
+  // A process that cannot be killed (another user's) ends no loop.
   constexpr int most_rounds = 100;
   std::set<pid_t> killed;
   for (int idle = 0, round = 0; idle < 2 && round < most_rounds; ++round) {

@@ -16,7 +16,7 @@ int kill_descendants(const std::function<bool(pid_t)>& doomed);
 /// Processes and threads that this user has now; 0 where that cannot be told.
 int tasks_of_user();
 
-/// All of them: for a process that started nothing else.
+/// Takes all descendants, for a process that started nothing else.
 int kill_all_descendants();
 
 }  // namespace cageproof::judge

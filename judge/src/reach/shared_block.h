@@ -25,7 +25,7 @@ inline constexpr std::size_t header_words = 128;                 ///< of eight b
 inline constexpr std::size_t shared_words = (8ULL << 20U) / 8U;  ///< of the whole memory
 static_assert(sizeof(SharedHeader) <= 8 * header_words);
 
-/// What stands in outputs before the library is called: a NaN that no arithmetic gives.
+/// Fills outputs before the library is called: a NaN that no arithmetic gives.
 inline constexpr std::uint64_t unset_double = 0x7ff8c0ffee15bad5;
 inline constexpr std::uint32_t unset_float = 0x7fc0bad5;
 

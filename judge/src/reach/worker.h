@@ -18,7 +18,7 @@ struct Fault : std::runtime_error {
   std::size_t index;  ///< of what was asked when it happened
 };
 
-/// What it says of itself.
+/// Its description of itself.
 struct Description {
   std::string about;
   std::optional<std::map<std::string, int>> orders;  ///< by formula; nothing where it does not say

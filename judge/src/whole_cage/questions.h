@@ -16,10 +16,10 @@ struct CageSample {
 /// \param unit what all coordinates are multiplied with, a power of two
 std::vector<CageSample> cage_samples(std::string_view kind, double unit);
 
-/// The two cages that a state between calls would show on: alike, but for one vertex. The same point in both.
+/// Two cages that show a state between calls: they differ in one vertex only. The same point in both.
 std::array<CageQuestion, 2> alike_cages();
 
-/// What chords of the unit sphere in place of distances give on a face: the corners' weights there.
+/// The corners' weights on a face that chords of the unit sphere give in place of distances.
 std::array<double, 3> chord_weights(const CageSample& sample);
 
 }  // namespace cageproof::judge

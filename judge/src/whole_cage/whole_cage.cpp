@@ -79,7 +79,7 @@ bool has_chords(const CageCase& c) {
   return true;
 }
 
-// What the cases of one unit look like as a whole.
+// Patterns over all cases of one unit of length.
 struct Seen {
   bool everywhere = false;  // more than half of those inside are wrong
   bool inside = false;      // some are

@@ -18,7 +18,7 @@ nm --dynamic --defined-only "$library" | awk '$2 != "A" {sub(/@.*/, "", $3); pri
 grep -oE '\bcageproof_[a-z_]+\(' "$include/cageproof.h" | tr -d '(' | sort -u >"$work/declared"
 diff "$work/declared" "$work/exported" || fail "the library exports other names than the header declares"
 readelf -d "$library" | grep -q 'SONAME.*libcageproof\.so\.[0-9]' || fail "no SONAME"
-# What a machine without development packages must have.
+# Libraries that a machine without development packages must have.
 readelf -d "$library" | grep -oE 'NEEDED.*\[.*\]' | grep -vE 'lib(fmt|nlopt|mpfr|gmp|tbb|m|stdc\+\+|gcc_s|c|asan|ubsan|tsan)\.so|ld-linux' && fail "links more than docs/library.md says"
 
 "$c" -std=c99 -Wall -Wextra -pedantic -Werror -I "$include" "$here/c_interface.c" "$library" -lm -Wl,-rpath,"$(dirname "$library")" -o "$work/c" &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What was found of foreign code, on one page and in one file.
+// The certificate of foreign code: all findings, as one page and as one JSON file.
 #pragma once
 
 #include "cageproof/judge/element_campaign.h"
@@ -45,18 +45,18 @@ struct Certificate {
   std::optional<OwnPromise> promise;
 
   bool has_defects() const;
-  /// Whether some row measured nothing, or inputs were skipped or declined, so that there is no word of them.
+  /// Whether some row measured nothing, or inputs were skipped or declined, so that nothing can be said of them.
   bool is_undecided() const;
 };
 
-/// The findings that errors and incidents alone give.
+/// The findings that follow from errors and incidents, without the search for named defects.
 std::vector<CodeFinding> findings_of(const std::vector<FormulaCampaign>& campaigns,
                                      const std::vector<Incident>& incidents);
 /// A formula's convention and defects by name, with advice and the page of docs/ that derives the right form.
 /// \param formula what the code was asked for
 std::vector<CodeFinding> named_findings(const Verdict& verdict, const Formula& formula);
-/// What errors say of a formula beside its named defects. Where a defect has a name, errors are what it does; where
-/// none has, lost digits are a remark, because sound forms lose them, too.
+/// Findings from errors, reduced by those that named defects explain. Where a defect has a name, errors are what it
+/// does; where none has, lost digits are a remark, because sound forms lose them, too.
 std::vector<CodeFinding> beside_named(std::vector<CodeFinding> found, const Verdict& verdict);
 /// Whether the campaigns keep a promise. \param single whether they were in float
 OwnPromise judged_promise(OwnPromise promise, const std::vector<FormulaCampaign>& campaigns, bool single);

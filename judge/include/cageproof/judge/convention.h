@@ -10,7 +10,7 @@
 
 namespace cageproof::judge {
 
-/// What maps a formula of the catalogue to what an implementation computes. It never depends on the sample.
+/// The map from a formula of the catalogue to the numbers of an implementation. It never depends on the sample.
 struct Convention {
   std::string formula;      ///< of the catalogue: which one the implementation computes, whatever it was registered for
   std::string sentence;     ///< "yours is ours times -1/(4 pi)"; "yours is ours" where nothing differs

@@ -32,7 +32,7 @@ struct LargestError {
   std::string input;  ///< a line of `eval`
 };
 
-/// What was found in a regime at an order. Errors are norm-wise over the tensor.
+/// Errors found in one regime at one order. Errors are norm-wise over the tensor.
 struct CampaignRow {
   std::string regime;
   int order = 0;
@@ -55,7 +55,7 @@ struct PairTime {
   double nanoseconds = 0;
 };
 
-/// What was found of one formula.
+/// Rows and times of one formula.
 struct FormulaCampaign {
   const Formula* formula = nullptr;
   int order = 0;  ///< highest that the code gives

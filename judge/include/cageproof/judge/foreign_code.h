@@ -18,7 +18,7 @@ namespace cageproof::judge {
 
 class Worker;
 
-/// What foreign code may use.
+/// Limits on what foreign code may use.
 struct Limits {
   double seconds = 10;                   ///< without an answer, in a block
   double start_seconds = 30;             ///< to start and say what it has
@@ -27,20 +27,20 @@ struct Limits {
   std::vector<std::string> host = {};    ///< program and arguments that run_host is called by; empty: this program
 };
 
-/// An element and points beside it; dim coordinates each.
+/// An element and the points at which it is asked; dim coordinates each.
 struct Asked {
   std::vector<double> corners, parameters, points;
   std::size_t count = 1;  ///< points
 };
 
-/// What is wanted of a block.
+/// The formula, order and scalar that a block is asked for.
 struct Request {
   const Formula* formula = nullptr;
   int order = 0;
   bool single = false;  ///< in float
 };
 
-/// What came back for one Asked.
+/// The answer to one Asked.
 struct Answer {
   enum class Status { Failed, Declined, Given } status = Status::Failed;
   std::array<std::vector<double>, 3> tensors;  ///< by order: [point][component][i][j]; sized where given
@@ -74,7 +74,7 @@ class ForeignCode {
 
   const std::string& what() const { return what_; }
   bool is_library() const { return is_library_; }
-  /// What it says of itself in one line; empty where it says nothing.
+  /// Its description of itself in one line; empty where it has none.
   const std::string& about() const { return about_; }
   const std::vector<JudgedFile>& files() const { return files_; }
   /// Whether it says which formulas it has. Others are tried where a user names the formula.

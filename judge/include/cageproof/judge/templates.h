@@ -8,7 +8,7 @@
 
 namespace cageproof::judge {
 
-/// The languages that there is an example in: "c", "cpp", "python".
+/// The languages of the examples: "c", "cpp", "python".
 const std::vector<std::string_view>& template_languages();
 
 /// File names and contents of an example. \pre language is one of template_languages()

@@ -18,11 +18,11 @@ struct TestVector {
   std::vector<std::string> defects;  ///< known defects that fail here, by name, in the order of known_defects()
   validation::Truth truth;
   std::array<bool, 3> has{};  ///< by order: the truth exists and doubles hold it
-  /// Of a value that `certified` proved, about the truth as it is printed: one radius an entry.
+  /// One radius per entry of a value that `certified` proved, about the truth as it is printed; empty otherwise.
   std::vector<Mp100> radius;
 };
 
-/// What to make.
+/// Samples, size and proofs of the vectors that are made.
 struct VectorOptions {
   std::uint64_t seed = 1;
   int samples = 6;                ///< a regime
@@ -50,18 +50,18 @@ struct KnownDefect {
   std::optional<Result<double>> (*result)(const Formula& formula, const validation::Sample& sample, int order);
 };
 
-/// All that vectors aim at.
+/// All wrong forms that vectors aim at.
 const std::vector<KnownDefect>& known_defects();
 
-/// Vectors of one formula: samples of all regimes, then stored worst cases, without those that no defect fails. A
-/// function of the options except jobs. \throws InputError where the formula has no truth
+/// Makes the vectors of one formula from samples of all regimes, then stored worst cases, and leaves out those that no
+/// defect fails. A function of the options except jobs. \throws InputError where the formula has no truth
 VectorSet make_vectors(const Formula& formula, const VectorOptions& options);
 
-/// JSON, a vector a line. \param command what made it
+/// JSON, one vector per line. \param command what made it
 std::string vectors_json(const VectorSet& set, const VectorOptions& options, std::string_view version,
                          std::string_view command);
 
-/// Values alone as lines of words: flags, hexadecimal inputs, each truth as a sum of two doubles, the denominator.
+/// Values only, as lines of words: flags, hexadecimal inputs, each truth as a sum of two doubles, the denominator.
 std::string vectors_text(const VectorSet& set);
 
 /// Row-major tables of doubles for .npy, NaN where a truth is missing.

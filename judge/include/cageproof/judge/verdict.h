@@ -35,7 +35,7 @@ struct Finding {
   std::string evidence;   ///< what was seen, with figures
 };
 
-/// What was found.
+/// The convention and the defects of one evaluation.
 struct Verdict {
   std::optional<Convention> convention;  ///< nothing where none fits all samples; judged as ours then
   std::string convention_sentence;       ///< the convention's, or why there is none

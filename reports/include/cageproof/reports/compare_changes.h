@@ -37,7 +37,7 @@ struct TrackedFigure {
   double spread = 0;  ///< half the range of repetitions; 0 where there are none
 };
 
-/// What a comparison found, and what the new run is.
+/// The changes that a comparison found, and facts of the new run.
 struct Changes {
   std::string old_name, new_name;
   double tolerance = 1;

@@ -25,10 +25,10 @@ std::string bencher_json(const Changes& changes);
 /// One line of JSON: date, commit and figures of the new run. \param commit goes before what the run says, if not empty
 std::string history_line(const Changes& changes, const std::string& commit);
 
-/// What a badge says of the new run: promises kept or broken, or how many benchmarks got slower.
-/// As the endpoint of shields.io reads it.
+/// A badge's text about the new run, as shields.io's endpoint: promises kept or broken, or how many benchmarks got
+/// slower. As the endpoint of shields.io reads it.
 std::string badge_json(const Changes& changes);
-/// And as a picture.
+/// The same badge as a picture (SVG).
 std::string badge_svg(const Changes& changes);
 
 }  // namespace cageproof::reports

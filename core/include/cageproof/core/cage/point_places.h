@@ -15,13 +15,13 @@ enum class Place { Outside = -1, On = 0, Inside = 1 };
 /// "outside", "on", "inside".
 std::string_view name_of(Place place);
 
-/// What is known of a point.
+/// Where a point lies, and how often the surface winds around it.
 struct PointPlace {
   Place place = Place::Outside;
   int face = -1;  ///< the first face that the point is on, counted from 0; -1 for none
   /// How often the surface winds around the point: its solid angle over 4 pi. NaN on the surface.
   double winding = 0;
-  double bound = 0;  ///< what `winding` is off at most; 0 where it is exact
+  double bound = 0;  ///< largest error of `winding`; 0 where it is exact
 };
 
 /// Asks a cage or a mesh where points lie. Safe from any thread; copies share what was prepared.
