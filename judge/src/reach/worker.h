@@ -12,8 +12,8 @@ namespace cageproof::judge {
 
 /// The process cannot be asked any more.
 struct Fault : std::runtime_error {
-  Fault(std::string kind_, const std::string& text, std::size_t index_ = 0)
-      : std::runtime_error(text), kind(std::move(kind_)), index(index_) {}
+  Fault(std::string what_kind, const std::string& text, std::size_t at = 0)
+      : std::runtime_error(text), kind(std::move(what_kind)), index(at) {}
   std::string kind;   ///< Incident::kind
   std::size_t index;  ///< of what was asked when it happened
 };

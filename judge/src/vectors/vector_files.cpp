@@ -67,6 +67,7 @@ std::string vectors_json(const VectorSet& set, const VectorOptions& options, std
                          std::string_view command) {
   const Formula& formula = *set.formula;
   std::vector<std::string> names;
+  names.reserve(formula.parameters.size());
   for (const auto& parameter : formula.parameters) names.push_back(quoted(parameter.name));
   std::string text = fmt::format(
       "{{\"format\":\"cageproof vectors 1\",\"version\":{},\"command\":{},\"formula\":\"{}\",\"definition\":{},"
