@@ -78,7 +78,7 @@ class TreeBuilder {
   bool open(JsonType type) {
     constexpr std::size_t deepest = 100;
     if (open_.size() == deepest) throw JsonFault{line_, fmt::format("nested more than {} deep", deepest)};
-    // Items of those that are open do not move: they are the last ones of theirs.
+    // An open item is the last one of its parent, so it does not move while it is open.
     open_.push_back(add({type, line_}));
     keys_.emplace_back();
     return true;

@@ -35,7 +35,7 @@ class StlMesh {
   std::unordered_map<std::string, int> known_;
 };
 
-// Keywords in any case, numbers between white space: lines do not matter, except for names behind "solid".
+// Text of STL: keywords in any case, and numbers between white space. Line ends matter only for names after "solid".
 class StlText {
  public:
   StlText(std::string_view text, FileLine& at) : tokens_{text, at}, at_(at) {}

@@ -97,7 +97,7 @@ Rational Scanner::number() {
     parts.exponent += exponent;
   }
   rest_.remove_prefix(last);
-  // What is nothing as a double is nothing: its power of ten may not fit in memory.
+  // A number that rounds to zero in double is taken as zero, because its power of ten may not fit in memory.
   return *rounded == 0 ? Rational(0) : value_of(parts);
 }
 

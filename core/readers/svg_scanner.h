@@ -29,7 +29,7 @@ class Scanner {
   /// The number that comes next: a sign, digits, a point and an exponent, each as far as they are there, so that
   /// "1e-3.5-2" is 1e-3, .5 and -2. Exact. \throws Fault where none is, or one beyond the range of double
   Rational number();
-  /// What is left, for messages: quoted, at most 20 characters.
+  /// Returns the rest of the text for messages: quoted, at most 20 characters.
   std::string shown() const;
 
  private:

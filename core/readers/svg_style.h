@@ -33,7 +33,7 @@ class StyleSheets {
   /// for other selectors and for rules with @, where they say what is drawn, or name one of `refused`
   void add(std::string_view text, const std::vector<std::string>& refused);
 
-  /// What the cascade gives: the style attribute, the rules, and last `attribute`; nothing where none has the property.
+  /// Returns the property's value by the cascade: from the style attribute, else the rules, else `attribute`; or none.
   std::optional<std::string> value_of(const std::string& property, const Selected& element, std::string_view style,
                                       const std::optional<std::string>& attribute) const;
 

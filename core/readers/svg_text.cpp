@@ -103,7 +103,7 @@ class PathParser {
   void close() {
     open_.closed = true;
     finish();
-    // What follows without a moveto begins where this began.
+    // A command that follows without a moveto begins where this subpath began.
     current_ = start_;
   }
   void finish() {

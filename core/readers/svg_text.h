@@ -15,7 +15,7 @@ namespace cageproof::svg {
 
 using exact::Rational;
 
-/// What is wrong with an attribute: "an elliptical arc (command A); ...".
+/// The fault of an attribute, for messages: "an elliptical arc (command A); ...".
 struct Fault {
   std::string reason;
 };

@@ -13,7 +13,7 @@ static constexpr double kUnit = 0x1p-53;
 
 /// Puts one operation on the thread's tape.
 struct Recorder {
-  /// What is known of an operation besides its operands.
+  /// Facts about an operation, in addition to its operands.
   struct Done {
     double value;
     Mp200 shadow;

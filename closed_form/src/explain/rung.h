@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is said of the rung of the ladder that a closed form was computed on.
+// The description of the rung of the ladder that a closed form was computed on.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/bounded_jet.h"

@@ -48,7 +48,7 @@ Frame<Counted>::Frame(const Segment<Counted>& segment, const Vec3<Counted>& eta)
   exponent = f.exponent;
   near_end = f.near_end;
   at_end = f.at_end;
-  // Of two ends that are all but equally near, 200 digits may take the other one.
+  // If both ends are almost equally near, the computation in 200 digits may choose the other one.
   const Mp200& distance = x.r[near_end];
   const Complex<Mp200> direction =
       near_end == x.near_end ? x.near : Complex<Mp200>{x.s[near_end] / distance, -x.h / distance};

@@ -34,7 +34,7 @@ void check_shape(const Candidate& cage, std::size_t index) {
               "the quad crosses itself (a bow-tie), or folds by more than a right angle along both diagonals");
 }
 
-// What the numbers in a message count.
+// The end of a message that gives numbers of faces.
 std::string counted(const Candidate& cage) {
   return fmt::format("({} and vertices counted from 0)", is_plane(cage) ? "segments" : "faces");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What makes a cage valid, one check a function. Each throws InputError naming the first face or vertex at fault.
+// Checks that a cage is valid, one per function. Each throws InputError naming the first face or vertex at fault.
 #pragma once
 
 #include "cageproof/core/cage/cage.h"

@@ -59,7 +59,7 @@ bool is_between(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>
          (a.cwiseMax(b).array() >= point.array()).all();
 }
 
-// What a part encloses, ready to be asked for points.
+// The region that a part encloses, which can be asked for points.
 class Region {
  public:
   Region(const Candidate& cage, const Part& part) : cage_(cage), orientation_(part.orientation) {

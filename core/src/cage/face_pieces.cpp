@@ -21,7 +21,7 @@ std::array<Triangle<double>, 2> halves_of(const std::vector<Vec3<double>>& verti
   return halves;
 }
 
-// Those of both triangles that have an area.
+// Adds the pieces of both triangles of a face that have an area.
 void add_pieces(const std::vector<Vec3<double>>& vertices, const Face& face, const ElementSplit& split,
                 Pieces& pieces) {
   const auto halves = halves_of(vertices, face, split);

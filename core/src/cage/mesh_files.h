@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the readers of the file formats share: whole files, lines, tokens, and messages that name the place.
+// Tools that readers of file formats share: whole files, lines, tokens, and messages that name the place.
 #pragma once
 
 #include "cageproof/core/cage/mesh_io.h"

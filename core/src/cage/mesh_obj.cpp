@@ -19,15 +19,15 @@ struct Obj {
   std::string unknown;
 };
 
-// What the format has beside geometry that is read, and what is dropped of it: points, curves and surfaces too.
+// OBJ keywords that are skipped. Points, curves and surfaces are geometry, but they are dropped, too.
 constexpr std::array<std::string_view, 43> kPassedOver{
     "vt",     "vn",     "vp",  "p",    "g",     "s",        "o",        "mg",   "usemtl",     "mtllib",    "usemap",
     "maplib", "cstype", "deg", "bmat", "step",  "curv",     "curv2",    "surf", "parm",       "trim",      "hole",
     "scrv",   "sp",     "end", "con",  "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj", "ctech",
     "stech",  "call",   "csh", "bzp",  "bsp",   "cdc",      "cdp",      "res",  "scmp",       "vc"};
 
-// Takes the next line without its comment, and with those that it goes on in: a backslash directly before a line's end
-// continues it, but for comments. \return of how many lines it is made, 0 at the end
+// Takes the next line without its comment, together with its continuations: a backslash directly before a line's end
+// continues it, except in comments. \return the number of lines taken, 0 at the end
 std::size_t take_continued_line(std::string_view& rest, std::string& whole) {
   whole.clear();
   std::size_t count = 0;

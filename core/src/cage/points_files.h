@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of points alone: text, and arrays of NumPy's.
+// Files that hold only points: text, and arrays of NumPy's.
 #pragma once
 
 #include "cageproof/core/cage/mesh_io.h"

@@ -37,7 +37,7 @@ struct ArrayReader {
     data = rest.substr(length);
   }
 
-  // What the dictionary has for a key, from its first character on.
+  // Returns the text of the dictionary from the first character of a key's value on.
   std::string_view value(std::string_view key) const {
     const std::size_t at = header.find(fmt::format("'{}':", key));
     if (at == header.npos) fail(fmt::format("its header has no '{}'", key));

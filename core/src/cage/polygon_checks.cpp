@@ -14,7 +14,7 @@
 namespace cageproof::cage_checks {
 namespace {
 
-// Of every vertex the segments that have it, the lower ones first.
+// Returns, per vertex, the segments that have it, in ascending order.
 std::vector<std::vector<int>> segments_at(const std::vector<Face>& segments, std::size_t vertex_count) {
   std::vector<std::vector<int>> at(vertex_count);
   for (std::size_t f = 0; f < segments.size(); ++f)

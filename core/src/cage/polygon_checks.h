@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What makes segments polygons, one check a function. Each throws InputError naming the first vertex or segment at
-// fault. Exact.
+// Exact checks that segments make polygons, one per function. Each throws InputError naming the first vertex or segment
+// at fault.
 #pragma once
 
 #include "cage_checks.h"

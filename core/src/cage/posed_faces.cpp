@@ -39,7 +39,7 @@ std::set<std::vector<int>> with_triangles(const std::vector<std::vector<int>>& f
   return known;
 }
 
-// What the rest cage knows of a pose's faces in another order, or cut otherwise.
+// The faces of the rest cage, to recognise a pose's faces that are in another order or cut otherwise.
 class KnownFaces {
  public:
   explicit KnownFaces(const std::vector<std::vector<int>>& own) : own_(own), known_(with_triangles(own)) {

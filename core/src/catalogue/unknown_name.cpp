@@ -93,7 +93,7 @@ std::string_view family_of_number(std::string_view name) {
 InputError unknown_name(std::string_view what, std::string_view name, const std::vector<std::string_view>& known) {
   std::string text =
       is_glob(name) ? fmt::format("no {} matches '{}'", what, name) : fmt::format("unknown {} '{}'", what, name);
-  // Members of a family differ by their numbers alone: none is a better guess than another.
+  // Members of a family differ only in their numbers, so none is a better guess than another.
   if (const std::string_view family = family_of_number(name); !family.empty()) {
     std::vector<std::string_view> same;
     for (const std::string_view one : known)

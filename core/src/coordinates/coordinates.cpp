@@ -45,7 +45,7 @@ void require_accepted(const CoordinateKind& kind, const Cage& cage, const std::v
       cage.name(), faults.front(), more, kind.name));
 }
 
-// Of one point.
+// The coordinates of one point.
 template <Scalar R>
 std::vector<Result<R>> results_of(std::vector<CoordinateTable<R>> tables, int order) {
   std::vector<Result<R>> results;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which elements of a cage a point is next to, where derivatives of w/W lose digits of weights to the quotient: weights
-// grow like one over the distance d, so that roundings of theirs are over d in gradients and over d^2 in Hessians.
+// Finds elements that a point is so near to that derivatives of w/W lose digits of the weights to the quotient. Weights
+// grow like one over the distance d; their roundings are divided by d in gradients, and by d^2 in Hessians.
 #pragma once
 
 #include "cageproof/core/cage/cage_elements.h"

@@ -22,7 +22,7 @@ namespace {
 // The evaluations of a kind's blocks on one kind of element; none for kinds of elements that the cage does not have.
 using ElementEvaluations = std::vector<Evaluation>;
 
-// What the area element adds to the degree of quads' formulas without one.
+// The degree that the area element adds to quads' formulas that have none.
 int degree_of_measure(const SummedBlock& spec, const Formula& formula) {
   return spec.one_a_normal && formula.by_parameters ? 2 : 0;
 }
@@ -519,8 +519,8 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     for (std::size_t p = 0; p < points.size(); ++p) finish_sums(first + p, order, tables, exponent);
   }
 
-  // What is done with a point's sums in the unit 2^-exponent: normals times their area elements, weights divided by
-  // their sum.
+  // Finishes a point's sums in the unit 2^-exponent: normals are multiplied by their area elements, weights are divided
+  // by their sum.
   template <Scalar R>
   void finish_sums(std::size_t p, int order, std::span<CoordinateTable<R>> tables, int exponent) const {
     if (has_area_elements_) times_area_elements_at(p, order, exponent, tables);
@@ -604,9 +604,9 @@ class SummedCoordinates final : public CoordinatesIn<SummedCoordinates>, public 
     times_area_elements(places.size(), order, tables);
   }
 
-  // All is seen from the element's first corner: the point is then rounded by parts of the element, however far off the
-  // origin is, and however small the element is beside the cage. Its own element is seen in its own plane, too, where
-  // the point's height is zero, exactly.
+  // The origin is moved to the element's first corner. The point's rounding is then relative to the element's size,
+  // however far the origin is and however small the element is. A point on its own element is also put into that
+  // element's plane, where its height is exactly zero.
   template <Scalar R>
   void put_limit(const Touching& place, std::size_t p, int order, std::span<CoordinateTable<R>> tables) const {
     if (!elements_->type(place.element).flat) return put_limit_on_quad(place, p, order, tables);

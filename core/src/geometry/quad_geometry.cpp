@@ -44,7 +44,7 @@ class CornerNormals {
   /// The sign of n_i . n_j.
   int sign_of_dot(int i, int j) {
     const double dot = normals_[i].dot(normals_[j]);
-    // Components of at most 2 M^2 known to 8 u M^2: three products are wrong by 36 u M^4 each, their sum by 24 u M^4.
+    // Components of at most 2 M^2 are right to 8 u M^2: each of three products errs by 36 u M^4, their sum by 24 u M^4.
     const double bound = 160 * kU * largest_ * largest_ * largest_ * largest_;
     if (filtered_ && std::abs(dot) > bound) return dot > 0 ? 1 : -1;
     return exact::sign(exact::dot(exact_normal(i), exact_normal(j)));

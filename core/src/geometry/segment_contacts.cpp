@@ -81,7 +81,7 @@ class Pairs {
     const auto [v, w] = std::pair{segment.vertices[0], segment.vertices[1]};
     return is_before(v, w) ? std::pair{v, w} : std::pair{w, v};
   }
-  // Of a vertex on the segment's line.
+  // Whether a vertex on the segment's line lies within the segment.
   bool is_within(const Face& segment, int vertex) const {
     const auto [low, high] = in_order(segment);
     return !is_before(vertex, low) && !is_before(high, vertex);

@@ -10,7 +10,7 @@
 namespace cageproof {
 namespace {
 
-// What a ray says of one triangle: a signed crossing or none, or nothing where it meets the border.
+// A ray's crossing of one triangle: +1, -1 or 0, or no answer where the ray meets the border.
 using Crossing = std::optional<int>;
 
 // Whether the corners lie on no one line, which they do where all their shadows along axes do.

@@ -37,7 +37,7 @@ LeastSquares<R>::LeastSquares(const Matrix<R>& matrix) {
       throw InputError(
           "layers are not finite on the cage: the evaluation has no limits there, or lengths leave the range");
   auto factors = std::make_unique<Factors>();
-  // Between the condition of systems that are singular but for rounding, 1e15 and more, and of those that are not.
+  // The threshold lies between systems that are singular up to rounding (conditions of 1e15 and more) and others.
   factors->of_matrix.setThreshold(R(1e-13));
   factors->unit = unit_of(matrix);
   factors->of_matrix.compute(Matrix<R>(matrix / factors->unit));

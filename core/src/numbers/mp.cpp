@@ -13,7 +13,7 @@ namespace {
 
 namespace bm = boost::multiprecision;
 
-// What each constructor begins with.
+// The common beginning of all constructors.
 template <unsigned D, class... Values>
 void construct(void* storage, const Values&... values) {
   static_assert(sizeof(MpNumber<D>) == sizeof(Mp<D>) && alignof(MpNumber<D>) <= alignof(Mp<D>));
@@ -26,8 +26,8 @@ void construct(void* storage, const Values&... values) {
 
 }  // namespace
 
-// Numbers are made and copied some fifty times for each that is worked out, so these do without MPFR's calls: a
-// number's bytes are all of it, but for the pointer to its own limbs.
+// Numbers are made and copied some fifty times per computed one, so these functions do without MPFR's calls: they copy
+// a number's bytes, and then set the pointer to its own limbs.
 template <unsigned D>
 Mp<D>::Mp() {
   static_assert(sizeof(__mpfr_struct) == kHead);

@@ -11,8 +11,8 @@
 namespace cageproof {
 namespace {
 
-// What strtod and mpfr_strtofr must not be given: blanks, which they skip, "nan(...)" or "infinity", which they take,
-// and "0b1", which MPFR alone takes.
+// Rejects text that strtod and mpfr_strtofr must not see: blanks, which they skip, "nan(...)" or "infinity", which they
+// accept, and "0b1", which only MPFR accepts.
 bool looks_like_number(std::string_view text) {
   if (text == "nan" || text == "inf" || text == "-inf") return true;
   const std::string_view digits = text.substr(text.starts_with('-') || text.starts_with('+') ? 1 : 0);

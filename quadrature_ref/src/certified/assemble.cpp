@@ -31,7 +31,7 @@ bool is_nothing(const Monomial& m, const std::vector<Real>& constants) {
 
 DifferentiatedKernel::DifferentiatedKernel(const Definition& definition)
     : definition_(&definition), formula_(&formula_named(definition.formula)) {
-  // What terms call the coordinates of the frame's axes; the last is the normal's.
+  // Indices that terms use for coordinates along the frame's axes; the last is the normal's.
   const std::vector<int> coordinates = formula_->dim() == 2 ? std::vector{0, 2} : std::vector{0, 1, 2};
   for (const Polynomial& component : definition.components) {
     terms_[0].push_back({component});

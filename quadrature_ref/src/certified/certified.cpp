@@ -29,7 +29,7 @@ Real norm_of(const std::vector<Real>& tensor, bool radii) {
   return sqrt(sum);
 }
 
-// Bits of the tensor that the radii leave: infinity for an exact one, minus infinity when it may be zero.
+// Returns how many bits of the tensor are proven: infinity for an exact one, minus infinity if it may be zero.
 double bits_of(const std::vector<Real>& tensor) {
   if (!std::ranges::all_of(tensor, &Real::is_finite)) return -infinity;
   const Real radius = norm_of(tensor, true);
@@ -132,7 +132,7 @@ std::optional<Attempt> attempt_quad(const Formula& formula, const Query<R>& quer
   return found;
 }
 
-// Of an element that has a definition.
+// The enclosure on an element that has a definition.
 template <Scalar R>
 std::optional<Attempt> attempt(const Formula& formula, const Query<R>& query, int bits, double& work_left) {
   if (formula.element == ElementKind::Quad) return attempt_quad(formula, query, bits, work_left);
@@ -179,7 +179,7 @@ void integrate_certified(std::string_view formula, const Query<R>& query, Result
   result.converged = best && best->all_orders && best->bits >= effort.bits_wanted;
   if (!best || std::ranges::all_of(best->tensors, &std::vector<Real>::empty)) return;
   constexpr double digits_a_bit = 0.30102999566398119521;
-  // What is proven of the numbers that are given: rounding to R leaves no more than R has.
+  // The proven bits of the numbers returned: rounding to R leaves no more bits than R has.
   const double given_bits = is_multiprecision<R> ? most_bits : std::min(most_bits, std::numeric_limits<R>::digits);
   result.stated_digits = std::clamp(best->bits, 0.0, given_bits) * digits_a_bit;
 }

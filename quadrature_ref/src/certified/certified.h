@@ -13,7 +13,7 @@ struct CertifiedEffort {
   int most_bits = 4096;  ///< of the last; on a segment, which costs little, eight times as many
   /// Relative radius aimed at, norm-wise for each order, as a power of two: below 1e-30.
   int bits_wanted = 100;
-  /// What all attempts together may cost, in evaluations of an integrand in one word: a few seconds.
+  /// The limit of all attempts together, in evaluations of an integrand in one word: a few seconds.
   double most_work = 1e7;
 };
 
@@ -25,9 +25,9 @@ struct CertifiedEffort {
 /// Precision grows until the radius is below 2^-bits_wanted of the tensor, norm-wise, in every order asked; `converged`
 /// is false where most_bits, or most_work, do not reach that, and the enclosure, wide as it is, still holds.
 /// `stated_digits` come from the radius before rounding to R. On the element, an order whose kernel is weakly singular
-/// is enclosed; all others are NaN with infinite radius, and `converged` is false. So is all of an element without
-/// area or length, of an input that is not finite, and of any order on a quad. In its plane, or on its line, outside it
-/// nothing is special. A function of its input alone, thread-safe.
+/// is enclosed; all others are NaN with infinite radius, and `converged` is false. The same holds without area or
+/// length, for an input that is not finite, and for any order on a quad. Points outside the element in its plane or on
+/// its line are not special. The result depends only on the input. Thread-safe.
 ///
 /// \throws InputError for an unknown formula, std::out_of_range for one that has no definition
 template <Scalar R>

@@ -13,7 +13,7 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// What is exact: sums and products of the coordinates, without any rounding.
+// The exact numbers of a frame: sums and products of the coordinates, without rounding.
 struct ExactTriangle {
   std::array<Vector, 3> corners, edges;              // x of the corners; corner k + 1 minus corner k
   Vector normal;                                     // twice the area long

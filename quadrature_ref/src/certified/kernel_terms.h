@@ -14,7 +14,7 @@
 
 namespace cageproof::quadrature_ref::certified {
 
-/// What a term is made of but its integer factor.
+/// A term without its integer factor.
 struct Monomial {
   std::array<int, 3> powers{};  ///< of x1, x2, x3
   int q = 0;                    ///< r^(-q)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// psi^k = int -Gamma_k G1, [T24] Eq 43: the single layer's kernel, in rows with a tensor a corner.
+// psi^k = int -Gamma_k G1, [T24] Eq 43: the single layer's kernel, in rows with one tensor per corner.
 #include "green_function.h"
 
 namespace cageproof::quadrature_ref {

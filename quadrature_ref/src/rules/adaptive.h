@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the adaptive rules of flat elements share: the refinement, how far inside they move a point on the element, and
-// what they state.
+// Parts that the adaptive rules of flat elements share: the refinement, how far inside they move a point on the
+// element, and what they state about their result.
 #pragma once
 
 #include "beyond_range.h"
@@ -29,9 +29,9 @@ W rounding_growth(const W& w, int degree) {
   return 1 + abs(w) * std::max(3, degree) / 24;
 }
 
-/// What to add, times the mass found, to the difference of two rules of fifteen points and less on an interval of w
-/// that is too long for either: integrands change by e^w and more, most of one may lie between the last point and the
-/// end, and both rules may miss alike.
+/// The share of the mass found that is added to the difference of two rules of at most fifteen points on an interval of
+/// w that is too long for either. Integrands change by e^w and more, so most of one may lie between the last point and
+/// the end, where both rules miss it.
 template <Scalar W>
 W unresolved(const W& length) {
   using std::exp;
@@ -55,7 +55,7 @@ bool is_lost(const Formula& formula, const Mp200& height, const Result<W>& sums,
   }
 }
 
-/// What was integrated over one part of the element.
+/// The integrals over one part of the element.
 template <Scalar W>
 struct PartSum {
   Result<W> sums{};
@@ -134,8 +134,8 @@ class AdaptiveTotal {
     return false;
   }
 
-  // Bisection leaves the rounding as it is: true when it alone breaks the tolerance, whatever the tensors turn out to
-  // be.
+  // Bisection does not reduce rounding. Returns true if rounding by itself breaks the tolerance, whatever the tensors
+  // turn out to be.
   bool hopeless(const W& tolerance) const {
     for (int o = 0; o <= order_; ++o)
       if (!(rounding_[o] <= tolerance * (size_[o] + error_[o]))) return true;
@@ -150,12 +150,12 @@ class AdaptiveTotal {
   std::size_t nodes_ = 0;
 };
 
-/// What a refinement came to.
+/// The outcome of a refinement.
 struct AdaptiveOutcome {
   bool converged;
   double bound;  ///< of the relative error, norm-wise, the worst order's
 
-  /// Of a point on the element: takes the sums from farther inside into account, to which those from nearer must be
+  /// For a point on the element: compares with the sums from farther inside, to which the sums from nearer must be
   /// equal.
   template <Scalar W>
   void compare(const AdaptiveOutcome& at_farther, const Result<W>& farther, Result<W>& nearer, int order,

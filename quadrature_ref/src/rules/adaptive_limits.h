@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the adaptive rules of flat elements promise.
+// The promises of the adaptive rules of flat elements.
 #pragma once
 
 #include "cageproof/core/numbers/scalar.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What digits of a whole tensor are worth where some of its entries leave the range of the result's scalar: a norm that
-// entries of 1e600 make says nothing of one of 1e300 beside them.
+// The digits of a tensor some of whose entries leave the range of the result's scalar: a norm of entries of 1e600 says
+// nothing about an entry of 1e300.
 #pragma once
 
 #include "elementary.h"

@@ -16,7 +16,7 @@ inline constexpr double kDigitsIn50 = 46, kDigitsIn100 = 95, kDigitsIn200 = 190;
 inline constexpr double kNoMass = -std::numeric_limits<double>::infinity();
 /// The most digits that a result is asked for: what two rules that must agree, the second better, leave of 190.
 inline constexpr double kMostDigits = 160;
-/// What the multiprecision evaluations converge to or say that they did not.
+/// The digits that multiprecision evaluations converge to; otherwise they state that they did not converge.
 inline constexpr double kDigitsPromised = 30;
 
 /// An integral that can be had to as many digits as asked, as far as its design goes.
@@ -110,7 +110,7 @@ double agreement(const std::vector<Mp200>& a, const std::vector<Mp200>& b, doubl
 /// Two rules, the second 6 digits better by design, until they agree to `digits` or four attempts are spent.
 Answer converge(ConvergingSum& sum, double digits, int order);
 
-/// What a point on the element needs for the limit from inside.
+/// The data of a point on the element for the limit from inside.
 struct Inside {
   /// The sum after the point was moved inside by a distance, in the local unit of length.
   std::function<std::unique_ptr<ConvergingSum>(const Mp200& inward)> moved;

@@ -6,7 +6,7 @@
 
 namespace cageproof::quadrature_ref {
 
-/// What all points of a block share: corners and parameters.
+/// The corners and parameters that all points of a block share.
 template <Scalar To>
 struct ConvertedBatch {
   template <Scalar From>

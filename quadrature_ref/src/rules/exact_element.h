@@ -34,7 +34,7 @@ std::optional<ExactTriangle> exact_triangle(std::span<const Vec3<Mp200>> corners
                                             int exponent);
 std::optional<ExactSegment> exact_segment(std::span<const Vec3<Mp200>> ends, const Vec3<Mp200>& point, int exponent);
 
-/// Of a bilinear quad: (corner k - point) . (edge from k cross edge to k - 1), k = 0 to 3; nothing as above.
+/// The same for a bilinear quad: (corner k - point) . (edge from k cross edge to k - 1), k = 0 to 3; nothing as above.
 std::optional<std::array<Mp200, 4>> exact_heights(std::span<const Vec3<Mp200>> corners, const Vec3<Mp200>& point,
                                                   int exponent);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of exact numbers: sums and products only. T is a number that is exact for the input.
+// Vectors of exact numbers, with sums and products only. T is a number type that is exact for the input.
 #pragma once
 
 #include "../certified/ball.h"

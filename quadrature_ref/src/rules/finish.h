@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What rules do with their sums, and where there is nothing to sum.
+// The last step of rules: they scale their sums, or answer where nothing can be summed.
 #pragma once
 
 #include "power_of_two.h"
@@ -36,7 +36,7 @@ void finish(const Integrand& integrand, int exponent, const Result<W>& sums, Res
   fill_symmetric(result, integrand.formula.dim());
 }
 
-/// What a rule answers where nothing can be computed.
+/// The answer of a rule where nothing can be computed.
 template <Scalar R>
 void fill_not_a_number(Result<R>& result) {
   for (int order = 0; order <= 2; ++order) std::ranges::fill(result.of(order), std::numeric_limits<R>::quiet_NaN());

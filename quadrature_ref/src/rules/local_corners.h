@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the frames of all elements begin with: corners relative to the point, in a unit of length close to the element's
-// extent as the point sees it.
+// The common beginning of all elements' frames: corners relative to the point, in a unit of length close to the
+// element's extent as the point sees it.
 #pragma once
 
 #include "power_of_two.h"

@@ -76,7 +76,7 @@ inline MemberNumbers called(std::string_view only) {
   return {[=](std::string_view name) { return name == only ? std::optional(0) : std::nullopt; }};
 }
 
-/// What adaptive rules and reference integrals of all elements are.
+/// The facts of adaptive rules and reference integrals of all elements.
 inline EvaluationFacts adaptive_facts(std::string description) {
   return {.description = std::move(description), .role = Role::Rule, .cost = CostClass::Adaptive, .states_error = true};
 }

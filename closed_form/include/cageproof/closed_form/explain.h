@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the operations of a closed form cost one of its results: the closed form run in numbers that count.
+// Errors that each operation of a closed form adds to one of its results: the closed form runs in numbers that count.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/counted_tape.h"

@@ -6,7 +6,7 @@
 
 namespace cageproof::closed_form::published {
 
-/// What an edge adds to its ends' phi^BH, an area times the logarithm of a length. The misprint closes hat-phi^BH's
+/// An edge's part of its ends' phi^BH, an area times the logarithm of a length. The misprint closes hat-phi^BH's
 /// bracket over 16 pi c after its first line.
 template <Scalar R>
 std::array<R, 2> biharmonic_double_layer(const PlaneEdge<R>& e, Misprint misprint) {

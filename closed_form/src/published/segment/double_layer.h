@@ -6,7 +6,7 @@
 
 namespace cageproof::closed_form::published {
 
-/// What an edge adds to its ends' phi^H: A/(2 pi) - hat-phi^H and hat-phi^H, unitless.
+/// An edge's part of its ends' phi^H: A/(2 pi) - hat-phi^H and hat-phi^H, unitless.
 template <Scalar R>
 std::array<R, 2> double_layer(const PlaneEdge<R>& e, Misprint) {
   const R last = (2 * e.x * e.A - e.y * (e.L1 - e.L2)) / (4 * pi<R>() * e.c);

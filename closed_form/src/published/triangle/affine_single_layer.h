@@ -8,7 +8,7 @@
 
 namespace cageproof::closed_form::published {
 
-/// psi_t^k = int Gamma_k/(4 pi r) ([T24] Eq 43-46): one number a corner, a length. Not finite where psibar_t's
+/// psi_t^k = int Gamma_k/(4 pi r) ([T24] Eq 43-46): one number per corner, a length. Not finite where psibar_t's
 /// derivatives are not; the Hessian is not finite on the lines of the edges, beyond their ends too, since Eq 18 has no
 /// blue terms. \param order 0, 1 or 2
 template <Scalar R>

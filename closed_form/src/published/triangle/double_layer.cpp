@@ -15,7 +15,7 @@ const RegisterPrinted double_layer_forms{
     }};
 
 const RegisterEvaluation double_layer_curl{printed_family(
-    "triangle.double_layer", "curl-form", "P x d/(2|t|) for the gradient: right for closed cages' sums alone", false,
+    "triangle.double_layer", "curl-form", "P x d/(2|t|) for the gradient: right only for closed cages' sums", false,
     Misprint::None, []<Scalar R>(const Frame<R>& f, int order, std::span<const R>, Misprint) {
       return double_layer_curl_form(f, order);
     })};

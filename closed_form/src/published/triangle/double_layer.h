@@ -25,7 +25,7 @@ R double_layer_normal_derivative(const Frame<R>& s, int k, Misprint misprint) {
                                          : R(printed + s.gamma[k] * s.n.dot(omega_gradient(s)) / (4 * pi<R>()));
 }
 
-/// phi_t^k = P.J_k/(2|t|) (Urago; on the triangle [T24] Appendix C, limits from inside): one number a corner, unitless.
+/// phi_t^k = P.J_k/(2|t|) (Urago; on the triangle [T24] Appendix C, limits from inside): a number per corner, unitless.
 /// Derivatives are not finite on the edges. It cancels far away. \param order 0, 1 or 2
 template <Scalar R>
 Jet<R, 3> double_layer(const Frame<R>& s, int order, Misprint misprint = Misprint::None) {

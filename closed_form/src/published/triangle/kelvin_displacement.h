@@ -8,7 +8,7 @@
 
 namespace cageproof::closed_form::published {
 
-/// K_t ([T24] Eq 49): 3 x 3 numbers row by row, a length over a modulus. Values alone. Not finite where the Hessian of
+/// K_t ([T24] Eq 49): 3 x 3 numbers row by row, a length over a modulus. Values only. Not finite where the Hessian of
 /// psibar_t is not. \param mu shear modulus, positive \param nu Poisson ratio, below 1
 template <Scalar R>
 Jet<R, 9> kelvin_displacement(const Frame<R>& s, const R& mu, const R& nu, Misprint misprint) {

@@ -8,7 +8,7 @@
 
 namespace cageproof::closed_form::published {
 
-/// T_t^k ([T24] Eq 49, printed without mu): 3 x 3 numbers a corner, row by row, unitless. Values alone. Not finite
+/// T_t^k ([T24] Eq 49, printed without mu): 3 x 3 numbers per corner, row by row, unitless. Values only. Not finite
 /// where psi_t^k's derivatives are not. \param mu shear modulus, positive \param nu Poisson ratio, below 1
 template <Scalar R>
 Jet<R, 27> kelvin_traction(const Frame<R>& s, const R& mu, const R& nu, Misprint misprint) {

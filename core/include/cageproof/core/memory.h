@@ -8,8 +8,8 @@
 
 namespace cageproof {
 
-/// Bytes of memory that this process may use at most: those of the machine, or of the container that it runs in, or
-/// those that `ulimit -v` leaves it, whichever are fewest.
+/// Returns how many bytes of memory this process may use at most: those of the machine, of the container that it runs
+/// in, or of `ulimit -v`, whichever are fewest.
 std::uint64_t usable_memory();
 
 /// "3.4 MB", "113 GB": three digits, with powers of 1000.

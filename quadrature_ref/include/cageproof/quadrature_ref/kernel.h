@@ -29,7 +29,7 @@ struct Node {
   R log_unit{};  ///< natural logarithm of the rule's unit of length: what log |x| lacks of the distance's own logarithm
 };
 
-/// What is asked of a kernel, the same at all nodes.
+/// A request to a kernel, the same at all nodes.
 template <Scalar R>
 struct KernelTask {
   std::span<const R> parameters;  ///< in the order of Formula::parameters
@@ -95,8 +95,8 @@ class KernelSet {
       kernels_;
 };
 
-/// What a rule integrates: the catalogue's row (element, tensors, degree of homogeneity) and its kernels. Refers to
-/// both.
+/// An integrand: the catalogue's row (element, tensors, degree of homogeneity) and its kernels. It refers to both, and
+/// owns neither.
 struct Integrand {
   const Formula& formula;
   const KernelSet& kernels;

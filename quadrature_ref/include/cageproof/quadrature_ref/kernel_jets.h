@@ -25,7 +25,7 @@ R squared_distance(const Vec3<R>& x) {
   return square;
 }
 
-/// r^m for the consecutive powers M, M - 2, M - 4 that a jet of order 2 needs.
+/// The powers r^M, r^(M - 2) and r^(M - 4), which a jet of order 2 needs.
 template <int M, int Dim, Scalar R>
 struct Powers {
   explicit Powers(const Vec3<R>& x) {
@@ -42,7 +42,7 @@ struct Powers {
   R first, second, third;
 };
 
-/// The gradient -slope x and the Hessian slope I + bend x x' of a function of the distance alone.
+/// The gradient -slope x and the Hessian slope I + bend x x' of a function of only the distance.
 template <int Dim, Scalar R>
 void set_radial_gradient(const Vec3<R>& x, const R& slope, KernelJet<Dim, R>& jet) {
   for (int i = 0; i < Dim; ++i) jet.gradient[i] = -(slope * x[i]);

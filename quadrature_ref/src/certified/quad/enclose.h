@@ -24,7 +24,7 @@ struct QuadEnclosure {
 template <Scalar R>
 std::optional<QuadEnclosure> enclose_quad(std::string_view formula, const Query<R>& query, int goal, double& work_left);
 
-/// The formulas that there are definitions of.
+/// The names of the formulas that can be enclosed on quads.
 std::vector<std::string> formulas_enclosed_on_quads();
 
 }  // namespace cageproof::quadrature_ref::certified

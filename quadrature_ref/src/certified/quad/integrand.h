@@ -8,7 +8,7 @@
 
 namespace cageproof::quadrature_ref::certified {
 
-/// Bounds of a line's integrals: how far its points are from the point, in all of a disc of complex v.
+/// Bounds for a line's integrals: how far the line's points are from the point, over a whole disc of complex v.
 struct LineBounds {
   Real nearest;   ///< lower bound of |x| on the line in the disc's middle
   Real farthest;  ///< upper bound there
@@ -31,7 +31,7 @@ class QuadIntegrand {
 
   /// At middle + t of the stretch; [order][...].
   const std::vector<std::vector<Real>>& operator()(const QuadStretch& stretch, const SeenQuad& quad, const Real& t);
-  /// An upper bound of each entry of an order in the disc, but for the weights of v.
+  /// An upper bound of each entry of an order in the disc, without the weights of v.
   Real bound(int order, const LineBounds& line) const;
 
  private:
@@ -53,7 +53,7 @@ class QuadIntegrand {
     QuadFactor with;
     int degree;
   };
-  // Terms of an order that have the same bound but for their factors.
+  // Terms of an order whose bounds differ only in their factors.
   struct Alike {
     int of_x, q;  // powers of |x| and 1/r
     bool normal;  // times |N|

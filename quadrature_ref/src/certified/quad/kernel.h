@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Kernels on bilinear quads: sums of kernel_terms.h's terms times 1, a component of N = xi_u x xi_v, or N.x, in the
-// axes of space; and their derivatives.
+// Kernels on bilinear quads, and their derivatives. They are sums of kernel_terms.h's terms times 1, a component of
+// N = xi_u x xi_v, or N.x, in the axes of space.
 #pragma once
 
 #include "../kernel_terms.h"

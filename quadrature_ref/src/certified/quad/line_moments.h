@@ -13,8 +13,8 @@ namespace cageproof::quadrature_ref::certified {
 /// The integrals of some powers q, each up to a degree.
 class LineMoments {
  public:
-  /// \param degrees per power q the highest degree, for which there is a line_formula or one of more. \pre all q are
-  /// odd, or all even
+  /// \param degrees the highest degree per power q, for which a line_formula of that degree or more exists. \pre all q
+  /// are odd, or all even
   explicit LineMoments(const std::map<int, int>& degrees);
   /// At the working_bits.
   void set(const SeenLine& line);

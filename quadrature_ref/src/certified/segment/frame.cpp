@@ -10,7 +10,7 @@ using Vector2 = std::array<Real, 2>;
 
 Real dot(const Vector2& a, const Vector2& b) { return a[0] * b[0] + a[1] * b[1]; }
 
-// What is exact: sums and products of the coordinates, without any rounding.
+// The exact numbers of a frame: sums and products of the coordinates, without rounding.
 struct ExactSegment {
   Vector2 edge;                // end 1 minus end 0
   Real length_squared, cross;  // cross: x . (edge turned to the right), the same for both ends

@@ -66,7 +66,7 @@ void AdaptiveQuad::integrate(Part& part) {
   fine = {std::max(fine.t, 6), std::max(fine.w, 6)};
   const auto coarser = [](int n) { return n - std::max(2, n / 4); };
   part.sums = rule(part.cell.cell, fine);
-  // Of well shaped quads terms are a few times as large as their sums.
+  // On well shaped quads, terms are a few times as large as their sums.
   part.growth = std::max(1., caster_.cancellation(part.cell.cell) / 4);
   const Result<double> along_t = rule(part.cell.cell, {coarser(fine.t), fine.w});
   const Result<double> along_w = rule(part.cell.cell, {fine.t, coarser(fine.w)});
@@ -162,7 +162,7 @@ void quad::integrate_adaptive(const Integrand& integrand, const Query<R>& query,
   const auto q = quad_frame(exact.query.corners, exact.query.point);
   if (!q) return fill_not_a_number(result);
   const ClosestPoint c = closest_point(*q);
-  // What lies that near without being on the quad may see its other side, and powers of its distance are no doubles.
+  // A point so near, but not on the quad, may see its other side, and powers of its distance may leave double's range.
   const bool near = is_on_quad(*q, c), on = near && lies_on_quad(exact.query);
   const OnQuad inside = on ? inside_quad(*q, c) : OnQuad{};
   if (near && (integrand.formula.face_jump.diverges || !inside.yes)) {

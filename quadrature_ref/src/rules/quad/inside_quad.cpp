@@ -10,7 +10,7 @@ OnQuad inside_quad(const QuadFrame<Mp200>& q, const ClosestPoint& c) {
   on.u = c.u;
   on.v = c.v;
   if (!is_on_quad(q, c)) return on;
-  // Newton's method may find a point of a side a rounding away from it.
+  // Newton's method may miss a point of a side by a rounding.
   const Mp200 rounding = pow(Mp200(10), -120);
   for (Mp200* parameter : {&on.u, &on.v})
     for (const int end : {0, 1})

@@ -10,10 +10,10 @@
 namespace cageproof::quadrature_ref {
 namespace {
 
-// What one attempt may cost, in values in 50 digits: a few seconds' for those promised; more are asked for knowingly.
+// The limit of one attempt, in values in 50 digits: a few seconds for promised digits, more for digits asked for.
 constexpr double kBudget = 3e6, kBudgetForMore = 5 * kBudget;
 
-// What a sum falls back to where more digits cost too much.
+// The digits that a sum falls back to where more cost too much.
 constexpr double kFewDigits = 12;
 
 // The natural size of an order's tensor: extent^(degree - order) times the measure, of which the degree has part.

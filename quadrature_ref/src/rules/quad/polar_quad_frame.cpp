@@ -18,8 +18,8 @@ PolarQuadFrame<Mp200> polar_quad_frame(const QuadFrame<Mp200>& q, const Mp200& u
     const Mp200 start_u = from[0] - u, start_v = from[1] - v;
     s.jacobian = start_u * s.step_v - start_v * s.step_u;
     if (!(s.jacobian > 0)) continue;
-    // Of the directions, not of the quad's edge, which is another line where opposite sides differ: next to c, where
-    // integrands are largest, only they matter.
+    // The edge in directions, not the quad's edge, which is another line where opposite sides differ: next to c, where
+    // integrands are largest, only the directions matter.
     s.edge = frame.at.along_u * s.step_u + frame.at.along_v * s.step_v;
     const Vec3<Mp200> to_start = frame.at.along_u * start_u + frame.at.along_v * start_v;
     const Mp200 square = dot(s.edge, s.edge);

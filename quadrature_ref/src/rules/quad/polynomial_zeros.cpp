@@ -8,7 +8,7 @@ namespace {
 
 using ComplexDouble = std::complex<double>;
 
-// Start values: for each segment of the Newton polygon's upper hull as many as it is long, on its radius.
+// Start values: each segment of the Newton polygon's upper hull gives one per unit of its length, on its radius.
 std::vector<ComplexDouble> starts(const std::array<double, 5>& c, int degree) {
   std::vector<ComplexDouble> zeros;
   for (int i = 0; i < degree;) {
@@ -39,7 +39,7 @@ std::vector<ComplexDouble> polynomial_zeros(const std::array<double, 5>& coeffic
   for (int step = 0; step < 80; ++step) {
     double change = 0;
     for (int i = 0; i < degree; ++i) {
-      // Of a zero outside the unit circle the inverse is iterated: its powers cannot overflow.
+      // For a zero outside the unit circle the inverse is iterated, because its powers cannot overflow.
       const ComplexDouble z = zeros[i];
       const bool outside = std::abs(z) > 1;
       const ComplexDouble y = outside ? 1. / z : z;

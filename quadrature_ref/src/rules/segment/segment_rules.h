@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Ways to integrate a kernel over a segment of the plane.
 //
-// All of them: the geometry is scaled by a power of two before, and the tensors are scaled back by the formula's degree
-// of homogeneity, so that no unit of length over- or underflows on the way; kernels with the logarithm of the distance
+// Every rule scales the geometry by a power of two first, and scales the tensors back by the formula's degree of
+// homogeneity, so that no unit of length over- or underflows on the way; kernels with the logarithm of the distance
 // add the unit's own (Node::log_unit), which makes them homogeneous. A segment without length, or an input that is not
 // finite, gives NaN. `nodes` of the statement counts the kernel evaluations. Points carry z = 0.
 #pragma once

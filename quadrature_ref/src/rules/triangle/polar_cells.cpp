@@ -9,7 +9,7 @@ namespace {
 // Fewer points would not even see that an integrand is larger than modelled.
 constexpr int kFewestInCell = 3;
 
-// Where r vanishes as a function of w: i pi/2 for a ray square to the line of sight, asinh(-1) for one along it.
+// Zeros of r as a function of w: i pi/2 for a ray square to the line of sight, asinh(-1) for a ray along it.
 const Singularities kRadialSingularities{{0, std::numbers::pi / 2}, {-0.8813735870195430, 0}};
 
 // asinh(a/distance cosh v), from the quotient's logarithm.

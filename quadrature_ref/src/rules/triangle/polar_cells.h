@@ -27,8 +27,8 @@ struct CellPoints {
   int t, w;
 };
 
-/// Directions on a ring: exact for trigonometric polynomials of degree 11. Hessians with hat functions have degree 3,
-/// those of elastic tensors 5.
+/// The number of directions on a ring, which is exact for trigonometric polynomials of degree 11. Hessians with hat
+/// functions have degree 3, Hessians of elastic tensors 5.
 inline constexpr int kRingDirections = 12;
 
 /// w at the largest disc around c; 0 where c is on an edge.

@@ -56,7 +56,7 @@ struct EdgeFromNearest {
   R away, start, end, along;
 };
 
-// What is small is taken as it is, never as a difference of what is not.
+// Computes small numbers directly, never as differences of large ones.
 EdgeFromNearest seen_from(const Nearest& c, const LinedTriangle& t, int k) {
   const EdgeLine& line = t.lines[k];
   const int before = (k + 2) % 3, after = (k + 1) % 3;  // the edges that end and start where this one starts and ends

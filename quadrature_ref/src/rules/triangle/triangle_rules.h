@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Ways to integrate a kernel over a triangle.
 //
-// All of them: the geometry is scaled by a power of two before, and the tensors are scaled back by the formula's degree
-// of homogeneity, so that no unit of length over- or underflows on the way. A triangle without area, or an input that
+// Every rule scales the geometry by a power of two first, and scales the tensors back by the formula's degree of
+// homogeneity, so that no unit of length over- or underflows on the way. A triangle without area, or an input that
 // is not finite, gives NaN. `nodes` of the statement counts the kernel evaluations. Rules of fixed size take blocks of
 // points and ask for no memory at a point; results do not depend on the block.
 #pragma once

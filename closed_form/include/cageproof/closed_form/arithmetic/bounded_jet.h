@@ -9,8 +9,8 @@
 
 namespace cageproof::closed_form {
 
-/// What a result's own bound must be below. Of `accurate`: half of what is promised, since running bounds are
-/// themselves rounded. Of `closed_form`: bounds of running errors exceed what happens ten times over and more.
+/// Limits for a result's own error bound. `accurate` takes half of its promise, because running bounds are themselves
+/// rounded. `closed_form` takes more than its promise, because running bounds exceed its errors tenfold and more.
 inline constexpr double kAccurateTolerance = 128 * 0x1p-53, kTolerance = 1000 * 0x1p-53;
 
 /// A jet, and a bound of each order's relative error, norm-wise over those entries that are finite and within what the

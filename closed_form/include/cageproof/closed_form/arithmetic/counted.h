@@ -20,7 +20,7 @@ inline constexpr bool cageproof::stands_for_double<cageproof::closed_form::Count
 
 namespace cageproof::closed_form {
 
-/// What an operation takes: a counted number, or an exact one. Converting to it notes where the operation stands.
+/// An operand: a counted number, or an exact one. Converting to it notes the source line of the operation.
 struct Operand {
   double value;
   const Mp200* shadow = nullptr;  ///< null: the value is exact
@@ -77,9 +77,9 @@ class Counted {
   friend Counted atan(const Operand& a);
   friend Counted atanh(const Operand& a);
   friend Counted atan2(const Operand& y, const Operand& x);
-  /// x 2^exponent: exact but for underflow.
+  /// x 2^exponent, which is exact unless it underflows.
   friend Counted ldexp(const Counted& x, int exponent);
-  /// Of double's value.
+  /// frexp of the value in double.
   friend double frexp(const Counted& x, int* exponent) { return std::frexp(x.value, exponent); }
   friend bool isfinite(const Counted& x) { return std::isfinite(x.value); }
 };
@@ -107,7 +107,7 @@ template <int N>
 struct Taylor<Counted, N> : Polynomial<Counted, N> {
   using Plain = Polynomial<Counted, N>;
   using Where = std::source_location;
-  /// What operators take, with the line that they stand on.
+  /// An operator's argument with the operator's source line.
   template <class T>
   struct From {
     const T& it;

@@ -11,19 +11,19 @@
 
 namespace cageproof::closed_form {
 
-/// What the operations of one kind at one line of the source cost one result. Sizes are absolute errors in the result.
+/// Errors that operations of one kind at one source line add to one result. Sizes are absolute errors in the result.
 struct CountedLine {
   std::string file;       ///< relative to the project
   unsigned line = 0;      ///< 0 where a number was taken over as a whole
   std::string operation;  ///< "+", "sqrt", "* in add_raised", "frame d"
-  /// What the operations' results are wrong by beyond the relative errors of their operands and one rounding, as far as
-  /// it reaches the result; the sum of the sizes. Cancellations are what makes it large.
+  /// Errors of the operations beyond the relative errors of their operands and one rounding, as far as they reach the
+  /// result; the sum of the sizes. Cancellation makes it large.
   double lost = 0;
   /// The operations' own roundings as far as they reach the result: the sum of their sizes, and the sum.
   double rounded = 0, net = 0;
   /// The most bits that one of the operations cancelled: exponent of the larger operand less that of the sum.
   int bits = 0;
-  /// Of the operation that lost most: relative errors of its worse operand and of its result, in units of 2^-53.
+  /// Relative errors of the operation that lost most: of its worse operand, and of its result, in units of 2^-53.
   double before = 0, after = 0;
   std::size_t count = 0;  ///< of operations that the result depends on
 };
@@ -40,8 +40,8 @@ class CountedTape {
   static CountedTape* current();
 
   std::size_t size() const { return nodes_.size(); }
-  /// What each line costs the result, scaled by `scale`; the dearest first, by the larger of `lost` and `rounded`.
-  /// Lines that cost nothing are left out.
+  /// Returns each line's errors in the result, times `scale`, sorted by the larger of `lost` and `rounded`, the largest
+  /// first. Lines without errors are left out.
   std::vector<CountedLine> lines(const Counted& result, double scale = 1) const;
 
  private:

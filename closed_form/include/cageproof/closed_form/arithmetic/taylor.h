@@ -27,7 +27,7 @@ struct Monomials {
     return e;
   }
   static constexpr std::array<Exponents, count> exponents = make_exponents();
-  /// raised[m][i]: the place of monomial m times variable i; the place depends on the monomial alone, not on N.
+  /// raised[m][i]: the place of monomial m times variable i; the place depends only on the monomial, not on N.
   static constexpr int place(const Exponents& e) {
     const int rest = e[1] + e[2];
     return first(e[0] + rest) + rest * (rest + 1) / 2 + e[2];

@@ -14,7 +14,7 @@
 
 namespace cageproof::closed_form {
 
-/// What errors of a type are counted in: powers of distances that multiprecision holds may leave double's range.
+/// The type that holds errors of T: errors of powers of distances in multiprecision may leave double's range.
 template <class T>
 using ErrorOf = std::conditional_t<is_multiprecision<T>, long double, double>;
 
@@ -130,7 +130,7 @@ struct Tracked {
   static constexpr Error kRoundoff = roundoff_of<T>();
   /// Mathematical libraries promise an ulp or two for logarithms and angles, not half of one.
   static constexpr double kFunctionRoundings = 4;
-  // Those of 200 digits hold double-doubles' and less.
+  // Constants of 200 digits serve double-doubles and narrower types.
   using Constants = MpConstants<std::max(200, std::numeric_limits<T>::digits10)>;
   /// The magnitude less its own error: what a divisor may have shrunk to; zero where nothing of it is certain.
   static Error remaining(const Tracked& a) { return remaining(least_size_of(a.value), a.error); }

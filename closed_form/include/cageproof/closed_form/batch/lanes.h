@@ -100,7 +100,7 @@ inline Lanes log_of_quotient(Lanes num, Lanes den, Lanes length, Lanes sum, Mask
   return log_of_quotient(num, den, length, sum, small, nullptr);
 }
 
-/// Of a positive length.
+/// The logarithm of num/den for an edge of positive length.
 inline Lanes log_of_quotient(Lanes num, Lanes den, Lanes length, Lanes sum) {
   return log_of_quotient(num, den, length, sum, 5 * length < sum);
 }

@@ -9,7 +9,7 @@
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
-/// The unevaluated sum of two numbers a point.
+/// The unevaluated sum of two numbers per point.
 struct Pair {
   Lanes high{}, low{};
 

@@ -37,7 +37,7 @@ struct FaceTable {
   T middle[3][3];       ///< of edges: vector from corner 0 to the middle
 };
 
-/// What kinds of coordinates are made of.
+/// The layers that kinds of coordinates are made of.
 enum class Layers {
   Harmonic,    ///< phi, psi
   Biharmonic,  ///< phi, psi, phibar, psibar
@@ -101,9 +101,9 @@ struct CageTables {
   const FaceTable<TwoDoubles>* fine_face;
   double size;         ///< about its diagonal
   const char* folded;  ///< of faces: whether one lies on another nearly where they meet
-  /// What rules are chosen by: [3][stride] centroids of faces, and one over the squares of corners' largest distances
-  /// from there [stride]; the stride is the number of faces, rounded up to what vectors hold, and filled up with the
-  /// first face.
+  /// Numbers that rules are chosen by: [3][stride] centroids of faces, and [stride] one over the square of a corner's
+  /// largest distance from there. The stride is the number of faces, rounded up to whole vectors; the first face fills
+  /// them up.
   const double* centroid;
   const double* over_square;
   int stride;

@@ -83,7 +83,7 @@ inline const std::vector<Erratum>& errata() {
        "on-face",
        {{"triangle.biharmonic_single_layer", 0}}},
       {"[T24] Appendix C, n.grad phi inside",
-       "det(n x sum e C_e; e^i; n)/(2|t|), the curl form, right for closed cages' sums alone",
+       "det(n x sum e C_e; e^i; n)/(2|t|), the curl form, right only for closed cages' sums",
        "that + Gamma_i n.grad omega/(4 pi)",
        AppendixC,
        "on-face",

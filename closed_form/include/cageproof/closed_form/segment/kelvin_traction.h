@@ -13,9 +13,9 @@ namespace cageproof::closed_form::segment {
 /// plane, a and b as in K_s): unitless, independent of mu. With F_k = int Gamma_k/z, S_k = int Gamma_k/z^2 and
 /// J = n u' - u n' the quarter turn, (x.n I + n x' - x n')/r^2 is the matrix of the product with i/z, so that
 ///   2 pi T = -Im F_k I + ((a - 2b)/a) Re F_k J - (2b/a) h spin(conj S_k).
-/// On the segment: the limit from inside. At an end the entries of its own hat function that the logarithm of the
-/// distance enters, those off the diagonal but for nu = 1/2, are infinite, the others limits along the normal;
-/// derivatives have no limit there: NaN. Summed over a polygon the logarithms cancel.
+/// On the segment: the limit from inside. At an end, the logarithm of the distance makes off-diagonal entries of the
+/// end's hat function infinite, unless nu = 1/2; other entries are limits along the normal. Derivatives have no limit
+/// there: NaN. In sums over a polygon the logarithms cancel.
 struct KelvinTraction {
   static constexpr int components = 8, parameter_count = 2;
   static constexpr bool has_signs_at_ends = true;
@@ -39,7 +39,7 @@ struct KelvinTraction {
   }
 
  private:
-  // What stands before the identity, the quarter turn and the spin.
+  // The factors of the identity, the quarter turn and the spin.
   template <Scalar R>
   struct Parts {
     R round, shear, bulk;

@@ -17,7 +17,7 @@ struct PlaneReading {
 };
 
 /// `const RegisterPlaneForm <kernel>_forms{"segment.<kernel>", {readings...}, form};` at namespace scope of the form's
-/// .cpp. The paper takes derivatives by differences, so there are values alone. \param form `form(edge, misprint)`: the
+/// .cpp. The paper takes derivatives by differences, so forms have only values. \param form `form(edge, misprint)`: the
 /// numbers of the value, for every scalar
 struct RegisterPlaneForm {
   template <class Form>
@@ -34,7 +34,7 @@ struct RegisterPlaneForm {
   }
 
  private:
-  // In multiprecision in 200 digits, so that what cancels shows in float and double alone.
+  // Multiprecision results are computed in 200 digits, so that cancellation shows only in float and double.
   template <class Form>
   static void set(Evaluation& evaluation, Misprint misprint, Form form) {
     for (const ScalarKind kind : scalar_kinds)

@@ -37,7 +37,7 @@ Vec3<R> urago_vector(const Frame<R>& s, bool derivative) {
   return p;
 }
 
-/// Jacobian of P, 1/length: minus the Hessian of psi. Not finite on the edges.
+/// The Jacobian of P, 1/length, which is minus the Hessian of psi. Not finite on the edges.
 template <Scalar R>
 Mat3<R> urago_jacobian(const Frame<R>& s) {
   Mat3<R> jacobian = -s.n * omega_gradient(s).transpose() / (4 * pi<R>());

@@ -29,7 +29,7 @@ struct Face {
   ElementKind kind() const;
 };
 
-/// What may be repaired instead of rejected.
+/// Repairs that make_cage may make instead of rejecting a cage.
 struct CageOptions {
   /// Reverse the faces of parts that are oriented the wrong way: outer shells whose normals point inward, and cavities
   /// whose normals point into the solid. In the plane also single segments, so that all of a polygon follow each other.
@@ -37,7 +37,7 @@ struct CageOptions {
   /// Quads may have coinciding corners, three on a line, cross themselves or fold over; for coordinates that keep
   /// quads.
   bool allow_invalid_quads = false;
-  /// Of the file that the faces come from, one a face, for messages; empty where nobody knows.
+  /// The line of each face in its file, for messages; empty where it is not known.
   std::vector<std::size_t> face_lines = {};
   /// The number in its file of each face, for messages and for those who have the file's faces; several faces have the
   /// number of one that was cut in triangles. Empty where faces are those of the file.
@@ -85,7 +85,7 @@ class Cage {
                            CageOptions options = {});
 
   const std::string& name() const { return name_; }
-  /// Of the space that the cage lies in: 2 or 3.
+  /// The dimension of the space that the cage lies in: 2 or 3.
   int dimension() const { return dimension_; }
   const std::vector<Vec3<double>>& vertices() const { return vertices_; }
   const std::vector<Face>& faces() const { return faces_; }
@@ -144,9 +144,9 @@ std::optional<std::string> folding_warning(const Cage& cage);
 std::optional<std::string> meeting_warning(const Cage& cage);
 
 /// The pairs of faces that cross or touch each other (face_crossings), each as "faces f and g", with the lines of the
-/// file where they are known; empty for none, and in the plane, where make_polygon refuses them. No error: integrals
-/// over such a surface exist and agree with all that is said of them, but for the number that they sum to, which is how
-/// often the cage winds around the point, 2 where two parts of it overlap.
+/// file where they are known; empty for none, and in the plane, where make_polygon refuses them. Crossings are not an
+/// error: integrals over such a surface exist and keep their properties. One differs: a partition of unity sums to how
+/// often the cage winds around the point, which is 2 where two of its parts overlap.
 std::vector<std::string> crossing_faces(const Cage& cage);
 
 /// One line that names the first of them and says what it means; nothing where no faces cross.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What coordinates are summed over: a cage's boundary as elements.
+// A cage's boundary as elements, over which coordinates are summed.
 #pragma once
 
 #include "cageproof/core/cage/cage.h"
@@ -16,8 +16,8 @@ struct Touching {
   std::array<double, 4> basis;
 };
 
-/// What there is one coordinate for: a vertex, an element, a corner of an element, numbered element by element, or a
-/// normal: of those a flat element has one, and a quad, on which it turns, one a corner.
+/// The owner of one coordinate: a vertex, an element, a corner of an element (numbered element by element), or a
+/// normal. A flat element has one normal. A quad, on which the normal turns, has one per corner.
 enum class Owner { Vertex, Element, Corner, Normal };
 
 /// "vertex", "element", "corner", "normal".
@@ -34,7 +34,7 @@ class CageElements {
   const std::vector<Face>& all() const { return elements_; }
   std::size_t count() const { return elements_.size(); }
   const ElementType& type(std::size_t element) const { return type_of(elements_[element].kind()); }
-  /// The vertices of an element, as many as it has corners.
+  /// The vertices of an element, one per corner.
   std::span<const int> vertices_of(std::size_t element) const;
   std::vector<Vec3<double>> corners(std::size_t element) const;
   /// How many vertices, elements, corners of elements, or normals.

@@ -6,11 +6,11 @@
 
 namespace cageproof {
 
-/// Names of the embedded cages, in report order: cube, icosphere, torus, l-block, twisted-bar, thin-box, spiky-box; in
-/// the plane square, l-shape, star, comb, thin-bar, frame (a square with a hole), figure (of a person, 100 edges).
+/// Returns the names of the embedded cages, in report order: cube, icosphere, torus, l-block, twisted-bar, thin-box,
+/// spiky-box; in the plane square, l-shape, star, comb, thin-bar, frame (a square with a hole), figure (100 edges).
 std::vector<std::string_view> embedded_cage_names();
 
-/// Names of the extreme ones, in report order. Most families are swept by decades of a length, 1e-3 for a thousandth:
+/// Returns the names of the extreme cages, in report order. A number in a name is a length that a family is swept over:
 /// thin-wall-1e-1 ... (a box open at the top), wedge-1e-2 ..., crack-1e-2 ..., hollow-1e-3 ... (a cube around a
 /// cavity), gap-1e-3 ... (two cubes), nested (shells and cavities in turn), fan (64 triangles at a vertex), bevel-1e-2
 /// ... (a tetrahedron with a corner cut off), bump-1e-2 ... (a small pyramid on a cube), pinch-1e-2 ... (an hourglass),

@@ -66,11 +66,11 @@ Cage cage_from(Mesh mesh, const std::filesystem::path& path, CageOptions options
 
 /// Reads points: the vertices of a mesh file, an array of NumPy's of shape (points, 3) or, in the plane, (points, 2)
 /// (`.npy`; `.npz` with one array), or text (`.csv`, `.tsv`, `.xyz`, `.pts`, `.txt`). What has no extension, and
-/// standard input ("-"), is text, or an array where it begins as one. Text has a point a line: three numbers (decimal
+/// standard input ("-"), is text, or an array where it begins as one. Text has one point per line: 3 numbers (decimal
 /// or hexadecimal) between semicolons, commas, or blanks and tabs. `#` starts a comment; a first line without any
-/// number names the columns, one with a single whole number says how many points follow. More than three columns are
+/// number names the columns; one with a single whole number says how many points follow. More than three columns are
 /// taken for x, y, z and others, which are left out, with a warning; named columns are taken by the names x, y, z.
-/// \param dimension in the plane, 2, there may be two numbers a point, and third coordinates must be zero; heights of
+/// \param dimension in the plane, 2, a point may have two numbers, and third coordinates must be zero; heights of
 ///   GeoJSON are left out, with a warning
 /// \throws InputError as read_mesh; naming the line (of a mesh the vertex, of an array the row): too few numbers,
 ///   another number of columns than in the first point, another number of points than announced, decimal commas, a

@@ -15,8 +15,8 @@ namespace cageproof {
 class WindingNumbers {
  public:
   explicit WindingNumbers(const CageElements& elements);
-  /// 1 inside a surface whose normals point outward, 0 outside, -1 inside one that points inward, sums of these where
-  /// parts overlap; nothing on the cage.
+  /// Returns 1 inside a surface whose normals point outward, 0 outside, -1 inside one whose normals point inward, the
+  /// sum of these where parts overlap, and nothing on the cage.
   std::optional<int> around(const Vec3<double>& point) const;
 
  private:

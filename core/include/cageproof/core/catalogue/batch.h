@@ -33,7 +33,7 @@ struct Query {
   bool finite_part = false;
 };
 
-/// What an evaluation says of its own result at one point.
+/// The statement of an evaluation about its own result at one point.
 struct Statement {
   /// Decimal digits, relative and norm-wise, that the evaluation itself stands behind for the worst tensor asked for;
   /// NaN where it makes no statement (closed forms, fixed rules).

@@ -15,7 +15,7 @@
 
 namespace cageproof {
 
-/// What an evaluation says of itself.
+/// The facts that an evaluation states about itself.
 struct EvaluationFacts {
   std::string description;
   Role role = Role::Rule;
@@ -122,8 +122,8 @@ struct EvaluationFamily {
   std::string formula;
   std::string pattern;  ///< "closed_form", "gauss-<N>": what `list` shows
   Role role = Role::Rule;
-  /// The members that verification runs and `list` names; none where a check alone asks for the one member, which is
-  /// named as the pattern.
+  /// The members that verification runs and `list` names. Empty where only a check asks for the single member, which
+  /// then has the pattern's name.
   std::vector<std::string> standard;
   /// The member of that name, or nothing when the name is not of this family.
   std::function<std::optional<Evaluation>(std::string_view name)> make;

@@ -12,7 +12,7 @@ namespace cageproof {
 /// A word, and either the names of what it means or the reason why nothing here is that.
 struct FieldWord {
   std::string_view word;  ///< in lower case, with hyphens: "mean-value"
-  /// Of kinds, methods, evaluations, commands, and of formulas without their element: "solid_angle".
+  /// Names of kinds, methods, evaluations and commands, and of formulas without their element: "solid_angle".
   std::vector<std::string_view> here = {};
   std::string_view missing = {};  ///< where `here` is empty: what it is, and what comes near
 };
@@ -24,8 +24,8 @@ std::span<const FieldWord> field_words();
 /// behind it, or with an element before it ("triangle.winding"). Null where there is none.
 const FieldWord* find_field_word(std::string_view word);
 
-/// What an error for an unknown name adds where the field has the word: "; it is called 'mean_value' here", or that it
-/// is something else here, or missing. Empty where there is no entry. \param what is asked for: "deformer"
+/// The addition to an error for an unknown name that is a word of the field: "; it is called 'mean_value' here", or
+/// that it is something else here, or missing. Empty without an entry. \param what is asked for: "deformer"
 /// \param known the names that would do; empty: all
 std::string called_here(std::string_view what, std::string_view word, const std::vector<std::string_view>& known);
 

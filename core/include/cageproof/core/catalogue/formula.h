@@ -34,8 +34,8 @@ struct Parameter {
   }
 };
 
-/// How a formula's tensor is made up: one tensor an element, or one a corner; the tensor has rows x columns entries,
-/// each 1 (a number) or the dimension of the space.
+/// The shape of a formula's results: one tensor per element, or one per corner, of rows x columns entries. Rows and
+/// columns are 1 (a number) or the dimension of the space.
 struct Shape {
   bool per_corner = false;
   int rows = 1;
@@ -46,8 +46,8 @@ struct Shape {
   int space_indices() const { return (rows > 1) + (columns > 1); }
 };
 
-/// What taking the trace of the Hessian must give: nothing known, zero (harmonic), another formula (biharmonic), or the
-/// formula itself with its last parameter one less, which is zero where that would be zero (polyharmonic).
+/// The trace of the Hessian: nothing known, zero (harmonic), another formula (biharmonic), or the formula itself with
+/// its last parameter one less (polyharmonic); where that parameter would be zero, the trace is zero.
 struct Laplacian {
   enum class Kind { Unknown, Zero, Formula, LowerOrder } kind = Kind::Unknown;
   std::string_view formula = {};
@@ -61,17 +61,17 @@ struct FaceJump {
   bool diverges = false;
 };
 
-/// What stands before ln r in a kernel of the plane: factor r^(2 squares), times x.n or not; of matrices, times the
-/// identity. The factor is zero for kernels without logarithm.
+/// The term that multiplies ln r in a kernel of the plane: factor r^(2 squares), with or without x.n; in matrices it
+/// multiplies the identity. The factor is zero for kernels without a logarithm.
 struct Logarithm {
   double factor = 0;
   int squares = 0;
   bool height = false;
 };
 
-/// What a double layer's moments and a single layer add up to around the sides of an element in space, seen from the
-/// point, x_k its corners: sum_k f_k x_k + factor sum_k g_k N_k = 1/(weight pi) sum over sides of (x_k cross side)
-/// times the mean of r^power along the side. Of flat elements, g N is the one number times the unit normal.
+/// The identity of a double layer's moments f and a single layer g on an element in space whose corners, seen from the
+/// point, are x_k: sum_k f_k x_k + factor sum_k g_k N_k = 1/(weight pi) sum over sides of (x_k cross side) times the
+/// mean of r^power along the side. On flat elements, g N is one number times the unit normal.
 struct SideRelation {
   std::string_view single_layer = {};  ///< g; none where empty
   double factor = 1;
@@ -79,9 +79,9 @@ struct SideRelation {
   int power = -1;  ///< -1 or 1
 };
 
-/// What a formula does for given parameters. With the unit of length: f(s element, s point) = s^degree f(element,
-/// point), s > 0, or, of kernels with the logarithm of the distance, s^degree (f(element, point) + log(s) times the
-/// integral of what stands before the logarithm), and derivatives alike. And across the element.
+/// The behaviour of a formula for given parameters, in two respects. Under a change of unit, f(s element, s point) =
+/// s^degree f(element, point), s > 0; kernels with a logarithm of the distance add s^degree log(s) times the integral
+/// of the term that multiplies it; derivatives follow. Across the element, it jumps as stated.
 struct Behaviour {
   int degree;
   Logarithm logarithmic = {};
@@ -111,7 +111,7 @@ struct Formula {
   /// alike parts each adds a quarter.
   bool by_parameters = false;
   SideRelation side_relation = {};
-  /// Of formulas whose degree, logarithm or jump depends on their parameters; null elsewhere.
+  /// The behaviour of a formula whose degree, logarithm or jump depends on its parameters; null for others.
   Behaviour (*behaviour_of)(std::span<const double> parameters) = nullptr;
 
   Behaviour behaviour(std::span<const double> given) const {
@@ -120,14 +120,14 @@ struct Formula {
   int corners() const { return corner_count(element); }
   /// Number of scalars of the value: (corners or 1) x rows x columns.
   int components() const { return tensors() * shape.entries(); }
-  /// Tensors of an element: one a corner, or one.
+  /// The number of an element's tensors: one per corner, or one.
   int tensors() const { return shape.per_corner ? corners() : 1; }
   int dim() const { return dimension(element); }
   /// The second half of the name: what is integrated.
   std::string_view kernel() const { return name.substr(name.find('.') + 1); }
 };
 
-/// Derivatives of one number: dim^order.
+/// The number of derivatives of one number: dim^order.
 constexpr std::size_t derivative_count(int dim, int order) {
   std::size_t count = 1;
   for (int o = 0; o < order; ++o) count *= static_cast<std::size_t>(dim);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an evaluation is for, and what it costs: what others ask for instead of its name.
+// The role of an evaluation, and its cost: callers ask for these instead of a name.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace cageproof {
 
-/// What an evaluation is.
+/// The purpose of an evaluation.
 enum class Role {
   Recommended,  ///< the one to use, one a formula at most
   ClosedForm,   ///< algebra kept to a promise by more digits; in multiprecision it may stand in for the integral
@@ -34,7 +34,7 @@ constexpr std::string_view name_of(Role role) {
   return names[static_cast<std::size_t>(role)];
 }
 
-/// What one pair of element and point costs, by order of magnitude; campaigns take fewer samples of what costs more.
+/// The cost of one pair of element and point, by order of magnitude; campaigns take fewer samples of costly ones.
 enum class CostClass {
   Direct,          ///< microseconds, whatever the input
   Nodes,           ///< a fixed number of kernel evaluations

@@ -13,9 +13,9 @@ namespace cageproof {
 /// ("solid_angle": "triangle.solid_angle"). Empty where none is near.
 std::string_view nearest_name(std::string_view name, const std::vector<std::string_view>& known);
 
-/// The error to throw for a name that nothing has: "unknown check 'x'; see `cageproof list`". What may have been meant
-/// is said, "did you mean 'y'?", and where there are few names, all: "unknown scalar 'x'; known: float, double".
-/// \param what is named: "formula" \param known all names that there are; empty: only that the catalogue lists them
+/// The error to throw for an unknown name: "unknown check 'x'; see `cageproof list`". It proposes a name that may have
+/// been meant, "did you mean 'y'?", or names all where they are few: "unknown scalar 'x'; known: float, double".
+/// \param what is named: "formula" \param known all possible names; empty: the message only refers to the catalogue
 InputError unknown_name(std::string_view what, std::string_view name, const std::vector<std::string_view>& known = {});
 
 /// The same where one name is asked for, and neither a glob nor a list would do.
@@ -26,12 +26,12 @@ InputError unknown_single_name(std::string_view what, std::string_view name,
 /// once.
 std::vector<std::string_view> evaluation_names(std::string_view formula);
 
-/// What is to be said where a formula has no evaluation of that name: the numbers that rules of such a name take, or
-/// what may have been meant.
+/// The end of a message where a formula has no evaluation of that name: the numbers that rules of such a name take, or
+/// the name that may have been meant.
 std::string why_no_evaluation(std::string_view formula, std::string_view name);
 
-/// The same of whatever has evaluations. \param subject what messages call it \param formulas whose evaluations it has
-/// \param more names that it has beside them
+/// The same for any subject with evaluations. \param subject its name in messages \param formulas whose evaluations it
+/// has \param more names of evaluations that it has in addition
 std::string why_no_evaluation(std::string_view subject, const std::vector<std::string_view>& formulas,
                               std::string_view name, const std::vector<std::string_view>& more);
 
@@ -41,7 +41,7 @@ std::string_view family_of_number(std::string_view name);
 
 /// States what stands for the placeholder in a pattern of evaluations' names: "gauss-<N>", "N from 1 to 256".
 void state_range(std::string_view pattern, std::string_view range);
-/// What was stated; empty where nothing was.
+/// The range that was stated; empty if none was.
 std::string_view range_of_pattern(std::string_view pattern);
 
 }  // namespace cageproof

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables of coordinates: made for blocks, and multiplied with cage data.
+// Functions that make tables of coordinates for blocks, and multiply them with cage data.
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"

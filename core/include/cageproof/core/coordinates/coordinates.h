@@ -17,9 +17,9 @@ struct SummedBlock {
   std::string_view label;   ///< "phi", "psi" ...
   std::string_view kernel;  ///< "double_layer"
   Reproduces reproduces;
-  /// What the normals are multiplied with, from the formula's parameters and the space's dimension; null for one.
+  /// The factor of the normals, from the formula's parameters and the space's dimension; null for one.
   double (*normal_factor)(std::span<const double> parameters, int dimension) = nullptr;
-  /// Of kernels with a tensor a corner: whether elements keep theirs, which are added to the vertices' otherwise.
+  /// For kernels with one tensor per corner: whether corners keep theirs; otherwise they are added to the vertices'.
   bool one_a_corner = false;
   /// Whether there is one a normal (Owner::Normal): of quads one a corner, integrated over du dv, times the area
   /// element |N_k| there, so that unit normals are what all coordinates multiply; of triangles one.
@@ -35,10 +35,10 @@ struct KindParameter : Parameter {
   std::optional<double> value_of(std::string_view text) const;
 };
 
-/// What a kind is prepared with.
+/// The options that a kind is prepared with.
 struct CoordinateOptions {
-  /// Of its formulas, or of whole coordinates (WholeEvaluation, and `quickest` of them); empty for each formula's
-  /// recommended one.
+  /// An evaluation of its formulas, or of whole coordinates (a WholeEvaluation's name, or `quickest`); empty for each
+  /// formula's recommended one.
   std::string evaluation = {};
   Triangulation triangulation = Triangulation::Shortest;
   std::vector<double> parameters = {};  ///< in the order of parameters_of(kind); empty for their defaults
@@ -48,17 +48,17 @@ struct CoordinateOptions {
 struct CoordinateKind {
   std::string_view name;
   std::string_view source;
-  /// Of sums over elements; empty for kinds that compute otherwise.
+  /// The blocks of a sum over elements; empty for kinds that compute otherwise.
   std::vector<SummedBlock> blocks = {};
   bool normalised = false;   ///< divided by their sum (mean value coordinates), and interpolating on the cage
   bool keeps_quads = false;  ///< the cage's quads stay bilinear surfaces
-  /// Of kinds that are no sums over elements: the dimension of their cages, 0 for both, and what prepares them. Null
-  /// for sums.
+  /// Cage dimension of a kind that is not a sum over elements; 0 means 2 and 3. `prepare` prepares it for a cage; it
+  /// is null for sums.
   int own_dimension = 3;
   std::shared_ptr<const PreparedCoordinates> (*prepare)(const Cage& cage, const CoordinateOptions& options) = nullptr;
-  /// Of kinds that are no sums over elements; those of sums are their formulas'.
+  /// Parameters of a kind that is not a sum over elements; a sum has those of its formulas.
   std::vector<KindParameter> parameters = {};
-  /// Of kinds that are no sums: names of evaluations, beside those of their formulas, that are measured by themselves.
+  /// Names of evaluations of a kind that is not a sum, in addition to its formulas', that are measured by themselves.
   std::vector<std::string_view> other_evaluations = {};
   /// The kind, of the same blocks, that is what this one approximates by its scheme; empty for kinds that are no
   /// approximation of another.
@@ -80,7 +80,7 @@ struct CoordinateKind {
   /// Null for kinds that refuse none. What other parameters make too large, `prepare` refuses.
   std::string (*refuses)(const Cage& cage) = nullptr;
 
-  /// Of kinds that are no sums: whether `quickest` is for the sums that they are made of, whose evaluation they take.
+  /// Whether a kind that is not a sum is made of sums and takes their evaluation, which `quickest` then chooses.
   bool made_of_sums = false;
 
   bool is_sum() const { return prepare == nullptr; }
@@ -154,7 +154,7 @@ class CageCoordinates {
     return prepared_->systems() != nullptr ? prepared_->systems()->solved() : std::vector<SolvedSystem>();
   }
 
-  /// A block of points: one table a block of coordinates, as PreparedCoordinates::fill.
+  /// Coordinates of several points: one table per block of coordinates, as PreparedCoordinates::fill.
   template <Scalar R>
   std::vector<CoordinateTable<R>> at(std::span<const Vec3<R>> points, int order) const;
 
@@ -172,7 +172,7 @@ class CageCoordinates {
   std::vector<CoordinateTable<R>> boundary_laplacians() const;
 
   /// The functions that coordinates make of cage data, a block of points at a time: no more than a few thousand
-  /// points' coordinates are kept. \pre one list a block, as long as its coordinates, columns and sets ask
+  /// points' coordinates are kept. \pre one list per block, as long as its coordinates, columns and sets ask
   /// \throws InputError where blocks have different numbers of rows
   AppliedTable apply(std::span<const Vec3<double>> points, int order, const CageData& data) const;
 
@@ -180,7 +180,7 @@ class CageCoordinates {
   /// element.
   std::unique_ptr<const StatedSum> sum_to(double error, const CageData& data, std::size_t points) const;
 
-  /// One point: one result a block.
+  /// Coordinates of one point: one result per block.
   template <Scalar R>
   std::vector<Result<R>> at(const Vec3<R>& point, int order) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coordinates in float: those in double, rounded.
+// Coordinates in float are computed in double and rounded.
 #pragma once
 
 #include "cageproof/core/coordinates/prepared_coordinates.h"

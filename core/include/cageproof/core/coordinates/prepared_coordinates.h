@@ -10,8 +10,8 @@
 
 namespace cageproof {
 
-/// What a block of coordinates multiplies when a linear map is reproduced. TurnedVertices, in the plane: vertices
-/// turned by a quarter counter-clockwise, as the imaginary parts of complex coordinates do.
+/// The cage data that a block of coordinates multiplies when a linear map is reproduced. TurnedVertices, in the plane,
+/// are vertices turned by a quarter counter-clockwise, which imaginary parts of complex coordinates multiply.
 enum class Reproduces { Vertices, TurnedVertices, Normals, Nothing };
 
 /// One block of prepared coordinates: a coordinate (a number, or a matrix) a vertex, an element, or a corner of one.
@@ -43,7 +43,7 @@ struct CoordinateTable {
   std::array<std::size_t, 3> stride{};  ///< numbers a point
 };
 
-/// What coordinates are multiplied with: deformed vertices and normals, say. Block b's numbers lie as
+/// The data that coordinates are multiplied with, such as deformed vertices and normals. Block b's numbers lie as
 /// [coordinate][column][set], where a coordinate that is a number counts as one column.
 struct CageData {
   int sets = 3;
@@ -63,10 +63,10 @@ struct SolvedSystem {
   int rows, columns;  ///< equations and unknowns
   int rank;           ///< as found; columns where the solution is unique
   double condition;   ///< largest over smallest singular value; infinite where the smallest is zero
-  /// What the solution leaves of the right sides, over these: the largest of their columns, in Euclidean norms.
+  /// The relative residual: the largest over all right sides of |right - matrix x| / |right|, in Euclidean norms.
   double residual;
-  /// Of least squares on the cage's boundary: the largest differences of values and of gradients there, between the
-  /// points that were solved for, over the largest number of each right side. NaN where nobody measured.
+  /// Boundary errors of a least-squares solution: the largest differences of values and of gradients on the boundary,
+  /// between the points solved for, divided by the largest number of each right side. NaN where not measured.
   double boundary_values = std::numeric_limits<double>::quiet_NaN();
   double boundary_gradients = std::numeric_limits<double>::quiet_NaN();
 
@@ -161,7 +161,7 @@ class PreparedCoordinates {
   virtual ~PreparedCoordinates() = default;
   virtual const std::vector<CoordinateBlock>& blocks() const = 0;
   virtual int max_order() const = 0;
-  /// What results call the way the coordinates are computed: the name of the formulas' evaluation.
+  /// The evaluation's name in results: that of the formulas' evaluation.
   virtual std::string evaluation() const { return std::string(name_of(Role::Recommended)); }
   /// Whether values in multiprecision have that precision's digits.
   virtual bool is_exact_in(ScalarKind scalar) const = 0;
@@ -224,7 +224,7 @@ class BesideSums : public PreparedCoordinates {
   bool is_exact_in(ScalarKind scalar) const override { return summed_->is_exact_in(scalar); }
   bool overwrites() const override { return true; }
   using PreparedCoordinates::fill;
-  /// Those in double, rounded.
+  /// Fills tables in float with the results in double, rounded.
   void fill(std::span<const Vec3<float>> points, int order, std::span<CoordinateTable<float>> tables) const override;
   void fill(std::span<const Vec3<Mp50>> points, int order, std::span<CoordinateTable<Mp50>> tables) const override {
     summed_->fill(points, order, tables);
@@ -238,7 +238,7 @@ class BesideSums : public PreparedCoordinates {
  protected:
   /// In double, into tables that may hold anything.
   void fill_with_sums(std::span<const Vec3<double>> points, int order, std::span<CoordinateTable<double>> tables) const;
-  /// At one point: one table a block.
+  /// The sums at one point: one table per block.
   std::vector<CoordinateTable<double>> sums_at(const Vec3<double>& point, int order) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each kind of coordinates is good for: one line of the catalogue, which lists and manuals show.
+// The purpose of each kind of coordinates: one line of the catalogue, which lists and manuals show.
 #pragma once
 
 #include <string_view>

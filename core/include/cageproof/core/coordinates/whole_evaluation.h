@@ -49,9 +49,9 @@ void require_evaluation(const CoordinateKind& kind, const Cage& cage, std::strin
 /// prepared: that of the formulas that have the evaluation; 2 where none has.
 int highest_order(const CoordinateKind& kind, const Cage& cage, std::string_view evaluation);
 
-/// Stands for an evaluation's name: of sums over elements, the first evaluation of role batched that computes the kind
-/// in the cage, and the formulas' recommended ones where there is none. Kinds that are made of such sums
-/// (CoordinateKind::made_of_sums) ask for theirs by it, others ignore it.
+/// A name that lets the suite choose the evaluation of a sum over elements: the first of role batched that computes the
+/// kind in the cage, or the formulas' recommended ones. Kinds that are made of such sums
+/// (CoordinateKind::made_of_sums) ask for theirs by this name; other kinds ignore it.
 inline constexpr std::string_view quickest = "quickest";
 
 /// The evaluation that `quickest` stands for: a name, or empty for the recommended ones. \pre the kind is a sum

@@ -42,8 +42,8 @@ struct ElementSplit {
 /// Corners of an element, as many as its kind has.
 using Corners = std::span<const Vec3<double>>;
 
-/// All that depends on an element's kind. Other rooms keep tables of their own for what only they know (rules,
-/// sampling).
+/// The facts that depend on an element's kind. Other rooms keep their own tables for facts that only they know, such as
+/// rules and sampling.
 struct ElementType {
   ElementKind kind;
   std::string_view name;  ///< "segment", "triangle", "quad": the first half of formulas' names

@@ -28,7 +28,7 @@ struct ExactTriangleIn {
 };
 using ExactTriangle = ExactTriangleIn<Mp200>;
 
-/// What says on which sides of a triangle a point lies, and how far: the sign is exact, the size rounded at most twice.
+/// Heights of a point over a triangle's sides and plane. Signs are exact; sizes have two roundings at most.
 struct ExactHeights {
   double volume;                 ///< ExactTriangle::volume
   std::array<double, 3> beside;  ///< ExactTriangle::beside
@@ -36,7 +36,7 @@ struct ExactHeights {
   std::array<int, 3> beside_sign;
 };
 
-/// Of any finite doubles; quick within 112 bits. \param exponent lengths are returned in units of two to this power
+/// The heights for any finite doubles; quick within 112 bits. \param exponent lengths are in units of two to this power
 ExactHeights exact_heights(const Triangle<double>& t, const Vec3<double>& point, int exponent);
 
 /// The same of a segment in the plane; third coordinates are not looked at.

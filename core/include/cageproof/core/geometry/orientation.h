@@ -17,8 +17,8 @@ int side_of_line(const Segment<double>& s, const Vec3<double>& point);
 /// ((t1 - t0) x (t2 - t0)) . (point - t0), for any finite doubles (CGAL's filtered exact predicates).
 int side_of_plane(const Triangle<double>& t, const Vec3<double>& point);
 
-/// For a point in the triangle's plane: +1 on the triangle's side of the line through corners `edge` and `edge` + 1, -1
-/// on the other, 0 on it, and 0 for a triangle without area, which has no sides. \pre side_of_plane(t, point) == 0
+/// Returns, for a point in the triangle's plane, +1 on the triangle's side of the line through corners `edge` and
+/// `edge` + 1, -1 on its other side, and 0 on it or if the triangle has no area. \pre side_of_plane(t, point) == 0
 int side_of_edge(const Triangle<double>& t, int edge, const Vec3<double>& point);
 
 /// Whether the triangle has no area.

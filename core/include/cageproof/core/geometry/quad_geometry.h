@@ -19,7 +19,7 @@ std::optional<std::string> invalid_because(const Quad<double>& q);
 /// Whether the four corners lie in one plane, exactly.
 bool is_planar(const Quad<double>& q);
 
-/// Where on a bilinear quad: parameters in [0, 1], and the bilinear basis functions of corners 0..3 ([T18] Eq 3).
+/// A place on a bilinear quad: parameters in [0, 1], and the bilinear basis functions of corners 0..3 ([T18] Eq 3).
 struct BilinearPoint {
   double u = 0, v = 0;
   std::array<double, 4> basis{};
@@ -35,7 +35,7 @@ std::optional<BilinearPoint> on_quad(const Quad<double>& q, const Vec3<double>& 
 /// The same of numbers of up to 200 digits, exactly as well. Nothing where a number's exponent of two is beyond +-2^14.
 std::optional<BilinearPoint> on_quad(const Quad<Mp200>& q, const Vec3<Mp200>& point);
 
-/// Which two triangles a point sees under the solid angle of a bilinear quad.
+/// The two triangles whose solid angles add up to that of a bilinear quad, seen from a point.
 enum class SeenTriangles {
   Diagonal02,  ///< corners 0 1 2 and 0 2 3
   Diagonal13,  ///< corners 1 2 3 and 1 3 0

@@ -8,9 +8,9 @@
 
 namespace cageproof {
 
-/// The winding number of a closed, oriented surface around a point: 1 inside a surface whose normals point outward, 0
-/// outside, -1 inside one that points inward, sums of these where surfaces or their parts overlap. Nothing for a point
-/// on one of the triangles. Signed crossings of a ray, counted with exact predicates.
+/// Returns the winding number of a closed, oriented surface around a point: 1 inside a surface whose normals point
+/// outward, -1 inside one whose normals point inward, 0 outside, the sum of these where parts overlap, and nothing for
+/// a point on one of the triangles. It counts signed crossings of a ray with exact predicates.
 /// \pre triangles have an area, and every edge is run along as often in one direction as in the other
 std::optional<int> winding_number(std::span<const Triangle<double>> triangles, const Vec3<double>& point);
 

@@ -27,8 +27,8 @@ class LeastSquares {
 
   int rank() const;
   Matrix<R> solve(const Matrix<R>& right) const;
-  /// The pseudo-inverse. Its own error is common to all columns of right sides: where combinations of these vanish,
-  /// those of its products with them do, but for the roundings of the products, which are larger the larger it is.
+  /// The pseudo-inverse. Its own error is common to all columns of right sides: where a combination of columns is zero,
+  /// the same combination of its products is zero, except for the products' roundings, which grow with its size.
   Matrix<R> inverse() const;
 
  private:
@@ -50,8 +50,8 @@ struct QrFactors {
 /// The QR factorisation of a matrix, by blocks. \param right as many rows as the matrix, or nothing
 QrFactors qr_factors(const Matrix<double>& matrix, const Matrix<double>& right = {});
 
-/// What was solved: matrix x solution = right, described in double. The condition is that of the matrix's singular
-/// values. R: double, Mp50
+/// A description, in double, of the solved system matrix x solution = right. The condition is the ratio of the matrix's
+/// singular values. R: double, Mp50
 /// \param rank as LeastSquares found it
 template <Scalar R>
 SolvedSystem describe(std::string name, const Matrix<R>& matrix, int rank, const Matrix<R>& right,

@@ -64,7 +64,7 @@ class Mp {
 
   bool is_zero() const;
 
-  /// MPFR's own, for its functions; of `bits` bits.
+  /// The pointer that MPFR's functions take, to a number of `bits` bits.
   mpfr_ptr data();
   mpfr_srcptr data() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a multiprecision number is made of: a number of Boost.Multiprecision, for code that needs Boost's own functions.
+// Access to the Boost.Multiprecision number inside a multiprecision scalar, for code that needs Boost's own functions.
 #pragma once
 
 #include "cageproof/core/numbers/mp.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What this program was built from and how.
+// The sources, compiler and options that this program was built from.
 #pragma once
 
 #include <string_view>

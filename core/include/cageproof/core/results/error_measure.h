@@ -53,7 +53,7 @@ class ErrorHistogram {
   double max_ = 0;
 };
 
-/// Of a tensor the entry that is furthest from the truth.
+/// The tensor entry furthest from the truth.
 struct FurthestEntry {
   int index = -1;     ///< in the order of Result; negative where no tensor was compared
   double found = 0;   ///< what the evaluation gave

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What units of work find, and what they add up to: tallies by row, samples of fields, errata. Merging does not depend
-// on order.
+// Results of units of work: tallies by row, samples of fields, errata. They are merged, and the order of merging does
+// not matter.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"
@@ -27,7 +27,7 @@ struct FieldPart {
   std::vector<std::string> compared = {};
 };
 
-/// What one unit of work found, or any number of them. Each unit is merged once.
+/// The result of one unit of work, or of several merged. Each unit is merged once.
 struct PartialResult {
   std::map<RowKey, Tally> rows;
   std::map<std::pair<int, std::size_t>, FieldPart>

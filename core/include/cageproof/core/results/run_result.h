@@ -93,7 +93,7 @@ struct RunResult {
   std::uint64_t seed = 0;
   std::map<std::string, std::string> settings;  ///< triangulation, cage file ...: what the figures depend on
   std::vector<Session> sessions;
-  /// What is to be said of the sessions: that their processors compute logarithms differently ...
+  /// Notes about the sessions, for example that their processors compute logarithms differently.
   std::vector<std::string> session_notes;
   std::vector<ResultRow> rows;
   std::vector<ResultCurve> curves;
@@ -105,7 +105,7 @@ struct RunResult {
   bool all_kept() const;
 };
 
-/// What a field's file says of itself, as VTK field data: "kind" or "formula", "evaluation", "cage", "seed", "version",
+/// Facts that a field's file states as VTK field data: "kind" or "formula", "evaluation", "cage", "seed", "version",
 /// "unit of length" ...
 using FieldFacts = std::map<std::string, std::string>;
 
@@ -126,7 +126,7 @@ struct ImageField {
   FieldFacts facts = {};
 };
 
-/// Samples on a mesh's vertices: written as .vtp.
+/// Samples on a mesh's vertices, which are written as .vtp.
 struct MeshField {
   std::string name;
   std::vector<Vec3<double>> vertices;

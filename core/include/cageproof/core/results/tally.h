@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a campaign keeps: a row key says what was asked, a tally what was found. Tallies merge in any order with the
-// same result.
+// Rows of a campaign: a row key identifies the question, a tally holds the findings. Tallies merge in any order with
+// the same result.
 #pragma once
 
 #include "cageproof/core/results/error_measure.h"
@@ -14,7 +14,7 @@
 
 namespace cageproof {
 
-/// What identifies a row of results: one check of one evaluation in one regime (or on one cage) at one derivative
+/// The key of a row of results: one check of one evaluation in one regime (or on one cage) at one derivative
 /// order.
 struct RowKey {
   enum class Section { Element, Cage, Deformer } section = Section::Element;
@@ -50,7 +50,7 @@ struct RowFigures {
   double total_loss = -1;
 };
 
-/// What has been found of one row. Memory is bounded, whatever the number of samples.
+/// The findings of one row. Memory is bounded, whatever the number of samples.
 struct Tally : RowFigures {
   ErrorHistogram errors;
   WorstCases worst;

@@ -14,7 +14,7 @@ struct WorkPrecisionRow {
   std::string evaluation;
   std::string place;    ///< "interior", "1e-2" ... (distance from the cage, in its sizes), or a regime
   double distance = 0;  ///< of the place, in cage sizes, or what the regime sweeps; 0 where there is none
-  /// Rows of one sweep make curves over `distance`: the regime, or "distance" of cages; empty where nothing is swept.
+  /// The sweep whose rows make curves over `distance`: a regime, or "distance" for cages; empty where nothing is swept.
   std::string sweep;
   std::string axis;  ///< what `distance` is: "distance / size"
   std::uint64_t samples = 0;
@@ -22,8 +22,8 @@ struct WorkPrecisionRow {
   double largest = 0, rms = 0,
          median = 0;  ///< of the errors, in WorkPrecision::unit; one that is not finite counts as infinite
   double nodes = 0;   ///< mean kernel evaluations of one formula on one element; 0 for closed forms
-  /// Of what WorkPrecision::timed says, all formulas of the subject, one thread: the mean over what was timed, half of
-  /// which took no longer than the median, and all but a thousandth no longer than the quantile.
+  /// Times on one thread of the set that WorkPrecision::timed names, over all formulas of the subject: the mean, the
+  /// median, and the 99.9 % quantile.
   double nanoseconds = 0, median_nanoseconds = 0, quantile_nanoseconds = 0;
   /// Pairs or points that were timed; below 1000 the quantile is the longest time. Of what computes many points at
   /// once, pairs by the thousand, whose median and quantile are those of whole calls.

@@ -47,8 +47,8 @@ R scaled_exponential(long double x, int shift) {
   else return R(value);
 }
 
-/// h^k int s^i g(r) ds over the segment, in units of the frame but for the logarithm, which is that of the distance
-/// itself: s the arc length from the nearest point of the line, r^2 = s^2 + h^2. From
+/// h^k int s^i g(r) ds over the segment, in units of the frame; only the logarithm is that of the distance itself. s is
+/// the arc length from the nearest point of the line, r^2 = s^2 + h^2. The moments follow from
 ///   (q + 1) int s^q (a ln r + b) = [s^(q+1) (a ln r + b - a/(q + 1))] + a h^2 E_q,
 ///   E_q = int s^q/r^2,  E_(q+2) = int s^q - h^2 E_q,
 /// which begin with E_1 = ln(r1/r0) and h E_0, the angle. a ln r and b may cancel, where the distance is

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What closed forms on a segment are templates over: the scalars of formulas, and numbers that bound their own error.
+// Template arguments of closed forms on a segment: the scalars of formulas, and numbers that bound their own error.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/constants.h"

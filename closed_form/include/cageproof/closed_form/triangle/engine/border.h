@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a closed form does on the triangle's border, where derivatives, or even the value, may have no limit.
+// Results of a closed form on the triangle's border, where derivatives, or even the value, may have no limit.
 #pragma once
 
 #include "cageproof/closed_form/triangle/engine/limits.h"

@@ -20,7 +20,7 @@ bool follow_tracked(bool tracked);
 template <>
 Counted atanh_excess<Counted>(const Counted& z);
 
-/// What the frames of double see, beside what is there.
+/// The frame in double, each number with its error against the frame of the same triangle and point in 200 digits.
 Frame<Counted> counted_frame(const Frame<double>& frame, const Triangle<double>& t, const Vec3<double>& eta);
 
 /// A formula's parameters, as exact numbers.

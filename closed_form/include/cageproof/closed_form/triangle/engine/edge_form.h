@@ -11,11 +11,11 @@
 
 namespace cageproof::closed_form::triangle {
 
-/// A potential's moments near the triangle. Source: divergence theorem over the triangle, one term an edge; x = xi -
+/// A potential's moments near the triangle. Source: divergence theorem over the triangle, one term per edge; x = xi -
 /// eta, d <= 0 inside. On the triangle (d = 0) every quantity is the limit from inside, eta - t n with t -> 0+.
 ///
-/// N: highest degree of J, I and A; M: that of omega, L and B, which they need to N - 1 (tensor formulas need no more).
-/// Moments are computed when first asked for, and kept: several formulas may take them from one form, within one
+/// N is the highest degree of J, I and A; M that of omega, L and B, of which they need N - 1 (tensor formulas need no
+/// more). Moments are computed when first asked for, and kept: several formulas may take them from one form, within one
 /// thread. The frame must outlive it.
 template <class R, int N, int M>
 class EdgeForm {

@@ -191,8 +191,8 @@ inline bool heights_are_certain(const Frame<Tracked<DoubleDouble>>& f) {
   return certain(f.d) && certain(f.edges[0].h) && certain(f.edges[1].h) && certain(f.edges[2].h);
 }
 
-/// A frame's number as a tracked one. Double's own is the outcome of at most eight roundings; one from a wider type,
-/// which knows its error, is rounded once more.
+/// A frame's number as a tracked one. A number computed in double has at most eight roundings. A number from a wider
+/// type, which knows its error, is rounded once more.
 template <class R, class S>
 R tracked_from(const S& x) {
   using T = decltype(R::value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the engine asks of a closed form over triangles.
+// The members that the engine needs of a closed form over triangles.
 //
 // A closed form is a struct derived from OddPowers or EvenPowers, in a header of its own in the folder above:
 //   components    numbers of its value, over corners, rows and columns
@@ -11,7 +11,7 @@
 //                 adds the value and its derivatives up to degree N to `out`, from the moments that EdgeForm and
 //                 FarForm (EvenForm) have in common: J() is int 1/r, I() int r, omega() int x.n/r^3, A() and B() those
 //                 of 1/r and x.n/r^3 weighted with the hat functions; mean_value() with x.n/r^4.
-// What differs from the bases' members is declared anew.
+// A struct redeclares those members in which it differs from its base.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/taylor.h"
@@ -26,8 +26,8 @@ namespace cageproof::closed_form::triangle {
 /// cancels long before (mean value).
 inline constexpr int kFarLimit = 20, kCancellingLimit = 48;
 
-/// What the first order without a limit does on the border: it depends on the direction of approach; it diverges like
-/// the logarithm of the distance, all else having a limit from inside; or it does both.
+/// Behaviour of the first order without a limit on the border: it depends on the direction of approach; or it diverges
+/// like the logarithm of the distance, and all other terms have a limit from inside; or both.
 enum class OnBorder { NoLimit, Logarithm, LogarithmAndDirection };
 
 /// Kernels with odd powers of the distance, whose moments EdgeForm has.

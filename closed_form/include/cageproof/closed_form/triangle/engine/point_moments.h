@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What formulas on one triangle share at one point: the frame, and every moment that more than one of them may ask for,
-// in each arithmetic that one of them climbs to.
+// The frame and the moments that formulas on one triangle share at one point: every moment that more than one of them
+// may ask for, in each arithmetic that one of them climbs to.
 #pragma once
 
 #include "cageproof/closed_form/triangle/engine/bounded.h"
