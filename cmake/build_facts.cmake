@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# cmake -DSOURCE=... -DOUT=... -P build_facts.cmake: writes the source that knows the commit; leaves it alone where nothing changed.
+# cmake -DSOURCE=... -DOUT=... -P build_facts.cmake: writes the source that knows the commit, and does not touch it if nothing changed.
 set(commit unknown)
 find_program(GIT git)
 # A folder of sources within another repository is not of its commit.
@@ -21,7 +21,7 @@ if(GIT)
   endif()
 endif()
 if(commit STREQUAL unknown)
-  # Of an archive, where git has put it.
+  # In an archive, git has written the commit there.
   file(STRINGS ${SOURCE}/cmake/commit.txt archived LIMIT_COUNT 1)
   if(archived MATCHES "^[0-9a-f]+$")
     set(commit ${archived})

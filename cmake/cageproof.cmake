@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What every room's CMakeLists.txt uses: one flag set, one way to declare a room, one way to declare its tests.
+# Functions for every room's CMakeLists.txt: one flag set, one way to declare a room, one way to declare its tests.
 
 add_library(cageproof_flags INTERFACE)
 # Other projects' compilers may warn of more.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# scripts/build.sh PRESET [TARGET...]: installs missing packages, configures and builds. Speaks on standard error alone, in full only
+# scripts/build.sh PRESET [TARGET...]: installs missing packages, configures and builds. Writes only to standard error, and in full only
 # when something fails. Exit 0: built; 2: not.
 set -euo pipefail
 

@@ -8,7 +8,7 @@
 
 namespace cageproof::fast {
 
-/// Of the formula whose closed form is F.
+/// The hybrid of the formula whose closed form is F.
 template <class F>
 struct Algebra {
   static inline std::string_view formula;  ///< set as its hybrid is registered
@@ -28,7 +28,7 @@ struct Algebra {
   }
 };
 
-/// Hybrids in multiprecision: their closed forms, jointly.
+/// Hybrids in multiprecision compute their closed forms, jointly.
 template <Scalar R>
 class JointAlgebra final : public JointForm<R> {
  public:

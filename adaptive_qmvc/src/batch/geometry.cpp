@@ -89,7 +89,7 @@ Geometry::Geometry(const CageElements& elements) {
     const double u = std::max(length[0], length[2]), v = std::max(length[1], length[3]);
     face.over_u = 1 / u;
     face.over_v = 1 / v;
-    // What has no area has no sides on either way.
+    // A face with two opposite sides of length zero has no area.
     sound_ = sound_ && std::isfinite(face.over_u) && std::isfinite(face.over_v);
   }
 }

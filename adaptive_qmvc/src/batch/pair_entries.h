@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What sources of each instruction set define.
+// Functions that the sources of each instruction set define.
 #pragma once
 
 #include "pair_sums.h"

@@ -13,8 +13,8 @@
 namespace cageproof::adaptive_qmvc::batch {
 namespace {
 
-// Of the line form's mean value weights: sixteen digits are what roundings leave of a double. Across lines an integrand
-// has half an order less than on them.
+// Rules for the line form's mean value weights. Roundings leave sixteen digits of a double. Across lines an integrand
+// has half an order less than along them.
 constexpr PlanRules kMeanValues{
     .digits = 16,
     .across = 1.5,

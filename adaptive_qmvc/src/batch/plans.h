@@ -19,7 +19,7 @@ struct Plan {
   bool close;         ///< whether points may be next to lines: where no rule is taken along them, or one of many nodes
 };
 
-/// What plans are made of.
+/// The parts that plans are made of.
 struct PlanRules {
   double digits;  ///< of the integral
   /// Orders of the integrand's singularities, across the lines and on them (nodes_across); zero for no nodes on lines.
@@ -36,7 +36,7 @@ struct PlanRules {
 /// others, bounds the ellipse that the integrand is analytic in across them (plain_nodes): it gives the nodes.
 class Plans {
  public:
-  /// Of mean value weights, and of single and double layers: one object each, made when first asked for.
+  /// Plans of mean value weights, and of single and double layers: one object each, made when first asked for.
   static const Plans& of_mean_values();
   static const Plans& of_layers();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// maximum_entropy for any scalar; compiled one file a scalar.
+// maximum_entropy for any scalar; each scalar is compiled in a file of its own.
 #pragma once
 
 #include "coordinates/maximum_entropy.h"
@@ -109,8 +109,8 @@ void differentiate(const ActiveVertices<R>& active, const Potential<R>& at, cons
   const Eigen::LDLT<Mat3<R>> covariance(at.hessian(active));
   std::vector<R> ratio(n);
   for (std::size_t i = 0; i < n; ++i) ratio[i] = at.lambda[i] / prior.value[active[i].index];
-  // What a direction adds to all: lambda_i (shift + d_i.turn) is taken away so that the sums over the coordinates, and
-  // over them times d_i, are right.
+  // The correction of a direction: lambda_i (shift + d_i.turn) is subtracted, so that the sums over the coordinates,
+  // and over them times d_i, are right.
   struct Correction {
     R shift = R(0);
     Vec3<R> turn = Vec3<R>::Zero();

@@ -51,8 +51,8 @@ bool agree(const std::array<OddDerivatives, 4>& a, const std::array<OddDerivativ
   return slope_difference <= kSame * slopes && mixed_difference <= kSame * mixed;
 }
 
-// Next to the plane the weights are an odd function of the height above it, so that its derivatives in the plane are
-// those a little above, but for the square of that height. Where two heights disagree there is no such function.
+// Next to the plane the weights are an odd function of the height above it, so that derivatives in the plane differ
+// from those a little above by the square of that height. Where two heights disagree, no such function exists.
 CornerWeights<Wide> in_plane(const Quad<Mp200>& q, const Point& eta) {
   Mp200 extent = 0;
   for (const Point& corner : q) extent = std::max(extent, Mp200((corner - eta).norm()));

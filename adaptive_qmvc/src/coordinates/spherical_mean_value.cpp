@@ -63,9 +63,9 @@ class SphericalCoordinates final : public CoordinatesIn<SphericalCoordinates> {
   }
 
  private:
-  // Coordinates of a point on the cage: hat functions, linear on borders, mean value coordinates within planar quads.
-  // False off it, and within other quads, where there is no such limit and coordinates are as elsewhere. Points that
-  // are no doubles are taken to lie off the cage.
+  // Sets coordinates of a point on the cage: hat functions, linear on borders, mean value coordinates within planar
+  // quads. Returns false off the cage, and within other quads, which have no such limit, so that coordinates are as
+  // elsewhere. Points that are no doubles are treated as off the cage.
   template <Scalar R>
   bool put_limit(const Vec3<R>& eta, std::size_t point, int order, CoordinateTable<R>& table) const {
     const Vec3<double> rounded = convert<double>(eta);

@@ -70,7 +70,7 @@ CornerWeights<N> half_tangents(const std::array<Vector<N>, 4>& directions, const
     const Vector<N>&a = directions[i], &b = directions[(i + 1) % 4];
     const N sine = dot(axis, cross(a, b)), cosine = dot(a, b);
     tangent[i] = value_of(cosine) >= 0 ? sine / (one + cosine) : (one - cosine) / sine;
-    // The centre between two opposite points is theirs alone.
+    // Two opposite points have no centre between them, so only these two corners get weights.
     if (!isfinite(value_of(tangent[i]))) {
       std::array<R, 4> between{R(0), R(0), R(0), R(0)};
       between[i] = between[(i + 1) % 4] = R(1);
@@ -127,7 +127,7 @@ struct PolygonMean {
     for (int i = 0; i < 4; ++i) {
       const Vector<N>&a = to_corner[i], &b = to_corner[(i + 1) % 4], n = cross(a, b);
       const N s = dot(n, n), d = dot(a, b);
-      // Without a plane an arc adds nothing; next to that its normal is short but not its derivatives.
+      // An arc without a plane adds nothing. Next to that case its normal is short, but its derivatives are not.
       if (!(value_of(s) > 0) && (std::same_as<N, R> || !(value_of(d) > 0))) continue;
       const N factor = arc_factor(s, d);
       for (int c = 0; c < 3; ++c) m[c] += factor * n[c];
@@ -139,9 +139,9 @@ struct PolygonMean {
 /// The weights w of a quad's corners with sum w_i (q_i - eta) = m, m its mean vector.
 ///
 /// With axis v = m/|m|, corners in directions u_i at angles theta_i from it and e_i their unit tangents at v, the mean
-/// value property sum T_i e_i = 0 is sum T_i/sin(theta_i) u_i = v sum T_i cot(theta_i). All are zero where m vanishes
-/// but for rounding: in the plane of a planar quad, rightly; elsewhere the limit does not exist, and coordinates are
-/// unstable around such points.
+/// value property sum T_i e_i = 0 is sum T_i/sin(theta_i) u_i = v sum T_i cot(theta_i). All weights are zero where m
+/// vanishes up to rounding: this is right in the plane of a planar quad; elsewhere the limit does not exist, and
+/// coordinates are unstable around such points.
 template <class N>
 class SphericalQuad {
  public:
@@ -158,7 +158,7 @@ class SphericalQuad {
     const PolygonMean<N> mean(to_corner);
     const N size = norm(mean.m);
     remainder = value_of(size) / mean.arcs;
-    // What four arcs of at most pi leave when they cancel is rounding.
+    // Four arcs of at most pi that cancel leave only rounding.
     if (!(value_of(size) > 16 * std::numeric_limits<R>::epsilon())) return;
     const Vector<N> v = quotient(mean.m, size);
     CornerWeights<N> sine, distance;

@@ -46,8 +46,8 @@ constexpr std::size_t kShortRow = 256;
 // alike by all points of a cage.
 constexpr std::size_t kManyFaces = 256;
 
-// Of triangle cages: factors are 1/(4 pi) of harmonic layers and Kelvin's, 1/(8 pi) of biharmonic ones, of psibar's
-// values a third of it.
+// Factors on triangle cages: 1/(4 pi) for harmonic layers and Kelvin's, 1/(8 pi) for biharmonic ones, and a third of
+// that for psibar's values.
 struct Space {
   using Geometry = batch::Geometry;
   using Runner = BlockRunner;
@@ -58,7 +58,7 @@ struct Space {
   }
 };
 
-// Of polygons: 1/(2 pi), and 1/(8 pi).
+// Factors on polygons: 1/(2 pi) and 1/(8 pi).
 struct Plane {
   using Geometry = Polygon;
   using Runner = PlaneRunner;
@@ -167,7 +167,7 @@ class BatchedCoordinates final : public BesideSums, public AppliesData {
     return static_cast<std::ptrdiff_t>(request.layout.first[order][b]) * kernels().lanes;
   }
 
-  // Of the shape; one over mu of K; the unit.
+  // The product of the shape's factor, of one over mu for K, and of the unit.
   double factor(int order, std::size_t b) const {
     if (layers_ == Layers::MeanValue) return std::ldexp(1., -order * geometry_.exponent());
     double factor = Shape::factor(order, b);

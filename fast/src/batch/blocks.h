@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blocks of points run through the kernels: one block's sums over faces, whatever is near or far.
+// Runs blocks of points through the kernels: one block's sums over all faces, near and far.
 #pragma once
 
 #include "aligned.h"
@@ -14,7 +14,7 @@
 
 namespace cageproof::closed_form::batch {
 
-/// What is asked of all blocks.
+/// A request that is the same for all blocks.
 struct Request {
   Layers layers;
   int order;

@@ -10,14 +10,14 @@
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
-/// What a measure, the root of a sum of squares over faces, may be of what roundings are held to. Roundings of a double
-/// layer's values are at most half of their measure, Kelvin's three times theirs, phibar's three times theirs, those of
-/// its gradients and Hessians five times: on the cages of the tests, embedded and real, within and around them.
+/// Limits of a measure (the root of a sum of squares over faces) relative to the rounding that is allowed. On the
+/// tests' cages, embedded and real, within and around them, roundings of a double layer's values are at most half of
+/// their measure, Kelvin's and phibar's three times theirs, and those of phibar's gradients and Hessians five times.
 inline constexpr double kOfNorm = 64, kOfKelvinNorm = 18, kOfDistance = 26, kOfSlope = 13;
 /// The measure of gradients, times this and over the size of the cage, is that of Hessians.
 inline constexpr double kOfBend = 4;
 
-/// What measures faces: of one that is added in double, or the sum of their squares.
+/// Measures of faces: of one face that is added in double, or the sums of the faces' squares.
 struct Measures {
   Lanes thin{};         ///< as kThin says
   Lanes of_layer{};     ///< of the double layer's values
@@ -53,7 +53,7 @@ struct SquaresBelow {
   }
 };
 
-/// What a block keeps of its faces' measures.
+/// The measures of its faces that a block keeps.
 struct MeasuredBlock {
   SquaresBelow thin_below;  ///< of `thin`, where derivatives are asked
   Measures squares;         ///< summed over the faces that are added in double
@@ -70,7 +70,7 @@ inline void take_all_rules(MeasuredBlock& measured, Mask points) {
     if (points[i] != 0) measured.rules[i] = kFarRules;
 }
 
-/// Of an order's columns of a double layer, of which each vertex has that many.
+/// The norm of an order's columns of a double layer; each vertex has `each` of them.
 inline Lanes norm_of(const Block& block, int order, int b, int each) {
   const auto* const from = reinterpret_cast<const Lanes*>(block.columns) + block.layout.first[order][b];
   Lanes sum{};

@@ -13,7 +13,7 @@ namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 /// of 1e-31 of the face enter Hessians squared.
 inline constexpr double kBeyondEdge[3] = {0x1p-40, 0x1p-36, 0x1p-20};
 inline constexpr double kBeyondFace = 0x1p-70;
-/// And of distances from corners.
+/// The same limit for distances from corners.
 inline constexpr double kLeast = 0x1p-160;
 
 template <Layers L, int O>

@@ -15,7 +15,7 @@
 
 namespace cageproof::closed_form::batch {
 
-/// What they are made of.
+/// The numbers that an edge's derivatives are made of.
 template <class V>
 struct EdgeFrame {
   Three<V> u, foot, normal;  ///< direction; D; D x u

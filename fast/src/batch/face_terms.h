@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // One face's part of the coordinates of a closed triangle cage, in any arithmetic, added to sums over faces.
 //
-// What sums to nothing over the faces of a vertex of a closed cage is left out, so that gradients and Hessians take no
-// derivative of a hat-weighted moment. With w = n x g of a corner's hat function, moments J = int 1/r, I = int r, A and
-// B as in the edge form (triangle/engine/edge_form.h), sums over the vertex's faces are
+// Terms that sum to zero over the faces of a vertex of a closed cage are left out, so that gradients and Hessians take
+// no derivative of a hat-weighted moment. With w = n x g of a corner's hat function, moments J = int 1/r, I = int r, A
+// and B as in the edge form (triangle/engine/edge_form.h), sums over the vertex's faces are
 //   4 pi grad phi = sum w x grad J,    8 pi grad phibar = sum (w x grad I + 2 A n),
 //   4 pi T = sum B Id + (J - beta Hess I) (n g' - g n'),    mu = 1, beta = 1/(2 (1 - nu)).
-// A single face's part is therefore no derivative of that face's share, and the Hessians' parts are symmetric in sum
-// alone: their symmetric halves are added.
+// A single face's part is therefore no derivative of that face's share, and Hessians are symmetric only in the sum over
+// faces, so the symmetric half of each part is added.
 #pragma once
 
 #include "kelvin_terms.h"
@@ -237,7 +237,7 @@ class FaceTerms {
       add_pair(sums, block, k, turn, q);
     }
   }
-  // g w' + n q' of corner k, whose opposite the third corner's is, but for what the corners have in common.
+  // g w' + n q' of corner k without the part that corners have in common; the third corner has the opposite.
   void add_pair(const Sums<V>& sums, int block, int k, const Three<V>& w, const Three<V>& q) const {
     V part[6];
     for (V& x : part) x = V{};

@@ -56,7 +56,7 @@ constexpr int degree_over(int power) {
   return degree;
 }
 
-/// Integrals of monomials of a and b over one power of r: the point is corner 0 and a and b times the edges from there.
+/// Integrals of monomials of a and b over one power of r, at points corner 0 + a edge 0 + b edge 1.
 template <int Degree>
 struct Monomials {
   static constexpr int count = (Degree + 1) * (Degree + 2) / 2;
@@ -102,7 +102,7 @@ struct FarCorner {
   }
 };
 
-/// Integrals of p^Rank over a power of r: times each hat function where there are three sets, else of all of the area.
+/// Integrals of p^Rank over a power of r: three sets are weighted with one hat function each, a single set with one.
 template <bool Taken, int Rank, int Sets>
 struct Summed {
   Symmetric<Lanes, Rank> of[Sets];

@@ -34,10 +34,10 @@ inline constexpr double kThinOfMany = 4;
 template <Layers L, int O>
 inline constexpr int kRulesFirst = L == Layers::Kelvin&& O >= 1 ? 5 : 2;
 
-/// What a face with short edges leaves of rounding, of what it leaves next to it: edge_tails.h takes off
-/// what its edges' integrals have in common, so that they cancel by the longest edge over the distance, times this.
-/// Roundings of such faces are as many and as random as the faces. At least a third of what they are held to is the
-/// slope of the coordinates, which is at least twice these over the distance.
+/// The share of its rounding that a face with short edges keeps. edge_tails.h subtracts the common part of its edges'
+/// integrals, so that their rounding shrinks by the longest edge over the distance, times this number. Roundings of
+/// such faces are as many and as random as the faces. At least a third of their limit is the slope of the coordinates,
+/// which is at least twice these over the distance.
 inline constexpr double kOfShort = 0.15;
 /// The same of derivatives of Kelvin's layers, whatever the distance.
 inline constexpr double kOfShortKelvin = 0.015;
@@ -63,7 +63,7 @@ inline void prefetch(const FaceTable<double>& face) {
   for (unsigned long at = 0; at < sizeof face; at += 64) __builtin_prefetch(bytes + at);
 }
 
-/// What points see of the vertices and edges that near faces of a tile have.
+/// The vertices and edges of a tile's near faces, as points see them.
 template <Layers L, int O>
 [[gnu::noinline]] void see_tile(const Block& block, const NearFaces& near, int tile, SeenVertex* vertex,
                                 EdgeTerms<Lanes, Takes<L, O>::further>* edge) {

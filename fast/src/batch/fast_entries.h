@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What sources of each instruction set define: sums in double, and what becomes of their columns.
+// Functions that the sources of each instruction set define: sums in double, and the finishing of their columns.
 #pragma once
 
 #include "careful_entries.h"

@@ -8,7 +8,7 @@
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
-/// Of the points over a plane through a corner, in its normal's direction.
+/// The heights of the points over a plane through a corner, in its normal's direction.
 inline Lanes fine_height(const Block& block, const double* corner, const TwoDoubles (&normal)[3]) {
   const auto* const point = reinterpret_cast<const Lanes*>(block.points);
   Lanes sum{}, rest{};

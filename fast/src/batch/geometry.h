@@ -43,7 +43,7 @@ class Geometry {
   CageTables tables() const;
   LongFace long_face(int f) const;
   std::array<double, 3> centre() const { return centre_; }
-  /// Of a ball about the centre that holds the cage.
+  /// The radius of a ball about the centre that holds the cage.
   double radius() const { return radius_; }
   int vertices() const { return static_cast<int>(vertex_.size() / 3); }
   int edges() const { return static_cast<int>(edge_.size()); }

@@ -4,10 +4,10 @@
 // With H = Hess I, g_k and across_ke = nu_e g_k as of face_terms.h:
 //   K (mu = 1) = J Id - beta/2 H,    T_k = B_k Id + (J n - beta H n) g_k' - (J g_k - beta H g_k) n',
 //   H n = grad (d J),    H g_k = -sum across_ke grad P_e,    H = n (grad d J)' - sum nu_e (grad P_e)'.
-// All of these are functions of the point for one face, but for B_k, whose derivatives are those of face_terms.h; so
-// derivatives of T and K are made of derivatives of J, d J, P and B_k alone.
+// All of these are functions of the point for one face, except B_k, whose derivatives are those of face_terms.h; so
+// derivatives of T and K need only derivatives of J, d J, P and B_k.
 //
-// What is made of one face is one function, so that it stays in registers.
+// One function does all of a face's work, so that its numbers stay in registers.
 #pragma once
 
 #include "face_sums.h"
@@ -17,7 +17,7 @@ namespace cageproof::closed_form::batch {
 template <class V>
 struct EdgeGradients;
 
-/// What derivatives of order O are made of. T: the type of constants.
+/// The numbers that derivatives of order O are made of. T: the type of constants.
 template <int O, class V, class T>
 struct KelvinTerms {
   const FaceTable<T>& face;

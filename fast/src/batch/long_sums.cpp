@@ -5,7 +5,7 @@
 
 namespace cageproof::closed_form::batch {
 
-// What the terms of edges and faces take of their numbers.
+// Operations that the terms of edges and faces need of their number type.
 inline bool less(const Mp200& a, const Mp200& b) { return a < b; }
 inline Mp200 magnitude(const Mp200& a) { return a < Mp200(0) ? Mp200(-a) : a; }
 inline Mp200 root(const Mp200& a) { return sqrt(a); }

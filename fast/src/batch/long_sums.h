@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same sums at a single point in 200 digits, for what double-doubles do not decide.
+// The same sums at a single point in 200 digits, for signs that double-doubles do not decide.
 #pragma once
 
 #include "geometry.h"

@@ -15,7 +15,7 @@
 
 namespace cageproof::closed_form::batch::CAGEPROOF_SIMD {
 
-/// What one edge's integrals have in common.
+/// The part that one edge's integrals have in common.
 struct Chord {
   Lanes q, c, square;  ///< q, cos t, s2
   Lanes c3, c5;

@@ -3,8 +3,8 @@
 //
 // With d the height, K2 the integral of r^-2 over an edge (its angle over the distance of its line), F = sum h K2 and
 // G_k = sum (nu g_k) K2, a face's weights are w_k = (d G_k - Gamma_k F/d)/2. Near the face's plane F/d cancels beyond
-// the face, and is taken as -d sum rest, rest = h int 1/(r^2 rho^2), rho the distance from the point's projection: what
-// the height takes off each angle in the plane.
+// the face, and is taken as -d sum rest, rest = h int 1/(r^2 rho^2), rho the distance from the point's projection: the
+// amount by which the height shrinks each angle in the plane.
 #pragma once
 
 #include "careful_entries.h"
@@ -75,8 +75,8 @@ inline Lanes in_plane_rest(const EdgeTable<double>& table, const SeenEdge& e, La
   return select(h < Lanes{}, -rest, rest);
 }
 
-/// What the roundings of steep faces add up to. A face's weights are differences of |d| int r^-2 over its edges times
-/// the slopes of its hat functions, and leave the rounding of these, of which little may be left of the weights' total.
+/// The sum of the roundings of steep faces. A face's weights are differences of |d| int r^-2 over its edges times the
+/// slopes of its hat functions. They keep the rounding of these terms, while the weights' total may be much smaller.
 class Steepness {
  public:
   /// \param most what the root of the sum of squares may be of the total

@@ -130,8 +130,8 @@ inline SeenSide select(Mask m, const SeenSide& a, const SeenSide& b) {
   return s;
 }
 
-/// Next to an edge the sign of `across`, which says on which side a point lies, may be rounding alone: it is decided
-/// exactly. Points on the edge are taken for points just inside, whose limits they have.
+/// Next to an edge, rounding may decide the sign of `across`, which tells a point's side, so it is decided exactly.
+/// Points on the edge are treated as points just inside, whose limits they have.
 inline void decide_sides(const PlaneBlock& block, const SideTable& side, SeenSide& seen) {
   const Mask next_to = (seen.along < Lanes{}) & (magnitude(seen.across) < -0x1p-46 * seen.along);
   if (!any(next_to)) [[likely]]

@@ -6,7 +6,7 @@
 
 namespace cageproof::closed_form::batch {
 
-/// Entries of order N: one, x y z, xx xy xz yy yz zz, xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz ...
+/// The number of entries of order N: one, x y z, xx xy xz yy yz zz, xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz ...
 template <int N>
 inline constexpr int kEntries = (N + 1) * (N + 2) / 2;
 

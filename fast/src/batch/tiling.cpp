@@ -6,7 +6,7 @@
 namespace cageproof::closed_form::batch {
 namespace {
 
-// Faces in a tile: the results of its some 200 edges fit into the second cache.
+// The number of faces in a tile, so that the results of its some 200 edges fit into the second cache.
 constexpr std::size_t kTile = 128;
 
 // Numbers things of a tile as they are met.

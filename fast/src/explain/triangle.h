@@ -8,8 +8,8 @@
 
 namespace cageproof::fast::triangle {
 
-/// What is said of the form whose operations are counted. \param panels of a sum over Gauss points \param is_kept
-/// whether its numbers are the hybrid's
+/// The description of the form whose operations are counted. \param panels those of a sum over Gauss points
+/// \param is_kept whether its numbers are the hybrid's
 std::string description_of(Route route, const Panels& panels, bool is_kept);
 
 /// Explains an entry of the tensor of order O.

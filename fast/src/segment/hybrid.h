@@ -17,7 +17,7 @@ using closed_form::Jet;
 
 /// Ends nearer than 2^-kExtreme, of the segment or of one, leave double: squares of 1/r leave its range.
 inline constexpr int kExtreme = 400;
-/// And lengths, and their products with the sine of the angle at the nearer end, over what is longest.
+/// The least ratio of lengths, and of their products with the sine of the angle at the nearer end, to the longest one.
 inline constexpr double kTiny = 0x1p-900;
 
 /// Whether powers of distances leave double's range. A point off the line may have a height, over what is longest, that
@@ -38,8 +38,8 @@ bool is_next_to_nothing(const Frame<double>& frame, const std::array<double, C>&
   return size > 0 && size < 0x1p-900 && !frame.is_far();
 }
 
-/// Whether a tensor of the order is small beside the logarithms it is made of, as next to a potential's zeros, which
-/// depend on the unit of length. The logarithms have their roundings there, whatever their sum is.
+/// Whether a tensor of the order is small compared with the logarithms it is made of, as next to a potential's zeros,
+/// which depend on the unit of length. The roundings there are those of the logarithms, however small their sum is.
 template <int C>
 bool is_next_to_zero(const Frame<double>& frame, const LogarithmicPart& part, int order, const Jet<double, C, 2>& jet) {
   if (part.power < order) return false;

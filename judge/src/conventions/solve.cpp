@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Solves for the convention: every arrangement of every formula of the same shape, with the one factor that fits.
+// Solves for the convention: tries every arrangement of every formula of the same shape, with the factor that fits.
 #include "conventions/samples.h"
 #include "conventions/sentence.h"
 #include "conventions/tensors.h"
@@ -129,8 +129,8 @@ std::optional<Convention> fit(const Formula& formula, const Pairs& pairs, int or
   return std::nullopt;
 }
 
-// Signs of layers that jump: with normals that point inward, the limit on the element is that from the other side.
-// Whether theirs, asked of the reversed element, has our limit on it, and theirs times the sign has not.
+// Whether their normals point inward. A layer that jumps then has, on the element, the limit from the other side: their
+// value on the reversed element is our limit, and their value times the sign is not.
 bool has_inward_normals(const Evaluation& theirs, const Convention& found, std::uint64_t seed) {
   const Formula& formula = formula_named(found.formula);
   if (found.factor > 0 || formula.flip_sign > 0 || found.normalised) return false;

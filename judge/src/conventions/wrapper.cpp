@@ -9,7 +9,7 @@ namespace {
 
 using validation::Sample;
 
-// Inverse of arranged(): tensors without factor, from theirs to ours.
+// The inverse of arranged(), which takes tensors without factor from theirs to ours.
 Tensors undone(const Formula& formula, const Convention& convention, const Tensors& theirs, const Sample& sample) {
   Tensors ours = theirs;
   const auto dim = static_cast<std::size_t>(formula.dim());

@@ -39,7 +39,7 @@ Vec3<double> inside(const Shape& shape, std::uint64_t index) {
   return point / sum;
 }
 
-// Sixteenths of a face's corners: within it, on an edge, at a corner.
+// Barycentric coordinates in sixteenths of points within a face, on an edge, and at a corner.
 constexpr std::array<std::array<int, 3>, 4> kOnFaces{{{4, 5, 7}, {11, 3, 2}, {12, 4, 0}, {0, 16, 0}}};
 
 std::vector<double> in_double(const CageQuestion& q, const CoordinateKind& kind) {

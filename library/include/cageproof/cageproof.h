@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cage coordinates and what they do to a mesh, in plain arrays of double: the whole library behind one header that
-// includes the standard library alone. docs/library.md has a program that uses it.
+// Cage coordinates and deformers of meshes, in plain arrays of double: the whole library behind one header that
+// includes only the standard library. docs/library.md has a program that uses it.
 #pragma once
 
 #include "cageproof/core/input_error.h"
@@ -56,9 +56,9 @@ struct Block {
   std::size_t count;   ///< coordinates
   int rows, columns;   ///< of each; 1 and 1 for numbers
   std::size_t offset;  ///< where its first number stands in a point's row of values
-  /// What it multiplies where a linear map is reproduced: "vertices", "turned vertices" (by a quarter
-  /// counter-clockwise), "normals" (unit and outward, of elements, or Element::normals one after the other where there
-  /// is one a normal; times `normal_factor`), or "nothing".
+  /// The data that the block multiplies when a linear map is reproduced: "vertices", "turned vertices" (by a quarter
+  /// counter-clockwise), "normals" (unit and outward, one per element, or all of Element::normals for a block with one
+  /// coordinate per normal; times `normal_factor`), or "nothing".
   std::string reproduces;
   double normal_factor;
 };
@@ -68,8 +68,8 @@ struct Element {
   std::vector<int> vertices;   ///< of the cage, in its orientation
   int face;                    ///< of the cage, that it is or is part of
   std::vector<double> normal;  ///< unit, outward; of a quad along its area vector
-  /// What coordinates of blocks with one a "normal" multiply, element by element: the element's, or, of a quad, that of
-  /// the bilinear surface at each corner, in the order of `vertices`.
+  /// The normals that blocks with one coordinate per normal multiply, element by element: the element's normal, or, for
+  /// a quad, the bilinear surface's normal at each corner, in the order of `vertices`.
   std::vector<std::vector<double>> normals;
 };
 
@@ -91,13 +91,14 @@ class Coordinates {
   /// Numbers a point: those of all blocks, times dimension^order.
   std::size_t row(int order = 0) const;
 
-  /// Values of a block of points, and as many derivatives by the point's coordinates as there is room for.
-  /// \param points `dimension` numbers a point
-  /// \param values row(0) numbers a point: [block][coordinate][row][column]
-  /// \param gradients empty, or row(1) numbers a point: the same with [axis] behind
-  /// \param hessians empty, or row(2): the same with [axis][axis] behind; needs gradients
-  /// On the cage values are limits from inside, derivatives that do not exist NaN, as are points without coordinates.
-  /// \throws InputError for spans of other sizes, or derivatives that there are not
+  /// Fills values at several points, and those derivatives by the point's coordinates whose spans are not empty.
+  /// \param points `dimension` numbers per point
+  /// \param values row(0) numbers per point: [block][coordinate][row][column]
+  /// \param gradients empty, or row(1) numbers per point: the same with [axis] behind
+  /// \param hessians empty, or row(2) numbers per point: the same with [axis][axis] behind; needs gradients
+  /// On the cage values are limits from inside. Derivatives that do not exist, and points without coordinates, give
+  /// NaN.
+  /// \throws InputError for spans of other sizes, or derivatives that the kind does not have
   void evaluate(std::span<const double> points, std::span<double> values, std::span<double> gradients = {},
                 std::span<double> hessians = {}) const;
 
@@ -126,7 +127,7 @@ class BoundPoints {
   std::shared_ptr<const Kept> kept_;
 };
 
-/// What a posed cage does to the points of space, by one method. `images` is safe from any thread, `pose` is not.
+/// A method that moves points of space with a posed cage. `images` is safe from any thread, `pose` is not.
 class Deformer {
  public:
   /// \param method "mean_value", "green", "biharmonic_1_3", "somigliana" ... of `cageproof list`

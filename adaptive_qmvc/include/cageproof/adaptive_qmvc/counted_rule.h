@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gauss-Legendre rules in numbers that count: rounded nodes and weights beside those of 200 digits.
+// Gauss-Legendre rules in numbers that count: rounded nodes and weights, compared with those of 200 digits.
 #pragma once
 
 #include "cageproof/closed_form/arithmetic/counted.h"

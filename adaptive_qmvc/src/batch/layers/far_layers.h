@@ -61,7 +61,7 @@ struct SeenLine {
   Lanes g, slope;
 };
 
-/// Of lines that may end or pass next to points.
+/// Integrals over lines that may end or pass next to points.
 struct CloseLines {
   static constexpr int at_once = 1;
   template <int N>
@@ -75,9 +75,9 @@ struct CloseLines {
   }
 };
 
-/// Of lines whose ends' distances sum up to a twentieth more than the length: what is left of their square loses about
-/// a digit. Two lines at once: one's instructions wait for each other, and processors look ahead no further than a
-/// line.
+/// Integrals over lines whose ends' distances sum up to at least a twentieth more than the length: the difference of
+/// their squares loses about a digit. Two lines run at once, because the instructions of one wait for each other and
+/// processors look ahead no further than a line.
 struct DistantLines {
   static constexpr int at_once = 2;
   template <int N>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What sources of each instruction set define for layers.
+// Functions for layers that the sources of each instruction set define.
 #pragma once
 
 #include "far_layers.h"

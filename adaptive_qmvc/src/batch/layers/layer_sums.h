@@ -20,11 +20,11 @@ namespace cageproof::adaptive_qmvc::batch {
 struct LayerTables {
   LayerTables(const Geometry& geometry, const CageElements& elements);
 
-  /// Of faces: the first of their numbers among Owner::Normal, and whether they are quads.
+  /// Per face: its first number among Owner::Normal, and whether it is a quad.
   std::vector<int> first;
   std::vector<char> is_quad;
-  /// What single layers in the geometry's unit are multiplied with, by Owner::Normal: the area element over 4 pi, in
-  /// the caller's unit.
+  /// The factors of single layers in the geometry's unit, by Owner::Normal: the area element over 4 pi, in the caller's
+  /// unit.
   std::vector<double> factor;
   std::vector<double> area;  ///< of faces that are triangles: twice their area, in the geometry's unit
 };

@@ -12,7 +12,7 @@
 namespace cageproof::adaptive_qmvc::batch {
 namespace {
 
-// Lines of a strip: about where a digit takes the fewest lines, of strips that grow by the same factor.
+// The most lines of a strip: about the number for which a digit takes the fewest lines, if strips grow by one factor.
 constexpr int kMostInStrip = 20;
 constexpr int kMostCuts = 64;
 // In sizes of the quad: nearer than the first one the element's own evaluation is asked, and where sides are of unequal

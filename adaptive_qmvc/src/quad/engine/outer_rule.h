@@ -19,7 +19,7 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// What widths are held in, squared and multiplied: doubles, or numbers with exponents for the most distant scalar.
+/// The type that holds widths, their squares and products: double, or numbers whose exponents suit the widest scalar.
 template <class R>
 using Width = std::conditional_t<std::same_as<R, Mp800>, long double, double>;
 
@@ -117,20 +117,20 @@ inline int nodes_across(double rho, double half, double growth, double order, do
   return std::max(2, static_cast<int>(std::ceil(least)));
 }
 
-/// Squares of smaller widths underflow: rules next to narrower singularities say that they do not meet their digits.
+/// The least width whose square does not underflow: rules next to narrower singularities state that they miss digits.
 template <class F>
 inline constexpr F kNarrowest = 1e-150;
 template <>
 inline constexpr long double kNarrowest<long double> = 1e-2000L;
 
-/// What a panel far from the singularity adds is that much less of the whole, a digit for each factor of ten, and needs
-/// as many digits less; but no fewer than a double's.
+/// Digits that a panel needs: far from the singularity it adds less to the whole, a digit less per factor of ten of the
+/// distance, and needs as many digits less, but no fewer than a double has.
 inline double digits_at(double s, double digits) {
   constexpr double kLeast = 17;
   return std::max(std::min(digits, kLeast), digits - std::abs(s) * std::numbers::log10e);
 }
 
-/// From that ellipse on, where it gains a digit a node, the plain rule is taken.
+/// The plain rule is taken from this ellipse on, where it gains a digit per node.
 inline constexpr double kFarAcross = 3.2;
 
 /// Values in double have so cheap lines that more of them cost less than the search for singularities.

@@ -138,7 +138,7 @@ std::optional<QuadFrame<R>> quad_frame(std::span<const Vec3<R>> corners, const V
   q.normal = {area_vector<R>(q.e, d13, -q.b), area_vector<R>(q.b1, -d02, q.e), area_vector<R>(-q.e1, -d13, q.b1),
               area_vector<R>(-q.b, d02, -q.e1)};
   q.n = q.normal[0];
-  // Of two opposite sides, which differ by w, the shorter one has the smaller terms.
+  // Opposite sides differ by w, and the shorter one has the smaller terms.
   const auto shorter = [](const Vec3<R>& one, const Vec3<R>& other) {
     return other.dot(other) < one.dot(one) ? other : one;
   };

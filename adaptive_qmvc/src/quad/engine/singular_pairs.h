@@ -201,7 +201,7 @@ SingularPairs<R> singular_pairs(const QuadFrame<R>& q) {
   if (!(size > 0)) return pairs;
   // Next to the real axis roots are found from the real minima, which stay accurate however close the pair is.
   std::array<double, 3> turns;
-  // Their size does not matter, but for doubles' range.
+  // The coefficients' common size does not matter, except that they must fit into double's range.
   const auto scaled = [&](F x) { return static_cast<double>(std::same_as<F, double> ? x : x / size); };
   const int count = detail::zeros_within({scaled(p[1]), 2 * scaled(p[2]), 3 * scaled(p[3]), 4 * scaled(p[4])}, turns);
   const auto bend = [&](F v) { return 2 * p[2] + v * (6 * p[3] + v * 12 * p[4]); };
@@ -230,9 +230,9 @@ SingularPairs<R> singular_pairs(const QuadFrame<R>& q) {
       m.p[0] == 0 ? detail::Factors<F>{0, 0, m.p[4], m.p[3], m.p[2]} : detail::factors_of(m.p, m.depth * m.depth);
   if (!f) return one_by_one();
   const F r = f->linear / f->lead, t = f->constant / f->lead;
-  // What is left of smaller zeros after division by larger ones is rounding.
+  // Division by larger zeros leaves only rounding of smaller ones.
   if (!(t >= f->t / 4)) return one_by_one();
-  // The other pair; one that is on the axis but for rounding is looked for about its own minimum, which a third root
+  // The other pair. A pair that is on the axis up to rounding is looked for around its own minimum, which a third root
   // next to it would displace.
   if (!(t < 900) || t - r * r / 4 > 1e-7) {
     add_pair(m.centre, f->r, f->t);

@@ -15,7 +15,7 @@ Vec3<R> surface_point(std::span<const Vec3<R>> q, const Basis<R>& basis) {
   return basis[0] * q[0] + basis[1] * q[1] + basis[2] * q[2] + basis[3] * q[3];
 }
 
-/// Sums over triangles, one entry a point, in memory that is kept from one batch to the next.
+/// Sums over triangles, one entry per point, in memory that is kept from one batch to the next.
 template <Scalar R>
 struct TessellationSums {
   std::vector<R> weights;  ///< of one triangle's corners

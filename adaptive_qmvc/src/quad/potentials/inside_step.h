@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points on a quad: whether they are, which limits there are, and the points next to them that limits from inside are
-// computed at.
+// Points on a quad: whether a point is on it, which limits exist there, and the points next to it at which limits from
+// inside are computed.
 #pragma once
 
 #include "quad/mean_value/line_form/line_form.h"
@@ -17,7 +17,7 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// What step_inside() finds.
+/// The result of step_inside().
 struct InsideStep {
   Vec3<Mp200> point;    ///< against the normal, so near that what is missing of a limit is below a double's rounding
   bool border = false;  ///< whether the point lies on a side

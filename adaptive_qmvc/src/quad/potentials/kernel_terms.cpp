@@ -25,7 +25,7 @@ LineTerms derivative(const LineTerms& terms, int i) {
       --less.power[i];
       add_to(result, less, factors, -term.power[i]);
     }
-    // No kernel has anything beside g.
+    // No kernel has a further factor next to g.
     if (term.others[2] == kHeight) {
       LineTerm normal = term;
       normal.others[2] = kN + i;

@@ -18,7 +18,7 @@ enum class Potential {
   KelvinTraction,         ///< (1 - 2 beta)(g I + N x' - x N')/r^3 + 6 beta g x x'/r^5
 };
 
-/// What integrands are products of: linear functions of a line's parameter. x = xi - eta, N = xi_u x xi_v, g = N.x;
+/// Factors of integrands, which are linear functions of a line's parameter. x = xi - eta, N = xi_u x xi_v, g = N.x;
 /// M is N less the normal at the point that the lines are taken about. Vectors are numbered by their first component.
 namespace line_factor {
 inline constexpr int kX = 0, kN = 3, kHeight = 6, kAlongU = 7, kAlongV = 10, kTurn = 13, kTwist = 16, kStep = 19;
@@ -28,7 +28,7 @@ inline constexpr int kCount = 22;
 /// Which derivative of the bilinear basis functions an integrand has.
 enum class BasisPart : std::uint8_t { Phi, PhiU, PhiV, PhiUV };
 
-/// A polynomial in the line's parameter t: an earlier one times a factor.
+/// A polynomial in the line's parameter t, made of an earlier one times a factor.
 struct LineFactor {
   int parent;      ///< -1: the polynomial is 1
   int factor;      ///< of line_factor
@@ -71,9 +71,9 @@ struct KernelTape {
 /// the quad, derivatives of these cancel by its size over the distance. Thread-safe; lives as long as the program.
 const KernelTape& kernel_tape(Potential potential, int order);
 
-/// The same with derivatives along the quad moved onto the basis functions and the border, so that what is left is
-/// bounded next to the quad, but for logarithms: nothing cancels. In coordinates whose z axis is the normal at the
-/// point that lines are taken about. Where no order gains by it, kernel_tape's.
+/// The same with derivatives along the quad moved onto the basis functions and the border. Apart from logarithms, the
+/// remaining integrands are bounded next to the quad, and nothing cancels. Coordinates have their z axis along the
+/// normal at the point that lines are taken about. Equal to kernel_tape's where no order gains by it.
 const KernelTape& tangential_tape(Potential potential, int order);
 
 /// Entries of a corner's tensor: 1, or 9.

@@ -24,9 +24,9 @@ constexpr std::array rows{Row{"quad.single_layer", Potential::SingleLayer},
                           Row{"quad.kelvin_displacement", Potential::KelvinDisplacement},
                           Row{"quad.kelvin_traction", Potential::KelvinTraction}};
 
-// Of the kernel's two parts: a - b and b, or mu (a - 2b) and 6 mu b, for a = 1/(4 pi mu) and b = a/(4 (1 - nu)).
-// a - 2b is (1/2 - nu)/(1 - nu) times a, without the difference, which cancels where the medium is all but
-// incompressible.
+// Factors of the kernel's two parts: a - b and b, or mu (a - 2b) and 6 mu b, for a = 1/(4 pi mu) and
+// b = a/(4 (1 - nu)). a - 2b is computed as (1/2 - nu)/(1 - nu) times a, because the difference cancels in a medium
+// that is nearly incompressible.
 template <Scalar R>
 std::array<R, 2> parameters_of(Potential potential, std::span<const R> given) {
   using std::isinf;

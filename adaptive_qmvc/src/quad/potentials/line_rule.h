@@ -11,7 +11,7 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// Digits of the integral: a little over what a double holds, and enough in multiprecision for the differences that
+/// The digits of the integral: a little more than a double holds, and in multiprecision enough for the differences that
 /// yardsticks and checks take of it.
 template <Scalar R>
 constexpr double own_digits() {

@@ -11,7 +11,7 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// What is asked of a potential.
+/// A request for a potential.
 template <class R>
 struct PotentialTask {
   Potential potential;

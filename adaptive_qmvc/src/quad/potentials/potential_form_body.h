@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// potential_form's body, compiled one file a scalar.
+// potential_form's body; each scalar is compiled in a file of its own.
 #pragma once
 
 #include "quad/potentials/potential_form.h"

@@ -13,8 +13,8 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// What lines add up to: for each integral one number a corner, and what the sizes of its terms add up to, all basis
-/// functions together.
+/// The sums over lines: for each integral one number per corner, and the sum of the sizes of its terms over all basis
+/// functions.
 template <class R>
 struct IntegralSums {
   std::vector<std::array<R, 4>> of;
@@ -139,7 +139,7 @@ void PotentialSums<R>::add_integrals(const LineIntegrals& integrals, const Basis
       f0 += term;
     }
     sums.sizes[i] += weights * sizes;
-    // Of basis functions that change along the line.
+    // Whether basis functions change along the line.
     const bool changes =
         part == BasisPart::Phi || part == (basis.far_slope == R(0) ? BasisPart::PhiU : BasisPart::PhiV);
     R f1 = R(0);

@@ -94,8 +94,8 @@ std::optional<Statement> sum_rules_in(const SeenQuad& seen, const PotentialTask<
   return tensors.cancelled <= kPotentialCancelled[0] ? std::optional(statement) : std::nullopt;
 }
 
-/// As sum_rules, in the narrowest scalar that has the digits asked for: next to the quad nothing cancels, so that more
-/// are spent in differences of coordinates alone, which stand in the frames.
+/// As sum_rules, in the narrowest scalar that has the digits asked for. Next to the quad nothing cancels, so that only
+/// differences of coordinates need more digits, and these stand in the frames.
 /// \param distant whether coordinates' exponents are so far apart that powers of distances may leave a double's range
 template <Scalar R>
 Statement sum_rules_narrowly(const SeenQuad& seen, const PotentialTask<R>& task, bool distant,

@@ -104,7 +104,7 @@ bool derive_by_sides(std::span<const Vec3<R>> corners, const Vec3<R>& point, con
     result.gradient += turned ? Vec3<R>(-gradient) : gradient;
     result.hessian += turned ? Eigen::Matrix<R, 3, 3>(-hessian) : hessian;
   }
-  // What overflows keeps nothing.
+  // A sum that overflows keeps no digits.
   const auto keeps = [&most](const R& terms, const R& sum) { return isfinite(terms) && terms <= most * sum; };
   const bool kept = keeps(gradients, R(result.gradient.cwiseAbs().sum())) &&
                     (order < 2 || keeps(hessians, R(result.hessian.cwiseAbs().sum())));

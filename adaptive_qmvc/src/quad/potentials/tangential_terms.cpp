@@ -19,7 +19,7 @@ namespace {
 
 using namespace line_factor;
 
-// What a function of x is multiplied with.
+// The weight of a function of x.
 struct Weight {
   double factor = 1;
   LineTerm of;  // without x and r
@@ -28,7 +28,7 @@ using Weights = std::vector<Weight>;
 
 const Weights kPhi{Weight{}};
 
-// Of a weight that consists of basis functions, xi_u and xi_v: component l of C.
+// Component l of C for a weight that consists of basis functions, xi_u and xi_v.
 Weights tangential_derivative(const Weights& weights, int l) {
   Weights result;
   const auto add = [&](double factor, const LineTerm& of, int further) {
@@ -157,8 +157,8 @@ struct Sum {
 
 double permutation(int i, int j, int k) { return (j - i) * (k - j) * (k - i) / 2.; }
 
-// A gradient by eta whose terms are int C_l f and border integrals of f dl_l alone, f a derivative of order n, and its
-// own gradients: as they are for one order more, frozen for two.
+// A gradient by eta whose only terms are int C_l f and border integrals of f dl_l, f a derivative of order n, and its
+// own gradients: unchanged for one order more, frozen for two.
 struct Curls {
   struct Term {
     int l;
@@ -250,7 +250,7 @@ bool make_tangential(Potential potential, int order, TapeEntries& entries) {
               shear.terms.push_back({l, radial(true, {a, i}), {sign * kTwoBeta[0], sign * kTwoBeta[1]}});
         }
         for (int p = 0; p < 3; ++p) {
-          // Of the first term, the gradient of the double layer.
+          // The gradient of the double layer, from the first term.
           Curls pressure;
           for (int l = 0; l < 3 && i == j; ++l)
             for (int a = 0; a < 3; ++a)

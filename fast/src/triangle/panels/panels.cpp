@@ -98,7 +98,7 @@ class Cutter {
       for (int c = 0; c < 3; ++c) halves[h].hat[replaced[h]][c] = (piece.hat[i][c] + piece.hat[j][c]) / 2;
       halves[h].area2 = piece.area2 / 2;
     }
-    // What lies nearer takes more points, and tells earlier that they do not suffice.
+    // The half at the nearer corner comes first: it takes more points, and tells earlier that they do not suffice.
     const bool first = seen.corner[i].squaredNorm() <= seen.corner[j].squaredNorm();
     const bool enough = this->cut(halves[first ? 0 : 1], depth + 1) && this->cut(halves[first ? 1 : 0], depth + 1);
     points_ -= kLeast;

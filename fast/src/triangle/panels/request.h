@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is asked of the sums over Gauss points, which are compiled once for each instruction set. Nothing of the
-// library's other headers may be seen there: inline functions of these must not be compiled for a set of their own.
+// The request to sums over Gauss points, which are compiled once for each instruction set. The library's other headers
+// must not be included there, because their inline functions must not be compiled for one set only.
 #pragma once
 
 namespace cageproof::fast::triangle {

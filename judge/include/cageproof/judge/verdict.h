@@ -9,7 +9,7 @@
 
 namespace cageproof::judge {
 
-/// One row of the catalogue of defects. Rows stand in the order in which they are tried: where two explain a sample,
+/// One row of the catalogue of defects. Rows stand in the order in which they are tried: if two rows explain a sample,
 /// the first is named, because it is the more specific.
 struct Defect {
   std::string_view key;        ///< "absolute_threshold"; also the anchor of its paragraph in docs/defects.md

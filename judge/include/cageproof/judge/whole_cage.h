@@ -16,8 +16,8 @@ struct CageQuestion {
   std::vector<Vec3<double>> points;
 };
 
-/// Values of coordinates, [point][coordinate]: those of all vertices, then, of kinds that have some, those of all
-/// faces.
+/// Values of coordinates, [point][coordinate]: first those of all vertices, then those of all faces, for kinds that
+/// have them.
 using WholeCageFunction = std::function<std::vector<double>(const CageQuestion&)>;
 
 /// One defect of whole cages, with a question that shows it.

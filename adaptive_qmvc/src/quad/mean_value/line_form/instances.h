@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The line form for a block of points at every order, compiled one file a scalar.
+// The line form for a block of points at every order; each scalar is compiled in a file of its own.
 #pragma once
 
 #include "quad/mean_value/line_form/line_form.h"

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::string_view kFormula = "quad.mean_value";
 
-// Digits of the integral that line_form asks for: a little over what a double holds, and enough in multiprecision for
-// the differences that yardsticks and checks take of it.
+// The digits of the integral that line_form asks for: a little more than a double holds, and in multiprecision enough
+// for the differences that yardsticks and checks take of it.
 template <Scalar R>
 constexpr double own_digits() {
   return std::same_as<R, Mp50> ? 36 : std::same_as<R, Mp100> ? 48 : std::same_as<R, Mp200> ? 90 : 17;

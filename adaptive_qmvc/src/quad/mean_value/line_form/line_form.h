@@ -142,7 +142,7 @@ template <int Order, Scalar R>
 Statement line_form_in_more_digits(std::span<const Vec3<R>> corners, const Vec3<R>& point, double digits,
                                    double cancelled, WeightTensors<R>& weights) {
   // Relative to the terms, each scalar gives as many digits as its closed form is asked for, and no integral more than
-  // 90. What rounding leaves of a sum that cancels altogether tells no more than that there is more to ask for.
+  // 90. A sum that cancels completely leaves only rounding, which tells that more digits are needed, but not how many.
   constexpr double most = 90;
   return with_what_cancels(digits, most, kCancelled, cancelled, [&](double asked) -> Cancelled {
     const auto in = [&]<class W>() -> std::optional<Statement> {
@@ -245,7 +245,7 @@ Statement line_form(std::span<const Vec3<R>> corners, const Vec3<R>& point, doub
   return statement;
 }
 
-// Compiled one file a scalar.
+// Each scalar is compiled in a file of its own.
 extern template Statement line_form<0, Mp50>(std::span<const Vec3<Mp50>>, const Vec3<Mp50>&, double,
                                              WeightTensors<Mp50>&);
 extern template Statement line_form<1, Mp50>(std::span<const Vec3<Mp50>>, const Vec3<Mp50>&, double,

@@ -27,7 +27,7 @@ void add_line(const LineReferences<R>& references, const R& step, const R& weigh
   using F = std::conditional_t<is_multiprecision<R>, long double, double>;
   const F length2 = static_cast<F>(e.dot(e)), start2 = static_cast<F>(start.dot(start)),
           end2 = static_cast<F>(end.dot(end));
-  // Where the ends' distances sum up to `kFarAlongLine` lengths; their squares alone often tell.
+  // The line is far if its ends' distances sum up to `kFarAlongLine` lengths, which their squares often tell already.
   const auto ends = [&] { return static_cast<double>((std::sqrt(start2) + std::sqrt(end2)) / std::sqrt(length2)); };
   LineMoments<R> m;
   Vec3<R> x;  // the line's point at the moments' origin

@@ -14,7 +14,7 @@
 
 namespace cageproof::adaptive_qmvc {
 
-/// What sizes of sums are held in: numbers with exponents enough for the scalar.
+/// The type that holds sizes of sums: numbers whose exponents suit the scalar.
 template <class R>
 using Size = std::conditional_t<is_multiprecision<R> || std::same_as<R, long double>, long double, double>;
 

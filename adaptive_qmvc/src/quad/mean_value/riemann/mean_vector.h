@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mean vectors: the integral of the unit vectors from a point towards a surface that its border alone determines.
+// Mean vectors: integrals of the unit vectors from a point towards a surface. They depend only on the surface's border.
 #pragma once
 
 #include "quad/mean_value/riemann/pair_frame.h"

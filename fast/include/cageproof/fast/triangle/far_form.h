@@ -39,7 +39,7 @@ inline double far_error(int n, double rho, int p, int degree) {
   return 4 * std::pow(1 + 2.0 * n / (steepness + 1), steepness) * std::pow(rho, -2.0 * (n - 1));
 }
 
-/// What the far form may be wrong by: a quarter of a rounding.
+/// The largest error allowed of the far form: a quarter of a rounding.
 inline constexpr double kFarTolerance = 0x1p-55;
 
 /// A rule's number in the arithmetic of the form.

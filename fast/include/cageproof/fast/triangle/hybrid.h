@@ -40,7 +40,7 @@ class HybridMoments {
   PanelMoments<O> on_panels_;
 };
 
-/// What is asked of panels first.
+/// The request that panels get first.
 template <class F, int O>
 PanelsWanted panels_wanted(const Frame<double>& f, int points = 0) {
   constexpr int kPoints = F::far_limit * F::far_limit;

@@ -45,8 +45,8 @@ class PanelMoments {
     Panels panels;
     Cut(const PanelsWanted& w, Panels p) : wanted(w), panels(std::move(p)) {}
   };
-  // Formulas differ by the steepest power of the distance, of which there are four, and by how many points they may
-  // take, of which there are as many.
+  // Formulas differ by the steepest power of the distance (four values) and by how many points they may take (four
+  // values, too).
   static constexpr int kCuts = 16;
   template <class Form>
   using Forms = std::array<std::optional<Form>, kCuts>;

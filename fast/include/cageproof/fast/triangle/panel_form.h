@@ -7,7 +7,7 @@
 
 namespace cageproof::fast::triangle {
 
-/// What a coefficient of degree k in a sum of r^p may be wrong by, in roundings of the sum of r^(p - k): each degree
+/// The error bound of a coefficient of degree k in a sum of r^p, in roundings of the sum of r^(p - k): each degree
 /// adds two products to the eight or so roundings of a term, terms add up in blocks, and the polynomials of r^p have
 /// coefficients up to those of (1 - x - y - z)^p for p < 0.
 inline double panel_roundings(int p, int k) {
@@ -44,7 +44,7 @@ class PanelHats {
           else hats[k].c[m] = sums.sums[k][m];
     return hats;
   }
-  // In numbers that are followed, and of which there are no vectors.
+  // The same sums in numbers that track their errors, which have no vectors.
   template <int p, int D>
   std::array<Taylor<R, D>, 3> one_by_one(const Frame<R>& frame) const {
     std::array<Taylor<R, D>, 3> hats;

@@ -22,8 +22,8 @@ struct Panel {
 
 using Panels = boost::container::small_vector<Panel, 4>;
 
-/// What sums are to reach: of hat functions times r^power and derivatives up to `degree`, errors of at most
-/// kFarTolerance of what sums up, by at most `points` points.
+/// A request for sums of hat functions times r^power and derivatives up to `degree`: errors of at most kFarTolerance of
+/// the sum of sizes, with at most `points` points.
 struct PanelsWanted {
   int steepness;  ///< |power| + degree: each power of 1/r, and each derivative, asks for more points
   int points;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What becomes of weights across the hull of a twisted quad, where the projection behind `riemann-<n>` is continuous
-// only ([T18] Lemma 3.4).
+// Study of weights across the hull of a twisted quad, where the projection behind `riemann-<n>` is only continuous
+// ([T18] Lemma 3.4).
 #pragma once
 
 #include "cageproof/core/catalogue/evaluation.h"
