@@ -126,7 +126,7 @@ TEST(BatchedQuads, elementary_lines) {
       if (foot >= 0 && foot <= 1 && k < 1e-3) continue;  // closer than lanes come
       const auto truth = moments_of(foot, k * k);
       const Moments found = elementary_moments(splat(foot), splat(k * k));
-      // Of the second power of distances, which multiplies what is linear in them.
+      // The scale grows with the second power of distances, times a term that is linear in them.
       const double scale = static_cast<double>(truth[0]) * (1 + foot * foot + k * k);
       EXPECT_NEAR(found.f0[0] / static_cast<double>(truth[0]), 1, 2e-14) << foot << ' ' << k;
       EXPECT_NEAR(found.f1[0], static_cast<double>(truth[1]), 8 * unit_roundoff<double>() * scale) << foot << ' ' << k;

@@ -171,7 +171,7 @@ TEST(spherical, names_the_evaluation_that_it_does_not_have) {
   EXPECT_NO_THROW(CageCoordinates(cube, kind, CoordinateOptions{.evaluation = "hybrid"}));
   try {
     const CageCoordinates refused(cube, kind, CoordinateOptions{.evaluation = "line-12"});
-    ADD_FAILURE() << "an evaluation was taken that there is not";
+    ADD_FAILURE() << "an evaluation that does not exist was accepted";
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(), "spherical_mean_value has no evaluation 'line-12', only hybrid");
   }

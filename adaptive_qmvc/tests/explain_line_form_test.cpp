@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is explained must be what the line form computes: bit for bit for derivatives; its values in double take four
-// lines at a time, and those that are explained one.
+// The explained operations are those of the line form: bit for bit for derivatives; its values in double take four
+// lines at a time, while the explained ones take one.
 #include "cageproof/closed_form/explain.h"
 #include "cageproof/core/catalogue/evaluation.h"
 #include "cageproof/core/numbers/random_stream.h"

@@ -178,7 +178,7 @@ std::vector<Point> points_beside(const Cage& cage, const CageElements& elements,
   return points;
 }
 
-// What moving the point costs is counted next to the cage alone: elsewhere it would only hide errors.
+// The error of moving the point is allowed only next to the cage: elsewhere it would hide errors.
 void expect_small_errors(const Cage& cage, int count) {
   const CageCoordinates found = green_of(cage, "batched"), reference = green_of(cage, "");
   ASSERT_EQ(found.evaluation(), "batched");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the line form says and costs as an evaluation: by any of its names, in float, in batches.
+// The line form's statements and costs as an evaluation: by any of its names, in float, in batches.
 #include "quads.h"
 
 #include <gtest/gtest.h>
@@ -40,8 +40,8 @@ TEST(line_form, is_recommended_and_has_closed_form_for_another_name) {
   EXPECT_EQ(std::ranges::count(standard, "closed_form"), 0);
 }
 
-// A quad folded on itself, 5e-27 off a double point: two singularities next to the interval are not cut apart, and the
-// rules do not meet their digits.
+// The quad is folded on itself, and the point is 5e-27 off a double point: rules that do not separate two singularities
+// next to the interval miss their digits.
 TEST(line_form, converges_in_float_too_next_to_a_crossing) {
   const Quad<double> folded{Vec3<double>(-1, -1, 0), Vec3<double>(1, 1, -1), Vec3<double>(0, -1, 0),
                             Vec3<double>(0, 0, 0)};

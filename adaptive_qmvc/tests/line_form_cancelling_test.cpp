@@ -117,7 +117,7 @@ TEST(line_form, jumps_at_a_crossing) {
 TEST(line_form, sees_a_face_next_to_its_corner) {
   const Corners saddle{Vec3<double>(0, 0, 0), Vec3<double>(0, 1, -1), Vec3<double>(1, 2, 1), Vec3<double>(0, 1, 1)};
   const Vec3<double> point(0, 0x1p-54, -0x1.8p-57);
-  // y = u + v, z = v - u but for terms that are lost in rounding, and the surface is x = u v over the point.
+  // Up to terms that rounding loses, y = u + v and z = v - u, and the surface is x = u v over the point.
   const double u = (point[1] - point[2]) / 2, v = (point[1] + point[2]) / 2;
   const Result<double> found = weights<double>(saddle, point, "line_form", 0);
   EXPECT_TRUE(found.converged);

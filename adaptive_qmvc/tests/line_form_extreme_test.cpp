@@ -93,7 +93,7 @@ TEST_P(LineFormClose, has_the_same_in_double_or_an_infinity_of_its_sign) {
       for (std::size_t i = 0; i < wide.of(o).size(); ++i) {
         const Mp50& exact = wide.of(o)[i];
         const auto rounded = static_cast<double>(exact);
-        // What is rounding beside the largest has no sign to keep.
+        // An entry below the largest one's rounding has no sign to keep.
         if (abs(exact) < 1e-14 * largest) continue;
         if (std::isinf(rounded)) {
           EXPECT_EQ(found.of(o)[i], rounded) << o << ' ' << i;

@@ -46,7 +46,7 @@ TEST(Projection, MeetsValidQuadsWithinTheirBorders) {
     ASSERT_TRUE(u >= 0 && u <= 1 && v >= 0 && v <= 1);
     const Vec3<Real> x = combined(on_hull.p, basis_at(u, v));
     on_line = std::max(on_line, x.cross(d).norm());
-    // The hull's own coordinates, through the null vector there, are not below zero but for rounding.
+    // Apart from rounding, the hull's own coordinates, through the null vector there, are not negative.
     const Vec4<Real> k = null_vector(on_hull);
     excess = std::max(excess, -(k / k.sum()).minCoeff());
   }

@@ -418,7 +418,7 @@ TEST(QuadPotentials, have_the_limits_that_there_are_on_the_border) {
         continue;
       }
       const auto limit = plain_lines(potential, corners, near, 0, 60);
-      // Of a plane's biharmonic double layer the limit is zero, and that 1e-40 inside as small as the step.
+      // The limit of a plane's biharmonic double layer is zero; its value 1e-40 inside is as small as the step.
       double largest = 1e-30;
       for (const auto& x : limit.of[0]) largest = std::max(largest, std::abs(static_cast<double>(x)));
       for (std::size_t i = 0; i < form.of[0].size(); ++i)
@@ -478,7 +478,7 @@ TEST(QuadPotentials, have_each_others_laplacians) {
   }
 }
 
-// Sums over corners with positions and normals: logarithms of the sides alone.
+// Sums over corners with positions and normals give only logarithms of the sides.
 TEST(QuadPotentials, add_up_to_line_integrals_over_the_sides) {
   using R = Mp100;
   for (const Quad<double>& corners : {kTwisted, kStrong})

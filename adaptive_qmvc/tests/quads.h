@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the room's tests share: quads, points, and the definition as a plain sum in two dimensions.
+// Helpers that the room's tests share: quads, points, and the definition as a plain sum in two dimensions.
 #pragma once
 
 #include "quad/mean_value/riemann/riemann.h"
@@ -82,7 +82,7 @@ double relative_difference(const Vec4<R>& a, const Vec4<R>& b) {
   return static_cast<double>(R((a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff()));
 }
 
-/// What the named evaluation of quad.mean_value gives.
+/// The weights by the named evaluation of quad.mean_value.
 template <Scalar R>
 Vec4<R> evaluated(const std::string& name, const Quad<R>& q, const Vec3<R>& eta) {
   const auto evaluation = EvaluationRegister::instance().find("quad.mean_value", name);

@@ -58,8 +58,8 @@ TEST(Weights, OfTheSchemeSolveEquation17) {
   EXPECT_LT(worst_residual<double>("riemann-4", 2000), 1e-13);
   EXPECT_LT(worst_residual<Mp50>("riemann-4", 20), 1e-48);
 }
-// Next to the plane of a planar quad the matrix of Eq 17 is nearly singular: Eq 28 alone loses a digit a decade, 3e-8
-// at 1e-8.
+// Next to the plane of a planar quad the matrix of Eq 17 is nearly singular: Eq 28 by itself loses one digit per decade
+// of height, 3e-8 at 1e-8.
 TEST(Weights, SolveEquation17NextToThePlaneOfAPlanarQuad) {
   double worst = 0;
   for (int i = 0; i < 1500; ++i) {

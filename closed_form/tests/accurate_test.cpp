@@ -13,7 +13,7 @@ namespace {
 
 using Vec = Vec3<double>;
 
-// Quotients of Fibonacci numbers: products of coordinates differ in their last digit of 106 bits alone.
+// Coordinates are quotients of Fibonacci numbers, whose products differ only in the last of their 106 bits.
 TEST(accurate_frame, knows_how_far_beside_an_edge_it_is_however_much_cancels) {
   std::array<double, 80> f{0, 1};
   for (int i = 2; i < 80; ++i) f[i] = f[i - 1] + f[i - 2];

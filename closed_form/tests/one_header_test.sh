@@ -48,7 +48,7 @@ else
   exit 1
 fi
 
-# What the compiler reads of the project is the list.
+# The compiler reads exactly those files of the project that the page lists.
 sed 's/ -o one_form//; s/ orientation.o//; s/ -l[a-z]*//g; s/ -c / /; s/^c++ /c++ -MM /' "$work/commands" >"$work/reading"
 readers() { bash -e "$work/reading" 2>/dev/null; }
 readers | tr ' ' '\n' | grep -E '^(core|closed_form)/' | sort -u | diff <(sort "$work/list") - || fail "the list has a file that nothing reads"

@@ -76,7 +76,7 @@ TEST(segment_accurate, has_its_digits_where_a_potential_is_all_but_zero) {
   expect_what_is_stated<SingleLayer, SingleKernel>(sample, "next to a zero");
 }
 
-// What closed forms have as limits, entry by entry: infinities with their signs, zeros, and what has none.
+// Limits of closed forms, entry by entry: infinities with their signs, zeros, and NaN where no limit exists.
 template <class F>
 void expect_limits(const Segment<double>& s, const Vec& eta) {
   const auto found = accurate<F, 2>(s, eta).jet;

@@ -218,7 +218,7 @@ TEST(segment, directions_are_kept_at_the_smallest_distances) {
     }
 }
 
-// The registered evaluation goes to more digits at extreme points alone: elsewhere it has the closed form's bits.
+// The registered evaluation takes more digits only at extreme points: elsewhere it has the closed form's bits.
 template <class F>
 void expect_registered(const char* formula) {
   const Evaluation registered = evaluation_named(formula, "closed_form");

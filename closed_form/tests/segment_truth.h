@@ -34,8 +34,8 @@ void expect_integral(const SegmentSample& sample, const std::string& what, const
   }
 }
 
-/// Of each order the truth's norm and the conditioned error in units of u; `moved` are the differences for a step of
-/// each input, over the step, times the input.
+/// Per order, the truth's norm and the conditioned error in units of u. `moved` holds, per input, the difference that a
+/// step makes, divided by the step, times the input.
 struct ConditionedErrors {
   std::array<double, 3> truth{}, error{};
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a cage's elements share, in a cage of quads and triangles.
+// Elements of a cage of quads and triangles: their corners, owners and normals.
 #include "cageproof/core/cage/cage_elements.h"
 
 #include <gtest/gtest.h>

@@ -81,7 +81,7 @@ TEST(exact_heights, are_rational_arithmetics) {
   expect_heights({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {.5, .5, 0});
   expect_heights({{{3, 5, 7}, {9, -2, 4}, {-1, 8, 2}}}, {2, 1, 5}, 3);
   expect_heights({{{.1, .7, -.3}, {.9, .2, .4}, {.3, -.8, .6}}}, {.3, 1e-16, -.2}, -2);
-  // As wide as the integers are, one bit more, much more, and all that there is.
+  // Widths: that of the integers, one bit more, much more, and the whole range.
   for (const int wide : {0, -1, -30, -60}) {
     const double small = std::ldexp(0x1.fedcba9876543p0, wide), large = 0x1.fedcba9876541p59;
     expect_heights({{{large, small, -large}, {-0.7 * large, -large, small}, {-small, 0.9 * large, large}}},

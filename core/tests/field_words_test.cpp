@@ -60,7 +60,7 @@ TEST(field_words, lead_from_deformers_to_coordinates_and_back) {
 TEST(field_words, name_formulas_of_all_elements) {
   EXPECT_EQ(called_here("formula", "winding", {"triangle.solid_angle", "triangle.mean_value", "segment.winding_angle"}),
             "; it is called 'triangle.solid_angle' or 'segment.winding_angle' here");
-  // Of two things with one name it is said once.
+  // A name that two things have is mentioned once.
   EXPECT_EQ(called_here("name", "mec", {"maximum_entropy", "maximum_entropy"}),
             "; it is called 'maximum_entropy' here");
 }

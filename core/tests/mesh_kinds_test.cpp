@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is alike in every format of meshes.
+// Behaviour that all mesh formats have in common.
 #include "cageproof/core/cage/mesh_io.h"
 
 #include "support.h"

@@ -165,7 +165,7 @@ TEST(svg_leaves_out, what_is_not_displayed) {
     expect_shown_alone(fmt::format("<g {}>{}</g>{}", hides, kHidden, kShown));
     expect_shown_alone(fmt::format("<path {} d='M9 9C1 1 2 2 3 3'/><circle {} r='1'/>{}", hides, hides, kShown));
   }
-  // What is not displayed may be anything, and no child comes back; of what is hidden a child may.
+  // An element that is not displayed may be anything, and its children stay away; a child of a hidden one may be shown.
   expect_shown_alone(kShown + "<g display='none' transform='none'><use/><g display='inline'>" + kHidden + "</g></g>");
   expect_shown_alone(
       "<g visibility='hidden' transform='scale(2)'><path visibility='visible' transform='scale(.5)' "

@@ -58,7 +58,7 @@ TEST(unknown_name, says_what_may_have_been_meant) {
   EXPECT_EQ(nearest_name("", known), "");
   EXPECT_EQ(nearest_name("x", {"a", "far"}), "");
   EXPECT_EQ(nearest_name("x", {}), "");
-  // Of two as near the first; a swap of neighbours is one letter off, as one changed, left out or put in is.
+  // The first of two equally near names wins. Swapping neighbours counts as one letter, like a change or an insertion.
   EXPECT_EQ(nearest_name("gren", {"green", "grin"}), "green");
   EXPECT_EQ(nearest_name("abdc", {"abcd"}), "abcd");
   EXPECT_EQ(nearest_name("abxd", {"abcd"}), "abcd");

@@ -260,7 +260,7 @@ TEST(polygon_checks, take_little_time) {
   }
   EXPECT_NO_THROW(polygon(nested));
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(spent.count(), 10) << "a fraction of a second, but for sanitizers on a busy machine";
+  EXPECT_LT(spent.count(), 10) << "it takes a fraction of a second, more under sanitizers on a busy machine";
 }
 
 TEST(embedded_polygons, enclose_what_they_should) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of this room share.
+// Helpers that the tests of this room share.
 #pragma once
 
 #include "cageproof/core/cage/cage.h"

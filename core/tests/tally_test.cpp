@@ -36,7 +36,7 @@ std::string print(const Tally& tally) {
 Tally one(int i) {
   Tally tally;
   tally.unit = "conditioned";
-  // Errors, and sample numbers, that several have: the inputs alone tell them apart.
+  // Several samples have equal errors and numbers: only the inputs tell them apart.
   const double error = i % 7 == 3 ? HUGE_VAL : (i % 4) * 1.5;
   tally.add(error, i * 0.25, i % 3, [&](double e) {
     return WorstCase{e, 0, static_cast<std::uint64_t>(i % 3), {}, Vec3<double>(-i, 0, 0), {}};

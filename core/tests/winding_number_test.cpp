@@ -53,7 +53,7 @@ TEST(winding_number, agrees_with_the_solid_angle) {
   }
 }
 
-// Every ray within the plane of a surface without a volume runs along its triangles: the box alone ends the search.
+// Every ray within the plane of a surface without volume runs along its triangles, so only the box ends the search.
 TEST(winding_number, is_zero_beside_a_surface_without_a_volume) {
   const Triangle<double> front{Vec3<double>(0, 0, 0), Vec3<double>(1, 0, 0), Vec3<double>(0, 1, 0)};
   const std::vector<Triangle<double>> both{front, {front[0], front[2], front[1]}};

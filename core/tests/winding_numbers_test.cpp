@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Answers of the tree against walks over all elements: winding numbers against those of winding_number(), which asks
-// all triangles for a ray in any direction, and touching elements against contacts with each.
+// The tree's answers equal those of walks over all elements: winding numbers equal winding_number(), which intersects
+// all triangles with a ray in any direction, and touching elements equal the contacts with each.
 #include "cageproof/core/cage/winding_numbers.h"
 
 #include "cageproof/core/cage/embedded_cages.h"

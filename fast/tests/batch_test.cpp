@@ -161,7 +161,7 @@ Cage striped_box(double width, int strips) {
   return Cage::make("striped box", vertices, faces, {.flip_inward = true});
 }
 
-// What faces in double leave is measured against what all faces give, marked ones included.
+// The rounding of faces summed in double is measured against the sum over all faces, marked ones included.
 TEST(Batched, around_and_within_plates_and_bars) {
   const Cage& cube = embedded_cage("cube");
   const std::vector<Face> tetrahedron{{{0, 2, 1, -1}}, {{0, 1, 3, -1}}, {{1, 2, 3, -1}}, {{0, 3, 2, -1}}};
@@ -216,7 +216,7 @@ TEST(Batched, above_thin_faces) {
   }
 }
 
-// Neighbours in one plane: their parts are infinite, and cancel.
+// Faces in one plane have infinite parts at their common edge, which cancel.
 TEST(Batched, derivatives_next_to_an_edge_within_a_plane) {
   const Cage cage = embedded_cage("cube");
   for (const char* kind : {"green", "somigliana"}) {
@@ -258,7 +258,7 @@ TEST(Batched, limits_on_the_cage) {
   }
 }
 
-// What is said of a point does not hang on the unit, on where the cage lies, or on what stands beside the point.
+// A point's result does not depend on the unit, on the cage's place, or on the other points of its block.
 TEST(Batched, in_other_units_and_places) {
   const Cage cage = embedded_cage("l-block");
   const auto moved = [&](double unit, const Point& by) {

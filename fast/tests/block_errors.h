@@ -100,7 +100,7 @@ double block_error(const CageCoordinates& found, const CageCoordinates& referenc
   return worst;
 }
 
-// Of that many coordinates.
+// A random direction with that many coordinates.
 inline Point direction(RandomStream& random, int dimension = 3) {
   Point v = Point::Zero();
   do

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is explained must be what the evaluation computes: bit for bit, wherever it computes in double.
+// The explained operations are those of the evaluation: bit for bit, wherever it computes in double.
 #include "cageproof/closed_form/explain.h"
 #include "cageproof/closed_form/triangle/single_layer.h"
 #include "cageproof/core/catalogue/evaluation.h"
@@ -92,8 +92,8 @@ TEST_P(Explained, is_what_is_computed) {
     EXPECT_TRUE(evaluation == "hybrid" || e.route.find("Gauss") == std::string::npos) << e.route;
     EXPECT_TRUE(same(e.value, alone.of(order)[entry])) << "sample " << i;
     ++entries;
-    // What the operations stand for is the formula: only rules and series of double's digits are wrong by a little, at
-    // most one rounding where each of a few points' weights is the product of three rounded numbers.
+    // In exact arithmetic the operations give the formula. Only rules and series for double's digits err by a little,
+    // at most one rounding where each of a few points' weights is the product of three rounded numbers.
     const auto [truth, norm] = truth_of(formula, query, entry);
     const bool on_border = e.route.find("on the border") != std::string::npos;
     // Where double was given up, what cancels makes large what constants of polyharmonic kernels, which have the digits
@@ -222,7 +222,7 @@ TEST(explain, says_which_rung_the_algebra_stands_on) {
   EXPECT_TRUE(starts(far, "edge form in double-double, since in double the bound of its error is ")) << far.route;
   EXPECT_TRUE(starts(explained("closed_form", 1e9), "edge form in 200 digits")) << explained("closed_form", 1e9).route;
   EXPECT_TRUE(explained("hybrid", 100).route.find("Gauss points") != std::string::npos);
-  // What loses the digits is a sum of the engine's.
+  // The operation that loses the digits is a sum of the engine's.
   ASSERT_FALSE(far.lines.empty());
   EXPECT_FALSE(far.is_the_value);
   EXPECT_NE(far.lines.front().file.find("closed_form/triangle/engine/edge_"), std::string::npos)

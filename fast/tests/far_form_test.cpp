@@ -166,8 +166,8 @@ OnPanels on_panels(double thinness, int sample) {
   return result;
 }
 
-// Roundings of a panel's sum: the more lanes share the terms, the fewer each adds one after the other. Found with one
-// lane 18.3, with four 13.2.
+// The roundings of a panel's sum. With more lanes, each adds fewer terms one after the other: one lane has 18.3
+// roundings, four have 13.2.
 double most_roundings() {
   switch (closed_form::batch::instruction_set()) {
     case closed_form::batch::InstructionSet::Avx512: return 12;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spheres of many faces: the embedded icosphere of 80 faces, refined.
+// Spheres of many faces, made by refining the embedded icosphere of 80 faces.
 #pragma once
 
 #include "cageproof/core/cage/embedded_cages.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several formulas together must give what each gives alone, bit for bit, whatever they share.
+// Several formulas evaluated together give the same bits as each by itself, whatever they share.
 #include "cageproof/core/catalogue/evaluation.h"
 #include "cageproof/core/numbers/random_stream.h"
 
@@ -17,7 +17,7 @@ struct Input {
 
 Vec random_point(RandomStream& random) { return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}; }
 
-// Points of all regimes about one triangle: anywhere, next to it on every scale, on its border and its plane, far away.
+// Points of all regimes about a triangle: anywhere, next to it on every scale, on its border and its plane, far away.
 std::vector<Input> triangle_inputs(int count) {
   std::vector<Input> inputs;
   for (int i = 0; i < count; ++i) {
@@ -61,7 +61,7 @@ bool same_bits(const R& a, const R& b) {
   else return (std::isnan(a) && std::isnan(b)) || (a == b && std::signbit(a) == std::signbit(b));
 }
 
-// What a group gives for a block of points in one go: per member and order, tensors one point after another.
+// Results of a group for a block of points: per member and order, the tensors of one point after another.
 template <Scalar R>
 std::vector<std::array<std::vector<R>, 3>> together(const std::vector<Evaluation>& group, const Batch<R>& batch) {
   std::vector<std::array<std::vector<R>, 3>> found(group.size());

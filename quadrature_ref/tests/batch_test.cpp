@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blocks of points: the same bits as points asked one by one, added where the caller wants them, without memory of
-// their own.
+// Blocks of points give the same bits as single points, are added to the caller's arrays, and take no memory of their
+// own.
 #include "support.h"
 
 #include <atomic>

@@ -37,7 +37,7 @@ std::vector<Case> cases(double unit, double distance) {
           {"quad.solid_angle", quad, at(1, 0, 0) + above, 1}};
 }
 
-// What is stated holds for the entries within range; those beyond it are infinite with their sign.
+// Stated digits hold for the entries within range; entries beyond it are infinite with their sign.
 template <Scalar R>
 void expect_entries(const std::string& evaluation, const Case& c, const Result<Mp50>& truth) {
   int beside = 0;

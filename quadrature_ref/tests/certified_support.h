@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tests ask of enclosures.
+// Checks that tests make of enclosures.
 #pragma once
 
 #include "cageproof/core/numbers/scalar.h"

@@ -146,7 +146,7 @@ TEST(Gauss, bad_geometry_gives_nan) {
   }
 }
 
-// Units of length near the ends of double's range: the rules work in the triangle's own unit.
+// Rules work in the triangle's own unit, so units of length near the ends of double's range do not matter.
 TEST(Gauss, scaling) {
   for (const std::string& formula : kFormulas) {
     const int degree = find_formula(formula)->degree;

@@ -39,7 +39,7 @@ TEST(Multiprecision, float_and_double_are_the_rounded_integral) {
   EXPECT_NEAR(single.value[1], static_cast<double>(wide.value[1]), 1e-7);
 }
 
-// What a result cost is part of its statement.
+// A result's statement contains its cost.
 TEST(Multiprecision, counts_its_nodes) {
   const Sample near{"", kTriangle, {1.25, .75, 1e-9}};
   for (const std::string& formula : kFormulas) {
@@ -115,7 +115,7 @@ TEST(Multiprecision, limits_on_the_triangle) {
   const auto weight = at("triangle.mean_value", 1, 1, 1);
   EXPECT_TRUE(isnan(weight.value[0]) && isnan(weight.gradient[0]));
   EXPECT_FALSE(weight.converged);
-  // On an edge and at a vertex the single layer keeps its value alone; its gradient grows like a logarithm.
+  // On an edge and at a vertex only the single layer's value exists; its gradient grows like a logarithm.
   for (const double x : {1.0, 0.0, 4.0}) {
     const auto r = at("triangle.single_layer", x, 0, 1);
     EXPECT_TRUE(r.converged);

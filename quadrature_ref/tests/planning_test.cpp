@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What rules are planned with: norms, zeros of r^2, nearest points, numbers of nodes and cells.
+// Quantities that rules are planned with: norms, zeros of r^2, nearest points, numbers of nodes and cells.
 #include "../src/rules/elementary.h"
 #include "../src/rules/gauss_nodes.h"
 #include "../src/rules/panels.h"
@@ -68,7 +68,7 @@ TEST(Planning, closest_point_is_the_foot_of_the_normal) {
   }
 }
 
-// Of exp(4 x), as fast as integrands are taken to grow.
+// The integrand is exp(4 x), the fastest growth that plans assume.
 TEST(Planning, nodes_are_enough_and_not_many_more) {
   for (const double length : {.5, 2., 8.})
     for (const double digits : {8., 16., 32.}) {

@@ -25,8 +25,8 @@ TEST(CertifiedQuad, solid_angle_of_a_square) {
   EXPECT_TRUE(holds(eighth.value[0], eighth.value_radius[0], pi<Mp100>() / 6));
 }
 
-// From the definition by mpmath, not by this project's code: tensor Gauss-Legendre with 26 points a direction on 3 x 3
-// cells, in 45 digits; 22 points agree to 1e-35.
+// Numbers from the definition by mpmath, not by this project's code: tensor Gauss-Legendre with 26 points per direction
+// on 3 x 3 cells, in 45 digits; 22 points agree to 1e-35.
 struct TypedIn {
   const char* formula;
   int order;

@@ -112,7 +112,8 @@ TEST(Quad, multiprecision_keeps_its_word_and_the_mean_vector) {
   }
 }
 
-// Derivatives of both sides of sum_k w_k (q_k - eta) = m: the right one's by central differences of step 1e-19.
+// Derivatives of both sides of sum_k w_k (q_k - eta) = m agree; those of the right side are central differences of step
+// 1e-19.
 TEST(Quad, derivatives_of_the_mean_vector_relation) {
   for (const QuadSample& s :
        {QuadSample{"twisted", kTwisted, {.4, .5, -.2}}, QuadSample{"planar", kPlanar, {1.5, .3, .01}},
@@ -226,7 +227,7 @@ TEST(Quad, gauss_keeps_the_height_next_to_every_corner) {
   }
 }
 
-// What docs and headers say of it.
+// The tolerance that docs and headers state.
 TEST(Quad, adaptive_aims_at_its_tolerance) {
   EXPECT_EQ(quad::adaptive_tolerance<float>(), 1e-4);
   EXPECT_EQ(quad::adaptive_tolerance<double>(), 1e-10);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Enclosures on segments: numbers known by hand lie in them, so does the independent integrator's result, and nothing
-// wrong does.
+// Enclosures on segments contain numbers known by hand and the independent integrator's results, and no wrong number.
 #include "certified_support.h"
 #include "segment_support.h"
 
@@ -11,7 +10,7 @@ namespace {
 
 using Vec = Vec3<double>;
 
-// But for the row that another test adds, whose kernel alone is known.
+// All formulas except the one that another test adds, which has only a kernel.
 std::vector<Formula> segment_formulas() {
   std::vector<Formula> rows;
   for (const Formula& formula : catalogue())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Segments of the plane: samples of every regime, and the single layer's truth from its antiderivative.
+// Helpers for segments of the plane: samples of every regime, and the single layer's truth from its antiderivative.
 #pragma once
 
 #include "support.h"

@@ -130,8 +130,8 @@ TEST(Segment, adaptive_is_honest) {
   EXPECT_EQ(met_float, count_float);
 }
 
-// What grows like the eleventh power of the distance magnifies the rounding of w, which is 330 at the ends. The first
-// was found by a hunt.
+// Integrands that grow like the eleventh power of the distance magnify the rounding of w, which is 330 at the ends. A
+// hunt found the first case.
 TEST(Segment, adaptive_is_honest_of_high_powers) {
   const std::array order{6.};
   for (const double length : {6., 5., 3.5, 7.25})

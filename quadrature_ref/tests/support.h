@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the room's tests share: evaluating by name, norm-wise comparison, and one sample of every regime.
+// Helpers that the room's tests share: evaluating by name, norm-wise comparison, and one sample of every regime.
 #pragma once
 
 #include "cageproof/core/catalogue/evaluation.h"
