@@ -24,7 +24,7 @@ namespace cageproof::cli {
 namespace {
 
 struct Arguments {
-  std::string code, scalar = "double", measure = "relative", out, language, command_line;
+  std::string code, scalar = "double", measure = "relative", out, language, kind, command_line;
   std::vector<std::string> formulas;
   judge::ElementCampaignOptions options;
   judge::Limits limits;
@@ -66,11 +66,34 @@ void judge_formula(judge::Certificate& c, judge::ForeignCode& code, const Formul
   c.formulas.push_back(judge::run_element_campaign(code, formula, name, options));
   std::vector<judge::CodeFinding> found = judge::findings_of({c.formulas.back()}, {});
   if (verdict) {
-    found = judge::beside_named(std::move(found), *verdict);
+    found = judge::beside_named(std::move(found), !verdict->findings.empty());
     const auto named = judge::named_findings(*verdict, formula);
     found.insert(found.begin(), named.begin(), named.end());
   }
   c.findings.insert(c.findings.end(), found.begin(), found.end());
+}
+
+// Adds coordinates of whole cages to the certificate: their defects by name, their errors.
+void judge_kind(judge::Certificate& c, judge::ForeignCode& code, std::string_view kind, const std::string& name,
+                const judge::ElementCampaignOptions& options) {
+  const judge::CageVerdict verdict = judge::judge_whole_cage(judge::whole_cage_function(code, kind), kind);
+  c.formulas.push_back(judge::run_cage_campaign(code, kind, name, options));
+  c.findings = judge::named_findings(verdict, kind);
+  const auto found = judge::beside_named(judge::findings_of({c.formulas.back()}, {}), !c.findings.empty());
+  c.findings.insert(c.findings.end(), found.begin(), found.end());
+}
+
+void judge_formulas(judge::Certificate& c, const std::shared_ptr<judge::ForeignCode>& code, const Arguments& a,
+                    const std::vector<std::string>& formulas) {
+  Progress progress;
+  for (const std::string& formula : formulas) {
+    if (code->order_of(formula_named(formula), a.options.single) < 0) continue;
+    judge::ElementCampaignOptions options = a.options;
+    options.progress = [&](std::size_t done, std::size_t all) { progress(formula, done, all); };
+    judge_formula(c, *code, formula_named(formula), c.name, options);
+    progress.clear();
+    std::cout << judge::table_of(c.formulas.back(), a.inputs);
+  }
 }
 
 void print(const judge::Certificate& c, const Arguments& a) {
@@ -86,11 +109,13 @@ void print(const judge::Certificate& c, const Arguments& a) {
                c.promise->is_kept
                    ? "kept"
                    : fmt::format("BROKEN in {} rows, as {}", c.promise->broken.size(), c.promise->broken.front()));
-  fmt::print("{}: {}; {} samples a regime, {} formula{}\n", c.name,
+  const std::string judged =
+      !a.kind.empty() ? a.kind : fmt::format("{} formula{}", c.formulas.size(), c.formulas.size() == 1 ? "" : "s");
+  fmt::print("{}: {}; {} samples a regime, {}\n", c.name,
              c.has_defects()    ? "DEFECTS"
              : c.is_undecided() ? "undecided: rows without a sample, or inputs that it declined"
                                 : "clean",
-             c.samples, c.formulas.size(), c.formulas.size() == 1 ? "" : "s");
+             c.samples, judged);
   if (!a.out.empty()) fmt::print("certificate: {0}/certificate.md, {0}/certificate.json\n", a.out);
 }
 
@@ -110,6 +135,10 @@ int run(Arguments& a) {
   const auto [name, what] = judge::name_and_what(a.code);
   std::vector<std::string_view> regimes;
   for (const validation::Regime& regime : validation::regimes()) regimes.push_back(regime.name);
+  if (!a.kind.empty()) {
+    judge::require_judged_kind(a.kind);
+    regimes = judge::cage_regimes();
+  }
   require_known("regime", a.options.regimes, regimes);
   a.limits.memory = static_cast<std::uint64_t>(std::ldexp(a.memory, 30));
   a.options.single = a.scalar == "float";
@@ -126,19 +155,20 @@ int run(Arguments& a) {
   c.scalar = a.scalar;
   c.samples = a.options.samples;
   c.seed = a.options.seed;
-  const std::string list = a.formulas.empty() ? "*" : fmt::format("{}", fmt::join(a.formulas, ","));
-  const std::vector<std::string> formulas = judge::register_foreign_code(code, name, list);
+  std::vector<std::string> formulas;
+  if (a.kind.empty()) {
+    const std::string list = a.formulas.empty() ? "*" : fmt::format("{}", fmt::join(a.formulas, ","));
+    formulas = judge::register_foreign_code(code, name, list);
+  }
   // A folder that cannot be written is refused before the wait.
   if (!a.out.empty()) {
     std::filesystem::create_directories(a.out);
     reports::require_writable({a.out + "/certificate.json", a.out + "/certificate.md"});
   }
-  Progress progress;
-  for (const std::string& formula : formulas) {
-    if (code->order_of(formula_named(formula), a.options.single) < 0) continue;
-    a.options.progress = [&](std::size_t done, std::size_t all) { progress(formula, done, all); };
-    judge_formula(c, *code, formula_named(formula), name, a.options);
-    progress.clear();
+  if (a.kind.empty()) {
+    judge_formulas(c, code, a, formulas);
+  } else {
+    judge_kind(c, *code, a.kind, name, a.options);
     std::cout << judge::table_of(c.formulas.back(), a.inputs);
   }
   const bool has_rows = std::ranges::any_of(c.formulas, [](const auto& one) { return !one.rows.empty(); });
@@ -168,8 +198,13 @@ void add_judge(CommandLine& line, const std::string& command_line) {
               "NAME=WHAT: a library (./libmine.so) that defines the functions of cageproof_judge.h, or a command "
               "('./my_program') that answers lines of eval")
       .taking("NAME=WHAT");
-  command.option("--formula,--formulas", a->formulas, "which; without, all that the code says it has")
-      .taking("FORMULAS");
+  Option formula = command.option("--formula,--formulas", a->formulas, "which; without, all that the code says it has")
+                       .taking("FORMULAS");
+  command
+      .option("--kind", a->kind,
+              "coordinates of whole cages instead: mean_value, green or another kind with numbers for coordinates")
+      .taking("KIND")
+      .excludes(formula);
   command.option("--regimes,--regime", a->options.regimes, "how points sit to elements")
       .taking("REGIMES")
       .showing_default();
@@ -208,6 +243,7 @@ void add_judge(CommandLine& line, const std::string& command_line) {
   add_quiet(command);
   command.example("cageproof judge mine=./libmine.so --out certificate");
   command.example("cageproof judge mine='python3 mine.py' --formula triangle.solid_angle --promise 1e-10");
+  command.example("cageproof judge mine='python3 mine.py' --kind mean_value");
   command.example("cageproof judge --template c --out example");
   command.runs([a] { return run(*a); });
 }

@@ -36,7 +36,9 @@ CAGEPROOF_JUDGE_EXPORT int cageproof_judge_version(void);
 /* Optional: name and version of what is judged, in one line, for the certificate. The text stays the library's. */
 CAGEPROOF_JUDGE_EXPORT const char* cageproof_judge_about(void);
 
-/* Required: the highest derivative that the library gives of a formula: 0 value, 1 gradient, 2 Hessian; -1 where it
+/* A library is asked for elements (the next two functions), whole cages (the last function), or both.
+ *
+ * Elements: the highest derivative that the library gives of a formula: 0 value, 1 gradient, 2 Hessian; -1 where it
  * does not have the formula. */
 CAGEPROOF_JUDGE_EXPORT int cageproof_judge_order(const char* formula);
 
@@ -60,15 +62,32 @@ typedef struct cageproof_judge_block {
   size_t count;   /* points */
 } cageproof_judge_block;
 
-/* Required: in double. Returns CAGEPROOF_JUDGE_DONE or CAGEPROOF_JUDGE_DECLINED. */
+/* Elements, in double. Returns CAGEPROOF_JUDGE_DONE or CAGEPROOF_JUDGE_DECLINED. */
 CAGEPROOF_JUDGE_EXPORT int cageproof_judge_double(const cageproof_judge_block* block, const double* corners,
                                                   const double* parameters, const double* points, double* values,
                                                   double* gradients, double* hessians);
 
-/* Optional: the same in float. */
+/* Elements, optional: the same in float. */
 CAGEPROOF_JUDGE_EXPORT int cageproof_judge_float(const cageproof_judge_block* block, const float* corners,
                                                  const float* parameters, const float* points, float* values,
                                                  float* gradients, float* hessians);
+
+/* A cage of triangles and a block of points.
+ *   kind         kind of coordinates, as "mean_value" or "green" of `cageproof list`
+ *   vertices     [vertex][3]
+ *   faces        [face][3], vertices counted from 0, counter-clockwise seen from outside
+ *   points       [point][3]
+ *   coordinates  [point][coordinate]: of all vertices, then, for kinds that have them (green), of all faces */
+typedef struct cageproof_judge_cage {
+  const char* kind;
+  size_t vertex_count, face_count;
+  size_t coordinates; /* of a point */
+  size_t count;       /* points */
+} cageproof_judge_cage;
+
+/* Whole cages, in double. Returns CAGEPROOF_JUDGE_DONE or CAGEPROOF_JUDGE_DECLINED. */
+CAGEPROOF_JUDGE_EXPORT int cageproof_judge_coordinates(const cageproof_judge_cage* cage, const double* vertices,
+                                                       const int* faces, const double* points, double* coordinates);
 
 /* NOLINTEND(readability-identifier-naming) */
 

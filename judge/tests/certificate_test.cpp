@@ -94,7 +94,7 @@ TEST(certificate, sevens_are_other_numbers_and_a_crash_is_an_incident) {
 }
 
 TEST(certificate, not_a_number_is_a_defect_but_not_at_the_ends_of_the_range) {
-  FormulaCampaign campaign{&formula_named("triangle.single_layer"), 0, {}, {}};
+  FormulaCampaign campaign{"triangle.single_layer", false, 0, {}, {}};
   CampaignRow one;
   one.samples = 10;
   one.nonfinite = 2;
@@ -106,7 +106,7 @@ TEST(certificate, not_a_number_is_a_defect_but_not_at_the_ends_of_the_range) {
 }
 
 TEST(certificate, eight_lost_digits_are_a_defect_off_the_element_only) {
-  FormulaCampaign campaign{&formula_named("triangle.single_layer"), 0, {}, {}};
+  FormulaCampaign campaign{"triangle.single_layer", false, 0, {}, {}};
   CampaignRow one;
   one.samples = 10;
   one.regime = "near-edge";

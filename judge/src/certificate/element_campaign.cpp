@@ -2,6 +2,7 @@
 #include "cageproof/judge/element_campaign.h"
 
 #include "certificate/pair_times.h"
+#include "certificate/rows.h"
 
 #include "cageproof/core/catalogue/name_pattern.h"
 #include "cageproof/core/parallel.h"
@@ -18,16 +19,6 @@ namespace {
 
 using validation::Sample;
 using validation::Truth;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double none = -1;
-
-// Errors of one sample at one order; negative where it has none.
-struct Measured {
-  enum class Status { Error, NoTruth, Declined, Failed } status = Status::NoTruth;
-  double relative = none, conditioned = none, absolute = none, beside = none, on = none;
-  bool is_finite = true;
-};
 
 // A regime's samples with their answers.
 struct Asking {
@@ -87,52 +78,11 @@ void judge_sample(const validation::TruthSource& source, const Sample& sample, c
   else measure<double>(truth, answer, order, found);
 }
 
-double median_of(std::vector<double> errors) {
-  if (errors.empty()) return 0;
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
-  std::ranges::nth_element(errors, middle);
-  return *middle;
-}
-
-LargestError largest(const Asking& asking, const Formula& formula, int order, double Measured::*member) {
-  LargestError found{none, 0, ""};
-  std::vector<double> errors;
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < asking.measured.size(); ++i) {
-    double error = asking.measured[i][order].*member;
-    if (std::isnan(error)) error = infinity;
-    if (error < 0) continue;
-    errors.push_back(error);
-    if (error <= found.error) continue;
-    found.error = error;
-    at = i;
-  }
-  if (errors.empty()) return {0, 0, ""};
-  found.median = median_of(std::move(errors));
-  found.input = exact_line(formula, asking.asked[at], 0);
-  return found;
-}
-
 CampaignRow row_of(const Asking& asking, const Formula& formula, int order) {
-  CampaignRow row;
-  row.regime = asking.regime->name;
-  row.order = order;
-  for (std::size_t i = 0; i < asking.measured.size(); ++i) {
-    const Measured& one = asking.measured[i][order];
-    row.samples += one.status == Measured::Status::Error;
-    row.without_truth += one.status == Measured::Status::NoTruth;
-    row.declined += one.status == Measured::Status::Declined;
-    row.failed += one.status == Measured::Status::Failed;
-    row.zero += one.status == Measured::Status::Error && one.relative < 0;
-    if (one.is_finite) continue;
-    if (row.nonfinite++ == 0) row.nonfinite_input = exact_line(formula, asking.asked[i], 0);
-  }
-  row.relative = largest(asking, formula, order, &Measured::relative);
-  row.conditioned = largest(asking, formula, order, &Measured::conditioned);
-  row.beside = largest(asking, formula, order, &Measured::beside);
-  row.on = largest(asking, formula, order, &Measured::on);
-  row.absolute = largest(asking, formula, order, &Measured::absolute);
-  return row;
+  std::vector<Measured> measured;
+  for (const auto& orders : asking.measured) measured.push_back(orders[order]);
+  return row_of(std::string(asking.regime->name), order, measured,
+                [&](std::size_t i) { return exact_line(formula, asking.asked[i], 0); });
 }
 
 // The code's answer for a sample, in our convention.
@@ -172,12 +122,10 @@ std::vector<Asking> ask_all(ForeignCode& code, const Request& request, const Ele
 
 FormulaCampaign run_element_campaign(ForeignCode& code, const Formula& formula, const std::string& name,
                                      const ElementCampaignOptions& options) {
-  FormulaCampaign campaign{&formula, code.order_of(formula, options.single), {}, {}};
-  if (options.ours) {
-    campaign.formula = &options.ours->formula();
-    campaign.order = std::min(campaign.order, options.ours->max_order());
-  }
-  const validation::TruthSource source = quick_truth_source(*campaign.formula);
+  const Formula& computed = options.ours ? options.ours->formula() : formula;
+  FormulaCampaign campaign{std::string(computed.name), false, code.order_of(formula, options.single), {}, {}};
+  if (options.ours) campaign.order = std::min(campaign.order, options.ours->max_order());
+  const validation::TruthSource source = quick_truth_source(computed);
   constexpr int costly = 8, least = 10;
   const int samples =
       source.is_costly() ? std::max(std::min(least, options.samples), options.samples / costly) : options.samples;
@@ -192,8 +140,7 @@ FormulaCampaign run_element_campaign(ForeignCode& code, const Formula& formula, 
     if (options.progress) options.progress(++done, all.size() * per_regime);
   });
   for (const Asking& asking : all)
-    for (int order = 0; order <= campaign.order; ++order)
-      campaign.rows.push_back(row_of(asking, *campaign.formula, order));
+    for (int order = 0; order <= campaign.order; ++order) campaign.rows.push_back(row_of(asking, computed, order));
   campaign.times = pair_times(code, request, name);
   return campaign;
 }

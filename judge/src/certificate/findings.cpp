@@ -20,8 +20,7 @@ void add_nonfinite(const FormulaCampaign& campaign, std::vector<CodeFinding>& fo
         {range ? "range" : "not finite",
          fmt::format("{}: NaN or infinite at {} of {} samples where the formula is finite{}", row.regime, row.nonfinite,
                      row.samples, range ? " (the unit of length leaves the range of its intermediate results)" : ""),
-         std::string(campaign.formula->name), row.order, row.nonfinite_input, static_cast<std::uint64_t>(row.nonfinite),
-         !range});
+         campaign.subject, row.order, row.nonfinite_input, static_cast<std::uint64_t>(row.nonfinite), !range});
   }
 }
 
@@ -29,20 +28,19 @@ void add_nonfinite(const FormulaCampaign& campaign, std::vector<CodeFinding>& fo
 void add_other_numbers(const FormulaCampaign& campaign, std::vector<CodeFinding>& found) {
   constexpr double three_digits = 1e-3;
   for (const CampaignRow& row : campaign.rows)
-    if (row.regime == "generic" && row.samples > 0 && row.relative.median > three_digits)
+    if ((row.regime == "generic" || row.regime == "inside") && row.samples > 0 && row.relative.median > three_digits)
       found.push_back({"other numbers",
-                       fmt::format("generic: half of the samples are off by {:.2g} or more: another convention, or "
+                       fmt::format("{}: half of the samples are off by {:.2g} or more: another convention, or "
                                    "another formula",
-                                   row.relative.median),
-                       std::string(campaign.formula->name), row.order, row.relative.input,
-                       static_cast<std::uint64_t>(row.samples), true});
+                                   row.regime, row.relative.median),
+                       campaign.subject, row.order, row.relative.input, static_cast<std::uint64_t>(row.samples), true});
 }
 
 // Half of double's digits, beyond what rounding the input costs.
 constexpr double half_the_digits = 0x1p26;
 
 void add_inaccurate(const FormulaCampaign& campaign, std::vector<CodeFinding>& found) {
-  const std::string formula(campaign.formula->name);
+  const std::string formula(campaign.subject);
   for (const CampaignRow& row : campaign.rows) {
     // Points a rounding off an element round to either side of it.
     const bool is_on = row.regime.starts_with("on-");
@@ -115,8 +113,8 @@ OwnPromise judged_promise(OwnPromise promise, const std::vector<FormulaCampaign>
       if (error <= promise.bound && row.failed == 0) continue;
       promise.is_kept = false;
       promise.broken.push_back(row.failed > 0 ? fmt::format("{}, {}, order {}: {} samples without an answer",
-                                                            campaign.formula->name, row.regime, row.order, row.failed)
-                                              : fmt::format("{}, {}, order {}: {:.3g} at {}", campaign.formula->name,
+                                                            campaign.subject, row.regime, row.order, row.failed)
+                                              : fmt::format("{}, {}, order {}: {:.3g} at {}", campaign.subject,
                                                             row.regime, row.order, error, largest->input));
     }
   return promise;

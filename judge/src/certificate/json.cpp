@@ -42,7 +42,7 @@ Json json_of(const FormulaCampaign& campaign) {
   for (const PairTime& time : campaign.times)
     times.push_back(
         {{"evaluation", time.evaluation}, {"order", time.order}, {"nanoseconds_per_pair", number(time.nanoseconds)}});
-  return {{"formula", std::string(campaign.formula->name)},
+  return {{campaign.is_kind ? "kind" : "formula", campaign.subject},
           {"highest_order", campaign.order},
           {"rows", rows},
           {"times", times}};

@@ -25,7 +25,26 @@ std::string text_of(const std::vector<double>& tensor) {
   return fmt::format("{:.12g}{}", fmt::join(shown, " "), tensor.size() > most ? " ..." : "");
 }
 
+std::string sentence(const Defect& defect, const std::string& evidence, const std::vector<double>& ours,
+                     const std::vector<double>& theirs) {
+  std::string text = fmt::format("{} Seen: {}", defect.sentence, evidence);
+  if (!ours.empty()) text += fmt::format("; right is {}, yours {}", text_of(ours), text_of(theirs));
+  const std::string own_page = fmt::format("defects.md#{}", defect.key);
+  return text + fmt::format(". To do: {} (docs/{}{})", defect.advice, own_page,
+                            defect.page == own_page ? "" : fmt::format(", docs/{}", defect.page));
+}
+
 }  // namespace
+
+std::vector<CodeFinding> named_findings(const CageVerdict& verdict, std::string_view kind) {
+  std::vector<CodeFinding> found;
+  for (const CageFinding& finding : verdict.findings)
+    found.push_back({std::string(finding.defect->key),
+                     sentence(*finding.defect, finding.evidence, finding.ours, finding.theirs), std::string(kind), 0,
+                     exact_line(Request{.kind = kind}, asked_of(finding.question), 0),
+                     std::max<std::uint64_t>(1, finding.cases), true});
+  return found;
+}
 
 std::vector<CodeFinding> named_findings(const Verdict& verdict, const Formula& formula) {
   std::vector<CodeFinding> found;
@@ -36,23 +55,17 @@ std::vector<CodeFinding> named_findings(const Verdict& verdict, const Formula& f
   const Formula& computed = verdict.convention ? formula_named(verdict.convention->formula) : formula;
   for (const Finding& finding : verdict.findings) {
     const Defect& defect = *finding.defect;
-    std::string text = fmt::format("{} Seen: {}", defect.sentence, finding.evidence);
-    if (!finding.ours.empty())
-      text += fmt::format("; right is {}, yours {}", text_of(finding.ours), text_of(finding.theirs));
-    const std::string own_page = fmt::format("defects.md#{}", defect.key);
-    text += fmt::format(". To do: {} (docs/{}{})", defect.advice, own_page,
-                        defect.page == own_page ? "" : fmt::format(", docs/{}", defect.page));
-    found.push_back({std::string(defect.key), std::move(text), name, finding.order, line_of(finding.input, computed),
-                     std::max<std::uint64_t>(1, finding.cases), true});
+    found.push_back({std::string(defect.key), sentence(defect, finding.evidence, finding.ours, finding.theirs), name,
+                     finding.order, line_of(finding.input, computed), std::max<std::uint64_t>(1, finding.cases), true});
   }
   return found;
 }
 
-std::vector<CodeFinding> beside_named(std::vector<CodeFinding> found, const Verdict& verdict) {
+std::vector<CodeFinding> beside_named(std::vector<CodeFinding> found, bool has_named) {
   const auto is_of_errors = [](const CodeFinding& f) {
     return f.kind == "inaccurate" || f.kind == "other numbers" || f.kind == "not finite" || f.kind == "on the element";
   };
-  if (!verdict.findings.empty()) std::erase_if(found, is_of_errors);
+  if (has_named) std::erase_if(found, is_of_errors);
   else
     for (CodeFinding& finding : found)
       if (finding.kind == "inaccurate") finding.is_defect = false;

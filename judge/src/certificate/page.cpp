@@ -51,8 +51,8 @@ const std::vector<std::string>& headings() {
 }  // namespace
 
 std::string table_of(const FormulaCampaign& campaign, bool with_inputs) {
-  std::string text = fmt::format("{}, up to the {}; time a pair: {}\n", campaign.formula->name,
-                                 order_names[campaign.order], times_text(campaign));
+  std::string text = fmt::format("{}, up to the {}; time a pair: {}\n", campaign.subject, order_names[campaign.order],
+                                 times_text(campaign));
   text += fmt::format("  {:<12}{:<9}{:>7}  {:>8}{:>9}{:>7}  {:>8}{:>9}  {}\n", "regime", "order", "samples", "relative",
                       "worst", "digits", "units", "worst", with_inputs ? "worst input (conditioned)" : "");
   for (const CampaignRow& row : campaign.rows) {
@@ -92,7 +92,7 @@ std::string markdown_of(const Certificate& c) {
     for (const std::string& broken : c.promise->broken) text += fmt::format("* {}\n", broken);
   }
   for (const FormulaCampaign& campaign : c.formulas) {
-    text += fmt::format("\n## {}\n\nTime for a pair of an element and a point: {}.\n\n", campaign.formula->name,
+    text += fmt::format("\n## {}\n\nTime for a pair of an element and a point: {}.\n\n", campaign.subject,
                         times_text(campaign));
     std::string rule;
     for (const std::string& heading : headings()) {

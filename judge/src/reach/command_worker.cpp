@@ -31,7 +31,8 @@ class CommandWorker final : public Worker {
     std::vector<Place> places;
     std::string text;
     for (std::size_t i = 0; i < asked.size(); ++i)
-      for (std::size_t p = 0; p < asked[i].count; ++p) {
+      // A cage's points stand in one line.
+      for (std::size_t p = 0; p < (request.formula != nullptr ? asked[i].count : 1); ++p) {
         add_line(text, request, asked[i], p);
         places.push_back({i, p});
       }
@@ -41,9 +42,11 @@ class CommandWorker final : public Worker {
       const auto [element, point] = places[next];
       Answer& answer = answers[element];
       if (point == 0) answer.status = Answer::Status::Given;
-      LineAnswer found = parse_answer(line, request);
+      LineAnswer found = parse_answer(line, request, asked[element]);
       switch (found.kind) {
-        case LineAnswer::Kind::Given: put(request, asked[element].count, point, found, answer); break;
+        case LineAnswer::Kind::Given:
+          put(request, request.formula != nullptr ? asked[element].count : 1, point, found, answer);
+          break;
         case LineAnswer::Kind::Error: answer.status = Answer::Status::Declined; break;
         case LineAnswer::Kind::Short:
           answer.status = Answer::Status::Failed;

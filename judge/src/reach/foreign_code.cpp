@@ -148,18 +148,17 @@ int ForeignCode::order_of(const Formula& formula, bool single) {
   return orders_[{formula.name, single}] = order;
 }
 
-bool ForeignCode::has_had_enough(const Formula& formula) const {
+bool ForeignCode::has_had_enough(std::string_view subject) const {
   const std::scoped_lock lock(mutex_);
-  const auto found = trouble_.find(formula.name);
+  const auto found = trouble_.find(subject);
   return found != trouble_.end() && (found->second.hangs >= most_hangs || found->second.others >= most_faults);
 }
 
 std::vector<Answer> ForeignCode::ask(const Request& request, std::span<const Asked> asked, double* nanoseconds) {
   std::vector<Answer> answers(asked.size());
-  const Formula& formula = *request.formula;
   const auto incident = [&](std::string kind, std::string text, std::size_t index) {
-    note({std::move(kind), std::move(text), std::string(formula.name), request.order,
-          index < asked.size() ? exact_line(formula, asked[index], 0) : ""});
+    note({std::move(kind), std::move(text), std::string(request.subject()), request.order,
+          index < asked.size() ? exact_line(request, asked[index], 0) : ""});
   };
   // Asks those in [begin, end); nothing, or the fault that it ended by.
   const auto attempt = [&](std::size_t begin, std::size_t end) -> std::optional<Fault> {
@@ -177,7 +176,7 @@ std::vector<Answer> ForeignCode::ask(const Request& request, std::span<const Ask
     }
   };
   for (std::size_t begin = 0; begin < asked.size();) {
-    if (has_had_enough(formula)) {
+    if (has_had_enough(request.subject())) {
       const std::scoped_lock lock(mutex_);
       skipped_ += asked.size() - begin;
       break;
@@ -187,7 +186,7 @@ std::vector<Answer> ForeignCode::ask(const Request& request, std::span<const Ask
     std::size_t at = fault->index;
     {
       const std::scoped_lock lock(mutex_);
-      Trouble& trouble = trouble_[formula.name];
+      Trouble& trouble = trouble_[request.subject()];
       ++(fault->kind == "hang" ? trouble.hangs : trouble.others);
     }
     // By itself, in a fresh process: what came before it may be to blame.

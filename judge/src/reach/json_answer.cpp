@@ -58,6 +58,30 @@ void add_members(std::string& text, const Formula& formula, const Asked& asked, 
   text += '}';
 }
 
+void add_points(std::string& text, const std::vector<double>& numbers, std::size_t begin, std::size_t end,
+                const AddNumber& add) {
+  text += '[';
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i > begin) text += ',';
+    add_point(text, numbers.data() + 3 * i, 3, add);
+  }
+  text += ']';
+}
+
+// Kind, cage, and the points from `begin` to `end`.
+void add_cage(std::string& text, std::string_view kind, const Asked& asked, std::size_t begin, std::size_t end,
+              const AddNumber& add) {
+  fmt::format_to(std::back_inserter(text), "{{\"kind\":\"{}\",\"vertices\":", kind);
+  add_points(text, asked.corners, 0, asked.corners.size() / 3, add);
+  text += ",\"faces\":[";
+  for (std::size_t f = 0; f + 2 < asked.faces.size(); f += 3)
+    fmt::format_to(std::back_inserter(text), "{}[{},{},{}]", f > 0 ? "," : "", asked.faces[f], asked.faces[f + 1],
+                   asked.faces[f + 2]);
+  text += "],\"points\":";
+  add_points(text, asked.points, begin, end, add);
+  text += '}';
+}
+
 // Lists of lists are taken as they come, as deep as tensors are.
 bool add_numbers(const Json& json, std::vector<double>& numbers, int depth = 0) {
   constexpr int deepest = 8;
@@ -101,9 +125,16 @@ std::string shortened(std::string_view line) {
   return line.size() > most ? text + "..." : text;
 }
 
+void add_hex(std::string& text, double x) { fmt::format_to(std::back_inserter(text), "\"{}\"", format_hex(x)); }
+
 }  // namespace
 
 void add_line(std::string& text, const Request& request, const Asked& asked, std::size_t point) {
+  if (request.formula == nullptr) {
+    add_cage(text, request.kind, asked, 0, asked.count, add_number);
+    text += '\n';
+    return;
+  }
   fmt::format_to(std::back_inserter(text), "{{\"formula\":\"{}\",\"order\":{},", request.formula->name, request.order);
   if (request.single) text += "\"scalar\":\"float\",";
   add_members(text, *request.formula, asked, point, add_number);
@@ -112,12 +143,18 @@ void add_line(std::string& text, const Request& request, const Asked& asked, std
 
 std::string exact_line(const Formula& formula, const Asked& asked, std::size_t point) {
   std::string text = "{";
-  add_members(text, formula, asked, point,
-              [](std::string& to, double x) { fmt::format_to(std::back_inserter(to), "\"{}\"", format_hex(x)); });
+  add_members(text, formula, asked, point, add_hex);
   return text;
 }
 
-LineAnswer parse_answer(std::string_view line, const Request& request) {
+std::string exact_line(const Request& request, const Asked& asked, std::size_t point) {
+  if (request.formula != nullptr) return exact_line(*request.formula, asked, point);
+  std::string text;
+  add_cage(text, request.kind, asked, point, point + 1, add_hex);
+  return text;
+}
+
+LineAnswer parse_answer(std::string_view line, const Request& request, const Asked& asked) {
   LineAnswer answer;
   Json json = Json::parse(line, nullptr, false);
   if (json.is_discarded()) json = Json::parse(without_bare_words(line), nullptr, false);
@@ -130,25 +167,29 @@ LineAnswer parse_answer(std::string_view line, const Request& request) {
     answer.text = error->is_string() ? shortened(error->get_ref<const std::string&>()) : "error";
     return answer;
   }
-  std::size_t size = static_cast<std::size_t>(request.formula->components());
+  const Formula* const formula = request.formula;
+  std::size_t size =
+      formula != nullptr ? static_cast<std::size_t>(formula->components()) : asked.count * asked.coordinates;
+  const std::size_t dimension = formula != nullptr ? static_cast<std::size_t>(formula->dim()) : 3;
   answer.kind = LineAnswer::Kind::Given;
-  for (int o = 0; o <= request.order; ++o, size *= static_cast<std::size_t>(request.formula->dim())) {
-    const auto member = json.find(keys[o]);
+  for (int o = 0; o <= request.order; ++o, size *= dimension) {
+    const char* const key = formula != nullptr ? keys[o] : "coordinates";
+    const auto member = json.find(key);
     std::vector<double>& numbers = answer.tensors[o];
     numbers.reserve(size);
     if (member == json.end()) {
       answer.kind = LineAnswer::Kind::Short;
-      answer.text = fmt::format("a line has no \"{}\": {}", keys[o], shortened(line));
+      answer.text = fmt::format("a line has no \"{}\": {}", key, shortened(line));
       return answer;
     }
     if (!add_numbers(*member, numbers)) {
       answer.kind = LineAnswer::Kind::Garbage;
-      answer.text = fmt::format("\"{}\" holds something that is no number: {}", keys[o], shortened(line));
+      answer.text = fmt::format("\"{}\" holds something that is no number: {}", key, shortened(line));
       return answer;
     }
     if (numbers.size() != size) {
       answer.kind = LineAnswer::Kind::Short;
-      answer.text = fmt::format("\"{}\" has {} numbers instead of {}", keys[o], numbers.size(), size);
+      answer.text = fmt::format("\"{}\" has {} numbers instead of {}", key, numbers.size(), size);
       return answer;
     }
   }

@@ -30,6 +30,7 @@ struct Library {
   decltype(&cageproof_judge_order) order;
   decltype(&cageproof_judge_double) in_double;
   decltype(&cageproof_judge_float) in_float;
+  decltype(&cageproof_judge_coordinates) coordinates;
 };
 
 template <class F>
@@ -49,13 +50,16 @@ bool load(const char* path, Library& library) {
   find(handle, "cageproof_judge_order", library.order);
   find(handle, "cageproof_judge_double", library.in_double);
   find(handle, "cageproof_judge_float", library.in_float);
-  if (library.version == nullptr || library.order == nullptr || library.in_double == nullptr) {
+  find(handle, "cageproof_judge_coordinates", library.coordinates);
+  const bool has_elements = library.order != nullptr && library.in_double != nullptr;
+  if (library.version == nullptr || (library.coordinates == nullptr && !has_elements)) {
     std::fprintf(stderr, "%s exports no %s: include cageproof_judge.h and define it (in C++ as extern \"C\")\n", path,
                  library.version == nullptr ? "cageproof_judge_version"
                  : library.order == nullptr ? "cageproof_judge_order"
                                             : "cageproof_judge_double");
     return false;
   }
+  if (!has_elements) library.order = nullptr;
   const int version = library.version();
   if (version == CAGEPROOF_JUDGE_VERSION) return true;
   std::fprintf(stderr, "%s was built with version %d of cageproof_judge.h; this program has version %d\n", path,
@@ -67,6 +71,7 @@ bool load(const char* path, Library& library) {
 struct Arrays {
   Guarded corners{"corners"}, parameters{"parameters"}, points{"points"};
   std::array<Guarded, 3> tensors{Guarded{"values"}, Guarded{"gradients"}, Guarded{"hessians"}};
+  Guarded vertices{"vertices"}, faces{"faces"}, coordinates{"coordinates"};
 };
 
 SharedHeader* shared = nullptr;
@@ -82,6 +87,9 @@ void on_fault(int signal, siginfo_t* info, void*) {
   tell(arrays->parameters);
   tell(arrays->points);
   for (const Guarded& tensor : arrays->tensors) tell(tensor);
+  tell(arrays->vertices);
+  tell(arrays->faces);
+  tell(arrays->coordinates);
   std::signal(signal, SIG_DFL);
   raise(signal);
 }
@@ -155,6 +163,43 @@ void evaluate_one(Function function, const GroupLayout& at, double* words) {
     }
 }
 
+void evaluate_cage(const Library& library, double* words) {
+  const SharedHeader& h = *shared;
+  shared->current = 0;
+  std::uint64_t count = 0;
+  std::memcpy(&count, words + header_words, sizeof count);
+  const GroupLayout at(header_words, h, count);
+  const std::size_t vertex_numbers = at.parameters - at.corners, face_numbers = at.points - at.parameters;
+  const std::size_t point_numbers = at.tensors[0] - at.points;
+  const cageproof_judge_cage cage{h.formula, vertex_numbers / 3, face_numbers / 3,
+                                  static_cast<std::size_t>(h.components), static_cast<std::size_t>(count)};
+  double* const vertices = copied<double>(arrays->vertices, words + at.corners, vertex_numbers);
+  int* const faces = copied<int>(arrays->faces, words + at.parameters, face_numbers);
+  double* const points = copied<double>(arrays->points, words + at.points, point_numbers);
+  double* const coordinates = arrays->coordinates.take<double>(at.sizes[0]);
+  std::fill_n(coordinates, at.sizes[0], std::bit_cast<double>(unset_double));
+  const auto start = std::chrono::steady_clock::now();
+  const std::int64_t code = library.coordinates == nullptr
+                                ? CAGEPROOF_JUDGE_DECLINED
+                                : library.coordinates(&cage, vertices, faces, points, coordinates);
+  shared->nanoseconds = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+  std::memcpy(words + at.code, &code, sizeof code);
+  bool changed =
+      is_changed(vertices, words + at.corners, vertex_numbers) || is_changed(points, words + at.points, point_numbers);
+  for (std::size_t i = 0; i < face_numbers; ++i) changed = changed || faces[i] != words[at.parameters + i];
+  const std::uint64_t flags = changed ? changed_input : 0;
+  std::memcpy(words + at.flags, &flags, sizeof flags);
+  std::copy_n(coordinates, at.sizes[0], words + at.tensors[0]);
+}
+
+// A library that closes descriptors is noticed here, because at the end only the answer of the whole block would be
+// missed.
+void require_descriptors() {
+  if (fcntl(descriptor::answers, F_GETFD) >= 0) return;
+  std::snprintf(shared->text, sizeof shared->text, "it closed a file that it did not open");
+  std::abort();
+}
+
 void evaluate(const Library& library, double* words) {
   shared->nanoseconds = 0;
   std::size_t begin = header_words;
@@ -166,17 +211,13 @@ void evaluate(const Library& library, double* words) {
     const GroupLayout at(begin, *shared, count);
     if (shared->single != 0) evaluate_one<float>(library.in_float, at, words);
     else evaluate_one<double>(library.in_double, at, words);
-    // Noticed here, because at the end only the answer of the whole block would be missed.
-    if (fcntl(descriptor::answers, F_GETFD) < 0) {
-      std::snprintf(shared->text, sizeof shared->text, "it closed a file that it did not open");
-      std::abort();
-    }
+    require_descriptors();
     begin = at.end;
   }
 }
 
 int order_of(const Library& library) {
-  if (shared->single != 0 && library.in_float == nullptr) return -1;
+  if (library.order == nullptr || (shared->single != 0 && library.in_float == nullptr)) return -1;
   return library.order(shared->formula);
 }
 
@@ -201,6 +242,10 @@ int serve_library(const char* path) {
         std::snprintf(shared->text, sizeof shared->text, "%s", library.about != nullptr ? library.about() : "");
         break;
       case SharedHeader::Order: shared->result = order_of(library); break;
+      case SharedHeader::Coordinates:
+        evaluate_cage(library, static_cast<double*>(memory));
+        require_descriptors();
+        break;
       default: evaluate(library, static_cast<double*>(memory));
     }
     std::fflush(stdout);

@@ -52,7 +52,7 @@ class LibraryWorker final : public Worker {
         header = SharedHeader{};
         header.op = SharedHeader::Order;
         header.single = single ? 1 : 0;
-        name(header, formula);
+        name(header, formula.name);
         call(header, limits_.seconds);
         orders[std::string(formula.name) + (single ? " float" : "")] =
             std::clamp(static_cast<int>(shared()->result), -1, 2);
@@ -80,32 +80,48 @@ class LibraryWorker final : public Worker {
  private:
   SharedHeader* shared() { return reinterpret_cast<SharedHeader*>(words_); }
 
-  static void name(SharedHeader& header, const Formula& formula) {
-    std::copy_n(formula.name.data(), std::min(formula.name.size(), sizeof header.formula - 1), header.formula);
+  static void name(SharedHeader& header, std::string_view subject) {
+    std::copy_n(subject.data(), std::min(subject.size(), sizeof header.formula - 1), header.formula);
   }
 
-  // Puts as many elements as there is room for, from one on; returns where the next begins.
-  std::size_t ask_some(const Request& request, std::span<const Asked> asked, std::size_t first,
-                       std::span<Answer> answers, double* nanoseconds, const Note& note) {
-    const Formula& formula = *request.formula;
+  static SharedHeader header_of(const Request& request, const Asked& asked) {
     SharedHeader header{};
+    name(header, request.subject());
+    if (request.formula == nullptr) {
+      header.op = SharedHeader::Coordinates;
+      header.dimension = 3;
+      header.corner_count = static_cast<std::int32_t>(asked.corners.size() / 3);
+      header.parameter_count = static_cast<std::int32_t>(asked.faces.size());
+      header.components = static_cast<std::int32_t>(asked.coordinates);
+      return header;
+    }
+    const Formula& formula = *request.formula;
     header.op = SharedHeader::Evaluate;
-    name(header, formula);
     header.order = request.order;
     header.single = request.single ? 1 : 0;
     header.dimension = formula.dim();
     header.corner_count = formula.corners();
     header.parameter_count = static_cast<std::int32_t>(formula.parameters.size());
     header.components = formula.components();
+    return header;
+  }
+
+  // Puts as many elements as there is room for, from one on; returns where the next begins.
+  std::size_t ask_some(const Request& request, std::span<const Asked> asked, std::size_t first,
+                       std::span<Answer> answers, double* nanoseconds, const Note& note) {
+    SharedHeader header = header_of(request, asked[first]);
+    // Elements have one layout; each cage has its own.
+    const std::size_t most = request.formula != nullptr ? asked.size() - first : 1;
     std::vector<GroupLayout> places;
-    for (std::size_t begin = header_words; first + places.size() < asked.size(); begin = places.back().end) {
+    for (std::size_t begin = header_words; places.size() < most; begin = places.back().end) {
       const Asked& one = asked[first + places.size()];
       const GroupLayout at(begin, header, one.count);
       if (at.end > shared_words) break;
       const std::uint64_t count = one.count;
       std::memcpy(words_ + at.count, &count, sizeof count);
       std::ranges::copy(one.corners, words_ + at.corners);
-      std::ranges::copy(one.parameters, words_ + at.parameters);
+      if (request.formula == nullptr) std::ranges::copy(one.faces, words_ + at.parameters);
+      else std::ranges::copy(one.parameters, words_ + at.parameters);
       std::ranges::copy(one.points, words_ + at.points);
       places.push_back(at);
     }
@@ -138,7 +154,10 @@ class LibraryWorker final : public Worker {
       note("error code", fmt::format("it returned {}, which is neither done nor declined", code), index);
       return;
     }
-    if ((flags & changed_input) != 0) note("changed input", "it changed the corners or points it was given", index);
+    if ((flags & changed_input) != 0)
+      note("changed input",
+           fmt::format("it changed the {} or points it was given", request.formula != nullptr ? "corners" : "cage"),
+           index);
     bool is_whole = true;
     for (int o = 0; o <= request.order; ++o) {
       const double* const from = words_ + at.tensors[o];

@@ -10,7 +10,7 @@ namespace cageproof::judge {
 
 /// The first bytes. Whoever asks copies what it needs and trusts none of it.
 struct SharedHeader {
-  enum Op : std::int32_t { About, Order, Evaluate };
+  enum Op : std::int32_t { About, Order, Evaluate, Coordinates };
   std::uint64_t sequence;
   std::int32_t op, order, single, dimension, corner_count, parameter_count, components;
   std::int32_t result;    ///< of Order
@@ -29,7 +29,8 @@ static_assert(sizeof(SharedHeader) <= 8 * header_words);
 inline constexpr std::uint64_t unset_double = 0x7ff8c0ffee15bad5;
 inline constexpr std::uint32_t unset_float = 0x7fc0bad5;
 
-/// Places of an element's numbers, in words from the begin of the memory.
+/// Places of an element's numbers, in words from the begin of the memory. A cage's vertices are corners, its faces'
+/// vertices parameters, its coordinates components.
 struct GroupLayout {
   std::size_t count, code, flags, corners, parameters, points;
   std::array<std::size_t, 3> tensors, sizes;

@@ -40,7 +40,8 @@ std::vector<CageCase> asked(const WholeCageFunction& theirs, std::string_view ki
   std::vector<CageCase> cases;
   for (CageSample& sample : cage_samples(kind, unit)) {
     std::vector<double> answer = theirs(sample.question);
-    const double off = difference(answer, sample.truth);
+    // Where no answer was given there is nothing to find.
+    const double off = answer.empty() ? 0 : difference(answer, sample.truth);
     cases.push_back({std::move(sample), std::move(answer), off});
   }
   return cases;
@@ -113,6 +114,7 @@ CageFinding finding_of(std::string_view key, const CageCase& c, std::size_t case
 std::optional<CageFinding> find_state(const WholeCageFunction& theirs) {
   const auto [a, b] = alike_cages();
   const auto first = theirs(a), second = theirs(b), third = theirs(a), again = theirs(b);
+  if (first.empty() || second.empty() || third.empty() || again.empty()) return std::nullopt;
   if (first.size() != second.size() || first.size() != third.size())
     return CageFinding{&defect_named("wrong_size"),
                        b,
@@ -135,10 +137,17 @@ std::optional<CageFinding> find_state(const WholeCageFunction& theirs) {
 
 }  // namespace
 
-CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view kind) {
-  for (const SummedBlock& block : coordinate_kind_named(kind).blocks)
+void require_judged_kind(std::string_view kind) {
+  const CoordinateKind& row = coordinate_kind_named(kind);
+  if (!row.is_sum() || row.keeps_quads)
+    throw InputError(fmt::format("{} is no sum over triangles, so coordinates of whole cages are not judged", kind));
+  for (const SummedBlock& block : row.blocks)
     if (block.kernel.find("kelvin") != std::string_view::npos)
       throw InputError(fmt::format("{} has matrices for coordinates: judge its formulas one by one", kind));
+}
+
+CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view kind) {
+  require_judged_kind(kind);
   CageVerdict verdict;
   if (auto state = find_state(theirs)) {
     verdict.findings.push_back(std::move(*state));

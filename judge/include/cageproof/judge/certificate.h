@@ -4,6 +4,7 @@
 
 #include "cageproof/judge/element_campaign.h"
 #include "cageproof/judge/verdict.h"
+#include "cageproof/judge/whole_cage.h"
 
 #include <optional>
 #include <string>
@@ -55,9 +56,12 @@ std::vector<CodeFinding> findings_of(const std::vector<FormulaCampaign>& campaig
 /// A formula's convention and defects by name, with advice and the page of docs/ that derives the right form.
 /// \param formula what the code was asked for
 std::vector<CodeFinding> named_findings(const Verdict& verdict, const Formula& formula);
+/// Defects of coordinates of whole cages by name, with advice. \param kind that the code was asked for
+std::vector<CodeFinding> named_findings(const CageVerdict& verdict, std::string_view kind);
 /// Findings from errors, reduced by those that named defects explain. Where a defect has a name, errors are what it
-/// does; where none has, lost digits are a remark, because sound forms lose them, too.
-std::vector<CodeFinding> beside_named(std::vector<CodeFinding> found, const Verdict& verdict);
+/// does; where none has, lost digits are a remark, because sound forms lose them, too. \param has_named whether a
+/// defect was named
+std::vector<CodeFinding> beside_named(std::vector<CodeFinding> found, bool has_named);
 /// Whether the campaigns keep a promise. \param single whether they were in float
 OwnPromise judged_promise(OwnPromise promise, const std::vector<FormulaCampaign>& campaigns, bool single);
 

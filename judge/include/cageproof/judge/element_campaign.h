@@ -55,9 +55,10 @@ struct PairTime {
   double nanoseconds = 0;
 };
 
-/// Rows and times of one formula.
+/// Rows and times of one formula, or of one kind of coordinates.
 struct FormulaCampaign {
-  const Formula* formula = nullptr;
+  std::string subject;  ///< the formula's name, or the kind's
+  bool is_kind = false;
   int order = 0;  ///< highest that the code gives
   std::vector<CampaignRow> rows;
   std::vector<PairTime> times;

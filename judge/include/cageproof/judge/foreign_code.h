@@ -27,23 +27,31 @@ struct Limits {
   std::vector<std::string> host = {};    ///< program and arguments that run_host is called by; empty: this program
 };
 
-/// An element and the points at which it is asked; dim coordinates each.
+/// An element, or a cage's vertices as corners with its faces, and the points at which it is asked; dim coordinates
+/// each.
 struct Asked {
   std::vector<double> corners, parameters, points;
   std::size_t count = 1;  ///< points
+  /// Only of cages: vertices of triangles, counted from 0, three per face; and how many coordinates a point has.
+  std::vector<int> faces = {};
+  std::size_t coordinates = 0;
 };
 
-/// The formula, order and scalar that a block is asked for.
+/// The formula, order and scalar that a block is asked for; or the kind of coordinates that a cage is asked for.
 struct Request {
   const Formula* formula = nullptr;
   int order = 0;
-  bool single = false;  ///< in float
+  bool single = false;         ///< in float
+  std::string_view kind = {};  ///< then there is no formula, only values are asked for, and in double
+
+  std::string_view subject() const { return formula != nullptr ? formula->name : kind; }
 };
 
 /// The answer to one Asked.
 struct Answer {
   enum class Status { Failed, Declined, Given } status = Status::Failed;
-  std::array<std::vector<double>, 3> tensors;  ///< by order: [point][component][i][j]; sized where given
+  /// By order: [point][component][i][j]; of a cage, values [point][coordinate]. Sized where given.
+  std::array<std::vector<double>, 3> tensors;
 };
 
 /// Something that foreign code did and should not have done, beside wrong numbers.
@@ -99,7 +107,7 @@ class ForeignCode {
   void give_back(std::unique_ptr<Worker> worker);
   void end(std::unique_ptr<Worker> worker, const Request& request);
   void note(Incident incident);
-  bool has_had_enough(const Formula& formula) const;
+  bool has_had_enough(std::string_view subject) const;
 
   std::string what_, about_;
   Limits limits_;
@@ -125,5 +133,7 @@ std::pair<std::string, std::string> name_and_what(const std::string& text);
 
 /// The line of `eval` that asks for one point, exactly, with hexadecimal strings for numbers.
 std::string exact_line(const Formula& formula, const Asked& asked, std::size_t point);
+/// The same for what was requested, which may be coordinates of a cage.
+std::string exact_line(const Request& request, const Asked& asked, std::size_t point);
 
 }  // namespace cageproof::judge

@@ -2,6 +2,7 @@
 // Implementations that only give coordinates of whole cages, judged.
 #pragma once
 
+#include "cageproof/judge/element_campaign.h"
 #include "cageproof/judge/verdict.h"
 
 #include <array>
@@ -16,8 +17,8 @@ struct CageQuestion {
   std::vector<Vec3<double>> points;
 };
 
-/// Values of coordinates, [point][coordinate]: those of all vertices, then, of kinds that have some, those of all
-/// faces.
+/// Values of coordinates, [point][coordinate]: first those of all vertices, then those of all faces, for kinds that
+/// have them. Empty where it gives none.
 using WholeCageFunction = std::function<std::vector<double>(const CageQuestion&)>;
 
 /// One defect of whole cages, with a question that shows it.
@@ -34,10 +35,30 @@ struct CageVerdict {
   std::size_t points = 0;             ///< that were compared with the truth
 };
 
+/// \throws InputError for a kind that is unknown, or is not a sum over triangles with numbers for coordinates
+void require_judged_kind(std::string_view kind);
+
 /// Asks on tetrahedra, a cube and an octahedron, at points inside and, of `mean_value`, on them, in three units of
 /// length.
 /// \param kind "mean_value", "green" or another sum over triangles with numbers for coordinates
 /// \throws InputError for a kind that is unknown or has matrices
 CageVerdict judge_whole_cage(const WholeCageFunction& theirs, std::string_view kind);
+
+/// The question as foreign code gets it. The number of coordinates is left zero.
+Asked asked_of(const CageQuestion& question);
+
+/// Foreign code as such a function. \param kind must outlive it
+WholeCageFunction whole_cage_function(ForeignCode& code, std::string_view kind);
+
+/// Errors at points inside embedded cages, next to their faces, edges and vertices, exactly on them, in other units of
+/// length, and far from the origin; and times. The truth is the kind by `closed_form` in 50 digits. Errors are relative
+/// to the largest coordinate of the block: of all vertices, or of all faces.
+/// \param kind as for judge_whole_cage \param name of the code in the times
+/// \param options regimes as cage_regimes() names them; `single` and `ours` do not matter
+FormulaCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, const std::string& name,
+                                  const ElementCampaignOptions& options);
+
+/// "inside", "near-face", "near-edge", "near-vertex", "on-face", "on-edge", "on-vertex", "units", "offset".
+std::vector<std::string_view> cage_regimes();
 
 }  // namespace cageproof::judge

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// Coordinates of whole cages by foreign code, measured against the truth.
+#include "certificate/rows.h"
+#include "whole_cage/cage_places.h"
+
+#include "cageproof/core/catalogue/name_pattern.h"
+#include "cageproof/core/parallel.h"
+#include "cageproof/judge/whole_cage.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+
+namespace cageproof::judge {
+namespace {
+
+constexpr double kRoundoff = 0x1p-53;
+
+// A cage in one place and unit, ready to give the truth.
+class JudgedCage {
+ public:
+  JudgedCage(const CageQuestion& question, const CoordinateKind& kind)
+      : cage_(triangle_cage(question)),
+        exact_(cage_, kind, CoordinateOptions{"closed_form"}),
+        quick_(cage_, kind, CoordinateOptions{}) {
+    for (const Vec3<double>& vertex : question.vertices) reach_ = std::max(reach_, vertex.lpNorm<Eigen::Infinity>());
+  }
+
+  std::size_t count() const {
+    std::size_t sum = 0;
+    for (const CoordinateBlock& block : exact_.blocks()) sum += static_cast<std::size_t>(block.size);
+    return sum;
+  }
+
+  Measured measure(const Vec3<double>& point, const std::vector<double>& theirs) const {
+    Measured found;
+    const auto truth = exact_.at<Mp50>(convert<Mp50>(point), 0);
+    const auto slopes = quick_.at<double>(point, 1);
+    std::size_t begin = 0;
+    for (std::size_t b = 0; b < truth.size(); begin += truth[b++].value.size())
+      add(truth[b], slopes[b], theirs, begin, found);
+    return found;
+  }
+
+ private:
+  void add(const Result<Mp50>& truth, const Result<double>& slopes, const std::vector<double>& theirs,
+           std::size_t begin, Measured& found) const {
+    double off = 0, size = 0, slope = 0;
+    for (std::size_t i = 0; i < truth.value.size(); ++i) {
+      if (!isfinite(truth.value[i])) return;
+      const double x = theirs[begin + i];
+      found.is_finite = found.is_finite && std::isfinite(x);
+      const Mp50 difference = Mp50(x) - truth.value[i];
+      off = std::isfinite(x) ? std::max(off, std::abs(static_cast<double>(difference)))
+                             : std::numeric_limits<double>::infinity();
+      size = std::max(size, std::abs(static_cast<double>(truth.value[i])));
+    }
+    // Where the kind has no gradient, moving the point is not counted.
+    for (const double x : slopes.gradient)
+      if (std::isfinite(x)) slope = std::max(slope, std::abs(x));
+    found.status = Measured::Status::Error;
+    found.absolute = std::max(found.absolute, off);
+    if (size > 0) found.relative = std::max(found.relative, off / size);
+    found.conditioned = std::max(found.conditioned, off / (kRoundoff * (size + reach_ * slope)));
+    found.beside = found.conditioned;
+  }
+
+  Cage cage_;
+  CageCoordinates exact_, quick_;
+  double reach_ = 0;  // largest coordinate, whose rounding moves vertices and points
+};
+
+// The time for a point and a triangle, of the code and of the suite's own evaluations.
+std::vector<PairTime> cage_times(ForeignCode& code, std::string_view kind, const std::string& name) {
+  constexpr int repeats = 5, point_count = 200;
+  const CagePlaces places("icosphere", 1, Vec3<double>::Zero());
+  CageQuestion question = places.question();
+  for (int i = 0; i < point_count; ++i)
+    if (const auto point = places.point("inside", 1, static_cast<std::uint64_t>(i))) question.points.push_back(*point);
+  const double pairs = static_cast<double>(question.points.size() * question.faces.size());
+  Asked asked = asked_of(question);
+  const CoordinateKind& row = coordinate_kind_named(kind);
+  asked.coordinates = JudgedCage(question, row).count();
+  std::vector<PairTime> times;
+  double least = std::numeric_limits<double>::infinity();
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    double nanoseconds = 0;
+    if (code.ask({.kind = kind}, {&asked, 1}, &nanoseconds).front().status != Answer::Status::Given) return times;
+    least = std::min(least, nanoseconds);
+  }
+  times.push_back({name, 0, least / pairs});
+  for (const std::string_view evaluation : {std::string_view("hybrid"), quickest}) {
+    const CageCoordinates own(triangle_cage(question), row, CoordinateOptions{std::string(evaluation)});
+    std::vector<CoordinateTable<double>> tables;
+    least = std::numeric_limits<double>::infinity();
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+      const auto start = std::chrono::steady_clock::now();
+      own.at(question.points, 0, tables);
+      const auto time = std::chrono::steady_clock::now() - start;
+      least = std::min(least, std::chrono::duration<double, std::nano>(time).count());
+    }
+    times.push_back({own.evaluation(), 0, least / pairs});
+  }
+  return times;
+}
+
+// The samples of a regime: cages in turn.
+struct Asking {
+  std::string_view regime;
+  std::vector<const JudgedCage*> cages;
+  std::vector<Asked> asked;
+  std::vector<Answer> answers;
+  std::vector<Measured> measured;
+};
+
+}  // namespace
+
+Asked asked_of(const CageQuestion& question) {
+  Asked asked;
+  asked.count = question.points.size();
+  for (const Vec3<double>& vertex : question.vertices)
+    asked.corners.insert(asked.corners.end(), vertex.data(), vertex.data() + 3);
+  for (const auto& face : question.faces) asked.faces.insert(asked.faces.end(), face.begin(), face.end());
+  for (const Vec3<double>& point : question.points)
+    asked.points.insert(asked.points.end(), point.data(), point.data() + 3);
+  return asked;
+}
+
+WholeCageFunction whole_cage_function(ForeignCode& code, std::string_view kind) {
+  return [&code, kind](const CageQuestion& question) -> std::vector<double> {
+    Asked asked = asked_of(question);
+    asked.coordinates = JudgedCage(question, coordinate_kind_named(kind)).count();
+    Answer answer = code.ask({.kind = kind}, {&asked, 1}).front();
+    return answer.status == Answer::Status::Given ? std::move(answer.tensors[0]) : std::vector<double>();
+  };
+}
+
+FormulaCampaign run_cage_campaign(ForeignCode& code, std::string_view kind, const std::string& name,
+                                  const ElementCampaignOptions& options) {
+  FormulaCampaign campaign{std::string(kind), true, 0, {}, {}};
+  const CoordinateKind& row = coordinate_kind_named(kind);
+  std::map<const CagePlaces*, std::unique_ptr<JudgedCage>> cages;
+  std::vector<Asking> all;
+  for (const std::string_view regime : cage_regimes()) {
+    if (!matches(options.regimes, regime)) continue;
+    Asking asking{regime, {}, {}, {}, {}};
+    const auto& places = places_of(regime);
+    for (int i = 0; i < options.samples; ++i) {
+      const CagePlaces& place = places[static_cast<std::size_t>(i) % places.size()];
+      const auto point = place.point(regime, options.seed, static_cast<std::uint64_t>(i));
+      if (!point) continue;
+      CageQuestion question = place.question();
+      question.points = {*point};
+      auto& cage = cages[&place];
+      if (!cage) cage = std::make_unique<JudgedCage>(question, row);
+      asking.cages.push_back(cage.get());
+      asking.asked.push_back(asked_of(question));
+      asking.asked.back().coordinates = cage->count();
+    }
+    asking.answers = code.ask({.kind = row.name}, asking.asked);
+    asking.measured.resize(asking.asked.size());
+    all.push_back(std::move(asking));
+  }
+  std::vector<std::pair<Asking*, std::size_t>> samples;
+  for (Asking& asking : all)
+    for (std::size_t i = 0; i < asking.asked.size(); ++i) samples.emplace_back(&asking, i);
+  std::atomic<std::size_t> done{0};
+  for_each_parallel(samples.size(), options.jobs, [&](std::size_t s) {
+    const auto [asking, i] = samples[s];
+    const Answer& answer = asking->answers[i];
+    Measured& found = asking->measured[i];
+    if (answer.status == Answer::Status::Given) {
+      const std::vector<double>& p = asking->asked[i].points;
+      found = asking->cages[i]->measure({p[0], p[1], p[2]}, answer.tensors[0]);
+    } else {
+      found.status = answer.status == Answer::Status::Declined ? Measured::Status::Declined : Measured::Status::Failed;
+    }
+    if (options.progress) options.progress(++done, samples.size());
+  });
+  const Request request{.kind = row.name};
+  for (const Asking& asking : all)
+    campaign.rows.push_back(row_of(std::string(asking.regime), 0, asking.measured,
+                                   [&](std::size_t i) { return exact_line(request, asking.asked[i], 0); }));
+  campaign.times = cage_times(code, row.name, name);
+  return campaign;
+}
+
+}  // namespace cageproof::judge
