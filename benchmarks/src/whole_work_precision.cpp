@@ -77,7 +77,7 @@ WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind,
           fmt::format("{} meets its data on the boundary to {:.1e} here: differences of that size are "
                       "its own",
                       kind.approximates, *residual));
-  if (!approximated && kind.meets_boundary_data)
+  if (!approximated && std::ranges::find(kind.parameters, "pieces", &KindParameter::name) != kind.parameters.end())
     result.notes.emplace_back(
         "nothing to compare with here: the partition of unity says nothing of the scheme's error");
   double sink = 0;

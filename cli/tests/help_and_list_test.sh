@@ -35,7 +35,7 @@ for command in coordinates deform verify bench; do "$cageproof" help $command | 
 printf '0 0 0\n' >one.csv
 refuses_to coordinates "unknown kind of coordinates 'mvc'" "it is called 'mean_value' here" -- --cage cube --points one.csv --kind mvc
 refuses_to coordinates "it is called 'quad_mean_value' here" -- --cage cube --points one.csv --kind QMVC
-refuses_to coordinates "it is called 'biharmonic_boundary' or 'harmonic' or 'triharmonic_boundary' here" -- --cage cube --points one.csv --kind bem
+refuses_to coordinates "it is called 'biharmonic_boundary' or 'elastic' or 'harmonic' or 'triharmonic_boundary' here" -- --cage cube --points one.csv --kind bem
 refuses_to coordinates 'Wachspress coordinates need convex cages' -- --cage cube --points one.csv --kind wachspress
 refuses_to deform "it is called 'green' here" -- --cage cube --posed cube --points one.csv --method gc --out out.obj
 refuses_to deform "it is called 'cauchy' here" -- --cage cube --posed cube --points one.csv --method cauchy-green --out out.obj

@@ -2,6 +2,7 @@
 #include "cage_routes.h"
 
 #include "boundary_route.h"
+#include "elastic_route.h"
 #include "entropy_route.h"
 #include "spherical_route.h"
 
@@ -62,6 +63,19 @@ class OfBoundaryEquations final : public CageRoute {
   Lazy<BoundaryRoute> route_;
 };
 
+class OfElasticity final : public CageRoute {
+ public:
+  explicit OfElasticity(const Cage& cage) : route_([&cage] { return ElasticRoute(cage); }) {}
+  ScalarKind compared_in() const override { return ScalarKind::Digits50; }
+  double error_at(const Vec3<double>& point, const Blocks& first) const override {
+    const std::vector<Mp200> expected = route_.get().at(point);
+    return relative_distance(first.front(), std::vector<Mp100>(expected.begin(), expected.end()));
+  }
+
+ private:
+  Lazy<ElasticRoute> route_;
+};
+
 }  // namespace
 
 double relative_distance(std::span<const Mp100> found, std::span<const Mp100> expected) {
@@ -83,6 +97,7 @@ std::shared_ptr<const CageRoute> cage_route(const CoordinateKind& kind, const Ca
   for (int k = 0; k < 3; ++k)
     if (kind.name == by_order[k] && cage.faces().size() <= most_edges)
       return std::make_shared<const OfBoundaryEquations>(cage, k + 1);
+  if (kind.name == "elastic" && cage.faces().size() <= most_edges) return std::make_shared<const OfElasticity>(cage);
   if (kind.name == "maximum_entropy") return std::make_shared<const OfEntropy>(cage);
   return nullptr;
 }

@@ -17,7 +17,7 @@ constexpr Laplacian kUnknown{};
 std::vector<Parameter> elastic() {
   return {{.name = "mu", .preset = 1, .lowest = 0, .highest = std::numeric_limits<double>::infinity()},
           {.name = "nu",
-           .preset = 0.25,
+           .preset = 0.3,
            .lowest = -1,
            .highest = 0.5,
            .includes_highest = true,

@@ -241,16 +241,16 @@ constexpr std::array table{
         "takes it for linear on pieces"},
     Row{"boundary_data", "*", "*", "double", "*", 0, 1, none,
         "Eq 7 of [W12] holds in the limit of many pieces, of normal derivatives next to corners not even there"},
-    Row{"cage_truth", "@(*_boundary|harmonic)", recommended, "double", "*", 0, 2, 16384,
+    Row{"cage_truth", "@(*_boundary|harmonic|elastic)", recommended, "double", "*", 0, 2, 16384,
         "the systems that are solved enlarge the roundings of their matrices by their condition: 1e2 ... 1e4 with four "
         "pieces an edge, the most in thin bars"},
     Row{"cage_truth", "regularised_*", recommended, "double", "*", 0, 2, 16384,
         "as of solved kinds: their terms are what columns are rounded by, and truth sees what is common to all, the "
         "roundings of matrices times the condition, 1e2 ... 1e4 on cages of a dozen elements, the most in thin bars"},
-    Row{"partition_of_unity", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, 16384,
+    Row{"partition_of_unity", "@(*_boundary|harmonic|elastic)", recommended, "double", "*", 1, 2, 16384,
         "as their truth: what the systems' solutions are rounded by is summed next to the boundary with derivatives "
         "that grow there"},
-    Row{"linear_reproduction", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, 16384,
+    Row{"linear_reproduction", "@(*_boundary|harmonic|elastic)", recommended, "double", "*", 1, 2, 16384,
         "as their truth: what the systems' solutions are rounded by is summed next to the boundary with derivatives "
         "that grow there"},
     Row{"partition_of_unity", "*", of_cages, "double", "*", 0, 2, 64,
@@ -267,19 +267,19 @@ constexpr std::array table{
         "30 digits: the minimum is accepted at 900 roundings of 50 digits, which its condition next to the hull's "
         "border "
         "enlarges"},
-    Row{"second_route", "@(harmonic|biharmonic_boundary|triharmonic_boundary)", "*", "*", "*", 0, 0, 1e-30,
+    Row{"second_route", "@(harmonic|elastic|biharmonic_boundary|triharmonic_boundary)", "*", "*", "*", 0, 0, 1e-30,
         "30 digits: the route takes layers 1e-42 inside for their limits, which systems enlarge by their condition, "
         "1e5 "
         "and less"},
     Row{"non_negativity", "*", "*", "double", "*", 0, 0, none,
         "whether a coordinate is negative is the kind's nature in the cage; 64 roundings and less may be zero"},
-    Row{"zero_outside", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, 256,
+    Row{"zero_outside", "@(*_boundary|harmonic|elastic)", recommended, "double", "*", 1, 2, 256,
         "as the partition of unity's derivatives; 104 was found beside the corner of an L, and 16 at most elsewhere"},
     Row{"zero_outside", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity"},
     Row{"limit_from_inside", "*", of_cages, "double", "*", 0, 0, 1e-6,
         "1e-11 sizes inside, coordinates differ by that times their gradient, which small faces and a logarithm "
         "enlarge"},
-    Row{"limit_from_inside", "@(*_boundary|harmonic)", recommended, "double", "*", 1, 2, none,
+    Row{"limit_from_inside", "@(*_boundary|harmonic|elastic)", recommended, "double", "*", 1, 2, none,
         "derivatives have a logarithm at the ends of each piece of an edge, which may lie next to the point"},
     Row{"limit_from_inside", "regularised_*", recommended, "double", "*", 1, 2, 1e-8,
         "as of the layers, times densities, which the systems make up to 1e2 times the data"},
