@@ -224,7 +224,8 @@ class MeshMeasurement final : public Measurement {
 }  // namespace
 
 bool is_affordable(const CoordinateKind& kind, const Cage& cage, const CageCampaignOptions& options) {
-  if (!kind.solves_on_samples) return true;
+  // Kinds that meet a polygon's data refuse by themselves what is too large.
+  if (!kind.solves_on_samples || (kind.meets_boundary_data && cage.dimension() == 2)) return true;
   return static_cast<int>(cage.parts(false, options.triangulation).elements.size()) <= options.solved_elements;
 }
 
