@@ -112,24 +112,24 @@ DeformerClaim told(std::string source, std::string printed, std::string correct)
 
 const std::vector<DeformerClaim>& deformer_claims() {
   static const std::vector<DeformerClaim> claims{
-      measured("[T24] after Eq 30", "gamma_D = 0 results in Green coordinates, as the limit of small gamma_D",
-               "the limit has the densities that leave no Laplacian misfit and fit values best; Green coordinates are "
-               "gamma_D = 0 by definition, and f jumps there",
+      measured("[T24] after Eq 30", "gamma_D = 0 results in Green coordinates; nothing is said of small gamma_D",
+               "f jumps at 0: small gamma_D tend to the densities that leave no Laplacian misfit and fit values best, "
+               "and 0 takes none at all",
                "gamma_d=1e-9", measure_limit),
       measured("[T24] Section 4.1.2", "gamma_D = 1, without a unit of length",
                "gamma_D has the unit of one over the fourth power of a length: gamma_rel over that of the cage's size",
                "gamma_d=1", measure_unit),
-      measured("[T24] Section 4.1.1",
-               "posed unit normals as the standard, uniform scaling kept as by Green coordinates",
-               "unit normals lose uniform scaling; normals stretched like their triangles keep it", "normals=unit",
-               measure_scale),
+      measured("[T24] Section 4.1.3", "a unit Neumann condition; nothing is said of uniform scaling",
+               "unit normals lose uniform scaling, which Green coordinates keep; normals stretched like their "
+               "triangles keep it, too",
+               "normals=unit", measure_scale),
       told("[T24] after Eq 30", "a large gamma_D fits positions better", "at the samples; elsewhere not always"),
       told("[T24] Eq 35, 36", "energies of second derivatives over the cage",
            "Hessians grow like one over the distance to an edge: the integrals are infinite, the sums grow with the "
            "samples, and their number is part of the method"),
       told("[W12] Eq 20, 22", "integrals of squared second derivatives over the boundary",
            "infinite wherever the posed boundary's Jacobian jumps at a vertex; the sums depend on the pieces"),
-      told("[C23] Eq 15", "needed for bulging and large displacements",
+      told("[C23] Eq 15", "found useful against floating, at large displacements or bulging",
            "decisive without bulging, too: in the local variant in space f moves by up to 0.28 of the size")};
   return claims;
 }
