@@ -100,6 +100,7 @@ TEST(errata, misprints_are_wrong_and_corrections_right) {
     ++measured;
     if (find_formula(row.formula) == nullptr) {
       // Of deformers: in double, over the cage's size.
+      std::printf("%s: as printed %.1e, corrected %.1e\n", row.source.c_str(), row.printed_error, row.corrected_error);
       EXPECT_GT(row.printed_error, 1e-3) << row.source;
       EXPECT_LT(row.corrected_error, 1e-5) << row.source;
       continue;
