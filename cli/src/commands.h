@@ -19,12 +19,13 @@
 namespace cageproof::cli {
 
 /// Exit codes, stable.
-enum ExitCode { success = 0, promise_broken = 1, bad_input = 2 };
+enum ExitCode { success = 0, promise_broken = 1, not_valid = 1, bad_input = 2 };
 
 void add_list(CommandLine& line);
 void add_eval(CommandLine& line);
 void add_explain(CommandLine& line);
 void add_inside(CommandLine& line);
+void add_quads(CommandLine& line);
 void add_coordinates(CommandLine& line);
 void add_deform(CommandLine& line);
 void add_verify(CommandLine& line, const std::string& command_line);

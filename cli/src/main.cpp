@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   add_eval(line);
   add_explain(line);
   add_inside(line);
+  add_quads(line);
   add_coordinates(line);
   add_deform(line);
   add_verify(line, as_given);

@@ -29,8 +29,8 @@ const std::vector<ManualSection>& manual_sections() {
        {},
        {{"0", "all went well, and every promise was kept"},
         {"1",
-         "a promise is broken (verify, merge, report, replay, hunt), reports differ (compare), or --strict found "
-         "points without usable coordinates, or outside the cage (verify)"},
+         "a promise is broken (verify, merge, report, replay, hunt), reports differ (compare), a quad is not "
+         "valid (quads), or --strict found points without usable coordinates, or outside the cage (verify)"},
         {"2",
          "the command line or the input is not understood, or a file cannot be read or written: one line on standard "
          "error says which and why, and nothing is written half or deleted; a line that `eval` does not understand is "

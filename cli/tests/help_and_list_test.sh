@@ -72,6 +72,33 @@ for group in ("coordinates", "deformers"):
     if len(set(lines)) != len(lines): sys.exit(f"two {group} are good for the same")
 EOF
 
+# Ends of ranges are included where the list says so: of formulas, and of a kind.
+python3 - "$cageproof" <<'EOF' || fail 'ends of ranges'
+import json, subprocess, sys
+catalogue = json.load(open("catalogue.json"))
+elements = {"segment": [[0, 0], [1, 0]], "triangle": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "quad": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]}
+asked = 0
+def ends(p):
+    return (("lowest_included", p["lowest"]), ("highest_included", p["highest"]), ("infinity_included", "inf"))
+for formula in catalogue["formulas"]:
+    element = elements[formula["element"]]
+    for p in formula["parameters"]:
+        lines = [json.dumps({"element": element, "point": [0.25, 0.5, 1][: len(element[0])], "parameters": {p["name"]: value}}) for _, value in ends(p)]
+        name = next(e["standard"][0] for e in formula["evaluations"] if e["standard"])
+        ended = subprocess.run([sys.argv[1], "eval", "--formula", formula["name"], "--evaluation", name], input="\n".join(lines), capture_output=True, text=True)
+        for (end, value), line in zip(ends(p), ended.stdout.splitlines()):
+            asked += 1
+            if ("error" in json.loads(line)) == p[end]: sys.exit(f"{formula['name']}: {p['name']} = {value}, {end} {p[end]}: {line}")
+for kind in catalogue["coordinates"]:
+    for p in kind["parameters"]:
+        if kind["name"] != "somigliana" or p["name"] != "nu": continue
+        for end, value in ends(p):
+            asked += 1
+            ended = subprocess.run([sys.argv[1], "coordinates", "--cage", "cube", "--points", "one.csv", "--kind", kind["name"], "--parameter", f"{p['name']}={value}"], capture_output=True)
+            if (ended.returncode == 0) != p[end]: sys.exit(f"{kind['name']}: {p['name']} = {value}, {end} {p[end]}: {ended.stderr}")
+if asked < 12: sys.exit(f"{asked} ends only")
+EOF
+
 # Groups.
 "$cageproof" list >list.txt || fail list
 for heading in 'coordinates in space and in the plane' 'coordinates in space' 'coordinates in the plane' 'deformers by posed cages in space and in the plane' \

@@ -38,6 +38,7 @@ refuses_to eval 'gauss-<N> takes N from 1 to 256' -- --formula triangle.single_l
 refuses_to eval 'near-singular-<N> takes N from 2 to 64' -- --formula triangle.single_layer --evaluation near-singular-1
 refuses_to eval 'P = 3 n^2' -- --formula triangle.single_layer --evaluation three-quad-76
 refuses_to eval 'riemann-<n> takes n from 1 to 512' -- --formula quad.mean_value --evaluation riemann-600
+refuses_to eval 'riemann-<n>-unguarded takes n from 1 to 512' -- --formula quad.mean_value --evaluation riemann-600-unguarded
 refuses_to eval 'line-<digits> takes digits from 2 to 90' -- --formula quad.mean_value --evaluation line-1
 refuses_to eval 'one name' glob -- --formula triangle.single_layer --evaluation 'gauss-*'
 refuses_to eval 'one name' list -- --formula triangle.single_layer --evaluation gauss-4,gauss-8

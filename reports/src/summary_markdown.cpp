@@ -165,7 +165,9 @@ std::string errata(const RunResult& result) {
   std::string text = "\n## Errata of the papers\n";
   if (!measured.empty())
     text +=
-        "\nLargest relative error found, in 50 digits; of images in whole cages, in double, the largest distance over "
+        "\nLargest relative error found, in 50 digits, [T18]'s in double; of images in whole cages, in double, the "
+        "largest "
+        "distance over "
         "their "
         "size.\n\n" +
         head({"where", "printed", "right", "formula", "order", "evaluation", "regime", "as printed", "corrected"}) +

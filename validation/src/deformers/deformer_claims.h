@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the papers claim of deformers and is not so (formulas/deformation.md, Section 9), measured.
+// What the papers say of deformers and is not so, or is more than they say, measured.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"

@@ -259,6 +259,9 @@ constexpr std::array table{
     Row{"partition_of_unity", "quad_mean_value", "*", "double", "*", 0, 0, 64, "normalised sums"},
     Row{"linear_reproduction", "quad_mean_value", "@(gauss-*|midpoint-*)", "double", "*", 0, 0, none,
         "a fixed rule misses the mean vector of a near quad"},
+    Row{"linear_reproduction", "quad_mean_value", "riemann-*-@(uncorrected|unguarded)", "double", "*", 0, 0, none,
+        "counted in the exact weights' terms; without the norm correction, or next to its poles, weights are up to 1e8 "
+        "times as large, and so are their roundings"},
     Row{"linear_reproduction", "quad_mean_value", "*", "double", "*", 0, 0, 64,
         "weights that keep a quad's mean vector, Eq 17 of [T18]"},
     Row{"second_route", "spherical_mean_value", "*", "*", "*", 0, 0, 1e-30,
