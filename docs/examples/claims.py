@@ -109,7 +109,16 @@ def unity() -> str:
     return figures(found)
 
 
-MEASURES = {"follow": follow, "gamma_d": gamma_d, "affine": affine, "similar": similar, "infinite_nu": infinite_nu, "unity": unity}
+def densities() -> str:
+    """The largest density D', in units of the cage's size."""
+    found = {}
+    for method in ("biharmonic_1_3", "biharmonic_weber", "biharmonic_1_2"):
+        cageproof("deform", "--cage", CAGE, "--posed", POSED, "--points", MESH, "--method", method, "--out", "m.obj", "--solved", "solved.npz", "--quiet")
+        found[method] = float(np.abs(np.load("solved.npz")["D"]).max()) * size() ** 2
+    return figures(found)
+
+
+MEASURES = {"densities": densities, "follow": follow, "gamma_d": gamma_d, "affine": affine, "similar": similar, "infinite_nu": infinite_nu, "unity": unity}
 
 if __name__ == "__main__":
     if len(sys.argv) != 2 or sys.argv[1] not in MEASURES:
