@@ -7,6 +7,7 @@
 #include "on_cage.h"
 #include "progress.h"
 #include "rows_file.h"
+#include "solved_file.h"
 #include "summary_lines.h"
 
 #include "cageproof/core/input_error.h"
@@ -89,9 +90,21 @@ std::size_t parts_together(std::size_t columns, int jobs) {
   return std::max(fitting, static_cast<std::size_t>(threads_for(jobs)));
 }
 
+// The file of --solved.
+std::string solved_text(const Arguments& a, const CageCoordinates& coordinates, const Cage& cage,
+                        const CoordinateOptions& options) {
+  if (!holds_matrices(a.solved)) return solved_json(coordinates).dump(2) + '\n';
+  return matrices_text(deformation::solved_matrices(coordinates.kind().name, cage, options));
+}
+
 // What was solved must not be written over what is read.
 void check_solved_file(const Arguments& a) {
   if (a.solved.empty()) return;
+  if (holds_matrices(a.solved) && !a.kind.starts_with("regularised_"))
+    throw InputError(
+        fmt::format("--solved {}: {} has no matrices to write, which kinds named regularised_... have; "
+                    ".json takes ranks, conditions and residuals",
+                    a.solved, a.kind));
   reports::require_writable({a.solved});
   const auto solved = place_of(a.solved);
   for (const auto& [file, option] : {std::pair(a.cage.file, "--cage"), {a.points, "--points"}, {a.data, "--data"}})
@@ -195,9 +208,9 @@ int run(const Arguments& a) {
       warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
   const Mesh mesh = load_points(a.points, cage.dimension());
   const std::vector<double> parameters = parameters_from(a.parameters, parameters_of(kind), kind.name);
-  const CageCoordinates coordinates(
-      cage, kind,
-      CoordinateOptions{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(), parameters});
+  const CoordinateOptions options{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(),
+                                  parameters};
+  const CageCoordinates coordinates(cage, kind, options);
   std::vector<Vec3<double>> points = mesh.vertices;
   take_onto_cage(a.on, coordinates, cage.size(), points, a.jobs);
   for (const CoordinateBlock& block : coordinates.blocks())
@@ -207,7 +220,7 @@ int run(const Arguments& a) {
           kind.name));
   const BoundaryData data = a.data.empty() ? BoundaryData() : read_boundary_data(a.data, coordinates);
   tell_solved(coordinates);
-  if (!a.solved.empty()) reports::replace_file(a.solved, solved_json(coordinates).dump(2) + '\n');
+  if (!a.solved.empty()) reports::replace_file(a.solved, solved_text(a, coordinates, cage, options));
   const DescribedRun described{a.cage.file, a.points, a.cage.triangulate, a.data,
                                parameters,  a.order,  a.cage.merge,       a.on};
   const validation::CoordinateSummary summary = a.dropping.is_asked()
@@ -271,7 +284,10 @@ void add_coordinates(CommandLine& line) {
       "--data", a->data,
       "text, a line of numbers a coordinate: writes the functions that coordinates make of them instead");
   add_dropping(command, a->dropping, data.taking("FILE"));
-  command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system")
+  command
+      .option("--solved", a->solved,
+              "a JSON file for what was solved: rank, condition and residual of each system; or .npz, of kinds named "
+              "regularised_...: its matrices")
       .taking("FILE");
   command.heading("Running");
   command.flag(

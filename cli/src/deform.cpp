@@ -6,6 +6,7 @@
 #include "on_cage.h"
 #include "pose_files.h"
 #include "progress.h"
+#include "solved_file.h"
 
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
@@ -61,6 +62,7 @@ Chosen chosen_by(const DeformArguments& a) {
     throw InputError(fmt::format("{} takes {}", a.method, chosen.constrained ? "--constraints" : "--posed"));
   if (const auto given = given_data(a); chosen.constrained && !given.empty())
     throw InputError(fmt::format("--{}: {} takes none", given[0].first, a.method));
+  if (!a.solved.empty() && !holds_matrices(a.solved)) throw InputError(fmt::format("--solved {}: use .npz", a.solved));
   if (!a.energies.empty() && !chosen.constrained)
     throw InputError(fmt::format("--energies: {} has no steps", a.method));
   return chosen;
@@ -216,6 +218,20 @@ PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage
   return images;
 }
 
+// What maps multiply layers with, for --solved. \throws InputError for a method whose maps are no sums of four layers
+std::string densities_text(const DeformArguments& a, const Posing& posing) {
+  std::vector<std::vector<NamedMatrix>> maps;
+  maps.reserve(posing.maps.size());
+  for (const DescribedMap& map : posing.maps) maps.push_back(layer_data(*posing.coordinates, *map.map));
+  if (maps.front().empty())
+    throw InputError(
+        fmt::format("--solved {}: images of {} are no sums of biharmonic layers; those of methods named "
+                    "biharmonic_..., ahap, aaap, "
+                    "tp and variational are",
+                    a.solved, a.method));
+  return matrices_text(maps);
+}
+
 // Each once, and of which it is said: of a map where there are several sets of parameters, else of a pose, or of the
 // method, which is the same for all poses.
 void print_warnings(const Json& warnings, const Chosen& chosen, const DescribedMap& map, std::string_view out,
@@ -245,6 +261,7 @@ int run(DeformArguments& a) {
   const CageCoordinates& coordinates = *posing.coordinates;
   require_order(a, posing.max_order);
   take_onto_cage(a.on, coordinates, cage.size(), mesh.vertices, a.jobs);
+  const std::string densities = a.solved.empty() ? "" : densities_text(a, posing);
   std::vector<DigitsReport> digits;
   const PointImages images = images_by(a, posing, cage, mesh, digits);
   // Everything is made before anything is written.
@@ -270,6 +287,7 @@ int run(DeformArguments& a) {
     if (!a.energies.empty())
       files.add(a.energies, energies_text(a, fmt::format("{}, {}", a.method, cage.name()), pose.energies));
   }
+  if (!a.solved.empty()) files.add(a.solved, densities);
   files.write();
   return success;
 }
@@ -354,6 +372,10 @@ void add_deform(CommandLine& line) {
   command.option("--order", a->order, "1: Jacobians, 2: Hessians, too").in_range(0, 2).showing_default();
   command.option("--derivatives", a->derivatives, ".csv, .npy or .vtp, beside a mesh file").taking("FILE");
   command.option("--energies", a->energies, ".csv or .png: of methods that iterate, the energy at every half step")
+      .taking("FILE");
+  command
+      .option("--solved", a->solved,
+              "an .npz of what multiplies the four layers, of biharmonic methods: V, N, L, D (maps x rows x dimension)")
       .taking("FILE");
   command.heading("Running");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();

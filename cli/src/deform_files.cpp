@@ -63,6 +63,7 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
   }
   if (!a.collection.empty()) write(a.collection, "--out");
   if (!a.energies.empty()) write(a.energies, "--energies");
+  if (!a.solved.empty()) write(a.solved, "--solved");
   reports::require_writable(written);
 }
 

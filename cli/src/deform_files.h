@@ -14,7 +14,7 @@ namespace cageproof::cli {
 /// What the user asks of `deform`.
 struct DeformArguments {
   CageArguments cage;
-  std::string points, method, evaluation, out, derivatives, constraints, energies, outside = "error";
+  std::string points, method, evaluation, out, derivatives, constraints, energies, solved, outside = "error";
   std::vector<std::string> posed, parameters;
   DataFiles data;
   int order = 0, jobs = 0;

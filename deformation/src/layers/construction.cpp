@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "construction.h"
 
+#include "../more_digits.h"
+
 #include "cageproof/deformation/stretch.h"
 
 #include <algorithm>
@@ -81,8 +83,12 @@ Regularisation<R> regularisation_by(Construction construction, const CageCoordin
     case Construction::Weber: return weber<R>(layers, account);
     case Construction::OneThree: break;
   }
-  const R weight = weights[1] != 0 ? weight_in<R>(weights[1], 1 / layers.size) : weight_in<R>(weights[0], layers.unit);
-  return one_three<R>(layers, weight, account);
+  return one_three<R>(layers, one_three_weight<R>(weights, layers), account);
+}
+
+bool takes_50_digits(Construction construction, const CageCoordinates& layers, int level) {
+  return (layers.dimension() == 2 || construction == Construction::OneTwo) &&
+         layers.is_exact_in(ScalarKind::Digits50) && wants_50_digits(layers.elements(), level);
 }
 
 template <Scalar R>

@@ -22,6 +22,17 @@ std::vector<KindParameter> weight_parameters(Construction construction);
 template <Scalar R>
 R weight_in(double gamma_d, double unit);
 
+/// gamma_D of (1,3) times the fourth power of the layers' unit.
+/// \param weights gamma_d and gamma_rel, the second in place of the first where it is not zero
+template <Scalar R>
+R one_three_weight(std::span<const double> weights, const SampledLayers<R>& layers) {
+  return weights[1] != 0 ? weight_in<R>(weights[1], 1 / layers.size) : weight_in<R>(weights[0], layers.unit);
+}
+
+/// Whether coordinates by a construction are solved in 50 digits, as deformers by it are: double has too few for thin
+/// cages.
+bool takes_50_digits(Construction construction, const CageCoordinates& layers, int level);
+
 /// \param coordinates of kind `biharmonic` or `biharmonic_affine`; (1,3) takes `quad_biharmonic`, too
 /// \param weights gamma_d and gamma_rel of (1,3), the second in place of the first where it is not zero
 /// \throws InputError as checked_limits

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The regularised biharmonic coordinates of [T24] Eq 27: alpha = phi + phibar C11 + psibar C12 of vertices, beta = psi
 // + phibar C21 + psibar C22 of elements.
-#include "../more_digits.h"
 #include "construction.h"
 #include "overlap.h"
 
@@ -109,11 +108,7 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
   };
 
   int level() const { return static_cast<int>(parameters_[0]); }
-  // As deformers by the same construction do.
-  bool takes_50_digits() const {
-    return (layers_.dimension() == 2 || construction_ == Construction::OneTwo) &&
-           layers_.is_exact_in(ScalarKind::Digits50) && wants_50_digits(layers_.elements(), level());
-  }
+  bool takes_50_digits() const { return deformation::takes_50_digits(construction_, layers_, level()); }
 
   template <Scalar R>
   Regularisation<R> regularisation(Account account) const {
