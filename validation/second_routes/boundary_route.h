@@ -23,7 +23,7 @@ class BoundaryRoute {
 
  private:
   using Matrix = Table<Mp200>;
-  /// One row: phi of a layer's order, a column a node, and psi, a column a piece.
+  /// One row of a layer's order: phi with one column per node, and psi with one column per piece.
   struct Layers {
     std::vector<Matrix> phi, psi;
   };

@@ -10,7 +10,7 @@
 
 namespace cageproof::validation {
 
-/// What a fault may know of a point.
+/// Facts of a point that a fault may use.
 struct FaultyPoint {
   const CageElements& elements;
   const Vec3<double>& point;

@@ -165,8 +165,8 @@ std::optional<BlockTruth> BlockTruths::at(const Vec3<double>& point, int order) 
 
 BlockTruth BlockTruths::truth_near(const Point& point, double distance, int order, Coordinates limits) const {
   const auto dim = static_cast<std::size_t>(reference_.dimension());
-  // Of 50 digits a difference over 1e-20 of the way to the cage leaves thirty, and a nearest distance of 1e-17 leaves
-  // thirteen to where it is taken.
+  // With 50 digits, a difference over 1e-20 of the distance to the cage leaves thirty digits. With the smallest
+  // distance, 1e-17, it leaves thirteen digits of the point's own coordinates.
   const Number step = Number(distance) * Number("1e-20");
   std::vector<Point> points{point};
   if (order >= 2)

@@ -118,8 +118,8 @@ class CageMeasurement final : public Measurement {
     if (std::ranges::none_of(setup.compared, is_inside))
       if (const auto first = std::ranges::find(setup.off, Place::Inside, &CagePoint::place); first != setup.off.end())
         setup.compared.push_back(first - setup.off.begin());
-    // Second routes are the same code everywhere: one point a place says whether they agree, of larger cages one
-    // inside.
+    // Second routes are the same code everywhere: one point per place says whether they agree, and on larger cages only
+    // one inside.
     constexpr std::size_t many_faces = 20;
     for (const Place place : {Place::Inside, Place::Outside}) {
       if (place == Place::Outside && cage_->faces().size() > many_faces) continue;

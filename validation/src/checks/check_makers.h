@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makers of the checks, one file a kind.
+// Makers of the checks, one file per kind.
 #pragma once
 
 #include "cageproof/validation/check.h"
@@ -76,7 +76,7 @@ inline Finding relation_finding_for(const Truth& truth, int order) {
   return finding;
 }
 
-/// Norm of a difference over a denominator; infinite where either is not finite or the denominator alone is zero.
+/// Norm of a difference over a denominator; infinite where either is not finite or where only the denominator is zero.
 template <Scalar R>
 double ratio_of_difference(const std::vector<R>& a, const std::vector<R>& b, const Mp100& denominator) {
   std::vector<Mp100> wide(a.size());

@@ -97,7 +97,7 @@ class Scaling final : public SymmetryCheck {
     return size;
   }
   static Behaviour behaviour(const CheckInput& in) { return in.formula.behaviour(in.sample.parameters); }
-  // What scaling adds to kernels with the logarithm of the distance, over s^(degree - order).
+  // The term that scaling adds to kernels with the logarithm of the distance, over s^(degree - order).
   static Values logarithm(const CheckInput& in, int order) {
     const Formula& formula = in.formula;
     const Logarithm logarithm = behaviour(in).logarithmic;

@@ -29,7 +29,7 @@ struct SolvedProblem {
 
 constexpr int few_steps = 40, many_steps = 4000;
 
-// Of many steps, those that lower the energy.
+// With many steps, iteration goes on as long as the energy falls at all.
 constexpr double any_decrease = std::numeric_limits<double>::min();
 constexpr double larger = 10;
 

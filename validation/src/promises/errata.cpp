@@ -59,7 +59,7 @@ std::vector<ErratumRow> unmeasured(const ErrataOptions& options) {
       found.regime = erratum.regime;
     }
   }
-  // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
+  // Deformers use whole kinds of coordinates, so they are asked only when all formulas are.
   if (options.formulas == "*")
     for (const DeformerClaim& claim : deformer_claims()) rows.push_back(claim.row);
   return rows;

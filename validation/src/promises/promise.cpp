@@ -23,8 +23,8 @@ constexpr std::optional<double> none = std::nullopt;
 // The names that recommended evaluations have, and kinds of coordinates that are no sums.
 constexpr std::string_view recommended = "@(hybrid|closed_form|line_form|recommended)";
 
-// Of deformers: what holds exactly, 1e-13 of the size, or 1e-16 times the condition of the systems that are solved
-// where that is above 1e3, which the figures are divided by.
+// Bound for the maps that a deformer keeps exactly: 1e-13 of the size. Figures are divided by 1e-3 times the condition
+// of the systems that are solved, where that condition is above 1e3.
 constexpr double exact_map = 1e-13;
 constexpr std::string_view deformer_reason =
     "exact except for roundings: 1e-16 of the size, a thousand times or by the condition of what is solved, which "
@@ -61,8 +61,9 @@ constexpr std::array table{
         "of quads with small integer corners some have three on a line and fold there: next to the crease, where du dv "
         "is infinitely dense, double has Hessians to a rounding of the corners"},
     Row{"digits", "*", recommended, "double", "*", 0, 2, 1e3,
-        "thirteen digits: some tens of operations on numbers that are exact but for a rounding each; sums of terms "
-        "that cancel ten times over keep it too"},
+        "thirteen digits: some tens of operations on numbers with one rounding each; sums of terms that cancel ten "
+        "times "
+        "over keep it too"},
     Row{"truth", "*", "accurate", "double", "*", 0, 2, 256, "what is small relatively is so with conditioning"},
     Row{"truth", "*", "accurate", "float", "*", 0, 2, 256, "computed in double and rounded"},
     Row{"relative", "*", "accurate", "float", "*", 0, 2, 256, "computed in double and rounded"},
@@ -87,14 +88,14 @@ constexpr std::array table{
         "digits of rounding, times a hundred terms"},
     Row{"truth", "*", "published", "*", "*", 0, 2, none,
         "as the paper prints it, after the errata: nothing is stabilised"},
-    // Rules of fixed size far away, from ten sizes on: n points integrate polynomials of degree 2n - 1, and the
-    // kernel's expansion about the element has a remainder of (size/distance)^2n.
+    // Rules of fixed size have these errors from ten sizes on, because n points integrate polynomials of degree 2n - 1,
+    // and the kernel's expansion about the element has a remainder of (size/distance)^2n.
     Row{"truth", "*", "gauss-4", "double", "far", 0, 2, 1e8,
         "its rate: 10^-8 of the truth at ten sizes, in units of 1e-16"},
     Row{"truth", "*", "three-quad-75", "double", "far", 0, 2, 1e6,
-        "its rate: 10^-10 of the truth at ten sizes, by five points a direction, in units of 1e-16"},
+        "its rate: 10^-10 of the truth at ten sizes, by five points per direction, in units of 1e-16"},
     Row{"truth", "*", "@(gauss-8|gauss-16|three-quad-300|near-singular-16)", "double", "far", 0, 2, 64,
-        "its rate is below rounding at ten sizes: 10^-16 by eight points a direction, and less"},
+        "its rate is below rounding at ten sizes: 10^-16 by eight points per direction, and less"},
     Row{"truth", "segment.*", "near-singular-*", "double", "generic", 2, 2, 1e10,
         "twelve digits of an integrand whose peak is higher than its integral by the square of size over distance: of "
         "a "
@@ -109,7 +110,7 @@ constexpr std::array table{
     Row{"truth", "quad.mean_value", "riemann-10", "double", "@(generic|far|scaled)", 0, 0, 1e-2 * 0x1p53,
         "its order: 1/n^2 of the truth, in units of 2^-53"},
     Row{"truth", "quad.mean_value", "tessellated-5", "double", "@(generic|far|scaled)", 0, 0, 8e-2 * 0x1p53,
-        "its order: 2/n^2 of the truth, two triangles a cell, in units of 2^-53"},
+        "its order: 2/n^2 of the truth, two triangles per cell, in units of 2^-53"},
     Row{"truth", "*", "adaptive", "*", "*", 0, 2, none,
         "integrates until its own tolerance is met, and says how many digits it stands behind: stated_error holds it "
         "to that, whatever their number"},
@@ -143,12 +144,12 @@ constexpr std::array table{
         "room for "
         "what cancels far away"},
     Row{"face_jump", "*", "*", "mp100", "*", 0, 0, 1e-30, "two points 1e-40 sizes off the face"},
-    // Whose derivatives an evaluation gives.
+    // Whether an evaluation gives each triangle's own derivatives.
     Row{"own_derivative", "*", "curl-form", "*", "*", 1, 2, none,
         "P x d/(2|t|) is not the gradient of one triangle's coordinate: only its sums over a closed cage are "
         "gradients"},
     Row{"own_derivative", "*", "*", "double", "*", 1, 2, 1e-9,
-        "2e-2 sizes off the cage; a form that is right in sums alone misses by its size"},
+        "2e-2 sizes off the cage; a form that is right only in sums misses by its size"},
     Row{"one_ring_sum", "*", "*", "double", "*", 1, 2, 1e-9,
         "2e-2 sizes off the cage, norm-wise over its vertices, in the norms of the terms"},
     Row{"one_ring_sum_small_faces", "*", "*", "double", "*", 1, 2, none,

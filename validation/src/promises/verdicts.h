@@ -19,7 +19,7 @@ void judge(ResultRow& row);
 /// declined which may not, and those that nothing is known of.
 std::uint64_t lost_samples(const ResultRow& row);
 
-/// What findings amount to, in the order in which reports list them.
+/// Verdicts and rows of all findings, in the order in which reports list them.
 struct Judged {
   std::vector<ResultRow> rows;
   std::vector<ResultCurve> curves;

@@ -128,7 +128,7 @@ class ElementMeasurement final : public Measurement {
  public:
   ElementMeasurement(Plan plan, std::uint64_t seed) : plan_(std::move(plan)), seed_(seed) {
     for (const Part& part : plan_.parts) end_ = std::max(end_, part.end);
-    // Costly checks take few samples, the first ones: blocks of less would leave a thread alone with them.
+    // Costly checks take only the first samples; smaller blocks would leave all of these to one thread.
     constexpr int least = 16;
     block_size_ = std::max(least, ((end_ + most_blocks - 1) / most_blocks + least - 1) / least * least);
   }

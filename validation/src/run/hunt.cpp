@@ -191,7 +191,7 @@ class Hunter {
     return -1;
   }
 
-  // What lets the truth's source stand in for the integral, asked at the sample itself.
+  // Difference of the truth's source and the integral at the sample itself.
   std::optional<double> against_integral(const Start& place) const {
     if (source_.is_integral()) return std::nullopt;
     const ElementQuestion gate = element_question(*find_check("integral"), source_.evaluation, ScalarKind::Digits100,

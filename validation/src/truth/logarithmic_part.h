@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a change of the unit of length adds to kernels with the logarithm of the distance.
+// Terms that a change of the unit of length adds to kernels with the logarithm of the distance.
 #pragma once
 
 #include "cageproof/core/catalogue/formula.h"

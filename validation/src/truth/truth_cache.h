@@ -12,7 +12,7 @@
 
 namespace cageproof::validation {
 
-/// A folder of truths, one file each, in a folder a version of the program. A file that is damaged counts as not there.
+/// A folder of truths, one file each, in one subfolder per program version. A damaged file counts as missing.
 /// Safe from several threads and processes.
 class TruthCache {
  public:
@@ -49,7 +49,7 @@ class TruthCache {
 std::string text_of(const Truth& truth);
 std::optional<Truth> truth_of(const std::string& text);
 
-/// What a truth depends on, beside the program.
+/// Text of everything that a truth depends on, except the program.
 std::string question_of(const TruthSource& source, const Sample& sample, int order);
 
 /// While it lives, truth_from() asks the cache first; null: none.

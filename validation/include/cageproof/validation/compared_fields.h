@@ -8,7 +8,7 @@
 
 namespace cageproof::validation {
 
-/// What a scene compares.
+/// The evaluations that a scene compares, on one cage.
 struct Comparison {
   std::shared_ptr<const Cage> cage;
   const CoordinateKind* kind;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a user should know of the coordinates of many points: where the points lie, which have none, and how well the
-// others reproduce.
+// Summary of the coordinates of many points for a user: where the points lie, which have no coordinates, and how well
+// the others reproduce.
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"

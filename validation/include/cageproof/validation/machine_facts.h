@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run's figures, or its times, may owe to the machine.
+// Facts of the machine that may change a run's figures or its times.
 #pragma once
 
 #include <map>

@@ -73,7 +73,7 @@ struct VerifyOptions {
   std::function<void(std::size_t done, std::size_t all)> progress;
 };
 
-/// What a process has done for a run.
+/// Result and work of one process for a run.
 struct Verified {
   std::optional<RunResult> report;         ///< nothing for a shard
   std::size_t units = 0;                   ///< of the run or shard
@@ -102,7 +102,7 @@ Verified verify(const VerifyOptions& options);
 /// \throws InputError when there is no journal
 std::map<std::string, std::string> options_of_run(const std::filesystem::path& folder);
 
-/// Makes the report of a finished run afresh, from its journal alone.
+/// Makes the report of a finished run again, only from its journal.
 /// \throws InputError when there is none, or it is unfinished or of a shard
 RunResult report_again(const std::filesystem::path& folder);
 

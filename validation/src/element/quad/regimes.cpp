@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples of bilinear quads: planar, twisted or strongly twisted by turns.
+// Makes samples of bilinear quads: planar, twisted or strongly twisted by turns.
 #include "regimes.h"
 
 #include "../draws.h"
