@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names for what is written beside its place and renamed into it, and what killed processes left under such names.
+// Names for files that are written next to their place and renamed into it, and removal of those of killed processes.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@ namespace cageproof::reports {
 /// lives.
 std::filesystem::path aside(const std::filesystem::path& path, int n);
 
-/// What a folder that is replaced in two steps is called between them, where it cannot be exchanged in one.
+/// Name of a folder between the two steps of its replacement, where it cannot be exchanged in one.
 std::filesystem::path earlier(const std::filesystem::path& aside);
 
 /// Removes what processes of this machine that are gone left beside `path`. A folder that such a process had moved out

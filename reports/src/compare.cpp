@@ -18,7 +18,7 @@
 namespace cageproof::reports {
 namespace {
 
-// What a list of summary.json is made of: members that say what an entry is about, and its figures.
+// Members of one list of summary.json: those that identify an entry, and its figures.
 struct List {
   const char *name, *entry;
   std::vector<const char*> key, figures;

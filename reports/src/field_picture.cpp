@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array kAxes{"x", "y", "z"};
 
-// The two axes a slice spans, and the one it is cut across.
+// The two axes that a slice spans, and the one that it cuts.
 struct Plane {
   int across = 0, up = 1, cut = 2;
 };

@@ -59,7 +59,7 @@ class Gnuplot {
   Gnuplot(const Gnuplot&) = delete;
   Gnuplot& operator=(const Gnuplot&) = delete;
 
-  // What went wrong; empty where gnuplot says nothing. \throws InputError where it does not start
+  // Gnuplot's error message; empty where it prints none. \throws InputError where it does not start
   std::string finish() {
     if (start_error_ != 0)
       throw InputError(fmt::format("cannot draw pictures: gnuplot does not start ({}); install gnuplot-nox",

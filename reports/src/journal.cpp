@@ -260,7 +260,7 @@ int locked_file(const fs::path& path) {
 
 JournalWriter::JournalWriter(const fs::path& path) : path_(path), file_(locked_file(path)) {
   if (LineFile(path_).packed()) {
-    // A finished journal. Lines can follow its text alone, which takes its place in one step.
+    // A finished journal is packed. Lines can be added only to its text, which takes its place in one step.
     ::close(file_);
     replace_file(path_, read_packed(path_));
     file_ = locked_file(path_);

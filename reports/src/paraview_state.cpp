@@ -17,7 +17,7 @@ namespace {
 
 using Element = vtkXMLDataElement;
 
-// Of every element `<Element index="7"/>`, which has an index alone, an empty value.
+// Gives every `<Element index="7"/>`, which has only an index, an empty value.
 std::string with_empty_values(std::string text) {
   constexpr std::string_view start = "<Element index=\"", end = "\"/>", value = "\" value=\"\"/>";
   for (auto at = text.find(start); at != text.npos; at = text.find(start, at + 1)) {

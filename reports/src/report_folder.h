@@ -11,8 +11,8 @@
 
 namespace cageproof::reports {
 
-/// What a folder holds, by which one of ours is known again: only one of the same kind that holds nothing else than
-/// what was written into it (written_files.h), or an empty one, is replaced.
+/// Contents of a kind of folder, by which one of ours is known again. Only an empty folder is replaced, or one of the
+/// same kind that holds only files that were written into it (written_files.h).
 struct FolderKind {
   std::string_view what;                        ///< "a verification report": for messages
   std::vector<std::string_view> parts;          ///< every entry it may hold
@@ -20,8 +20,8 @@ struct FolderKind {
   bool (*holds)(const std::filesystem::path&);  ///< whether the folder says that it is of this kind
 };
 
-/// journal, summary.json.gz, summary.md, results.csv.gz, worst.jsonl, index.html, fields/, pictures/, figures/; or the
-/// journal alone.
+/// journal, summary.json.gz, summary.md, results.csv.gz, worst.jsonl, index.html, fields/, pictures/, figures/; or only
+/// the journal.
 const FolderKind& report_kind();
 
 /// The journal of one shard.

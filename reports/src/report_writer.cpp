@@ -139,7 +139,7 @@ std::vector<std::string> ReportWriter::write(const RunResult& result) {
     write_text(result, curves);
     return undrawn;
   }
-  // What gnuplot draws hangs on the machine, as the notes of sessions do.
+  // Gnuplot's failures depend on the machine, as the notes of sessions do.
   RunResult noted = result;
   noted.session_notes.insert(noted.session_notes.end(), undrawn.begin(), undrawn.end());
   write_text(noted, curves);

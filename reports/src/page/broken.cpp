@@ -11,7 +11,7 @@ namespace {
 
 // More would be read by nobody, and results.csv.gz has them all.
 constexpr std::size_t kMostRows = 60;
-// What is seen without unfolding anything.
+// Rows that are visible without unfolding anything.
 constexpr std::size_t kFirstRows = 12;
 
 Data line_of(const ResultRow& row, const ShownNames& names) {

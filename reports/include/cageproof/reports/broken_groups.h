@@ -20,8 +20,8 @@ struct BrokenGroup {
 /// Groups of rows that others rest on (ResultRow::is_foundation) first, then larger groups before smaller ones.
 std::vector<BrokenGroup> broken_groups(const RunResult& result);
 
-/// What the group's rows have in common, and what they are about: "truth of closed_form in double: 25 rows of
-/// triangle.double_layer, triangle.solid_angle; near-edge, near-line; orders 0, 1".
+/// The group's title says what its rows have in common and what they are about, as in "truth of closed_form in double:
+/// 25 rows of triangle.double_layer, triangle.solid_angle; near-edge, near-line; orders 0, 1".
 std::string title_of(const BrokenGroup& group);
 
 /// Why a row is broken: by how much its error is above the bound, and what is lost; never a figure that is kept.

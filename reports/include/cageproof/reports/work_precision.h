@@ -9,7 +9,7 @@
 
 namespace cageproof::reports {
 
-/// A header, then one line a row, in full precision; RFC 4180 quoting, line feeds alone.
+/// A header, then one line per row, in full precision; RFC 4180 quoting, lines end in a line feed.
 std::string work_precision_csv(const WorkPrecision& result);
 
 /// Schema "cageproof-work-precision", "schema_version" 1; what is not finite is the string "inf".

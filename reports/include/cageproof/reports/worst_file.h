@@ -40,7 +40,7 @@ struct WorstLine : RowKey {
 /// Coordinates and parameters are hexadecimal floats in strings; infinite errors the string "inf".
 std::string worst_lines(const RunResult& result);
 
-/// What the line of a row's case says.
+/// The line of a row's case.
 WorstLine worst_line_of(const ResultRow& row, const WorstCase& worst, const RunResult& result);
 
 /// One case as worst_lines writes it, without the line's end.
