@@ -25,7 +25,7 @@ Option& Option::required(bool whether) {
 }
 
 Option& Option::one_of(const std::vector<std::string>& names) {
-  // What the value is called holds its choices: descriptions find them there.
+  // The value's type name holds its choices: descriptions find them there.
   option_->type_name(fmt::format("{}", fmt::join(names, "|")));
   option_->check([names](const std::string& text) -> std::string {
     if (std::ranges::find(names, text) != names.end()) return {};

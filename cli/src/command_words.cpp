@@ -45,7 +45,7 @@ OptionText text_of(const CLI::Option& option) {
   return text;
 }
 
-// Of a command and of its groups, which come first: one of each is to be chosen.
+// Adds the options of a command and of its groups, which come first: one of each group is to be chosen.
 void add_options(const CLI::App& app, CommandText& command) {
   for (const CLI::App* group : app.get_subcommands([](const CLI::App* one) { return one->get_name().empty(); })) {
     const std::size_t first = command.options.size();

@@ -74,11 +74,11 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
 std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::string>& given,
                                                      const std::vector<KindParameter>& known, std::string_view owner);
 
-/// What help adds of the points of polygons.
+/// Addition to the help of points: y of polygons.
 inline constexpr std::string_view y_of_points =
     "; y points up: beside a cage from an SVG, whose y points down, a point has minus the drawing's y";
 
-/// Points with the faces that they carry, if any: a mesh file, or text.
+/// Points, with faces if the file has any: a mesh file, or text.
 /// \param dimension of the cage that they are for: in the plane third numbers must be zero
 /// \throws InputError as read_mesh and read_points, and naming a point off the plane
 Mesh load_points(const std::string& file, int dimension);

@@ -89,7 +89,7 @@ std::size_t parts_together(std::size_t columns, int jobs) {
   return std::max(fitting, static_cast<std::size_t>(threads_for(jobs)));
 }
 
-// What was solved must not be written over what is read.
+// The file of solved systems must not be one that is read.
 void check_solved_file(const Arguments& a) {
   if (a.solved.empty()) return;
   reports::require_writable({a.solved});

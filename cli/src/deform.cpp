@@ -36,7 +36,7 @@ struct Chosen {
   std::vector<std::string_view> varied;         ///< that these differ in
 };
 
-// Of methods that take posed cages.
+// The named method, which takes posed cages.
 const DeformMethod& method_of(const DeformArguments& a) {
   const DeformMethod& named = deform_method_named(a.method);
   return a.keep_quads ? keeping_quads(named) : named;
@@ -109,7 +109,7 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
     std::ranges::replace(option, '-', '_');
     json[option] = file;
   }
-  // What rows of these files belong to.
+  // Elements with their vertices say to what the rows of these files belong.
   if (!given_data(a).empty()) {
     const CageElements& elements = coordinates.elements();
     for (std::size_t e = 0; e < elements.count(); ++e) {

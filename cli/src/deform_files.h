@@ -11,7 +11,7 @@
 
 namespace cageproof::cli {
 
-/// What the user asks of `deform`.
+/// Options of `deform`, as the user gave them.
 struct DeformArguments {
   CageArguments cage;
   std::string points, method, evaluation, out, derivatives, constraints, energies, outside = "error";
@@ -20,7 +20,7 @@ struct DeformArguments {
   int order = 0, jobs = 0;
   int digits = 0;           ///< of images; 0 for all
   double on = 0;            ///< a share of the cage's size
-  double frame_rate = 0;    ///< frames a second; 0 where the user gave none
+  double frame_rate = 0;    ///< frames per second; 0 where the user gave none
   std::string collection;   ///< a .pvd file that names those of out; by split_collection
   bool strict = false;      ///< a posed cage with other faces is an error
   bool keep_quads = false;  ///< in place of the method, the one that does the same on quads
@@ -28,9 +28,9 @@ struct DeformArguments {
 
 inline constexpr std::string_view deformation_schema = "cageproof-deformation";
 
-/// Of the report beside a file of several maps.
+/// Schema of the report next to a file of several maps.
 inline constexpr std::string_view deformations_schema = "cageproof-deformations";
-/// Frames a second where the user gave none.
+/// Frames per second where the user gave none.
 inline constexpr double usual_rate = 24;
 
 /// Whether a file of that name holds all maps as frames: .pc2, .mdd.
@@ -39,7 +39,7 @@ bool is_point_cache(const std::string& file);
 /// Takes --out NAME.pvd for the collection of NAME_001.vtp and so on. \throws InputError where the name has a number
 void split_collection(DeformArguments& a);
 
-/// What poses have beside vertices: options without dashes, and their files, of those that are given.
+/// Options that name data of poses other than vertices, without dashes, with their files; only those that are given.
 std::vector<std::pair<std::string, std::string>> given_data(const DeformArguments& a);
 
 /// \param maps that are written, their number \throws InputError for a file whose format cannot hold what is to be

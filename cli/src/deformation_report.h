@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What there is to say of a deformed mesh.
+// Remarks on a deformed mesh, for its report.
 #pragma once
 
 #include "cageproof/deformation/mesh_measures.h"

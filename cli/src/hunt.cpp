@@ -37,7 +37,7 @@ std::optional<double> bound_of(const Arguments& a, const HuntObjective& objectiv
       .bound;
 }
 
-// Whether a list of names and globs has the check; glob: by a glob alone, which leaves out what is not asked.
+// Whether a list of names and globs has the check. by_glob: only by globs, which leave out checks that are not asked.
 bool names_check(const Arguments& a, std::string_view check, bool& by_glob) {
   bool named = false;
   by_glob = true;

@@ -30,7 +30,7 @@ class JudgeOption {
   std::vector<std::pair<std::string, std::shared_ptr<judge::ForeignCode>>> codes_;
 };
 
-/// Incidents of foreign code, one line each: kind, formula, sentence, input.
+/// Text of an incident of foreign code, on one line: kind, formula, sentence and input.
 std::string text_of(const judge::Incident& incident);
 
 }  // namespace cageproof::cli

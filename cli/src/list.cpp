@@ -224,7 +224,9 @@ void add_list(CommandLine& line) {
   };
   auto a = std::make_shared<Arguments>();
   const Option names =
-      command.option("names", a->names, "what has such a name alone, names and globs with commas between; without, all")
+      command
+          .option("names", a->names,
+                  "only entries with such a name: names and globs with commas between; all if not given")
           .taking("NAMES");
   Option json = command.flag("--json", a->json, "as JSON, with scalars, ranges and descriptions").excludes(names);
   Option cage = command.option("--cage", a->cage, "an embedded cage, which is written to --out").taking("CAGE");

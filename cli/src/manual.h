@@ -6,7 +6,7 @@
 
 namespace cageproof::cli {
 
-/// What holds for all commands: grammar of names and numbers, exit codes, signals, files.
+/// Rules for all commands: grammar of names and numbers, exit codes, signals, files.
 struct ManualSection {
   struct Item {
     std::string term, text;

@@ -21,7 +21,7 @@ struct SparseTotals {
   double bound = 0, sum_change = 0;   ///< the largest (deformation::SparseRow)
   std::size_t worst = 0;              ///< the row of the largest bound
   std::size_t over = 0;               ///< rows whose bound is above the tolerance
-  std::size_t bytes = 0;              ///< of the rows in the file, without what it says of the cage
+  std::size_t bytes = 0;              ///< of the rows in the file, without its data of the cage
 };
 
 /// Rows as they come, and the file of them. What is kept of rows is held in memory until all are there, because a ZIP

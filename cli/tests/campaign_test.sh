@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Runs that are killed, resumed, cut in shards and merged give the report of a run left alone, byte for byte but for the environment.
+# Runs that are killed, resumed, cut in shards and merged give the report of an undisturbed run: identical bytes, except the environment.
 # Usage: campaign_test.sh PATH_OF_CAGEPROOF kills|ranks
 set -u
 # Lines of progress would be messages where a machine is slow.
@@ -145,7 +145,7 @@ kills() {
   # Rows have the roles of their evaluations, which the report does not look up.
   zcat alone/journal | grep -q '"hybrid",.*"role":"recommended"' || fail "the journal has no roles"
 
-  # What cannot be resumed.
+  # Resuming is refused with other options, shards or parts.
   cp -r alone resumed
   refuses 'samples 16, now 17' 'seed 1, now 9' -- "$cageproof" verify --resume resumed --samples 17 --seed 9
   refuses 'formulas triangle.double_layer, now triangle.*' -- "$cageproof" verify --resume resumed --formulas 'triangle.*'

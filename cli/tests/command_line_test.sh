@@ -103,7 +103,7 @@ head -1 "$work/ring.obj.green" | grep -q '^phi_0,.*,phi_7,phi_0_dx,phi_0_dy,phi_
 "$cageproof" coordinates --cage "$work/ring.vtp" --points "$work/flat.csv" --kind mean_value --order 2 | cmp -s - "$work/ring.obj.mean_value" || fail "the polygon of a written .vtp is another one"
 for cage in square l-shape star comb thin-bar frame figure; do
   "$cageproof" coordinates --cage $cage --points "$work/flat.csv" --kind green >"$work/stdout" || fail "coordinates in $cage"
-  # Of a point in it the functions of the vertices sum to one, of one outside to nothing.
+  # At a point in the cage the vertices' functions sum to one, at one outside to zero.
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) phi[i] = $i ~ /^phi/ } NR > 1 { s = 0; for (i = 1; i <= NF; i++) if (phi[i]) s += $i
     if (s * s > 1e-24 && (s - 1) * (s - 1) > 1e-24) exit 1 }' "$work/stdout" || fail "coordinates in $cage: $(cat "$work/stdout")"
 done
@@ -239,7 +239,7 @@ grep -q '"value_radius":\[[^]]*\],"gradient_radius":\[' "$work/certified" || fai
 ! grep -q radius "$work/closed_form" || fail "radii of a closed form"
 "$cageproof" list --json | grep -q '"name": "certified"' || fail "list: no certified"
 
-# coordinates: a row a point, and sums of one.
+# coordinates: one row per point, and sums of one.
 write three.csv 'x,y,z' '0.1,0.2,0.3' '-0.2,0.1,0' '0,0,0'
 "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind mean_value >"$work/stdout" || fail "coordinates"
 awk -F, 'NR > 1 { s = 0; for (i = 1; i <= NF; i++) s += $i; if (s < 0.999999999 || s > 1.000000001) exit 1 } END { if (NR != 4) exit 1 }' \
@@ -416,7 +416,7 @@ head -n "$(wc -l <"$work/before.jsonl")" "$work/hunted.jsonl" | diff -q - "$work
   fail "field --kind"
 [ -n "$(find "$work/residual/pictures" -name '*.png')" ] || fail "field --kind: no picture"
 
-# bench: a line an evaluation and distance, the same errors again, a folder that replaces its own kind alone.
+# bench: one line per evaluation and distance, the same errors again, and a folder that replaces only its own kind.
 bench() { "$cageproof" bench --samples 2 --seconds 0 "$@"; }
 errors_of() { cut -d, -f 1-14 "$1"; }
 bench --kind somigliana --cage cube --evaluations three-quad-75,closed_form --parameter nu=0.3 --csv --out "$work/bench" >"$work/bench.csv" ||
@@ -458,7 +458,7 @@ refuses nonsense -- "$cageproof" field --kind green --cage cube --evaluation non
 refuses --colours -- "$cageproof" field --kind green --cage cube --evaluation gauss-4 --colours 1 0 --out "$work/out"
 "$cageproof" list --json | grep -q triangle.mean_value || fail "list --json"
 
-# What coordinates say of their points: exit codes with --strict, and lines on standard error.
+# coordinates reports on its points: exit codes with --strict, and lines on standard error.
 says() {
   local code=$1 words=()
   shift

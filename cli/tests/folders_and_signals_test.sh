@@ -116,7 +116,7 @@ printf '0.1 0.1 0.1\n' >point.txt
 "$cageproof" coordinates --cage cube --points point.txt --kind green --out a.csv >stdout 2>stderr && fail 'coordinates over a folder'
 [ -d a.csv ] || fail 'a folder is replaced by a file'
 
-# What the same command wrote is replaced.
+# A command replaces its own earlier output.
 for n in 1 2; do
   verify --out report >/dev/null || fail "verify again $n"
   "$cageproof" report report >/dev/null || fail "report again $n"

@@ -44,11 +44,11 @@ grep -q '<aside id="answer"[^>]*hidden' cell && fail "the answer stays hidden"
 [ "$(grep -o '<svg viewBox' cell | wc -l)" -ge 2 ] || fail "no curves or no times"
 has cell 'everywhere: hybrid' 'data-series="gauss-8, double"'
 
-# Of so few samples no quantile is shown.
+# So few samples show no quantile.
 grep -qF '99.9 % up to $' report/formulas/cells.js || fail "the words for quantiles have changed, and with them what is looked for here"
 grep -q '99\.9 % up to ' cell && fail "a quantile of eight samples"
 
-# What no result could break is grey, and says so.
+# Rows that no result could break are grey, and say so.
 opened "$page#truth.on-edge.closed_form.double.2" grey
 grep -q 'ill-posed here: a result without a right digit would score at most [0-9]' grey || fail "a grey cell does not say why"
 grep -q '<td [^>]*class="[^"]*\bill\b' grey || fail "no cell is grey"
