@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What deformers cost: preparing a method for a cage, coordinates of points, poses, and images of points.
+// Costs of deformers: preparing a method for a cage, coordinates of points, poses, and images of points.
 #pragma once
 
 #include "cageproof/core/cage/cage.h"

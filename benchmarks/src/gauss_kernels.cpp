@@ -20,7 +20,7 @@ CAGEPROOF_INLINE void add_to(double* to, const Vector& what) {
   __builtin_memcpy(to, &sum, sizeof(Vector));
 }
 
-// A square root and a division a point: the loop becomes one instruction of each.
+// One square root and one division per point: the loop becomes one instruction of each.
 CAGEPROOF_INLINE void inverse_root(const Vector& square, Vector& found) {
   double lanes[gauss_lanes];
   __builtin_memcpy(lanes, &square, sizeof lanes);

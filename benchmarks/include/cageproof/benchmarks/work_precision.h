@@ -15,7 +15,7 @@ struct WorkPrecisionOptions {
   Triangulation triangulation = Triangulation::Shortest;
   std::uint64_t seed = 1;
   int samples = 32;           ///< a place
-  int order = 0;              ///< of formulas; cages are asked for values alone
+  int order = 0;              ///< of formulas; cages are asked only for values
   bool by_parameter = false;  ///< a place for each parameter of a regime (distance ...), instead of one for all
   bool relative = false;      ///< relative errors of formulas, norm-wise, instead of conditioned ones
   int timed = 1000;           ///< pairs timed, an evaluation and place, each by itself
