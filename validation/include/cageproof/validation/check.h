@@ -64,7 +64,7 @@ class Check {
   };
   /// Cost of one finding, which decides how many samples a campaign takes.
   enum class Cost {
-    Evaluations,     ///< of what is checked, and one truth
+    Evaluations,     ///< of the checked evaluation, and one truth
     Truths,          ///< several truths
     Multiprecision,  ///< evaluations in multiprecision, or an integral
     Enclosure,       ///< ball arithmetic

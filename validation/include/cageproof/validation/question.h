@@ -44,7 +44,7 @@ inline bool counted(Finding::Status status, Tally& tally) {
 ///   again has `is_stored = false` in its place.
 template <class At>
 struct Question {
-  RowKey key;                                            ///< of its rows, but for the order
+  RowKey key;                                            ///< of its rows, except the order
   std::string unit;                                      ///< of its errors
   std::function<std::array<Finding, 3>(const At&)> ask;  ///< by order; safe from any thread
   /// The highest derivative that results are computed with, as cases store it; 2 where results have no higher one.

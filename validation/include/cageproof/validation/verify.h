@@ -53,7 +53,7 @@ struct VerifyOptions {
   std::string mesh_name;
   bool only_cage = false;  ///< of `cage` and `mesh`, without formulas on elements of the catalogue's own
   Triangulation triangulation = Triangulation::Shortest;
-  int shard = 0, shards = 1;  ///< measure part `shard` of `shards` alone, and make no report
+  int shard = 0, shards = 1;  ///< measure only part `shard` of `shards`, and make no report
   bool resume = false;        ///< `out` holds the journal of this run, to go on with
   std::filesystem::path out;
   /// Where the processor time of each unit of work goes, the costliest first (timings.h); empty: nowhere.
