@@ -53,7 +53,7 @@ LIST
 
 say() { printf '%s\n' "$*" >&2; }
 
-# What tests alone take: `scripts/ensure_packages.sh tests` installs these, too.
+# Packages that only tests need: `scripts/ensure_packages.sh tests` installs these, too.
 tests_alone() {
   cat <<'LIST'
 openmpi-bin              starts four ranks that measure one run

@@ -63,7 +63,7 @@ def code(text: str) -> str:
     return f"`{shown}`"
 
 
-# Of rooms that compute results and of those that judge them, in percent: caught by verify alone, by tests, by either.
+# Goals in percent for rooms that compute results and for rooms that judge them: caught by verify alone, by tests, by either.
 GOALS = (("that compute results", False, (90, 0, 97)), ("that judge and show them", True, (0, 95, 0)))
 
 

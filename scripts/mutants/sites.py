@@ -34,7 +34,7 @@ CLASSES = {Kind.CLASS_DECL, Kind.STRUCT_DECL, Kind.CLASS_TEMPLATE, Kind.CLASS_TE
 # A class's static constants of these types choose templates.
 CHOICES = {"const int", "const bool"}
 COMPILER = re.compile(r"(clang|g)\+\+(-\d+)?$")
-# What these calls do changes no result.
+# These calls change no result.
 WITHOUT_EFFECT = {"reserve", "shrink_to_fit"}
 
 

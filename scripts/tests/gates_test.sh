@@ -57,7 +57,7 @@ echo 'NoSuchKey: 1' >>.clang-format
 expect 2 'clang-format failed' scripts/check_format.sh
 git checkout -q .clang-format
 
-# A commit of a header alone is looked at, with a source that includes it.
+# A commit of only a header is checked through a source that includes it.
 if command -v clang-tidy-16 >/dev/null; then
   printf 'int one();\ninline char* none() { return 0; }\n' >core/src/one.h
   commit header
