@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The innermost loops of a fixed rule over a cage's triangles, on vectors of points, and written plainly. Plain data
-// alone: their source is compiled for several instruction sets, and must not share inline functions with the program.
+// only: their source is compiled for several instruction sets, and must not share inline functions with the program.
 #pragma once
 
 namespace cageproof::benchmarks {

@@ -15,10 +15,10 @@ struct GaussRule {
   std::vector<double> weights;  ///< [node]
 };
 
-/// `gauss-<N>`: Gauss-Legendre on the collapsed square, N points a side.
+/// `gauss-<N>`: Gauss-Legendre on the collapsed square, N points per side.
 GaussRule collapsed_rule(int side);
 
-/// `three-quad-<3 N^2>`: Gauss-Legendre on three quads of N points a side, [C23] Section 5; N = 50 is its yardstick of
+/// `three-quad-<3 N^2>`: Gauss-Legendre on three quads, N points per side, [C23] Section 5; N = 50 is its yardstick of
 /// 7500 points.
 GaussRule three_quad_rule(int side);
 

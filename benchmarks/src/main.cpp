@@ -29,7 +29,7 @@ struct Files {
   std::string cage, posed, points, data;
 };
 
-// The program's own options, beside Google Benchmark's, which has --help.
+// The program's own options, in addition to Google Benchmark's, which has --help.
 void add_options(CLI::App& app, Files& files) {
   app.set_help_flag("");
   auto* const cage = app.add_option("--cage", files.cage, "a cage that deformers are timed on, too");

@@ -56,7 +56,7 @@ Json block_json(const CageCoordinates& coordinates, std::size_t b) {
   if (block.entries() > 1) json["matrix"] = {block.shape.rows, block.shape.columns};
   json["multiplies"] = data_of(block);
   if (block.reproduces == Reproduces::Normals) json["normal_factor"] = block.normal_factor;
-  // Elements' own stand beside them; a quad that is kept has one a corner.
+  // Elements' own normals are stored with them; a kept quad has one per corner.
   if (block.owner == Owner::Normal) {
     const CageElements& elements = coordinates.elements();
     for (int i = 0; i < block.size; ++i) {

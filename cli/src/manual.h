@@ -6,7 +6,7 @@
 
 namespace cageproof::cli {
 
-/// Rules for all commands: grammar of names and numbers, exit codes, signals, files.
+/// A section of the manual that holds for all commands, as names and numbers, exit codes, signals and files.
 struct ManualSection {
   struct Item {
     std::string term, text;

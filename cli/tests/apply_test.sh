@@ -84,7 +84,7 @@ assert f["points"].shape == (2, 2) and close(f["element_lengths"], 1) and f["ele
 assert close(f["phi"] @ f["cage_vertices"] + f["psi"] @ f["element_normals"], f["points"])
 PY
 
-# Tables have a description beside them, which holds the same; the same run gives the same bytes.
+# Tables have a description next to them, which holds the same; the same run gives the same bytes.
 "$cageproof" coordinates "${common[@]}" --kind green --order 1 --triangulate fan --out table.csv 2>log || fail "csv: $(cat log)"
 "$cageproof" coordinates "${common[@]}" --kind green --order 1 --triangulate fan --out array.npy 2>log || fail "npy: $(cat log)"
 "$cageproof" coordinates "${common[@]}" --kind green --order 1 --triangulate fan --out again.npz 2>log || fail "npz: $(cat log)"
@@ -104,7 +104,7 @@ for table, name in ((np.loadtxt("table.csv", delimiter=",", skiprows=1), "table.
     for name in ("cage_vertices", "elements", "element_faces", "element_normals", "element_areas"):
         assert (np.array(d[name]) == g[name]).all(), name
 PY
-# Who reads the .vtp as a mesh still does; the cage beside it is one.
+# The .vtp can still be read as a mesh; the cage next to it is one.
 "$cageproof" coordinates --cage scene.cage.vtp --points scene.vtp --kind green --order 1 2>log | cmp -s - table.csv || fail "the cage or the mesh of a .vtp is another: $(cat log)"
 for word in cage_vertices elements element_normals element_areas cageproof_metadata; do grep -q "Name=\"$word\"" scene.vtp || fail "no $word in the .vtp"; done
 

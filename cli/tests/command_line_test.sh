@@ -65,7 +65,7 @@ refuses inverted.obj --flip-inward -- verify_cage "$work/inverted.obj"
 write flat.obj "$tetrahedron" 'v 2 0 0' "$good_faces" 'f 1 2 5'
 refuses flat.obj -- verify_cage "$work/flat.obj"
 
-# Parts: a tetrahedron within the tetrahedron, as a shell and as a cavity; beside it, turned over.
+# Parts: a tetrahedron within the tetrahedron, as a shell and as a cavity; another next to it, turned over.
 inner='v 0.1 0.1 0.1
 v 0.3 0.1 0.1
 v 0.1 0.3 0.1

@@ -159,7 +159,7 @@ head -12 corners.txt >few.txt
 refuses 'few.txt' '12 rows' '36 corners' -- "${common[@]}" --method biharmonic_1_3 --parameter neumann=affine --normal-derivatives few.txt --out one.csv
 rm -f bent.* few.txt corners.txt
 
-# Several poses in one run, each as by itself; every format; derivatives beside a mesh.
+# Several poses in one run, each as by itself; every format; derivatives next to a mesh.
 "$cageproof" deform "${common[@]}" --posed cube --method green --out 'both_{n}.csv' || fail "two poses"
 "$cageproof" deform "${common[@]}" --method green --out one.csv
 cmp -s both_1.csv one.csv || fail "the first of two poses is another"

@@ -49,7 +49,7 @@ refuses_to mvc "here that is 'mean_value', and no command" --
 # A near name is still found, and a word of the field goes before it.
 refuses_to coordinates "did you mean 'green'?" -- --cage cube --points one.csv --kind gren
 
-# Words lead to what there is, and every kind and method says what it is good for.
+# Words lead to names, and every kind and method says what it is good for.
 "$cageproof" list --json >catalogue.json || fail 'list --json'
 python3 - "$(sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' program.txt | tr '\n' ' ')" <<'EOF' || fail 'the catalogue'
 import json, sys

@@ -23,7 +23,7 @@ std::vector<Place> places_of(const FigureFrame& frame, const std::vector<Vec3<do
   return places;
 }
 
-// Each edge once, and whether a face beside it is seen from its outer side.
+// Each edge once, and whether one of its faces is seen from its outer side.
 std::map<std::pair<int, int>, bool> edges_of(const FigurePanel& panel, const ViewAxes& axes) {
   std::map<std::pair<int, int>, bool> edges;
   for (const auto& face : panel.cage_faces) {

@@ -75,7 +75,7 @@ void make_folder(const fs::path& path) {
   if (error) fail_folder(path, error.message());
 }
 
-// A fresh folder beside `out`.
+// A fresh folder next to `out`.
 fs::path staging_for(const fs::path& out) {
   std::error_code error;
   for (int n = 0;; ++n) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests of figures with several panels: places of points, what hides what, and files on the disk.
+// These tests look at figures with several panels: places of points, what hides what, and files on the disk.
 #include "cageproof/reports/figure_sheet.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/cage/mesh_io.h"

@@ -49,7 +49,7 @@ JournalHeader header() {
 
 Session session(const char* started) { return {started, 0, "cageproof verify", {{"processor", "of the test"}}}; }
 
-// Findings of unit `i`: numbers that text could spoil, in every kind of finding.
+// Unit `i` finds numbers that text could spoil, in every kind of finding.
 PartialResult found(int i) {
   PartialResult gathered;
   Tally& tally = gathered.rows[{RowKey::Section::Element, "f", "closed_form", "double", "near-edge", "truth", "", 0}];

@@ -240,7 +240,7 @@ TEST(ReportFiles, BrokenPromisesComeFirst) {
 // A page loads nothing from elsewhere, and its links lead somewhere.
 void expect_to_stand_alone(const std::string& name, const std::map<std::string, std::string>& files) {
   const std::string& page = files.at(name);
-  // The scripts are others' and ours, and are looked at by themselves. What pages of a folder share stands beside them.
+  // The scripts, ours and others', are tested by themselves. Files that the pages of a folder share lie next to them.
   std::string text = page;
   for (const std::string start : {"<script>", "<script type=\"application/gzip\"", "<script src=\"d3.min.js\">",
                                   "<script src=\"page.js\">", "<script src=\"cells.js\">"})
@@ -457,7 +457,7 @@ TEST(ReportFiles, PagesAreSmall) {
 }
 
 TEST(ReportFiles, CodeOfOthersIsWhatItSays) {
-  // The table beside it states versions and hashes.
+  // The table next to it states versions and hashes.
   const std::string folder = CAGEPROOF_REPORT_PAGE "/third_party/", table = read_file(folder + "README.md");
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

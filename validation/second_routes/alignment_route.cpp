@@ -6,7 +6,7 @@
 namespace cageproof::second_routes {
 namespace {
 
-// Lam_V beside Lam_N: the energy's rows for each vertex and each normal derivative.
+// Lam_V and Lam_N side by side: the energy's rows for each vertex and each normal derivative.
 Table<Wide> energy_rows(const CageCoordinates& layers, const Table<Wide>& densities, const AlignmentMethod& method) {
   const CageElements& elements = layers.elements();
   const std::size_t n = elements.vertices().size(), m = elements.count();

@@ -88,7 +88,7 @@ TEST(BatchedMeanValues, across_edges_in_planes_of_faces) {
   }
 }
 
-// Low over the long faces of a bar, beside them.
+// Points low over the long faces of a bar, and next to them.
 TEST(BatchedMeanValues, beside_a_bar) {
   std::vector<Vec3<double>> vertices = embedded_cage("cube").vertices();
   const Vec3<double> low = vertices.front();

@@ -134,7 +134,7 @@ TEST(rows, are_broken_by_samples_that_they_lost) {
   EXPECT_EQ(row_of(key("stated_error", "accurate", "generic"), declined).verdict, Verdict::Broken);
 }
 
-// An evaluation that may decline loses nothing, beside one that does lose.
+// Declined samples are no loss for an evaluation that may decline; for any other they are.
 TEST(rows, say_only_of_what_is_lost_where_it_went) {
   Tally found = tally(0.5);
   found.declined = 2;

@@ -140,10 +140,10 @@ class Deformer {
   /// for a pose that the method does not take, naming the vertex or element
   void pose(std::span<const double> vertices);
 
-  /// Where points go, and the Jacobians there. Points outside the cage have no image where the method's coordinates sum
-  /// to zero there, all but interpolating ones; their numbers are NaN.
-  /// \param points `dimension` numbers a point \param images as many
-  /// \param jacobians empty, or [point][component][axis]; there are none to some digits
+  /// Images of points, and the Jacobians there. Points outside the cage have no image, only NaN, where the method's
+  /// coordinates sum to zero outside; those of interpolating methods do not.
+  /// \param points `dimension` numbers per point \param images as many numbers
+  /// \param jacobians empty, or [point][component][axis]; must be empty with Options::digits
   /// \throws InputError for spans of other sizes, or before `pose`
   void images(std::span<const double> points, std::span<double> images, std::span<double> jacobians = {}) const;
 

@@ -109,7 +109,7 @@ int main(int, char** argv) {
       .evaluate(std::vector<double>{0.5, 0.5}, std::span(values).first(4));
   expect(std::abs(values[0] - 0.25) < 1e-12, "harmonic coordinates of a square's centre");
 
-  // Sums with data are those of coordinates: the vertices' own first coordinate.
+  // Sums with data equal those of coordinates; here the data are the vertices' own first coordinates.
   const Coordinates mean(cube, "mean_value");
   std::vector<double> data, sums(3);
   for (std::size_t v = 0; v < 8; ++v) data.push_back(cube.vertices[3 * v]);

@@ -12,7 +12,7 @@
 namespace cageproof::reports {
 namespace {
 
-// Steps of the colour scale, in conditioned units: first the promise, then four, eight, twelve digits lost.
+// Steps of the colour scale, in conditioned units. The first is the promise, then four, eight, twelve digits are lost.
 const char* conditioned_class(double max) {
   return max <= 64 ? "e0" : max <= 1e4 ? "e1" : max <= 1e8 ? "e2" : max <= 1e12 ? "e3" : "e4";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Data for a page's script: its cells, its curves and its times.
+// JSON of a page's cells, curves and times, for its script.
 #pragma once
 
 #include "digest.h"

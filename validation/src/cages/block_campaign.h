@@ -59,7 +59,7 @@ class BlockErrors {
   int order_;
 };
 
-/// The kind's rows on the cage, one a place and order. \pre the evaluation computes the kind in the cage
+/// The kind's rows on the cage, one per place and order. \pre the evaluation computes the kind in the cage
 std::unique_ptr<const Measurement> block_measurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
                                                      const BlockCampaignOptions& options);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The regimes of elements turned into cages: points beside, on and far from a cage's faces, edges and vertices, and
+// Regimes of elements as samples of cages: points next to, on and far from a cage's faces, edges and vertices, and
 // cages moved and in other units.
 #pragma once
 

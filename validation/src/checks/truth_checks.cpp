@@ -153,8 +153,8 @@ class IntegralCheck final : public Check {
   }
 };
 
-// Whether a tensor is so small beside what a rounding of the input changes that 200 digits cannot tell it from a zero
-// of the function close by: over the centre of an equilateral triangle, 1e-250 beside a Hessian's zero.
+// Whether a tensor is so small next to what a rounding of the input changes that 200 digits cannot tell it from a zero
+// of the function close by: over the centre of an equilateral triangle, 1e-250 next to a Hessian's zero.
 bool is_next_to_zero(const Truth& truth, int order) {
   static const Mp100 small("1e-130");
   for (int o = 0; o <= order; ++o)

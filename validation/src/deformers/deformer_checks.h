@@ -58,7 +58,7 @@ struct Excuses {
 /// \param plain in cage sizes
 DeformerError excused(double plain, const Excuses& excuses);
 
-/// Excuses::rounding of a cage: of one next to the origin some 1e-16, of one a thousand sizes off 1e-13.
+/// Excuses::rounding of a cage: about 1e-16 for one next to the origin, 1e-13 for one a thousand sizes off.
 /// \param posed its vertices elsewhere, which are rounded, too
 double rounding_of_coordinates(const Cage& cage, const std::vector<Vec3<double>>& posed = {});
 

@@ -69,7 +69,7 @@ constexpr std::array table{
     Row{"relative", "*", "accurate", "float", "*", 0, 2, 256, "computed in double and rounded"},
     Row{"relative", "*", "accurate", "double", "*", 0, 2, 256,
         "accepted at a running error bound of 128 units, which is itself rounded; else computed with more digits"},
-    // The form in one scalar and nothing wider, next to nothing and not far.
+    // The plain form uses one scalar. This row is for points that are neither near the element nor far.
     Row{"truth", "triangle.mean_value", "plain", "*", "@(generic|offset)", 1, 2, none,
         "each derivative divides by the height over the plane once more, which the value is small with"},
     Row{"truth", "@(segment|triangle).*", "plain", "*", "@(generic|offset)", 0, 2, 1e3,

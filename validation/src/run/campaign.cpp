@@ -48,7 +48,7 @@ struct TakenSamples {
 };
 
 // Where truths are costly, a quarter; then whatever else is measured against them costs little. But at least five,
-// since fewer leave checks without a point beside the element, and of a sweep that a quarter would leave off in the
+// since fewer leave checks without a point next to the element, and of a sweep that a quarter would leave off in the
 // middle some of its whole length.
 TakenSamples samples_of(const CampaignOptions& options, const Regime& regime, const TruthSource& source) {
   const int values = static_cast<int>(regime.parameters.size());

@@ -309,7 +309,7 @@ class Planner {
   }
 
   void add_extreme_batched() {
-    // Walls of a rounding's thickness take hundreds of digits an element: suites with time ask for block errors there.
+    // Walls as thin as a rounding take hundreds of digits per element: suites with time ask for block errors there.
     if (options_.suite.has_time_limit) return;
     BlockCampaignOptions block = block_options();
     block.points = block.milliseconds = 0;  // the least
@@ -384,7 +384,7 @@ class Planner {
   }
 
   // Whether a field shows a kind against its truth. Truths of quads take so long that suites in a hurry, on cages that
-  // nobody asked for, had six points a side.
+  // nobody asked for, had six points per side.
   bool shows_truth(const CoordinateKind& kind, const Cage& cage) const {
     return options_.cage || !options_.suite.has_time_limit || !kind.is_sum() || !kind.keeps_quads || !cage.has_quads();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A cage beside what was computed with it: as geometry of its own, and as field data of a mesh.
+// A cage and the results computed with it: as geometry of its own, and as field data of a mesh.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"

@@ -60,7 +60,7 @@ class CageTerms {
   double moved_;  // by how much the point is moved: the cage's size, or not at all
   CageCoordinates coordinates_;
   std::vector<double> parameters_;
-  /// By kind of element, one a block.
+  /// By kind of element, one per block.
   std::array<std::vector<Evaluation>, element_kinds.size()> evaluations_;
 };
 

@@ -33,7 +33,7 @@ struct CoordinateSummary {
   Largest partition;            ///< |sum - 1|, or |sum| outside kinds that vanish there
   Largest reproduction;         ///< distance of the reproduced point, in cage sizes
   /// Points that coordinates whose sum is right give back to fewer than 8 digits of the cage's size, because the cage
-  /// is so small beside its distance from the origin.
+  /// is so small compared with its distance from the origin.
   std::size_t misplaced = 0;
   double far_off = 0;       ///< the largest number among the cage's vertices, in cage sizes
   double grain = 0;         ///< how far apart doubles are there, in cage sizes

@@ -17,7 +17,7 @@ struct HuntObjective {
   const Check* check = nullptr;  ///< whose error
 };
 
-/// Options of a hunt: formula, objectives, regimes and budget.
+/// Options of a hunt.
 struct HuntOptions {
   const Formula* formula = nullptr;
   std::vector<HuntObjective> objectives;  ///< each is measured at every input, since the truth costs most
