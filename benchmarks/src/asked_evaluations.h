@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which evaluations are compared: those that names, lists and globs ask for, or what tells most where nothing is asked.
+// Evaluations to compare: those that names, lists and globs ask for, or without any the most informative ones.
 #pragma once
 
 #include "cageproof/benchmarks/work_precision.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole coordinates by a fixed rule on every triangle, as quick as such a loop gets: what closed forms have to beat.
+// Whole coordinates by a fixed rule on every triangle, as quick as such a loop gets: closed forms have to beat it.
 #pragma once
 
 #include "gauss_kernels.h"
@@ -25,7 +25,7 @@ GaussRule three_quad_rule(int side);
 /// Values of green, biharmonic or somigliana coordinates by a rule. Safe from any thread.
 class GaussLoop {
  public:
-  /// Whether there is such a loop: in space, for the three kinds.
+  /// Whether the loop exists for the kind: in space, for three kinds.
   static bool exists(const CoordinateKind& kind, const Cage& cage);
 
   /// Quads are split at their shorter diagonal, parameters are the kind's defaults. \pre exists(kind, cage)

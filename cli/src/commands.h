@@ -41,8 +41,8 @@ void add_vectors(CommandLine& line, const std::string& command_line);
 /// `help`, `version`, `man` and `completion`: what the program says of itself. \param line lives as long as the program
 void add_descriptions(CommandLine& line);
 
-/// Prints what is broken and the verdict on standard output; what is to be said of the run's sessions on standard
-/// error. \param out the report's folder
+/// Prints broken promises and the verdict on standard output, and remarks on the run's sessions on standard error.
+/// \param out the report's folder
 ExitCode print_verdict(const RunResult& result, const std::string& out);
 
 /// Options that every command with a cage shares.

@@ -37,8 +37,8 @@ std::pair<std::filesystem::path, std::string> description_file(const std::filesy
                                                                const reports::DescribedCage& cage,
                                                                const nlohmann::ordered_json& description);
 
-/// Refuses a table that such a file cannot be made of in half of the memory there is: nothing of the work is done then.
-/// \throws InputError with the sizes, and what to do
+/// Refuses, before any work is done, a table that needs more than half of the memory to write as such a file. \throws
+/// InputError with the sizes, and what to do
 void require_memory_for(const std::filesystem::path& out, std::size_t points, std::size_t columns);
 
 }  // namespace cageproof::cli

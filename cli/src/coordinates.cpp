@@ -136,7 +136,7 @@ validation::CoordinateSummary written(const Arguments& a, const CageCoordinates&
   std::optional<RowsFile> file;
   if (by_rows) file.emplace(a.out, table, points.size());
   else table.values.resize(points.size() * written_columns);
-  // Lines of CSV are kept until those before them are written: so many at a time.
+  // Lines of CSV wait in memory until those before them are written, so only this many parts are computed at a time.
   const std::size_t parts = parts_together(columns, a.jobs);
   if (file) file->expect(parts);
   const auto take = [&](std::size_t part, std::size_t first, std::span<const double> rows) {

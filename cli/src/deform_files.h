@@ -49,8 +49,8 @@ void check_names(const DeformArguments& a, std::size_t maps);
 /// \throws InputError where --out is of a format that has no place for what the points are
 void check_shapes(const DeformArguments& a, const Mesh& mesh, int dimension);
 
-/// The file of --points, of which images take along what does not depend on places, and what of it is left out, said
-/// once on standard error.
+/// The file of --points. Images take along its data that do not depend on places; the others are named once on standard
+/// error.
 class MeshSource {
  public:
   explicit MeshSource(const std::string& points);

@@ -50,8 +50,8 @@ bool names_check(const Arguments& a, std::string_view check, bool& by_glob) {
   return named;
 }
 
-// The checks of an evaluation that are named; without names the promised error, and of those that promise
-// digits what they leave of them.
+// The checks of an evaluation that are named. Without names they are the promised error, and, for evaluations that
+// promise digits, the digits left.
 std::vector<const validation::Check*> checks_of(const Arguments& a, const Evaluation& evaluation) {
   std::vector<const validation::Check*> chosen;
   for (const auto& check : validation::checks()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a command is, and remarks, on standard error: for those who wait. --quiet says neither.
+// Progress of a command, and remarks, on standard error for users who wait. --quiet switches both off.
 #pragma once
 
 #include "command_line.h"

@@ -124,7 +124,7 @@ int run(Arguments& a) {
     options.mesh_name = a.points;
     options.mesh = load_points(a.points, options.cage->dimension());
   }
-  // A report on a cage says what kinds of coordinates take in it, others what formulas do on one element.
+  // A report on a cage states the times of kinds of coordinates in it, other reports those of formulas on one element.
   options.take_times = [&](const std::string& formulas, const std::string& evaluations) {
     return options.only_cage ? benchmarks::times_of_kinds(*options.cage, options.triangulation)
                              : benchmarks::times_of_evaluations(formulas, evaluations);

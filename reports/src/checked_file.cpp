@@ -63,7 +63,7 @@ struct Target {
 
   File opened() const {
     if (!descriptor) return File(std::fopen(path.c_str(), "wb"));
-    // Another one of the same open file: what follows goes on behind what is written here.
+    // A second descriptor of the same open file: later output continues behind the bytes written here.
     const int same = ::dup(*descriptor);
     return File(same < 0 ? nullptr : ::fdopen(same, "wb"));
   }

@@ -124,7 +124,7 @@ Picture placeholder(const Picture& picture, const std::string& reason) {
                       gnuplot_text("the data beside it is whole"))};
 }
 
-// Draws a picture by itself that failed among others, or what stands for it. Nothing where it is drawn.
+// Draws one picture of a group that failed, or a placeholder with the returned reason. Nothing where it is drawn.
 std::optional<std::string> draw_alone(const Picture& picture, const fs::path& folder, std::size_t number) {
   const fs::path path = folder / picture.file;
   const auto try_drawing = [&](const Picture& one) {

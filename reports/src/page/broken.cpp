@@ -22,7 +22,7 @@ Data line_of(const ResultRow& row, const ShownNames& names) {
   data.set("where", names.of(row.setting) + (row.place.empty() ? "" : ", " + row.place));
   data.set("check", row.check);
   data.set("order", std::string(order_name(row.order)));
-  // A figure that is kept is not what is broken.
+  // A figure within its bound is not the reason why the row is broken.
   const bool above = row.bound && row.samples > 0 && !(row.max <= *row.bound);
   data.set("max", above ? short_error(row.max) : "samples lost");
   data.set("bound", row.bound ? short_number(*row.bound) : "");

@@ -22,7 +22,7 @@ void add_side_relation_check(CheckList& list);  // side_relation
 /// Within a check, `Role` is the check's own.
 inline bool is_recommended(const Evaluation& evaluation) { return evaluation.role() == Role::Recommended; }
 
-/// Whether it is what stands in for the integral in multiprecision: the closed form, or, where a formula has none, the
+/// Whether the evaluation stands for the integral in multiprecision: the closed form, or, where a formula has none, the
 /// recommended evaluation.
 inline bool stands_for_truth(const Evaluation& evaluation) {
   const Role role = evaluation.role();
@@ -60,7 +60,7 @@ inline std::array<Finding, 3> without_truth(int order) {
   return findings;
 }
 
-/// Whether a tensor of this size has all of R's digits: neither beyond its range nor next to its smallest numbers.
+/// Whether a tensor of this size has all of R's digits: it is within R's range, and not next to R's smallest numbers.
 template <Scalar R>
 bool representable(const Mp100& size) {
   if constexpr (is_multiprecision<R>) return true;

@@ -39,7 +39,7 @@ bool takes_every_sample(const Evaluation& evaluation) {
 // distances down to 1e-16, and at the end of those up to 1e8: integrals are asked at two, at least, of a sweep.
 constexpr int wide_stride = 7;
 
-// At most n, at least one: steps over what lies exactly on an element and what lies a rounding off it by turns.
+// Largest odd stride up to n, at least one: samples exactly on an element and a rounding off it take turns.
 constexpr int largest_odd(int n) { return n < 2 ? 1 : n - (n % 2 == 0 ? 1 : 0); }
 
 // The samples of a regime that are taken: every stride-th below end.

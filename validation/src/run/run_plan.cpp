@@ -244,7 +244,7 @@ class Planner {
     campaign.truth_points = std::min(campaign.truth_points, 1);
     campaign.on_points = 8;
     campaign.differences = false;
-    // Between walls that are as good as one, densities are as good as undetermined.
+    // Densities are nearly undetermined between walls that nearly coincide.
     campaign.solved_elements = 0;
     // Elements as thin as these need hundreds of digits for their derivatives: suites with time ask for them.
     campaign.properties_alone = options_.suite.truth_points < 4;

@@ -8,7 +8,7 @@ namespace cageproof::validation {
 /// The option that stands for the list of units of work.
 inline constexpr const char* work_option = "work";
 
-/// The result of a journal's findings, without the fields. Takes the journal's rows: those of a result are as large.
+/// The result of a journal's findings, without the fields. Moves the journal's rows, because they are large.
 RunResult result_of(reports::Journal& journal);
 
 /// Writes the whole report of a run whose units are all done.

@@ -27,8 +27,8 @@ class TruthCache {
   /// \param checked one of so many that are found there is made again, at random
   TruthCache(const std::filesystem::path& folder, const std::string& version, unsigned checked = 100);
 
-  /// The truth that is kept for the question, or a new one, which is kept from then on.
-  /// \throws InputError when one that is made again is not what was kept
+  /// The truth that is stored for the question, or a new one, which is then stored. \throws InputError when one that is
+  /// made again differs from the stored one
   Truth get(const std::string& question, const std::function<Truth()>& make);
   std::size_t taken() const { return taken_; }
   std::size_t made() const { return made_; }

@@ -9,7 +9,7 @@ namespace cageproof::reports {
 /// `ulimit -f` is an error of its write.
 void end_cleanly_on_signals();
 
-/// Does not come back when such a signal has arrived: what fails after it is its doing, and nothing to complain of.
+/// Does not return when such a signal has arrived: errors after it are its effects, and are not reported.
 void wait_if_ending();
 
 }  // namespace cageproof::reports

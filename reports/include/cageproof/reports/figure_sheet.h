@@ -13,8 +13,8 @@
 
 namespace cageproof::reports {
 
-/// From where panels are seen, by parallel rays: what points towards the viewer, and what is up. Other than zero and
-/// not parallel.
+/// The direction of parallel rays in which panels are seen: `towards` the viewer, and `up`. Both are nonzero, and they
+/// are not parallel.
 struct FigureView {
   Vec3<double> towards = Vec3<double>(0, 0, 1), up = Vec3<double>(0, 1, 0);
 };

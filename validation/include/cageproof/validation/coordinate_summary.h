@@ -39,8 +39,8 @@ struct CoordinateSummary {
   double grain = 0;         ///< how far apart doubles are there, in cage sizes
   bool reproduces = false;  ///< whether the kind reproduces points at all
 
-  /// Points whose values are finite, and of whose derivatives some are not: on the cage; off it with NaN among them,
-  /// and with infinities only.
+  /// Points with finite values and some derivatives that are not finite: on the cage; off it with a NaN among them; and
+  /// off it with infinities only.
   Counted derivatives_on, derivatives_missing, derivatives_infinite;
 
   std::size_t without_derivatives() const {

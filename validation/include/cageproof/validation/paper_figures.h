@@ -25,7 +25,7 @@ class PaperFigure {
   /// Findings for the panels of a part; different parts have different keys, which begin with `figure/`. \param jobs
   /// threads; 0: all cores; the findings are the same for any
   virtual FigureFindings part(int part, int jobs) const = 0;
-  /// Whether there is all of what its panels show.
+  /// Whether the findings for all of its panels are there.
   virtual bool is_in(const FigureFindings& found) const = 0;
   /// \pre is_in(found)
   virtual std::vector<reports::FigureSheet> sheets(const FigureFindings& found) const = 0;
