@@ -60,7 +60,7 @@ std::shared_ptr<const DeformedCage> cage_of(const Files& files) {
 
 int main(int argc, char** argv) {
   using namespace cageproof::benchmarks;
-  // A preset short enough to time everything in minutes; what the user says comes later and wins.
+  // A preset that times everything in minutes; the user's own options come later and win.
   char min_time[] = "--benchmark_min_time=0.1";
   std::vector<char*> arguments(argv, argv + argc);
   arguments.insert(arguments.begin() + (argc > 0 ? 1 : 0), min_time);

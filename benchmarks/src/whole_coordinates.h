@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole coordinates as benchmarks ask for them: by which evaluations, and applied to what.
+// Whole coordinates for benchmarks: the evaluations that compute them, and the data that they are applied to.
 #pragma once
 
 #include "deformer_benchmarks.h"

@@ -195,7 +195,7 @@ Command CommandLine::command(const std::string& name, const std::string& descrip
 ProgramText CommandLine::describe() const { return text_of(*app_); }
 
 std::string CommandLine::help(const std::string& command) const {
-  // Of App::help the choice of this run would decide whose help it is.
+  // App::help would show the help of the command chosen in this run instead.
   return help_formatter()->make_help(command.empty() ? app_.get() : app_->get_subcommand(command),
                                      command.empty() ? "cageproof" : "cageproof " + command,
                                      CLI::AppFormatMode::Normal);

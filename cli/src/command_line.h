@@ -40,7 +40,7 @@ class Option {
   Option& in_range(double lowest, double highest);
   /// Takes exactly so many values.
   Option& values(int count);
-  /// Takes one value at a time: what follows it is not its own.
+  /// Takes one value each time it is given: the next word is not its value.
   Option& one_at_a_time();
   /// The two are not given together.
   Option& excludes(const Option& other);

@@ -7,7 +7,7 @@
 
 namespace cageproof::cli {
 
-/// An option, or what stands without one (a positional).
+/// An option, or a positional argument.
 struct OptionText {
   std::vector<std::string> names;    ///< "--regimes", "--regime"; of a positional its one name
   std::string type;                  ///< name of its value, "FOLDER"; empty: takes none
@@ -32,7 +32,7 @@ struct ProgramText {
   std::vector<CommandText> commands;
 };
 
-/// The description with what else is to be said: "; default: 1; required; not with --out".
+/// The description with all conditions: "; default: 1; required; not with --out".
 std::string whole_description(const OptionText& option);
 
 /// The options that stand under one heading, in their order.

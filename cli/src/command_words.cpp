@@ -21,7 +21,7 @@ OptionText text_of(const CLI::Option& option) {
   for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
   text.description = option.get_description();
-  // CLI11's own name for what has no heading.
+  // CLI11's own name of the group of options without a heading.
   if (option.get_group() != "Options") text.heading = option.get_group();
   text.repeats = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
   text.required = option.get_required();

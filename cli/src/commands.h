@@ -57,7 +57,7 @@ struct CageArguments {
   Option add_to(Command command, bool required);
   /// \throws InputError as read_cage; names of embedded cages are taken first
   Cage load() const { return load_merged().cage; }
-  /// The same with what --merge joined; nothing without it.
+  /// The same cage with the vertices that --merge joined; nothing without --merge.
   struct Merged {
     Cage cage;
     std::optional<Merging> merging;

@@ -62,7 +62,7 @@ void tell_solved(const CageCoordinates& coordinates) {
   }
 }
 
-// JSON has no infinity: what is none is null.
+// JSON has no infinity, so an infinite number is null.
 nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
   nlohmann::ordered_json all = {{"schema", "cageproof-solved"}, {"schema_version", 1}};
   all["kind"] = coordinates.kind().name;
@@ -81,7 +81,7 @@ nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
   return all;
 }
 
-// How many blocks of points are computed before what was made of them is written.
+// Number of blocks of points that are computed before their rows are written.
 std::size_t parts_together(std::size_t columns, int jobs) {
   // Text of a number takes about 20 bytes.
   constexpr std::size_t bytes = std::size_t{1} << 26, of_number = 20;

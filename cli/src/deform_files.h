@@ -46,7 +46,7 @@ std::vector<std::pair<std::string, std::string>> given_data(const DeformArgument
 /// written, whose folder does not exist, or that is read or written, too
 void check_names(const DeformArguments& a, std::size_t maps);
 
-/// \throws InputError where --out is of a format that has no place for what the points are
+/// \throws InputError where --out is of a format that cannot hold such points
 void check_shapes(const DeformArguments& a, const Mesh& mesh, int dimension);
 
 /// The file of --points. Images take along its data that do not depend on places; the others are named once on standard
@@ -55,13 +55,13 @@ class MeshSource {
  public:
   explicit MeshSource(const std::string& points);
 
-  /// Whether files of that extension take along what it has.
+  /// Whether files of that extension can hold all of the source's data.
   bool is_carried_to(std::string_view extension) const;
   /// Its text with other vertices; VTP with arrays of the images, too. \pre is_carried_to its own extension
   std::string with_images(const Mesh& mesh, const CoordinateColumns& images);
   /// STL or SVG, by the file's extension, which hold parts of a mesh.
   std::string text_of(const std::filesystem::path& file, const Mesh& mesh);
-  /// Says what files of that extension do not take along. \param also of the mesh
+  /// Names the data that files of that extension cannot hold. \param also of the mesh
   void say_left_out_of(std::string_view extension, const std::vector<std::string>& also = {});
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of `coordinates` that drop small weights, and what is said of it.
+// The options of `coordinates` that drop small weights, and the remarks on them.
 #pragma once
 
 #include "command_line.h"

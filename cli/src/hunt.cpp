@@ -159,7 +159,7 @@ reports::WorstLine line_of(const Arguments& a, const HuntObjective& objective, c
   return line;
 }
 
-// Prints what was found for one objective; returns whether it breaks a promise.
+// Prints the findings for one objective; returns whether it breaks a promise.
 bool print(const Arguments& a, const HuntObjective& objective, const HuntResult& result) {
   const auto head = fmt::format("{} {} {} {} order {}", a.formula, objective.evaluation.name(), a.scalar,
                                 objective.check->name(), a.options.order);

@@ -47,7 +47,7 @@ void print_parameters(const std::vector<KindParameter>& parameters) {
   }
 }
 
-// Whether what is printed of them has anything to show.
+// Whether a name among the rows matches, so that their heading is printed.
 bool any_of(const auto& rows, const std::string& asked, auto name) {
   return std::ranges::any_of(rows, [&](const auto& row) { return matches(asked, name(row)); });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The manual, made of the command line's own description and of what holds for all commands.
+// The manual, made of the command line's own description and of rules for all commands.
 #pragma once
 
 #include "command_text.h"

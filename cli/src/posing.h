@@ -10,7 +10,7 @@
 
 namespace cageproof::cli {
 
-/// A map, and what it is made from.
+/// A map, and the posed cage and parameters that define it.
 struct DescribedMap {
   std::unique_ptr<const deformation::Posed<double>> map;
   std::string file;                         ///< that describes it

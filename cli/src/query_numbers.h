@@ -29,7 +29,7 @@ std::optional<std::string> invalid_quad(const QueryText& text, const Formula& fo
 /// \throws InputError with that reason
 void require_valid_quad(const QueryText& text, const Formula& formula);
 
-/// Owns what its query points to.
+/// Owns the arrays that its query points to.
 template <Scalar R>
 class QueryNumbers {
  public:

@@ -33,7 +33,7 @@ class SparseFile {
 
   /// Rows of consecutive points, from any thread. \param part a number of the block, rising from 0 after each flush
   void put(std::size_t part, std::size_t first, std::span<const double> rows);
-  /// Takes what put() has left, in the order of parts. \throws InputError where memory does not hold it
+  /// Takes the rows that put() has left, in the order of parts. \throws InputError where memory does not hold them
   void flush();
   /// Makes room for so many parts between two flushes.
   void expect(std::size_t parts) { parts_.resize(parts); }

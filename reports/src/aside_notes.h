@@ -20,7 +20,7 @@ class AsideNote {
   std::filesystem::path path_;
 };
 
-/// Held while what was written aside is put in its place: signals wait until this is done.
+/// Held while a file is renamed into its place: signals wait until this is done.
 std::unique_lock<std::mutex> undisturbed();
 
 /// All noted paths. \pre undisturbed() is held

@@ -19,7 +19,7 @@ std::string about(const ResultRow& row) {
   return row.section == RowKey::Section::Cage ? row.setting : row.subject.substr(0, row.subject.find('.'));
 }
 
-// The first few of what rows say, each once.
+// The first few of the rows' words, each once.
 template <class Member>
 std::string named(const BrokenGroup& group, Member member) {
   constexpr std::size_t most = 6;

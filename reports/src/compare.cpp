@@ -129,7 +129,7 @@ std::size_t name_hybrids(Json& before, const Json& after) {
   return count;
 }
 
-// The entries of a list by what they are about, in words.
+// The entries of a list by their subjects, in words.
 std::map<std::string, const Json*> entries(const Json& summary, const List& list, const Renamed& renamed) {
   std::map<std::string, const Json*> found;
   if (!summary.contains(list.name)) return found;

@@ -24,7 +24,7 @@ constexpr std::array<std::array<int, 2>, 5> kShapes{{{7, 6}, {5, 4}, {9, 8}, {11
 constexpr double kSmallestDrawn = 0.1;
 constexpr std::size_t kManyPoints = 40;
 
-// The looks of a curve, as gnuplot has them; what is recommended is drawn thicker.
+// The looks of a curve, as gnuplot has them; recommended evaluations are drawn thicker.
 class Styles {
  public:
   explicit Styles(const RunResult& result) : series_(result) {}
@@ -110,7 +110,7 @@ std::string data(const Curves& curves, Range errors) {
       const double p = curves[n]->parameters[i], error = curves[n]->errors[i];
       if (!(p > 0) || !std::isfinite(p)) continue;
       if (std::isfinite(error)) finite += fmt::format("{} {}\n", p, std::max(error, kSmallestDrawn));
-      // A gap in the line, not a bridge over what is not finite.
+      // Values that are not finite leave a gap in the line.
       else finite += "\n", infinite += fmt::format("{} 1e{}\n", p, errors.high_decade);
     }
     text += fmt::format("$d{} << EOD\n{}EOD\n$i{} << EOD\n{}EOD\n", n, finite.empty() ? "NaN NaN\n" : finite, n,
@@ -119,7 +119,7 @@ std::string data(const Curves& curves, Range errors) {
   return text;
 }
 
-// Evaluations, then the promise and the marker for what is not finite.
+// Evaluations, then the promise and the marker for values that are not finite.
 std::vector<std::string> legend(const Curves& curves, const Styles& styles, bool promised, bool infinite) {
   std::vector<std::string> entries;
   std::set<std::string> seen;

@@ -35,7 +35,7 @@ using Rows = std::vector<const ResultRow*>;
 /// "all promises kept", or how many are broken, or that nothing was promised.
 std::string verdict_line(const RunResult& result);
 
-/// The broken rows: what others rest on first, then the one furthest beyond its bound.
+/// The broken rows: foundations of others first, then the one furthest beyond its bound.
 Rows broken_rows(const RunResult& result);
 
 /// The subjects of a section that have rows: formulas in the catalogue's order, then others as they come.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the panels of a figure lie, and what scale they have.
+// Places and scales of a figure's panels.
 #include "figure_layout.h"
 
 #include <algorithm>

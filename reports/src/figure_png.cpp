@@ -40,7 +40,7 @@ std::map<std::pair<int, int>, bool> edges_of(const FigurePanel& panel, const Vie
 void draw_cage(const FigurePanel& panel, const FigureFrame& frame, const ViewAxes& axes, bool near, Canvas& canvas) {
   const std::vector<Place> places = places_of(frame, panel.cage);
   std::vector<char> shown(places.size());
-  // Many edges hide what they enclose.
+  // Many edges would hide the picture behind them, so they are drawn thinner.
   const bool many = panel.cage_faces.size() > 40 && !panel.flat;
   for (const auto& [edge, seen] : edges_of(panel, axes)) {
     if (seen != near) continue;

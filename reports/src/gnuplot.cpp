@@ -71,7 +71,7 @@ class Gnuplot {
   }
 
  private:
-  // The line of gnuplot's message that says what is wrong.
+  // The line of gnuplot's message that names the error.
   std::string complaint() const {
     const std::string log = read_file(log_);
     const std::size_t end = log.find_last_not_of("\n ");
@@ -150,7 +150,7 @@ std::vector<std::string> draw(const std::vector<Picture>& pictures, const fs::pa
   for (std::size_t i = 0; i < pictures.size(); ++i) scripts[i % jobs] += commands(pictures[i], folder);
   std::vector<std::unique_ptr<Gnuplot>> running;
   for (std::size_t i = 0; i < jobs; ++i) running.push_back(std::make_unique<Gnuplot>(folder, i, scripts[i]));
-  // A script ends at the first picture that gnuplot refuses: those after it are not there.
+  // A script ends at the first picture that gnuplot refuses, so later ones of that script are missing.
   for (const auto& process : running) process->finish();
   std::vector<std::future<std::vector<std::size_t>>> finishing;
   for (std::size_t job = 0; job < jobs; ++job)

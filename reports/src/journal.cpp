@@ -126,7 +126,7 @@ class Reader {
     for (const Json& range : line["units"]) take_units(range.at(0).get<std::size_t>(), range.at(1).get<std::size_t>());
     open_ = false;
   }
-  /// Whether results have come whose units have not.
+  /// Whether results have been read whose units have not.
   bool open() const { return open_; }
 
  private:

@@ -236,7 +236,7 @@ class State {
         .refer("Representations", shown);
   }
 
-  // A chain of splits: the first view at the left, the others in what is right of it.
+  // A chain of splits: the first view at the left, the others in the part to its right.
   void layout() {
     Proxy layout = proxy("layouts", "side by side", "misc", "ViewLayout", kLayout, 20);
     const int views = static_cast<int>(scene_.compared.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Folders for what is written to be read at once.
+// Temporary folders for files that are written and read at once.
 #pragma once
 
 #include "aside.h"

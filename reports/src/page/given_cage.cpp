@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view scope_setting = "scope", cage_setting = "cage", points_place = "mesh";
 
-// As many roundings below zero may be zero: what all sums of coordinates are promised to.
+// Coordinates down to so many roundings below zero may be zero: all sums of coordinates have this bound.
 constexpr double roundings_of_zero = 64;
 
 std::string setting_of(const RunResult& result, std::string_view name) {

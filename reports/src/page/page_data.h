@@ -66,7 +66,7 @@ std::string heat_class(const ResultRow& row);
 /// Formulas by regimes, of values in the recommended evaluation.
 void set_heat_map(Data& page, const RunResult& result);
 
-/// One line a formula and regime, and what a script shows in them of other evaluations.
+/// One line per formula and regime, with other evaluations' cells for the script.
 void set_overview(Data& page, const RunResult& result);
 
 /// The cages and deformers, a line each.

@@ -171,7 +171,7 @@ BlockTruth BlockTruths::truth_near(const Point& point, double distance, int orde
   std::vector<Point> points{point};
   if (order >= 2)
     points.emplace_back(point + step * generic_direction<Number>(convert<double>(point), static_cast<int>(dim)));
-  // One order more than is asked, where the formulas have it, is the derivative of what is.
+  // A higher order than asked, where the formulas have it, gives the derivative of the results.
   const int taken = std::min(order + 1, 2);
   const auto tables = sums_.at<Number>(points, taken);
   std::vector<Coordinates> at;

@@ -160,7 +160,7 @@ class DifferencesCheck final : public Check {
     for (int o = 1; o <= in.order; ++o) {
       findings[o] = finding_for(in.truth, o);
       if (findings[o].status != Finding::Status::Measured) continue;
-      // A derivative that vanishes is measured by what it is the derivative of, a longest edge further.
+      // A derivative that vanishes is measured by the order below it, over the longest edge.
       const Mp100 own = norm_of(f.of(o));
       const Mp100 size = own > 0 ? own : Mp100(norm_of(f.of(o - 1)) / Mp100(longest_edge<double>(in.sample.corners)));
       std::vector<Mp200> differences;

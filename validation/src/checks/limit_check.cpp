@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The check of what the closed form says on the element itself: limits, infinities and their signs.
+// Check of the closed form on the element itself: limits, infinities and their signs.
 #include "checks/check_makers.h"
 
 #include "element/element_sampling.h"

@@ -20,7 +20,7 @@ SpaceMap turn(int dimension);
 /// rotations, and enough Hessians to determine all coefficients.
 std::vector<Vec3<double>> places_for(const deformation::ConstraintMethod& method, const Cage& cage, Triangulation rule);
 
-/// A cage, and what is asked of its map.
+/// A cage, and the constraints on its map.
 struct ConstrainedProblem {
   Cage cage;
   deformation::Constraints constraints;

@@ -28,7 +28,7 @@ struct DeformerVariant {
   bool is_default = true;          ///< whether all of them are at their defaults
 };
 
-/// Cages with so many elements at most are asked for what takes seconds on larger ones.
+/// Largest number of elements of a cage on which checks are asked that take seconds on larger ones.
 inline constexpr std::size_t few_elements = 12;
 
 /// All variants of a method, in the order of the parameters and their names.
@@ -37,9 +37,9 @@ std::vector<DeformerVariant> variants_of(const deformation::DeformMethod& method
 /// The variant of that name. \throws InputError where there is none
 DeformerVariant variant_named(const deformation::DeformMethod& method, std::string_view name);
 
-/// An error of an image, by what it may be.
+/// An error of an image, with and without excuses.
 struct DeformerError {
-  /// In cage sizes (Jacobians: as they are; second derivatives: times the size), over what excuses it.
+  /// In cage sizes (Jacobians: as they are; second derivatives: times the size), divided by the excuses.
   double error = std::numeric_limits<double>::quiet_NaN();
   double plain = std::numeric_limits<double>::quiet_NaN();  ///< without excuses
 };

@@ -8,7 +8,7 @@
 
 namespace cageproof::validation {
 
-/// A claim, and what measures it.
+/// A claim, and the function that measures it.
 struct DeformerClaim {
   /// `formula` is the deformer's name, `evaluation` its parameters, `regime` the cage; empty where nothing is measured.
   ErratumRow row;

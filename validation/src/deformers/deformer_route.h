@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which second route a deformer has, by what its parameters mean.
+// The second route of a deformer, chosen by its parameters.
 #pragma once
 
 #include "deformer_checks.h"

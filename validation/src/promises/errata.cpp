@@ -24,7 +24,7 @@ void fill_in(const ErrataOptions& options, ErratumRow& row) {
   const bool on_element = row.regime.starts_with("on-");
   for (std::uint64_t i = 0; row.samples < static_cast<std::uint64_t>(options.samples); ++i) {
     const Sample sample = make_sample(formula, regime, options.seed, i);
-    // Special cases are those that are met exactly, not one ulp off.
+    // Special cases must be met exactly, not one ulp off.
     if (on_element && contact_of(formula.element, sample) == Contact::Off) continue;
     ++row.samples;
     Truth truth;

@@ -167,7 +167,7 @@ Judged judged(std::map<RowKey, Tally>&& tallies, Samples samples) {
   result.rows.reserve(tallies.size());
   for (auto& [key, tally] : tallies) {
     if (!tally.empty()) result.rows.push_back(row_of(key, tally));
-    // Curves need what is left.
+    // Curves need the rest of the tally.
     tally.errors = ErrorHistogram();
     tally.worst = WorstCases();
   }

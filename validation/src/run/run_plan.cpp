@@ -198,7 +198,7 @@ class Planner {
       const auto [low, high] = box_of(cage.vertices());
       const CageCoordinates coordinates(cage, kind, CoordinateOptions{.triangulation = options_.triangulation});
       coordinates.at<double>(Vec3<double>((low + high) / 2), 0);
-      // Where digits just suffice, those of the cage scaled or turned, which checks ask for, may not.
+      // Where digits just suffice for the cage, they may not for the scaled or turned one, which checks ask for.
       const CageSymmetries symmetries(cage, kind, coordinates.evaluation(), options_.triangulation);
     } catch (const InputError& error) {
       known->second = error.what();

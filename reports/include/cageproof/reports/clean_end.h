@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the program ends by a signal: by that signal, and without what it was writing.
+// Ends the program by the signal that arrived, and removes unfinished files.
 #pragma once
 
 namespace cageproof::reports {

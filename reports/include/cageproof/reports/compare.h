@@ -25,7 +25,7 @@ struct Differences {
   std::vector<std::string> differing;  ///< a line each: what, and every figure that differs as "old -> new"
   std::vector<std::string> gone;       ///< entries only in the old report, one line each
   std::vector<std::string> added;      ///< entries only in the new report, one line each
-  /// Entries `closed_form` of a schema before 4 that were compared with `hybrid`, which is what they were.
+  /// Entries `closed_form` of a schema before 4 that were compared with `hybrid`, their name today.
   std::size_t taken_for_hybrid = 0;
   bool same() const { return differing.empty() && gone.empty() && added.empty(); }
 };

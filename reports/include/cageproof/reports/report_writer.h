@@ -49,7 +49,7 @@ class ReportWriter {
   /// \throws InputError when the parent is missing or cannot be written, or `out` holds anything but a report of that
   /// kind
   explicit ReportWriter(const std::filesystem::path& out, Kind kind = Kind::Verification);
-  /// Removes what was written unless commit() was reached.
+  /// Removes the unfinished folder unless commit() was reached.
   ~ReportWriter();
   ReportWriter(const ReportWriter&) = delete;
   ReportWriter& operator=(const ReportWriter&) = delete;

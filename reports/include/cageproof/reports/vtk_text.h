@@ -13,7 +13,7 @@ namespace cageproof::reports {
 /// 2 where it is not finite.
 enum class FieldArrays { Alone, WithLogarithms };
 
-/// Errors below 1e-17 are as good as none: relative to a double, nothing is finer.
+/// Errors below 1e-17 count as none, because relative to a double nothing is finer.
 inline constexpr double kLog10Floor = -17;
 /// The values of masks.
 inline constexpr unsigned char kNoValue = 0, kHasValue = 1, kNotFinite = 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The terms that cage coordinates are summed from: what their rounding is counted in.
+// The terms of cage coordinates as sums, in which their rounding is counted.
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"

@@ -43,8 +43,8 @@ struct ElementSlice {
 };
 ElementSlice slice_of(ElementKind kind, int resolution);
 
-/// The corners of a cage's elements of one kind: of quads as they are, of triangles those of its triangulation.
-/// \throws InputError where the cage has none
+/// The corners of a cage's elements of one kind: quads as they are, or the triangles of its triangulation. \throws
+/// InputError where the cage has none
 std::vector<std::vector<Vec3<double>>> elements_of(const Cage& cage, ElementKind kind, Triangulation rule);
 
 /// Partition of unity and linear reproduction on a slice (arrays of those names, raw errors).

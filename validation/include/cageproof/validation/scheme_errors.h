@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far the scheme of a kind is from what it approximates (CoordinateKind::approximates). Rounding has no share in
-// it that would be seen, and what it is measured with is good to worst_truth.
+// Distance of a kind's scheme from the kind that it approximates (CoordinateKind::approximates). Rounding is negligible
+// in it, and its own measure is good to worst_truth.
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"

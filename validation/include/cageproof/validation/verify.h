@@ -64,7 +64,7 @@ struct VerifyOptions {
   /// Takes the times of evaluations whose formulas and names match these globs, before anything is measured. Null:
   /// the report has none.
   std::function<std::vector<EvaluationTime>(const std::string& formulas, const std::string& evaluations)> take_times;
-  /// Told what the run leaves out of the user's cage, and why, before anything is measured.
+  /// Called before anything is measured, with the parts that the run leaves out of the user's cage, and why.
   std::function<void(const std::string&)> warn;
   /// Told what a thread begins, by name, and, with an empty one, that it has ended that: in planning, in measuring and
   /// in drawing the report. From any thread. Null: nobody.
