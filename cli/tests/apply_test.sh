@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What `coordinates` writes is enough to apply it: the examples of docs/apply.md, in NumPy and in Blender, give what `deform` does.
+# The files of `coordinates` suffice to apply them: the examples of docs/apply.md, in NumPy and in Blender, give the images of `deform`.
 # Usage: apply_test.sh PATH_OF_CAGEPROOF
 # shellcheck source=support.sh
 here=$(dirname "$(readlink -f "$0")")

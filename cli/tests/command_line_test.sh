@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The command line as a user meets it: what it answers, and how it refuses. Usage: command_line_test.sh PATH_OF_CAGEPROOF
+# The command line as a user meets it: its answers and its refusals. Usage: command_line_test.sh PATH_OF_CAGEPROOF
 set -u
 cageproof=$1
 work=$(mktemp -d)
@@ -28,7 +28,7 @@ refuses() {
   [ -z "$(find "$work" -name '.out*' -print -quit)" ] || fail "left something aside: $*"
 }
 
-# More on standard error than where points lie and what is left of partition and reproduction.
+# Lines on standard error other than places of points and errors of partition and reproduction.
 says_more() { grep -qvE '^([0-9]+ points?: |largest residual: )' "$work/stderr"; }
 
 verify_cage() { "$cageproof" verify --suite quick --out "$work/out" --cage "$@"; }
@@ -255,7 +255,7 @@ for order in 1 2; do
   "$cageproof" coordinates --cage cube --points "$work/on.vtp" --kind green >/dev/null 2>"$work/stderr" || fail "vtp of order $order: $(cat "$work/stderr")"
 done
 
-# Coordinates that are solved for: sums of one, what was solved on standard error and as JSON, and a warning where it is singular.
+# Coordinates that are solved for: sums of one, the systems on standard error and as JSON, and a warning where one is singular.
 write flat.csv '0.25,0.5,0' '0,0,0' '0.375,0,0'
 for parameter in collocation=vertices-and-midpoints collocation=vertices; do
   "$cageproof" coordinates --cage square --points "$work/flat.csv" --kind biharmonic_boundary --parameter pieces=1 --parameter $parameter \
@@ -298,7 +298,7 @@ grep -c '"value":\[0\.' "$work/stdout" | grep -qx 2 || fail "nu = inf: $(cat "$w
 echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,"inf"]}' | "$cageproof" eval --formula triangle.solid_angle --evaluation closed_form >"$work/stdout"
 grep -q 'not finite' "$work/stdout" || fail "a point at infinity: $(cat "$work/stdout")"
 
-# explain: the value is eval's, the lines are those of the closed form's headers, and bad input is refused as everywhere.
+# explain: its value is that of eval, its lines are those of the closed form's headers, and bad input is refused as everywhere.
 explain() { "$cageproof" explain "$@"; }
 element='[[0,0,0],[1,0,0],[0,"0x1.4f2f36e262042p-1",0]]' point='["0x1.233a0f7dd2858p-5",0,"0x1.826552aa027bdp+0"]'
 explain --formula triangle.biharmonic_double_layer --element "$element" --point "$point" --order 1 --entry 4 --limit 3 >"$work/stdout" || fail explain
@@ -433,7 +433,7 @@ awk -F, '$5 == "closed_form" && !($9 < 1e-10) || $5 == "three-quad-75" && ($14 !
 bench --kind green --points "$work/three.csv" >"$work/stdout" || fail "bench --points"
 bench --formula triangle.solid_angle --order 1 --regime near-face --evaluations gauss-4,closed_form >"$work/stdout" || fail "bench --formula"
 [ "$(grep -c near-face "$work/stdout")" -eq 2 ] || fail "bench --formula: $(cat "$work/stdout")"
-# Globs and lists of regimes: those that exist for the element, each once; what was timed, and how long it took.
+# Globs and lists of regimes select those that exist for the element, each once; the output names the calls timed, and their times.
 bench --formula triangle.solid_angle --regime 'on-*,generic,on-face' --evaluations closed_form --csv >"$work/globs.csv" || fail "bench --regime 'on-*'"
 [ "$(cut -d, -f 3 "$work/globs.csv" | sort | uniq -c | awk '$1 > 1' | wc -l)" -eq 0 ] || fail "a regime twice: $(cat "$work/globs.csv")"
 for regime in generic on-face on-edge on-vertex; do grep -q ",$regime," "$work/globs.csv" || fail "no $regime: $(cat "$work/globs.csv")"; done

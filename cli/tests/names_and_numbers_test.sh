@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Names, globs and lists have one grammar, numbers one form, and every refusal says what would have been right.
+# Names, globs and lists have one grammar, numbers one form, and every refusal names a correct input.
 # Usage: names_and_numbers_test.sh PATH_OF_CAGEPROOF
 . "$(dirname "$0")/support.sh"
 
@@ -18,7 +18,7 @@ for command in list eval explain coordinates deform verify merge report compare 
   [ ! -s stderr ] && grep -q Usage stdout || fail "$command --help: $(cat stderr)"
 done
 
-# Names: what may have been meant.
+# Refusals of names say which may have been meant.
 verify() { "$cageproof" verify "$@"; }
 refuses_to verify "unknown formula 'triangle.solid_angel'" "did you mean 'triangle.solid_angle'?" -- --formulas triangle.solid_angel
 refuses_to verify "unknown regime 'fra'" "did you mean 'far'?" -- --regimes 'near-*,fra'

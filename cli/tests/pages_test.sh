@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The report's pages in a browser: what scripts make of them, read from the document that headless Chromium ends with, and that no script fails.
+# The report's pages after their scripts, read from the document that headless Chromium ends with; no script fails.
 # Usage: pages_test.sh PATH_OF_CAGEPROOF
 # shellcheck source=support.sh
 source "$(dirname "$(readlink -f "$0")")/support.sh"
@@ -10,7 +10,7 @@ browser=$(command -v chromium || command -v chromium-browser || command -v googl
   exit 1
 }
 
-# opened ADDRESS FILE: the document after its scripts have run, into FILE; what scripts complained of, into FILE.log.
+# opened ADDRESS FILE: the document after its scripts have run, into FILE; the scripts' complaints, into FILE.log.
 opened() {
   timeout 120 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync \
     --user-data-dir="$work/profile" --window-size=1400,1000 --virtual-time-budget=4000 --enable-logging=stderr --dump-dom "file://$work/$1" >"$2" 2>"$2.log"
