@@ -80,7 +80,7 @@ if command -v clang-tidy-16 >/dev/null; then
   expect 1 '0 of 1 sources are clean, 1 are not' scripts/check_tidy.sh HEAD~2
 fi
 
-# A build of which ninja recorded nothing tells nothing of what is included.
+# A build without ninja's records tells nothing of included files.
 if command -v ninja >/dev/null; then
   mkdir "$work/build"
   printf 'rule c\n  command = touch $out\nbuild closed_form/one.o: c\nbuild cageproof: c closed_form/one.o\n' >"$work/build/build.ninja"

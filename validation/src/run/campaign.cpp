@@ -35,8 +35,8 @@ bool takes_every_sample(const Evaluation& evaluation) {
   return role != Role::Rule && role != Role::Scheme && evaluation.cost() < CostClass::Adaptive;
 }
 
-// Steps through all decades of a sweep, whose lengths seven does not divide. The second sample is in the middle of
-// distances down to 1e-16, and at the end of those up to 1e8: integrals are asked at two, at least, of a sweep.
+// Stride of costly checks. Seven is prime to every sweep's length, so that all decades are visited. The second sample
+// is in the middle of distances down to 1e-16, and at the end of those up to 1e8, so sweeps have two integrals or more.
 constexpr int wide_stride = 7;
 
 // Largest odd stride up to n, at least one: samples exactly on an element and a rounding off it take turns.
