@@ -16,9 +16,9 @@ struct TimedEvaluation {
 };
 std::vector<TimedEvaluation> timed_evaluations(const CoordinateKind& kind, const Cage& cage);
 
-/// Data of a pose of the cage, by block: deformed vertices, normals of deformed elements times the root of the ratio of
-/// areas, and a tenth of these for blocks that reproduce nothing. Coordinates that are numbers have one set per
-/// coordinate of space (three, in the plane two), matrices have one set.
+/// Blocks of data that a pose of the cage gives. They are deformed vertices, normals of deformed elements times the
+/// root of the ratio of areas, and a tenth of these for blocks that reproduce nothing. Coordinates that are numbers
+/// have one set per coordinate of space (three, in the plane two), matrices have one set.
 CageData data_of_pose(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& posed);
 
 }  // namespace cageproof::benchmarks

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts of the command line about itself: help, its description as text, and errors in the words typed.
+// Texts that the command line prints about itself: help, its description as text, and errors in the words typed.
 #pragma once
 
 #include "command_text.h"

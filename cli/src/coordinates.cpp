@@ -264,7 +264,7 @@ void add_coordinates(CommandLine& line) {
   command
       .option("--out", a->out,
               ".npz (named arrays with the cage, its elements and normals), .csv or .npy (points x columns, and "
-              "beside it a .json that says what they are), or .vtp (and beside it the cage as .cage.vtp); CSV on "
+              "next to it a .json that describes them), or .vtp (and next to it the cage as .cage.vtp); CSV on "
               "standard output if not given")
       .taking("FILE");
   Option data = command.option(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Remarks on a deformed mesh, for its report.
+// The report on a deformed mesh.
 #pragma once
 
 #include "cageproof/deformation/mesh_measures.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages of cells work like this once scripts run: cells answer, every figure is listed, D3 draws curves and times.
+// Scripts of pages of cells: cells answer, every figure is listed, D3 draws curves and times.
 // One function, because it waits: modules may wait by themselves, but browsers load none from a folder on disk.
 "use strict";
 (async () => {

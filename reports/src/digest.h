@@ -65,7 +65,7 @@ struct CageTable {
 /// The cages' properties: a line a (cage, check, unit), a column a (kind, evaluation, scalar).
 CageTable cage_table(const RunResult& result);
 
-/// Table of the checks of deformers: one line per (cage, deformer with variant, unit), one column per check.
+/// Table of the checks of deformers, by (cage, deformer with variant, unit) down and by checks across.
 CageTable deformer_table(const RunResult& result);
 
 /// max / bound; without a bound, max. What is worst in one table is largest.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places of a run's worst inputs: one file per formula, cage and deformed cage, with some lines for each row.
+// Worst inputs of a run are stored in one file per formula, cage and deformed cage, with some lines for each row.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"

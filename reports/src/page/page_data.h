@@ -15,7 +15,7 @@ using Data = kainjow::mustache::data;
 /// A list as a template wants it, with a flag that tells whether it has items: {list: [...], has_list: bool}.
 void set_list(Data& data, const std::string& name, const Data& list);
 
-/// Data on all pages: version, suite, seed, style, and the way back to the report's folder. \param root "" or "../"
+/// Data that all pages share (version, suite, seed, style, way to the report's folder). \param root "" or "../"
 Data common_data(const RunResult& result, const std::string& root);
 
 /// The page that has the row's cell, relative to the report's folder: "formulas/triangle.double_layer.html",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON of a page's cells, curves and times, for its script.
+// JSON that a page's script reads: cells, curves and times.
 #pragma once
 
 #include "digest.h"

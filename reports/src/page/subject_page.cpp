@@ -206,7 +206,7 @@ Data pictures_of(const std::string& subject, const ErrorTable& table, const std:
 // The relative error of a row in double.
 double in_roundings(const ResultRow& row) { return std::ldexp(row.max_relative, 53); }
 
-// Times with the errors drawn over them: the largest in `generic`, and the largest of all regimes `near-*`.
+// Times with the errors drawn over them, the largest in `generic` and the largest of all regimes `near-*`.
 Json times_json(const RunResult& result, const std::string& formula) {
   const SeriesStyles styles(result);
   Json list = Json::array();

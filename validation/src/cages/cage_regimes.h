@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Regimes of elements as samples of cages: points next to, on and far from a cage's faces, edges and vertices, and
+// The regimes of elements as samples of cages, with points next to, on and far from faces, edges and vertices, and
 // cages moved and in other units.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Check of the closed form on the element itself: limits, infinities and their signs.
+// Checks the closed form on the element itself, where it has limits and infinities of either sign.
 #include "checks/check_makers.h"
 
 #include "element/element_sampling.h"

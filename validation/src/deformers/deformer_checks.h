@@ -116,7 +116,7 @@ class DeformerChecks {
   const BentImages<R>& bent_images() const;
   Errors compared(const deformation::Images<double>& images, const deformation::Images<Mp50>& with, int order,
                   double condition) const;
-  /// Excuses for images in double: a system's condition, and the positions of the cage and its pose.
+  /// Excuses for images in double, from a system's condition and from the positions of the cage and its pose.
   Excuses with_condition(double condition, const std::vector<Vec3<double>>& posed = {}) const {
     return {condition, rounding_of_coordinates(*cage_, posed)};
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Data of a mesh file in addition to places: taken along where its vertices move, or named where it is left out.
+// Carries a mesh file's other data along where its vertices move, and names those that are left out.
 #pragma once
 
 #include "cageproof/core/numbers/vector.h"

@@ -17,7 +17,7 @@ struct HuntObjective {
   const Check* check = nullptr;  ///< whose error
 };
 
-/// Options of a hunt.
+/// Options of a hunt, and its limits.
 struct HuntOptions {
   const Formula* formula = nullptr;
   std::vector<HuntObjective> objectives;  ///< each is measured at every input, since the truth costs most
