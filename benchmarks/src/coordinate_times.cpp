@@ -107,7 +107,7 @@ WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>
                                        row.nanoseconds * static_cast<double>(points.size()) / 1e6));
     result.rows.push_back(std::move(row));
   }
-  // What is computed must be used, or it may be left out.
+  // A result must be used, or the compiler may leave out its computation.
   if (std::isnan(sink)) result.notes.emplace_back("some points have no coordinates");
   return result;
 }

@@ -91,7 +91,7 @@ WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind,
     prepared.emplace_back(name, std::move(coordinates));
   }
   for (PointGroup group : groups) {
-    // What is solved for inside means nothing elsewhere.
+    // Coordinates that are solved for inside have no meaning elsewhere.
     if (approximated || kind.inside_alone) {
       const auto left_out = std::erase_if(group.points, [](const CagePoint& p) { return p.place != Place::Inside; });
       if (left_out > 0) result.notes.push_back(fmt::format("{}: {} points not inside left out", group.place, left_out));

@@ -119,7 +119,7 @@ std::string catalogue_json() {
         {{"name", regime.name}, {"parameter", regime.parameter_name}, {"description", regime.description}});
   all["regimes"].push_back({{"name", validation::hull_regime},
                             {"parameter", ""},
-                            {"description", "on and beside the convex hull of a twisted quad; hull_jump alone"}});
+                            {"description", "on and near the convex hull of a twisted quad; only for hull_jump"}});
   all["regimes"].push_back({{"name", validation::hunted_regime},
                             {"parameter", ""},
                             {"description", "the stored worst cases, measured again in every run"}});

@@ -63,7 +63,7 @@ void tell_solved(const CageCoordinates& coordinates) {
   }
 }
 
-// JSON has no infinity: what is none is null.
+// JSON has no infinity, so an infinite number is null.
 nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
   nlohmann::ordered_json all = {{"schema", "cageproof-solved"}, {"schema_version", 1}};
   all["kind"] = coordinates.kind().name;
@@ -82,7 +82,7 @@ nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
   return all;
 }
 
-// How many blocks of points are computed before what was made of them is written.
+// Number of blocks of points that are computed before their rows are written.
 std::size_t parts_together(std::size_t columns, int jobs) {
   // Text of a number takes about 20 bytes.
   constexpr std::size_t bytes = std::size_t{1} << 26, of_number = 20;
@@ -97,7 +97,7 @@ std::string solved_text(const Arguments& a, const CageCoordinates& coordinates, 
   return matrices_text(deformation::solved_matrices(coordinates.kind().name, cage, options));
 }
 
-// What was solved must not be written over what is read.
+// The file of solved systems must not be one that is read.
 void check_solved_file(const Arguments& a) {
   if (a.solved.empty()) return;
   if (holds_matrices(a.solved) && !a.kind.starts_with("regularised_"))
@@ -149,7 +149,7 @@ validation::CoordinateSummary written(const Arguments& a, const CageCoordinates&
   std::optional<RowsFile> file;
   if (by_rows) file.emplace(a.out, table, points.size());
   else table.values.resize(points.size() * written_columns);
-  // Lines of CSV are kept until those before them are written: so many at a time.
+  // Lines of CSV wait in memory until those before them are written, so only this many parts are computed at a time.
   const std::size_t parts = parts_together(columns, a.jobs);
   if (file) file->expect(parts);
   const auto take = [&](std::size_t part, std::size_t first, std::span<const double> rows) {
@@ -277,7 +277,7 @@ void add_coordinates(CommandLine& line) {
   command
       .option("--out", a->out,
               ".npz (named arrays with the cage, its elements and normals), .csv or .npy (points x columns, and "
-              "beside it a .json that says what they are), or .vtp (and beside it the cage as .cage.vtp); CSV on "
+              "next to it a .json that describes them), or .vtp (and next to it the cage as .cage.vtp); CSV on "
               "standard output if not given")
       .taking("FILE");
   Option data = command.option(

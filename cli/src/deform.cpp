@@ -37,7 +37,7 @@ struct Chosen {
   std::vector<std::string_view> varied;         ///< that these differ in
 };
 
-// Of methods that take posed cages.
+// The named method, which takes posed cages.
 const DeformMethod& method_of(const DeformArguments& a) {
   const DeformMethod& named = deform_method_named(a.method);
   return a.keep_quads ? keeping_quads(named) : named;
@@ -111,7 +111,7 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
     std::ranges::replace(option, '-', '_');
     json[option] = file;
   }
-  // What rows of these files belong to.
+  // Elements with their vertices say to what the rows of these files belong.
   if (!given_data(a).empty()) {
     const CageElements& elements = coordinates.elements();
     for (std::size_t e = 0; e < elements.count(); ++e) {
@@ -122,7 +122,7 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
   return json;
 }
 
-// Says what may be done with points without image. \param point the first of them
+// Says how points without image can be handled. \param point the first of them
 std::string advice_for(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point) {
   std::string advice = "--outside rest leaves them where they are, --outside nan writes nan";
   if (coordinates.kind().extends) advice += ", --outside extend continues the map through the nearest face";
@@ -143,7 +143,7 @@ std::vector<std::string_view> methods_that_extend() {
   return names;
 }
 
-// \throws InputError where images to a number of digits cannot have what else is asked for
+// \throws InputError where --digits excludes another option
 void require_digits_served(const DeformArguments& a, const Chosen& chosen) {
   if (a.digits == 0) return;
   if (chosen.name != "green")
@@ -254,7 +254,7 @@ int run(DeformArguments& a) {
   const auto [cage, merging] = a.cage.load_merged();
   Mesh mesh = load_points(a.points, cage.dimension());
   check_shapes(a, mesh, cage.dimension());
-  // Solving takes its time: what can be refused before is.
+  // Solving takes long, so the order is checked before.
   const std::string_view kind = chosen.constrained ? chosen.constrained->kind : method_of(a).kind;
   if (!kind.empty()) require_order(a, highest_order(coordinate_kind_named(kind), cage, a.evaluation));
   const Posing posing = posing_by(a, chosen, cage, merging);

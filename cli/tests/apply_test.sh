@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What `coordinates` writes is enough to apply it: the examples of docs/apply.md, in NumPy and in Blender, give what `deform` does.
+# The files of `coordinates` suffice to apply them: the examples of docs/apply.md, in NumPy and in Blender, give the images of `deform`.
 # Usage: apply_test.sh PATH_OF_CAGEPROOF
 # shellcheck source=support.sh
 here=$(dirname "$(readlink -f "$0")")
@@ -104,7 +104,7 @@ off = abs(images - np.loadtxt("default.csv", delimiter=",", skiprows=1)).max()
 sys.exit(f"{off} from what deform writes" if not off < 1e-13 else 0)
 PY
 
-# Tables have a description beside them, which holds the same; the same run gives the same bytes.
+# Tables have a description next to them, which holds the same; the same run gives the same bytes.
 "$cageproof" coordinates "${common[@]}" --kind green --order 1 --triangulate fan --out table.csv 2>log || fail "csv: $(cat log)"
 "$cageproof" coordinates "${common[@]}" --kind green --order 1 --triangulate fan --out array.npy 2>log || fail "npy: $(cat log)"
 "$cageproof" coordinates "${common[@]}" --kind green --order 1 --triangulate fan --out again.npz 2>log || fail "npz: $(cat log)"
@@ -124,7 +124,7 @@ for table, name in ((np.loadtxt("table.csv", delimiter=",", skiprows=1), "table.
     for name in ("cage_vertices", "elements", "element_faces", "element_normals", "element_areas"):
         assert (np.array(d[name]) == g[name]).all(), name
 PY
-# Who reads the .vtp as a mesh still does; the cage beside it is one.
+# The .vtp can still be read as a mesh; the cage next to it is one.
 "$cageproof" coordinates --cage scene.cage.vtp --points scene.vtp --kind green --order 1 2>log | cmp -s - table.csv || fail "the cage or the mesh of a .vtp is another: $(cat log)"
 for word in cage_vertices elements element_normals element_areas cageproof_metadata; do grep -q "Name=\"$word\"" scene.vtp || fail "no $word in the .vtp"; done
 

@@ -4,7 +4,7 @@
 # Usage: help_and_list_test.sh PATH_OF_CAGEPROOF
 . "$(dirname "$0")/support.sh"
 
-# Commands say what options say.
+# The commands help and version print the same as the options --help and --version.
 "$cageproof" --help >program.txt || fail --help
 "$cageproof" help | cmp -s - program.txt || fail 'help is not --help'
 for command in $(sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' program.txt); do
@@ -18,7 +18,7 @@ refuses_to help "unknown command 'frobnicate'" 'known: list, eval' -- frobnicate
 refuses_to help "unexpected 'eval'" -- list eval
 refuses_to version "unexpected 'list'" -- list
 
-# Options stand under headings, what is to be chosen first, each option once.
+# Options stand under headings, required choices first, each option once.
 "$cageproof" help deform >deform.txt
 [ "$(sed -n '2s/ --cage.*//p;4p;5s/  *CAGE .*//p' deform.txt)" = "$(printf '%s\n' 'Usage: cageproof deform (--posed CAGE | --constraints FILE)' 'The pose: exactly one of these:' '  --posed')" ] || fail "help deform: $(head -n 5 deform.txt)"
 [ "$(grep -x '[A-Z][^.]*:' deform.txt | tr '\n' ' ')" = 'The pose: exactly one of these: Cage and points: Method: What is written: Running: Other options: Examples: ' ] ||
@@ -49,7 +49,7 @@ refuses_to mvc "here that is 'mean_value', and no command" --
 # A near name is still found, and a word of the field goes before it.
 refuses_to coordinates "did you mean 'green'?" -- --cage cube --points one.csv --kind gren
 
-# Words lead to what there is, and every kind and method says what it is good for.
+# Words lead to names, and every kind and method says what it is good for.
 "$cageproof" list --json >catalogue.json || fail 'list --json'
 python3 - "$(sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' program.txt | tr '\n' ' ')" <<'EOF' || fail 'the catalogue'
 import json, sys

@@ -183,7 +183,7 @@ std::string pairs(const std::string& title, const std::map<std::string, std::str
   return text;
 }
 
-// Last, so that what may differ between runs with the same findings is the file's end.
+// The environment comes last, because it may differ between runs with the same findings.
 std::string environment_section(const RunResult& result) {
   std::string text = "\n## Environment\n";
   for (const Session& session : result.sessions) {

@@ -10,8 +10,8 @@ from pathlib import Path
 from mutants import detectors, verification
 from mutants.accounting import CAUGHT, MISSED, OPEN, UNREACHED, Answers, chosen, lines_of
 
-# What a detector has is run in portions of at most so many seconds (without a mutant): all mutants' cheap ones come before any one's dear ones. A portion of
-# units of work is planned and judged once, which costs a second: they are not asked one by one.
+# A detector's work is run in portions of at most so many seconds (without a mutant), so that the cheap portions of all mutants come before costly ones. A
+# portion of units of work is planned and judged once, which costs a second: units are not asked one by one.
 PORTIONS = [5, 20, 100, 10**9]
 
 
@@ -112,7 +112,7 @@ class Campaign:
         for number, of_number in reaching.items():
             if not of_number and answers.of(number, detector) == OPEN:
                 answer(number, UNREACHED)
-        # Tests that are new may catch what those that there were missed.
+        # New tests may catch mutants that the earlier ones missed.
         todo = [number for number in reaching if answers.of(number, detector) != CAUGHT and untried(number)]
         self.say(f"{detector}, portions of {limit} s: {len(todo)} mutants are not caught yet")
         with ThreadPoolExecutor(self.jobs) as pool:

@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from mutants import campaign, report, sites, verification  # noqa: E402
 from mutants.accounting import Answers, chosen, lines_of  # noqa: E402
 
-# Mutants by what is to come out.
+# Mutants by their expected verdict.
 VERIFY, TESTS, BOTH, NEITHER, NOWHERE, HANGS, HANGS_IN_VERIFY, SKIPS, BY_ALL_UNITS = range(1, 10)
 OUTCOMES = {
     VERIFY: "verify only",

@@ -86,7 +86,7 @@ TEST(cage_properties, name_the_scalar_of_differences) {
   EXPECT_GT(differences, 0u);
 }
 
-// Of the kinds whose elements take least time: slivers need hundreds of digits.
+// Only the kinds whose elements take least time are asked: slivers need hundreds of digits.
 TEST(cage_properties, hold_with_derivatives_on_extreme_cages) {
   CageCampaignOptions options = few_points();
   options.points = 12;
@@ -258,7 +258,7 @@ TEST(locator, agrees_with_the_solid_angle_of_bent_quads) {
   }
 }
 
-// With sides that have no length, and faces that have no area: rays that graze them are all that there are.
+// Sides have no length, or faces no area, so that every ray grazes one.
 TEST(locator, answers_in_cages_with_coinciding_corners) {
   const Cage box = embedded_cage("cube");
   const auto& vertices = box.vertices();

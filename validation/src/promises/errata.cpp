@@ -26,7 +26,7 @@ void fill_in(const ErrataOptions& options, ErratumRow& row) {
   const bool on_element = row.regime.starts_with("on-");
   for (std::uint64_t i = 0; row.samples < static_cast<std::uint64_t>(options.samples); ++i) {
     const Sample sample = make_sample(formula, regime, options.seed, i);
-    // Special cases are those that are met exactly, not one ulp off.
+    // Special cases must be met exactly, not one ulp off.
     if (on_element && contact_of(formula.element, sample) == Contact::Off) continue;
     ++row.samples;
     Truth truth;
@@ -69,7 +69,7 @@ std::vector<Unmeasured> unmeasured(const ErrataOptions& options) {
   for (const adaptive_qmvc::SchemeErratum& erratum : adaptive_qmvc::scheme_errata())
     if (erratum.row.formula.empty() || matches(options.formulas, erratum.row.formula))
       rows.push_back({erratum.row, erratum.measure});
-  // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
+  // Deformers use whole kinds of coordinates, so they are asked only when all formulas are.
   if (options.formulas == "*")
     for (const DeformerClaim& claim : deformer_claims()) rows.push_back({claim.row, claim.measure});
   return rows;
