@@ -16,7 +16,8 @@ Case l_shaped() {
 
 Vec image(const Case& c, const std::vector<Vec>& posed) {
   const auto deformer = prepare_deformer<double>(deform_method_named("elastic"), c.cage, {});
-  const std::vector<double> found = deformer->images(*deformer->pose({posed}), std::vector<Vec>{c.points[0]}, 0).tensors[0];
+  const std::vector<double> found =
+      deformer->images(*deformer->pose({posed}), std::vector<Vec>{c.points[0]}, 0).tensors[0];
   return {found[0], found[1], 0};
 }
 
@@ -42,7 +43,8 @@ TEST(elastic, images_are_linear_in_the_pose) {
 TEST(elastic, turns_of_poses_are_kept_to_first_order) {
   const Case c = l_shaped();
   const auto missed = [&](double share, double angle) {
-    return (image(c, part_of(c, share, angle)) - Eigen::AngleAxisd(angle, Vec::UnitZ()) * image(c, part_of(c, share, 0)))
+    return (image(c, part_of(c, share, angle)) -
+            Eigen::AngleAxisd(angle, Vec::UnitZ()) * image(c, part_of(c, share, 0)))
         .norm();
   };
   EXPECT_LT(missed(0, 2), 1e-14);
@@ -54,7 +56,9 @@ TEST(elastic, turns_of_poses_are_kept_to_first_order) {
 TEST(elastic, the_condition_next_to_one_half_is_reported) {
   const Case c = l_shaped();
   const auto warnings = [&](double nu) {
-    return prepare_deformer<double>(deform_method_named("elastic"), c.cage, {.parameters = {4, 1, nu}})->prepared().warnings;
+    return prepare_deformer<double>(deform_method_named("elastic"), c.cage, {.parameters = {4, 1, nu}})
+        ->prepared()
+        .warnings;
   };
   EXPECT_TRUE(warnings(0.3).empty());
   ASSERT_EQ(warnings(0.5 - 1e-8).size(), 1u);
