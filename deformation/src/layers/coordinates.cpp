@@ -13,6 +13,9 @@
 namespace cageproof::deformation {
 namespace {
 
+// Double solves as long as roundings times the condition stay below 1e-10 of the data.
+constexpr double most_in_double = 1e6;
+
 class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates>,
                                      public SolvesSystems,
                                      public HasLimits,
@@ -55,8 +58,7 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
   const HasLimits* limits() const override { return this; }
   const HasTerms* terms() const override { return this; }
   std::vector<SolvedSystem> solved() const override {
-    return takes_50_digits() ? regularisation<Mp50>(Account::Systems).solved
-                             : regularisation<double>(Account::Systems).solved;
+    return takes_50_digits() ? regularisation<Mp50>(Account::Systems).solved : solved_in_double();
   }
 
   void fill_limits(std::span<const Touching> places, int order,
@@ -109,10 +111,24 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
   };
 
   int level() const { return static_cast<int>(parameters_[0]); }
-  // As deformers by the same construction do.
+  // Where deformers by the same construction do, and where the systems' condition takes more digits than are promised.
   bool takes_50_digits() const {
-    return (layers_.dimension() == 2 || construction_ == Construction::OneTwo) &&
-           layers_.is_exact_in(ScalarKind::Digits50) && wants_50_digits(layers_.elements(), level());
+    std::call_once(digits_chosen_, [&] {
+      if (!layers_.is_exact_in(ScalarKind::Digits50) || !can_have_50_digits(layers_.elements(), level())) return;
+      takes_50_digits_ = ((layers_.dimension() == 2 || construction_ == Construction::OneTwo) &&
+                          wants_50_digits(layers_.elements(), level())) ||
+                         condition_of(solved_in_double()) > most_in_double;
+    });
+    return takes_50_digits_;
+  }
+
+  std::vector<SolvedSystem> solved_in_double() const { return regularisation<double>(Account::Systems).solved; }
+
+  // Systems that are solved one after the other enlarge each other's roundings.
+  static double condition_of(const std::vector<SolvedSystem>& systems) {
+    double product = 1;
+    for (const SolvedSystem& system : systems) product *= system.condition;
+    return product;
   }
 
   template <Scalar R>
@@ -178,6 +194,8 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
   std::vector<double> parameters_;
   std::vector<CoordinateBlock> blocks_;
   mutable std::tuple<Prepared<double>, Prepared<Mp50>, Prepared<Mp100>> prepared_;
+  mutable std::once_flag digits_chosen_;
+  mutable bool takes_50_digits_ = false;
   mutable std::once_flag terms_made_;
   mutable Densities<double> terms_;
 };
