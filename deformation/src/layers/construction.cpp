@@ -12,6 +12,9 @@
 namespace cageproof::deformation {
 namespace {
 
+// Double solves as long as roundings times the condition stay below 1e-10 of the data.
+constexpr double most_in_double = 1e6;
+
 // Along the rest normals of the samples' elements, of all four layers.
 template <Scalar R>
 std::array<Matrix<R>, 4> normal_slopes(const CageCoordinates& coordinates, const std::vector<Touching>& samples) {
@@ -86,9 +89,15 @@ Regularisation<R> regularisation_by(Construction construction, const CageCoordin
   return one_three<R>(layers, one_three_weight<R>(weights, layers), account);
 }
 
-bool takes_50_digits(Construction construction, const CageCoordinates& layers, int level) {
-  return (layers.dimension() == 2 || construction == Construction::OneTwo) &&
-         layers.is_exact_in(ScalarKind::Digits50) && wants_50_digits(layers.elements(), level);
+bool takes_50_digits(Construction construction, const CageCoordinates& layers, int level,
+                     const std::function<std::vector<SolvedSystem>()>& solved_in_double) {
+  if (!layers.is_exact_in(ScalarKind::Digits50) || !can_have_50_digits(layers.elements(), level)) return false;
+  const bool as_deformers = layers.dimension() == 2 || construction == Construction::OneTwo;
+  if (as_deformers && wants_50_digits(layers.elements(), level)) return true;
+  // Systems that are solved one after the other enlarge each other's roundings.
+  double condition = 1;
+  for (const SolvedSystem& system : solved_in_double()) condition *= system.condition;
+  return condition > most_in_double;
 }
 
 template <Scalar R>

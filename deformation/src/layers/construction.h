@@ -29,9 +29,11 @@ R one_three_weight(std::span<const double> weights, const SampledLayers<R>& laye
   return weights[1] != 0 ? weight_in<R>(weights[1], 1 / layers.size) : weight_in<R>(weights[0], layers.unit);
 }
 
-/// Whether coordinates by a construction are solved in 50 digits, as deformers by it are: double has too few for thin
-/// cages.
-bool takes_50_digits(Construction construction, const CageCoordinates& layers, int level);
+/// Whether coordinates by a construction are solved in 50 digits: where deformers by it are, because double has too few
+/// for thin cages, and where the systems' condition takes more digits than are promised.
+/// \param solved_in_double solves the systems in double, and describes them; asked only where it decides
+bool takes_50_digits(Construction construction, const CageCoordinates& layers, int level,
+                     const std::function<std::vector<SolvedSystem>()>& solved_in_double);
 
 /// \param coordinates of kind `biharmonic` or `biharmonic_affine`; (1,3) takes `quad_biharmonic`, too
 /// \param weights gamma_d and gamma_rel of (1,3), the second in place of the first where it is not zero

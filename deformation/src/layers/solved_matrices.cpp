@@ -85,7 +85,11 @@ std::vector<NamedMatrix> solved_matrices(std::string_view kind, const Cage& cage
   const auto weights = std::span(options.parameters).subspan(1);
   Matrices matrices;
   // As the coordinates themselves are solved.
-  if (takes_50_digits(*construction, layers, level)) add_all<Mp50>(matrices, *construction, layers, level, weights);
+  const auto in_double = [&] {
+    return regularisation_by<double>(*construction, layers, level, weights, Account::Systems).solved;
+  };
+  if (takes_50_digits(*construction, layers, level, in_double))
+    add_all<Mp50>(matrices, *construction, layers, level, weights);
   else add_all<double>(matrices, *construction, layers, level, weights);
   return matrices.take();
 }
