@@ -4,6 +4,7 @@
 #include "boundary_route.h"
 #include "entropy_route.h"
 #include "spherical_route.h"
+#include "surface_route.h"
 
 #include "cageproof/core/lazy.h"
 
@@ -62,6 +63,19 @@ class OfBoundaryEquations final : public CageRoute {
   Lazy<BoundaryRoute> route_;
 };
 
+class OfSurfaceEquations final : public CageRoute {
+ public:
+  explicit OfSurfaceEquations(const Cage& cage) : route_([&cage] { return SurfaceRoute(cage); }) {}
+  ScalarKind compared_in() const override { return ScalarKind::Digits50; }
+  double error_at(const Vec3<double>& point, const Blocks& first) const override {
+    const std::vector<Mp200> expected = route_.get().at(point);
+    return relative_distance(first.front(), std::vector<Mp100>(expected.begin(), expected.end()));
+  }
+
+ private:
+  Lazy<SurfaceRoute> route_;
+};
+
 }  // namespace
 
 double relative_distance(std::span<const Mp100> found, std::span<const Mp100> expected) {
@@ -78,7 +92,11 @@ std::shared_ptr<const CageRoute> cage_route(const CoordinateKind& kind, const Ca
   constexpr std::size_t most_faces = 50;
   if (cage.faces().size() > most_faces) return nullptr;
   if (kind.name == "spherical_mean_value") return std::make_shared<const OfSphericalPolygons>(cage);
-  constexpr std::size_t most_edges = 8;
+  constexpr std::size_t most_edges = 8, most_triangles = 12;
+  if (kind.name == "harmonic" && cage.dimension() == 3) {
+    const bool is_small = cage.parts(false, Triangulation::Shortest).elements.size() <= most_triangles;
+    return is_small ? std::make_shared<const OfSurfaceEquations>(cage) : nullptr;
+  }
   static constexpr std::array by_order{"harmonic", "biharmonic_boundary", "triharmonic_boundary"};
   for (int k = 0; k < 3; ++k)
     if (kind.name == by_order[k] && cage.faces().size() <= most_edges)
