@@ -108,6 +108,11 @@ TEST(reported, ranks_that_are_deficient) {
   for (const DeformMethod& method : deform_methods()) {
     if (!why_refused(method, c.cage).empty() || !takes(method, "level")) continue;
     const auto deformer = prepared_with(c.cage, {method.name, {{"level", 0}}});
+    // Its equations are as many as its unknowns at any level.
+    if (method.name == "harmonic") {
+      EXPECT_FALSE(deformer->prepared().systems.at(0).is_singular());
+      continue;
+    }
     const DeformationReport report = deformer->prepared();
     const bool weber = method.name == "biharmonic_weber", kept = method.name == "quad_biharmonic_1_3";
     const SolvedSystem& system = report.systems.at(weber ? 1 : 0);

@@ -5,6 +5,7 @@
 #include "elastic_route.h"
 #include "entropy_route.h"
 #include "spherical_route.h"
+#include "surface_route.h"
 
 #include "cageproof/core/lazy.h"
 
@@ -63,9 +64,11 @@ class OfBoundaryEquations final : public CageRoute {
   Lazy<BoundaryRoute> route_;
 };
 
-class OfElasticity final : public CageRoute {
+// A route that gives the numbers of the kind's only block.
+template <class Route>
+class OfOneBlock final : public CageRoute {
  public:
-  explicit OfElasticity(const Cage& cage) : route_([&cage] { return ElasticRoute(cage); }) {}
+  explicit OfOneBlock(const Cage& cage) : route_([&cage] { return Route(cage); }) {}
   ScalarKind compared_in() const override { return ScalarKind::Digits50; }
   double error_at(const Vec3<double>& point, const Blocks& first) const override {
     const std::vector<Mp200> expected = route_.get().at(point);
@@ -73,7 +76,7 @@ class OfElasticity final : public CageRoute {
   }
 
  private:
-  Lazy<ElasticRoute> route_;
+  Lazy<Route> route_;
 };
 
 }  // namespace
@@ -92,12 +95,17 @@ std::shared_ptr<const CageRoute> cage_route(const CoordinateKind& kind, const Ca
   constexpr std::size_t most_faces = 50;
   if (cage.faces().size() > most_faces) return nullptr;
   if (kind.name == "spherical_mean_value") return std::make_shared<const OfSphericalPolygons>(cage);
-  constexpr std::size_t most_edges = 8;
+  constexpr std::size_t most_edges = 8, most_triangles = 12;
+  if (kind.name == "harmonic" && cage.dimension() == 3) {
+    const bool is_small = cage.parts(false, Triangulation::Shortest).elements.size() <= most_triangles;
+    return is_small ? std::make_shared<const OfOneBlock<SurfaceRoute>>(cage) : nullptr;
+  }
   static constexpr std::array by_order{"harmonic", "biharmonic_boundary", "triharmonic_boundary"};
   for (int k = 0; k < 3; ++k)
     if (kind.name == by_order[k] && cage.faces().size() <= most_edges)
       return std::make_shared<const OfBoundaryEquations>(cage, k + 1);
-  if (kind.name == "elastic" && cage.faces().size() <= most_edges) return std::make_shared<const OfElasticity>(cage);
+  if (kind.name == "elastic" && cage.faces().size() <= most_edges)
+    return std::make_shared<const OfOneBlock<ElasticRoute>>(cage);
   if (kind.name == "maximum_entropy") return std::make_shared<const OfEntropy>(cage);
   return nullptr;
 }

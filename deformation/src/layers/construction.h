@@ -4,6 +4,8 @@
 
 #include "regularisation.h"
 
+#include <functional>
+
 namespace cageproof::deformation {
 
 /// (1,3): Section 4.1; (1,2): Appendix D.1; Weber's: D.2.
