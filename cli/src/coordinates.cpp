@@ -250,7 +250,8 @@ void add_coordinates(CommandLine& line) {
                "compute with quads that are not valid, of kinds that keep quads");
   command
       .option("--parameter", a->parameters,
-              "mu=..., nu=... of somigliana (nu in (-1, 0.5] or inf or -inf), nu=... of elastic; pieces=1 ... 64, collocation=NAME of "
+              "mu=..., nu=... of somigliana (nu in (-1, 0.5] or inf or -inf), nu=... of elastic; pieces=1 ... 64, "
+              "collocation=NAME of "
               "kinds that solve boundary equations; level=..., gamma_d=... of regularised ones; `list` names all")
       .taking("NAME=VALUE");
   command

@@ -46,7 +46,8 @@ TEST(elastic, affine_displacements_are_kept_by_every_system_of_full_rank) {
         const CageCoordinates e = elastic(cage, nu, 2, collocation);
         for (const SolvedSystem& s : e.solved()) EXPECT_FALSE(s.is_singular());
         const auto& v = e.elements().vertices();
-        for (const Vec& p : {Vec((v[0] + v[1] + v[2]) / 3), v[0], Vec((v[0] + v[1]) / 2), Vec(0.875 * v[1] + 0.125 * v[2])})
+        for (const Vec& p :
+             {Vec((v[0] + v[1] + v[2]) / 3), v[0], Vec((v[0] + v[1]) / 2), Vec(0.875 * v[1] + 0.125 * v[2])})
           EXPECT_LT(std::abs(displaced(e, u, p) - u(p)), 1e-12 * e.solved()[0].condition) << nu << ' ' << collocation;
       }
 }
@@ -105,7 +106,8 @@ TEST(elastic, pieces_converge_to_goursats_functions) {
       double worst = 0;
       for (const Vec& p : {Vec(0.25, 0.25, 0), Vec(0.125, 0.375, 0), Vec(0.375, 0.0625, 0)}) {
         std::size_t v = 0;
-        const C found = displaced(e, [&](const Vec&) { return values[v++]; }, p);
+        const C found = displaced(
+            e, [&](const Vec&) { return values[v++]; }, p);
         worst = std::max(worst, std::abs(found - truth.displacement(C(p[0], p[1]))));
       }
       return worst;
@@ -150,9 +152,11 @@ TEST(elastic, turns_turn_both_sides) {
   const CageCoordinates here = elastic(polygon(l_shape)), there = elastic(polygon(turned));
   const Eigen::Matrix2d r{{c, -s}, {s, c}};
   for (const Vec& p : {Vec(0.5, 0.75, 0), Vec(0, 0, 0)}) {
-    const std::vector<double> a = values_at(here, p), b = values_at(there, Vec(c * p[0] - s * p[1], s * p[0] + c * p[1], 0));
+    const std::vector<double> a = values_at(here, p),
+                              b = values_at(there, Vec(c * p[0] - s * p[1], s * p[0] + c * p[1], 0));
     for (std::size_t v = 0; v < 6; ++v) {
-      const Eigen::Matrix2d expected = r * Eigen::Matrix2d{{a[4 * v], a[4 * v + 1]}, {a[4 * v + 2], a[4 * v + 3]}} * r.transpose();
+      const Eigen::Matrix2d expected =
+          r * Eigen::Matrix2d{{a[4 * v], a[4 * v + 1]}, {a[4 * v + 2], a[4 * v + 3]}} * r.transpose();
       EXPECT_LT((expected - Eigen::Matrix2d{{b[4 * v], b[4 * v + 1]}, {b[4 * v + 2], b[4 * v + 3]}}).norm(), 1e-12);
     }
   }

@@ -160,8 +160,7 @@ typename ElasticLayers<R>::Equations ElasticLayers<R>::equations(std::span<const
     CoordinateTable<R> layers = table(1, 0);
     add_on(at, on, 0, layers);
     for (Eigen::Index piece = 0; piece < polygon_.pieces(); ++piece)
-      for (int i = 0; i < 4; ++i)
-        found.displacement(row + i / 2, 2 * piece + i % 2) = layers.tensors[0][4 * piece + i];
+      for (int i = 0; i < 4; ++i) found.displacement(row + i / 2, 2 * piece + i % 2) = layers.tensors[0][4 * piece + i];
     put_data(on, at, row, found.data);
   }
   return found;
