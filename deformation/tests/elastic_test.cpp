@@ -9,12 +9,12 @@
 namespace cageproof::deformation::test {
 namespace {
 
-Case l_shaped() {
+Case elastic_l() {
   return polygon("l", {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}},
                  {{0.2, 0}, {0.1, 0.3}, {-0.4, 0.2}, {0, 0}, {0.3, -0.2}, {0, 0.5}}, {0.625, 0.5, 0});
 }
 
-Vec image(const Case& c, const std::vector<Vec>& posed) {
+Vec elastic_image(const Case& c, const std::vector<Vec>& posed) {
   const auto deformer = prepare_deformer<double>(deform_method_named("elastic"), c.cage, {});
   const std::vector<double> found =
       deformer->images(*deformer->pose({posed}), std::vector<Vec>{c.points[0]}, 0).tensors[0];
@@ -22,7 +22,7 @@ Vec image(const Case& c, const std::vector<Vec>& posed) {
 }
 
 // The pose by so much of its steps, turned.
-std::vector<Vec> part_of(const Case& c, double share, double angle) {
+std::vector<Vec> turned_part(const Case& c, double share, double angle) {
   const Eigen::AngleAxisd turn(angle, Vec::UnitZ());
   std::vector<Vec> posed;
   for (std::size_t v = 0; v < c.posed.size(); ++v) {
@@ -33,18 +33,19 @@ std::vector<Vec> part_of(const Case& c, double share, double angle) {
 }
 
 TEST(elastic, images_are_linear_in_the_pose) {
-  const Case c = l_shaped();
-  const Vec whole = image(c, part_of(c, 1, 0)) - c.points[0], half = image(c, part_of(c, 0.5, 0)) - c.points[0];
+  const Case c = elastic_l();
+  const Vec whole = elastic_image(c, turned_part(c, 1, 0)) - c.points[0],
+            half = elastic_image(c, turned_part(c, 0.5, 0)) - c.points[0];
   EXPECT_LT((whole - 2 * half).norm(), 1e-14);
   EXPECT_GT(whole.norm(), 0.02);
 }
 
 // Turning a pose turns its image where the pose is rigid; else by what the turn and the pose are multiplied.
 TEST(elastic, turns_of_poses_are_kept_to_first_order) {
-  const Case c = l_shaped();
+  const Case c = elastic_l();
   const auto missed = [&](double share, double angle) {
-    return (image(c, part_of(c, share, angle)) -
-            Eigen::AngleAxisd(angle, Vec::UnitZ()) * image(c, part_of(c, share, 0)))
+    return (elastic_image(c, turned_part(c, share, angle)) -
+            Eigen::AngleAxisd(angle, Vec::UnitZ()) * elastic_image(c, turned_part(c, share, 0)))
         .norm();
   };
   EXPECT_LT(missed(0, 2), 1e-14);
@@ -54,7 +55,7 @@ TEST(elastic, turns_of_poses_are_kept_to_first_order) {
 }
 
 TEST(elastic, the_condition_next_to_one_half_is_reported) {
-  const Case c = l_shaped();
+  const Case c = elastic_l();
   const auto warnings = [&](double nu) {
     return prepare_deformer<double>(deform_method_named("elastic"), c.cage, {.parameters = {4, 1, nu}})
         ->prepared()
