@@ -103,6 +103,10 @@ bench --formula quad.mean_value --regime near-face --evaluations riemann-4,tesse
 awk -F, 'NR > 1 && !($14 > 0) || $5 == "riemann-4" && $14 != 81 || $5 == "tessellated-5" && $14 != 50 || $5 == "gauss-8" && $14 != 64 { exit 1 }' nodes.csv ||
   fail "nodes: $(cut -d, -f 5,14 nodes.csv)"
 "$cageproof" bench --coordinates --cage cube --samples 1 --seconds 0 --evaluations riemann-4 --csv | grep -qF ',1,81,' || fail 'nodes of whole coordinates'
+# Times are compared with the first column of [T18] Table 1, in turns: a grid of 21 x 21 samples takes longer than two triangles on any machine.
+"$cageproof" bench --coordinates --cage cube --samples 1 --seconds 0 --evaluations riemann-10 >whole.txt || fail 'bench of whole coordinates'
+times=$(sed -n 's/^quad_mean_value, riemann-10: [0-9]* ms for the mesh, \([0-9.e+]*\) times as long as mean_value, published$/\1/p' whole.txt)
+awk -v times="$times" 'BEGIN { exit !(times > 1.5 && times < 100) }' || fail "times of the first column: $(cat whole.txt)"
 
 # One name where one is asked for, and no word that would be taken for something else.
 refuses_to eval 'one name is asked for here, no glob' -- --formula 'triangle.*' --evaluation closed_form

@@ -116,6 +116,9 @@ def check_point(case, q, eta, n, suffix, answer):
     if kernel is not None:
         check(case, "kappa", kappa, -kernel)
     check(case, "A kappa", np.linalg.norm(a @ kappa) / np.linalg.norm(kappa) + 1, 1)
+    sides = [(q[i] - eta, q[(i + 1) % 4] - eta) for i in range(4)]
+    check(case, "theta", steps["theta"], [np.arccos(a @ b / np.linalg.norm(a) / np.linalg.norm(b)) for a, b in sides], 1e-10)
+    check(case, "N_i", steps["N_i"], np.ravel([np.cross(b, a) for a, b in sides]))
     m = mean_vector(q, eta)
     check(case, "m_q", steps["m_q"], m)
     wbar = np.linalg.pinv(a) @ m
@@ -129,6 +132,8 @@ def check_point(case, q, eta, n, suffix, answer):
     check(case, "uv", steps["uv"], [u, v], 1e-9)
     u, v = steps["uv"]
     check(case, "projection", steps["projection"], basis(u, v) @ q)
+    # Eq 4: the bilinear combination of the corners' normals.
+    check(case, "normal", steps["normal"], basis(u, v) @ np.array([np.cross(q[(i + 1) % 4] - q[i], q[i - 1] - q[i]) for i in range(4)]))
     at_u, cell_u = grid_of(n, u)
     at_v, cell_v = grid_of(n, v)
     for name, wanted in (("grid_u", at_u), ("grid_v", at_v), ("delta_u", cell_u), ("delta_v", cell_v)):
@@ -179,10 +184,10 @@ def main() -> int:
     for q, p, wanted in ((SQUARE, [0.25, 0.75, 0], ["uv", "basis"]), (SQUARE, [1.5, 0.75, 0], [])):
         for answer in answers("riemann-4", "double", [{"element": q, "point": p}]):
             names = [step["name"] for step in answer["steps"]]
-            if names != ["A_q", "kappa", "m_q", *wanted]:
+            if names != ["A_q", "kappa", "theta", "N_i", "m_q", *wanted]:
                 failures.append(f"steps at {p}: {names}")
-            if wanted and answer["steps"][3]["values"] != p[:2]:
-                failures.append(f"parameters at {p}: {answer['steps'][3]}")
+            if wanted and answer["steps"][5]["values"] != p[:2]:
+                failures.append(f"parameters at {p}: {answer['steps'][5]}")
     # In a unit of length times 2^-30, every step changes by its power of it.
     small = 2.0**-30
     q, p = cases[0]

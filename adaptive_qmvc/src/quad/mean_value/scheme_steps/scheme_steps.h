@@ -62,7 +62,23 @@ class SchemeSteps {
       for (int k = 0; k < 4; ++k) a.push_back(q_[k][row] - point_[row]);
     add("A_q", "[T18] Eq 17", 1, std::move(a));
     add_scaled("kappa", "[T18] Eq 26, spans Eq 18's kernel", 3, kappa_, s_.unit);
+    add_sides();
     add_scaled("m_q", "[T18] Eq 16", 0, mean_vector(s_), s_.unit);
+  }
+
+  // What Eq 16 sums: a side's angle, and the normal of its plane, which points as the paper has it.
+  void add_sides() {
+    using std::atan2;
+    Eigen::Matrix<R, 4, 1> theta;
+    Eigen::Matrix<R, 12, 1> normals;
+    for (int i = 0; i < 4; ++i) {
+      const int next = (i + 1) % 4;
+      const Vec3<R> n = i == k03 ? Vec3<R>(s_.cross[i]) : Vec3<R>(-s_.cross[i]);
+      normals.template segment<3>(3 * i) = n;
+      theta[i] = atan2(R(n.norm()), R(s_.p[i].dot(s_.p[next])));
+    }
+    add_scaled("theta", "[T18] Eq 16, angles at the point", 0, theta, s_.unit);
+    add_scaled("N_i", "[T18] Eq 16, a row per side", 2, normals, s_.unit);
   }
 
   void add_projection() {
@@ -76,6 +92,9 @@ class SchemeSteps {
     const Basis<R> basis = bilinear_basis(u_, v_);
     for (int k = 0; k < 4; ++k) x += basis[k] * q_[k];
     add_scaled("projection", "[T18] Eq 2, Algorithm 1 line 12", 1, x, R(1));
+    const Vec3<R> twist = s_.along[k12] - s_.along[k03];
+    add_scaled("normal", "[T18] Eq 4, N(u, v) there", 2,
+               Vec3<R>(Vec3<R>(s_.along[k01] + v_ * twist).cross(Vec3<R>(s_.along[k03] + u_ * twist))), s_.unit);
   }
 
   void add_sum() {
