@@ -3,6 +3,7 @@
 #include "deform_files.h"
 #include "deformation_report.h"
 #include "image_columns.h"
+#include "local_thickness.h"
 #include "on_cage.h"
 #include "pose_files.h"
 #include "progress.h"
@@ -218,6 +219,12 @@ PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage
   return images;
 }
 
+// How many pieces edges are solved in.
+int pieces_of(const Chosen& chosen, const DescribedMap& map) {
+  const auto found = std::ranges::find(chosen.known, "pieces", &KindParameter::name);
+  return found == chosen.known.end() ? 1 : static_cast<int>(map.parameters[found - chosen.known.begin()]);
+}
+
 // What maps multiply layers with, for --solved. \throws InputError for a method whose maps are no sums of four layers
 std::string densities_text(const DeformArguments& a, const Posing& posing) {
   std::vector<std::vector<NamedMatrix>> maps;
@@ -278,6 +285,8 @@ int run(DeformArguments& a) {
     json.update(deformation_json(measures, mesh.vertices.size(), cage.size(),
                                  chosen.constrained ? map.vertices : std::vector<Vec3<double>>(), cage.dimension(),
                                  map.prepared, pose));
+    if (cage.dimension() == 2 && a.order > 0 && !map.vertices.empty())
+      json["local_thickness"] = local_thickness(coordinates, *map.map, map.vertices, pieces_of(chosen, map));
     if (!images.beyond.empty())
       json["points_continued"] = {{"count", std::ranges::count_if(images.beyond, [](double way) { return way > 0; })},
                                   {"farthest_over_cage_size", std::ranges::max(images.beyond) / cage.size()}};
