@@ -161,7 +161,7 @@ class ElasticCoordinates final : public CoordinatesIn<ElasticCoordinates>, publi
         std::copy_n(&from.tensors[o][p * all.stride[o]], all.stride[o], &all.tensors[o][to * all.stride[o]]);
     };
     for (std::size_t p = 0; p < points.size(); ++p) {
-      const Vec3<R> in_frame = polygon_.in_frame<R>(points[p]);
+      const Vec3<R> in_frame = polygon_.seen_from<R>(0, {points[p]});
       const std::vector<OnEdge<R>> on = on_edges(points[p], in_frame);
       if (on.empty()) {
         off.push_back(in_frame);
@@ -185,7 +185,7 @@ class ElasticCoordinates final : public CoordinatesIn<ElasticCoordinates>, publi
     if (convert<R>(rounded) != point) return found;
     for (const Touching& touch : somigliana_.elements().touching(rounded)) {
       const auto line = polygon_.line<R>(touch.element);
-      R steps = line.direction.dot(in_frame - line.begin) / line.piece;
+      R steps = line.direction.dot(in_frame - polygon_.along<R>(touch.element, R(0), 0)) / line.piece;
       using std::abs, std::round;
       // A node of the refined polygon, except for rounding.
       const R whole = round(steps);

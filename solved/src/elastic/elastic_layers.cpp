@@ -61,7 +61,7 @@ void ElasticLayers<R>::add_pieces(int edge, std::span<const Vec3<R>> points, int
   BatchOutput<R> output{.stride = table.stride, .entries = 4, .dim = 2, .add = true};
   for (int o = 0; o <= order; ++o) output.tensors[o] = table.tensors[o].data();
   for (int k = 0; k < polygon_.pieces_an_edge(); ++k) {
-    const std::array<Vec3<R>, 2> ends{polygon_.position<R>(edge, k), polygon_.position<R>(edge, k + 1)};
+    const std::array<Vec3<R>, 2> ends{polygon_.along<R>(edge, R(k), 0), polygon_.along<R>(edge, R(k + 1), 0)};
     const int piece = edge * polygon_.pieces_an_edge() + k;
     output.slots = std::span(&piece, 1);
     evaluations_.displacement(Batch<R>{ends, points, order, parameters_}, output);
@@ -133,7 +133,8 @@ void ElasticLayers<R>::put_data(const std::vector<OnEdge<R>>& on, const Vec3<R>&
   const std::array<int, 2>& between = polygon_.edge(on[0].edge);
   for (int e = 0; e < polygon_.edges(); ++e) {
     if (is_on(std::span<const OnEdge<R>>(on), e)) continue;
-    const std::array<Vec3<R>, 2> ends{polygon_.vertex<R>(polygon_.edge(e)[0]), polygon_.vertex<R>(polygon_.edge(e)[1])};
+    const std::array<Vec3<R>, 2> ends{polygon_.along<R>(e, R(0), 0),
+                                      polygon_.along<R>(e, R(polygon_.pieces_an_edge()), 0)};
     const std::array<Matrix2, 2> of_ends = tractions(ends, point);
     const Matrix2 whole = of_ends[0] + of_ends[1];
     for (int k = 0; k < 2; ++k) add(polygon_.edge(e)[k], -of_ends[k]);
@@ -156,7 +157,7 @@ typename ElasticLayers<R>::Equations ElasticLayers<R>::equations(std::span<const
     const auto row = static_cast<Eigen::Index>(2 * k);
     std::vector<OnEdge<R>> on{{p.edge, R(p.piece) + R(p.part) / p.parts}};
     if (p.is_vertex()) on.push_back({polygon_.before(p.edge), R(polygon_.pieces_an_edge())});
-    const Vec3<R> at = p.part == 0 ? polygon_.position<R>(p.edge, p.piece) : polygon_.line<R>(p.edge).at(on[0].steps);
+    const Vec3<R> at = polygon_.along<R>(p.edge, on[0].steps, 0);
     CoordinateTable<R> layers = table(1, 0);
     add_on(at, on, 0, layers);
     for (Eigen::Index piece = 0; piece < polygon_.pieces(); ++piece)
