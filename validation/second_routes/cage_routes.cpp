@@ -4,6 +4,7 @@
 #include "boundary_route.h"
 #include "entropy_route.h"
 #include "spherical_route.h"
+#include "visibility_route.h"
 
 #include "cageproof/core/lazy.h"
 
@@ -42,6 +43,19 @@ class OfEntropy final : public CageRoute {
  private:
   const Cage& cage_;
   CageCoordinates prior_;
+};
+
+class OfRays final : public CageRoute {
+ public:
+  explicit OfRays(const Cage& cage) : cage_(cage) {}
+  ScalarKind compared_in() const override { return ScalarKind::Digits50; }
+  double error_at(const Vec3<double>& point, const Blocks& first) const override {
+    const std::vector<double> seen = coordinates_of_rays(cage_, point);
+    return relative_distance(first.front(), std::vector<Mp100>(seen.begin(), seen.end()));
+  }
+
+ private:
+  const Cage& cage_;
 };
 
 class OfBoundaryEquations final : public CageRoute {
@@ -83,6 +97,7 @@ std::shared_ptr<const CageRoute> cage_route(const CoordinateKind& kind, const Ca
   for (int k = 0; k < 3; ++k)
     if (kind.name == by_order[k] && cage.faces().size() <= most_edges)
       return std::make_shared<const OfBoundaryEquations>(cage, k + 1);
+  if (kind.name == "positive_mean_value") return std::make_shared<const OfRays>(cage);
   if (kind.name == "maximum_entropy") return std::make_shared<const OfEntropy>(cage);
   return nullptr;
 }
