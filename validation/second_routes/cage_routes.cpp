@@ -6,6 +6,7 @@
 #include "entropy_route.h"
 #include "spherical_route.h"
 #include "surface_route.h"
+#include "visibility_route.h"
 
 #include "cageproof/core/lazy.h"
 
@@ -44,6 +45,19 @@ class OfEntropy final : public CageRoute {
  private:
   const Cage& cage_;
   CageCoordinates prior_;
+};
+
+class OfRays final : public CageRoute {
+ public:
+  explicit OfRays(const Cage& cage) : cage_(cage) {}
+  ScalarKind compared_in() const override { return ScalarKind::Digits50; }
+  double error_at(const Vec3<double>& point, const Blocks& first) const override {
+    const std::vector<double> seen = coordinates_of_rays(cage_, point);
+    return relative_distance(first.front(), std::vector<Mp100>(seen.begin(), seen.end()));
+  }
+
+ private:
+  const Cage& cage_;
 };
 
 class OfBoundaryEquations final : public CageRoute {
@@ -106,6 +120,7 @@ std::shared_ptr<const CageRoute> cage_route(const CoordinateKind& kind, const Ca
       return std::make_shared<const OfBoundaryEquations>(cage, k + 1);
   if (kind.name == "elastic" && cage.faces().size() <= most_edges)
     return std::make_shared<const OfOneBlock<ElasticRoute>>(cage);
+  if (kind.name == "positive_mean_value") return std::make_shared<const OfRays>(cage);
   if (kind.name == "maximum_entropy") return std::make_shared<const OfEntropy>(cage);
   return nullptr;
 }

@@ -108,6 +108,7 @@ TEST(second_routes, agree_with_the_first) {
     expect("spherical_mean_value", cage, 2);
     expect("maximum_entropy", cage, 1);
   }
+  expect("positive_mean_value", "cube", 1);
   for (const char* kind : {"harmonic", "elastic", "biharmonic_boundary", "triharmonic_boundary"}) {
     expect(kind, "square", 2);
     expect(kind, "l-shape", 2);

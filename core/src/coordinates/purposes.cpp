@@ -16,6 +16,8 @@ constexpr std::array kind_purposes{
     KindPurpose{"spherical_mean_value",
                 "mean_value in which quads stay whole, by polygons on a sphere about the point"},
     KindPurpose{"maximum_entropy", "one number per vertex, never negative; one iteration per point"},
+    KindPurpose{"positive_mean_value",
+                "mean_value of what a point sees of the cage, never negative; kinks where faces begin to hide others"},
     KindPurpose{"green", "details keep their angles; takes normals, too; leaves the posed cage"},
     KindPurpose{"quad_green", "green of the cage's own quads, whose symmetry stays"},
     KindPurpose{"cauchy", "green of the plane, as one complex number per vertex"},

@@ -266,6 +266,8 @@ constexpr std::array table{
     Row{"second_route", "spherical_mean_value", "*", "*", "*", 0, 0, 1e-30,
         "30 digits, 1e-14 of one rounding of double: integrals have 57 digits, less those that cancel in a face's "
         "mean vector"},
+    Row{"second_route", "positive_mean_value", "*", "*", "*", 0, 0, 2e-2,
+        "the route is a cube map of 96 x 96 rays per face: one over their number, at the silhouettes of what hides"},
     Row{"second_route", "maximum_entropy", "*", "*", "*", 0, 0, 1e-30,
         "30 digits: the minimum is accepted at 900 roundings of 50 digits, which its condition next to the hull's "
         "border "
