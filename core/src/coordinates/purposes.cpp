@@ -29,6 +29,8 @@ constexpr std::array kind_purposes{
     KindPurpose{"regularised_weber", "regularised_1_3 from the Laplacian's own identity, for comparison"},
     KindPurpose{"harmonic", "meets the polygon's border, never negative; a system is solved once per polygon"},
     KindPurpose{"biharmonic_boundary", "meets values and normal derivatives on the polygon's border; solved"},
+    KindPurpose{"biharmonic_complex",
+                "biharmonic_boundary with normals stretched as edges are, as one complex number per vertex"},
     KindPurpose{"triharmonic_boundary",
                 "meets values, normal derivatives and Laplacians on the polygon's border; solved"},
     KindPurpose{"harmonic_goursat", "the true harmonic coordinates, to measure harmonic with; slow, small polygons"},
