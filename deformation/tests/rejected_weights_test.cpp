@@ -32,7 +32,7 @@ TEST(rejected, weights_that_are_negative_or_no_numbers) {
         ++asked;
       }
   // (1,3) and the three aligned methods in both dimensions; (1,3) on quads in space.
-  EXPECT_EQ(asked, 2 * (2 + 3 * 2) + 2);
+  EXPECT_EQ(asked, 2 * (2 + 3 * 3) + 2);
 }
 
 TEST(rejected, weights_of_constraints_that_are_negative_or_no_numbers) {

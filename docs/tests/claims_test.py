@@ -163,7 +163,7 @@ def main() -> int:
             wrong.append(f"line {row.line}: item '{row.item}' begins with no word that is counted")
     wrong += missing_items(rows)
     wrong += [f"the page's head must say: {line}" for line in counts(rows) if line not in lines]
-    wrong += run_commands(rows, setup(lines), sys.argv[1])
+    wrong += run_commands(rows, setup(lines), str(Path(sys.argv[1]).resolve()))
     for text in wrong:
         print(f"FAILED: {text}")
     return 1 if wrong else 0

@@ -32,6 +32,8 @@ constexpr std::array kind_purposes{
     KindPurpose{"harmonic", "meets the cage, never negative; a system is solved once per cage"},
     KindPurpose{"elastic", "an elastic body that meets the polygon's border; one matrix per vertex, by nu; solved"},
     KindPurpose{"biharmonic_boundary", "meets values and normal derivatives on the polygon's border; solved"},
+    KindPurpose{"biharmonic_complex",
+                "biharmonic_boundary with normals stretched as edges are, as one complex number per vertex"},
     KindPurpose{"triharmonic_boundary",
                 "meets values, normal derivatives and Laplacians on the polygon's border; solved"},
     KindPurpose{"harmonic_goursat", "the true harmonic coordinates, to measure harmonic with; slow, small polygons"},
