@@ -239,6 +239,7 @@ const RegisterCoordinateKind register_elastic{{.name = "elastic",
                                                .own_dimension = 2,
                                                .prepare = prepare_elastic,
                                                .parameters = elastic_parameters(),
+                                               .solves_on_samples = true,
                                                .refuses = why_elastic_refuses}};
 
 }  // namespace
