@@ -176,11 +176,37 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     Prepared<R>& made = std::get<Prepared<R>>(prepared_);
     std::call_once(made.once, [&] {
       made.layers = std::make_unique<BoundaryLayers<R>>(polygon_, evaluations_);
+      if constexpr (std::same_as<R, double>)
+        if (takes_50_digits(*made.layers)) {
+          made.densities = rounded(prepared<Mp50>().densities);
+          return;
+        }
       made.densities = Scheme::template solve<R>(polygon_, *made.layers, parameters_, inset_in_frame(), false);
       made.densities.own = made.densities.own.transpose().eval();
       for (auto& share : made.densities.shares) share.matrix = share.matrix.transpose().eval();
     });
     return made;
+  }
+
+  // Where short edges make systems of such a condition that double has too few digits, and 50 digits take a second or
+  // so.
+  bool takes_50_digits(const BoundaryLayers<double>& layers) const {
+    constexpr double most_in_double = 1e6;
+    if (!polygon_.has_short_edge() || !is_exact_in(ScalarKind::Digits50) || !is_prompt_in(ScalarKind::Digits50))
+      return false;
+    // Systems that are solved one after the other enlarge each other's roundings.
+    double condition = 1;
+    for (const SolvedSystem& system :
+         Scheme::template solve<double>(polygon_, layers, parameters_, inset_in_frame(), true).systems)
+      condition *= system.condition;
+    return condition > most_in_double;
+  }
+
+  static Densities<double> rounded(const Densities<Mp50>& densities) {
+    Densities<double> found{densities.own.template cast<double>(), {}, {}};
+    for (const auto& [layer, row, matrix] : densities.shares)
+      found.shares.push_back({layer, row, matrix.template cast<double>()});
+    return found;
   }
 
   template <Scalar R>

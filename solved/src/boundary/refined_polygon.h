@@ -37,6 +37,9 @@ class RefinedPolygon {
   /// The largest distance between two vertices, in the frame.
   double diameter() const { return diameter_ / unit_; }
 
+  /// Whether an edge is shorter than the 128th part of the diameter.
+  bool has_short_edge() const { return sees_from_ends_; }
+
   /// The vertices that an edge joins; the cage lies on its left.
   const std::array<int, 2>& edge(int e) const { return edges_[e]; }
   /// The edge that ends where edge e begins.
