@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# scripts/build.sh PRESET [TARGET...]: installs missing packages, configures and builds. Writes only to standard error, and in full only
-# when something fails. Exit 0: built; 2: not.
+# scripts/build.sh PRESET [TARGET...]: installs missing packages, configures and builds. Writes only to standard error, in full only when something fails. Exit
+# 0: built; 2: not.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -37,7 +37,7 @@ ninja "${objects[@]}" >log || {
 }
 echo "AArch64: ${#objects[@]} sources compile"
 
-# As the sums in double are compiled, and those in double-doubles.
+# Compiles the arithmetic test as the sums in double are compiled, or as those in double-doubles.
 build_as() {
   local object command
   for object in "${objects[@]}"; do [[ $object != */$1_plain.cpp.o ]] || break; done

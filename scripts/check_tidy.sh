@@ -83,7 +83,7 @@ mapfile -t homeless <"$work/homeless"
   exit 0
 }
 
-# clang-tidy needs one compile command per file, so this build has no unity files and no precompiled headers.
+# Each file has its own compile command, without unity build and precompiled headers.
 cmake -S . -B "$work/commands" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER=clang-16 -DCMAKE_CXX_COMPILER=clang++-16 \
   -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >"$work/log" 2>&1 || {
   cat "$work/log" >&2

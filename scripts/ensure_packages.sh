@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # scripts/ensure_packages.sh [tests]: installs the Debian packages that Cageproof needs, or its tests as well, and the machine lacks; silent when nothing is missing.
 # Says before what it installs and why. Exit 0: all there; 2: something is missing and could not be installed, or ParaView's package is in the way.
-# Where there is no dpkg it says what is needed and leaves the verdict to CMake.
+# Without dpkg it names the packages that are needed and leaves the verdict to CMake.
 set -euo pipefail
 
 # One package a line, then why.
@@ -53,12 +53,13 @@ LIST
 
 say() { printf '%s\n' "$*" >&2; }
 
-# Packages that only tests need: `scripts/ensure_packages.sh tests` installs them, too.
+# Packages that only tests need: `scripts/ensure_packages.sh tests` installs these, too.
 tests_alone() {
   cat <<'LIST'
 openmpi-bin              starts four ranks that measure one run
 python3                  runs the commands of README.md and docs/
 python3-clang-16         reads sources for scripts/mutate, whose accounting is tested
+python3-jsonschema       checks real output against docs/schemas
 python3-numpy            docs/apply.md's examples: what coordinates' files hold, and what is done with it
 python3-pytest           runs the tests of the package for Python
 python3-pip              builds and installs that package
@@ -88,7 +89,7 @@ fi
 missing_of() {
   local names installed
   mapfile -t names < <(awk '{print $1}')
-  # dpkg-query fails when it knows nothing of one name; what it prints of the others still counts.
+  # dpkg-query fails when it does not know one of the names; its lines on the others still count.
   installed=$(dpkg-query --show --showformat='${Package} ${db:Status-Status}\n' "${names[@]}" 2>/dev/null |
     awk '$2 == "installed" {print $1}' || true)
   printf '%s\n' "${names[@]}" | grep --invert-match --line-regexp --fixed-strings --file=<(printf '%s\n' "$installed") || true

@@ -121,13 +121,30 @@ TEST(Weights, KeepAnErrorNextToTwistedQuads) {
   EXPECT_LT(error_above(0, .001, 4), 1e-6);
 }
 
+// [T18] Figure 7: without the norm correction the sum's error grows like one over the square of the distance.
+TEST(Weights, DivergeNextToTheQuadWithoutTheNormCorrection) {
+  const Quad<double> q = lifted_square(.5);
+  double last = 0;
+  for (const double h : {1e-3, 1e-4, 1e-5}) {
+    const Vec3<double> eta = combined(q, basis_at(.35, .6)) + h * normal_at(q, .35, .6).normalized();
+    const Vec4<double> truth = evaluated<double>("line_form", q, eta);
+    const double off = relative_difference<double>(evaluated<double>("riemann-4-uncorrected", q, eta), truth);
+    if (last > 0) {
+      EXPECT_NEAR(off / last, 100, 5) << h;
+    }
+    EXPECT_LT(relative_difference<double>(evaluated<double>("riemann-4-unguarded", q, eta), truth), .1) << h;
+    EXPECT_GT(off, 10) << h;
+    last = off;
+  }
+}
+
 // On an extended diagonal the two triangles on it are seen edge-on, so the mean vector is zero, whatever the quad.
 TEST(PoleGuard, BoundsTheWeightsAroundExtendedDiagonals) {
-  double zero = 0, bare = 0, guarded = 0, step = 0;
+  double zero = 0, bare = 0, guarded = 0, step = 0, uncorrected = 0;
   int poles = 0;
   RiemannWorkspace<double> work;
   PoleGuard off;
-  off.on = false;
+  off.correction = NormCorrection::AsPrinted;
   for (int i = 0; i < 200; ++i) {
     RandomStream random(9, "diagonal", i);
     const Quad<double> q = random_valid_quad(random);
@@ -143,7 +160,11 @@ TEST(PoleGuard, BoundsTheWeightsAroundExtendedDiagonals) {
     const auto [u, v] = project(s, k);
     poles += omega(s, 4, u, v, work).dot(minimal_norm_solution(s, k, mean_vector(s))) <= 0;
     const Vec4<double> truth = evaluated<double>("line_form", q, eta);
-    bare = std::max(bare, relative_difference<double>(weights(eta, off), truth));
+    const Vec4<double> as_printed = weights(eta, off);
+    EXPECT_EQ(evaluated<double>("riemann-4-unguarded", q, eta), as_printed);
+    bare = std::max(bare, relative_difference<double>(as_printed, truth));
+    uncorrected =
+        std::max(uncorrected, relative_difference<double>(evaluated<double>("riemann-4-uncorrected", q, eta), truth));
     guarded = std::max(guarded, relative_difference<double>(w, truth));
     step = std::max(step, relative_difference<double>(weights(eta + 1e-7 * random_point(random, 1), {}), w));
   }
@@ -154,6 +175,7 @@ TEST(PoleGuard, BoundsTheWeightsAroundExtendedDiagonals) {
   EXPECT_GT(poles, 10);
   EXPECT_GT(bare, 1);
   EXPECT_LT(guarded, .6);
+  EXPECT_LT(uncorrected, .3);
   EXPECT_LT(step, 1e-4);
 }
 
@@ -183,10 +205,12 @@ TEST(Weights, ScaleWithTheUnit) {
 
 TEST(Families, TakeCountsFrom1To512) {
   const auto& all = EvaluationRegister::instance();
-  for (const char* good : {"riemann-1", "riemann-512", "tessellated-1", "tessellated-512"})
+  for (const char* good :
+       {"riemann-1", "riemann-512", "riemann-9-uncorrected", "riemann-9-unguarded", "tessellated-1", "tessellated-512"})
     EXPECT_TRUE(all.find("quad.mean_value", good)) << good;
   for (const char* bad :
-       {"riemann-0", "riemann-513", "riemann-04", "riemann-", "riemann-4x", "riemann", "tessellated--1"})
+       {"riemann-0", "riemann-513", "riemann-04", "riemann-", "riemann-4x", "riemann", "tessellated--1",
+        "riemann-0-unguarded", "riemann--unguarded", "riemann-4-unguarded-uncorrected", "tessellated-5-unguarded"})
     EXPECT_FALSE(all.find("quad.mean_value", bad)) << bad;
 }
 

@@ -14,15 +14,15 @@
 namespace cageproof::benchmarks {
 namespace {
 
-// What work-precision shows of a family when nothing is asked for.
+// Evaluations of a family that work-precision shows when none are asked for.
 const std::vector<std::string>& shown_of(const EvaluationFamily& family) {
   const bool form = family.role == Role::Recommended || family.role == Role::ClosedForm || family.role == Role::Plain ||
                     family.role == Role::Printed;
   return form ? family.standard : family.studied;
 }
 
-// Of names that were not asked for one by one, those that all the formulas have in double with these derivatives; what
-// is left out is noted.
+// Keeps those names that all formulas have in double with these derivatives, and notes those it leaves out. Names that
+// were asked for one by one are not passed here.
 std::vector<std::string> that_exist(std::vector<std::string> names, const std::vector<std::string_view>& formulas,
                                     int order, std::vector<std::string>& notes) {
   std::vector<std::string> left_out;
@@ -42,7 +42,7 @@ std::vector<std::string> that_exist(std::vector<std::string> names, const std::v
   return names;
 }
 
-// All that may be shown of formulas: of roles in this order.
+// All evaluations of formulas that may be shown, by role in this order.
 std::vector<std::string> all_shown(const std::vector<std::string_view>& formulas) {
   std::vector<std::string> names;
   for (const Role role : {Role::Scheme, Role::Rule, Role::Recommended, Role::ClosedForm, Role::Plain, Role::Printed})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which evaluations are compared: those that names, lists and globs ask for, or what tells most where nothing is asked.
+// Evaluations to compare: those that names, lists and globs ask for, or without any the most informative ones.
 #pragma once
 
 #include "cageproof/benchmarks/work_precision.h"
@@ -12,11 +12,11 @@
 
 namespace cageproof::benchmarks {
 
-/// What has evaluations here: a formula, or a kind of coordinates in a cage.
+/// The subject of evaluations: a formula, or a kind of coordinates in a cage.
 struct Subject {
   std::string_view name;
   std::vector<std::string_view> formulas;
-  /// Those that compute all of a kind at once, beside the formulas'.
+  /// Evaluations that compute all coordinates of a kind at once, in addition to the formulas'.
   std::vector<std::string_view> whole;
 
   bool has_whole(std::string_view evaluation) const { return std::ranges::find(whole, evaluation) != whole.end(); }

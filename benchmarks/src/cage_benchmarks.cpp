@@ -10,7 +10,7 @@
 namespace cageproof::benchmarks {
 namespace {
 
-// Of evaluations that take microseconds a pair, and nodes of rules that take nanoseconds each.
+// Limits for evaluations that take microseconds per pair, and for nodes of rules that take nanoseconds each.
 constexpr std::size_t slow_pairs = 20'000, vector_nodes = 40'000'000, plain_nodes = 10'000'000;
 
 std::size_t points_for(std::size_t pairs, std::size_t elements, std::size_t all) {

@@ -9,7 +9,7 @@ namespace cageproof::benchmarks {
 /// Registers with Google Benchmark, for every kind that is a sum and that the cage accepts,
 ///   `cage/<kind>/<evaluation>/<value|gradient|hessian>/<cage>`        coordinates, row-major
 ///   `cage/<kind>/<evaluation>/<value|gradient|hessian>/apply/<cage>`  functions that they make of the posed cage
-///   `cage/<kind>/gauss-<N>/value/<cage>`        green, biharmonic and somigliana by N x N points a triangle, N = 4, 8,
+///   `cage/<kind>/gauss-<N>/value/<cage>`        green, biharmonic and somigliana with N x N points each, N = 4, 8,
 ///                                               20, on vectors of points; somigliana by three-quad-7500, too
 ///   `cage/<kind>/gauss-<N>-plain/value/<cage>`  the same, written plainly
 /// with timed_evaluations. One thread. Whole evaluations take all points, in blocks of no more memory than 128 MB,

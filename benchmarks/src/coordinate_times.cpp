@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace cageproof::benchmarks {
 
@@ -48,6 +49,51 @@ double mean_nodes(const CageCoordinates& coordinates, const std::vector<Vec3<dou
     }
   return nodes / pairs;
 }
+
+// Mean value coordinates of the triangulated cage as printed: the first column of [T18] Table 1, which the paper's
+// other times are compared with.
+bool is_first_column(const WorkPrecisionRow& row) {
+  const auto evaluation = EvaluationRegister::instance().find("triangle.mean_value", row.evaluation);
+  return row.place == "mean_value" && evaluation && evaluation->role() == Role::Printed;
+}
+
+// A note per row: how many times its median time is the first column's.
+void add_ratios(WorkPrecision& result) {
+  const auto first = std::ranges::find_if(result.rows, is_first_column);
+  if (first == result.rows.end()) return;
+  for (const WorkPrecisionRow& row : result.rows)
+    result.notes.push_back(fmt::format("{}, {}: {:.2g} times as long as {}, {}", row.place, row.evaluation,
+                                       row.median_nanoseconds / first->median_nanoseconds, first->place,
+                                       first->evaluation));
+}
+
+// The first column of [T18] Table 1, with which the paper compares its times: mean value coordinates of the
+// triangulated cage, as printed.
+class FirstColumn {
+ public:
+  FirstColumn(const Cage& cage, const std::vector<Vec3<double>>& points, Triangulation rule)
+      : points_(points),
+        coordinates_(cage, coordinate_kind_named("mean_value"),
+                     EvaluationRegister::instance().with_role("triangle.mean_value", Role::Printed)->name(), rule) {}
+
+  std::string evaluation() const { return std::string(coordinates_.evaluation()); }
+  // Times of points, in nanoseconds, are added to those of earlier calls.
+  void time(double& sink) {
+    const auto more = nanoseconds_of_points(coordinates_, points_, 0.1, points_.size(), sink);
+    found_.insert(found_.end(), more.begin(), more.end());
+  }
+  // The median, after which it starts anew.
+  double median() {
+    WorkPrecisionRow row;
+    summarise_times(std::exchange(found_, {}), row);
+    return row.median_nanoseconds;
+  }
+
+ private:
+  const std::vector<Vec3<double>>& points_;
+  CageCoordinates coordinates_;
+  std::vector<double> found_;
+};
 
 }  // namespace
 
@@ -90,6 +136,7 @@ WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>
   for_each_parallel(count, options.jobs,
                     [&](std::size_t i) { truth[i] = reference.at<Mp50>(convert<Mp50>(compared[i]), 0).front().value; });
   double sink = 0;
+  FirstColumn first(cage, points, options.triangulation);
   for (const auto& [kind, evaluation] : what) {
     const CageCoordinates coordinates(cage, coordinate_kind_named(kind), evaluation, options.triangulation);
     WorkPrecisionRow row;
@@ -101,13 +148,18 @@ WorkPrecision coordinate_times(const Cage& cage, const std::vector<Vec3<double>>
       errors[i] = difference(coordinates.at<double>(compared[i], 0).front().value, truth[i]);
     });
     summarise(std::move(errors), row);
+    // Before and after, so that what else the machine does slows both sides.
+    first.time(sink);
     summarise_times(nanoseconds_of_points(coordinates, points, std::max(1.0, options.seconds), points.size(), sink),
                     row);
-    result.notes.push_back(fmt::format("{}, {}: {:.0f} ms for the mesh", kind, row.evaluation,
-                                       row.nanoseconds * static_cast<double>(points.size()) / 1e6));
+    first.time(sink);
+    result.notes.push_back(fmt::format("{}, {}: {:.0f} ms for the mesh, {:.2g} times as long as mean_value, {}", kind,
+                                       row.evaluation, row.nanoseconds * static_cast<double>(points.size()) / 1e6,
+                                       row.median_nanoseconds / first.median(), first.evaluation()));
     result.rows.push_back(std::move(row));
   }
-  // What is computed must be used, or it may be left out.
+  add_ratios(result);
+  // A result must be used, or the compiler may leave out its computation.
   if (std::isnan(sink)) result.notes.emplace_back("some points have no coordinates");
   return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What deformers cost: preparing a method for a cage, coordinates of points, poses, and images of points.
+// Benchmarks of deformers measure the preparation for a cage, coordinates of points, poses, and images of points.
 #pragma once
 
 #include "cageproof/core/cage/cage.h"

@@ -20,7 +20,7 @@ CAGEPROOF_INLINE void add_to(double* to, const Vector& what) {
   __builtin_memcpy(to, &sum, sizeof(Vector));
 }
 
-// A square root and a division a point: the loop becomes one instruction of each.
+// One square root and one division per point: the loop becomes one instruction of each.
 CAGEPROOF_INLINE void inverse_root(const Vector& square, Vector& found) {
   double lanes[gauss_lanes];
   __builtin_memcpy(lanes, &square, sizeof lanes);
@@ -57,7 +57,7 @@ CAGEPROOF_INLINE void layers(const GaussTask& task, const GaussTriangle& t, cons
       bar0 += w[0] * inverse;
       bar1 += w[1] * inverse;
       bar2 += w[2] * inverse;
-      // r = r^2 / r, and r^2 is as quick as 1/r^2 to have.
+      // r = r^2 / r, and r^2 takes no longer to compute than 1/r^2.
       const Vector x0 = y[0] - eta[0], x1 = y[1] - eta[1], x2 = y[2] - eta[2];
       psibar += w[3] * ((x0 * x0 + x1 * x1 + x2 * x2) * inverse);
     }

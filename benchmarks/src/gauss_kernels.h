@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The innermost loops of a fixed rule over a cage's triangles, on vectors of points, and written plainly. Plain data
-// alone: their source is compiled for several instruction sets, and must not share inline functions with the program.
+// only: their source is compiled for several instruction sets, and must not share inline functions with the program.
 #pragma once
 
 namespace cageproof::benchmarks {
@@ -11,8 +11,8 @@ inline constexpr int gauss_lanes = 8;
 /// Which kernels are summed.
 enum class GaussKernels { Green, Biharmonic, Somigliana };
 
-/// Numbers of one node's weights: its weight w times hat functions. Green and biharmonic: w G_0, w G_1, w G_2, w.
-/// Somigliana: w, then the six w G_k G_l with k <= l, then the ten w G_k G_l G_m with k <= l <= m.
+/// Count of one node's weights, each its weight w times hat functions. Green and biharmonic have w G_0, w G_1, w G_2,
+/// w. Somigliana has w, then the six w G_k G_l with k <= l, then the ten w G_k G_l G_m with k <= l <= m.
 constexpr int gauss_weights(GaussKernels kernels) { return kernels == GaussKernels::Somigliana ? 17 : 4; }
 
 /// A rule: `count` nodes.
@@ -32,7 +32,7 @@ struct GaussTriangle {
   int number;
 };
 
-/// What one call computes: all coordinates at a block of points.
+/// The work of one call: all coordinates at a block of points.
 struct GaussTask {
   GaussKernels kernels;
   GaussNodes nodes;

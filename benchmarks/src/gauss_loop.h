@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole coordinates by a fixed rule on every triangle, as quick as such a loop gets: what closed forms have to beat.
+// Whole coordinates by a fixed rule on every triangle, as quick as such a loop gets: closed forms have to beat it.
 #pragma once
 
 #include "gauss_kernels.h"
@@ -15,17 +15,17 @@ struct GaussRule {
   std::vector<double> weights;  ///< [node]
 };
 
-/// `gauss-<N>`: Gauss-Legendre on the collapsed square, N points a side.
+/// `gauss-<N>`: Gauss-Legendre on the collapsed square, N points per side.
 GaussRule collapsed_rule(int side);
 
-/// `three-quad-<3 N^2>`: Gauss-Legendre on three quads of N points a side, [C23] Section 5; N = 50 is its yardstick of
+/// `three-quad-<3 N^2>`: Gauss-Legendre on three quads, N points per side, [C23] Section 5; N = 50 is its yardstick of
 /// 7500 points.
 GaussRule three_quad_rule(int side);
 
 /// Values of green, biharmonic or somigliana coordinates by a rule. Safe from any thread.
 class GaussLoop {
  public:
-  /// Whether there is such a loop: in space, for the three kinds.
+  /// Whether the loop exists for the kind: in space, for three kinds.
   static bool exists(const CoordinateKind& kind, const Cage& cage);
 
   /// Quads are split at their shorter diagonal, parameters are the kind's defaults. \pre exists(kind, cage)

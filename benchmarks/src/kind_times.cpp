@@ -32,7 +32,8 @@ std::vector<EvaluationTime> times_of_kinds(const Cage& cage, Triangulation rule)
   const std::vector<Vec3<double>> points = points_of_box(cage);
   std::vector<EvaluationTime> times;
   for (const CoordinateKind& kind : coordinate_kinds()) {
-    if (kind.solves_on_samples || !accepts(kind, cage)) continue;
+    const bool solves = kind.solves_on_samples && !(kind.meets_boundary_data && cage.dimension() == 2);
+    if (solves || !accepts(kind, cage)) continue;
     const CageCoordinates coordinates(cage, kind, std::string(quickest), rule);
     // The least: on a busy machine other programs run within most batches.
     const double all = std::ranges::min(nanoseconds_of_batches(coordinates, points, seconds_of_kind));

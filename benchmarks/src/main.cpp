@@ -29,7 +29,7 @@ struct Files {
   std::string cage, posed, points, data;
 };
 
-// The program's own options, beside Google Benchmark's, which has --help.
+// The program's own options, in addition to Google Benchmark's, which has --help.
 void add_options(CLI::App& app, Files& files) {
   app.set_help_flag("");
   auto* const cage = app.add_option("--cage", files.cage, "a cage that deformers are timed on, too");
@@ -60,7 +60,7 @@ std::shared_ptr<const DeformedCage> cage_of(const Files& files) {
 
 int main(int argc, char** argv) {
   using namespace cageproof::benchmarks;
-  // A preset short enough to time everything in minutes; what the user says comes later and wins.
+  // A preset that times everything in minutes; the user's own options come later and win.
   char min_time[] = "--benchmark_min_time=0.1";
   std::vector<char*> arguments(argv, argv + argc);
   arguments.insert(arguments.begin() + (argc > 0 ? 1 : 0), min_time);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kOrderNames{"value", "gradient", "hessian"};
 
-// What one formula's benchmarks share.
+// Inputs that one formula's benchmarks share.
 struct Inputs {
   std::vector<Pair> pairs;
   std::vector<double> parameters;

@@ -16,7 +16,7 @@ using Nanoseconds = std::chrono::duration<double, std::nano>;
 constexpr double group_nanoseconds = 2e4, long_nanoseconds = 1e6;
 constexpr int groups = 3;
 
-// Of one call, as time_pairs says.
+// Nanoseconds of one call, as time_pairs measures it.
 double nanoseconds_of(const auto& call) {
   const auto mean_of = [&](int repetitions) {
     const auto start = PairClock::now();

@@ -13,10 +13,10 @@ namespace cageproof::benchmarks {
 /// How many pairs are timed whatever it takes, where there are so many.
 inline constexpr std::size_t least_timed_pairs = 64;
 
-/// What is timed: at each sample, evaluations one after the other, each with its formula's parameters.
+/// Calls to time: at each sample, evaluations one after the other, each with its formula's parameters.
 struct TimedPairs {
   std::vector<validation::Sample> samples;
-  std::vector<std::vector<const Evaluation*>> evaluations;  ///< as many at each sample
+  std::vector<std::vector<const Evaluation*>> evaluations;  ///< the same number at each sample
 };
 
 /// Sets nodes, timed and the three times: of each pair by itself, on this thread, until all are timed or `seconds` are

@@ -35,8 +35,8 @@ inline std::vector<double> nanoseconds_of_points(const CageCoordinates& coordina
   return found;
 }
 
-/// Nanoseconds of calls for all points together: for at least `seconds`, and at least three calls. \pre there are
-/// points
+/// Nanoseconds of each call for all points together; calls go on for at least `seconds`, and at least three times. \pre
+/// points is not empty
 inline std::vector<double> nanoseconds_of_batches(const CageCoordinates& coordinates,
                                                   const std::vector<Vec3<double>>& points, double seconds) {
   using Clock = std::chrono::steady_clock;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a row of a study says of its samples' errors and of their times.
+// Makes a row of a study from its samples' errors and times.
 #pragma once
 
 #include "cageproof/benchmarks/work_precision.h"

@@ -33,7 +33,7 @@ double time_fill(benchmark::State& state, const CageCoordinates& coordinates, st
                  int order, int threads, Clock clock) {
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   const std::size_t block = std::min(points.size(), points_a_table(coordinates, order));
-  // Tables of their own for what is left, since tables that grow again are set to zero.
+  // The last points have tables of their own, because tables that grow again are set to zero.
   std::vector<CoordinateTable<double>> tables, rest;
   const std::size_t full = points.size() / block * block;
   const auto compute = [&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What benchmarks of whole coordinates share: threads, points, and a counter.
+// Threads, points and a counter that benchmarks of whole coordinates share.
 #pragma once
 
 #include "whole_coordinates.h"

@@ -6,7 +6,7 @@
 namespace cageproof::benchmarks {
 namespace {
 
-// Of an element's corners, wherever they are; its length is that of the segment or twice the area.
+// Normal of an element at these vertices; its length is that of the segment or twice the area.
 Vec3<double> extent_at(const CageElements& elements, std::size_t element, const std::vector<Vec3<double>>& vertices) {
   std::vector<Vec3<double>> corners;
   corners.reserve(4);

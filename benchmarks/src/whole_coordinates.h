@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whole coordinates as benchmarks ask for them: by which evaluations, and applied to what.
+// Whole coordinates for benchmarks: the evaluations that compute them, and the data that they are applied to.
 #pragma once
 
 #include "deformer_benchmarks.h"
@@ -16,9 +16,9 @@ struct TimedEvaluation {
 };
 std::vector<TimedEvaluation> timed_evaluations(const CoordinateKind& kind, const Cage& cage);
 
-/// What a pose of the cage makes of the blocks: deformed vertices, normals of deformed elements times the root of the
-/// ratio of areas, and a tenth of these for blocks that reproduce nothing. Coordinates that are numbers have three
-/// sets, one a coordinate of space (in the plane two), matrices one.
+/// Blocks of data that a pose of the cage gives. They are deformed vertices, normals of deformed elements times the
+/// root of the ratio of areas, and a tenth of these for blocks that reproduce nothing. Coordinates that are numbers
+/// have one set per coordinate of space (three, in the plane two), matrices have one set.
 CageData data_of_pose(const CageCoordinates& coordinates, const std::vector<Vec3<double>>& posed);
 
 }  // namespace cageproof::benchmarks

@@ -32,6 +32,28 @@ struct Way {
   CoordinateOptions options;
 };
 
+// Whether the kind has pieces of edges in the plane, and splits triangles in space.
+bool is_split_by_level(const CoordinateKind& kind, const Cage& cage) {
+  const auto has = [&](std::string_view name) {
+    return std::ranges::find(kind.parameters, name, &KindParameter::name) != kind.parameters.end();
+  };
+  return cage.dimension() == 3 && has("pieces") && has("level");
+}
+
+// Levels whose unknowns, three a piece, are few enough; the first always.
+std::vector<int> levels_of(const Cage& cage, const WorkPrecisionOptions& given) {
+  const auto triangles = static_cast<int>(cage.parts(false, given.triangulation).elements.size());
+  std::vector<int> levels{0};
+  while (3 * triangles * (4 << (2 * levels.back())) <= most_nodes) levels.push_back(levels.back() + 1);
+  return levels;
+}
+
+CoordinateOptions at_level(const CoordinateKind& kind, const WorkPrecisionOptions& given, int level) {
+  CoordinateOptions options{"", given.triangulation, {}};
+  for (const KindParameter& p : kind.parameters) options.parameters.push_back(p.name == "level" ? level : p.preset);
+  return options;
+}
+
 std::vector<Way> ways_of(const CoordinateKind& kind, const Cage& cage, const WorkPrecisionOptions& given,
                          std::vector<std::string>& notes) {
   std::vector<double> parameters = given.parameters;
@@ -43,6 +65,9 @@ std::vector<Way> ways_of(const CoordinateKind& kind, const Cage& cage, const Wor
     for (const std::string& list : given.evaluations)
       for (const std::string& evaluation : names_in(list))
         ways.push_back({"", {evaluation, given.triangulation, parameters}});
+  } else if (given.parameters.empty() && is_split_by_level(kind, cage)) {
+    for (const int level : levels_of(cage, given))
+      ways.push_back({fmt::format("level={}", level), at_level(kind, given, level)});
   } else if (given.parameters.empty() && pieces != kind.parameters.end()) {
     for (const int n : {1, 2, 4, 8, 16, 32}) {
       if (n * static_cast<int>(cage.faces().size()) > most_nodes) {
@@ -69,15 +94,21 @@ WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind,
   result.timed = "point";
   result.order = 0;
   result.seed = options.seed;
-  const auto approximated = approximated_by(cage, kind, options.triangulation);
+  auto approximated = approximated_by(cage, kind, options.triangulation);
+  const bool by_level = !approximated && is_split_by_level(kind, cage);
   result.error = approximated ? fmt::format("difference from {}", kind.approximates) : "partition of unity residual";
-  if (approximated)
+  if (by_level) {
+    const int finest = levels_of(cage, options).back() + 1;
+    approximated.emplace(cage, kind, at_level(kind, options, finest));
+    result.error = fmt::format("difference from level {}", finest);
+    result.notes.emplace_back("the finest level is itself off by a third or so of the difference from the one before");
+  } else if (approximated)
     if (const auto residual = boundary_residuals(*approximated)[0])
       result.notes.push_back(
           fmt::format("{} meets its data on the boundary to {:.1e} here: differences of that size are "
                       "its own",
                       kind.approximates, *residual));
-  if (!approximated && kind.meets_boundary_data)
+  if (!approximated && std::ranges::find(kind.parameters, "pieces", &KindParameter::name) != kind.parameters.end())
     result.notes.emplace_back(
         "nothing to compare with here: the partition of unity says nothing of the scheme's error");
   double sink = 0;
@@ -91,7 +122,7 @@ WorkPrecision whole_work_precision(const Cage& cage, const CoordinateKind& kind,
     prepared.emplace_back(name, std::move(coordinates));
   }
   for (PointGroup group : groups) {
-    // What is solved for inside means nothing elsewhere.
+    // Coordinates that are solved for inside have no meaning elsewhere.
     if (approximated || kind.inside_alone) {
       const auto left_out = std::erase_if(group.points, [](const CagePoint& p) { return p.place != Place::Inside; });
       if (left_out > 0) result.notes.push_back(fmt::format("{}: {} points not inside left out", group.place, left_out));

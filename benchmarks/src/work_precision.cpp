@@ -26,7 +26,7 @@ using namespace validation;
 namespace {
 
 // The evaluations of a kind's formulas on each kind of element that the cage has: of that name, or the recommended one
-// where quads alone have it.
+// where only quads have it.
 class KindEvaluations {
  public:
   KindEvaluations(const CoordinateKind& kind, const Cage& cage, const std::string& name) {
@@ -61,10 +61,10 @@ TimedPairs pairs_of(const CageElements& elements, const KindEvaluations& evaluat
   return work;
 }
 
-// Vectors of points are full, and what a call costs by itself is small beside it.
+// Vectors of points are full, and a call's own cost is small in comparison.
 constexpr std::size_t kBatch = 1024;
 
-// What a pair of a point and an element takes, one thread, where many points are asked for at once.
+// Measures the time per pair of a point and an element, on one thread, for many points at once.
 void time_at_once(const CageCoordinates& coordinates, const std::vector<CagePoint>& group, double seconds,
                   WorkPrecisionRow& row) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A unit of time that machines share: what the transcendental functions of a pair cost.
+// A unit of time that machines share: the cost of the transcendental functions of a pair.
 #pragma once
 
 #include <string>

@@ -143,13 +143,25 @@ TEST(work_precision, measures_solved_kinds_as_asked) {
   const Cage square = embedded_cage("square");
   const auto groups = groups_inside(square, CageLocator(square, Triangulation::Shortest), 1, 3);
   WorkPrecisionOptions options = quick({});
-  options.parameters = {2, 1};
+  options.parameters = {2, 1, 1};
   const auto one = cage_work_precision(square, coordinate_kind_named("harmonic"), groups, options);
   ASSERT_EQ(one.rows.size(), groups.size());
   EXPECT_EQ(one.error, "difference from harmonic_goursat");
   const auto cauchy = cage_work_precision(square, coordinate_kind_named("cauchy"), groups, quick({}));
   EXPECT_EQ(cauchy.error, "partition of unity residual");
   for (const WorkPrecisionRow& row : cauchy.rows) EXPECT_LT(row.largest, 1e-14);
+}
+
+// In space there is no truth to compare with but a finer level.
+TEST(work_precision, measures_solved_kinds_in_space_by_their_level) {
+  const auto result =
+      cage_work_precision(embedded_cage("cube"), coordinate_kind_named("harmonic"), cube_groups(3), quick({}));
+  EXPECT_EQ(result.error, "difference from level 3");
+  ASSERT_EQ(result.rows.size() % 3, 0u);
+  EXPECT_EQ(result.rows[0].evaluation, "level=0");
+  EXPECT_EQ(result.rows[2].evaluation, "level=2");
+  EXPECT_LT(result.rows[2].largest, result.rows[0].largest / 10);
+  EXPECT_GT(result.rows[2].largest, 1e-7);
 }
 
 TEST(work_precision, measures_conditioned_errors_of_a_formula) {

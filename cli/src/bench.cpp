@@ -57,7 +57,7 @@ WorkPrecision measure_cage(const Arguments& a, benchmarks::WorkPrecisionOptions 
   return result;
 }
 
-// Those that lists of names and globs mean, each once; of a glob's those alone that exist for the element.
+// Regimes that lists of names and globs select, each once; globs select only those that exist for the element.
 std::vector<const validation::Regime*> regimes_named(const std::vector<std::string>& lists, ElementKind element) {
   std::vector<std::string_view> known;
   for (const validation::Regime& regime : validation::regimes()) known.push_back(regime.name);

@@ -13,12 +13,12 @@ struct BoundaryData {
   std::size_t functions = 0;
 };
 
-/// Text, a line a coordinate, numbers between commas or blanks, as many on each line; a first line without numbers,
-/// empty lines and what follows # are passed over. \throws InputError naming file and line for anything else, and when
-/// lines and coordinates are not as many, or coordinates are matrices
+/// Text with one line per coordinate and numbers between commas or blanks, as many on each line. A first line without
+/// numbers, empty lines and text after # are passed over. \throws InputError naming file and line for anything else,
+/// for another number of lines than coordinates, and for coordinates that are matrices
 BoundaryData read_boundary_data(const std::filesystem::path& file, const CageCoordinates& coordinates);
 
-/// The columns of sums of coordinates times data, with derivatives: `f_0`, `f_0_dx` ..., one group a function and
+/// The columns of sums of coordinates times data, with derivatives: `f_0`, `f_0_dx` ..., one group per function and
 /// order.
 CoordinateColumns function_columns(const CageCoordinates& coordinates, int order, const BoundaryData& data);
 

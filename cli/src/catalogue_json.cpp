@@ -23,6 +23,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// The range of a parameter, and which of its ends are in it.
+Json range_json(const Parameter& p) {
+  return {{"default", p.preset},
+          {"lowest", p.lowest},
+          {"lowest_included", p.allows(p.lowest)},
+          {"highest", p.highest},
+          {"highest_included", p.allows(p.highest)},
+          {"infinity_included", p.includes_infinity}};
+}
+
 Json formula_json(const Formula& f) {
   Json evaluations = Json::array();
   for (const EvaluationFamily* family : EvaluationRegister::instance().families(f.name)) {
@@ -39,9 +49,11 @@ Json formula_json(const Formula& f) {
                            {"scalars", scalars}});
   }
   Json parameters = Json::array();
-  for (const Parameter& p : f.parameters)
-    parameters.push_back(
-        {{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}, {"whole", p.whole}});
+  for (const Parameter& p : f.parameters) {
+    parameters.push_back({{"name", p.name}});
+    parameters.back().update(range_json(p));
+    parameters.back()["whole"] = p.whole;
+  }
   return {{"name", f.name},
           {"symbol", f.symbol},
           {"source", f.source},
@@ -54,7 +66,8 @@ Json formula_json(const Formula& f) {
 }
 
 Json parameter_json(const KindParameter& p) {
-  Json parameter = {{"name", p.name}, {"default", p.preset}, {"lowest", p.lowest}, {"highest", p.highest}};
+  Json parameter = {{"name", p.name}};
+  parameter.update(range_json(p));
   if (!p.names.empty())
     parameter = {{"name", p.name}, {"default", p.names[static_cast<std::size_t>(p.preset)]}, {"names", p.names}};
   if (!p.meaning.empty()) parameter["meaning"] = p.meaning;
@@ -106,7 +119,7 @@ std::string catalogue_json() {
         {{"name", regime.name}, {"parameter", regime.parameter_name}, {"description", regime.description}});
   all["regimes"].push_back({{"name", validation::hull_regime},
                             {"parameter", ""},
-                            {"description", "on and beside the convex hull of a twisted quad; hull_jump alone"}});
+                            {"description", "on and near the convex hull of a twisted quad; only for hull_jump"}});
   all["regimes"].push_back({{"name", validation::hunted_regime},
                             {"parameter", ""},
                             {"description", "the stored worst cases, measured again in every run"}});

@@ -25,7 +25,7 @@ Option& Option::required(bool whether) {
 }
 
 Option& Option::one_of(const std::vector<std::string>& names) {
-  // What the value is called holds its choices: descriptions find them there.
+  // The value's type name holds its choices: descriptions find them there.
   option_->type_name(fmt::format("{}", fmt::join(names, "|")));
   option_->check([names](const std::string& text) -> std::string {
     if (std::ranges::find(names, text) != names.end()) return {};
@@ -195,7 +195,7 @@ Command CommandLine::command(const std::string& name, const std::string& descrip
 ProgramText CommandLine::describe() const { return text_of(*app_); }
 
 std::string CommandLine::help(const std::string& command) const {
-  // Of App::help the choice of this run would decide whose help it is.
+  // App::help would show the help of the command chosen in this run instead.
   return help_formatter()->make_help(command.empty() ? app_.get() : app_->get_subcommand(command),
                                      command.empty() ? "cageproof" : "cageproof " + command,
                                      CLI::AppFormatMode::Normal);

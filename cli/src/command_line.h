@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The command line: commands, their options, and what they run. CLI11 parses it; its templates are instantiated in
-// command_line.cpp and its neighbours alone, because they cost every file that includes them seconds of compiling.
+// The command line: commands, their options, and their actions. CLI11 parses it. Only command_line.cpp and its
+// neighbours instantiate CLI11's templates, because they cost every file that includes them seconds of compiling.
 #pragma once
 
 #include "command_text.h"
@@ -33,14 +33,14 @@ class Option {
   Option& required(bool whether = true);
   /// Values are one of these, and the help lists them.
   Option& one_of(const std::vector<std::string>& names);
-  /// What help calls the value, by which completion knows what to offer: value_names.h has the words.
+  /// Name of the value in help, which tells completion what to offer; value_names.h has the words.
   Option& taking(const std::string& type);
   /// Values lie in the closed range, and the help shows it. \pre an option of numbers
   Option& in_range(int lowest, int highest);
   Option& in_range(double lowest, double highest);
   /// Takes exactly so many values.
   Option& values(int count);
-  /// Takes one value at a time: what follows it is not its own.
+  /// Takes one value each time it is given: the next word is not its value.
   Option& one_at_a_time();
   /// The two are not given together.
   Option& excludes(const Option& other);
@@ -77,7 +77,7 @@ class Command {
   bool given(const std::string& name) const;
   /// A command line that does something sensible, which help and manual show.
   void example(const std::string& line);
-  /// What the command does, once the whole command line is read.
+  /// The command's action, once the whole command line is read.
   void runs(Action action);
 
  private:
@@ -100,9 +100,9 @@ class CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   Command command(const std::string& name, const std::string& description);
-  /// What there is, for manuals and completion.
+  /// Description of the program for manuals and completion.
   ProgramText describe() const;
-  /// What --help prints. \param command of which; empty: of the program \pre there is such a command
+  /// The text that --help prints. \param command empty: help of the program \pre the command exists
   std::string help(const std::string& command) const;
   const std::string& version() const { return version_; }
   /// Reads the arguments and runs the chosen command, or prints the help or version that was asked for.

@@ -12,7 +12,7 @@
 namespace cageproof::cli {
 namespace {
 
-// Doubles above it are all whole, and not what was written.
+// Above this number all doubles are whole, so that a number that is read may differ from the text.
 constexpr double most_exact = 9007199254740992.;
 
 // All of the text, or nothing.

@@ -8,7 +8,7 @@
 
 namespace cageproof::cli {
 
-/// What an option of numbers takes, both ends included.
+/// The range of an option of numbers, both ends included.
 struct NumberBounds {
   bool whole = true;
   double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();

@@ -7,17 +7,17 @@
 
 namespace cageproof::cli {
 
-/// An option, or what stands without one (a positional).
+/// An option, or a positional argument.
 struct OptionText {
   std::vector<std::string> names;    ///< "--regimes", "--regime"; of a positional its one name
-  std::string type;                  ///< what its value is called, "FOLDER"; empty: takes none
+  std::string type;                  ///< name of its value, "FOLDER"; empty: takes none
   std::string description;           ///< with range and choices
   std::string preset;                ///< the default; empty where none is said
-  std::string heading;               ///< what it stands under; empty: under none of its own
+  std::string heading;               ///< its heading in help; empty: none of its own
   std::vector<std::string> choices;  ///< all values that there are; empty: others too
   std::vector<std::string> needs, excludes;
   bool required = false, positional = false, repeats = false;
-  bool alternative = false;  ///< of those under its heading exactly one is required
+  bool alternative = false;  ///< exactly one of the options under its heading is required
 };
 
 struct CommandText {
@@ -32,7 +32,7 @@ struct ProgramText {
   std::vector<CommandText> commands;
 };
 
-/// The description with what else is to be said: "; default: 1; required; not with --out".
+/// The description with all conditions: "; default: 1; required; not with --out".
 std::string whole_description(const OptionText& option);
 
 /// The options that stand under one heading, in their order.

@@ -21,7 +21,7 @@ OptionText text_of(const CLI::Option& option) {
   for (const std::string& name : option.get_snames()) text.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) text.names.push_back("--" + name);
   text.description = option.get_description();
-  // CLI11's own name for what has no heading.
+  // CLI11's own name of the group of options without a heading.
   if (option.get_group() != "Options") text.heading = option.get_group();
   text.repeats = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
   text.required = option.get_required();
@@ -45,7 +45,7 @@ OptionText text_of(const CLI::Option& option) {
   return text;
 }
 
-// Of a command and of its groups, which come first: one of each is to be chosen.
+// Adds the options of a command and of its groups, which come first: one of each group is to be chosen.
 void add_options(const CLI::App& app, CommandText& command) {
   for (const CLI::App* group : app.get_subcommands([](const CLI::App* one) { return one->get_name().empty(); })) {
     const std::size_t first = command.options.size();

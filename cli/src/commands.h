@@ -19,12 +19,13 @@
 namespace cageproof::cli {
 
 /// Exit codes, stable.
-enum ExitCode { success = 0, promise_broken = 1, bad_input = 2 };
+enum ExitCode { success = 0, promise_broken = 1, not_valid = 1, bad_input = 2 };
 
 void add_list(CommandLine& line);
 void add_eval(CommandLine& line);
 void add_explain(CommandLine& line);
 void add_inside(CommandLine& line);
+void add_quads(CommandLine& line);
 void add_coordinates(CommandLine& line);
 void add_deform(CommandLine& line);
 void add_verify(CommandLine& line, const std::string& command_line);
@@ -41,8 +42,8 @@ void add_vectors(CommandLine& line, const std::string& command_line);
 /// `help`, `version`, `man` and `completion`: what the program says of itself. \param line lives as long as the program
 void add_descriptions(CommandLine& line);
 
-/// Prints what is broken and the verdict on standard output; what is to be said of the run's sessions on standard
-/// error. \param out the report's folder
+/// Prints broken promises and the verdict on standard output, and remarks on the run's sessions on standard error.
+/// \param out the report's folder
 ExitCode print_verdict(const RunResult& result, const std::string& out);
 
 /// Options that every command with a cage shares.
@@ -57,7 +58,7 @@ struct CageArguments {
   Option add_to(Command command, bool required);
   /// \throws InputError as read_cage; names of embedded cages are taken first
   Cage load() const { return load_merged().cage; }
-  /// The same with what --merge joined; nothing without it.
+  /// The same cage with the vertices that --merge joined; nothing without --merge.
   struct Merged {
     Cage cage;
     std::optional<Merging> merging;
@@ -74,11 +75,11 @@ std::vector<double> parameters_from(const std::vector<std::string>& given, const
 std::vector<std::vector<double>> parameter_sets_from(const std::vector<std::string>& given,
                                                      const std::vector<KindParameter>& known, std::string_view owner);
 
-/// What help adds of the points of polygons.
+/// Addition to the help of points: y of polygons.
 inline constexpr std::string_view y_of_points =
     "; y points up: beside a cage from an SVG, whose y points down, a point has minus the drawing's y";
 
-/// Points with the faces that they carry, if any: a mesh file, or text.
+/// Points, with faces if the file has any: a mesh file, or text.
 /// \param dimension of the cage that they are for: in the plane third numbers must be zero
 /// \throws InputError as read_mesh and read_points, and naming a point off the plane
 Mesh load_points(const std::string& file, int dimension);

@@ -126,7 +126,7 @@ void add_compare(CommandLine& line) {
   command.option("new", a->after, "another").taking("FILE").required();
   command
       .option("--names", a->names,
-              R"(JSON object {"old": "new"} of names that changed; "subject/old" in that subject's rows alone)")
+              R"(JSON object {"old": "new"} of names that changed; "subject/old" only in that subject's rows)")
       .taking("FILE");
   command
       .option("--tolerance", a->tolerance,

@@ -6,7 +6,7 @@
 
 namespace cageproof::cli {
 
-/// Scripts for bash, zsh and fish. They hold the names that there are: the program is not run while one types.
+/// Scripts for bash, zsh and fish. They hold all names: the program is not run while one types.
 std::string bash_completion(const ProgramText& program);
 std::string zsh_completion(const ProgramText& program);
 std::string fish_completion(const ProgramText& program);

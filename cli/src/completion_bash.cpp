@@ -33,7 +33,7 @@ _cageproof_files() {
 
 )";
 
-// What offers values of an option.
+// Shell code that offers values of an option.
 std::string offer(const OptionText& option) {
   if (!option.choices.empty()) return fmt::format("_cageproof_words '{}'", fmt::join(option.choices, " "));
   const std::vector<std::string> names = names_of_type(option.type);

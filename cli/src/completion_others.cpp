@@ -9,7 +9,7 @@
 namespace cageproof::cli {
 namespace {
 
-// Between single quotes; `escaped` are characters that mean something to who reads what is quoted.
+// Puts a text between single quotes; the shell function that reads it gives the characters `escaped` a meaning.
 std::string quoted(const std::string& text, std::string_view escaped, std::string_view quote) {
   std::string result = "'";
   for (const char c : text) {

@@ -35,7 +35,7 @@ std::string_view data_of(const CoordinateBlock& block) {
   return "data of your own, such as Laplacians at vertices or their normal derivatives; zero gives linear maps";
 }
 
-// Of sums over elements: the formula of each kind of element.
+// Formulas of a sum over elements, one for each kind of element.
 Json formulas_json(const CageCoordinates& coordinates, std::size_t block) {
   Json all = Json::array();
   if (!coordinates.kind().is_sum()) return all;
@@ -56,7 +56,7 @@ Json block_json(const CageCoordinates& coordinates, std::size_t b) {
   if (block.entries() > 1) json["matrix"] = {block.shape.rows, block.shape.columns};
   json["multiplies"] = data_of(block);
   if (block.reproduces == Reproduces::Normals) json["normal_factor"] = block.normal_factor;
-  // Elements' own stand beside them; a quad that is kept has one a corner.
+  // Elements' own normals are stored with them; a kept quad has one per corner.
   if (block.owner == Owner::Normal) {
     const CageElements& elements = coordinates.elements();
     for (int i = 0; i < block.size; ++i) {
@@ -118,7 +118,7 @@ std::string_view element_name(const CageElements& elements) {
   return first;
 }
 
-// Of an element whose vertices are these: in their own unit, so that squares of lengths neither overflow nor underflow.
+// An element's length or area, in a unit of its own, so that squares of lengths neither overflow nor underflow.
 double measure_of(const ElementType& type, std::vector<Vec3<double>> corners) {
   const Vec3<double> origin = corners.front();
   double largest = 0;

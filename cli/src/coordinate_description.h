@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What someone needs to apply coordinates who has nothing but a file of them: what each column belongs to, the elements
-// that were used, their normals, and the conventions.
+// Facts for someone who wants to apply coordinates and has only their file: the owner of each column, the elements
+// used, their normals, and the conventions.
 #pragma once
 
 #include "coordinate_table.h"
@@ -17,7 +17,7 @@ namespace cageproof::cli {
 
 inline constexpr std::string_view coordinates_schema = "cageproof-coordinates";
 
-/// What the command was given, for the description.
+/// Inputs of the command, for the description.
 struct DescribedRun {
   std::string cage_file, points_file, triangulation, data_file;
   std::vector<double> parameters;  ///< in the order of parameters_of(kind); empty for their defaults

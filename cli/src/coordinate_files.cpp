@@ -52,7 +52,7 @@ void add_elements(Members& members, const reports::DescribedCage& cage) {
   add(members, "element_faces", std::vector<std::int64_t>(cage.faces.begin(), cage.faces.end()), {cage.faces.size()});
 }
 
-// What each coordinate of a block belongs to, where that is no vertex and no element.
+// The owner of each coordinate of a block, where that is neither a vertex nor an element.
 void add_corners(Members& members, const CoordinateBlock& block, const CageElements& elements) {
   if (block.owner == Owner::Vertex || block.owner == Owner::Element) return;
   std::vector<std::int64_t> element_of, vertex_of;
@@ -126,7 +126,7 @@ void check_coordinate_files(const std::filesystem::path& out,
     const auto other = place_of(file);
     if (other == place_of(out)) throw InputError(fmt::format("{}: --out is the file of {}, too", out.string(), option));
     if (!companion.empty() && other == place_of(companion))
-      throw InputError(fmt::format("{}: is written beside {}, and is the file of {}, too", companion.string(),
+      throw InputError(fmt::format("{}: is written next to {}, and is also the file of {}", companion.string(),
                                    out.string(), option));
   }
   std::vector<std::filesystem::path> written{out};

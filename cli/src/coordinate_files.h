@@ -14,11 +14,11 @@ namespace cageproof::cli {
 /// The extensions there are: ".csv, .npy, .npz or .vtp".
 std::string coordinate_extensions();
 
-/// The file beside --out that says what is in it: of tables without names of their own (.csv, .npy) a `.json`, of .vtp
+/// The file next to --out that describes it: of tables without names of their own (.csv, .npy) a `.json`, of .vtp
 /// the cage as a `.cage.vtp`; empty for .npz, which holds everything.
 std::filesystem::path companion_of(const std::filesystem::path& out);
 
-/// \throws InputError for an extension there is not, for a file beside --out that is no such description, and for one
+/// \throws InputError for an unknown extension, for a file next to --out that is no such description, and for one
 /// that is read or written twice
 void check_coordinate_files(const std::filesystem::path& out,
                             const std::vector<std::pair<std::string, std::string>>& others);
@@ -32,13 +32,13 @@ std::vector<std::pair<std::filesystem::path, std::string>> coordinate_files(
 /// Members of an .npz that describe the cage (vertices, elements, normals, metadata.json), by name and bytes.
 std::vector<std::pair<std::string, std::string>> cage_members(const reports::DescribedCage& cage);
 
-/// The description beside a .csv or .npy, which is written by rows.
+/// The description next to a .csv or .npy, which is written by rows.
 std::pair<std::filesystem::path, std::string> description_file(const std::filesystem::path& out,
                                                                const reports::DescribedCage& cage,
                                                                const nlohmann::ordered_json& description);
 
-/// Refuses a table that such a file cannot be made of in half of the memory there is: nothing of the work is done then.
-/// \throws InputError with the sizes, and what to do
+/// Refuses, before any work is done, a table that needs more than half of the memory to write as such a file. \throws
+/// InputError with the sizes, and what to do
 void require_memory_for(const std::filesystem::path& out, std::size_t points, std::size_t columns);
 
 }  // namespace cageproof::cli

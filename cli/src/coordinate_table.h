@@ -44,10 +44,10 @@ void for_rows(const CageCoordinates& coordinates, std::span<const Vec3<double>> 
 /// where rows are long.
 std::size_t points_together(std::size_t columns);
 
-/// A header, then a row a point.
+/// A header, then one row per point.
 std::string csv_text(const CoordinateColumns& table);
 std::string csv_header(const CoordinateColumns& table);
-/// Adds lines. \param columns numbers a line
+/// Adds lines. \param columns numbers per line
 void add_csv_rows(std::string& text, std::span<const double> rows, std::size_t columns);
 /// points x columns.
 std::string npy_text(const CoordinateColumns& table);

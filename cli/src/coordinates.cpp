@@ -7,6 +7,7 @@
 #include "on_cage.h"
 #include "progress.h"
 #include "rows_file.h"
+#include "solved_file.h"
 #include "summary_lines.h"
 
 #include "cageproof/core/input_error.h"
@@ -62,7 +63,7 @@ void tell_solved(const CageCoordinates& coordinates) {
   }
 }
 
-// JSON has no infinity: what is none is null.
+// JSON has no infinity, so an infinite number is null.
 nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
   nlohmann::ordered_json all = {{"schema", "cageproof-solved"}, {"schema_version", 1}};
   all["kind"] = coordinates.kind().name;
@@ -81,7 +82,7 @@ nlohmann::ordered_json solved_json(const CageCoordinates& coordinates) {
   return all;
 }
 
-// How many blocks of points are computed before what was made of them is written.
+// Number of blocks of points that are computed before their rows are written.
 std::size_t parts_together(std::size_t columns, int jobs) {
   // Text of a number takes about 20 bytes.
   constexpr std::size_t bytes = std::size_t{1} << 26, of_number = 20;
@@ -89,9 +90,21 @@ std::size_t parts_together(std::size_t columns, int jobs) {
   return std::max(fitting, static_cast<std::size_t>(threads_for(jobs)));
 }
 
-// What was solved must not be written over what is read.
+// The file of --solved.
+std::string solved_text(const Arguments& a, const CageCoordinates& coordinates, const Cage& cage,
+                        const CoordinateOptions& options) {
+  if (!holds_matrices(a.solved)) return solved_json(coordinates).dump(2) + '\n';
+  return matrices_text(deformation::solved_matrices(coordinates.kind().name, cage, options));
+}
+
+// The file of solved systems must not be one that is read.
 void check_solved_file(const Arguments& a) {
   if (a.solved.empty()) return;
+  if (holds_matrices(a.solved) && !a.kind.starts_with("regularised_"))
+    throw InputError(
+        fmt::format("--solved {}: {} has no matrices to write, which kinds named regularised_... have; "
+                    ".json takes ranks, conditions and residuals",
+                    a.solved, a.kind));
   reports::require_writable({a.solved});
   const auto solved = place_of(a.solved);
   for (const auto& [file, option] : {std::pair(a.cage.file, "--cage"), {a.points, "--points"}, {a.data, "--data"}})
@@ -136,7 +149,7 @@ validation::CoordinateSummary written(const Arguments& a, const CageCoordinates&
   std::optional<RowsFile> file;
   if (by_rows) file.emplace(a.out, table, points.size());
   else table.values.resize(points.size() * written_columns);
-  // Lines of CSV are kept until those before them are written: so many at a time.
+  // Lines of CSV wait in memory until those before them are written, so only this many parts are computed at a time.
   const std::size_t parts = parts_together(columns, a.jobs);
   if (file) file->expect(parts);
   const auto take = [&](std::size_t part, std::size_t first, std::span<const double> rows) {
@@ -195,9 +208,9 @@ int run(const Arguments& a) {
       warn(fmt::format("{}: {} (faces counted from 0)", cage.name(), fault));
   const Mesh mesh = load_points(a.points, cage.dimension());
   const std::vector<double> parameters = parameters_from(a.parameters, parameters_of(kind), kind.name);
-  const CageCoordinates coordinates(
-      cage, kind,
-      CoordinateOptions{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(), parameters});
+  const CoordinateOptions options{a.evaluation.empty() ? std::string(quickest) : a.evaluation, a.cage.rule(),
+                                  parameters};
+  const CageCoordinates coordinates(cage, kind, options);
   std::vector<Vec3<double>> points = mesh.vertices;
   take_onto_cage(a.on, coordinates, cage.size(), points, a.jobs);
   for (const CoordinateBlock& block : coordinates.blocks())
@@ -207,7 +220,7 @@ int run(const Arguments& a) {
           kind.name));
   const BoundaryData data = a.data.empty() ? BoundaryData() : read_boundary_data(a.data, coordinates);
   tell_solved(coordinates);
-  if (!a.solved.empty()) reports::replace_file(a.solved, solved_json(coordinates).dump(2) + '\n');
+  if (!a.solved.empty()) reports::replace_file(a.solved, solved_text(a, coordinates, cage, options));
   const DescribedRun described{a.cage.file, a.points, a.cage.triangulate, a.data,
                                parameters,  a.order,  a.cage.merge,       a.on};
   const validation::CoordinateSummary summary = a.dropping.is_asked()
@@ -250,7 +263,8 @@ void add_coordinates(CommandLine& line) {
                "compute with quads that are not valid, of kinds that keep quads");
   command
       .option("--parameter", a->parameters,
-              "mu=..., nu=... of somigliana (nu in (-1, 0.5] or inf or -inf); pieces=1 ... 64, collocation=NAME of "
+              "mu=..., nu=... of somigliana (nu in (-1, 0.5] or inf or -inf), nu=... of elastic; pieces=1 ... 64, "
+              "collocation=NAME of "
               "kinds that solve boundary equations; level=..., gamma_d=... of regularised ones; `list` names all")
       .taking("NAME=VALUE");
   command
@@ -264,14 +278,17 @@ void add_coordinates(CommandLine& line) {
   command
       .option("--out", a->out,
               ".npz (named arrays with the cage, its elements and normals), .csv or .npy (points x columns, and "
-              "beside it a .json that says what they are), or .vtp (and beside it the cage as .cage.vtp); CSV on "
+              "next to it a .json that describes them), or .vtp (and next to it the cage as .cage.vtp); CSV on "
               "standard output if not given")
       .taking("FILE");
   Option data = command.option(
       "--data", a->data,
       "text, a line of numbers a coordinate: writes the functions that coordinates make of them instead");
   add_dropping(command, a->dropping, data.taking("FILE"));
-  command.option("--solved", a->solved, "a JSON file for what was solved: rank, condition and residual of each system")
+  command
+      .option("--solved", a->solved,
+              "a JSON file for what was solved: rank, condition and residual of each system; or .npz, of kinds named "
+              "regularised_...: its matrices")
       .taking("FILE");
   command.heading("Running");
   command.flag(

@@ -3,9 +3,11 @@
 #include "deform_files.h"
 #include "deformation_report.h"
 #include "image_columns.h"
+#include "local_thickness.h"
 #include "on_cage.h"
 #include "pose_files.h"
 #include "progress.h"
+#include "solved_file.h"
 
 #include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/core/input_error.h"
@@ -36,7 +38,7 @@ struct Chosen {
   std::vector<std::string_view> varied;         ///< that these differ in
 };
 
-// Of methods that take posed cages.
+// The named method, which takes posed cages.
 const DeformMethod& method_of(const DeformArguments& a) {
   const DeformMethod& named = deform_method_named(a.method);
   return a.keep_quads ? keeping_quads(named) : named;
@@ -61,6 +63,7 @@ Chosen chosen_by(const DeformArguments& a) {
     throw InputError(fmt::format("{} takes {}", a.method, chosen.constrained ? "--constraints" : "--posed"));
   if (const auto given = given_data(a); chosen.constrained && !given.empty())
     throw InputError(fmt::format("--{}: {} takes none", given[0].first, a.method));
+  if (!a.solved.empty() && !holds_matrices(a.solved)) throw InputError(fmt::format("--solved {}: use .npz", a.solved));
   if (!a.energies.empty() && !chosen.constrained)
     throw InputError(fmt::format("--energies: {} has no steps", a.method));
   return chosen;
@@ -109,7 +112,7 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
     std::ranges::replace(option, '-', '_');
     json[option] = file;
   }
-  // What rows of these files belong to.
+  // Elements with their vertices say to what the rows of these files belong.
   if (!given_data(a).empty()) {
     const CageElements& elements = coordinates.elements();
     for (std::size_t e = 0; e < elements.count(); ++e) {
@@ -120,7 +123,7 @@ Json report_of(const DeformArguments& a, const Chosen& chosen, const CageCoordin
   return json;
 }
 
-// Says what may be done with points without image. \param point the first of them
+// Says how points without image can be handled. \param point the first of them
 std::string advice_for(const CageCoordinates& coordinates, const Cage& cage, const Vec3<double>& point) {
   std::string advice = "--outside rest leaves them where they are, --outside nan writes nan";
   if (coordinates.kind().extends) advice += ", --outside extend continues the map through the nearest face";
@@ -141,7 +144,7 @@ std::vector<std::string_view> methods_that_extend() {
   return names;
 }
 
-// \throws InputError where images to a number of digits cannot have what else is asked for
+// \throws InputError where --digits excludes another option
 void require_digits_served(const DeformArguments& a, const Chosen& chosen) {
   if (a.digits == 0) return;
   if (chosen.name != "green")
@@ -216,6 +219,26 @@ PointImages images_by(const DeformArguments& a, const Posing& posing, const Cage
   return images;
 }
 
+// How many pieces edges are solved in.
+int pieces_of(const Chosen& chosen, const DescribedMap& map) {
+  const auto found = std::ranges::find(chosen.known, "pieces", &KindParameter::name);
+  return found == chosen.known.end() ? 1 : static_cast<int>(map.parameters[found - chosen.known.begin()]);
+}
+
+// What maps multiply layers with, for --solved. \throws InputError for a method whose maps are no sums of four layers
+std::string densities_text(const DeformArguments& a, const Posing& posing) {
+  std::vector<std::vector<NamedMatrix>> maps;
+  maps.reserve(posing.maps.size());
+  for (const DescribedMap& map : posing.maps) maps.push_back(layer_data(*posing.coordinates, *map.map));
+  if (maps.front().empty())
+    throw InputError(
+        fmt::format("--solved {}: images of {} are no sums of biharmonic layers; those of methods named "
+                    "biharmonic_..., ahap, aaap, "
+                    "tp and variational are",
+                    a.solved, a.method));
+  return matrices_text(maps);
+}
+
 // Each once, and of which it is said: of a map where there are several sets of parameters, else of a pose, or of the
 // method, which is the same for all poses.
 void print_warnings(const Json& warnings, const Chosen& chosen, const DescribedMap& map, std::string_view out,
@@ -238,13 +261,14 @@ int run(DeformArguments& a) {
   const auto [cage, merging] = a.cage.load_merged();
   Mesh mesh = load_points(a.points, cage.dimension());
   check_shapes(a, mesh, cage.dimension());
-  // Solving takes its time: what can be refused before is.
+  // Solving takes long, so the order is checked before.
   const std::string_view kind = chosen.constrained ? chosen.constrained->kind : method_of(a).kind;
   if (!kind.empty()) require_order(a, highest_order(coordinate_kind_named(kind), cage, a.evaluation));
   const Posing posing = posing_by(a, chosen, cage, merging);
   const CageCoordinates& coordinates = *posing.coordinates;
   require_order(a, posing.max_order);
   take_onto_cage(a.on, coordinates, cage.size(), mesh.vertices, a.jobs);
+  const std::string densities = a.solved.empty() ? "" : densities_text(a, posing);
   std::vector<DigitsReport> digits;
   const PointImages images = images_by(a, posing, cage, mesh, digits);
   // Everything is made before anything is written.
@@ -261,6 +285,8 @@ int run(DeformArguments& a) {
     json.update(deformation_json(measures, mesh.vertices.size(), cage.size(),
                                  chosen.constrained ? map.vertices : std::vector<Vec3<double>>(), cage.dimension(),
                                  map.prepared, pose));
+    if (cage.dimension() == 2 && a.order > 0 && !map.vertices.empty())
+      json["local_thickness"] = local_thickness(coordinates, *map.map, map.vertices, pieces_of(chosen, map));
     if (!images.beyond.empty())
       json["points_continued"] = {{"count", std::ranges::count_if(images.beyond, [](double way) { return way > 0; })},
                                   {"farthest_over_cage_size", std::ranges::max(images.beyond) / cage.size()}};
@@ -270,6 +296,7 @@ int run(DeformArguments& a) {
     if (!a.energies.empty())
       files.add(a.energies, energies_text(a, fmt::format("{}, {}", a.method, cage.name()), pose.energies));
   }
+  if (!a.solved.empty()) files.add(a.solved, densities);
   files.write();
   return success;
 }
@@ -354,6 +381,10 @@ void add_deform(CommandLine& line) {
   command.option("--order", a->order, "1: Jacobians, 2: Hessians, too").in_range(0, 2).showing_default();
   command.option("--derivatives", a->derivatives, ".csv, .npy or .vtp, beside a mesh file").taking("FILE");
   command.option("--energies", a->energies, ".csv or .png: of methods that iterate, the energy at every half step")
+      .taking("FILE");
+  command
+      .option("--solved", a->solved,
+              "an .npz of what multiplies the four layers, of biharmonic methods: V, N, L, D (maps x rows x dimension)")
       .taking("FILE");
   command.heading("Running");
   command.option("--jobs", a->jobs, "threads; 0: one a core").in_range(0, 1024).showing_default();

@@ -63,6 +63,7 @@ void check_distinct(const DeformArguments& a, std::size_t maps) {
   }
   if (!a.collection.empty()) write(a.collection, "--out");
   if (!a.energies.empty()) write(a.energies, "--energies");
+  if (!a.solved.empty()) write(a.solved, "--solved");
   reports::require_writable(written);
 }
 
@@ -73,7 +74,7 @@ void check_standard_input(const DeformArguments& a) {
   require_one_reader_of_input(inputs);
 }
 
-// Of a file of all maps.
+// One file holds all maps, so its name has no mark for their numbers.
 void require_no_mark(const std::string& out) {
   require_marks("--out", out);
   if (has_mark(out))

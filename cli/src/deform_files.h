@@ -11,16 +11,16 @@
 
 namespace cageproof::cli {
 
-/// What the user asks of `deform`.
+/// Options of `deform`, as the user gave them.
 struct DeformArguments {
   CageArguments cage;
-  std::string points, method, evaluation, out, derivatives, constraints, energies, outside = "error";
+  std::string points, method, evaluation, out, derivatives, constraints, energies, solved, outside = "error";
   std::vector<std::string> posed, parameters;
   DataFiles data;
   int order = 0, jobs = 0;
   int digits = 0;           ///< of images; 0 for all
   double on = 0;            ///< a share of the cage's size
-  double frame_rate = 0;    ///< frames a second; 0 where the user gave none
+  double frame_rate = 0;    ///< frames per second; 0 where the user gave none
   std::string collection;   ///< a .pvd file that names those of out; by split_collection
   bool strict = false;      ///< a posed cage with other faces is an error
   bool keep_quads = false;  ///< in place of the method, the one that does the same on quads
@@ -28,9 +28,9 @@ struct DeformArguments {
 
 inline constexpr std::string_view deformation_schema = "cageproof-deformation";
 
-/// Of the report beside a file of several maps.
+/// Schema of the report next to a file of several maps.
 inline constexpr std::string_view deformations_schema = "cageproof-deformations";
-/// Frames a second where the user gave none.
+/// Frames per second where the user gave none.
 inline constexpr double usual_rate = 24;
 
 /// Whether a file of that name holds all maps as frames: .pc2, .mdd.
@@ -39,29 +39,29 @@ bool is_point_cache(const std::string& file);
 /// Takes --out NAME.pvd for the collection of NAME_001.vtp and so on. \throws InputError where the name has a number
 void split_collection(DeformArguments& a);
 
-/// What poses have beside vertices: options without dashes, and their files, of those that are given.
+/// Options that name data of poses other than vertices, without dashes, with their files; only those that are given.
 std::vector<std::pair<std::string, std::string>> given_data(const DeformArguments& a);
 
 /// \param maps that are written, their number \throws InputError for a file whose format cannot hold what is to be
 /// written, whose folder does not exist, or that is read or written, too
 void check_names(const DeformArguments& a, std::size_t maps);
 
-/// \throws InputError where --out is of a format that has no place for what the points are
+/// \throws InputError where --out is of a format that cannot hold such points
 void check_shapes(const DeformArguments& a, const Mesh& mesh, int dimension);
 
-/// The file of --points, of which images take along what does not depend on places, and what of it is left out, said
-/// once on standard error.
+/// The file of --points. Images take along its data that do not depend on places; the others are named once on standard
+/// error.
 class MeshSource {
  public:
   explicit MeshSource(const std::string& points);
 
-  /// Whether files of that extension take along what it has.
+  /// Whether files of that extension can hold all of the source's data.
   bool is_carried_to(std::string_view extension) const;
   /// Its text with other vertices; VTP with arrays of the images, too. \pre is_carried_to its own extension
   std::string with_images(const Mesh& mesh, const CoordinateColumns& images);
   /// STL or SVG, by the file's extension, which hold parts of a mesh.
   std::string text_of(const std::filesystem::path& file, const Mesh& mesh);
-  /// Says what files of that extension do not take along. \param also of the mesh
+  /// Names the data that files of that extension cannot hold. \param also of the mesh
   void say_left_out_of(std::string_view extension, const std::vector<std::string>& also = {});
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What there is to say of a deformed mesh.
+// The report on a deformed mesh.
 #pragma once
 
 #include "cageproof/deformation/mesh_measures.h"

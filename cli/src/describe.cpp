@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the program says of itself: help, version, manual and completion.
+// Commands about the program itself: help, version, manual and completion.
 #include "commands.h"
 #include "command_words.h"
 #include "completion.h"

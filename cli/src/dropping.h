@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of `coordinates` that drop small weights, and what is said of it.
+// The options of `coordinates` that drop small weights, and the remarks on them.
 #pragma once
 
 #include "command_line.h"
@@ -26,10 +26,10 @@ struct Dropping {
 /// Adds --drop, --budget and --store. \param data the option --data, which writes no weights
 void add_dropping(Command& command, Dropping& dropping, const Option& data);
 
-/// Refuses what no sparse file is made of. \throws InputError saying what would do
+/// Refuses options that fit no sparse file. \throws InputError saying which would
 void check_dropping(const Dropping& dropping, const std::string& out, int order);
 
-/// \param size the cage's \throws InputError for kinds whose weights nothing bounds, naming those that have bounds
+/// \param size the cage's \throws InputError for kinds without bounds on weights, naming those that have bounds
 deformation::SparseWeights weights_of(const Dropping& dropping, const CageCoordinates& coordinates, double size);
 
 /// \throws InputError where rounding weights moves points by more than the tolerance

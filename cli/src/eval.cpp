@@ -3,6 +3,7 @@
 #include "json_line.h"
 #include "query_numbers.h"
 
+#include "cageproof/core/catalogue/steps.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/numbers/scalar_text.h"
 
@@ -21,7 +22,7 @@ namespace {
 struct EvalOptions {
   std::string formula, evaluation, scalar = "double";
   int order = 0;
-  bool allow_invalid_quads = false;
+  bool allow_invalid_quads = false, steps = false;
 };
 
 // float and double as JSON numbers in shortest form; multiprecision, NaN and infinity as strings.
@@ -51,7 +52,17 @@ std::vector<R> radii_of_text(const std::vector<R>& values, std::vector<R> radii)
 }
 
 template <Scalar R>
-std::string evaluated(const QueryText& text, const Formula& formula, const Evaluation& evaluation, int order) {
+std::string steps_text(const std::vector<Step<R>>& steps) {
+  std::string text;
+  for (const Step<R>& step : steps)
+    text += fmt::format("{}{{\"name\":\"{}\",\"source\":\"{}\",\"length\":{},\"values\":{}}}", text.empty() ? "" : ",",
+                        step.name, step.source, step.length, array_text(step.values));
+  return ",\"steps\":[" + text + ']';
+}
+
+template <Scalar R>
+std::string evaluated(const QueryText& text, const Formula& formula, const Evaluation& evaluation, int order,
+                      const StepFunctions* steps) {
   const QueryNumbers<R> numbers(text, formula);
   Result<R> result;
   evaluation(numbers.query(order), result);
@@ -66,6 +77,7 @@ std::string evaluated(const QueryText& text, const Formula& formula, const Evalu
   if (!std::isnan(result.stated_digits))
     line += fmt::format(",\"stated_digits\":{:.1f}", std::max(0., std::floor(10 * result.stated_digits) / 10));
   if (!result.converged) line += ",\"converged\":false";
+  if (steps != nullptr) line += steps_text(steps->of<R>()(numbers.query(0)));
   return line + '}';
 }
 
@@ -80,6 +92,7 @@ class Evaluations {
     Evaluation evaluation;
     ScalarKind scalar = ScalarKind::Double;
     int order = 0;
+    std::optional<StepFunctions> steps = {};  // of --steps
   };
   const Asked& of(const LineOptions& line) {
     const std::string& formula = line.formula.empty() ? options_.formula : line.formula;
@@ -97,6 +110,7 @@ class Evaluations {
     if (!asked.evaluation.supports(*kind) || order > asked.evaluation.max_order())
       throw InputError(
           fmt::format("{} of {} does not exist in {} at order {}", options_.evaluation, formula, scalar, order));
+    if (options_.steps) asked.steps = steps_of(formula, options_.evaluation);
     return known_.emplace(key, std::move(asked)).first->second;
   }
 
@@ -149,7 +163,7 @@ int run(const EvalOptions& options) {
       else if (const auto reason = invalid_quad(query, formula))
         fmt::print(stderr, "warning: line {}: {}\n", number, *reason);
       std::cout << with_scalar(asked->scalar, [&]<Scalar R>() {
-        return evaluated<R>(query, formula, asked->evaluation, asked->order);
+        return evaluated<R>(query, formula, asked->evaluation, asked->order, asked->steps ? &*asked->steps : nullptr);
       }) << '\n';
     } catch (const InputError& e) {
       std::cout << error_line(e.what(), number) << '\n';
@@ -172,6 +186,9 @@ void add_eval(CommandLine& line) {
   command.option("--scalar", options->scalar, "what it computes in: mp50 is 50 digits")
       .one_of({"float", "double", "mp50", "mp100", "mp200"})
       .showing_default();
+  command.flag("--steps", options->steps,
+               "add what the evaluation computes on its way, each with its equation's number and its values: "
+               "riemann-<n> of quad.mean_value and its variants");
   command.flag("--allow-invalid-quads", options->allow_invalid_quads, allow_invalid_quads_text);
   command.example(
       "echo '{\"element\":[[0,0,0],[1,0,0],[0,1,0]],\"point\":[0.25,0.25,\"0x1p-4\"]}' | "

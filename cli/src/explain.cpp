@@ -29,7 +29,7 @@ struct ExplainOptions {
   bool json = false, allow_invalid_quads = false;
 };
 
-// What is said of the entry's tensor and of the entry.
+// Figures that explain the error of the entry and of its tensor.
 struct Account {
   Explanation explanation;
   std::string entry_name;

@@ -31,7 +31,7 @@ struct Arguments {
   JudgeOption judge;
 };
 
-// A field, and what its picture shows of it.
+// A field, and the array that its picture shows.
 struct Shown {
   ImageField field;
   std::string title, array;
@@ -115,7 +115,7 @@ Shown kind_field(const Arguments& a, RunResult& result) {
 // Vertices of a mesh that are compared with 50 digits at most: seconds to a minute.
 constexpr std::size_t most_vertices = 2000;
 
-// Two to four, each once; of a glob those that verification runs.
+// Two to four evaluations, each once; globs select among those that verification runs.
 std::vector<std::string> compared_names(const std::vector<std::string>& lists, const CoordinateKind& kind,
                                         const Cage& cage) {
   std::vector<std::string_view> known = whole_evaluation_names(kind, cage);

@@ -37,7 +37,7 @@ std::optional<double> bound_of(const Arguments& a, const HuntObjective& objectiv
       .bound;
 }
 
-// Whether a list of names and globs has the check; glob: by a glob alone, which leaves out what is not asked.
+// Whether a list of names and globs has the check. by_glob: only by globs, which leave out checks that are not asked.
 bool names_check(const Arguments& a, std::string_view check, bool& by_glob) {
   bool named = false;
   by_glob = true;
@@ -50,8 +50,8 @@ bool names_check(const Arguments& a, std::string_view check, bool& by_glob) {
   return named;
 }
 
-// The checks of an evaluation that are named; without names the promised error, and of those that promise
-// digits what they leave of them.
+// The checks of an evaluation that are named. Without names they are the promised error, and, for evaluations that
+// promise digits, the digits left.
 std::vector<const validation::Check*> checks_of(const Arguments& a, const Evaluation& evaluation) {
   std::vector<const validation::Check*> chosen;
   for (const auto& check : validation::checks()) {
@@ -159,7 +159,7 @@ reports::WorstLine line_of(const Arguments& a, const HuntObjective& objective, c
   return line;
 }
 
-// Prints what was found for one objective; returns whether it breaks a promise.
+// Prints the findings for one objective; returns whether it breaks a promise.
 bool print(const Arguments& a, const HuntObjective& objective, const HuntResult& result) {
   const auto head = fmt::format("{} {} {} {} order {}", a.formula, objective.evaluation.name(), a.scalar,
                                 objective.check->name(), a.options.order);

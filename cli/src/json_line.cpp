@@ -172,7 +172,7 @@ QueryText query_of(const Json& json, const Formula& formula) {
 }  // namespace
 
 QueryText parse_members(const std::string& element, const std::string& point, const Formula& formula) {
-  // Each by itself: a fault is that of its option, and neither may close the object that both stand in.
+  // Each text is parsed by itself, so that an error names its option, and neither text can close their common object.
   for (const auto& [option, text, form] :
        {std::tuple("--element", &element, form_of_element(formula)), {"--point", &point, form_of_point(formula.dim())}})
     if (!Json::accept(*text)) throw InputError(fmt::format("{} {}: malformed JSON; expected {}", option, *text, form));

@@ -32,7 +32,7 @@ QueryText parse_query(const std::string& line, const Formula& formula);
 /// \param formula_for called with these before the input is read; the formula stays \throws InputError as formula_for
 QueryText parse_query(const std::string& line, const std::function<const Formula&(const LineOptions&)>& formula_for);
 
-/// Whether a line is {"describe":true}, which asks a program what it has.
+/// Whether a line is {"describe":true}, which asks a program for its formulas.
 bool asks_for_description(const std::string& line);
 
 /// The same of an element and a point that are given as options.

@@ -17,7 +17,7 @@ class JudgeOption {
   JudgeOption() = default;
   JudgeOption(const JudgeOption&) = delete;
   JudgeOption& operator=(const JudgeOption&) = delete;
-  /// Ends the foreign processes, and says on standard error what they did beside computing.
+  /// Ends the foreign processes, and reports on standard error their behaviour other than computing.
   ~JudgeOption();
 
   void add_to(Command command);
@@ -30,7 +30,7 @@ class JudgeOption {
   std::vector<std::pair<std::string, std::shared_ptr<judge::ForeignCode>>> codes_;
 };
 
-/// Incidents of foreign code, one line each: kind, formula, sentence, input.
+/// An incident of foreign code as one line of text, with kind, formula, sentence and input.
 std::string text_of(const judge::Incident& incident);
 
 }  // namespace cageproof::cli

@@ -47,7 +47,7 @@ void print_parameters(const std::vector<KindParameter>& parameters) {
   }
 }
 
-// Whether what is printed of them has anything to show.
+// Whether a name among the rows matches, so that their heading is printed.
 bool any_of(const auto& rows, const std::string& asked, auto name) {
   return std::ranges::any_of(rows, [&](const auto& row) { return matches(asked, name(row)); });
 }
@@ -224,7 +224,9 @@ void add_list(CommandLine& line) {
   };
   auto a = std::make_shared<Arguments>();
   const Option names =
-      command.option("names", a->names, "what has such a name alone, names and globs with commas between; without, all")
+      command
+          .option("names", a->names,
+                  "only entries with such a name: names and globs with commas between; all if not given")
           .taking("NAMES");
   Option json = command.flag("--json", a->json, "as JSON, with scalars, ranges and descriptions").excludes(names);
   Option cage = command.option("--cage", a->cage, "an embedded cage, which is written to --out").taking("CAGE");

@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   add_eval(line);
   add_explain(line);
   add_inside(line);
+  add_quads(line);
   add_coordinates(line);
   add_deform(line);
   add_verify(line, as_given);
@@ -80,7 +81,7 @@ int main(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& e) {
     return complain(fmt::format("{}: {}", e.path1().string(), e.code().message()));
   } catch (const std::system_error& e) {
-    // What the formatting library throws where standard output takes no more.
+    // The formatting library throws this where standard output takes no more.
     if (std::string_view(e.what()).starts_with("cannot write to file"))
       return complain(fmt::format("cannot write to standard output: {}", e.code().message()));
     return complain(fmt::format("unexpected: {}", e.what()));

@@ -10,7 +10,7 @@
 namespace cageproof::cli {
 namespace {
 
-// Text in roff: no line of it a request, a minus a minus, what stands between backquotes bold.
+// Makes text roff: no line is a request, a minus is a minus, and text between backquotes is bold.
 std::string roff(std::string_view text) {
   std::string result;
   bool bold = false;

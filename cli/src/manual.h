@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The manual, made of the command line's own description and of what holds for all commands.
+// The manual, made of the command line's own description and of rules for all commands.
 #pragma once
 
 #include "command_text.h"
 
 namespace cageproof::cli {
 
-/// What holds for all commands: grammar of names and numbers, exit codes, signals, files.
+/// A section of the manual that holds for all commands, as names and numbers, exit codes, signals and files.
 struct ManualSection {
   struct Item {
     std::string term, text;

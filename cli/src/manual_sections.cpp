@@ -29,8 +29,8 @@ const std::vector<ManualSection>& manual_sections() {
        {},
        {{"0", "all went well, and every promise was kept"},
         {"1",
-         "a promise is broken (verify, merge, report, replay, hunt), reports differ (compare), or --strict found "
-         "points without usable coordinates, or outside the cage (verify)"},
+         "a promise is broken (verify, merge, report, replay, hunt), reports differ (compare), a quad is not "
+         "valid (quads), or --strict found points without usable coordinates, or outside the cage (verify)"},
         {"2",
          "the command line or the input is not understood, or a file cannot be read or written: one line on standard "
          "error says which and why, and nothing is written half or deleted; a line that `eval` does not understand is "
@@ -46,15 +46,15 @@ const std::vector<ManualSection>& manual_sections() {
         "code 2) leaves the folder as it is."},
        {}},
       {"Files and folders that are written",
-       {"Every file and folder is written beside its place, as .NAME.partial-PID-N@HOST, and renamed into it when it "
-        "is whole. What a process that was killed (SIGKILL, power) left there is removed by the next command that "
-        "writes to the same place; that of a process that lives is left alone. A symbolic link stays: what it leads to "
-        "is replaced, a file even where it is not there yet. Pipes, devices and /dev/stdout are written to. Empty "
-        "values of options are refused.",
-        "A folder is replaced by the same command alone: what `verify` wrote by verify, merge and report, what `field` "
-        "wrote by field, and so with `bench --out` and `figures`. Every folder holds .cageproof-files, the list of "
-        "what was written; where it holds anything else, or is no such folder, the command refuses, and says what is "
-        "in the way."},
+       {"Every file and folder is written next to its place, as .NAME.partial-PID-N@HOST, and renamed into its place "
+        "when it is whole. The next command that writes to the same place removes what a killed process (SIGKILL, "
+        "power) left there, and leaves the files of a living process alone. A symbolic link stays, and its target is "
+        "replaced, or made if it is a file that does not exist yet. Pipes, devices and /dev/stdout are written to. "
+        "Empty values of options are refused.",
+        "A folder is replaced only by the same kind of command: a folder of `verify` by verify, merge and report, one "
+        "of `field` by field, and likewise for `bench --out` and `figures`. Every such folder holds .cageproof-files, "
+        "the list of the files written. If a folder holds anything else, or is of another kind, the command refuses, "
+        "and says what is in the way."},
        {}},
       {"Output",
        {"Results go to standard output; progress, remarks and warnings go to standard error. On a terminal progress is "

@@ -15,7 +15,7 @@ class PoseFiles {
   /// \param a that check_names has taken, and which lives as long as this
   explicit PoseFiles(const DeformArguments& a) : a_(a), source_(a.points) {}
 
-  /// What messages call what is made of the k-th map, from 1 on: a file, or a frame of one.
+  /// Name, in messages, of the output for the k-th map, from 1 on: a file, or a frame of one.
   std::string name_of(std::size_t k) const;
 
   /// The next map. \param pose the file that describes it \param images of the mesh's vertices, with derivatives

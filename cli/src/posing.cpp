@@ -16,7 +16,7 @@ namespace cageproof::cli {
 using namespace deformation;
 namespace {
 
-// What a pose has beside vertices.
+// A pose with the data of these files.
 Pose<double> pose_with(const DataFiles& files, const DeformMethod& method, int dimension) {
   Pose<double> pose;
   const auto take = [&](std::vector<Vec3<double>>& rows, const std::string& file, const char* option, bool is_taken) {

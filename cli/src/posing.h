@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps of space that users describe: by posed cages, or by constraints.
+// Maps of space that users describe, either by posed cages or by constraints.
 #pragma once
 
 #include "cageproof/core/cage/merged_vertices.h"
@@ -10,7 +10,7 @@
 
 namespace cageproof::cli {
 
-/// A map, and what it is made from.
+/// A map, and the posed cage and parameters that define it.
 struct DescribedMap {
   std::unique_ptr<const deformation::Posed<double>> map;
   std::string file;                         ///< that describes it
@@ -27,8 +27,8 @@ struct Posing {
   std::vector<DescribedMap> maps;
 };
 
-/// What poses may have beside vertices (deformation::Pose), each for all of them: text with as many numbers a line as
-/// the space has dimensions, a line an element or vertex. Empty names for none.
+/// Files of a pose's data other than vertices (deformation::Pose), each for all poses: text with one line per element
+/// or vertex, and as many numbers per line as the space has dimensions. Empty names for none.
 struct DataFiles {
   std::string normal_derivatives, laplacians, laplacian_derivatives;
 };
@@ -43,7 +43,7 @@ struct PosedFiles {
 
 /// A map for each posed cage (a mesh, text, or the name of an embedded cage) with each set of parameters; all of one
 /// posed cage come before those of the next.
-/// \param options of all maps but for parameters; varied names those that the sets differ in
+/// \param options of all maps, except parameters; varied names the parameters in which the sets differ
 /// \param parameters sets of them, at least one
 /// \throws InputError naming the file of a pose that the method does not take, or the option that it does not, and for
 /// sets that have no coordinates in common

@@ -72,7 +72,7 @@ Progress::~Progress() {
 void Progress::watch() {
   std::unique_lock lock(mutex_);
   while (!ended_) {
-    // Not beyond what clocks count to.
+    // The time is limited because clocks count only so far.
     const auto due = last_ + std::chrono::duration_cast<Clock::duration>(std::min(between_, Seconds(1e8)));
     if (Clock::now() < due) {
       changed_.wait_until(lock, due);
@@ -83,7 +83,7 @@ void Progress::watch() {
   }
 }
 
-// How far the stage is, and what has taken longest of all that is done now.
+// Progress of the stage, and the piece of work in progress that has taken longest.
 std::string Progress::state(Clock::time_point now) const {
   std::string text = stage_.empty() ? "" : fmt::format("{} {} %{}", stage_, percent_, left(done_, all_, now));
   const auto longest = std::ranges::min_element(doing_, {}, [](const auto& one) { return one.second.since; });
@@ -107,7 +107,7 @@ bool Progress::is_time_for_line(Clock::time_point now) {
   return true;
 }
 
-// By what was done since the stage began; nothing before that says anything.
+// The estimate uses only work since the stage began; earlier work says nothing about it.
 std::string Progress::left(std::size_t done, std::size_t all, Clock::time_point now) const {
   const double passed = Seconds(now - start_).count();
   if (done <= first_ || done >= all || passed < 1) return "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a command is, and remarks, on standard error: for those who wait. --quiet says neither.
+// Progress of a command, and remarks, on standard error for users who wait. --quiet switches both off.
 #pragma once
 
 #include "command_line.h"
@@ -32,13 +32,13 @@ class Progress {
 
   /// \param stage what is being done \param done how much of `all` of it
   void operator()(const std::string& stage, std::size_t done, std::size_t all);
-  /// What is done now, of an amount that is not known: each time on a terminal, elsewhere as often as lines may come.
+  /// Shows the present event, of unknown amount: always on a terminal, elsewhere as often as lines may come.
   void operator()(const std::string& event);
   /// Says what the calling thread does from now on; empty when it has ended that. Where there is no terminal, and no
   /// other line comes for the time between lines, a line names what has taken longest.
   void doing(const std::string& what);
   void clear() const;
-  /// What those at a terminal are told when it is done.
+  /// Says something at the end, only on a terminal.
   void say(const std::string& text) const;
 
  private:

@@ -16,7 +16,7 @@ namespace cageproof::cli {
 /// and is none the less an area
 void require_extent(const QueryText& text, const Formula& formula);
 
-/// What both `eval` and `explain` say of --allow-invalid-quads.
+/// Help text of --allow-invalid-quads in `eval` and `explain`.
 inline constexpr const char* allow_invalid_quads_text = "compute with quads that are not valid, of formulas on quads";
 
 /// \throws InputError when the flag is given for a formula that is on no quads
@@ -29,7 +29,7 @@ std::optional<std::string> invalid_quad(const QueryText& text, const Formula& fo
 /// \throws InputError with that reason
 void require_valid_quad(const QueryText& text, const Formula& formula);
 
-/// Owns what its query points to.
+/// Owns the arrays that its query points to.
 template <Scalar R>
 class QueryNumbers {
  public:

@@ -20,14 +20,14 @@
 namespace cageproof::cli {
 namespace {
 
-// What all cases together are.
+// Counts over all cases.
 struct Summary {
   std::size_t kept = 0, broken = 0, unpromised = 0, unmeasured = 0, changed = 0;
   std::string largest;  // the case with the most of its promise
   double most = -1;
 };
 
-// What a case is now, and whether that breaks the promise that was stored with it.
+// The case's outcome now, and whether that breaks the promise that was stored with it.
 std::pair<std::string, bool> outcome(const reports::WorstLine& line, const validation::Finding& finding) {
   using Status = validation::Finding::Status;
   if (finding.status == Status::Declined) return {"declined", false};
@@ -52,7 +52,7 @@ void count(const reports::WorstLine& line, const validation::Finding& finding, b
   const bool same = finding.error == line.worst.error || (std::isnan(finding.error) && std::isnan(line.worst.error));
   all.changed += !same;
   const double share = line.bound && *line.bound > 0 ? finding.error / *line.bound : -1;
-  // What is not a number is the worst of all.
+  // A NaN is the worst of all.
   if (line.bound && (std::isnan(share) || share > all.most)) {
     all.most = std::isnan(share) ? HUGE_VAL : share;
     all.largest = fmt::format("{} {} of the promised {} in line {}: {}", format_scalar(finding.error), line.unit,
@@ -133,12 +133,12 @@ int run(Arguments& asked) {
 
 void add_replay(CommandLine& line) {
   Command command =
-      line.command("replay", "stored worst cases run again exactly, and a summary; exit 1 when a promise is broken");
+      line.command("replay", "runs stored worst cases again exactly, with a summary; exit 1 when a promise is broken");
   auto asked = std::make_shared<Arguments>();
   command.option("file", asked->file, "worst cases: a report's worst.jsonl, or a file of its folder worst")
       .taking("FILE")
       .required();
-  command.option("--line", asked->line, "the case of this line alone, from 1").in_range(1, 1000000000);
+  command.option("--line", asked->line, "only the case of this line, from 1").in_range(1, 1000000000);
   asked->judge.add_to(command);
   command.example("cageproof replay report/worst.jsonl");
   command.example("cageproof replay report/worst/triangle.double_layer.jsonl.gz --line 12");

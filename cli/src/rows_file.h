@@ -23,7 +23,7 @@ class RowsFile {
 
   /// Rows of consecutive points, from any thread. \param part a number of the block, rising from 0 after each flush
   void put(std::size_t part, std::size_t first, std::span<const double> rows);
-  /// Writes what put() has left, in the order of parts. \throws InputError where it cannot be written
+  /// Writes the rows that put() has left, in the order of parts. \throws InputError where it cannot be written
   void flush();
   /// Puts the file in its place, with others. \throws InputError where that cannot be done: then no file is replaced
   void finish(const std::vector<std::pair<std::filesystem::path, std::string>>& others);

@@ -21,7 +21,7 @@ struct SparseTotals {
   double bound = 0, sum_change = 0;   ///< the largest (deformation::SparseRow)
   std::size_t worst = 0;              ///< the row of the largest bound
   std::size_t over = 0;               ///< rows whose bound is above the tolerance
-  std::size_t bytes = 0;              ///< of the rows in the file, without what it says of the cage
+  std::size_t bytes = 0;              ///< of the rows in the file, without its data of the cage
 };
 
 /// Rows as they come, and the file of them. What is kept of rows is held in memory until all are there, because a ZIP
@@ -33,7 +33,7 @@ class SparseFile {
 
   /// Rows of consecutive points, from any thread. \param part a number of the block, rising from 0 after each flush
   void put(std::size_t part, std::size_t first, std::span<const double> rows);
-  /// Takes what put() has left, in the order of parts. \throws InputError where memory does not hold it
+  /// Takes the rows that put() has left, in the order of parts. \throws InputError where memory does not hold them
   void flush();
   /// Makes room for so many parts between two flushes.
   void expect(std::size_t parts) { parts_.resize(parts); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What help calls the values of options, and the names that each may be.
+// Words for the values of options in help, and the names that each value may be.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ std::vector<std::string> names_of_type(std::string_view type);
 /// Whether a value of that name is a list of names and globs: NAMES, FORMULAS, EVALUATIONS, REGIMES, CHECKS.
 bool is_list_type(std::string_view type);
 
-/// Whether it is a file's name (FILE, and CAGE besides the embedded ones), and whether a folder's (FOLDER).
+/// Whether a value is a file's name (FILE, and CAGE except the embedded ones), and whether it is a folder's (FOLDER).
 bool is_file_type(std::string_view type);
 bool is_folder_type(std::string_view type);
 

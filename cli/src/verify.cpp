@@ -38,7 +38,7 @@ void set_shard(const std::string& text, validation::VerifyOptions& options) {
     throw InputError(fmt::format("--shard {}: not I/N with 0 <= I < N", text));
 }
 
-// Options that are not given are those of the run that goes on.
+// Options that are not given are taken from the run that is resumed.
 void take_from_run(Arguments& a) {
   const auto run = validation::options_of_run(a.out);
   const auto unless_given = [&](const char* name, auto& value) {
@@ -58,7 +58,7 @@ void take_from_run(Arguments& a) {
   unless_given("shard", a.shard);
   const std::string given = a.cage.file;
   unless_given("cage", a.cage.file);
-  // The journal knows what the cage was after any flip.
+  // The journal stores the cage as it was after any flip.
   a.cage.flip_inward = a.cage.flip_inward || a.cage.file != given;
 }
 
@@ -124,7 +124,7 @@ int run(Arguments& a) {
     options.mesh_name = a.points;
     options.mesh = load_points(a.points, options.cage->dimension());
   }
-  // A report on a cage says what kinds of coordinates take in it, others what formulas do on one element.
+  // A report on a cage states the times of kinds of coordinates in it, other reports those of formulas on one element.
   options.take_times = [&](const std::string& formulas, const std::string& evaluations) {
     return options.only_cage ? benchmarks::times_of_kinds(*options.cage, options.triangulation)
                              : benchmarks::times_of_evaluations(formulas, evaluations);

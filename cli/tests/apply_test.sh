@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# What `coordinates` writes is enough to apply it: the examples of docs/apply.md, in NumPy and in Blender, give what `deform` does.
+# The files of `coordinates` suffice to apply them: the examples of docs/apply.md, in NumPy and in Blender, give the images of `deform`.
 # Usage: apply_test.sh PATH_OF_CAGEPROOF
 # shellcheck source=support.sh
 here=$(dirname "$(readlink -f "$0")")
@@ -84,7 +84,27 @@ assert f["points"].shape == (2, 2) and close(f["element_lengths"], 1) and f["ele
 assert close(f["phi"] @ f["cage_vertices"] + f["psi"] @ f["element_normals"], f["points"])
 PY
 
-# Tables have a description beside them, which holds the same; the same run gives the same bytes.
+# Defaults agree: coordinates of somigliana, applied by hand ([C23] Eq 11, 14, without bulging), are the default deformer.
+"$cageproof" coordinates "${common[@]}" --kind somigliana --out default.npz 2>log || fail "somigliana: $(cat log)"
+"$cageproof" deform "${common[@]}" --posed posed.obj --method somigliana --out default.csv || fail "deform somigliana"
+"$python" - <<'PY' || fail "somigliana by default"
+import json, sys, numpy as np
+c = np.load("default.npz")
+block = json.loads(c["metadata.json"])["blocks"][1]
+rest, posed = c["cage_vertices"], np.array([[float(x) for x in line.split()[1:]] for line in open("posed.obj") if line[0] == "v"])
+p, q = rest - rest.mean(axis=0), posed - posed.mean(axis=0)
+u, d, vt = np.linalg.svd(q.T @ p)  # Umeyama 1991
+signs = np.array([1, 1, np.sign(np.linalg.det(u @ vt))])
+turn, stretch = u @ np.diag(signs) @ vt, (d * signs).sum() / (p * p).sum()
+turned = lambda matrices: np.einsum("ai,pnij,bj->pnab", turn, matrices, turn)
+tractions = block["normal_factor"] * stretch * c["element_normals"] @ turn.T
+right = np.einsum("pnij,nj->pi", turned(c["T"]), posed) + np.einsum("pnij,nj->pi", turned(c["K"]), tractions)
+images = np.linalg.solve(turned(c["T"]).sum(axis=1), right[:, :, None])[:, :, 0]
+off = abs(images - np.loadtxt("default.csv", delimiter=",", skiprows=1)).max()
+sys.exit(f"{off} from what deform writes" if not off < 1e-13 else 0)
+PY
+
+# Tables have a description next to them, which holds the same; the same run gives the same bytes.
 "$cageproof" coordinates "${common[@]}" --kind green --order 1 --triangulate fan --out table.csv 2>log || fail "csv: $(cat log)"
 "$cageproof" coordinates "${common[@]}" --kind green --order 1 --triangulate fan --out array.npy 2>log || fail "npy: $(cat log)"
 "$cageproof" coordinates "${common[@]}" --kind green --order 1 --triangulate fan --out again.npz 2>log || fail "npz: $(cat log)"
@@ -104,7 +124,7 @@ for table, name in ((np.loadtxt("table.csv", delimiter=",", skiprows=1), "table.
     for name in ("cage_vertices", "elements", "element_faces", "element_normals", "element_areas"):
         assert (np.array(d[name]) == g[name]).all(), name
 PY
-# Who reads the .vtp as a mesh still does; the cage beside it is one.
+# The .vtp can still be read as a mesh; the cage next to it is one.
 "$cageproof" coordinates --cage scene.cage.vtp --points scene.vtp --kind green --order 1 2>log | cmp -s - table.csv || fail "the cage or the mesh of a .vtp is another: $(cat log)"
 for word in cage_vertices elements element_normals element_areas cageproof_metadata; do grep -q "Name=\"$word\"" scene.vtp || fail "no $word in the .vtp"; done
 

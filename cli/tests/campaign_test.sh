@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Runs that are killed, resumed, cut in shards and merged give the report of a run left alone, byte for byte but for the environment.
+# Runs that are killed, resumed, cut in shards and merged give the report of an undisturbed run: identical bytes, except the environment.
 # Usage: campaign_test.sh PATH_OF_CAGEPROOF kills|ranks
 set -u
 # Lines of progress would be messages where a machine is slow.
@@ -36,7 +36,7 @@ f 1 4 6
 OBJ
 options=(--suite quick --formulas triangle.double_layer --regimes 'near-*' --samples 16 --enclosures 0 --cage octahedron.obj)
 
-# A report's file without what may differ.
+# A report's file without the parts that may differ.
 without_environment() {
   case $1 in
     */summary.json.gz) zcat "$1" | sed 's/"environment":{.*},"notes":/"notes":/' ;;
@@ -111,7 +111,7 @@ kills() {
     local code=$?
     rounds=$((rounds + 1))
     [ $code -eq 137 ] || break
-    # Killed between its last rename and its end: the report is whole, and says what its copy says that is drawn anew.
+    # Killed between its last rename and its end: the report is whole, and equals its copy, which says that it is drawn anew.
     if [ -e killed/summary.json.gz ]; then
       same alone killed
       cp -r killed drawn
@@ -124,7 +124,7 @@ kills() {
   [ "$code" -eq 0 ] || fail "a resumed run ends with $code: $(cat killed.txt)"
   [ $rounds -gt 3 ] || fail "killed $rounds times only"
   same alone killed
-  # The last one cleans up after those that died while they drew.
+  # The last run removes the files of runs that died while they drew.
   [ -z "$(find . -maxdepth 1 -name '.killed*')" ] || fail "left aside: $(ls -A)"
   diff <(head -n 1 alone.txt) <(head -n 1 killed.txt) || fail "another verdict"
 
@@ -145,7 +145,7 @@ kills() {
   # Rows have the roles of their evaluations, which the report does not look up.
   zcat alone/journal | grep -q '"hybrid",.*"role":"recommended"' || fail "the journal has no roles"
 
-  # What cannot be resumed.
+  # Resuming is refused with other options, shards or parts.
   cp -r alone resumed
   refuses 'samples 16, now 17' 'seed 1, now 9' -- "$cageproof" verify --resume resumed --samples 17 --seed 9
   refuses 'formulas triangle.double_layer, now triangle.*' -- "$cageproof" verify --resume resumed --formulas 'triangle.*'
@@ -209,7 +209,7 @@ SH
   sed '1s/"seed":"1"/"seed":"2"/' part1/journal >changed && mkdir other && mv changed other/journal
   refuses 'part0 and other are of different runs: seed 1, now 2' -- "$cageproof" merge part0 other part2 part3 --out merged2
 
-  # A shard from a processor whose logarithms are others, which glibc's tunables can stand in for.
+  # A shard from a processor with other logarithms; glibc's tunables stand in for it.
   export GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2
   "$cageproof" verify "${options[@]}" --shard 1/4 --out plain >/dev/null || fail "a shard without FMA"
   unset GLIBC_TUNABLES

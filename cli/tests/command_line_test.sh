@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The command line as a user meets it: what it answers, and how it refuses. Usage: command_line_test.sh PATH_OF_CAGEPROOF
+# The command line as a user meets it: its answers and its refusals. Usage: command_line_test.sh PATH_OF_CAGEPROOF
 set -u
 cageproof=$1
 work=$(mktemp -d)
@@ -28,7 +28,7 @@ refuses() {
   [ -z "$(find "$work" -name '.out*' -print -quit)" ] || fail "left something aside: $*"
 }
 
-# More on standard error than where points lie and what is left of partition and reproduction.
+# Lines on standard error other than places of points and errors of partition and reproduction.
 says_more() { grep -qvE '^([0-9]+ points?: |largest residual: )' "$work/stderr"; }
 
 verify_cage() { "$cageproof" verify --suite quick --out "$work/out" --cage "$@"; }
@@ -65,7 +65,7 @@ refuses inverted.obj --flip-inward -- verify_cage "$work/inverted.obj"
 write flat.obj "$tetrahedron" 'v 2 0 0' "$good_faces" 'f 1 2 5'
 refuses flat.obj -- verify_cage "$work/flat.obj"
 
-# Parts: a tetrahedron within the tetrahedron, as a shell and as a cavity; beside it, turned over.
+# Parts: a tetrahedron within the tetrahedron, as a shell and as a cavity; another next to it, turned over.
 inner='v 0.1 0.1 0.1
 v 0.3 0.1 0.1
 v 0.1 0.3 0.1
@@ -103,7 +103,7 @@ head -1 "$work/ring.obj.green" | grep -q '^phi_0,.*,phi_7,phi_0_dx,phi_0_dy,phi_
 "$cageproof" coordinates --cage "$work/ring.vtp" --points "$work/flat.csv" --kind mean_value --order 2 | cmp -s - "$work/ring.obj.mean_value" || fail "the polygon of a written .vtp is another one"
 for cage in square l-shape star comb thin-bar frame figure; do
   "$cageproof" coordinates --cage $cage --points "$work/flat.csv" --kind green >"$work/stdout" || fail "coordinates in $cage"
-  # Of a point in it the functions of the vertices sum to one, of one outside to nothing.
+  # At a point in the cage the vertices' functions sum to one, at one outside to zero.
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) phi[i] = $i ~ /^phi/ } NR > 1 { s = 0; for (i = 1; i <= NF; i++) if (phi[i]) s += $i
     if (s * s > 1e-24 && (s - 1) * (s - 1) > 1e-24) exit 1 }' "$work/stdout" || fail "coordinates in $cage: $(cat "$work/stdout")"
 done
@@ -239,7 +239,7 @@ grep -q '"value_radius":\[[^]]*\],"gradient_radius":\[' "$work/certified" || fai
 ! grep -q radius "$work/closed_form" || fail "radii of a closed form"
 "$cageproof" list --json | grep -q '"name": "certified"' || fail "list: no certified"
 
-# coordinates: a row a point, and sums of one.
+# coordinates: one row per point, and sums of one.
 write three.csv 'x,y,z' '0.1,0.2,0.3' '-0.2,0.1,0' '0,0,0'
 "$cageproof" coordinates --cage cube --points "$work/three.csv" --kind mean_value >"$work/stdout" || fail "coordinates"
 awk -F, 'NR > 1 { s = 0; for (i = 1; i <= NF; i++) s += $i; if (s < 0.999999999 || s > 1.000000001) exit 1 } END { if (NR != 4) exit 1 }' \
@@ -255,7 +255,7 @@ for order in 1 2; do
   "$cageproof" coordinates --cage cube --points "$work/on.vtp" --kind green >/dev/null 2>"$work/stderr" || fail "vtp of order $order: $(cat "$work/stderr")"
 done
 
-# Coordinates that are solved for: sums of one, what was solved on standard error and as JSON, and a warning where it is singular.
+# Coordinates that are solved for: sums of one, the systems on standard error and as JSON, and a warning where one is singular.
 write flat.csv '0.25,0.5,0' '0,0,0' '0.375,0,0'
 for parameter in collocation=vertices-and-midpoints collocation=vertices; do
   "$cageproof" coordinates --cage square --points "$work/flat.csv" --kind biharmonic_boundary --parameter pieces=1 --parameter $parameter \
@@ -298,7 +298,7 @@ grep -c '"value":\[0\.' "$work/stdout" | grep -qx 2 || fail "nu = inf: $(cat "$w
 echo '{"element":[[0,0,0],[1,0,0],[0,1,0]],"point":[0,0,"inf"]}' | "$cageproof" eval --formula triangle.solid_angle --evaluation closed_form >"$work/stdout"
 grep -q 'not finite' "$work/stdout" || fail "a point at infinity: $(cat "$work/stdout")"
 
-# explain: the value is eval's, the lines are those of the closed form's headers, and bad input is refused as everywhere.
+# explain: its value is that of eval, its lines are those of the closed form's headers, and bad input is refused as everywhere.
 explain() { "$cageproof" explain "$@"; }
 element='[[0,0,0],[1,0,0],[0,"0x1.4f2f36e262042p-1",0]]' point='["0x1.233a0f7dd2858p-5",0,"0x1.826552aa027bdp+0"]'
 explain --formula triangle.biharmonic_double_layer --element "$element" --point "$point" --order 1 --entry 4 --limit 3 >"$work/stdout" || fail explain
@@ -416,7 +416,7 @@ head -n "$(wc -l <"$work/before.jsonl")" "$work/hunted.jsonl" | diff -q - "$work
   fail "field --kind"
 [ -n "$(find "$work/residual/pictures" -name '*.png')" ] || fail "field --kind: no picture"
 
-# bench: a line an evaluation and distance, the same errors again, a folder that replaces its own kind alone.
+# bench: one line per evaluation and distance, the same errors again, and a folder that replaces only its own kind.
 bench() { "$cageproof" bench --samples 2 --seconds 0 "$@"; }
 errors_of() { cut -d, -f 1-14 "$1"; }
 bench --kind somigliana --cage cube --evaluations three-quad-75,closed_form --parameter nu=0.3 --csv --out "$work/bench" >"$work/bench.csv" ||
@@ -433,7 +433,7 @@ awk -F, '$5 == "closed_form" && !($9 < 1e-10) || $5 == "three-quad-75" && ($14 !
 bench --kind green --points "$work/three.csv" >"$work/stdout" || fail "bench --points"
 bench --formula triangle.solid_angle --order 1 --regime near-face --evaluations gauss-4,closed_form >"$work/stdout" || fail "bench --formula"
 [ "$(grep -c near-face "$work/stdout")" -eq 2 ] || fail "bench --formula: $(cat "$work/stdout")"
-# Globs and lists of regimes: those that exist for the element, each once; what was timed, and how long it took.
+# Globs and lists of regimes select those that exist for the element, each once; the output names the calls timed, and their times.
 bench --formula triangle.solid_angle --regime 'on-*,generic,on-face' --evaluations closed_form --csv >"$work/globs.csv" || fail "bench --regime 'on-*'"
 [ "$(cut -d, -f 3 "$work/globs.csv" | sort | uniq -c | awk '$1 > 1' | wc -l)" -eq 0 ] || fail "a regime twice: $(cat "$work/globs.csv")"
 for regime in generic on-face on-edge on-vertex; do grep -q ",$regime," "$work/globs.csv" || fail "no $regime: $(cat "$work/globs.csv")"; done
@@ -458,7 +458,7 @@ refuses nonsense -- "$cageproof" field --kind green --cage cube --evaluation non
 refuses --colours -- "$cageproof" field --kind green --cage cube --evaluation gauss-4 --colours 1 0 --out "$work/out"
 "$cageproof" list --json | grep -q triangle.mean_value || fail "list --json"
 
-# What coordinates say of their points: exit codes with --strict, and lines on standard error.
+# coordinates reports on its points: exit codes with --strict, and lines on standard error.
 says() {
   local code=$1 words=()
   shift

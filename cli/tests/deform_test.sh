@@ -37,7 +37,7 @@ awk '$1 == "v" {d = ($2 - 0.5) ^ 2 + ($3 - 0.25) ^ 2 + $4 ^ 2; exit !(d < 1e-28)
 grep -q '"method": "mean_value"' moved.json || fail "no report beside it"
 grep -q '"cage_volume_ratio": 8.0' moved.json || fail "volumes: $(cat moved.json)"
 
-# Several values of parameters: as many maps of each pose, numbered in their order, as if each had been asked for alone.
+# Several values of parameters give as many maps of each pose, numbered in their order, each as if it were the only one.
 sed 's/^v 1 1 1$/v 1.5 1 1.25/' large.obj >bent.obj
 swept=(--cage cube --posed bent.obj --points mesh.obj --method somigliana)
 "$cageproof" deform "${swept[@]}" --posed large.obj --parameter nu=0,0.25 --parameter gamma=0,1 --out 'swept_{n}.csv' || fail "a sweep"
@@ -159,7 +159,7 @@ head -12 corners.txt >few.txt
 refuses 'few.txt' '12 rows' '36 corners' -- "${common[@]}" --method biharmonic_1_3 --parameter neumann=affine --normal-derivatives few.txt --out one.csv
 rm -f bent.* few.txt corners.txt
 
-# Several poses in one run, each as by itself; every format; derivatives beside a mesh.
+# Several poses in one run, each as by itself; every format; derivatives next to a mesh.
 "$cageproof" deform "${common[@]}" --posed cube --method green --out 'both_{n}.csv' || fail "two poses"
 "$cageproof" deform "${common[@]}" --method green --out one.csv
 cmp -s both_1.csv one.csv || fail "the first of two poses is another"
@@ -171,7 +171,7 @@ done
 [ "$(head -n 1 jacobians.csv)" = x,y,z,x_dx,x_dy,x_dz,y_dx,y_dy,y_dz,z_dx,z_dy,z_dz ] || fail "columns: $(head -n 1 jacobians.csv)"
 grep -q '"largest_singular_value": 2.0' jacobians.json || fail "singular values: $(cat jacobians.json)"
 
-# What is written is read again, and is what it was.
+# Written meshes can be read again, and are the same.
 "$cageproof" deform "${common[@]}" --method mean_value --out again.ply && "$cageproof" deform --cage cube --posed cube --points again.ply --method mean_value --out again.obj || fail "a PLY is not read again"
 grep '^f ' again.obj | cmp -s - <(grep '^f ' moved.obj) || fail "faces of a PLY: $(cat again.obj)"
 awk '$1 == "v" {d = ($2 - 0.5) ^ 2 + ($3 - 0.25) ^ 2 + $4 ^ 2; exit !(d < 1e-12)}' again.obj || fail "vertices of a PLY: $(cat again.obj)"
@@ -206,7 +206,7 @@ refuses biharmonic_1_3 --laplacians -- "${common[@]}" --method biharmonic_1_3 --
 refuses green --laplacian-derivatives -- "${common[@]}" --method green --laplacian-derivatives normals.txt --out out.obj
 refuses ones.txt '8 rows' '12 elements' -- "${common[@]}" --method green --normal-derivatives ones.txt --out out.obj
 
-# Quads that are kept: under the name of the triangulated method or their own, with a normal a corner.
+# Methods that keep quads: under the name of the triangulated method or their own, with one normal per corner.
 sed 's/^v 1 1 1$/v 1.5 1 1.25/' large.obj >twisted.obj
 kept=(--cage cube --posed twisted.obj --points mesh.obj)
 for method in green biharmonic_1_3 somigliana mean_value; do
@@ -409,7 +409,7 @@ refuses --digits extend -- "${common[@]}" --method green --digits 6 --outside ex
 refuses 'have all digits only' batched -- --cage square --posed square --points points.csv --method green --digits 6 --out out.csv
 refuses --digits 2 -- "${common[@]}" --method green --digits 2 --out out.obj
 
-# What is refused.
+# Wrong options and values are refused.
 refuses "unknown deformer 'grean'" -- "${common[@]}" --method grean --out out.obj
 refuses stretch rms -- "${common[@]}" --method green --parameter stretch=most --out out.obj
 refuses 'green has only stretch' -- "${common[@]}" --method green --parameter level=1 --out out.obj

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# extension_test.sh PROGRAM: a program with two formulas more (cli/tests/extension), which no list of names knows. One has a row, a kernel and a
-# closed form; the other a row and a kernel alone. Both must be found by every command.
+# extension_test.sh PROGRAM: a program with two more formulas (cli/tests/extension), which no list of names knows. One has a row, a kernel and a closed form;
+# the other only a row and a kernel. Both must be found by every command.
 set -uo pipefail
 
 cageproof=$1

@@ -20,7 +20,7 @@ pictures=$(find one -name '*.png' | wc -l) panels=$(find one -name '*.vtp' | wc 
 [ "$(grep -c '"data": "figures/.*\.vtp"' one/figures/figures.json)" -eq "$panels" ] || fail "figures.json does not name all $panels data"
 [ "$(find one/figures -type f | wc -l)" -eq $((pictures + panels + 1)) ] || fail "other files: $(ls one/figures)"
 grep -q '"asymmetry over cage size"' one/figures/figures.json || fail "no asymmetry"
-# What is written is read again.
+# The written data can be read again.
 "$cageproof" deform --cage cube --posed cube --points one/figures/t18-symmetry.rest.taper.vtp --method mean_value --out again.obj >/dev/null || fail "data are not read again"
 
 mkdir mine data && echo dear >mine/letter.txt

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# No command replaces what it did not write, and no signal leaves half of anything. Usage: folders_and_signals_test.sh PATH_OF_CAGEPROOF
+# No command replaces files of others, and no signal leaves half of anything. Usage: folders_and_signals_test.sh PATH_OF_CAGEPROOF
 . "$(dirname "$0")/support.sh"
 
 # Everything in a folder, with contents.
 state_of() { (cd "$1" && find . -type f -print0 | sort -z | xargs -0 sha256sum; find . -printf '%p %y %l\n' | sort); }
 names_in() { (cd "$1" && find . -type f | sort); }
-# A field's files, and the contents of those in which no time and no command line stand.
+# A field's files, and the contents of those without times and command lines.
 field_in() { (names_in "$1" && cd "$1" && sha256sum fields/* results.csv.gz worst.jsonl); }
 verify() { "$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far "$@"; }
 field() { "$cageproof" field --formula triangle.single_layer --evaluation gauss-4 --resolution 4 "$@"; }
@@ -89,7 +89,7 @@ coordinates --out round.csv >stdout 2>stderr && fail 'a link to itself'
 ln -s same.csv same.json
 coordinates --out same.csv >stdout 2>stderr && fail 'two results in one file'
 [ ! -e same.csv ] && grep -q 'same file' stderr || fail "two results in one file: $(cat stderr)"
-# A folder that is written anew never holds what is read.
+# A folder that is replaced never holds the input.
 mkdir holds && cp linked_point.txt holds/points.txt
 for command in bench verify; do
   $command --out holds --points holds/points.txt >stdout 2>stderr && fail "$command over its points"
@@ -116,7 +116,7 @@ printf '0.1 0.1 0.1\n' >point.txt
 "$cageproof" coordinates --cage cube --points point.txt --kind green --out a.csv >stdout 2>stderr && fail 'coordinates over a folder'
 [ -d a.csv ] || fail 'a folder is replaced by a file'
 
-# What the same command wrote is replaced.
+# A command replaces its own earlier output.
 for n in 1 2; do
   verify --out report >/dev/null || fail "verify again $n"
   "$cageproof" report report >/dev/null || fail "report again $n"
@@ -130,7 +130,7 @@ verify --out begun >/dev/null || fail 'verify over a run that was begun'
 rm report/.cageproof-files && "$cageproof" report report >/dev/null || fail 'report over one without a list'
 [ -e report/.cageproof-files ] || fail 'no list'
 
-# Signals: their exit code, nothing aside, what was there unchanged, and a run that goes on.
+# Signals: their exit code, nothing aside, earlier files unchanged, and a run that can be resumed.
 # A hundred units in a second or two, whatever they measure: the run is made anew seventeen times.
 options=(--suite quick --formulas segment.single_layer,segment.winding_angle --cage square --samples 40)
 "$cageproof" verify "${options[@]}" --out whole >/dev/null || fail 'a whole run'
@@ -149,7 +149,7 @@ for signal in INT TERM HUP; do
       while kill -0 $process 2>/dev/null && [ -z "$(find . -maxdepth 1 -name '.run.partial-*')" ]; do sleep 0.01; done
       sleep 0.0$((number % 10))
     elif [ $delay = measured ]; then
-      # The journal begins with what the run is, and grows with what it found.
+      # The journal begins with the run's options, and grows with its findings.
       begun=0
       while kill -0 $process 2>/dev/null; do
         size=$(stat -c %s run/journal 2>/dev/null || echo 0)
@@ -199,7 +199,7 @@ for delay in 0.02 0.05 0.1 0.13 0.16 0.19 0.22 0.25 0.28 0.31 0.35 0.4; do
   wait $process
   code=$?
   [ $code -eq 143 ] || [ $code -eq 0 ] || fail "SIGTERM of field: $code"
-  # A field appears by one rename, so that what is there is whole, whatever the exit code.
+  # A field appears by one rename, so that it is whole, whatever the exit code.
   [ ! -e slow ] || [ "$(field_in slow 2>&1)" = "$(field_in whole_field)" ] || fail "half a field: $(ls -A slow)"
   rm -rf slow
   [ -z "$(find . -name '.*.partial-*')" ] || fail "field leaves $(find . -name '.*.partial-*')"
@@ -218,7 +218,7 @@ set -o pipefail
 [ ! -s stderr ] || fail "a closed pipe: $(cat stderr)"
 [ -z "$(find . -name '.*.partial-*')" ] || fail "a closed pipe leaves $(find . -name '.*.partial-*')"
 
-# What SIGKILL leaves goes at the next start; what living processes are writing stays.
+# The next start removes the files of killed processes; those of living processes stay.
 "$cageproof" field --kind somigliana --cage cube --evaluation gauss-8 --resolution 200 --out killed >/dev/null 2>&1 &
 process=$!
 for _ in $(seq 100); do [ -n "$(find . -name '.killed.partial-*')" ] && break; sleep 0.05; done

@@ -4,7 +4,7 @@
 # Usage: help_and_list_test.sh PATH_OF_CAGEPROOF
 . "$(dirname "$0")/support.sh"
 
-# Commands say what options say.
+# The commands help and version print the same as the options --help and --version.
 "$cageproof" --help >program.txt || fail --help
 "$cageproof" help | cmp -s - program.txt || fail 'help is not --help'
 for command in $(sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' program.txt); do
@@ -18,7 +18,7 @@ refuses_to help "unknown command 'frobnicate'" 'known: list, eval' -- frobnicate
 refuses_to help "unexpected 'eval'" -- list eval
 refuses_to version "unexpected 'list'" -- list
 
-# Options stand under headings, what is to be chosen first, each option once.
+# Options stand under headings, required choices first, each option once.
 "$cageproof" help deform >deform.txt
 [ "$(sed -n '2s/ --cage.*//p;4p;5s/  *CAGE .*//p' deform.txt)" = "$(printf '%s\n' 'Usage: cageproof deform (--posed CAGE | --constraints FILE)' 'The pose: exactly one of these:' '  --posed')" ] || fail "help deform: $(head -n 5 deform.txt)"
 [ "$(grep -x '[A-Z][^.]*:' deform.txt | tr '\n' ' ')" = 'The pose: exactly one of these: Cage and points: Method: What is written: Running: Other options: Examples: ' ] ||
@@ -35,7 +35,7 @@ for command in coordinates deform verify bench; do "$cageproof" help $command | 
 printf '0 0 0\n' >one.csv
 refuses_to coordinates "unknown kind of coordinates 'mvc'" "it is called 'mean_value' here" -- --cage cube --points one.csv --kind mvc
 refuses_to coordinates "it is called 'quad_mean_value' here" -- --cage cube --points one.csv --kind QMVC
-refuses_to coordinates "it is called 'biharmonic_boundary' or 'harmonic' or 'triharmonic_boundary' here" -- --cage cube --points one.csv --kind bem
+refuses_to coordinates "it is called 'biharmonic_boundary' or 'elastic' or 'harmonic' or 'triharmonic_boundary' here" -- --cage cube --points one.csv --kind bem
 refuses_to coordinates 'Wachspress coordinates need convex cages' -- --cage cube --points one.csv --kind wachspress
 refuses_to deform "it is called 'green' here" -- --cage cube --posed cube --points one.csv --method gc --out out.obj
 refuses_to deform "it is called 'cauchy' here" -- --cage cube --posed cube --points one.csv --method cauchy-green --out out.obj
@@ -49,7 +49,7 @@ refuses_to mvc "here that is 'mean_value', and no command" --
 # A near name is still found, and a word of the field goes before it.
 refuses_to coordinates "did you mean 'green'?" -- --cage cube --points one.csv --kind gren
 
-# Words lead to what there is, and every kind and method says what it is good for.
+# Words lead to names, and every kind and method says what it is good for.
 "$cageproof" list --json >catalogue.json || fail 'list --json'
 python3 - "$(sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' program.txt | tr '\n' ' ')" <<'EOF' || fail 'the catalogue'
 import json, sys
@@ -70,6 +70,33 @@ for group in ("coordinates", "deformers"):
     for row in catalogue[group]:
         if not row["good_for"]: sys.exit(f"{row['name']} is good for nothing")
     if len(set(lines)) != len(lines): sys.exit(f"two {group} are good for the same")
+EOF
+
+# Ends of ranges are included where the list says so: of formulas, and of a kind.
+python3 - "$cageproof" <<'EOF' || fail 'ends of ranges'
+import json, subprocess, sys
+catalogue = json.load(open("catalogue.json"))
+elements = {"segment": [[0, 0], [1, 0]], "triangle": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "quad": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]}
+asked = 0
+def ends(p):
+    return (("lowest_included", p["lowest"]), ("highest_included", p["highest"]), ("infinity_included", "inf"))
+for formula in catalogue["formulas"]:
+    element = elements[formula["element"]]
+    for p in formula["parameters"]:
+        lines = [json.dumps({"element": element, "point": [0.25, 0.5, 1][: len(element[0])], "parameters": {p["name"]: value}}) for _, value in ends(p)]
+        name = next(e["standard"][0] for e in formula["evaluations"] if e["standard"])
+        ended = subprocess.run([sys.argv[1], "eval", "--formula", formula["name"], "--evaluation", name], input="\n".join(lines), capture_output=True, text=True)
+        for (end, value), line in zip(ends(p), ended.stdout.splitlines()):
+            asked += 1
+            if ("error" in json.loads(line)) == p[end]: sys.exit(f"{formula['name']}: {p['name']} = {value}, {end} {p[end]}: {line}")
+for kind in catalogue["coordinates"]:
+    for p in kind["parameters"]:
+        if kind["name"] != "somigliana" or p["name"] != "nu": continue
+        for end, value in ends(p):
+            asked += 1
+            ended = subprocess.run([sys.argv[1], "coordinates", "--cage", "cube", "--points", "one.csv", "--kind", kind["name"], "--parameter", f"{p['name']}={value}"], capture_output=True)
+            if (ended.returncode == 0) != p[end]: sys.exit(f"{kind['name']}: {p['name']} = {value}, {end} {p[end]}: {ended.stderr}")
+if asked < 12: sys.exit(f"{asked} ends only")
 EOF
 
 # Groups.

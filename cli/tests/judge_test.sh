@@ -76,7 +76,7 @@ grep -q '^DEFECT absolute_threshold, triangle.solid_angle, order 0: ' stdout || 
 grep -q '^  generic  *value  *20 .* 1[45]\.[0-9] ' stdout || fail "errors are those in our convention: $(cat stdout)"
 grep -q 'absolute_threshold' threshold/certificate.md || fail "the defect in the certificate"
 
-# Exit codes: defects are 1, what cannot be judged is 2.
+# Exit codes: 1 for defects, 2 for code that cannot be judged.
 "$cageproof" judge mine="$folder/tests/programs/hostile.py crash" --samples 20 --regimes generic >stdout 2>stderr
 [ $? -eq 1 ] && grep -q '^DEFECT wrong_values, triangle.single_layer, order 0: ' stdout || fail "sevens: $(cat stdout stderr)"
 refuses_to judge 'nothing.so' 'no such file' -- mine=./nothing.so --out nowhere

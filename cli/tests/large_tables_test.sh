@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Tables that `coordinates` writes by blocks of rows: whole files or none, the same by any number of threads, and refusals of what memory cannot hold.
+# Tables that `coordinates` writes by blocks of rows are whole or missing, and the same by any number of threads; tables beyond the memory are refused.
 # Usage: large_tables_test.sh PATH_OF_CAGEPROOF
 # shellcheck source=support.sh
 source "$(dirname "$(readlink -f "$0")")/support.sh"
@@ -51,7 +51,7 @@ for kind in npy csv; do
   rm -f pipe.*
 done
 
-# A disk that is full on the way: an error, and what was there before.
+# A disk that is full on the way gives an error, and the earlier file stays.
 echo old >kept.npy
 (ulimit -f 8 && "$cageproof" coordinates "${common[@]}" --out kept.npy >said 2>&1)
 [ $? -eq 2 ] && grep -q 'cannot write kept.npy' said || fail "a full disk: $(cat said)"

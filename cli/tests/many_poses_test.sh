@@ -6,7 +6,7 @@ source "$(dirname "$(readlink -f "$0")")/support.sh"
 python=/usr/bin/python3
 refuses() { refuses_to deform "$@"; }
 
-# The embedded cube, a pose that is twice as large and one that is sheared, and a mesh in it whose places single precision does not hold.
+# The embedded cube, a pose twice as large, a sheared one, and a mesh in it whose places need more than single precision.
 pose() { for z in -1 1; do for y in -1 1; do for x in -1 1; do awk -v x=$x -v y=$y -v z=$z -v s="$1" -v h="$2" 'BEGIN {print "v", s * x + h * z, s * y, s * z}'; done; done; done; }
 pose 1 0 >large.obj
 pose 0.5 0.25 >sheared.obj
@@ -28,7 +28,7 @@ done
 refuses '--derivatives d_{n:2}.csv' '{n:03d}' -- "${poses[@]}" --order 1 --out 'a_{n}.obj' --derivatives 'd_{n:2}.csv'
 refuses one.obj '3 maps' '{n:03d}' .pc2 .pvd -- "${poses[@]}" --out one.obj
 
-# Point caches hold what the numbered files do, rounded to single precision, in the order of --points.
+# Point caches hold the places of the numbered files, rounded to single precision, in the order of --points.
 for format in pc2 mdd; do
   "$cageproof" deform "${poses[@]}" --out "film.$format" 2>said || fail "$format"
   [ "$(cat said)" = "warning: film.$format: point caches are single precision: coordinates are rounded to about 7 digits" ] || fail "said: $(cat said)"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Names, globs and lists have one grammar, numbers one form, and every refusal says what would have been right.
+# Names, globs and lists have one grammar, numbers one form, and every refusal names a correct input.
 # Usage: names_and_numbers_test.sh PATH_OF_CAGEPROOF
 . "$(dirname "$0")/support.sh"
 
@@ -18,7 +18,7 @@ for command in list eval explain coordinates deform verify merge report compare 
   [ ! -s stderr ] && grep -q Usage stdout || fail "$command --help: $(cat stderr)"
 done
 
-# Names: what may have been meant.
+# Refusals of names say which may have been meant.
 verify() { "$cageproof" verify "$@"; }
 refuses_to verify "unknown formula 'triangle.solid_angel'" "did you mean 'triangle.solid_angle'?" -- --formulas triangle.solid_angel
 refuses_to verify "unknown regime 'fra'" "did you mean 'far'?" -- --regimes 'near-*,fra'
@@ -38,6 +38,7 @@ refuses_to eval 'gauss-<N> takes N from 1 to 256' -- --formula triangle.single_l
 refuses_to eval 'near-singular-<N> takes N from 2 to 64' -- --formula triangle.single_layer --evaluation near-singular-1
 refuses_to eval 'P = 3 n^2' -- --formula triangle.single_layer --evaluation three-quad-76
 refuses_to eval 'riemann-<n> takes n from 1 to 512' -- --formula quad.mean_value --evaluation riemann-600
+refuses_to eval 'riemann-<n>-unguarded takes n from 1 to 512' -- --formula quad.mean_value --evaluation riemann-600-unguarded
 refuses_to eval 'line-<digits> takes digits from 2 to 90' -- --formula quad.mean_value --evaluation line-1
 refuses_to eval 'one name' glob -- --formula triangle.single_layer --evaluation 'gauss-*'
 refuses_to eval 'one name' list -- --formula triangle.single_layer --evaluation gauss-4,gauss-8
@@ -94,7 +95,7 @@ grep -qx triangle.single_layer <<<"$subjects" && fail 'verify of lists has what 
 # Evaluations that lack the order are left out of a default with a word.
 bench --formula quad.mean_value --regime near-face --order 1 >stdout || fail "bench --order 1: $(cat stdout)"
 "$cageproof" bench --samples 2 --seconds 0 --formula quad.mean_value --regime near-face --order 1 | grep -q 'left out.*order 1.*riemann' || fail 'nothing says what is left out'
-# What computes all at once is compared with what is summed.
+# Evaluations that compute all coordinates at once are compared with sums.
 "$cageproof" bench --kind green --cage cube --evaluations 'gauss-4,bat*' --samples 2 --seconds 0 --csv >whole.csv || fail 'bench of a kind by batched'
 [ "$(cut -d, -f 5 whole.csv | tail -n +2 | sort -u | tr '\n' ' ')" = 'batched gauss-4 ' ] || fail "bench of a kind by batched: $(cat whole.csv)"
 # Rules have nodes, and say how many.
@@ -102,6 +103,10 @@ bench --formula quad.mean_value --regime near-face --evaluations riemann-4,tesse
 awk -F, 'NR > 1 && !($14 > 0) || $5 == "riemann-4" && $14 != 81 || $5 == "tessellated-5" && $14 != 50 || $5 == "gauss-8" && $14 != 64 { exit 1 }' nodes.csv ||
   fail "nodes: $(cut -d, -f 5,14 nodes.csv)"
 "$cageproof" bench --coordinates --cage cube --samples 1 --seconds 0 --evaluations riemann-4 --csv | grep -qF ',1,81,' || fail 'nodes of whole coordinates'
+# Times are compared with the first column of [T18] Table 1, in turns: a grid of 21 x 21 samples takes longer than two triangles on any machine.
+"$cageproof" bench --coordinates --cage cube --samples 1 --seconds 0 --evaluations riemann-10 >whole.txt || fail 'bench of whole coordinates'
+times=$(sed -n 's/^quad_mean_value, riemann-10: [0-9]* ms for the mesh, \([0-9.e+]*\) times as long as mean_value, published$/\1/p' whole.txt)
+awk -v times="$times" 'BEGIN { exit !(times > 1.5 && times < 100) }' || fail "times of the first column: $(cat whole.txt)"
 
 # One name where one is asked for, and no word that would be taken for something else.
 refuses_to eval 'one name is asked for here, no glob' -- --formula 'triangle.*' --evaluation closed_form
@@ -144,7 +149,7 @@ far --samples +2 --seed 1e3 >a.csv || fail '1e3'
 far --samples 2 --seed 1000 >b.csv || fail '1000'
 [ "$(cut -d, -f 1-14 a.csv)" = "$(cut -d, -f 1-14 b.csv)" ] || fail '1e3 is not 1000'
 
-# What a session records is what was used.
+# A session records the threads and the commit that were used.
 "$cageproof" verify --suite quick --formulas segment.winding_angle --regimes far --jobs 1 --out one >/dev/null || fail 'verify --jobs 1'
 zgrep -qF '"threads":"1"' one/summary.json.gz || fail 'threads that were used'
 commit=$("$cageproof" --version | sed -n 's/^cageproof [0-9.]* (commit \(.*\))$/\1/p')
@@ -152,7 +157,7 @@ commit=$("$cageproof" --version | sed -n 's/^cageproof [0-9.]* (commit \(.*\))$/
 zgrep -qF "\"commit\":\"$commit\"" one/summary.json.gz || fail "the commit $commit is not recorded"
 zgrep -qF '"flags":"' one/summary.json.gz || fail 'no flags'
 
-# What is read is never written over.
+# Input files are never written over.
 printf '0.5,0.5\n' >inside.csv
 refuses_to coordinates inside.csv '--solved is the file of --points' -- --cage square --points inside.csv --kind harmonic --solved inside.csv
 [ "$(cat inside.csv)" = 0.5,0.5 ] || fail "--solved wrote over the points"

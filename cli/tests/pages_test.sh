@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The report's pages in a browser: what scripts make of them, read from the document that headless Chromium ends with, and that no script fails.
+# The report's pages after their scripts, read from the document that headless Chromium ends with; no script fails.
 # Usage: pages_test.sh PATH_OF_CAGEPROOF
 # shellcheck source=support.sh
 source "$(dirname "$(readlink -f "$0")")/support.sh"
@@ -10,7 +10,7 @@ browser=$(command -v chromium || command -v chromium-browser || command -v googl
   exit 1
 }
 
-# opened ADDRESS FILE: the document after its scripts have run, into FILE; what scripts complained of, into FILE.log.
+# opened ADDRESS FILE: the document after its scripts have run, into FILE; the scripts' complaints, into FILE.log.
 opened() {
   timeout 120 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync \
     --user-data-dir="$work/profile" --window-size=1400,1000 --virtual-time-budget=4000 --enable-logging=stderr --dump-dom "file://$work/$1" >"$2" 2>"$2.log"
@@ -44,11 +44,11 @@ grep -q '<aside id="answer"[^>]*hidden' cell && fail "the answer stays hidden"
 [ "$(grep -o '<svg viewBox' cell | wc -l)" -ge 2 ] || fail "no curves or no times"
 has cell 'everywhere: hybrid' 'data-series="gauss-8, double"'
 
-# Of so few samples no quantile is shown.
+# So few samples show no quantile.
 grep -qF '99.9 % up to $' report/formulas/cells.js || fail "the words for quantiles have changed, and with them what is looked for here"
 grep -q '99\.9 % up to ' cell && fail "a quantile of eight samples"
 
-# What no result could break is grey, and says so.
+# Rows that no result could break are grey, and say so.
 opened "$page#truth.on-edge.closed_form.double.2" grey
 grep -q 'ill-posed here: a result without a right digit would score at most [0-9]' grey || fail "a grey cell does not say why"
 grep -q '<td [^>]*class="[^"]*\bill\b' grey || fail "no cell is grey"

@@ -22,7 +22,7 @@ CAGEPROOF_PROGRESS=1h "$cageproof" verify --formulas segment.winding_angle --sam
 CAGEPROOF_PROGRESS=-1 "$cageproof" verify --formulas segment.winding_angle --samples 2 --out refused >stdout 2>stderr
 [ $? -eq 2 ] || fail "CAGEPROOF_PROGRESS=-1: $(cat stderr)"
 
-# Lines come by the clock, also before the first unit of work has ended, and name what is being done.
+# Lines come by the clock, also before the first unit of work has ended, and name the work in progress.
 CAGEPROOF_PROGRESS=0.1 "$cageproof" verify --cage cube --evaluations batched --out report >stdout 2>stderr || fail "verify --cage cube: $(cat stderr)"
 grep -Eq '^(measuring [0-9]+ %.*: )?[a-z].* for [0-9]+ s$' stderr || fail "no line names what is done: $(cat stderr)"
 CAGEPROOF_PROGRESS=0.1 "$cageproof" verify --quiet --cage cube --evaluations batched --out report >stdout 2>stderr || fail 'verify --quiet --cage cube'

@@ -27,7 +27,7 @@ sed 's/^v 1 0 0$/v 1.5 0 0/' project/own.obj >own.obj
 replays project/runs/report/one.jsonl
 cp own.obj elsewhere/report/own.obj
 refuses_to replay one.jsonl:1 "own.obj, $work/elsewhere/report/own.obj: the cage has changed since the case was stored" -- elsewhere/report/one.jsonl
-# Files of earlier programs do not know what the cage was.
+# Files of earlier programs do not state the cage's contents.
 sed 's/,"cage_content":"[^"]*"//' elsewhere/report/one.jsonl >elsewhere/report/older.jsonl
 cmp -s elsewhere/report/one.jsonl elsewhere/report/older.jsonl && fail "no content of the cage is stored"
 replays elsewhere/report/older.jsonl

@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: MIT
-# Sourced by tests whose first argument is the path of cageproof: a folder of their own to work in, which goes at the end, and what a refusal is.
+# Sourced by tests whose first argument is the path of cageproof: makes a working folder, removed at the end, and checks refusals.
 set -u
 cageproof=$1
 work=$(mktemp -d)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# closed_form/README.md, "To use one without anything else of the project": its program, with the files of its list and no others, built by its commands,
+# closed_form/README.md, "You can use one formula without the rest of the project": its program, with the files of its list and no others, built by its commands,
 # prints what stands there. Every file of the list is needed.
 # Usage: one_header_test.sh COMPILER
 set -u

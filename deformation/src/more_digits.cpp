@@ -150,10 +150,13 @@ std::shared_ptr<const Deformer<double>> prepared_in_digits_enough(const DeformMe
                       : "densities may lose digits like its square, images with them"));
 }
 
+bool can_have_50_digits(const CageElements& elements, int level) {
+  return evaluations_at(level, elements.dimension(), static_cast<double>(elements.count())) <=
+         most_evaluations(elements.dimension());
+}
+
 bool wants_50_digits(const CageElements& elements, int level) {
-  return thinness_of(elements).times > thin &&
-         evaluations_at(level, elements.dimension(), static_cast<double>(elements.count())) <=
-             most_evaluations(elements.dimension());
+  return thinness_of(elements).times > thin && can_have_50_digits(elements, level);
 }
 
 }  // namespace cageproof::deformation

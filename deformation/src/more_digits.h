@@ -14,8 +14,12 @@ namespace cageproof::deformation {
 std::shared_ptr<const Deformer<double>> prepared_in_digits_enough(const DeformMethod& method, const Cage& cage,
                                                                   const DeformOptions& options);
 
+/// Whether systems of the elements can be solved in 50 digits in half a minute. \param level how often elements are
+/// split into samples
+bool can_have_50_digits(const CageElements& elements, int level);
+
 /// Whether derivatives of layers at samples lose so much on the elements that systems made of them are to be solved in
-/// 50 digits, and would be in half a minute. \param level how often elements are split into samples
+/// 50 digits, and can be.
 bool wants_50_digits(const CageElements& elements, int level);
 
 }  // namespace cageproof::deformation

@@ -61,6 +61,7 @@ class Reported final : public Posed<double> {
   }
   const DeformationReport& report() const override { return report_; }
   std::vector<Vec3<double>> vertices() const override { return posed_->vertices(); }
+  const Posed<double>& posed() const { return *posed_; }
 
  private:
   std::unique_ptr<const Posed<double>> posed_;
@@ -138,6 +139,11 @@ std::vector<Vec3<Mp50>> nudged(std::vector<Vec3<Mp50>> vertices) {
       x += share * unit_roundoff<double>() * abs(x);
     }
   return vertices;
+}
+
+const Posed<double>& without_report(const Posed<double>& posed) {
+  const auto* const reported = dynamic_cast<const Reported*>(&posed);
+  return reported == nullptr ? posed : reported->posed();
 }
 
 std::shared_ptr<const Deformer<double>> stating_pose_roundings(std::shared_ptr<const Deformer<double>> deformer,

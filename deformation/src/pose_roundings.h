@@ -31,6 +31,9 @@ class PoseRoundings {
 /// Vertices up to half a unit of their last digits off, each another way.
 std::vector<Vec3<Mp50>> nudged(std::vector<Vec3<Mp50>> vertices);
 
+/// A pose without what stating_pose_roundings has put around it.
+const Posed<double>& without_report(const Posed<double>& posed);
+
 /// A deformer in double that states what roundings of posed vertices, and its own, cost: each pose is solved twice.
 std::shared_ptr<const Deformer<double>> stating_pose_roundings(std::shared_ptr<const Deformer<double>> deformer,
                                                                std::string where);

@@ -30,7 +30,8 @@ struct Setting {
 inline const std::vector<Setting>& settings() {
   static const std::vector<Setting> all = [] {
     std::vector<Setting> found;
-    for (const char* method : {"mean_value", "quad_mean_value", "spherical_mean_value", "maximum_entropy", "harmonic"})
+    for (const char* method :
+         {"mean_value", "quad_mean_value", "spherical_mean_value", "maximum_entropy", "harmonic", "elastic"})
       found.push_back({method});
     const double area = 2;
     for (const double stretch : {0., 1., 2., 3.}) found.push_back({"green", {{"stretch", stretch}}, stretch != area});

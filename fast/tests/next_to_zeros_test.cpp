@@ -90,6 +90,21 @@ TEST(NextToZeros, potentials_in_the_plane_keep_thirteen_digits) {
 }
 
 // Gradients next to an edge, which a distance of one rounding decides.
+// The segment is so nearly a diagonal of the axes that double takes an infinite entry's factor for zero.
+TEST(NextToZeros, infinities_at_the_end_of_a_diagonal_keep_their_signs) {
+  const Points corners{{-0x1.ffffffd6048c7p+0, 0x1.ffffffeb02464p+1, 0}, {0x1p+2, -0x1p+1, 0}};
+  const std::vector<double> biharmonic{2};
+  for (const char* formula : {"segment.biharmonic_double_layer", "segment.polyharmonic_double_layer"}) {
+    Query<double> query{.corners = corners, .point = corners[0], .order = 2};
+    if (formula_named(formula).parameters.size() == 1) query.parameters = biharmonic;
+    Result<double> quick, exact;
+    evaluation_named(formula, "hybrid")(query, quick);
+    evaluation_named(formula, "closed_form")(query, exact);
+    ASSERT_TRUE(std::isinf(exact.hessian[1]));
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(quick.hessian[i], exact.hessian[i]) << formula << i;
+  }
+}
+
 TEST(NextToZeros, derivatives_of_quads_solid_angles_next_to_an_edge_keep_thirteen_digits) {
   for (const int order : {1, 2})
     EXPECT_LT(relative_error("quad.solid_angle", "closed_form",

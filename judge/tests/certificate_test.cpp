@@ -152,10 +152,11 @@ TEST(register_code, gives_the_codes_numbers_in_blocks_and_alone) {
   EXPECT_DOUBLE_EQ(result.value[0], std::atan2(0.5, 0.));
 }
 
-TEST(templates, exist_in_three_languages) {
-  EXPECT_EQ(template_languages().size(), 3U);
+TEST(templates, exist_for_elements_and_cages) {
+  EXPECT_EQ(template_languages().size(), 4U);
   EXPECT_EQ(template_files("c").size(), 2U);
   EXPECT_EQ(template_files("python")[0].first, "mine.py");
+  EXPECT_EQ(template_files("python-cage")[0].first, "mine_cage.py");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The C interface (cageproof.h) for C++20: handles that free themselves, spans, exceptions. It needs only the standard
-// library. cageproof.h says what arrays hold.
+// The C interface (cageproof.h) for C++20: handles that free themselves, spans, exceptions; only the standard library.
+// cageproof.h says what arrays hold.
 #pragma once
 
 #include "cageproof.h"
@@ -14,7 +14,7 @@
 
 namespace cageproof::shared {
 
-/// An error of the C interface: its text, and its code.
+/// A refusal by the C interface: its text, and its code.
 class Error : public std::runtime_error {
  public:
   Error(int code, const char* text) : std::runtime_error(text), code_(code) {}
@@ -132,7 +132,7 @@ class BoundPoints {
   std::unique_ptr<cageproof_bound, Free> own_;
 };
 
-/// A method that moves points with a posed cage. All functions \throw Error
+/// The map of points by a posed cage, with one method. All functions \throw Error
 class Deformer {
  public:
   Deformer(const Cage& rest, const std::string& method, const Options& options = {}) {

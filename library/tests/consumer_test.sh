@@ -29,7 +29,7 @@ CPP
 grep -iE 'eigen|boost|mpfr|gmp|flint|cgal|fmt|vtk' "$work/dependencies" && fail "the header brings other libraries"
 [ "$(grep -o 'include/cageproof/[a-z_/]*\.h' "$work/dependencies" | sort -u | wc -l)" -le 2 ] || fail "the header brings others of the project"
 run "$compiler" -std=c++20 $flags -O2 -I "$work/prefix/include" -c "$here/consumer/consumer.cpp" -o "$work/consumer.o"
-# Processor time is measured, because the machine may be busy.
+# The time is the processor's, because other programs may be at work on the machine.
 TIMEFORMAT='%U %S'
 seconds=$({ time "$compiler" -std=c++20 -O2 -I "$work/prefix/include" -c "$root/docs/examples/library.cpp" -o "$work/example.o" >&2; } 2>&1 | tail -n 1)
 echo "a program that includes it compiles in ${seconds% *} s"
@@ -52,7 +52,7 @@ run "$work/by_pkg_config"
 run "$compiler" -x c++ -std=c++20 $flags "$here/shared/cpp_interface.cpp" -x none $(pkg-config --cflags --libs cageproof-c) -o "$work/shared_by_pkg_config"
 LD_LIBRARY_PATH=$(pkg-config --variable=libdir cageproof-c) run "$work/shared_by_pkg_config"
 
-# The program and output that docs/library.md shows are those that ran here.
+# The program in docs/library.md is the one that was run, with its output.
 page=$root/docs/library.md
 awk '/^```$/ && inside {exit} inside {print} /^```cpp$/ {inside = 1}' "$page" | cmp - "$root/docs/examples/library.cpp" || fail "docs/library.md shows another program than docs/examples/library.cpp"
 "$work/consumer/example" >"$work/shown" || fail "the example"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What pages of cells do once scripts run: cells answer, every figure is listed, curves and times are drawn by D3.
+// Scripts of pages of cells: cells answer, every figure is listed, D3 draws curves and times.
 // One function, because it waits: modules may wait by themselves, but browsers load none from a folder on disk.
 "use strict";
 (async () => {
@@ -200,14 +200,14 @@ function tipOn(selection, textOf) {
   selection.on("pointerenter", at).on("focus", at).on("pointerleave blur", () => (tip.hidden = true));
 }
 
-// What a line of the same looks stands for.
+// A short line with the looks of a series, for the legend.
 function keyLine(colour, dash) {
   const key = d3.create("svg").attr("width", 30).attr("height", 12).attr("viewBox", "0 0 30 12").attr("aria-hidden", "true");
   key.append("line").attr("x1", 0).attr("x2", 30).attr("y1", 6).attr("y2", 6).attr("stroke", colour).attr("stroke-width", 2).attr("stroke-dasharray", dash || null);
   return key;
 }
 
-// One of the names alone, or all again. \param styles by name
+// Shows only one of the names, or all again. \param styles by name
 function legend(parent, styles, svg) {
   const box = element("div", null, {class: "legend"});
   for (const [name, style] of styles) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page field.html: errors of several evaluations side by side in 3D, from the data inside the page alone.
+// The page field.html: errors of several evaluations side by side in 3D, only from the data inside the page.
 'use strict';
 
 (async () => {
@@ -40,7 +40,7 @@ function drawLegend() {
   }
 }
 
-// What a value on the logarithmic scale says in words.
+// Text of a value on the logarithmic scale.
 function textOf(value) {
   if (Number.isNaN(value)) return 'no value';
   if (value > 300) return 'not finite';

@@ -85,7 +85,7 @@ if (overview) {
   addChoices(form.elements.evaluation, data.evaluations);
 
   const showEvaluation = (line, name) => {
-    // What the page came with is kept once it is to be replaced: keeping all of it would take longer than all else here.
+    // A line's first cells are kept only when they are replaced: keeping all lines would take longer than all else here.
     if (name === "" && line.shown === null) return !line.blank;
     const cells = [...line.row.cells].slice(2);
     if (line.shown === null) line.shown = cells.map((cell) => [cell.className, cell.innerHTML]);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What tables of the report do once scripts run: they sort and filter.
+// Tables of the report sort and filter once scripts run.
 "use strict";
 
-// What an error's text is as a number, to sort by; text that is no number comes last.
+// An error's text as a number, to sort by; text that is no number comes last.
 function numberOf(text) {
   const plain = text.replace(/[,✗\s]/g, "");
   if (plain === "inf") return Infinity;

@@ -11,7 +11,7 @@ struct Notes {
   std::multiset<std::filesystem::path> paths;
 };
 
-// Never destroyed: the thread that waits for signals may outlive what is.
+// Never destroyed, because the thread that waits for signals may outlive static objects.
 Notes& notes() {
   static Notes& all = *new Notes;
   return all;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What this process has aside at the moment: a signal that ends it takes this along.
+// Files that this process is writing aside: a signal that ends the process removes them.
 #pragma once
 
 #include <filesystem>
@@ -20,10 +20,10 @@ class AsideNote {
   std::filesystem::path path_;
 };
 
-/// Held while what was written aside is put in its place: signals wait until this is done.
+/// Held while a file is renamed into its place: signals wait until this is done.
 std::unique_lock<std::mutex> undisturbed();
 
-/// All that is noted. \pre undisturbed() is held
+/// All noted paths. \pre undisturbed() is held
 std::vector<std::filesystem::path> noted_aside();
 
 }  // namespace cageproof::reports

@@ -14,12 +14,12 @@
 namespace cageproof::reports {
 namespace {
 
-// What one fault may break: rows of one element's formulas, of one deformer, or of one cage.
+// The rows that one fault may break: those of one element's formulas, of one deformer, or of one cage.
 std::string about(const ResultRow& row) {
   return row.section == RowKey::Section::Cage ? row.setting : row.subject.substr(0, row.subject.find('.'));
 }
 
-// The first few of what rows say, each once.
+// The first few of the rows' words, each once.
 template <class Member>
 std::string named(const BrokenGroup& group, Member member) {
   constexpr std::size_t most = 6;
@@ -37,7 +37,7 @@ void find_simplest(BrokenGroup& group) {
   std::size_t shortest = 0;
   for (const ResultRow* row : group.rows)
     for (const WorstCase& worst : row->worst) {
-      // What is kept shows nothing.
+      // An error within its bound shows nothing.
       if (!row->bound || worst.error <= *row->bound) continue;
       const std::size_t length = input_line(worst).size();
       if (group.simplest && length >= shortest) continue;

@@ -34,7 +34,7 @@ vtkNew<vtkDoubleArray> numbers(const std::string& name, const std::vector<double
   return array;
 }
 
-// \param width as many numbers a row; -1 fills up
+// \param width numbers per row; -1 fills up
 vtkNew<vtkIntArray> indices(const std::string& name, const std::vector<std::vector<int>>& rows, std::size_t width) {
   vtkNew<vtkIntArray> array;
   array->SetName(name.c_str());

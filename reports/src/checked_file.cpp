@@ -35,7 +35,7 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
-// \param named what messages call it
+// \param named the file's name in messages
 void write_to(File file, const fs::path& named, std::string_view bytes) {
   if (!file) fail(named);
   if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) fail(named);
@@ -63,7 +63,7 @@ struct Target {
 
   File opened() const {
     if (!descriptor) return File(std::fopen(path.c_str(), "wb"));
-    // Another one of the same open file: what follows goes on behind what is written here.
+    // A second descriptor of the same open file: later output continues behind the bytes written here.
     const int same = ::dup(*descriptor);
     return File(same < 0 ? nullptr : ::fdopen(same, "wb"));
   }
@@ -146,7 +146,7 @@ struct PiecewiseFile::State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
-  // \param write a part of what is left, as ::write does
+  // \param write writes a part of the rest, as ::write does
   template <class Write>
   void put(std::string_view bytes, Write write) const {
     while (!bytes.empty()) {
@@ -225,7 +225,7 @@ class Replacement {
     }
   }
 
-  // Last, since what a device or a pipe was given cannot be taken back.
+  // Devices and pipes come last, because output to them cannot be taken back.
   void write_direct() const {
     for (std::size_t i = 0; i < files_.size(); ++i)
       if (targets_[i].direct) write_to(targets_[i].opened(), files_[i].first, files_[i].second);

@@ -30,13 +30,13 @@ extern "C" void tell_thread(int number) {
   ending.store(number);
   const auto byte = static_cast<unsigned char>(number);
   [[maybe_unused]] const auto written = ::write(to_thread, &byte, 1);
-  // Whoever writes to a pipe that nobody reads has nothing more to do, nor to complain of.
+  // A thread that writes to a pipe without readers stops here, because nobody would read more, or a message.
   if (number == SIGPIPE)
     for (;;) ::pause();
   errno = error;
 }
 
-// Other threads may still be writing: what they make meanwhile goes, too.
+// Other threads may still be writing, so their new files are removed, too.
 void remove_what_is_aside() {
   for (int round = 0; round < 100; ++round) {
     bool left = false;
@@ -51,10 +51,10 @@ void remove_what_is_aside() {
 }
 
 [[noreturn]] void end_by(int number) {
-  // Held to the end: nothing is put in its place any more, and who wanted to waits.
+  // Held to the end, so that no file is put in its place any more: threads that try to wait.
   const auto lock = undisturbed();
   remove_what_is_aside();
-  // By what would have ended it, so that shells see the signal.
+  // The original action ends the program, so that shells see the signal.
   for (std::size_t k = 0; k < signals.size(); ++k)
     if (signals[k] == number) ::sigaction(number, &actions_before[k], nullptr);
   ::kill(::getpid(), number);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A field's values as colours: what is drawn, between which limits, with which legend.
+// A field's values as colours: the array that is drawn, its limits and its legend.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"
@@ -33,7 +33,7 @@ struct Colours {
 const ImageField::Array& array_named(const std::vector<ImageField::Array>& arrays, const std::string& name,
                                      std::size_t samples);
 
-/// Several components are shown by their magnitude; what is beyond given limits takes the colour at that end.
+/// Several components are shown by their magnitude; values beyond given limits take the colour at that end.
 Colours colours_of(const ImageField::Array& array, ColourScale scale,
                    std::optional<ColourLimits> limits = std::nullopt);
 

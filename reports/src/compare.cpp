@@ -18,7 +18,7 @@
 namespace cageproof::reports {
 namespace {
 
-// What a list of summary.json is made of: members that say what an entry is about, and its figures.
+// Members of one list of summary.json: those that identify an entry, and its figures.
 struct List {
   const char *name, *entry;
   std::vector<const char*> key, figures;
@@ -129,7 +129,7 @@ std::size_t name_hybrids(Json& before, const Json& after) {
   return count;
 }
 
-// The entries of a list by what they are about, in words.
+// The entries of a list by their subjects, in words.
 std::map<std::string, const Json*> entries(const Json& summary, const List& list, const Renamed& renamed) {
   std::map<std::string, const Json*> found;
   if (!summary.contains(list.name)) return found;

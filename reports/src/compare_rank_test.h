@@ -12,7 +12,7 @@ namespace cageproof::reports {
 /// Source: H. B. Mann, D. R. Whitney, Annals of Mathematical Statistics 18 (1947) 50-60. \pre neither is empty
 double rank_test(const std::vector<double>& a, const std::vector<double>& b);
 
-/// The smallest probability that so many values can have: two samples of which one lies below the other.
+/// The smallest probability for so many values: that of two samples of which one lies below the other.
 double least_rank_p(std::size_t a, std::size_t b);
 
 }  // namespace cageproof::reports

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rows of two summaries, matched by what they are about.
+// The rows of two summaries, matched by their subjects.
 #pragma once
 
 #include "cageproof/reports/compare.h"

@@ -24,7 +24,7 @@ constexpr std::array<std::array<int, 2>, 5> kShapes{{{7, 6}, {5, 4}, {9, 8}, {11
 constexpr double kSmallestDrawn = 0.1;
 constexpr std::size_t kManyPoints = 40;
 
-// The looks of a curve, as gnuplot has them; what is recommended is drawn thicker.
+// The looks of a curve, as gnuplot has them; recommended evaluations are drawn thicker.
 class Styles {
  public:
   explicit Styles(const RunResult& result) : series_(result) {}
@@ -49,7 +49,7 @@ bool drawable(const ResultCurve& curve) {
   return std::ranges::any_of(curve.parameters, [](double p) { return p > 0 && std::isfinite(p); });
 }
 
-// Of the digits that are promised. \param curves of one subject, regime and check
+// Bounds on the promised digits. \param curves of one subject, regime and check
 std::set<double> bounds(const RunResult& result, const Curves& curves, int order) {
   const ResultCurve& one = *curves.front();
   std::set<double> found;
@@ -69,7 +69,7 @@ struct Range {
   int low_decade = 0, high_decade = 0;
 };
 
-// Of all three panels, so that they can be compared.
+// One range for all three panels, so that they can be compared.
 Range error_range(const Curves& curves, const std::array<std::set<double>, 3>& promised) {
   double high = 1e2;
   for (const ResultCurve* curve : curves)
@@ -110,7 +110,7 @@ std::string data(const Curves& curves, Range errors) {
       const double p = curves[n]->parameters[i], error = curves[n]->errors[i];
       if (!(p > 0) || !std::isfinite(p)) continue;
       if (std::isfinite(error)) finite += fmt::format("{} {}\n", p, std::max(error, kSmallestDrawn));
-      // A gap in the line, not a bridge over what is not finite.
+      // Values that are not finite leave a gap in the line.
       else finite += "\n", infinite += fmt::format("{} 1e{}\n", p, errors.high_decade);
     }
     text += fmt::format("$d{} << EOD\n{}EOD\n$i{} << EOD\n{}EOD\n", n, finite.empty() ? "NaN NaN\n" : finite, n,
@@ -119,7 +119,7 @@ std::string data(const Curves& curves, Range errors) {
   return text;
 }
 
-// Evaluations, then the promise and the marker for what is not finite.
+// Evaluations, then the promise and the marker for values that are not finite.
 std::vector<std::string> legend(const Curves& curves, const Styles& styles, bool promised, bool infinite) {
   std::vector<std::string> entries;
   std::set<std::string> seen;
@@ -156,7 +156,7 @@ Picture draw_curves(const RunResult& result, const Curves& curves, const Styles&
     return std::ranges::any_of(curve->errors, [](double error) { return !std::isfinite(error); });
   });
   const std::vector<std::string> entries = legend(curves, styles, any_promise, any_infinite);
-  constexpr std::size_t most_in_a_row = 3;  // what fits the width with the longest names
+  constexpr std::size_t most_in_a_row = 3;  // fits the width with the longest names
   const std::size_t rows = (entries.size() + most_in_a_row - 1) / most_in_a_row,
                     columns = (entries.size() + rows - 1) / rows;
   const int panel_height = 215, legend_height = 34 + 18 * static_cast<int>(rows),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Error against a regime's parameter: value, gradient and Hessian side by side, one curve an evaluation and scalar.
+// Error against a regime's parameter: value, gradient and Hessian side by side, one curve per evaluation and scalar.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"

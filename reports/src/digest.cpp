@@ -82,7 +82,7 @@ ErrorTable truth_table(const RunResult& result, const std::string& subject) {
     if (std::ranges::find(table.columns, column) == table.columns.end()) table.columns.push_back(column);
   }
   table.regimes = distinct(table.rows, [](const ResultRow* row) -> const std::string& { return row->setting; });
-  // What users run comes first.
+  // The evaluations that users run come first.
   std::ranges::stable_partition(table.columns, [&](const Column& column) {
     return column.scalar == "double" && role_of(result, subject, column.evaluation) == name_of(Role::Recommended);
   });

@@ -35,7 +35,7 @@ using Rows = std::vector<const ResultRow*>;
 /// "all promises kept", or how many are broken, or that nothing was promised.
 std::string verdict_line(const RunResult& result);
 
-/// The broken rows: what others rest on first, then the one furthest beyond its bound.
+/// The broken rows: foundations of others first, then the one furthest beyond its bound.
 Rows broken_rows(const RunResult& result);
 
 /// The subjects of a section that have rows: formulas in the catalogue's order, then others as they come.
@@ -44,15 +44,15 @@ std::vector<std::string> subjects(const RunResult& result, ResultRow::Section se
 /// The rows of a subject's check against the truth.
 ErrorTable truth_table(const RunResult& result, const std::string& subject);
 
-/// What is said of a row's error: of one against the truth first how many digits are right at the worst input,
-/// whatever the conditioning, "14.8 (2.5)"; of others the error, "2.5".
+/// Text of a row's error. For errors against the truth the number of right digits at the worst input, whatever the
+/// conditioning, comes first: "14.8 (2.5)"; for other checks it is only the error, "2.5".
 std::string figure_text(const ResultRow& row);
 
-/// One line a (check, evaluation, scalar, order, unit) of a subject, truth left out: the row that comes nearest to its
-/// bound or goes furthest beyond, of all regimes.
+/// One line per (check, evaluation, scalar, order, unit) of a subject, without the truth: the row that comes nearest to
+/// its bound or goes furthest beyond it, over all regimes.
 Rows tightest_properties(const RunResult& result, const std::string& subject);
 
-/// What holds on cages: in a cell the worst row of all places and orders, or null.
+/// Table of the checks on cages. Each cell is the worst row of all places and orders, or null.
 struct CageTable {
   struct Line {
     std::string cage, name, unit;
@@ -65,7 +65,7 @@ struct CageTable {
 /// The cages' properties: a line a (cage, check, unit), a column a (kind, evaluation, scalar).
 CageTable cage_table(const RunResult& result);
 
-/// What deformers keep: a line a (cage, deformer with its variant, unit), a column a check.
+/// Table of the checks of deformers, by (cage, deformer with variant, unit) down and by checks across.
 CageTable deformer_table(const RunResult& result);
 
 /// max / bound; without a bound, max. What is worst in one table is largest.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Largest error over what a regime sweeps, a line for each evaluation.
+// Largest error over the parameter that a regime sweeps, one line per evaluation.
 #pragma once
 
 #include "cageproof/core/results/work_precision.h"

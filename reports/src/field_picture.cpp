@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array kAxes{"x", "y", "z"};
 
-// The two axes a slice spans, and the one it is cut across.
+// The two axes that a slice spans, and the one that it cuts.
 struct Plane {
   int across = 0, up = 1, cut = 2;
 };
@@ -46,7 +46,7 @@ int title_size(const std::string& title) {
   return title.size() <= most_at_full_size ? 10 : std::max(5, static_cast<int>(10 * most_at_full_size / title.size()));
 }
 
-// The title in the first line, what grey and red mean in the second.
+// The title in the first line, the meaning of grey and red in the second.
 std::string frame(const std::string& title, int height) {
   return fmt::format(
       "set border linecolor rgb '#666666'\nset tics nomirror out scale 0.5\nset size ratio -1\n"

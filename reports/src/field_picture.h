@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of fields: a slice as a heat map, a mesh as coloured points from two sides.
+// Pictures of fields. A slice becomes a heat map, a mesh becomes coloured points seen from two sides.
 #pragma once
 
 #include "colours.h"

@@ -13,7 +13,7 @@ std::string short_error(double error) {
   if (std::isinf(error)) return "inf";
   if (error <= 0) return "0";
   int exponent = static_cast<int>(std::floor(std::log10(error)));
-  // A value that is two digits but for its last bits is left as it is.
+  // A value that equals two digits up to its last bits stays as it is.
   const long double scaled = error / std::pow(10.0L, exponent - 1) * (1 - 1e-9L);
   int digits = static_cast<int>(std::ceil(scaled));
   if (digits >= 100) digits = 10, ++exponent;

@@ -12,7 +12,7 @@ namespace cageproof::reports {
 /// "inf".
 std::string short_error(double error);
 
-/// How many decimal digits of a scalar a relative error leaves, rounded down to a tenth: "0", "12.3", "all".
+/// Decimal digits of a scalar that a relative error leaves, rounded down to a tenth: "0", "12.3", "all".
 std::string digits_kept(double relative, std::string_view scalar);
 
 /// Four digits at most: "64", "1e-12", "-16.32".

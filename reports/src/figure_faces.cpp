@@ -47,8 +47,8 @@ void add_pieces(const Piece& piece, double most, std::vector<Piece>& pieces) {
     add_pieces({part, piece.face}, most, pieces);
 }
 
-// All faces as triangles, of which none is much larger than most: the depth of a large one's middle says little about
-// what it hides.
+// All faces as triangles of similar size, because the depth of a large one's middle says little about the faces that it
+// hides.
 std::vector<Piece> pieces_of(const FigurePanel& panel, const FigureFrame& frame, const ViewAxes& axes) {
   std::vector<Piece> whole;
   for (std::size_t f = 0; f < panel.data.faces.size(); ++f) {

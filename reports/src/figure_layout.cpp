@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the panels of a figure lie, and what scale they have.
+// Places and scales of a figure's panels.
 #include "figure_layout.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ void extend(Box& box, const ViewAxes& axes, const std::vector<Vec3<double>>& poi
   for (const Vec3<double>& point : points) box.extend(projected(axes, point));
 }
 
-// What the cage takes, or, of panels without one, all.
+// The box of the cage, or of the whole panel where it has no cage.
 Box cage_box(const FigurePanel& panel, const ViewAxes& axes) {
   Box box;
   extend(box, axes, panel.cage.empty() ? panel.data.vertices : panel.cage);
@@ -80,7 +80,7 @@ FigureLayout layout_of(const FigureSheet& sheet) {
     frame.height = height;
     frame.share = std::min(
         {1.0, (width - 2 * inset) / (scale * box.sizes()[0]), (height - 2 * inset) / (scale * box.sizes()[1])});
-    // What fits but for rounding fits.
+    // A share of one up to rounding fits.
     if (frame.share > 1 - 1e-9) frame.share = 1;
     frame.scale = scale * frame.share;
     const auto step = [&](const Vec3<double>& axis) {

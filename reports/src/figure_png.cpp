@@ -23,7 +23,7 @@ std::vector<Place> places_of(const FigureFrame& frame, const std::vector<Vec3<do
   return places;
 }
 
-// Each edge once, and whether a face beside it is seen from its outer side.
+// Each edge once, and whether one of its faces is seen from its outer side.
 std::map<std::pair<int, int>, bool> edges_of(const FigurePanel& panel, const ViewAxes& axes) {
   std::map<std::pair<int, int>, bool> edges;
   for (const auto& face : panel.cage_faces) {
@@ -40,7 +40,7 @@ std::map<std::pair<int, int>, bool> edges_of(const FigurePanel& panel, const Vie
 void draw_cage(const FigurePanel& panel, const FigureFrame& frame, const ViewAxes& axes, bool near, Canvas& canvas) {
   const std::vector<Place> places = places_of(frame, panel.cage);
   std::vector<char> shown(places.size());
-  // Many edges hide what they enclose.
+  // Many edges would hide the picture behind them, so they are drawn thinner.
   const bool many = panel.cage_faces.size() > 40 && !panel.flat;
   for (const auto& [edge, seen] : edges_of(panel, axes)) {
     if (seen != near) continue;

@@ -59,7 +59,7 @@ class Gnuplot {
   Gnuplot(const Gnuplot&) = delete;
   Gnuplot& operator=(const Gnuplot&) = delete;
 
-  // What went wrong; empty where gnuplot says nothing. \throws InputError where it does not start
+  // Gnuplot's error message; empty where it prints none. \throws InputError where it does not start
   std::string finish() {
     if (start_error_ != 0)
       throw InputError(fmt::format("cannot draw pictures: gnuplot does not start ({}); install gnuplot-nox",
@@ -71,7 +71,7 @@ class Gnuplot {
   }
 
  private:
-  // The line of gnuplot's message that says what is wrong.
+  // The line of gnuplot's message that names the error.
   std::string complaint() const {
     const std::string log = read_file(log_);
     const std::size_t end = log.find_last_not_of("\n ");
@@ -124,7 +124,7 @@ Picture placeholder(const Picture& picture, const std::string& reason) {
                       gnuplot_text("the data beside it is whole"))};
 }
 
-// Draws a picture by itself that failed among others, or what stands for it. Nothing where it is drawn.
+// Draws one picture of a group that failed, or a placeholder with the returned reason. Nothing where it is drawn.
 std::optional<std::string> draw_alone(const Picture& picture, const fs::path& folder, std::size_t number) {
   const fs::path path = folder / picture.file;
   const auto try_drawing = [&](const Picture& one) {
@@ -150,7 +150,7 @@ std::vector<std::string> draw(const std::vector<Picture>& pictures, const fs::pa
   for (std::size_t i = 0; i < pictures.size(); ++i) scripts[i % jobs] += commands(pictures[i], folder);
   std::vector<std::unique_ptr<Gnuplot>> running;
   for (std::size_t i = 0; i < jobs; ++i) running.push_back(std::make_unique<Gnuplot>(folder, i, scripts[i]));
-  // A script ends at the first picture that gnuplot refuses: those after it are not there.
+  // A script ends at the first picture that gnuplot refuses, so later ones of that script are missing.
   for (const auto& process : running) process->finish();
   std::vector<std::future<std::vector<std::size_t>>> finishing;
   for (std::size_t job = 0; job < jobs; ++job)

@@ -25,7 +25,7 @@ struct Picture {
 /// Text as a gnuplot string literal, taken as it is (no escapes, no markup when drawn `noenhanced`).
 std::string gnuplot_text(std::string_view text);
 
-/// A number gnuplot reads; NaN for what is not finite.
+/// A number that gnuplot reads; NaN for numbers that are not finite.
 std::string gnuplot_number(double x);
 
 }  // namespace cageproof::reports

@@ -126,7 +126,7 @@ class Reader {
     for (const Json& range : line["units"]) take_units(range.at(0).get<std::size_t>(), range.at(1).get<std::size_t>());
     open_ = false;
   }
-  /// Whether results have come whose units have not.
+  /// Whether results have been read whose units have not.
   bool open() const { return open_; }
 
  private:
@@ -260,7 +260,7 @@ int locked_file(const fs::path& path) {
 
 JournalWriter::JournalWriter(const fs::path& path) : path_(path), file_(locked_file(path)) {
   if (LineFile(path_).packed()) {
-    // A finished journal. Lines can follow its text alone, which takes its place in one step.
+    // A finished journal is packed. Lines can be added only to its text, which takes its place in one step.
     ::close(file_);
     replace_file(path_, read_packed(path_));
     file_ = locked_file(path_);

@@ -10,7 +10,7 @@ namespace cageproof::reports {
 
 using Json = nlohmann::ordered_json;
 
-/// A number as JSON; what JSON has no number for becomes the string "nan", "inf" or "-inf".
+/// A number as JSON; numbers that JSON lacks become the strings "nan", "inf" or "-inf".
 inline Json json_number(double x) {
   if (std::isnan(x)) return "nan";
   if (std::isinf(x)) return x > 0 ? "inf" : "-inf";

@@ -17,7 +17,7 @@ namespace {
 
 using Element = vtkXMLDataElement;
 
-// Of every element `<Element index="7"/>`, which has an index alone, an empty value.
+// Gives every `<Element index="7"/>`, which has only an index, an empty value.
 std::string with_empty_values(std::string text) {
   constexpr std::string_view start = "<Element index=\"", end = "\"/>", value = "\" value=\"\"/>";
   for (auto at = text.find(start); at != text.npos; at = text.find(start, at + 1)) {
@@ -236,7 +236,7 @@ class State {
         .refer("Representations", shown);
   }
 
-  // A chain of splits: the first view at the left, the others in what is right of it.
+  // A chain of splits: the first view at the left, the others in the part to its right.
   void layout() {
     Proxy layout = proxy("layouts", "side by side", "misc", "ViewLayout", kLayout, 20);
     const int views = static_cast<int>(scene_.compared.size());

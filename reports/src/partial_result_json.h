@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Partial results as JSON: doubles survive exactly, and what JSON has no number for is a string.
+// Partial results as JSON: doubles survive exactly, and numbers that JSON lacks are strings.
 #pragma once
 
 #include "cageproof/core/results/partial_result.h"
@@ -13,8 +13,8 @@ Json partial_result_json(const PartialResult& gathered);
 /// One row, as in "rows".
 Json row_json(const RowKey& key, const Tally& tally);
 
-/// The inverse; other members are ignored.
-/// \throws std::invalid_argument or Json::exception for what is no such object
+/// The inverse; other members are ignored. \throws std::invalid_argument or Json::exception for an object without these
+/// members
 PartialResult partial_result_of(const Json& json);
 
 }  // namespace cageproof::reports

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail_by_errno(const fs::path& path) { fail_folder(path, std::generic_category().message(errno)); }
 
-// What is replaced must be ours to replace: a mistyped --out must never cost someone a folder.
+// Only our own folders are replaced: a mistyped --out must never cost someone a folder.
 void require_replaceable(const fs::path& out, const FolderKind& kind) {
   std::error_code error;
   const fs::file_status status = fs::status(out, error);
@@ -75,7 +75,7 @@ void make_folder(const fs::path& path) {
   if (error) fail_folder(path, error.message());
 }
 
-// A fresh folder beside `out`.
+// A fresh folder next to `out`.
 fs::path staging_for(const fs::path& out) {
   std::error_code error;
   for (int n = 0;; ++n) {

@@ -11,8 +11,8 @@
 
 namespace cageproof::reports {
 
-/// What a folder holds, by which one of ours is known again: only one of the same kind that holds nothing else than
-/// what was written into it (written_files.h), or an empty one, is replaced.
+/// Contents of a kind of folder, by which one of ours is known again. Only an empty folder is replaced, or one of the
+/// same kind that holds only files that were written into it (written_files.h).
 struct FolderKind {
   std::string_view what;                        ///< "a verification report": for messages
   std::vector<std::string_view> parts;          ///< every entry it may hold
@@ -20,8 +20,8 @@ struct FolderKind {
   bool (*holds)(const std::filesystem::path&);  ///< whether the folder says that it is of this kind
 };
 
-/// journal, summary.json.gz, summary.md, results.csv.gz, worst.jsonl, index.html, fields/, pictures/, figures/; or the
-/// journal alone.
+/// journal, summary.json.gz, summary.md, results.csv.gz, worst.jsonl, index.html, fields/, pictures/, figures/; or only
+/// the journal.
 const FolderKind& report_kind();
 
 /// The journal of one shard.
@@ -33,11 +33,11 @@ const FolderKind& field_kind();
 /// work_precision.csv, work_precision.json, pictures/.
 const FolderKind& work_precision_kind();
 
-/// What `figures` writes: figures/ alone.
+/// The folder that `figures` writes holds only figures/.
 const FolderKind& figures_kind();
 
 /// The folder itself: a link stays a link to what it will hold, and "report/" names what "report" does. Removes what
-/// killed processes left beside it. \throws InputError when it is the root, its parent does not exist or cannot be
+/// killed processes left next to it. \throws InputError when it is the root, its parent does not exist or cannot be
 /// written, or it holds anything but one of that kind
 std::filesystem::path replaceable_folder(const std::filesystem::path& out, const FolderKind& kind);
 
@@ -46,7 +46,7 @@ std::filesystem::path replaceable_folder(const std::filesystem::path& out, const
 /// it cannot be written
 void begin_folder(const std::filesystem::path& out, std::string_view file, std::string_view bytes);
 
-/// A folder beside the final one; renamed onto it by commit(), removed by the destructor otherwise.
+/// A folder next to the final one; renamed onto it by commit(), removed by the destructor otherwise.
 class ReportFolder {
  public:
   /// \throws InputError as replaceable_folder

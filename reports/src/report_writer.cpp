@@ -36,7 +36,7 @@ struct ReportWriter::State {
   std::vector<FigureEntry> figures;
   bool has_page = false;  ///< field.html
 
-  // Two fields whose names differ only in what a file name cannot hold get different files.
+  // Fields whose names differ only in characters that file names cannot hold get different files.
   std::string fresh_name(const std::string& name) {
     std::string fresh = file_name(name);
     for (int n = 2; !names.insert(fresh).second; ++n) fresh = fmt::format("{}-{}", file_name(name), n);
@@ -139,7 +139,7 @@ std::vector<std::string> ReportWriter::write(const RunResult& result) {
     write_text(result, curves);
     return undrawn;
   }
-  // What gnuplot draws hangs on the machine, as the notes of sessions do.
+  // Gnuplot's failures depend on the machine, as the notes of sessions do.
   RunResult noted = result;
   noted.session_notes.insert(noted.session_notes.end(), undrawn.begin(), undrawn.end());
   write_text(noted, curves);

@@ -30,7 +30,7 @@ Json value_json(const std::vector<std::uint64_t>& counts) {
   return {{"first", first - counts.begin()}, {"counts", std::vector<std::uint64_t>(first, last)}};
 }
 
-// And as text.
+// The same members as text.
 std::string value_text(RowKey::Section section) { return std::string(name_of(section)); }
 std::string value_text(Verdict verdict) { return std::string(name_of(verdict)); }
 std::string value_text(const std::string& text) { return csv_field(text); }

@@ -15,9 +15,9 @@ namespace cageproof::reports {
 struct RowMember {
   enum class Kind {
     Key,     ///< tells rows apart
-    Figure,  ///< what was found, or promised: two reports are compared by it
+    Figure,  ///< a finding or a promise: two reports are compared by it
     Count,   ///< of samples; a figure that is mostly zero
-    Text,    ///< what explains figures, and is not compared
+    Text,    ///< explains figures, and is not compared
   };
   const char* name;
   Kind kind;

@@ -11,7 +11,7 @@
 namespace cageproof::reports {
 namespace {
 
-// For each scalar, double first, what its first evaluations have, and what those have that share a colour with one.
+// Dashes for each scalar, double first: those of the first evaluations, then those of evaluations that share a colour.
 const std::array<std::array<std::vector<int>, 2>, 3>& dashes() {
   static const std::array<std::array<std::vector<int>, 2>, 3> all{
       {{{{}, {8, 4}}}, {{{2, 3}, {8, 3, 2, 3}}}, {{{12, 3, 2, 3, 2, 3}, {4, 6}}}}};

@@ -16,7 +16,7 @@ std::optional<std::string> small_png(std::string_view bytes, int colours) {
   if (!image) return std::nullopt;
   const int background = gdImageGetTrueColorPixel(image.get(), 0, 0);
   if (!gdImageTrueColorToPalette(image.get(), 0, colours)) return std::nullopt;
-  // The palette's colours are averages; the background must stay what it was.
+  // The palette's colours are averages, but the background must keep its exact colour.
   const int index = gdImageGetPixel(image.get(), 0, 0);
   image->red[index] = gdTrueColorGetRed(background);
   image->green[index] = gdTrueColorGetGreen(background);

@@ -15,7 +15,7 @@ Json numbers(const std::vector<double>& values) {
   return json;
 }
 
-// All that may differ between runs with the same findings.
+// Facts that may differ between runs with the same findings.
 Json environment(const RunResult& result) {
   Json sessions = Json::array();
   for (const Session& session : result.sessions) {

@@ -165,7 +165,9 @@ std::string errata(const RunResult& result) {
   std::string text = "\n## Errata of the papers\n";
   if (!measured.empty())
     text +=
-        "\nLargest relative error found, in 50 digits; of images in whole cages, in double, the largest distance over "
+        "\nLargest relative error found, in 50 digits, [T18]'s in double; of images in whole cages, in double, the "
+        "largest "
+        "distance over "
         "their "
         "size.\n\n" +
         head({"where", "printed", "right", "formula", "order", "evaluation", "regime", "as printed", "corrected"}) +
@@ -181,7 +183,7 @@ std::string pairs(const std::string& title, const std::map<std::string, std::str
   return text;
 }
 
-// Last, so that what may differ between runs with the same findings is the file's end.
+// The environment comes last, because it may differ between runs with the same findings.
 std::string environment_section(const RunResult& result) {
   std::string text = "\n## Environment\n";
   for (const Session& session : result.sessions) {

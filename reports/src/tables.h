@@ -9,7 +9,7 @@
 
 namespace cageproof::reports {
 
-/// results.csv: a header, then one line a row in the order of the rows; RFC 4180 quoting, line feeds alone.
+/// results.csv: a header, then one line per row, in the rows' order; RFC 4180 quoting, lines end in a line feed.
 std::string results_csv(const RunResult& result);
 
 /// summary.md: the verdict, what is broken, then tables, of figures their captions.

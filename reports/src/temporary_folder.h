@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Folders for what is written to be read at once.
+// Temporary folders for files that are written and read at once.
 #pragma once
 
 #include "aside.h"
@@ -19,7 +19,7 @@
 
 namespace cageproof::reports {
 
-/// A folder of its own, which goes with what is in it; what killed processes left of theirs goes when one is made.
+/// A folder of its own, removed with its contents. Making one also removes the folders of killed processes.
 class TemporaryFolder {
  public:
   /// \throws InputError where none can be made

@@ -87,7 +87,7 @@ template <class Writer, class Data>
 std::string text_of(Data& data) {
   vtkNew<Writer> writer;
   writer->SetInputData(&data);
-  // The bytes as they are, after the text that says what they are.
+  // The raw bytes, after the text that describes them.
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();

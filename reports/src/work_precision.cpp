@@ -69,7 +69,7 @@ std::string work_precision_text(const WorkPrecision& r) {
   for (const WorkPrecisionRow& row : r.rows)
     lines.push_back({row.place, row.evaluation, fmt::format("{}", row.samples), short_error(row.largest),
                      short_error(row.rms), short_error(row.median),
-                     // Of what is prepared for a whole cage nobody counts them.
+                     // Nodes are not counted for evaluations that are prepared for a whole cage.
                      r.timed == "point" && row.nodes == 0 ? "-" : fmt::format("{:.0f}", row.nodes),
                      fmt::format("{}", row.timed), fmt::format("{:.0f}", row.median_nanoseconds),
                      fmt::format("{:.0f}", row.nanoseconds), fmt::format("{:.0f}", row.quantile_nanoseconds)});

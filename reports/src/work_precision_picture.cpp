@@ -40,7 +40,7 @@ Picture work_precision_picture(const WorkPrecision& result, WorkAxis axis, std::
   std::vector<double> works, errors;
   for (const WorkPrecisionRow& row : result.rows) works.push_back(work(row)), errors.push_back(row.largest);
   const Decades x = decades(works), y = decades(errors);
-  // Exact results take the lower edge, what is not finite the upper one.
+  // Exact results are drawn at the lower edge, those that are not finite at the upper one.
   const auto height = [&](double error) { return std::clamp(error, y.low, y.high); };
   const auto place_of = [](const WorkPrecisionRow& row) -> const std::string& { return row.place; };
   const std::vector<std::string> places = distinct(result.rows, place_of);

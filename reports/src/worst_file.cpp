@@ -23,7 +23,7 @@ namespace {
 
 Json hex(const Vec3<double>& p) { return Json::array({format_hex(p[0]), format_hex(p[1]), format_hex(p[2])}); }
 
-// The key of a line's subject, which tells what the line is about.
+// The key of a line's subject.
 const char* subject_key(RowKey::Section section) {
   switch (section) {
     case RowKey::Section::Element: return "formula";
@@ -75,7 +75,7 @@ Json json_of(const WorstLine& line) {
   return json;
 }
 
-// One line of the file, with what an error message needs.
+// One line of the file, with its place for error messages.
 class LineReader {
  public:
   LineReader(const std::string& text, std::string where) : where_(std::move(where)) {

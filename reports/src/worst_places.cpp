@@ -17,7 +17,7 @@ std::string file_of(const ResultRow& row) {
   return fmt::format("worst/{}{}.jsonl.gz", home.prefix, file_name(home.name));
 }
 
-// Rows of kept promises are many, and the worst input of each is what is asked for.
+// There are many rows of kept promises, and readers ask only for the worst input of each.
 std::size_t count_of(const ResultRow& row) {
   return row.verdict == Verdict::Broken ? row.worst.size() : std::min<std::size_t>(row.worst.size(), 1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the worst inputs of a run lie: a file a formula, cage and deformed cage, of which each row has some lines.
+// Worst inputs of a run are stored in one file per formula, cage and deformed cage, with some lines for each row.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"
@@ -11,7 +11,7 @@
 
 namespace cageproof::reports {
 
-/// What a row's cell and worst inputs are filed under: its formula, its cage, or the cage that is deformed.
+/// The home of a row's cell and worst inputs: its formula, its cage, or the cage that is deformed.
 struct RowHome {
   std::string_view folder;  ///< of the pages: "formulas", "cages", "deformers"
   std::string_view prefix;  ///< of files that all lie in one folder: "", "cage.", "deformer."
@@ -24,21 +24,21 @@ struct WorstPlace {
   std::string
       file;  ///< "worst/triangle.double_layer.jsonl.gz", "worst/cage.cube.jsonl.gz", "worst/deformer.cube.jsonl.gz"
   std::size_t first = 0;  ///< line
-  std::size_t count = 0;  ///< of a kept promise the worst input alone, of a broken one all that are known
+  std::size_t count = 0;  ///< one, the worst input, for a kept promise; all known inputs for a broken one
 };
 
-/// Of a run, which must outlive it.
+/// Places for the rows of a run, which must outlive this object.
 class WorstPlaces {
  public:
   explicit WorstPlaces(const RunResult& result);
-  /// Of a row of the run.
+  /// The place of a row of the run.
   const WorstPlace& of(const ResultRow& row) const { return places_.at(&row); }
 
  private:
   std::unordered_map<const ResultRow*, WorstPlace> places_;
 };
 
-/// The files' texts by name; and worst.jsonl, which has those of broken promises alone, and may be empty.
+/// The files' texts by name, and worst.jsonl, which has only those of broken promises, and may be empty.
 std::map<std::string, std::string> worst_files(const RunResult& result);
 
 }  // namespace cageproof::reports

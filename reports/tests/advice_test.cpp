@@ -27,7 +27,7 @@ TEST(Advice, LeavesOutWhatIsSlowerAndLessAccurate) {
   // As far and as quick as what is recommended is no reason to take something else; two equal rules are a choice.
   EXPECT_EQ(names_of(without_dominated({{"equal", 0.1, 100}, {"lead", 0.1, 100, true}})), Names{"lead"});
   EXPECT_EQ(names_of(without_dominated({{"one", 0.1, 100}, {"two", 0.1, 100}})), (Names{"one", "two"}));
-  // What is recommended stays, behind a rule that is better in both, and before one that only reaches further.
+  // The recommended one stays, behind a rule that is better in both, and before one that only reaches further.
   EXPECT_EQ(names_of(without_dominated({{"lead", kNowhere, 100, true}, {"far", 0.1, 900}, {"quick", 1, 20}})),
             (Names{"quick", "lead", "far"}));
 }

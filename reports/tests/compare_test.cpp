@@ -118,7 +118,7 @@ TEST(Compare, LeavesOutWhatAnEarlierSchemaLacks) {
   EXPECT_TRUE(compare_summaries(summary_json(run), dump(old), {}).same());
 }
 
-// What was called closed_form before schema 4 is hybrid today, where there is such an entry.
+// An entry called closed_form before schema 4 is hybrid today, where such an entry exists.
 TEST(Compare, TakesClosedFormsOfEarlierSchemasForHybrids) {
   const RunResult run = sample_run(1, 1);
   Json old = Json::parse(summary_json(run)), today = old;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figures of several panels: where points come to lie, what hides what, and what is on the disk.
+// These tests look at figures with several panels: places of points, what hides what, and files on the disk.
 #include "cageproof/reports/figure_sheet.h"
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/cage/mesh_io.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the first page shows to one who opens a report for the first time.
+// The first page is clear to someone who opens a report for the first time.
 #include "cageproof/core/whole_file.h"
 #include "page/gallery_page.h"
 #include "page/page_data.h"

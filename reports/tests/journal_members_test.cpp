@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is found, member by member, goes through a journal and comes back equal: a unit's line, and the finished
+// Every member of the findings goes through a journal and comes back equal, in a unit's line and in the finished
 // journal.
 #include "cageproof/reports/checked_file.h"
 #include "cageproof/reports/journal.h"

@@ -49,7 +49,7 @@ JournalHeader header() {
 
 Session session(const char* started) { return {started, 0, "cageproof verify", {{"processor", "of the test"}}}; }
 
-// What unit `i` finds: numbers that text could spoil, in every kind of finding.
+// Unit `i` finds numbers that text could spoil, in every kind of finding.
 PartialResult found(int i) {
   PartialResult gathered;
   Tally& tally = gathered.rows[{RowKey::Section::Element, "f", "closed_form", "double", "near-edge", "truth", "", 0}];
@@ -210,7 +210,7 @@ TEST_F(Journals, ThatAreDamagedAreNamedByTheirLine) {
   EXPECT_FALSE(find_journal_header(scratch_.path() / "none"));
 }
 
-// What they call closed_form and recommend is hybrid today; what was algebra, or a quad's, keeps its name.
+// Older journals say closed_form of recommended rows, which are hybrid today; rows of algebra and quads keep it.
 TEST_F(Journals, OfBeforeNameHybrids) {
   std::string text = written(path(), {});
   const auto rows = [](const std::string& subject, const std::string& role) {

@@ -131,7 +131,7 @@ TEST(ReportFiles, SummaryJsonHoldsEveryFigure) {
     counts.resize(row.histogram.size());
     EXPECT_EQ(counts, row.histogram);
     for (const Json& at : j["worst_lines"]) EXPECT_EQ(at, ++line[j["worst_file"].get<std::string>()]);
-    // Of what is kept the worst input, of what is broken all that are known.
+    // Kept rows list their worst input, broken ones all that are known.
     EXPECT_EQ(j["worst_lines"].size(), row.verdict == Verdict::Broken ? row.worst.size() : 1u);
   }
   ASSERT_EQ(json["curves"].size(), run.curves.size());
@@ -237,10 +237,10 @@ TEST(ReportFiles, BrokenPromisesComeFirst) {
   }
 }
 
-// What a page loads besides itself: nothing from elsewhere, and links that lead somewhere.
+// A page loads nothing from elsewhere, and its links lead somewhere.
 void expect_to_stand_alone(const std::string& name, const std::map<std::string, std::string>& files) {
   const std::string& page = files.at(name);
-  // The scripts are others' and ours, and are looked at by themselves. What pages of a folder share stands beside them.
+  // The scripts, ours and others', are tested by themselves. Files that the pages of a folder share lie next to them.
   std::string text = page;
   for (const std::string start : {"<script>", "<script type=\"application/gzip\"", "<script src=\"d3.min.js\">",
                                   "<script src=\"page.js\">", "<script src=\"cells.js\">"})
@@ -428,7 +428,7 @@ TEST(ReportFiles, WhatNoResultCouldBreakIsGrey) {
             std::string::npos);
 }
 
-// What was never measured is grey too, and what no result could break has a tile and a figure of its own.
+// Rows that were never measured are grey too; rows that no result could break have a tile and a figure of their own.
 TEST(ReportFiles, WhatIsGreyIsCounted) {
   RunResult run = sample_run(1, 1);
   ResultRow& row = run.rows[0];
@@ -457,7 +457,7 @@ TEST(ReportFiles, PagesAreSmall) {
 }
 
 TEST(ReportFiles, CodeOfOthersIsWhatItSays) {
-  // The table beside it states versions and hashes.
+  // The table next to it states versions and hashes.
   const std::string folder = CAGEPROOF_REPORT_PAGE "/third_party/", table = read_file(folder + "README.md");
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is on the disk when all goes well, and when it does not.
+// The folder's contents when all goes well, and when it does not.
 #include "cageproof/core/input_error.h"
 #include "cageproof/core/whole_file.h"
 #include "cageproof/reports/checked_file.h"
@@ -263,7 +263,7 @@ TEST(CheckedFile, RemovesWhatKilledProcessesLeft) {
   EXPECT_EQ(read_file(scratch.path() / "cases.jsonl"), "whole");
 }
 
-// What writing a report says when `gnuplot` is this shell script; nothing: when there is no gnuplot.
+// The message of a report's writer when `gnuplot` is this shell script; nothing: when there is no gnuplot.
 std::string message_with(const std::string& script) {
   const ScratchFolder scratch;
   const fs::path tools = scratch.path() / "tools";

@@ -84,7 +84,7 @@ TEST(SliceOutline, OfASliceBesideTheCageIsNothing) {
   EXPECT_TRUE(outline_in_plane({"none", {}, {}, {}}, 2, 0).empty());
 }
 
-// What lies in the slice is drawn with its edges: a polygon's edges of two corners, and whole faces.
+// A slice draws an element that lies in it by its edges: a polygon's edges of two corners, and whole faces.
 TEST(SliceOutline, OfWhatLiesInTheSliceIsItsEdges) {
   const MeshField edge{"edge", {{0, 0, 0}, {1, 2, 0}}, {{0, 1}}, {}};
   const Segments one = outline_in_plane(edge, 2, 0);

@@ -106,7 +106,7 @@ TEST_F(WorstFile, ParametersGoByTheirNames) {
   line = nlohmann::json::parse(worst_lines(run));
   EXPECT_EQ(line["parameters"][first], "0x1.3333333333333p-2");
   EXPECT_EQ(read_back(line), run.rows[0].worst[0].parameters);
-  // Whatever order they stand in, and whatever stands beside them.
+  // The order of the members does not matter, and other members do not either.
   line["parameters"] = {};
   for (const Parameter& parameter : formula->parameters) line["parameters"][std::string(parameter.name)] = 0;
   line["parameters"][first] = 2;

@@ -59,7 +59,7 @@ TEST_F(WorstMerge, TellsFramesOfACageApart) {
 }
 
 TEST_F(WorstMerge, LosesNothingThatIsThere) {
-  // What no writer of ours would write: blank lines, a remark, no end of the last line.
+  // Lines that our writers never write: blank ones, a remark, no end of the last line.
   std::string text = "\n" + worst_line(line_with(1, 1)) + "\n";
   std::string foreign = worst_line(line_with(2, 2));
   foreign.insert(1, "\"remark\":\"kept\",");

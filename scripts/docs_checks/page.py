@@ -20,7 +20,7 @@ MARKS = re.compile(
     r"|file: (?P<file>\S+)"
     r"|shown: (?P<shown>\S+)"
 )
-# A comment that begins with one of these words must be a mark: a misspelt one would switch nothing.
+# A comment that begins with one of these words must be a mark; a misspelt mark would switch nothing, so it is an error.
 MARK_WORDS = re.compile(r"(long|not run|output|messages|exit|file|shown)\b")
 
 

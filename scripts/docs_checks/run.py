@@ -16,12 +16,12 @@ QUICK_LIMIT, LONG_LIMIT = 600, 24 * 3600
 
 
 def prepare(folder: Path, programs: Path, root: Path, long: bool) -> dict[str, str]:
-    """Puts the examples into the folder, and ./verify, ./test and scripts/ as a clone has them; returns the environment of the commands."""
+    """Puts the examples into the folder, and ./verify, ./test, scripts/ and judge/ as a clone has them; returns the environment of the commands."""
     for example in (root / "docs/examples").iterdir():
         shutil.copytree(example, folder / example.name) if example.is_dir() else shutil.copy(example, folder)
     (folder / "docs").mkdir()
     (folder / "docs/examples").symlink_to(folder)
-    for name in ("verify", "test", "scripts"):
+    for name in ("verify", "test", "scripts", "judge"):
         if name == "verify" and not long:
             # The program that is there, without a build.
             (folder / name).write_text('#!/bin/sh\nexec cageproof verify "$@"\n')

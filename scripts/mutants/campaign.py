@@ -10,8 +10,8 @@ from pathlib import Path
 from mutants import detectors, verification
 from mutants.accounting import CAUGHT, MISSED, OPEN, UNREACHED, Answers, chosen, lines_of
 
-# A detector's work is split into portions of at most so many seconds (without a mutant): cheap portions of all mutants come before costly ones of any. A portion
-# is planned and judged once, which costs a second, so its units of work are not asked one by one.
+# A detector's work is run in portions of at most so many seconds (without a mutant), so that the cheap portions of all mutants come before costly ones. A
+# portion of units of work is planned and judged once, which costs a second: units are not asked one by one.
 PORTIONS = [5, 20, 100, 10**9]
 
 

@@ -8,44 +8,40 @@ from pathlib import Path
 from mutants.accounting import CAUGHT, OPEN, Answers, lines_of
 from mutants.scope import JUDGES
 
-HEAD = """# What the suite catches: mutants
+HEAD = """# Which deliberate defects does the suite catch?
 
-A suite that catches no defects looks like one that finds none. So defects are made: *mutants*, one change of one expression each, and both detectors are
-asked of every mutant: `cageproof verify` with its defaults, and `./test`. This page is written by
+"""
+
+HOW = """## How defects are made
+
+A *mutant* is a copy of the project with one expression changed. Two *detectors* are asked of each mutant separately: `cageproof verify` with its defaults,
+and `./test`.
 
 <!-- not run: a night -->
 
-    scripts/mutate                               # hours: draws, builds, runs; --hours stops it, --resume goes on with what was stopped
-    scripts/mutate --only closed_form --sample 9 # a few mutants of one room, drawn evenly from its files
-    scripts/mutate report                        # this page alone, from the last campaign
+    scripts/mutate                               # draws, builds and runs; --hours H stops it, --resume goes on
+    scripts/mutate --only closed_form --sample 9 # nine mutants of one room, drawn evenly from its files
+    scripts/mutate report                        # only writes this page, from the last campaign
 
-`scripts/mutate` copies the project to `build/mutants`; sources are never changed. Sites are drawn by a seed, the same number from each file that has
-enough of them: by default 420 in `closed_form`, `adaptive_qmvc`, `quadrature_ref`, and in `core` what results are computed with, and 100 in `validation`,
-`reports`, `cli`, `deformation` and `solved` (`scripts/mutants/scope.py` says what is left out, and why). The kind of a change is drawn from all that are
-possible at the site (`scripts/mutants/operators.py`). One build carries all mutants; the environment variable `CAGEPROOF_MUTANT` turns one on.
+The command works in `build/mutants` and never changes sources. One build holds all mutants, and the environment variable `CAGEPROOF_MUTANT` turns one on. A
+seed draws 420 places in the code that computes results (`closed_form`, `fast`, `adaptive_qmvc`, `quadrature_ref`, parts of `core`). It draws 100 places in
+`validation`, `reports`, `cli`, `deformation` and `solved`. `scripts/mutants/scope.py` names the files that are left out, with reasons, and
+`scripts/mutants/operators.py` the kinds of changes.
 
-`verify` catches a mutant when it breaks a promise, ends with an error, or takes more than five times its time and 20 s; tests do when a suite fails, crashes
-or takes that long. A suite that is skipped catches nothing. Each detector is asked by itself, and whatever the other said: only what of it reaches the site
-is run, the quickest first, until something fails. The units of work of `verify`, dealt out in shards, are measured a shard at a time, and judged together with those of the run
-without mutants: the verdict is that of a whole run in which only these units are the mutant's.
+* `verify` **catches** a mutant when a promise breaks, when it ends with an error, or when it takes longer than five times its usual time and 20 s.
+* Tests **catch** a mutant when a suite fails, crashes or takes that long. A skipped suite catches nothing.
+* Each detector runs only the parts that reach the changed place, the quickest first, until one fails.
+* A mutant is **open** until both detectors have caught it or have run all parts that reach it. Open mutants count in no share.
+* A mutant is **unreached** if no part of either detector runs the changed place.
+* A mutant is **equivalent** if nothing caught it and it provably changes no promised result. At most a tenth of the mutants may be equivalent.
+* Places that only the compiler evaluates do not count. Neither do mutants of code that was removed because the mutant showed that it was useless or wrong.
 
-A mutant is *open*, and counts in no share, until both detectors either caught it or ran all that reaches it. *Unreached* means that nothing of either
-detector reaches it.
-
-A mutant that reads or writes beyond an array's end may have no effect in a release build. CI runs tests with sanitizers as well: such a mutant counts as
-caught by tests where a test of the campaign's copy fails with it when the test and the files that the mutant is in are built with these; how many are such
-is said below. Tests that are written for mutants that nothing caught are put into the copy (`build/mutants/src`) and built there; `--resume` tries them as
-any others.
-
-A mutant that nothing caught is called equivalent when it changes no promised result, with a line of proof each (`scripts/mutants/equivalent.json`); at most
-a tenth may be. Where what was mutated has been removed since, because the mutant showed that nothing needs it or that it was wrong, the same file says so,
-and the mutant counts nowhere. Neither do sites that only the compiler evaluates ("constant"). Every other mutant is taken to change a promised result.
-
-The goals: 90 % caught by `verify` alone, that is, without help of tests, and 97 % by either, in the rooms that compute results; 95 % by tests in
-those that judge and show them (`validation`, `reports`, `cli`).
+Some mutants read beyond an array's end without an effect in a release build. They count as caught by tests if a test fails in a build with sanitizers,
+because CI also runs those. A new test for a survivor is added to the copy in `build/mutants/src` and built there; then `--resume` tries it.
 """
 
 OUTCOMES = ["verify only", "tests only", "both", "neither", "unreached", "equivalent", "open"]
+CAUGHT_BY_EITHER = ("verify only", "tests only", "both")
 NOBODY = ("neither", "unreached")
 
 
@@ -73,7 +69,7 @@ class Found:
     def __init__(self, root: Path, folder: Path):
         proofs = root / "scripts/mutants/equivalent.json"
         entries = json.loads(proofs.read_text()) if proofs.exists() else []
-        self.proofs = {key_of(e): e["why"] for e in entries}
+        proven = {key_of(e) for e in entries}
         gone = {key_of(e) for e in entries if e.get("gone")}
         self.mutants = lines_of(folder / "mutants.jsonl")
         answers = Answers(lines_of(folder / "results.jsonl"))
@@ -84,9 +80,8 @@ class Found:
             if mutant["outcome"] == "unreached" and mutant["may_be_constant"]:
                 mutant["outcome"] = "constant"
             nobody = CAUGHT not in (answers.of(number, "verify"), answers.of(number, "tests"))
-            if nobody and mutant["outcome"] != "constant" and key_of(mutant) in self.proofs:
+            if nobody and mutant["outcome"] != "constant" and key_of(mutant) in proven:
                 mutant["outcome"] = "gone" if key_of(mutant) in gone else "equivalent"
-        self.gone = self.of("gone")
         self.mutants = [m for m in self.mutants if m["outcome"] not in ("constant", "gone")]
         self.half_asked = sum(
             m["outcome"] == "open" and any(answers.of(m["number"], d) != OPEN for d in ("verify", "tests")) for m in self.mutants
@@ -105,7 +100,7 @@ class Found:
         return table([head, "mutants", *OUTCOMES], rows)
 
     def caught(self) -> list:
-        """Of the rooms that compute and of those that judge: name, how many were asked, how many verify, tests and either caught, and goals in percent."""
+        """For rooms that compute and rooms that judge: name, mutants asked, mutants caught by verify, tests and either, goals in percent."""
         found = []
         for name, judges, goals in GOALS:
             asked = [m for m in self.mutants if (room_of(m) in JUDGES) == judges and m["outcome"] not in ("equivalent", "open")]
@@ -124,7 +119,7 @@ class Found:
         ]
 
     def shares(self) -> str:
-        """How many each detector caught, beside the goals."""
+        """How many mutants each detector caught, with the goals."""
         rows = []
         for name, asked, by, goals in self.caught():
             cells = [f"{n}" + (f", {100 * n / asked:.1f} %" if asked else "") + (f" (goal {g} %)" if g else "") for n, g in zip(by, goals)]
@@ -137,47 +132,46 @@ def room_of(mutant: dict) -> str:
 
 
 def summary(found: Found) -> str:
-    """What was asked, in words."""
+    """The answer in words, and which mutants it counts."""
     still_open = len(found.of("open"))
     asked = len(found.mutants) - still_open - len(found.of("equivalent"))
     if not asked:
         return "No mutant has been asked of both detectors to the end yet: there is no figure of what `verify` catches by itself.\n"
-    text = f"{len(found.mutants)} mutants are drawn. {asked} were asked of both detectors to the end and are not called equivalent: all shares are of these."
+    by_verify, by_either = (sum(len(found.of(outcome)) for outcome in outcomes) for outcomes in (("verify only", "both"), CAUGHT_BY_EITHER))
+    text = f"`cageproof verify` catches {by_verify} of {asked} deliberate defects by itself. `verify` and the tests together catch {by_either}.\n\n"
+    text += f"{len(found.mutants)} mutants are drawn. {asked} were asked of both detectors to the end and are not equivalent; shares count only these."
     if still_open:
-        text += f" {still_open} are open, {found.half_asked} of them with an answer of one detector, and count in no share."
+        text += f" {still_open} are open, {found.half_asked} of them with an answer from one detector."
     sanitized = sum(m["how"].startswith("sanitized ") for m in found.mutants)
     if sanitized:
-        text += f" {sanitized} of those that tests caught were so in a sanitized build."
+        text += f" {sanitized} of those that tests caught needed a sanitized build."
     return text + "\n"
 
 
 def write(root: Path, folder: Path) -> list:
     """Writes docs/power.md. Returns the goals that are missed."""
     found = Found(root, folder)
-    parts = [HEAD, "## Figures\n", summary(found)]
+    parts = [HEAD + summary(found)]
     if found.mutants:
         parts.append(found.shares())
         parts.append(found.counted("room", room_of))
-        parts.append(found.counted("kind", lambda m: "arguments exchanged" if "arguments" in m["kind"] else m["kind"]))
     left_out = [record["id"] for record in lines_of(folder / "detectors.jsonl") if record["fails"]]
     if left_out:
-        parts.append(f"Left out, since they fail or are skipped without mutants: {', '.join(f'`{name}`' for name in sorted(left_out))}.\n")
+        names = ", ".join(f"`{name}`" for name in sorted(left_out))
+        parts.append(f"These tests are left out, because they fail or are skipped without mutants: {names}.\n")
+    if found.of("equivalent"):
+        parts.append("`scripts/mutants/equivalent.json` has the proof of each equivalent mutant, and the mutants of code that was removed.\n")
 
-    def listed(title: str, mutants: list, extra) -> None:
+    def listed(title: str, mutants: list) -> None:
         if not mutants:
             return
-        lines = [
-            f"* `{m['file']}:{m['line']}` {m['function']}: {m['kind']}: {code(m['before'])} -> {code(m['after'])}{extra(m)}"
-            for m in mutants
-        ]
+        lines = [f"* `{m['file']}:{m['line']}` {m['function']}: {m['kind']}: {code(m['before'])} -> {code(m['after'])}" for m in mutants]
         parts.append(f"## {title}\n\n" + "\n".join(lines) + "\n")
 
-    listed("Survivors", found.of("neither"), lambda m: "")
-    blind = [m for m in found.of("tests only") if room_of(m) not in JUDGES]
-    listed("Caught by tests only, in rooms that compute results: `verify` lacks a question", blind, lambda m: "")
-    listed("Reached by nothing", found.of("unreached"), lambda m: "")
-    listed("Called equivalent", found.of("equivalent"), lambda m: f". {found.proofs[key_of(m)]}")
-    listed("Of what is gone since", found.gone, lambda m: f". {found.proofs[key_of(m)]}")
+    listed("Caught by nothing", found.of("neither"))
+    listed("Caught only by tests, in rooms that compute results", [m for m in found.of("tests only") if room_of(m) not in JUDGES])
+    listed("Unreached", found.of("unreached"))
+    parts.append(HOW)
     earlier = root / "scripts/mutants/tests_first.md"
     if earlier.exists():
         parts.append(earlier.read_text())

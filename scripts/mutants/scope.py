@@ -5,7 +5,7 @@ import fnmatch
 import subprocess
 from pathlib import Path
 
-# Every file of these rooms, whose agreement is the proof, and of what they stand on: most mutants are drawn there.
+# Files of these rooms, whose agreement is the proof, and the files that they use: most mutants are drawn there.
 PROOF = [
     "closed_form/include/*",
     "closed_form/src/*",

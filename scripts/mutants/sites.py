@@ -16,7 +16,7 @@ from mutants.change import children_of  # noqa: E402
 
 Kind = cindex.CursorKind
 
-# Nothing in these is computed at run time, or what is computed is a message.
+# Nodes that compute nothing at run time, or only a message.
 SKIPPED = {
     Kind.STATIC_ASSERT,
     Kind.CXX_THROW_EXPR,
@@ -34,13 +34,13 @@ CLASSES = {Kind.CLASS_DECL, Kind.STRUCT_DECL, Kind.CLASS_TEMPLATE, Kind.CLASS_TE
 # A class's static constants of these types choose templates.
 CHOICES = {"const int", "const bool"}
 COMPILER = re.compile(r"(clang|g)\+\+(-\d+)?$")
-# Calls that change no result.
+# These calls change no result.
 WITHOUT_EFFECT = {"reserve", "shrink_to_fit"}
 
 
 
 
-# Uses and definitions of macros, as far as their arguments' first parenthesis: what stands in them is not what it says.
+# Uses and definitions of macros, as far as their arguments' first parenthesis: the compiler sees other code there.
 MACRO = re.compile(rb"\b(CAGEPROOF|BOOST|EIGEN)_[A-Z_]+(\([^()]*\))?|^ *#(.*\\\n)*.*$", re.M)
 
 

@@ -83,7 +83,7 @@ class Verification:
             self.write(out / "journal", shard, 2, kept, sum(len(self.lines[p]) for p in own))
             code, text = run([str(self.program), "verify", f"--resume={out}", "--jobs=1"], self.folder, limit, environment)
             if code == 2 and "cannot resume" in text:
-                # The mutant changes the plan of measurements, too, so everything is measured again.
+                # The mutant changes which work is planned, so the whole suite is run.
                 code, text = run(self.command("--suite=quick", slot / "afresh"), self.folder, 3600, environment)
                 # An hour without a verdict is none.
                 return (0, "") if code is None else (code, text)
@@ -95,7 +95,7 @@ class Verification:
         differing = [(new, old) for p in missing for new, old in zip(found[p], self.lines[p]) if findings(new) != findings(old)]
         if not differing:
             return 0, ""
-        # Verdicts depend on each other only within a subject, and comparing all takes ten times as long.
+        # Verdicts depend only on rows of the same subject, and comparing all takes ten times as long.
         changed = subjects(together(differing))
         places = [p for p in self.lines if self.subjects[p] & changed]
         before, after = slot / "before", slot / "after"
@@ -104,7 +104,7 @@ class Verification:
         code, text = run([str(self.program), "compare", str(before), str(after)], self.folder, 300, {})
         broken = [line for line in text.splitlines() if "-> BROKEN" in line]
         if not broken and f"only in {after}: " in text:
-            # Rows that exist only with the mutant have no verdict to compare.
+            # Rows that only the mutant has cannot be compared with a verdict.
             self.write(after, 0, 1, together(found.values()), self.count())
             return self.judge(after, slot / "report")
         if code not in (0, 1):

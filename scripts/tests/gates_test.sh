@@ -57,7 +57,7 @@ echo 'NoSuchKey: 1' >>.clang-format
 expect 2 'clang-format failed' scripts/check_format.sh
 git checkout -q .clang-format
 
-# A commit that changes only a header is checked, with a source that includes it.
+# A commit of only a header is checked through a source that includes it.
 if command -v clang-tidy-16 >/dev/null; then
   printf 'int one();\ninline char* none() { return 0; }\n' >core/src/one.h
   commit header
@@ -80,7 +80,7 @@ if command -v clang-tidy-16 >/dev/null; then
   expect 1 '0 of 1 sources are clean, 1 are not' scripts/check_tidy.sh HEAD~2
 fi
 
-# A build of which ninja recorded nothing tells nothing of what is included.
+# A build without ninja's records tells nothing of included files.
 if command -v ninja >/dev/null; then
   mkdir "$work/build"
   printf 'rule c\n  command = touch $out\nbuild closed_form/one.o: c\nbuild cageproof: c closed_form/one.o\n' >"$work/build/build.ninja"

@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from mutants import campaign, report, sites, verification  # noqa: E402
 from mutants.accounting import Answers, chosen, lines_of  # noqa: E402
 
-# Mutants by what is to come out.
+# Mutants by their expected verdict.
 VERIFY, TESTS, BOTH, NEITHER, NOWHERE, HANGS, HANGS_IN_VERIFY, SKIPS, BY_ALL_UNITS = range(1, 10)
 OUTCOMES = {
     VERIFY: "verify only",
@@ -144,6 +144,7 @@ class Accounting(unittest.TestCase):
         missed = report.write(root, self.folder)
         self.assertEqual([goal.split(";")[1] for goal in missed], [" the goal is 90 %", " the goal is 97 %", " the goal is 95 %"])
         page = (root / "docs/power.md").read_text()
+        self.assertIn("`cageproof verify` catches 4 of 9 deliberate defects by itself. `verify` and the tests together catch 6.", page)
         self.assertIn("9 mutants are drawn. 9 were asked of both", page)
         # Rooms that compute results: 6 mutants, of which verify catches 3 and tests 2.
         self.assertIn("| that compute results | 6 | 3, 50.0 % (goal 90 %) | 2, 33.3 % | 4, 66.7 % (goal 97 %) |", page)

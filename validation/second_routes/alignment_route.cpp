@@ -6,7 +6,7 @@
 namespace cageproof::second_routes {
 namespace {
 
-// Lam_V beside Lam_N: the energy's rows for each vertex and each normal derivative.
+// Lam_V and Lam_N side by side: the energy's rows for each vertex and each normal derivative.
 Table<Wide> energy_rows(const CageCoordinates& layers, const Table<Wide>& densities, const AlignmentMethod& method) {
   const CageElements& elements = layers.elements();
   const std::size_t n = elements.vertices().size(), m = elements.count();
@@ -14,7 +14,7 @@ Table<Wide> energy_rows(const CageCoordinates& layers, const Table<Wide>& densit
   const std::vector<Touching> samples = centroids(elements, method.level);
   const SampledLayerRows second(layers, samples, 2);
   const std::size_t each = method.squares == Squares::Hessians ? second.derivatives.size() : 1;
-  // The operator of all four layers, a column a coordinate of each.
+  // The operator of all four layers, one column per coordinate of each.
   Table<Wide> of_data(each * samples.size(), n + m), of_densities = of_data;
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const Vec3<Wide> normal = unit_normal_of(elements, elements.vertices(), samples[s].element);

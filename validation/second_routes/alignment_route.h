@@ -7,7 +7,7 @@
 
 namespace cageproof::second_routes {
 
-/// What squares are summed of: Laplacians (AHAP), all second derivatives (AAAP), those along the rest normal (TP).
+/// The energy's sum of squares: of Laplacians (AHAP), all second derivatives (AAAP), those along the rest normal (TP).
 enum class Squares { Laplacians, Hessians, AlongNormal };
 /// How normal derivatives go with the posed unit normals: along them (Eq 33), softly (Eq 34), or not at all; or along
 /// them and not against.
@@ -20,8 +20,8 @@ struct AlignmentMethod {
   Wide gamma_a;  ///< of Soft
 };
 
-/// N', a row an element and a column a coordinate. \param densities densities_by_data() \param units the posed unit
-/// normals, likewise
+/// N', one row per element and one column per coordinate. \param densities densities_by_data() \param units the posed
+/// unit normals, laid out likewise
 Table<Wide> aligned_normals(const CageCoordinates& layers, const Table<Wide>& densities, const AlignmentMethod& method,
                             const Table<Wide>& vertices, const Table<Wide>& units);
 

@@ -68,7 +68,7 @@ BoundaryRoute::BoundaryRoute(const Cage& cage, int order)
   solve();
 }
 
-// Of a node k pieces along an edge, and of the piece that begins there.
+// Number of the node that lies k pieces along an edge, and of the piece that begins there.
 std::size_t BoundaryRoute::number_of(std::size_t edge, int k) const {
   if (k < pieces_an_edge) return edge * pieces_an_edge + static_cast<std::size_t>(k);
   const int end = cage_.faces()[edge].vertices[1];

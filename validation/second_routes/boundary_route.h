@@ -23,7 +23,7 @@ class BoundaryRoute {
 
  private:
   using Matrix = Table<Mp200>;
-  /// One row: phi of a layer's order, a column a node, and psi, a column a piece.
+  /// One row of a layer's order: phi with one column per node, and psi with one column per piece.
   struct Layers {
     std::vector<Matrix> phi, psi;
   };
@@ -43,7 +43,7 @@ class BoundaryRoute {
   Matrix from_vertices_, from_edges_;  ///< data at nodes and on pieces
   Matrix slopes_{0, 0};                ///< A: a harmonic function's normal derivatives by its values
   Matrix lower_{0, 0};                 ///< E: by the Laplacian, of a function that is zero
-  Matrix highest_{0, 0};               ///< what is solved for, a column a coordinate: the highest Laplacian
+  Matrix highest_{0, 0};               ///< the unknowns, one column per coordinate: the highest Laplacian
 };
 
 }  // namespace cageproof::second_routes

@@ -2,8 +2,11 @@
 #include "cage_routes.h"
 
 #include "boundary_route.h"
+#include "elastic_route.h"
 #include "entropy_route.h"
 #include "spherical_route.h"
+#include "surface_route.h"
+#include "visibility_route.h"
 
 #include "cageproof/core/lazy.h"
 
@@ -44,6 +47,19 @@ class OfEntropy final : public CageRoute {
   CageCoordinates prior_;
 };
 
+class OfRays final : public CageRoute {
+ public:
+  explicit OfRays(const Cage& cage) : cage_(cage) {}
+  ScalarKind compared_in() const override { return ScalarKind::Digits50; }
+  double error_at(const Vec3<double>& point, const Blocks& first) const override {
+    const std::vector<double> seen = coordinates_of_rays(cage_, point);
+    return relative_distance(first.front(), std::vector<Mp100>(seen.begin(), seen.end()));
+  }
+
+ private:
+  const Cage& cage_;
+};
+
 class OfBoundaryEquations final : public CageRoute {
  public:
   OfBoundaryEquations(const Cage& cage, int order) : route_([&cage, order] { return BoundaryRoute(cage, order); }) {}
@@ -62,6 +78,21 @@ class OfBoundaryEquations final : public CageRoute {
   Lazy<BoundaryRoute> route_;
 };
 
+// A route that gives the numbers of the kind's only block.
+template <class Route>
+class OfOneBlock final : public CageRoute {
+ public:
+  explicit OfOneBlock(const Cage& cage) : route_([&cage] { return Route(cage); }) {}
+  ScalarKind compared_in() const override { return ScalarKind::Digits50; }
+  double error_at(const Vec3<double>& point, const Blocks& first) const override {
+    const std::vector<Mp200> expected = route_.get().at(point);
+    return relative_distance(first.front(), std::vector<Mp100>(expected.begin(), expected.end()));
+  }
+
+ private:
+  Lazy<Route> route_;
+};
+
 }  // namespace
 
 double relative_distance(std::span<const Mp100> found, std::span<const Mp100> expected) {
@@ -78,11 +109,18 @@ std::shared_ptr<const CageRoute> cage_route(const CoordinateKind& kind, const Ca
   constexpr std::size_t most_faces = 50;
   if (cage.faces().size() > most_faces) return nullptr;
   if (kind.name == "spherical_mean_value") return std::make_shared<const OfSphericalPolygons>(cage);
-  constexpr std::size_t most_edges = 8;
+  constexpr std::size_t most_edges = 8, most_triangles = 12;
+  if (kind.name == "harmonic" && cage.dimension() == 3) {
+    const bool is_small = cage.parts(false, Triangulation::Shortest).elements.size() <= most_triangles;
+    return is_small ? std::make_shared<const OfOneBlock<SurfaceRoute>>(cage) : nullptr;
+  }
   static constexpr std::array by_order{"harmonic", "biharmonic_boundary", "triharmonic_boundary"};
   for (int k = 0; k < 3; ++k)
     if (kind.name == by_order[k] && cage.faces().size() <= most_edges)
       return std::make_shared<const OfBoundaryEquations>(cage, k + 1);
+  if (kind.name == "elastic" && cage.faces().size() <= most_edges)
+    return std::make_shared<const OfOneBlock<ElasticRoute>>(cage);
+  if (kind.name == "positive_mean_value") return std::make_shared<const OfRays>(cage);
   if (kind.name == "maximum_entropy") return std::make_shared<const OfEntropy>(cage);
   return nullptr;
 }

@@ -28,9 +28,9 @@ class CageRoute {
 /// Norm-wise over all entries, relative to the expected ones. NaN where an entry is.
 double relative_distance(std::span<const Mp100> found, std::span<const Mp100> expected);
 
-/// The route of a kind on a cage; null for kinds that have none, and on cages with more than 50 faces, where integrals
-/// in 100 digits take half a second a point, or, of kinds that solve equations, more than eight edges. \param cage
-/// outlives the route
+/// The route of a kind on a cage. Null for kinds that have none, and on cages with more than 50 faces, where integrals
+/// in 100 digits take half a second per point; for kinds that solve equations, on cages with more than eight edges.
+/// \param cage outlives the route
 std::shared_ptr<const CageRoute> cage_route(const CoordinateKind& kind, const Cage& cage);
 
 }  // namespace cageproof::second_routes

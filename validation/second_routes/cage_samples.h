@@ -11,7 +11,7 @@
 
 namespace cageproof::second_routes {
 
-/// Of the layers' systems: four times the digits of what they are given, so that squares of conditions cost none.
+/// The layers' systems use four times the digits of their input, so that squared conditions cost none of these.
 using Wide = Mp200;
 
 /// Elements split so often at their midpoints, and the parts' centroids, in basis functions: all but the first are
@@ -24,7 +24,7 @@ std::vector<Wide> basis_of(const CageElements& elements, const Touching& sample)
 /// One row a sample: the hat functions of the vertices there.
 Table<Wide> hat_functions(const CageElements& elements, const std::vector<Touching>& samples);
 
-/// What [T24] calls phi, psi, phibar and psibar, a row a sample each.
+/// Rows that [T24] calls phi, psi, phibar and psibar, one row per sample.
 using LayerRows = std::array<Table<Wide>, 4>;
 
 /// All derivatives of one order, `derivatives[k]` the k-th component.

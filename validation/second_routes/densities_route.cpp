@@ -89,7 +89,7 @@ class Densities {
 
   NormalEquations<Wide> equations() const { return {vertices_.rows + normals_.rows, vertices_.columns}; }
 
-  // Of the value at a sample, with no densities.
+  // Error of the value at a sample, with no densities.
   Wide missing(std::size_t s, std::size_t column) const {
     Wide sum = 0;
     for (std::size_t i = 0; i < vertices_.rows; ++i) sum += (hats_(s, i) - values_[0](s, i)) * vertices_(i, column);

@@ -7,7 +7,7 @@
 
 namespace cageproof::second_routes {
 
-/// What is required of the function on the cage.
+/// Conditions on the function on the cage.
 enum class Required { ValuesAndLaplacians, ValuesAndSlopes, ValuesByLaplacians };
 
 struct DensityMethod {
@@ -16,7 +16,7 @@ struct DensityMethod {
   Wide gamma_d;  ///< of ValuesAndLaplacians: the weight of values
 };
 
-/// (L'; D') as a linear map of (V'; N'): a column a vertex, then an element. \param layers of kind biharmonic
+/// (L'; D') as a linear map of (V'; N'): one column per vertex, then per element. \param layers of kind biharmonic
 Table<Wide> densities_by_data(const CageCoordinates& layers, const DensityMethod& method);
 
 }  // namespace cageproof::second_routes

@@ -34,7 +34,7 @@ std::vector<std::size_t> vertices_with_prior(const EntropyProblem& problem) {
 std::optional<Affine> affine_through(const EntropyProblem& problem, const std::vector<std::size_t>& vertices,
                                      const std::vector<Mp100>& values) {
   Table<Mp100> matrix(4, 4), right(4, 1);
-  std::vector<Affine> left;  // what is left of each vertex's factors, orthogonal to those taken
+  std::vector<Affine> left;  // the rest of each vertex's factors, orthogonal to those taken
   left.reserve(vertices.size());
   for (const std::size_t v : vertices) left.push_back(factors_of(problem.offsets[v]));
   const auto dot = [](const Affine& a, const Affine& b) {

@@ -10,7 +10,7 @@
 
 namespace cageproof::second_routes {
 
-/// What the definition is given. \pre one prior a vertex
+/// The input of the definition. \pre one prior per vertex
 struct EntropyProblem {
   std::vector<Vec3<Mp100>> offsets;  ///< of the vertices from the point, in cage sizes
   std::vector<Mp100> prior;          ///< of any sum; vertices where it is not positive have coordinates of zero

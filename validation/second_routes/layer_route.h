@@ -16,7 +16,7 @@ enum class NormalLength { Unit, Rms, Mean, Area };
 struct LayerMethod {
   DensityMethod densities;
   NormalLength length = NormalLength::Unit;
-  std::optional<AlignmentMethod> alignment = {};  ///< what normal derivatives are solved by, if any
+  std::optional<AlignmentMethod> alignment = {};  ///< solves normal derivatives, if any
 };
 
 /// f = phi V' + psi N' + phibar L' + psibar D' for one pose.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Integrals over [0, 1] of functions that are smooth but for complex poles, by Gauss points on panels.
+// Integrals over [0, 1] of functions that are smooth except at complex poles, by Gauss points on panels.
 #pragma once
 
 #include "cageproof/core/numbers/linear.h"
@@ -19,7 +19,7 @@ struct GaussRule {
 /// Of 52 nodes: on panels it has 57 digits. Computed once.
 const GaussRule& gauss_rule();
 
-/// Panels of [0, 1], each at least its own length away from every pole, so that a Gauss rule gains 1.1 digits a node.
+/// Panels of [0, 1], each at least its own length away from every pole, so that each Gauss node gains 1.1 digits.
 /// \param poles complex, as double knows them: where panels end changes no integral
 std::vector<double> panel_ends(const std::vector<std::complex<double>>& poles);
 

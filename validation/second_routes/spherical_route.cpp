@@ -70,7 +70,7 @@ std::vector<Mp100> weights_of(std::span<const Vec> to_corner) {
   for (const Vec& q : to_corner) corners.push_back(unit_of(q));
   const Vec mean = mean_vector(corners);
   const Mp100 size = length_of(mean);
-  // In the plane of a planar face nothing is left but what the rule does not know.
+  // In the plane of a planar face the mean vector vanishes, and with it the rule's weights.
   if (size < Mp100("1e-45")) return std::vector<Mp100>(to_corner.size());
   const Vec axis = mean / size;
   for (const Vec& u : corners) tangents.push_back(unit_of(across(u, axis)));

@@ -20,7 +20,7 @@ Vec3<Mp100> mean_vector(std::span<const Vec3<Mp100>> corners);
 /// zero. \param tangents unit vectors orthogonal to the axis
 std::vector<Mp100> shares_of_directions(std::span<const Vec3<Mp100>> tangents, const Vec3<Mp100>& axis);
 
-/// The coordinates of a point off the cage, one a vertex; NaN where a face's mean vector lies on one of its arcs.
+/// The coordinates of a point off the cage, one per vertex; NaN where a face's mean vector lies on one of its arcs.
 std::vector<Mp100> spherical_coordinates(const Cage& cage, const Vec3<double>& point);
 
 }  // namespace cageproof::second_routes

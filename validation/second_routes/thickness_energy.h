@@ -14,7 +14,7 @@ namespace cageproof::second_routes {
 /// f = alpha F + beta n'(F), n' the unit normals of the posed edges, outward: to the right of them.
 class ThicknessEnergy {
  public:
-  /// \param coordinates alpha and beta, taken as given in double: a coordinate a vertex, and one an edge
+  /// \param coordinates alpha and beta, taken as given in double: one coordinate per vertex, then one per edge
   /// \param samples of each edge, at fractions (q + 1/2)/samples \param at where positions are prescribed
   ThicknessEnergy(const CageCoordinates& coordinates, int samples, const std::vector<Vec3<double>>& at);
 
@@ -25,8 +25,8 @@ class ThicknessEnergy {
   Mp50 of(const Unknowns& vertices) const;
   /// Images of the prescribed positions, x and y in turn.
   std::vector<Mp50> images(const Unknowns& vertices) const;
-  /// What is left of the energy's gradient along the images' kernel, over the gradient: by central differences, whose
-  /// step leaves 20 digits. Zero where the energy is stationary among poses with these images.
+  /// Share of the energy's gradient that remains along the images' kernel, by central differences, whose step leaves 20
+  /// digits. Zero where the energy is stationary among poses with these images.
   double slope_along_constraints(const Unknowns& vertices) const;
 
  private:

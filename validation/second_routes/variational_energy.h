@@ -24,7 +24,7 @@ struct VariationalEnergy {
 
   /// sum |f - target|^2 + alpha sum |Jf - jacobian|^2 + beta sum |Jf - R|^2 + gamma sum |Hf|^2.
   Mp50 of(const MapAtConstraints& map) const;
-  /// The derivative along a direction by central differences, which are exact but for roundings: of a quadratic.
+  /// The derivative along a direction by central differences, which are exact up to rounding for a quadratic energy.
   Mp50 slope(const MapAtConstraints& map, const MapAtConstraints& direction) const;
 };
 

@@ -18,7 +18,7 @@ void expect_kept(const CageCoordinates& coordinates, const BlockTruths& truths, 
   const auto truth = truths.at(point, 2);
   ASSERT_TRUE(truth);
   for (int order = 0; order <= 2; ++order) {
-    // Values alone are computed in another way.
+    // Values without derivatives are computed in another way.
     const auto errors = block_errors(coordinates.at<double>(point, order), {truth->blocks, truth->moved, order});
     for (int o = 0; o <= order; ++o)
       EXPECT_LE(errors[o].roundings, bounds[o]) << "order " << o << " of " << order << " at " << point.transpose();
@@ -47,8 +47,8 @@ void expect_kept(double a, double b, std::size_t least) {
 TEST(BatchedMeanValues, next_to_planes_of_faces) { expect_kept(1.375, 0.8125, 120); }
 TEST(BatchedMeanValues, near_the_border_in_planes_of_faces) { expect_kept(1.015625, 0.25, 120); }
 TEST(BatchedMeanValues, beyond_ends_of_edges) { expect_kept(1.375, 0, 120); }
-// Next to the plane of slivers of 1e-5, in which a fan splits the faces around a bump, and beside them: F/d is shared
-// out by hat functions of 1e5 there.
+// Points in and near the plane of slivers of 1e-5, in which a fan splits the faces around a bump: hat functions of 1e5
+// share out F/d there.
 TEST(BatchedMeanValues, beside_slivers) {
   const Cage cage = embedded_cage("bump-1e-5");
   const CoordinateKind& kind = coordinate_kind_named("mean_value");
@@ -64,7 +64,7 @@ TEST(BatchedMeanValues, beside_slivers) {
     }
 }
 
-// Exactly in the plane of a face, across its border: projections to its neighbour's plane lie on the edge.
+// Points exactly in the plane of a face, across its border: projections to its neighbour's plane lie on the edge.
 TEST(BatchedMeanValues, across_edges_in_planes_of_faces) {
   for (const char* name : {"cube", "l-block"}) {
     const Cage cage = embedded_cage(name);
@@ -88,7 +88,7 @@ TEST(BatchedMeanValues, across_edges_in_planes_of_faces) {
   }
 }
 
-// Low over the long faces of a bar, beside them.
+// Points low over the long faces of a bar, and next to them.
 TEST(BatchedMeanValues, beside_a_bar) {
   std::vector<Vec3<double>> vertices = embedded_cage("cube").vertices();
   const Vec3<double> low = vertices.front();

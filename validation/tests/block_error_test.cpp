@@ -208,7 +208,7 @@ TEST(block_error, counts_in_units_of_a_moved_point) {
   EXPECT_GT(unit, hessian + 0.1 * cube.size() * third);
 }
 
-// What is promised is asked, and no more: truths of derivatives that nothing is promised of cost several times as much.
+// Only promised orders are asked, because truths of higher derivatives cost several times as much.
 TEST(block_error, asks_the_orders_that_are_promised) {
   const Cage cube = embedded_cage("cube");
   const std::vector<std::pair<std::string, int>> highest{

@@ -83,7 +83,7 @@ TEST(cage_terms, show_lost_bits_in_thin_walls_too) {
     }
     EXPECT_LT(worst[0].roundings, 16) << name;
     EXPECT_GT(worst[1].roundings, 64) << name;
-    // What the wall itself costs.
+    // The error that the wall itself causes.
     EXPECT_EQ(worst[0].relative > 1e-12, std::string_view(name) == "thin-wall-1e-9") << name;
   }
 }

@@ -189,7 +189,7 @@ TEST(promises, of_recommended_evaluations_hold_whatever_they_are_called) {
   EXPECT_FALSE(matches_evaluation("gauss-*", line_form));
 }
 
-// A formula with a kernel alone: nothing but its integral gives its truth.
+// A formula that has only a kernel: its truth comes from its integral.
 struct KernelAlone {
   static constexpr std::string_view name = "triangle.kernel_alone";
   KernelAlone() {

@@ -169,8 +169,8 @@ TEST(laplacian, is_unasked_where_nothing_computes_the_partner) {
   EXPECT_EQ(findings[2].status, Finding::Status::Unasked);
 }
 
-// What jumps by its basis functions across a bilinear quad and is smooth elsewhere: on the inner side the basis
-// functions of the nearest point of the surface, on the outer side nothing.
+// A function that jumps by its basis functions across a bilinear quad and is smooth elsewhere: on the inner side the
+// basis functions of the nearest point of the surface, on the outer side zero.
 Evaluation quad_jump(double factor) {
   [[maybe_unused]] static const RegisterFormula row = [] {
     Formula formula = formula_named("quad.mean_value");
@@ -290,7 +290,7 @@ TEST(Digits, are_asked_for_where_conditioned_units_forgive) {
   EXPECT_LT(found("digits", good), 1e3);
 }
 
-// Where the truth is zero but for what rounding leaves, a thousandth of what cancels is the measure.
+// Where the truth is zero up to rounding, a thousandth of the terms that cancel is the measure.
 TEST(Digits, are_counted_from_what_cancels) {
   const Formula& formula = formula_named("segment.single_layer");
   Sample sample;

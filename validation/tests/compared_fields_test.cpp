@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes of errors: the errors are those that sums over the cage's triangles have, worked out here by themselves.
+// Scenes of errors show the errors of sums over the cage's triangles, which this file computes by itself.
 #include "cageproof/validation/compared_fields.h"
 
 #include "cageproof/core/cage/embedded_cages.h"

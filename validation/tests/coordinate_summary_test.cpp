@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Summaries of coordinates: counts of points and what their coordinates lack, told from tables that are spoilt on
+// Summaries of coordinates count points and flaws of their coordinates, in tables that are spoilt on
 // purpose.
 #include "cageproof/validation/coordinate_summary.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What deformers keep, and what they must not keep: a deformer that does is another one ([T24], [C23], Lipman et al.).
+// Deformers keep some maps and must miss others: one that keeps them is another method ([T24], [C23], Lipman et al.).
 #include "cageproof/core/cage/embedded_cages.h"
 #include "cageproof/core/input_error.h"
 #include "deformers/constrained_checks.h"
@@ -15,7 +15,7 @@
 namespace cageproof::validation {
 namespace {
 
-// Of the methods that a glob names: a test asks for no more than it looks at.
+// Rows of the methods that a glob names; each test asks only for those it looks at.
 const std::vector<ResultRow>& rows_on(const std::string& cage, const std::string& methods = "*") {
   static std::map<std::pair<std::string, std::string>, std::vector<ResultRow>> known;
   const auto [at, fresh] = known.try_emplace({cage, methods});
@@ -91,8 +91,8 @@ TEST(deformers, meet_their_truth_their_differences_and_their_integrals) {
     }
 }
 
-// What a deformer misses at the reference points of the specification (Section 10), of the cages that it gives the
-// figures for; these are the extremes over five cages, so that each cage is held to half of the least and twice the
+// Checks the errors of a deformer at the reference points of the specification (Section 10), on the cages whose
+// figures it gives. Those are the extremes over five cages, so each cage is held to half of the least and twice the
 // largest.
 void expect_missed(const char* check, const char* method, const char* variant, double least, double most) {
   const std::vector<Vec3<double>> in_cube{{.1, .2, -.15}, {.3, -.35, .25}, {-.45, .4, .1}},
@@ -208,7 +208,7 @@ TEST(deformers, of_the_plane_keep_what_the_specification_says) {
     }
 }
 
-// Rows of methods that take constraints: of both subspaces in space and in the plane, of thickness in the plane.
+// Methods that take constraints have rows: both subspaces in space and in the plane, thickness in the plane.
 TEST(deformers, by_constraints_are_asked_what_they_keep) {
   for (const char* cage : {"cube", "square", "l-shape"})
     for (const char* method : {"variational", "thickness"}) {

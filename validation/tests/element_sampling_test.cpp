@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the table of element sampling says of each kind of element is true of it.
+// The table of element sampling is true of each kind of element.
 #include "element/element_sampling.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
@@ -137,7 +137,7 @@ TEST(element_regimes, few_samples_see_every_kind_of_parameter_and_a_generic_one_
   std::set<double> seconds;
   for (const Regime& regime : regimes()) {
     EXPECT_TRUE(is_generic(nu(regime, 0))) << regime.name;
-    // The other sample that the gate takes in the suite quick; on the element it alone has derivatives.
+    // The second sample that the gate takes in the suite quick; on the element only this one has derivatives.
     const double second = nu(regime, 7);
     EXPECT_TRUE(!regime.name.starts_with("on-") || is_generic(second)) << regime.name;
     seconds.insert(std::isinf(second) ? HUGE_VAL : is_generic(second) ? -1 : second);
@@ -156,7 +156,7 @@ TEST(element_regimes, few_samples_see_every_kind_of_parameter_and_a_generic_one_
   EXPECT_EQ(seconds, (std::set<double>{-1, 0, preset, 0.5, HUGE_VAL}));
 }
 
-// What is next to nothing in a sample of the regime `tiny`.
+// Smallest and largest numbers in a sample of the regime `tiny`.
 struct Extremes {
   double size = 0;       // the element's longest edge
   double point = 0;      // the point's largest coordinate
@@ -254,7 +254,7 @@ bool has_many_bits(const Vec& v) {
                              [](double x) { return std::ldexp(x, 40) != std::nearbyint(std::ldexp(x, 40)); });
 }
 
-// Exactly on the surface: of bilinear quads to the digits that a search for the nearest point reaches.
+// Whether the point is exactly on the surface: for bilinear quads, to the digits of a search for the nearest point.
 bool on_surface(ElementKind kind, const Sample& s) {
   std::vector<Vec3<Mp200>> corners;
   corners.reserve(s.corners.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows of the check hull_jump: each of 64 points on the hulls of three twisted quads is asked, and none is stored.
+// The check hull_jump asks each of 64 points on the hulls of three twisted quads, and stores none.
 #include "checks/hull_continuity.h"
 
 #include "cageproof/validation/measurement.h"

@@ -28,7 +28,7 @@ double edge_distance(std::span<const Vec3<double>> corners, const Vec3<double>& 
   return along.cross(Vec3<double>(to / length)).norm();
 }
 
-// Of the order of the truth times 1e-6, largest where the distance to the first edge is 1e-5: a peak a decade wide.
+// Adds an error of 1e-6 of the truth, largest at distance 1e-5 to the first edge: a peak one decade wide.
 Evaluation with_peak() {
   const Evaluation good = evaluation_named(formula().name, "closed_form");
   Evaluation bad(formula().name, "closed_form", {.description = "wrong next to an edge", .role = Role::Recommended});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Units of work: the same whoever takes them, few whatever the samples, dealt out evenly.
+// Units of work are the same whoever takes them, few whatever the samples, and dealt out evenly.
 #include "run/campaign.h"
 #include "cageproof/validation/measurement.h"
 

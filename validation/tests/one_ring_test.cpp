@@ -31,7 +31,7 @@ TEST(one_ring, curl_form_is_right_in_sums_alone) {
     }
 }
 
-// Of a face of 1e-8 of the cage the form as printed has no digits in double; the recommended one has all.
+// On a face of 1e-8 of the cage the printed form has no digits in double, and the recommended one has all.
 TEST(one_ring, curl_form_promises_nothing_beside_small_faces) {
   const auto rows = rows_of("pinch-1e-8", "curl-form");
   EXPECT_FALSE(rows.empty());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A closed form of segment.single_layer with its first derivatives, written for tests alone: what the checks in the
-// plane are shown.
+// A closed form of segment.single_layer with its first derivatives, written only for tests of the checks in the
+// plane.
 #pragma once
 
 #include "cageproof/core/catalogue/evaluation.h"

@@ -59,8 +59,8 @@ class PublishedForm : public testing::TestWithParam<std::string> {
   }
 };
 
-// Tractions diverge on borders, but for the incompressible limit, of which Appendix C says nothing: they are not among
-// these.
+// Tractions are not in this list: they diverge on borders, except in the incompressible limit, of which Appendix C says
+// nothing.
 class PublishedFormOfThePlane : public PublishedForm {};
 
 TEST_P(PublishedFormOfThePlane, is_the_integral) { expect_integral("generic", 4, 1e-28); }
@@ -99,9 +99,18 @@ TEST(errata, misprints_are_wrong_and_corrections_right) {
     if (row.formula.empty()) continue;
     ++measured;
     if (find_formula(row.formula) == nullptr) {
-      // Of deformers: in double, over the cage's size.
+      // Errors of deformers are in double, over the cage's size.
+      std::printf("%s: as printed %.1e, corrected %.1e\n", row.source.c_str(), row.printed_error, row.corrected_error);
       EXPECT_GT(row.printed_error, 1e-3) << row.source;
       EXPECT_LT(row.corrected_error, 1e-5) << row.source;
+      continue;
+    }
+    if (row.source.starts_with("[T18]")) {
+      // In double, against rules of 40 points; of as many samples as it takes to meet a pole of Eq 24, where the guard
+      // leaves an error.
+      EXPECT_GE(row.samples, 50u) << row.source;
+      EXPECT_TRUE(row.printed_error > 1e-3 || row.nonfinite == row.samples) << row.source;
+      EXPECT_LT(row.corrected_error, row.source == "[T18] Eq 24" ? 0.6 : 1e-9) << row.source;
       continue;
     }
     EXPECT_EQ(row.samples, 3u) << row.source;

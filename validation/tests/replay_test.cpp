@@ -143,7 +143,7 @@ TEST(replayed, deformers_and_constrained_methods_are_what_was_measured) {
   options.points = 2;
   options.few_points = 1;
   for (const char* cage : {"square", "cube"}) {
-    // Methods on quads take a second a case.
+    // Methods on quads take one second per case.
     if (cage_named(cage)->dimension() == 3) options.methods = "green,mean_value,biharmonic_1_3,somigliana,variational*";
     const auto checks = expect_the_same_again(deformer_measurements(cage_named(cage), options));
     for (const char* check : {"keeps_rigid", "keeps_mirror", "deformer_truth", "deformer_jacobian",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run measures, from its options alone: which cages get error fields.
+// The plan of a run depends only on its options, which also say which cages get error fields.
 #include "run/run_plan.h"
 
 #include "cageproof/core/cage/embedded_cages.h"
@@ -38,7 +38,7 @@ TEST(RunPlan, quick_leaves_out_the_fields_of_larger_embedded_cages_and_says_so) 
   }
 }
 
-// What the cage's coordinates do not sum says nothing of it.
+// Formulas that the cage's coordinates do not sum cannot judge them.
 TEST(RunPlan, refuses_a_cage_that_the_formulas_asked_for_do_not_apply_to) {
   VerifyOptions options;
   options.suite = suites().front();
@@ -58,7 +58,7 @@ int measured(const RunPlan& plan, const std::string& part) {
       plan.measurements, [&](const auto& measurement) { return measurement->name().find(part) != std::string::npos; }));
 }
 
-// What promises nothing and is slow by nature.
+// Slow rows without promises are left out of the quick suite.
 TEST(RunPlan, quick_leaves_slow_rows_and_fields_without_promise_to_standard_and_to_users_cages) {
   VerifyOptions options;
   options.suite = suites().front();

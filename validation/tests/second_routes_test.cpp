@@ -108,7 +108,8 @@ TEST(second_routes, agree_with_the_first) {
     expect("spherical_mean_value", cage, 2);
     expect("maximum_entropy", cage, 1);
   }
-  for (const char* kind : {"harmonic", "biharmonic_boundary", "triharmonic_boundary"}) {
+  expect("positive_mean_value", "cube", 1);
+  for (const char* kind : {"harmonic", "elastic", "biharmonic_boundary", "triharmonic_boundary"}) {
     expect(kind, "square", 2);
     expect(kind, "l-shape", 2);
     expect(kind, "star", 0);  // ten edges are too many
@@ -127,10 +128,10 @@ TEST(second_routes, are_of_recommended_evaluations) {
 
 // One coordinate in the twentieth digit, of the last block.
 TEST(second_routes, see_a_first_route_that_is_off_by_less_than_double_shows) {
-  for (const char* name : {"spherical_mean_value", "maximum_entropy", "harmonic", "triharmonic_boundary"}) {
+  for (const char* name : {"spherical_mean_value", "maximum_entropy", "harmonic", "elastic", "triharmonic_boundary"}) {
     const CoordinateKind& kind = coordinate_kind_named(name);
-    const Cage cage = embedded_cage(kind.own_dimension == 2 ? "l-shape" : "twisted-bar");
-    const Vec3<double> point(0.1, 0.2, kind.own_dimension == 2 ? 0 : 0.15);
+    const Cage cage = embedded_cage(kind.own_dimension == 3 ? "twisted-bar" : "l-shape");
+    const Vec3<double> point(0.1, 0.2, kind.own_dimension == 3 ? 0.15 : 0);
     const CageCoordinates coordinates(cage, kind, CoordinateOptions{});
     const auto route = second_routes::cage_route(kind, cage);
     const std::string scalar(name_of(route->compared_in()));

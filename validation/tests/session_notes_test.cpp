@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a report says of runs whose parts were measured differently.
+// The report notes runs whose parts were measured differently.
 #include "run/run_report.h"
 
 #include "cageproof/validation/machine_facts.h"

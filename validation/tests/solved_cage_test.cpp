@@ -54,7 +54,7 @@ TEST(solved_kinds, keep_their_promises) {
     }
 }
 
-// What the exact limits are worth: the paper's offset breaks linear reproduction, and is shown, not judged.
+// The paper's offset breaks linear reproduction, unlike the exact limits; its errors are shown, not judged.
 TEST(solved_kinds, show_what_the_offset_costs) {
   bool found = false;
   for (const ResultRow& row : rows_of(shapes()[0], "biharmonic_boundary", "offset-1e-6"))

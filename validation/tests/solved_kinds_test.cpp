@@ -39,6 +39,18 @@ TEST(goursat_kinds, keep_their_promises_inside_and_are_not_asked_outside) {
   }
 }
 
+TEST(elastic_kind, keeps_its_promises_everywhere) {
+  std::set<std::pair<std::string, int>> kept;
+  for (const ResultRow& row : rows_of("elastic")) {
+    EXPECT_NE(row.verdict, Verdict::Broken) << row.check << ' ' << row.place << ' ' << row.max;
+    if (row.verdict == Verdict::Kept) kept.emplace(row.check, row.order);
+  }
+  for (const char* check : {"partition_of_unity", "linear_reproduction", "zero_outside", "limit_from_inside",
+                            "cage_scaling", "cage_rigid_motion", "cage_truth", "second_route"})
+    EXPECT_TRUE(kept.contains({check, 0})) << check;
+  EXPECT_TRUE(kept.contains({"cage_differences", 2}));
+}
+
 // A residual above the solver's tolerance breaks its promise.
 TEST(goursat_kinds, promise_their_tolerance) {
   const auto bound = [](const char* cage, int order) {

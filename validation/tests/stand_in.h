@@ -10,7 +10,7 @@
 
 namespace cageproof::validation {
 
-/// What a fault may know of a point.
+/// Facts of a point that a fault may use.
 struct FaultyPoint {
   const CageElements& elements;
   const Vec3<double>& point;
@@ -43,7 +43,7 @@ class StandIn final : public BesideSums {
   }
 
  private:
-  // Remembered, since blocks of points are asked for with the same ones beside the one that matters.
+  // Remembered, since blocks ask for the same points together with the one that matters.
   std::vector<Result<double>> rounded(const Vec3<double>& point, int order,
                                       std::span<const CoordinateTable<double>> like) const {
     const std::scoped_lock lock(mutex_);

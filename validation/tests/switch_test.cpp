@@ -54,7 +54,7 @@ void expect_no_jump(const std::string& name, int samples) {
     const hybrid::PanelFormOf<F, double, 2> moments(frame, panels);
     const Jet far = cf::finish<F, 2, double>(cf::composed<F, 2, double>(moments, parameters), frame.unit, 3);
     Jet near = cf::finish<F, 2, double>(cf::near_components<F, 2>(frame, parameters), frame.unit, 3);
-    // What is thin is computed with more digits on the near side.
+    // Thin elements are computed with more digits on the near side.
     if (F::cancels_nearby || frame.shape() < hybrid::kThinShape) {
       cf::PointMoments<2> at(t, sample.point);
       near = cf::bounded_form<F, 2>(at, parameters, false, closed_form::kTolerance).jet;

@@ -48,7 +48,7 @@ TEST(tensor_errors, of_a_result_without_a_right_digit_are_as_large_as_the_truth)
   // Rounding the input costs sixteen digits here: nothing could be wrong.
   truth.conditioned[0] = truth.norm[0] * Mp100("1e16");
   EXPECT_LT(score_of_total_loss(truth, 0, Mp100(u)), 1);
-  // What is not zero where zero is right is seen, and so is what is finite where no limit exists.
+  // A nonzero entry whose truth is zero is an error, and so is a finite one where no limit exists.
   EXPECT_EQ(score_of_total_loss(truth_of({0, 0}), 0, Mp100(u)), inf);
   EXPECT_EQ(score_of_total_loss(truth_of({1, Mp100(inf)}), 0, Mp100(u)), inf);
 }
@@ -73,7 +73,7 @@ TEST(tensor_errors, take_an_infinity_for_what_doubles_cannot_hold) {
   EXPECT_EQ(error({inf, 1}, {beyond, 1}), 0);
   EXPECT_EQ(error({-inf, 1}, {beyond, 1}), inf);
   EXPECT_EQ(error({most, 1}, {beyond, 1}), inf);
-  // What is below a rounding of the largest entry says nothing; what is not has a norm of its own.
+  // Entries below a rounding of the largest one are ignored; larger ones have a norm of their own.
   EXPECT_EQ(error({inf, 2.5}, {beyond, 1}), 0);
   EXPECT_EQ(error({inf, inf}, {beyond, -1}), 0);
   EXPECT_EQ(error({inf, std::numeric_limits<double>::quiet_NaN()}, {beyond, 1}), inf);
@@ -145,7 +145,7 @@ TEST(stated_error, holds_the_statement_itself) {
   }
 }
 
-// The closed form with a border value that is wrong beside the infinite entries.
+// The closed form, with a border value that is wrong next to the infinite entries.
 template <Scalar R>
 void set_wrong(Evaluation& bad, const std::string& how) {
   const Evaluation good = evaluation_named("triangle.single_layer", "closed_form");

@@ -64,7 +64,7 @@ TEST(rows, judge_what_their_samples_are) {
   EXPECT_EQ(row_of(key("truth", "closed_form", "on-edge"), tally(-1, 3)).verdict, Verdict::NotPromised);
 }
 
-// What a result without one right digit would keep is no promise; it is one where some sample would show the loss.
+// A bound that a result without a right digit would meet is no promise, unless some sample would show the loss.
 TEST(rows, promise_nothing_that_no_result_could_break) {
   Tally found = tally(3);
   for (const double loss : {0.0, 12.5, 64.0}) {
@@ -122,10 +122,10 @@ TEST(rows, are_broken_by_samples_that_they_lost) {
   Tally nothing = tally(-1);
   nothing.asked = 231;
   EXPECT_EQ(row_of(key("scaling", "closed_form", "near-edge"), nothing).verdict, Verdict::Broken);
-  // Of cages too.
+  // The same holds for cages.
   const RowKey cage{RowKey::Section::Cage, "green", "closed_form", "double", "cube", "limit_from_inside", "on-edge", 0};
   EXPECT_EQ(row_of(cage, unreached).verdict, Verdict::Broken);
-  // Where nothing is promised, or declining is allowed, they are counted alone.
+  // Where nothing is promised, or declining is allowed, such samples are only counted.
   EXPECT_EQ(row_of(key("truth", "gauss-8", "on-edge"), unreached).verdict, Verdict::NotPromised);
   declined = tally(0.5);
   declined.declined = 2;
@@ -134,7 +134,7 @@ TEST(rows, are_broken_by_samples_that_they_lost) {
   EXPECT_EQ(row_of(key("stated_error", "accurate", "generic"), declined).verdict, Verdict::Broken);
 }
 
-// An evaluation that may decline loses nothing, beside one that does lose.
+// Declined samples are no loss for an evaluation that may decline; for any other they are.
 TEST(rows, say_only_of_what_is_lost_where_it_went) {
   Tally found = tally(0.5);
   found.declined = 2;
@@ -175,7 +175,7 @@ TEST(rows, without_an_integral_behind_them_leave_its_own_row_undecided_and_break
       std::map<RowKey, Tally> tallies{{gate_at("on-face"), none}, {key("truth", "closed_form", "on-face"), tally(3)}};
       for (const ResultRow& row : judged(std::map(tallies), samples).rows)
         EXPECT_EQ(row.verdict, row.check == "integral" ? verdict : Verdict::NotPromised);
-      // What is broken stays so.
+      // Broken rows stay broken.
       tallies[key("truth", "closed_form", "on-face")] = tally(65);
       for (const ResultRow& row : judged(std::map(tallies), samples).rows)
         EXPECT_EQ(row.verdict, row.check == "integral" ? verdict : Verdict::Broken);

@@ -7,8 +7,8 @@
 
 namespace cageproof::benchmarks {
 
-// Ju, Schaefer and Warren 2005, Section 3.3, for points off the faces: the paper's branches for points on them, and for
-// triangles in whose plane the point is, are what their thresholds decide.
+// Ju, Schaefer and Warren 2005, Section 3.3, for points off the faces. The thresholds decide when the paper's branches
+// for points on a face, and for points in a triangle's plane, are taken.
 PeerFill mean_value_by_angles(const CageElements& elements) {
   std::vector<std::array<int, 3>> triangles;
   triangles.reserve(elements.count());

@@ -15,13 +15,9 @@ constexpr Laplacian kUnknown{};
 
 // Elasticity: mu > 0, -1 < nu < 1/2; nu = 1/2 is the incompressible limit, nu = +-infinity that of [C23] Figure 7.
 std::vector<Parameter> elastic() {
-  return {{.name = "mu", .preset = 1, .lowest = 0, .highest = std::numeric_limits<double>::infinity()},
-          {.name = "nu",
-           .preset = 0.25,
-           .lowest = -1,
-           .highest = 0.5,
-           .includes_highest = true,
-           .includes_infinity = true}};
+  return {
+      {.name = "mu", .preset = 1, .lowest = 0, .highest = std::numeric_limits<double>::infinity()},
+      {.name = "nu", .preset = 0.3, .lowest = -1, .highest = 0.5, .includes_highest = true, .includes_infinity = true}};
 }
 
 // -(a - b) of [C23] Eq 3 stands before the logarithm.

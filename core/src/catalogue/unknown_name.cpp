@@ -75,17 +75,23 @@ std::map<std::string, std::string, std::less<>>& ranges() {
   return stated;
 }
 
-// The letters before a pattern's placeholder: "gauss-" of "gauss-<N>".
+// The letters before a pattern's placeholder, and after it: "gauss-" of "gauss-<N>", "-unguarded" of
+// "riemann-<n>-unguarded".
 std::string_view stem_of(std::string_view pattern) { return pattern.substr(0, pattern.find('<')); }
+std::string_view suffix_of(std::string_view pattern) {
+  return pattern.substr(std::min(pattern.find('>'), pattern.size() - 1) + 1);
+}
 
 }  // namespace
 
 std::string_view family_of_number(std::string_view name) {
   std::string_view found;
   for (const auto& [pattern, range] : ranges()) {
-    const std::string_view stem = stem_of(pattern);
-    if (stem.size() == pattern.size() || !name.starts_with(stem) || stem.size() <= stem_of(found).size()) continue;
-    if (name.find_first_not_of("0123456789+-.eE", stem.size()) == std::string_view::npos) found = pattern;
+    const std::string_view stem = stem_of(pattern), suffix = suffix_of(pattern);
+    if (stem.size() == pattern.size() || !name.starts_with(stem) || !name.ends_with(suffix)) continue;
+    if (name.size() < stem.size() + suffix.size() || stem.size() <= stem_of(found).size()) continue;
+    const std::string_view number = name.substr(stem.size(), name.size() - stem.size() - suffix.size());
+    if (number.find_first_not_of("0123456789+-.eE") == std::string_view::npos) found = pattern;
   }
   return found;
 }

@@ -45,6 +45,18 @@ std::array<Matrix<R>, 4> second_derivatives(Energy energy, const CageCoordinates
   return found;
 }
 
+// A column an element: sums of those of its normals, which basis functions multiply.
+template <Scalar R>
+Matrix<R> by_elements(const Matrix<R>& of_normals, const CageCoordinates& coordinates) {
+  const CageElements& elements = coordinates.elements();
+  const Owner owner = normals_owner(coordinates);
+  Matrix<R> found = Matrix<R>::Zero(of_normals.rows(), static_cast<Eigen::Index>(elements.count()));
+  for (std::size_t e = 0; e < elements.count(); ++e)
+    for (const int share : elements.shares_of(e, owner))
+      found.col(static_cast<Eigen::Index>(e)) += of_normals.col(share);
+  return found;
+}
+
 // phi and psi are harmonic, so their Laplacians are exactly zero; those of phibar and psibar are phi and psi. The
 // traces of Hessians would leave rounding in the first two, which outweighs the others where densities are small.
 template <Scalar R>
@@ -55,23 +67,32 @@ std::array<Matrix<R>, 4> laplacians(const CageCoordinates& coordinates, const st
     found[b + 2] = component(tables[b], samples.size(), 0, 1, 0);
     found[b] = Matrix<R>::Zero(found[b + 2].rows(), found[b + 2].cols());
   }
+  // The Laplacian's normal derivative is constant on elements whatever the map's own is.
+  found[3] = by_elements(found[3], coordinates);
   return found;
 }
+
+// Places of parameters.
+struct AlignedPlace {
+  enum : std::size_t { kLevel, kEnergyLevel, kAlignment, kGammaA, kGammaD, kGammaRel, kNeumann };
+};
 
 template <Scalar R, Energy E>
 class Aligned final : public LayerDeformer<R> {
  public:
   Aligned(CageCoordinates layers, const std::vector<double>& parameters)
       : LayerDeformer<R>(std::move(layers)),
-        alignment_(static_cast<Alignment>(static_cast<int>(parameters[2]))),
-        gamma_a_(parameters[3]) {
+        alignment_(static_cast<Alignment>(static_cast<int>(parameters[AlignedPlace::kAlignment]))),
+        gamma_a_(parameters[AlignedPlace::kGammaA]) {
     const CageCoordinates& coordinates = this->coordinates();
-    if (E == Energy::Laplacian && parameters[4] == 0)
+    const std::array weights{parameters[AlignedPlace::kGammaD], parameters[AlignedPlace::kGammaRel]};
+    if (E == Energy::Laplacian && weights[0] == 0 && weights[1] == 0)
       throw InputError("ahap with gamma_d = 0: Green coordinates have no Laplacians, and none are the least");
-    const std::array weights{parameters[4], 0.0};
-    this->regularise(regularisation_by<R>(Construction::OneThree, coordinates, static_cast<int>(parameters[0]), weights,
+    this->regularise(regularisation_by<R>(Construction::OneThree, coordinates,
+                                          static_cast<int>(parameters[AlignedPlace::kLevel]), weights,
                                           Account::Systems));
-    const std::vector<Touching> samples = samples_of(coordinates.elements(), static_cast<int>(parameters[1]));
+    const std::vector<Touching> samples =
+        samples_of(coordinates.elements(), static_cast<int>(parameters[AlignedPlace::kEnergyLevel]));
     samples_ = static_cast<double>(samples.size());
     const auto of =
         E == Energy::Laplacian ? laplacians<R>(coordinates, samples) : second_derivatives<R>(E, coordinates, samples);
@@ -82,6 +103,7 @@ class Aligned final : public LayerDeformer<R> {
   }
 
   std::shared_ptr<const Deformer<R>> with_parameters(const std::vector<double>& parameters) const override {
+    if (normals_by(parameters[AlignedPlace::kNeumann]) != this->normals_of()) return nullptr;
     return std::make_shared<Aligned>(this->coordinates(), parameters);
   }
 
@@ -96,7 +118,10 @@ class Aligned final : public LayerDeformer<R> {
     if (alignment_ == Alignment::Free) {
       normals = least_squares<R>(of_normals_, Matrix<R>(-fixed), "normal derivatives of least energy", report.systems);
     } else {
-      const Matrix<R> units = rows_of(stretched_normals(Stretch::Unit, elements, pose.vertices), elements.dimension());
+      const Matrix<R> units = rows_of(this->normals_of() == Owner::Corner
+                                          ? corner_normals(Stretch::Unit, elements, pose.vertices, report.warnings)
+                                          : stretched_normals(Stretch::Unit, elements, pose.vertices),
+                                      elements.dimension());
       report.figures.emplace_back("energy a sample, unit normals", energy(fixed, units));
       normals = alignment_ == Alignment::Soft
                     ? softly_along(units, fixed, report)
@@ -149,26 +174,35 @@ class Aligned final : public LayerDeformer<R> {
 
 template <Energy E, Scalar R>
 std::shared_ptr<const Deformer<R>> prepare(const Cage& cage, const DeformOptions& options) {
-  return std::make_shared<Aligned<R, E>>(layers_of(cage, options), options.parameters);
+  return std::make_shared<Aligned<R, E>>(
+      layers_of(cage, options, normals_by(options.parameters[AlignedPlace::kNeumann])), options.parameters);
+}
+
+std::vector<KindParameter> aligned_parameters() {
+  std::vector<KindParameter> all{
+      {{.name = "level", .preset = 1, .lowest = -1, .highest = 6, .whole = true},
+       "times that elements are split for samples of the regularisation"},
+      {{.name = "energy_level", .preset = 1, .lowest = -1, .highest = 6, .whole = true},
+       "the same of the energy, which are part of the method"},
+      {{.name = "alignment", .preset = 0, .lowest = -1, .highest = 4, .whole = true},
+       "of normal derivatives with posed normals; nonnegative: hard, and none points inward",
+       {"hard", "soft", "free", "nonnegative"}},
+      {{.name = "gamma_a", .preset = 1, .lowest = kBelowZero, .highest = 1e300}, "weight of soft alignment, per area"}};
+  for (KindParameter& p : weight_parameters(Construction::OneThree)) all.push_back(std::move(p));
+  all.push_back(neumann_parameter());
+  return all;
 }
 
 template <Energy E>
 DeformMethod method(std::string_view name) {
   return {.name = name,
           .source = "[T24] Section 4.1.3, Eq 31-36",
-          .keeps = "similarities and mirror images (alignment=free: affine maps; nonnegative: similarities alone)",
+          .keeps =
+              "similarities and mirror images (alignment=free: affine maps; nonnegative, neumann=affine: "
+              "similarities alone)",
           .kind = "biharmonic",
-          .parameters = {{{.name = "level", .preset = 1, .lowest = -1, .highest = 6, .whole = true},
-                          "times that elements are split for samples of the regularisation"},
-                         {{.name = "energy_level", .preset = 1, .lowest = -1, .highest = 6, .whole = true},
-                          "the same of the energy, which are part of the method"},
-                         {{.name = "alignment", .preset = 0, .lowest = -1, .highest = 4, .whole = true},
-                          "of normal derivatives with posed normals; nonnegative: hard, and none points inward",
-                          {"hard", "soft", "free", "nonnegative"}},
-                         {{.name = "gamma_a", .preset = 1, .lowest = kBelowZero, .highest = 1e300},
-                          "weight of soft alignment, per area"},
-                         {{.name = "gamma_d", .preset = 1, .lowest = kBelowZero, .highest = 1e300},
-                          "of the regularisation, as of biharmonic_1_3"}},
+          .parameters = aligned_parameters(),
+          .coordinate_parameters = {"neumann"},
           .takes_derivatives_on_cage = E != Energy::Laplacian,
           .refuses = why_overlap_is_refused,
           .prepare = prepare<E, double>,

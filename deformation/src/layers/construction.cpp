@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "construction.h"
 
+#include "../more_digits.h"
+
 #include "cageproof/deformation/stretch.h"
 
 #include <algorithm>
@@ -9,6 +11,9 @@
 
 namespace cageproof::deformation {
 namespace {
+
+// Double solves as long as roundings times the condition stay below 1e-10 of the data.
+constexpr double most_in_double = 1e6;
 
 // Along the rest normals of the samples' elements, of all four layers.
 template <Scalar R>
@@ -81,8 +86,18 @@ Regularisation<R> regularisation_by(Construction construction, const CageCoordin
     case Construction::Weber: return weber<R>(layers, account);
     case Construction::OneThree: break;
   }
-  const R weight = weights[1] != 0 ? weight_in<R>(weights[1], 1 / layers.size) : weight_in<R>(weights[0], layers.unit);
-  return one_three<R>(layers, weight, account);
+  return one_three<R>(layers, one_three_weight<R>(weights, layers), account);
+}
+
+bool takes_50_digits(Construction construction, const CageCoordinates& layers, int level,
+                     const std::function<std::vector<SolvedSystem>()>& solved_in_double) {
+  if (!layers.is_exact_in(ScalarKind::Digits50) || !can_have_50_digits(layers.elements(), level)) return false;
+  const bool as_deformers = layers.dimension() == 2 || construction == Construction::OneTwo;
+  if (as_deformers && wants_50_digits(layers.elements(), level)) return true;
+  // Systems that are solved one after the other enlarge each other's roundings.
+  double condition = 1;
+  for (const SolvedSystem& system : solved_in_double()) condition *= system.condition;
+  return condition > most_in_double;
 }
 
 template <Scalar R>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The regularised biharmonic coordinates of [T24] Eq 27: alpha = phi + phibar C11 + psibar C12 of vertices, beta = psi
 // + phibar C21 + psibar C22 of elements.
-#include "../more_digits.h"
 #include "construction.h"
 #include "overlap.h"
 
@@ -55,8 +54,7 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
   const HasLimits* limits() const override { return this; }
   const HasTerms* terms() const override { return this; }
   std::vector<SolvedSystem> solved() const override {
-    return takes_50_digits() ? regularisation<Mp50>(Account::Systems).solved
-                             : regularisation<double>(Account::Systems).solved;
+    return takes_50_digits() ? regularisation<Mp50>(Account::Systems).solved : solved_in_double();
   }
 
   void fill_limits(std::span<const Touching> places, int order,
@@ -109,11 +107,15 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
   };
 
   int level() const { return static_cast<int>(parameters_[0]); }
-  // As deformers by the same construction do.
   bool takes_50_digits() const {
-    return (layers_.dimension() == 2 || construction_ == Construction::OneTwo) &&
-           layers_.is_exact_in(ScalarKind::Digits50) && wants_50_digits(layers_.elements(), level());
+    std::call_once(digits_chosen_, [&] {
+      takes_50_digits_ =
+          deformation::takes_50_digits(construction_, layers_, level(), [&] { return solved_in_double(); });
+    });
+    return takes_50_digits_;
   }
+
+  std::vector<SolvedSystem> solved_in_double() const { return regularisation<double>(Account::Systems).solved; }
 
   template <Scalar R>
   Regularisation<R> regularisation(Account account) const {
@@ -178,6 +180,8 @@ class RegularisedCoordinates final : public CoordinatesIn<RegularisedCoordinates
   std::vector<double> parameters_;
   std::vector<CoordinateBlock> blocks_;
   mutable std::tuple<Prepared<double>, Prepared<Mp50>, Prepared<Mp100>> prepared_;
+  mutable std::once_flag digits_chosen_;
+  mutable bool takes_50_digits_ = false;
   mutable std::once_flag terms_made_;
   mutable Densities<double> terms_;
 };

@@ -68,7 +68,25 @@ Solution<R> solved_for(Regularisation<R>& of, const Matrix<R>& matrix, const Mat
   return solution;
 }
 
+// A and B of Eq 24, the first times the root of gamma_D.
+template <Scalar R>
+Matrix<R> one_three_matrix(const SampledLayers<R>& layers, const R& weight) {
+  return above(Matrix<R>(weight * beside(layers.phibar, layers.psibar)),
+               beside(Matrix<R>(layers.phi - layers.hats), layers.psi));
+}
+
 }  // namespace
+
+template <Scalar R>
+Matrix<R> one_three_inverse(const SampledLayers<R>& layers, const R& gamma) {
+  using std::sqrt;
+  const Eigen::Index samples = layers.phi.rows(), densities = layers.phi.cols() + layers.psi.cols();
+  if (gamma == 0) return Matrix<R>::Zero(densities, samples);
+  const R weight = sqrt(gamma);
+  Matrix<R> right = Matrix<R>::Zero(2 * samples, samples);
+  right.diagonal().setConstant(weight);
+  return LeastSquares<R>(one_three_matrix(layers, weight)).solve(right);
+}
 
 template <Scalar R>
 Regularisation<R> one_three(const SampledLayers<R>& layers, const R& gamma, Account account) {
@@ -88,12 +106,10 @@ Regularisation<R> one_three(const SampledLayers<R>& layers, const R& gamma, Acco
                     "grows like one over its root, and digits are lost",
                     over_size));
   const R weight = sqrt(gamma);
-  const Matrix<R> a = weight * beside(layers.phibar, layers.psibar);
-  const Matrix<R> b = beside(Matrix<R>(layers.phi - layers.hats), layers.psi);
   Matrix<R> right = Matrix<R>::Zero(2 * samples, data);
   right.topRows(samples) = weight * beside(Matrix<R>(layers.hats - layers.phi), Matrix<R>(-layers.neumann));
-  Solution<R> solved =
-      solved_for(found, above(a, b), right, "(1,3), Eq 24: densities from values and Laplacians", account);
+  Solution<R> solved = solved_for(found, one_three_matrix(layers, weight), right,
+                                  "(1,3), Eq 24: densities from values and Laplacians", account);
   put(found, layers, std::move(solved.found), std::move(solved.terms));
   return found;
 }
@@ -134,6 +150,7 @@ Regularisation<R> weber(const SampledLayers<R>& layers, Account account) {
 }
 
 #define CAGEPROOF_INSTANTIATE(R)                                                                                    \
+  template Matrix<R> one_three_inverse<R>(const SampledLayers<R>&, const R&);                                       \
   template Regularisation<R> one_three<R>(const SampledLayers<R>&, const R&, Account);                              \
   template Regularisation<R> one_two<R>(const SampledLayers<R>&, const std::array<Matrix<R>, 4>&, const Matrix<R>&, \
                                         Account);                                                                   \

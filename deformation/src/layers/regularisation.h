@@ -26,6 +26,11 @@ struct Regularisation {
 template <Scalar R>
 Regularisation<R> one_three(const SampledLayers<R>& layers, const R& weight, Account account = Account::Systems);
 
+/// What takes misfits b of (1,3) at the samples to densities, in the layers' unit: C_L above C_D, Eq 29.
+/// \param weight as of one_three; zeros for 0
+template <Scalar R>
+Matrix<R> one_three_inverse(const SampledLayers<R>& layers, const R& weight);
+
 /// (1,2), D.1: values and normal derivatives at the samples.
 /// \param normal_slopes of phi, what multiplies normal derivatives, phibar and psibar at the samples along the rest
 /// normals of their elements, in the user's unit \param normals what normal derivatives are at the samples, a row each

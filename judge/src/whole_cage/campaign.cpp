@@ -4,6 +4,7 @@
 #include "whole_cage/cage_places.h"
 
 #include "cageproof/core/catalogue/name_pattern.h"
+#include "cageproof/core/coordinates/whole_evaluation.h"
 #include "cageproof/core/parallel.h"
 #include "cageproof/judge/whole_cage.h"
 

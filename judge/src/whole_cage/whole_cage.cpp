@@ -16,7 +16,8 @@ namespace cageproof::judge {
 namespace {
 
 constexpr double kWrong = 1e-9;  // of coordinates of size one: what is less is no defect of these
-constexpr double kOtherUnit = 0x1p-20;
+// Far below every threshold that is meant for a unit cage.
+constexpr double kOtherUnit = 0x1p-40;
 
 struct CageCase {
   CageSample sample;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cage coordinates and deformers of meshes, in plain arrays of double: the whole library behind one header that
-// includes only the standard library. docs/library.md has a program that uses it.
+// Cage coordinates and deformations of a mesh by them, in plain arrays of double: the whole library behind one header
+// that includes only the standard library. docs/library.md has a program that uses it.
 #pragma once
 
 #include "cageproof/core/input_error.h"
@@ -16,12 +16,12 @@ namespace cageproof::library {
 
 /// A closed surface of triangles and quads, in the plane a closed polygon, or several.
 struct Cage {
-  std::vector<double> vertices;         ///< three numbers a vertex, in the plane two
+  std::vector<double> vertices;         ///< three numbers per vertex, in the plane two
   std::vector<std::vector<int>> faces;  ///< vertices from 0: 3 or 4, counter-clockwise seen from outside; in the plane
                                         ///< 2, with the inside on the left
   int dimension = 3;                    ///< of space: 3, or 2 for the plane
-  std::string name = "cage";            ///< what messages call it
-  std::vector<std::string> warnings = {};  ///< of what a file was read with: what was left out, or cut in triangles
+  std::string name = "cage";            ///< its name in messages
+  std::vector<std::string> warnings = {};  ///< of a file: parts left out, or faces cut in triangles
 };
 
 /// A cage from an OBJ file; polylines (`l`), and faces whose vertices all have z = 0, make one in the plane. Faces of
@@ -56,9 +56,9 @@ struct Block {
   std::size_t count;   ///< coordinates
   int rows, columns;   ///< of each; 1 and 1 for numbers
   std::size_t offset;  ///< where its first number stands in a point's row of values
-  /// The data that the block multiplies when a linear map is reproduced: "vertices", "turned vertices" (by a quarter
-  /// counter-clockwise), "normals" (unit and outward, one per element, or all of Element::normals for a block with one
-  /// coordinate per normal; times `normal_factor`), or "nothing".
+  /// The cage's data that the block multiplies where a linear map is reproduced: "vertices", "turned vertices" (by a
+  /// quarter counter-clockwise), "normals" (unit and outward, of elements, or Element::normals one after the other for
+  /// blocks with one coordinate per normal; times `normal_factor`), or "nothing".
   std::string reproduces;
   double normal_factor;
 };
@@ -68,8 +68,8 @@ struct Element {
   std::vector<int> vertices;   ///< of the cage, in its orientation
   int face;                    ///< of the cage, that it is or is part of
   std::vector<double> normal;  ///< unit, outward; of a quad along its area vector
-  /// The normals that blocks with one coordinate per normal multiply, element by element: the element's normal, or, for
-  /// a quad, the bilinear surface's normal at each corner, in the order of `vertices`.
+  /// Normals that multiply the coordinates of blocks with one per "normal", element by element: the element's own, or,
+  /// of a quad, those of the bilinear surface at each corner, in the order of `vertices`.
   std::vector<std::vector<double>> normals;
 };
 
@@ -78,31 +78,30 @@ class Coordinates {
  public:
   /// \param kind "mean_value", "green", "biharmonic", "somigliana", "quad_mean_value" ...
   /// \throws InputError for a cage that is not closed, not oriented or otherwise broken, naming the face or vertex; for
-  /// an unknown kind, evaluation or parameter, naming those there are; for a parameter that is out of range, or given
+  /// an unknown kind, evaluation or parameter, naming all known ones; for a parameter that is out of range, or given
   /// twice; where the kind has no coordinates in the cage
   Coordinates(const Cage& cage, const std::string& kind, const Options& options = {});
 
   int dimension() const;
-  /// The highest derivative there is: 2 for most.
+  /// The highest derivative that exists: 2 for most.
   int max_order() const;
   std::string evaluation() const;
   const std::vector<Block>& blocks() const;
   const std::vector<Element>& elements() const;
-  /// Numbers a point: those of all blocks, times dimension^order.
+  /// Numbers per point: those of all blocks, times dimension^order.
   std::size_t row(int order = 0) const;
 
-  /// Fills values at several points, and those derivatives by the point's coordinates whose spans are not empty.
+  /// Values of a block of points, and as many derivatives by the point's coordinates as there is room for.
   /// \param points `dimension` numbers per point
   /// \param values row(0) numbers per point: [block][coordinate][row][column]
   /// \param gradients empty, or row(1) numbers per point: the same with [axis] behind
-  /// \param hessians empty, or row(2) numbers per point: the same with [axis][axis] behind; needs gradients
-  /// On the cage values are limits from inside. Derivatives that do not exist, and points without coordinates, give
-  /// NaN.
-  /// \throws InputError for spans of other sizes, or derivatives that the kind does not have
+  /// \param hessians empty, or row(2) per point: the same with [axis][axis] behind; needs gradients
+  /// On the cage values are limits from inside, derivatives that do not exist NaN, as are points without coordinates.
+  /// \throws InputError for spans of other sizes, or derivatives above max_order()
   void evaluate(std::span<const double> points, std::span<double> values, std::span<double> gradients = {},
                 std::span<double> hessians = {}) const;
 
-  /// Sums of coordinates times data, without keeping coordinates: of kinds whose coordinates are numbers.
+  /// Sums of coordinates times data, without keeping coordinates; only for kinds whose coordinates are numbers.
   /// \param data [coordinate][function], the coordinates of all blocks one after another
   /// \param functions how many \param sums [point][function] \throws InputError as evaluate, and for matrices
   void apply(std::span<const double> points, std::span<const double> data, int functions, std::span<double> sums) const;
@@ -112,7 +111,7 @@ class Coordinates {
   std::shared_ptr<const Prepared> prepared_;
 };
 
-/// Points that a Deformer was given once, for many poses: their coordinates are kept. Copies share them.
+/// Points whose coordinates a Deformer keeps, for many poses. Copies share them.
 class BoundPoints {
  public:
   /// How many points.
@@ -127,7 +126,7 @@ class BoundPoints {
   std::shared_ptr<const Kept> kept_;
 };
 
-/// A method that moves points of space with a posed cage. `images` is safe from any thread, `pose` is not.
+/// The map of space by a posed cage, with one method. `images` is safe from any thread, `pose` is not.
 class Deformer {
  public:
   /// \param method "mean_value", "green", "biharmonic_1_3", "somigliana" ... of `cageproof list`
@@ -141,18 +140,18 @@ class Deformer {
   /// for a pose that the method does not take, naming the vertex or element
   void pose(std::span<const double> vertices);
 
-  /// Where points go, and the Jacobians there. Points outside the cage have no image where the method's coordinates sum
-  /// to zero there, all but interpolating ones; their numbers are NaN.
-  /// \param points `dimension` numbers a point \param images as many
-  /// \param jacobians empty, or [point][component][axis]; there are none to some digits
+  /// Images of points, and the Jacobians there. Points outside the cage have no image, only NaN, where the method's
+  /// coordinates sum to zero outside; those of interpolating methods do not.
+  /// \param points `dimension` numbers per point \param images as many numbers
+  /// \param jacobians empty, or [point][component][axis]; must be empty with Options::digits
   /// \throws InputError for spans of other sizes, or before `pose`
   void images(std::span<const double> points, std::span<double> images, std::span<double> jacobians = {}) const;
 
   /// Computes the coordinates of points once, for any number of poses, before the first one or after it: `images` of
   /// bound points costs no more than their coordinates times the pose.
   /// \param jacobians whether images may have Jacobians: four times the memory in space, three times in the plane
-  /// \throws InputError for a broken number of numbers, and where the coordinates take more than half of the
-  /// memory, with their size
+  /// \throws InputError for a number of numbers that `dimension` does not divide, and where the coordinates take more
+  /// than half of the memory, with their size
   BoundPoints bind(std::span<const double> points, bool jacobians = false) const;
 
   /// The same numbers as of the points themselves; to rounding where Jacobians are bound and not asked for.

@@ -68,15 +68,15 @@ bool refuses(const char* word, F&& act) {
 
 int main(int, char** argv) {
   const Cage cube = embedded_cage("cube"), bar = embedded_cage("twisted-bar");
-  // One kind of every room in the library: kinds register themselves at the start, and linking must not lose them.
+  // Kinds of every room in the library, so that no room that adds itself at the program's start is lost in linking.
   for (const char* kind : {"green", "biharmonic", "biharmonic_affine", "mean_value", "quad_mean_value",
                            "regularised_1_3", "spherical_mean_value"}) {
     const Coordinates c(cube, kind);
-    // Each affine psi belongs to a corner, not to an element.
+    // Each affine psi belongs to a corner, not an element.
     if (kind == std::string("biharmonic_affine")) expect(c.blocks()[1].one_a == "corner", "one a corner");
     else expect(off_identity(cube, c, 1) < 1e-12, kind);
   }
-  // Kept quads have one psi per corner, along the bilinear surface's normals there.
+  // Kinds that keep quads have one coordinate per corner of each, along the bilinear surface's normals there.
   const Coordinates kept(bar, "quad_green");
   const std::vector<double> within{0.1, 0.05, 0.2};
   std::vector<double> kept_values(kept.row());
@@ -109,7 +109,7 @@ int main(int, char** argv) {
       .evaluate(std::vector<double>{0.5, 0.5}, std::span(values).first(4));
   expect(std::abs(values[0] - 0.25) < 1e-12, "harmonic coordinates of a square's centre");
 
-  // apply() with the vertices' first coordinates gives the same sum as the coordinates.
+  // Sums with data equal those of coordinates; here the data are the vertices' own first coordinates.
   const Coordinates mean(cube, "mean_value");
   std::vector<double> data, sums(3);
   for (std::size_t v = 0; v < 8; ++v) data.push_back(cube.vertices[3 * v]);

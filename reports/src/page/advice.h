@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user should take: errors and times of a formula's evaluations side by side.
+// Advice which evaluation to take: errors and times of a formula's evaluations side by side.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"
@@ -22,7 +22,7 @@ std::optional<double> time_of(const RunResult& result, const std::string& formul
 /// do not keep them at the largest.
 std::optional<double> reach_of(const RunResult& result, const std::string& formula, const std::string& evaluation);
 
-/// What a user may take: down to where its values keep twelve digits, in sizes of the element, and in what time.
+/// An evaluation to take, with the distance (element sizes) down to which values keep twelve digits, and its time.
 struct Choice {
   std::string evaluation;
   double reach = 0, nanoseconds = 0;

@@ -11,7 +11,7 @@ namespace {
 
 // More would be read by nobody, and results.csv.gz has them all.
 constexpr std::size_t kMostRows = 60;
-// What is seen without unfolding anything.
+// Rows that are visible without unfolding anything.
 constexpr std::size_t kFirstRows = 12;
 
 Data line_of(const ResultRow& row, const ShownNames& names) {
@@ -22,7 +22,7 @@ Data line_of(const ResultRow& row, const ShownNames& names) {
   data.set("where", names.of(row.setting) + (row.place.empty() ? "" : ", " + row.place));
   data.set("check", row.check);
   data.set("order", std::string(order_name(row.order)));
-  // A figure that is kept is not what is broken.
+  // A figure within its bound is not the reason why the row is broken.
   const bool above = row.bound && row.samples > 0 && !(row.max <= *row.bound);
   data.set("max", above ? short_error(row.max) : "samples lost");
   data.set("bound", row.bound ? short_number(*row.bound) : "");

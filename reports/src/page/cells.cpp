@@ -12,7 +12,7 @@
 namespace cageproof::reports {
 namespace {
 
-// Steps of the colour scale, in conditioned units: what is promised, then four, eight, twelve digits lost.
+// Steps of the colour scale, in conditioned units. The first is the promise, then four, eight, twelve digits are lost.
 const char* conditioned_class(double max) {
   return max <= 64 ? "e0" : max <= 1e4 ? "e1" : max <= 1e8 ? "e2" : max <= 1e12 ? "e3" : "e4";
 }
@@ -45,7 +45,7 @@ std::string page_of(const RowKey& row) {
 }
 
 std::string cell_id(const RowKey& row) {
-  // What the page is about is left out.
+  // The page's own subject is left out.
   const std::string& varied = row.section == RowKey::Section::Element ? row.setting : row.subject;
   std::string id = row.check;
   for (const std::string* part : {&varied, &row.evaluation, &row.scalar, &row.place})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line per check that says what it compares, for readers who see its name in a table.
+// One line per check that says what it compares, for readers who see its name in a table.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that may differ between runs that found the same: processes, machines, and times.
+// Facts that may differ between runs with the same findings: processes, machines, and times.
 #include "advice.h"
 #include "page_data.h"
 

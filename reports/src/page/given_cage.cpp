@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view scope_setting = "scope", cage_setting = "cage", points_place = "mesh";
 
-// As many roundings below zero may be zero: what all sums of coordinates are promised to.
+// Coordinates down to so many roundings below zero may be zero: all sums of coordinates have this bound.
 constexpr double roundings_of_zero = 64;
 
 std::string setting_of(const RunResult& result, std::string_view name) {
@@ -46,8 +46,8 @@ bool compares_with_truth(const std::string& check) {
   return check == "cage_block_error" || check == "cage_truth" || check == "scheme_error";
 }
 
-// What commands take: the batched evaluation where there is one, else the recommended one. Kinds that are no sums have
-// one that is none of those measured beside it.
+// The evaluation that commands take: the batched one where it exists, else the recommended one. For kinds that are not
+// sums it is the one that is not listed under other evaluations.
 std::string evaluation_taken(const RunResult& result, const std::string& kind) {
   for (const Role role : {Role::Batched, Role::Recommended})
     for (const ResultRow& row : result.rows)

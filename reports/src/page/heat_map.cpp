@@ -42,7 +42,7 @@ std::string heat_class(const ResultRow& row) {
   const double digits = row.samples == 0 ? 0 : digits_right(row);
   // The same steps as heatClass of page.js.
   const char* colour = digits >= 12 ? "e0" : digits >= 8 ? "e1" : digits >= 4 ? "e2" : digits >= 1 ? "e3" : "e4";
-  // What follows the colour: a broken promise's frame, or the hatching of what is not promised.
+  // After the colour comes a broken promise's frame, or the hatching of cells without promises.
   const auto rest = looks.find(' ');
   return rest == looks.npos ? colour : colour + looks.substr(rest);
 }

@@ -15,7 +15,7 @@
 namespace cageproof::reports {
 namespace {
 
-// What the lines show without a script: each formula's recommended evaluation in double, or the first column of all.
+// The column that the lines show without a script: the first one, as a rule the recommended evaluation in double.
 Column lead_of(const ErrorTable& table) { return table.columns.front(); }
 
 std::string name_of(const Column& column) { return column.evaluation + ", " + column.scalar; }

@@ -15,7 +15,7 @@ using Data = kainjow::mustache::data;
 /// A list as a template wants it, with a flag that tells whether it has items: {list: [...], has_list: bool}.
 void set_list(Data& data, const std::string& name, const Data& list);
 
-/// What all pages show: version, suite, seed, style, and the way back to the report's folder. \param root "" or "../"
+/// Data that all pages share (version, suite, seed, style, way to the report's folder). \param root "" or "../"
 Data common_data(const RunResult& result, const std::string& root);
 
 /// The page that has the row's cell, relative to the report's folder: "formulas/triangle.double_layer.html",
@@ -25,7 +25,7 @@ std::string page_of(const RowKey& row);
 /// The cell's id within its page, which a link ends with: "truth.near-edge.closed_form.double.0".
 std::string cell_id(const RowKey& row);
 
-/// What a cell shows: its largest error, or a dash where no sample had one.
+/// A cell's text: its largest error, or a dash where no sample had one.
 std::string cell_text(const ResultRow& row);
 
 /// A row's unit in words that need no manual; most units are such words as they are.
@@ -48,13 +48,13 @@ std::string duration_text(double nanoseconds);
 void set_verdict(Data& page, const RunResult& result);
 void set_tiles(Data& page, const Rows& rows);
 
-/// What fell short, and the worst input of each.
+/// Broken promises, and the worst input of each.
 void set_broken(Data& page, const RunResult& result);
 
-/// What the truth rests on, in figures.
+/// Figures of the proof that the truth rests on.
 void set_proof(Data& page, const RunResult& result);
 
-/// What was run, in one line: formulas and regimes, cages, deformers, suite, samples and seed.
+/// A run in one line: formulas and regimes, cages, deformers, suite, samples and seed.
 std::string what_ran(const RunResult& result);
 
 /// Digits that are right at the worst input, "14.9" or "all"; marked where the promise is broken.
@@ -66,7 +66,7 @@ std::string heat_class(const ResultRow& row);
 /// Formulas by regimes, of values in the recommended evaluation.
 void set_heat_map(Data& page, const RunResult& result);
 
-/// One line a formula and regime, and what a script shows in them of other evaluations.
+/// One line per formula and regime, with other evaluations' cells for the script.
 void set_overview(Data& page, const RunResult& result);
 
 /// The cages and deformers, a line each.
@@ -75,7 +75,7 @@ void set_cages(Data& page, const RunResult& result);
 /// Errata of the papers, measured or not.
 void set_errata(Data& page, const RunResult& result);
 
-/// What a run's processes and their machine were, and what evaluations to take by their times.
+/// A run's processes and their machine, and advice which evaluations to take by their times.
 void set_environment(Data& page, const RunResult& result);
 
 /// Renders a template. \throws std::logic_error when it is malformed

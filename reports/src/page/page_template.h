@@ -9,10 +9,10 @@ extern const char* const kGivenCageTemplate;
 extern const char* const kSubjectTemplate;
 extern const char* const kGalleryTemplate;
 extern const char* const kPageStyle;
-extern const char* const kPageScript;   ///< what every page with a script runs
+extern const char* const kPageScript;   ///< run by every page with a script
 extern const char* const kFrontStyle;   ///< of the first page only, behind kPageStyle
 extern const char* const kFrontScript;  ///< of the first page only, behind kPageScript
-extern const char* const kCellScript;   ///< what pages of cells run besides
+extern const char* const kCellScript;   ///< run by pages of cells, after kPageScript
 extern const char* const kD3Script;     ///< third_party/d3.min.js
 
 }  // namespace cageproof::reports

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The pages of a report: index.html with the verdict and a line a formula and regime, a page a formula, cage and
-// deformed cage with every cell, and a page of pictures. They need no network; index.html and pictures.html need no
-// script.
+// The pages of a report: index.html with the verdict and one line per formula and regime, one page with every cell for
+// each formula, cage and deformed cage, and a page of pictures. They need no network; index.html and pictures.html need
+// no script.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"

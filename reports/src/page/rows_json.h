@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a page's script knows of its cells, its curves and its times.
+// JSON that a page's script reads: cells, curves and times.
 #pragma once
 
 #include "digest.h"
@@ -13,7 +13,7 @@ namespace cageproof::reports {
 /// Quantiles are there from 1000 samples on: below, they would only repeat the largest.
 Json rows_json(const Rows& rows, const WorstPlaces& places);
 
-/// Curves of a formula: the id of the cell, regime, check, evaluation, scalar, order, parameters, errors, bound.
+/// A formula's curves, each with its cell's id, regime, check, evaluation, scalar, order, parameters, errors and bound.
 Json curves_json(const RunResult& result, const std::string& subject);
 
 /// The looks of a series, as scripts draw it: {"colour": "#0072b2", "dash": "8 4", "shape": 0, "filled": true}.

@@ -203,10 +203,10 @@ Data pictures_of(const std::string& subject, const ErrorTable& table, const std:
   return list;
 }
 
-// The errors beside times in their picture: the largest in `generic`, and the largest of all regimes `near-*`.
 // The relative error of a row in double.
 double in_roundings(const ResultRow& row) { return std::ldexp(row.max_relative, 53); }
 
+// Times with the errors drawn over them, the largest in `generic` and the largest of all regimes `near-*`.
 Json times_json(const RunResult& result, const std::string& formula) {
   const SeriesStyles styles(result);
   Json list = Json::array();
@@ -249,7 +249,7 @@ Data times_table(const RunResult& result, const std::string& formula) {
   return lines;
 }
 
-// What is common to the three kinds of pages.
+// Parts that the three kinds of pages have in common.
 class SubjectPage {
  public:
   SubjectPage(const RunResult& result, Rows rows, std::string file, const std::string& name)
@@ -325,7 +325,7 @@ void add_cage(std::map<std::string, std::string>& pages, const RunResult& result
   pages[page.file()] = page.text({{"cage", shown}}, matrices, places);
 }
 
-// What all pages of a folder load stands beside them once: a tenth of the report would be copies of it.
+// Files that all pages of a folder load are stored once: copies of them would be a tenth of the report.
 void add_shared_files(std::map<std::string, std::string>& pages) {
   std::set<std::string> folders;
   for (const auto& [file, text] : pages) folders.insert(file.substr(0, file.find('/') + 1));

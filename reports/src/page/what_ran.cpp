@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The line at the top that says what was run, for one who has read nothing else.
+// The line at the top that names the contents of the run, for a reader who knows nothing else of it.
 #include "figure.h"
 #include "page_data.h"
 #include "run_names.h"
@@ -35,7 +35,7 @@ std::string named_or_counted(const std::vector<std::string>& names, std::string_
   return fmt::format("the {} {}", names.size() == 1 ? one : many, fmt::join(names, ", "));
 }
 
-// Where points of cages were: those of a file that was given have a place of their own.
+// Places of cages' points; points from a given file have a place of their own.
 enum class Whereabouts { Off, On, Given };
 
 Whereabouts whereabouts_of(const std::string& place) {

@@ -155,6 +155,8 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
 
  private:
   static constexpr bool has_normals = Scheme::order >= 2;
+  template <Scalar R>
+  using At = RefinedPolygon::At<R>;
 
   double inset_in_frame() const { return inset_ * polygon_.diameter(); }
 
@@ -174,11 +176,37 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     Prepared<R>& made = std::get<Prepared<R>>(prepared_);
     std::call_once(made.once, [&] {
       made.layers = std::make_unique<BoundaryLayers<R>>(polygon_, evaluations_);
+      if constexpr (std::same_as<R, double>)
+        if (takes_50_digits(*made.layers)) {
+          made.densities = rounded(prepared<Mp50>().densities);
+          return;
+        }
       made.densities = Scheme::template solve<R>(polygon_, *made.layers, parameters_, inset_in_frame(), false);
       made.densities.own = made.densities.own.transpose().eval();
       for (auto& share : made.densities.shares) share.matrix = share.matrix.transpose().eval();
     });
     return made;
+  }
+
+  // Where short edges make systems of such a condition that double has too few digits, and 50 digits take a second or
+  // so.
+  bool takes_50_digits(const BoundaryLayers<double>& layers) const {
+    constexpr double most_in_double = 1e6;
+    if (!polygon_.has_short_edge() || !is_exact_in(ScalarKind::Digits50) || !is_prompt_in(ScalarKind::Digits50))
+      return false;
+    // Systems that are solved one after the other enlarge each other's roundings.
+    double condition = 1;
+    for (const SolvedSystem& system :
+         Scheme::template solve<double>(polygon_, layers, parameters_, inset_in_frame(), true).systems)
+      condition *= system.condition;
+    return condition > most_in_double;
+  }
+
+  static Densities<double> rounded(const Densities<Mp50>& densities) {
+    Densities<double> found{densities.own.template cast<double>(), {}, {}};
+    for (const auto& [layer, row, matrix] : densities.shares)
+      found.shares.push_back({layer, row, matrix.template cast<double>()});
+    return found;
   }
 
   template <Scalar R>
@@ -202,12 +230,7 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     for (const Layer layer : Scheme::unknown) parts.layers.push_back(layers.table(layer, points.size(), order));
     add_layers(layers, points, order, std::span<CoordinateTable<R>>(parts.layers));
     parts.own = green_.at<R>(points, order);
-    if (has_normals) {
-      std::vector<Vec3<R>> in_frame;
-      in_frame.reserve(points.size());
-      for (const Vec3<R>& point : points) in_frame.push_back(polygon_.in_frame<R>(point));
-      parts.single = single_layer_in_frame<R>(in_frame);
-    }
+    if (has_normals) parts.single = single_layer_in_frame<R>(places_of<R>(points));
     return parts;
   }
 
@@ -217,13 +240,13 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     const BoundaryLayers<R>& layers = *prepared<R>().layers;
     for (std::size_t p = 0; p < places.size(); ++p) {
       const OnEdge<R> on{places[p].element, R(places[p].basis[1]) * polygon_.pieces_an_edge()};
-      const Vec3<R> in_frame = polygon_.line<R>(on.edge).at(on.steps);
+      const At<R> at = polygon_.on<R>(on.edge, on.steps);
       Parts<R> parts;
       parts.layers.reserve(std::size(Scheme::unknown));
       for (const Layer layer : Scheme::unknown) parts.layers.push_back(layers.table(layer, 1, order));
-      layers.add_on(Scheme::unknown, in_frame, std::span(&on, 1), order, parts.layers);
+      layers.add_on(Scheme::unknown, at, std::span(&on, 1), order, parts.layers);
       parts.own = green_.limits_at<R>(places.subspan(p, 1), order);
-      if (has_normals) parts.single = single_layer_in_frame<R>(std::span(&in_frame, 1));
+      if (has_normals) parts.single = single_layer_in_frame<R>(std::span(&at, 1));
       put(prepared<R>().densities, parts, 1, p, order, tables);
     }
   }
@@ -307,20 +330,17 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
   template <Scalar R>
   void add_layers(const BoundaryLayers<R>& layers, std::span<const Vec3<R>> points, int order,
                   std::span<CoordinateTable<R>> tables) const {
-    std::vector<Vec3<R>> in_frame;
+    const std::vector<At<R>> at = places_of<R>(points);
     std::vector<std::vector<Touching>> on;
-    for (const Vec3<R>& point : points) {
-      in_frame.push_back(polygon_.in_frame<R>(point));
-      on.push_back(touching(point));
-    }
+    for (const Vec3<R>& point : points) on.push_back(touching(point));
     if (std::ranges::all_of(on, [](const auto& touches) { return touches.empty(); }))
-      return layers.add(Scheme::unknown, in_frame, order, tables);
+      return layers.add(Scheme::unknown, at, order, tables);
     for (std::size_t p = 0; p < points.size(); ++p) {
       std::vector<CoordinateTable<R>> one;
       one.reserve(std::size(Scheme::unknown));
       for (const Layer layer : Scheme::unknown) one.push_back(layers.table(layer, 1, order));
-      if (on[p].empty()) layers.add(Scheme::unknown, std::span(&in_frame[p], 1), order, one);
-      else layers.add_on(Scheme::unknown, in_frame[p], places<R>(on[p], in_frame[p]), order, one);
+      if (on[p].empty()) layers.add(Scheme::unknown, std::span(&at[p], 1), order, one);
+      else layers.add_on(Scheme::unknown, at[p], places<R>(on[p], at[p]), order, one);
       for (std::size_t k = 0; k < one.size(); ++k)
         for (int o = 0; o <= order; ++o)
           std::ranges::copy(one[k].tensors[o], &tables[k].tensors[o][p * tables[k].stride[o]]);
@@ -329,11 +349,13 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
 
   // Which edges a point on the cage is on, and how far along.
   template <Scalar R>
-  std::vector<OnEdge<R>> places(const std::vector<Touching>& touches, const Vec3<R>& in_frame) const {
+  std::vector<OnEdge<R>> places(const std::vector<Touching>& touches, const At<R>& at) const {
     std::vector<OnEdge<R>> found;
     for (const Touching& touch : touches) {
       const auto line = polygon_.line<R>(touch.element);
-      R steps = line.direction.dot(in_frame - line.begin) / line.piece;
+      const int from = polygon_.seer(touch.element, 0);
+      R steps = line.direction.dot(polygon_.seen_from<R>(from, at) - polygon_.along<R>(touch.element, R(0), from)) /
+                line.piece;
       using std::abs, std::round;
       // A node of the refined polygon, but for rounding.
       const R whole = round(steps);
@@ -343,17 +365,29 @@ class BoundaryCoordinates final : public CoordinatesIn<BoundaryCoordinates<Schem
     return found;
   }
 
-  // psi^H of the cage's edges at points in the polygon's frame.
   template <Scalar R>
-  std::vector<R> single_layer_in_frame(std::span<const Vec3<R>> in_frame) const {
-    std::vector<R> found(in_frame.size() * polygon_.edges());
+  static std::vector<At<R>> places_of(std::span<const Vec3<R>> points) {
+    std::vector<At<R>> at;
+    at.reserve(points.size());
+    for (const Vec3<R>& point : points) at.push_back({point});
+    return at;
+  }
+
+  // psi^H of the cage's edges in the polygon's frame.
+  template <Scalar R>
+  std::vector<R> single_layer_in_frame(std::span<const At<R>> at) const {
+    std::vector<R> found(at.size() * polygon_.edges());
     for (int e = 0; e < polygon_.edges(); ++e) {
-      const std::array<Vec3<R>, 2> ends{polygon_.vertex<R>(polygon_.edge(e)[0]),
-                                        polygon_.vertex<R>(polygon_.edge(e)[1])};
+      const int from = polygon_.seer(e, 0);
+      std::vector<Vec3<R>> seen;
+      seen.reserve(at.size());
+      for (const At<R>& place : at) seen.push_back(polygon_.seen_from<R>(from, place));
+      const std::array<Vec3<R>, 2> ends{polygon_.along<R>(e, R(0), from),
+                                        polygon_.along<R>(e, R(polygon_.pieces_an_edge()), from)};
       BatchOutput<R> output{
           .stride = {static_cast<std::size_t>(polygon_.edges())}, .dim = 2, .slots = std::span(&e, 1)};
       output.tensors[0] = found.data();
-      evaluations_[static_cast<std::size_t>(Layer::Single)](Batch<R>{ends, in_frame, 0, {}}, output);
+      evaluations_[static_cast<std::size_t>(Layer::Single)](Batch<R>{ends, seen, 0, {}}, output);
     }
     return found;
   }

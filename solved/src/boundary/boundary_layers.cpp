@@ -70,7 +70,9 @@ BoundaryLayers<R>::BoundaryLayers(const RefinedPolygon& polygon, const LayerEval
 
 template <Scalar R>
 typename BoundaryLayers<R>::Piece BoundaryLayers<R>::piece(int edge, int part) const {
-  return {{polygon_.position<R>(edge, part), polygon_.position<R>(edge, part + 1)},
+  const int from = polygon_.seer(edge, part);
+  return {from,
+          {polygon_.along<R>(edge, R(part), from), polygon_.along<R>(edge, R(part + 1), from)},
           {polygon_.node(edge, part), polygon_.node(edge, part + 1)},
           edge * polygon_.pieces_an_edge() + part};
 }
@@ -107,9 +109,22 @@ void BoundaryLayers<R>::add_piece(const Piece& piece, std::span<const Layer> lay
 }
 
 template <Scalar R>
-void BoundaryLayers<R>::add(std::span<const Layer> layers, std::span<const Vec3<R>> points, int order,
+std::vector<Vec3<R>> BoundaryLayers<R>::seen_from(int vertex, std::span<const At> points) const {
+  std::vector<Vec3<R>> seen;
+  seen.reserve(points.size());
+  for (const At& point : points) seen.push_back(polygon_.seen_from<R>(vertex, point));
+  return seen;
+}
+
+template <Scalar R>
+void BoundaryLayers<R>::add(std::span<const Layer> layers, std::span<const At> points, int order,
                             std::span<CoordinateTable<R>> tables) const {
-  for (const Piece& piece : pieces_) add_piece(piece, layers, points, order, tables);
+  std::vector<Vec3<R>> seen;
+  int from = -1;
+  for (const Piece& piece : pieces_) {
+    if (piece.seen_from != from) seen = seen_from(from = piece.seen_from, points);
+    add_piece(piece, layers, seen, order, tables);
+  }
 }
 
 template <Scalar R>
@@ -135,11 +150,17 @@ void BoundaryLayers<R>::add_in_line(int edge, const R& steps, std::span<const La
 }
 
 template <Scalar R>
-void BoundaryLayers<R>::add_on(std::span<const Layer> layers, const Vec3<R>& point, std::span<const OnEdge<R>> on,
-                               int order, std::span<CoordinateTable<R>> tables) const {
+void BoundaryLayers<R>::add_others(std::span<const Layer> layers, const At& point, std::span<const OnEdge<R>> on,
+                                   int order, std::span<CoordinateTable<R>> tables) const {
   for (const Piece& piece : pieces_)
     if (std::ranges::find(on, piece.number / polygon_.pieces_an_edge(), &OnEdge<R>::edge) == on.end())
-      add_piece(piece, layers, std::span(&point, 1), order, tables);
+      add_piece(piece, layers, seen_from(piece.seen_from, std::span(&point, 1)), order, tables);
+}
+
+template <Scalar R>
+void BoundaryLayers<R>::add_on(std::span<const Layer> layers, const At& point, std::span<const OnEdge<R>> on, int order,
+                               std::span<CoordinateTable<R>> tables) const {
+  add_others(layers, point, on, order, tables);
   for (const OnEdge<R>& own : on) add_in_line(own.edge, own.steps, layers, order, tables);
 }
 
@@ -172,11 +193,8 @@ template <Scalar R>
 void BoundaryLayers<R>::put_limits(const CollocationPoint& p, Eigen::Index row, LayerRows<R>& rows) const {
   std::vector<OnEdge<R>> on{{p.edge, R(p.piece) + R(p.part) / p.parts}};
   if (p.is_vertex()) on.push_back({polygon_.before(p.edge), R(polygon_.pieces_an_edge())});
-  const Vec3<R> at = p.part == 0 ? polygon_.position<R>(p.edge, p.piece) : polygon_.line<R>(p.edge).at(on[0].steps);
   std::vector<CoordinateTable<R>> found = tables();
-  for (const Piece& piece : pieces_)
-    if (std::ranges::find(on, piece.number / polygon_.pieces_an_edge(), &OnEdge<R>::edge) == on.end())
-      add_piece(piece, layers(), std::span(&at, 1), 0, found);
+  add_others(layers(), polygon_.on<R>(p.edge, on[0].steps), on, 0, found);
   for (const OnEdge<R>& own : on) add_in_line(own.edge, own.steps, layers().subspan(1), 0, std::span(found).subspan(1));
   R left = 1;
   for (const R& x : found[0].tensors[0]) left -= x;
@@ -185,17 +203,21 @@ void BoundaryLayers<R>::put_limits(const CollocationPoint& p, Eigen::Index row, 
 }
 
 template <Scalar R>
-Vec3<R> BoundaryLayers<R>::inset_node(int edge, int k, const R& inset) const {
+typename BoundaryLayers<R>::At BoundaryLayers<R>::inset_node(int edge, int k, const R& inset) const {
   const int other = k == 0 ? polygon_.before(edge) : k == polygon_.pieces_an_edge() ? polygon_.after(edge) : edge;
   const Vec3<R> one = polygon_.line<R>(edge).left(), two = polygon_.line<R>(other).left();
   // Where the lines that are offset from both edges cross.
-  return polygon_.position<R>(edge, k) + inset / (1 + one.dot(two)) * (one + two);
+  At at = polygon_.on<R>(edge, R(k));
+  at.step += inset / (1 + one.dot(two)) * (one + two);
+  return at;
 }
 
 template <Scalar R>
 void BoundaryLayers<R>::put_inset(const CollocationPoint& p, double inset, Eigen::Index row, LayerRows<R>& rows) const {
-  const Vec3<R> from = inset_node(p.edge, p.piece, R(inset)), to = inset_node(p.edge, p.piece + 1, R(inset));
-  const Vec3<R> at = from + R(p.part) / p.parts * (to - from);
+  const int seer = polygon_.seer(p.edge, p.piece);
+  const Vec3<R> from = polygon_.seen_from<R>(seer, inset_node(p.edge, p.piece, R(inset))),
+                to = polygon_.seen_from<R>(seer, inset_node(p.edge, p.piece + 1, R(inset)));
+  const At at{polygon_.vertex<R>(seer), from + R(p.part) / p.parts * (to - from)};
   std::vector<CoordinateTable<R>> found = tables();
   add(layers(), std::span(&at, 1), 0, found);
   for (std::size_t k = 0; k < found.size(); ++k) rows.layer[k].row(row) = row_of(found[k]);

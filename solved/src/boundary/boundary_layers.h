@@ -61,14 +61,17 @@ class BoundaryLayers {
  public:
   BoundaryLayers(const RefinedPolygon& polygon, const LayerEvaluations& evaluations);
 
-  /// Layers at points off the polygon, in the frame: adds to tables whose coordinates are nodes or pieces.
-  void add(std::span<const Layer> layers, std::span<const Vec3<R>> points, int order,
+  using At = RefinedPolygon::At<R>;
+
+  /// Layers at points off the polygon: adds to tables whose coordinates are nodes or pieces. Pieces see points as
+  /// RefinedPolygon::seer says.
+  void add(std::span<const Layer> layers, std::span<const At> points, int order,
            std::span<CoordinateTable<R>> tables) const;
 
   /// The same at one point on the polygon, limits from inside. The pieces of the edges that the point is on are seen in
   /// their edge's own direction, in which it is exactly on their line, whatever rounding made of nodes and point.
   /// \param on an edge that the point is on; both that meet where it is a vertex
-  void add_on(std::span<const Layer> layers, const Vec3<R>& point, std::span<const OnEdge<R>> on, int order,
+  void add_on(std::span<const Layer> layers, const At& point, std::span<const OnEdge<R>> on, int order,
               std::span<CoordinateTable<R>> tables) const;
 
   /// At a point on the polygon the hat functions' double layer is: of pieces on other edges as off the polygon; of
@@ -82,18 +85,23 @@ class BoundaryLayers {
 
  private:
   struct Piece {
-    std::array<Vec3<R>, 2> ends;
+    int seen_from;                ///< a vertex
+    std::array<Vec3<R>, 2> ends;  ///< from there
     std::array<int, 2> nodes;
     int number;
   };
   void add_piece(const Piece& piece, std::span<const Layer> layers, std::span<const Vec3<R>> points, int order,
                  std::span<CoordinateTable<R>> tables) const;
+  std::vector<Vec3<R>> seen_from(int vertex, std::span<const At> points) const;
+  /// Of pieces on other edges.
+  void add_others(std::span<const Layer> layers, const At& point, std::span<const OnEdge<R>> on, int order,
+                  std::span<CoordinateTable<R>> tables) const;
   void add_in_line(int edge, const R& steps, std::span<const Layer> layers, int order,
                    std::span<CoordinateTable<R>> tables) const;
   Piece piece(int edge, int part) const;
   void put_limits(const CollocationPoint& point, Eigen::Index row, LayerRows<R>& rows) const;
   void put_inset(const CollocationPoint& point, double inset, Eigen::Index row, LayerRows<R>& rows) const;
-  Vec3<R> inset_node(int edge, int k, const R& inset) const;
+  At inset_node(int edge, int k, const R& inset) const;
 
   // All layers that there are evaluations of.
   std::span<const Layer> layers() const { return layers_up_to(static_cast<int>(evaluations_.size()) / 2); }

@@ -26,6 +26,10 @@ RefinedPolygon::RefinedPolygon(const Cage& cage, int pieces, Unit unit) : pieces
   for (std::size_t i = 0; i < vertices_.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) diameter_ = std::max(diameter_, (vertices_[i] - vertices_[j]).stableNorm());
   if (unit == Unit::Diameter) unit_ = diameter_;
+  // Two digits of an edge's length are no matter.
+  constexpr double least = 1. / 128;
+  for (const auto& [from, to] : edges_)
+    if ((vertices_[to] - vertices_[from]).stableNorm() < least * diameter_) sees_from_ends_ = true;
 }
 
 std::string why_not_refined(const Cage& cage) {

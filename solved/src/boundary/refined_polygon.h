@@ -37,6 +37,9 @@ class RefinedPolygon {
   /// The largest distance between two vertices, in the frame.
   double diameter() const { return diameter_ / unit_; }
 
+  /// Whether an edge is shorter than the 128th part of the diameter.
+  bool has_short_edge() const { return sees_from_ends_; }
+
   /// The vertices that an edge joins; the cage lies on its left.
   const std::array<int, 2>& edge(int e) const { return edges_[e]; }
   /// The edge that ends where edge e begins.
@@ -49,39 +52,57 @@ class RefinedPolygon {
     return vertices() + e * (pieces_ - 1) + k - 1;
   }
 
-  /// A point of the user's in the frame.
-  template <Scalar R>
-  Vec3<R> in_frame(const Vec3<R>& point) const {
-    return (point - convert<R>(vertices_[0])) / R(unit_);
-  }
+  /// A vertex, as the user gave it.
   template <Scalar R>
   Vec3<R> vertex(int v) const {
-    return in_frame<R>(convert<R>(vertices_[v]));
+    return convert<R>(vertices_[v]);
   }
 
-  /// An edge in the frame: where it begins, its direction, and how long its pieces are.
+  /// A place in the plane: a point of the user's, and a step from it in the frame.
+  template <Scalar R>
+  struct At {
+    Vec3<R> from, step = Vec3<R>::Zero();
+  };
+  /// A place as it is seen from a vertex, in the frame.
+  template <Scalar R>
+  Vec3<R> seen_from(int v, const At<R>& place) const {
+    return Vec3<R>((place.from - vertex<R>(v)) / R(unit_)) + place.step;
+  }
+
+  /// An edge in the frame: its direction, and how long its pieces are.
   template <Scalar R>
   struct Line {
-    Vec3<R> begin, direction;
+    Vec3<R> direction;
     R piece;
 
     Vec3<R> left() const { return {-direction[1], direction[0], R(0)}; }
-    /// The point that many pieces along it.
-    Vec3<R> at(const R& steps) const { return begin + (steps * piece) * direction; }
   };
   template <Scalar R>
   Line<R> line(int e) const {
     using std::hypot;
-    const Vec3<R> from = vertex<R>(edges_[e][0]), along = vertex<R>(edges_[e][1]) - from;
+    const int from = sees_from_ends_ ? edges_[e][0] : 0;
+    const Vec3<R> along = seen_from<R>(from, end<R>(e, 1)) - seen_from<R>(from, end<R>(e, 0));
     const R length = hypot(along[0], along[1]);
-    return {from, along / length, length / pieces_};
+    return {along / length, length / pieces_};
   }
 
-  /// Where a node of an edge is; at vertices exactly there.
+  /// The vertex that piece k of an edge sees others from: the nearer end of its edge where the polygon has a short
+  /// edge, which in the frame loses as many digits of its length as it is shorter than the polygon; else the frame's
+  /// origin, so that roundings of places are the same for all pieces.
+  int seer(int e, int k) const { return sees_from_ends_ ? edges_[e][2 * k < pieces_ ? 0 : 1] : 0; }
+  /// A place so many pieces along an edge, seen from one of the edge's ends or the frame's origin.
   template <Scalar R>
-  Vec3<R> position(int e, int k) const {
-    if (k == 0 || k == pieces_) return vertex<R>(edges_[e][k == 0 ? 0 : 1]);
-    return line<R>(e).at(R(k));
+  Vec3<R> along(int e, const R& steps, int from) const {
+    if (steps == 0) return seen_from<R>(from, end<R>(e, 0));
+    if (steps == pieces_) return seen_from<R>(from, end<R>(e, 1));
+    const Line<R> line = this->line<R>(e);
+    if (sees_from_ends_ && from == edges_[e][1]) return R((steps - pieces_) * line.piece) * line.direction;
+    return seen_from<R>(from, end<R>(e, 0)) + (steps * line.piece) * line.direction;
+  }
+  template <Scalar R>
+  At<R> on(int e, const R& steps) const {
+    const int from = seer(e, 2 * steps < pieces_ ? 0 : pieces_);
+    return {vertex<R>(from), along<R>(e, steps, from)};
   }
 
  private:
@@ -90,6 +111,12 @@ class RefinedPolygon {
   std::vector<Vec3<double>> vertices_;
   std::vector<std::array<int, 2>> edges_;
   std::vector<int> before_, after_;
+  bool sees_from_ends_ = false;
+
+  template <Scalar R>
+  At<R> end(int e, int which) const {
+    return {vertex<R>(edges_[e][which])};
+  }
 };
 
 /// Pieces of an edge where nobody says how many.

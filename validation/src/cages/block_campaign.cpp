@@ -14,7 +14,7 @@
 namespace cageproof::validation {
 namespace {
 
-// How many points an evaluation is given at once, of which the sample's is one: as many as the widest vectors hold.
+// Number of points that an evaluation gets at once, the sample's among them: as many as the widest vectors hold.
 constexpr std::size_t block_of_points = 16;
 
 // The sample's point among generic ones.

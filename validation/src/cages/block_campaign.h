@@ -17,12 +17,12 @@ struct BlockCampaignOptions {
   Triangulation triangulation = Triangulation::Shortest;
   std::uint64_t seed = 1;
   int points = 150;  ///< of a cage, at most
-  /// What the truths of a kind on a cage may cost, about; on cages of a few elements up to six times that. There are
-  /// at least four points.
+  /// Approximate limit of the cost of the truths of a kind on a cage; up to six times that on cages of a few elements.
+  /// At least four points are taken.
   int milliseconds = 3000;
 };
 
-/// How many points of a cage a kind is asked at.
+/// Number of a cage's points at which a kind is asked.
 int block_points(const CoordinateKind& kind, const Cage& cage, const BlockCampaignOptions& options);
 
 /// A sample of a cage.
@@ -34,8 +34,8 @@ struct BlockAt {
   WorstCase case_of(const Finding& finding, int order) const;
 };
 
-/// The highest order of the coordinates that the table promises a block error of: the one that is asked for, since
-/// truths of higher ones cost several times as much. All that there are where it promises none.
+/// The highest order of the coordinates for which the table promises a block error. Higher ones are not asked, because
+/// their truths cost several times as much. The highest that exists where the table promises none.
 int block_order(const CoordinateKind& kind, const CageCoordinates& coordinates);
 
 /// Errors of an evaluation at a sample, up to block_order: alone and in a block of points, the worse. Coordinates of
@@ -45,7 +45,7 @@ class BlockErrors {
   /// \throws InputError as CageCoordinates
   BlockErrors(const Cage& cage, const CoordinateKind& kind, std::string evaluation, Triangulation rule);
   const CageCoordinates& coordinates() const { return coordinates_; }
-  /// What is asked at a place. \param place as CageSample::place; valid while this object lives
+  /// The question at a place. \param place as CageSample::place; valid while this object lives
   Question<BlockAt> question(std::string_view place) const;
 
  private:
@@ -59,7 +59,7 @@ class BlockErrors {
   int order_;
 };
 
-/// The kind's rows on the cage, one a place and order. \pre the evaluation computes the kind in the cage
+/// The kind's rows on the cage, one per place and order. \pre the evaluation computes the kind in the cage
 std::unique_ptr<const Measurement> block_measurement(std::shared_ptr<const Cage> cage, const CoordinateKind& kind,
                                                      const BlockCampaignOptions& options);
 

@@ -165,13 +165,13 @@ std::optional<BlockTruth> BlockTruths::at(const Vec3<double>& point, int order) 
 
 BlockTruth BlockTruths::truth_near(const Point& point, double distance, int order, Coordinates limits) const {
   const auto dim = static_cast<std::size_t>(reference_.dimension());
-  // Of 50 digits a difference over 1e-20 of the way to the cage leaves thirty, and a nearest distance of 1e-17 leaves
-  // thirteen to where it is taken.
+  // With 50 digits, a difference over 1e-20 of the distance to the cage leaves thirty digits. With the smallest
+  // distance, 1e-17, it leaves thirteen digits of the point's own coordinates.
   const Number step = Number(distance) * Number("1e-20");
   std::vector<Point> points{point};
   if (order >= 2)
     points.emplace_back(point + step * generic_direction<Number>(convert<double>(point), static_cast<int>(dim)));
-  // One order more than is asked, where the formulas have it, is the derivative of what is.
+  // A higher order than asked, where the formulas have it, gives the derivative of the results.
   const int taken = std::min(order + 1, 2);
   const auto tables = sums_.at<Number>(points, taken);
   std::vector<Coordinates> at;

@@ -18,9 +18,9 @@ struct BlockTruth {
   /// cage's diagonal; of Hessians size times the derivative along one direction that is like no other point's, which is
   /// at most that sum.
   ///
-  /// Of normalised coordinates lambda = w/W also what one rounding of each weight's derivatives costs them by the
+  /// For normalised coordinates lambda = w/W it includes the cost of one rounding of each weight's derivatives, by the
   /// quotient rule. With a_o, l_o, g_o the norms of the derivatives of order o of w over |W|, of lambda, and of W over
-  /// |W|, and b_o the sum of the vertices' norms that a_o is the root of the squares of:
+  /// |W|, and b_o the sum of the vertices' norms (a_o is the root of the sum of their squares):
   ///   q_0 = l_0 (b_0 - 1),  q_1 = a_1 + l_0 b_1 + l_1 b_0 + l_0 b_0 g_1,
   ///   q_2 = a_2 + l_0 b_2 + 2 l_1 b_1 + l_2 b_0 + l_0 b_0 g_2 + 2 q_1 g_1.
   /// q_0 is zero where all weights are positive. Far outside their sum cancels by the distance in sizes, and a rounding

@@ -113,13 +113,13 @@ class CageMeasurement final : public Measurement {
     const int truth_points = coordinates.blocks()[0].entries() == 1 ? o.truth_points : (o.truth_points + 3) / 4;
     setup.stride = std::max<std::size_t>(1, setup.off.size() / std::max(1, truth_points)) | 1;
     for (std::size_t i = 0; i < setup.off.size(); i += setup.stride) setup.compared.push_back(i);
-    // Cages are used inside, of which a thin one has few points.
+    // Cages are used inside, where a thin one has few points.
     const auto is_inside = [&](std::size_t i) { return setup.off[i].place == Place::Inside; };
     if (std::ranges::none_of(setup.compared, is_inside))
       if (const auto first = std::ranges::find(setup.off, Place::Inside, &CagePoint::place); first != setup.off.end())
         setup.compared.push_back(first - setup.off.begin());
-    // Second routes are the same code everywhere: one point a place says whether they agree, of larger cages one
-    // inside.
+    // Second routes are the same code everywhere: one point per place says whether they agree, and on larger cages only
+    // one inside.
     constexpr std::size_t many_faces = 20;
     for (const Place place : {Place::Inside, Place::Outside}) {
       if (place == Place::Outside && cage_->faces().size() > many_faces) continue;
@@ -140,7 +140,7 @@ class CageMeasurement final : public Measurement {
     if (cost == CageQuestion::Cost::Point) return true;
     if (cost == CageQuestion::Cost::SecondRoute) return std::ranges::find(setup.routed, i) != setup.routed.end();
     if (cost == CageQuestion::Cost::Truth) return std::ranges::find(setup.compared, i) != setup.compared.end();
-    // Three sums in 100 digits: a quarter of these points.
+    // Differences take three sums in 100 digits, so only a quarter of these points are asked.
     return options_.differences && i % (4 * setup.stride) == 0;
   }
 
@@ -224,7 +224,8 @@ class MeshMeasurement final : public Measurement {
 }  // namespace
 
 bool is_affordable(const CoordinateKind& kind, const Cage& cage, const CageCampaignOptions& options) {
-  if (!kind.solves_on_samples) return true;
+  // Kinds that meet a polygon's data refuse by themselves what is too large.
+  if (!kind.solves_on_samples || (kind.meets_boundary_data && cage.dimension() == 2)) return true;
   return static_cast<int>(cage.parts(false, options.triangulation).elements.size()) <= options.solved_elements;
 }
 

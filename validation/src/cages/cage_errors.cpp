@@ -18,7 +18,7 @@ struct Sums {
   double positions_size = 0;
 };
 
-// Of the space; in the plane the third row and column are zero.
+// The identity of space; in the plane the third row and column are zero.
 Mat3<double> identity_of(int dim) {
   Mat3<double> identity = Mat3<double>::Zero();
   for (int i = 0; i < dim; ++i) identity(i, i) = 1;
@@ -39,7 +39,7 @@ Sums sums_of(const CageCoordinates& coordinates, const Cage& cage, const std::ve
     if (block.reproduces == Reproduces::Nothing) continue;
     const bool vertices = block.reproduces != Reproduces::Normals;
     const std::size_t width = block.entries();
-    // What a number stands for: that multiple of the identity, or of the quarter turn.
+    // A number stands for that multiple of the identity, or of the quarter turn.
     Mat3<double> one = identity_of(dim);
     if (block.reproduces == Reproduces::TurnedVertices) one << 0, -1, 0, 1, 0, 0, 0, 0, 0;
     for (int i = 0; i < block.size; ++i) {
@@ -122,12 +122,12 @@ std::array<std::optional<double>, 2> boundary_residuals(const CageCoordinates& c
   // Others would solve their systems once more to say nothing of it.
   if (!coordinates.measures_boundary()) return worst;
   const auto keep = [](std::optional<double>& of, double found) {
-    // What is not a number stays.
+    // A NaN stays, once it is found.
     if (!of || (!std::isnan(*of) && !(found <= *of))) of = found;
   };
   for (const SolvedSystem& system : coordinates.solved()) {
     keep(worst[0], system.boundary_values);
-    // Harmonic functions are given by values alone.
+    // Harmonic functions have only values as data.
     if (!std::isnan(system.boundary_gradients)) keep(worst[1], system.boundary_gradients);
   }
   return worst;

@@ -109,7 +109,7 @@ class Factory {
       });
     add_roundings("cage_truth", [&subject, place = place_](const CageAt& at) {
       Found found;
-      // Coordinates that exist in double alone would meet themselves.
+      // Coordinates that exist only in double would be compared with themselves.
       const CageCoordinates& reference = subject.recommended();
       if (!reference.is_exact_in(ScalarKind::Digits50) || !reference.is_prompt_in(ScalarKind::Digits50)) return found;
       const auto errors =
@@ -151,7 +151,7 @@ class Factory {
   void add_on_cage() {
     const CageSubject& subject = subject_;
     if (!kind_.normalised) add_relations(false);
-    // Nothing that is not there is missed.
+    // A point without such data has no error.
     const auto known = [](const std::optional<double>& error, const CageAt& at) {
       return error ? finding_of(*error, at) : Finding{};
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is asked of a kind of coordinates in a cage, by one evaluation.
+// Questions to a kind of coordinates in a cage, by one evaluation.
 #pragma once
 
 #include "cageproof/validation/cage_campaign.h"
@@ -32,8 +32,8 @@ class CageSubject {
   const CageLocator& locator() const { return locator_.get(); }
   /// By recommended evaluations.
   const CageCoordinates& recommended() const { return recommended_.get(); }
-  /// What roundings are counted in at a place. At a mesh's points, where people take the quickest evaluation for the
-  /// recommended ones, it is counted as those are.
+  /// Terms in which roundings at a place are counted. At a mesh's points, where people take the quickest evaluation for
+  /// the recommended one, its terms are the recommended ones.
   const CageTerms& terms(std::string_view place) const { return (place == mesh_place ? plain_ : terms_).get(); }
   /// Whether a point may have no coordinates; see may_be_missing().
   bool may_lack(const Vec3<double>& point) const { return may_be_missing(prior_.get(), point); }
@@ -41,7 +41,7 @@ class CageSubject {
   /// than one just inside, and differs from there to the other side of each face.
   bool is_buried(const Vec3<double>& point) const;
   const CageSymmetries& symmetries() const { return symmetries_.get(); }
-  /// What the kind's scheme is to come near; see approximated_by().
+  /// Coordinates that the kind's scheme approximates; see approximated_by().
   const std::optional<CageCoordinates>& approximated() const { return approximated_.get(); }
   /// From the kind's definition; null where it has no such route, the cage has too many faces for it, or the
   /// coordinates are by another evaluation than the recommended one.
@@ -95,7 +95,7 @@ class CageAt : public PointAt {
 };
 
 struct CageQuestion : Question<CageAt> {
-  /// What an answer costs, which decides how many points a campaign takes.
+  /// Cost of an answer, which decides how many points a campaign takes.
   enum class Cost { Relation, Sign, Point, Truth, Differences, SecondRoute } cost = Cost::Point;
 };
 
@@ -103,7 +103,7 @@ struct CageQuestion : Question<CageAt> {
 /// \param most that they may be, at points off the cage
 int order_at(std::string_view place, const CageCoordinates& coordinates, int most);
 
-/// All that is asked at a place. \param order order_at() it \param subject outlives the questions
+/// All questions at a place. \param order order_at() it \param subject outlives the questions
 std::vector<CageQuestion> cage_questions(const CageSubject& subject, std::string_view place, int order);
 
 }  // namespace cageproof::validation

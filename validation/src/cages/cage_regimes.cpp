@@ -43,7 +43,7 @@ std::vector<Edge> edges_of(const CageElements& elements) {
   return edges;
 }
 
-// What sample `turn` of a place is drawn from.
+// Input from which sample `turn` of a place is drawn.
 struct Draw {
   const CageElements& elements;
   const std::vector<Edge>& edges;

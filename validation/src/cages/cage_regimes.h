@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The regimes of elements turned into cages: points beside, on and far from a cage's faces, edges and vertices, and
+// The regimes of elements as samples of cages, with points next to, on and far from faces, edges and vertices, and
 // cages moved and in other units.
 #pragma once
 
@@ -29,7 +29,7 @@ std::vector<std::string_view> cage_places();
 
 /// So many samples of a cage's own or moved frames, at most; the first twelve have one of each place. Sample i is a
 /// function of (seed, cage, i). Left out are points meant to be on a cage on which doubles have none.
-/// \param coordinates of the cage, whose elements the points are beside \param locator of the same elements
+/// \param coordinates of the cage, near whose elements the points lie \param locator of the same elements
 std::vector<CageSample> cage_samples(const CageCoordinates& coordinates, const Cage& cage, const CageLocator& locator,
                                      std::uint64_t seed, int count);
 

@@ -50,8 +50,8 @@ CageSymmetries::Variant CageSymmetries::variant(std::string check, const Cage& c
   return v;
 }
 
-// What the normals of a part of an element have of the whole's. The part's coordinates have its own area elements,
-// which the whole's are a combination of.
+// Adds the shares of a part's normals in those of the whole element. The part has its own area elements, which are
+// combinations of the whole's.
 void CageSymmetries::add_normals_of_part(const CageElements& elements, std::size_t element, const ElementPart& part,
                                          std::vector<std::vector<Share>>& all) {
   const auto whole = elements.shares_of(element, Owner::Normal);
@@ -229,7 +229,7 @@ std::map<std::string, CageError> CageSymmetries::errors_at(const Vec3<double>& p
     for (std::size_t b = 0; b < found.size(); ++b) {
       const double relative = relative_difference(folded(v, b, found[b], point), expected[b].value);
       worst.relative = std::max(worst.relative, relative);
-      // What is added and taken away again is rounded as well: where ln r is nothing, that is all there is.
+      // A term that is added and taken away again is rounded as well; where ln r is zero, it is the only one.
       const double terms_of_both = terms.blocks[b][0] + length_of(added(v, b, point).size);
       worst.roundings =
           std::max(worst.roundings, relative / unit_roundoff<double>() * length_of(expected[b].value) / terms_of_both);

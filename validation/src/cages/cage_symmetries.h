@@ -27,8 +27,8 @@ class CageSymmetries {
   /// unit, and relative to the block's norm. \pre the point lies off the cage
   std::map<std::string, CageError> errors_at(const Vec3<double>& point) const;
 
-  /// Derivatives of order 1 and 2 along a direction against central differences in 100 digits, relative, of the worst
-  /// block. \pre as errors_at
+  /// Relative difference, for the worst block, of the derivatives of order 1 and 2 along a direction and central
+  /// differences in 100 digits. \pre as errors_at
   std::array<double, 3> differences_at(const Vec3<double>& point) const;
 
  private:
@@ -37,7 +37,7 @@ class CageSymmetries {
     int coordinate;
     double weight;
   };
-  /// Of each coordinate of a variant, by owner: one a vertex, an element, a corner, or a normal.
+  /// Shares of a variant's coordinates in those of the base, by owner: vertex, element, corner or normal.
   using Shares = std::array<std::vector<std::vector<Share>>, 4>;
   struct Variant {
     std::string check;
@@ -59,8 +59,8 @@ class CageSymmetries {
   std::vector<double> folded(const Variant& v, std::size_t block, const Result<double>& found,
                              const Vec3<double>& point) const;
 
-  /// What another unit of length adds to coordinates whose kernels have the logarithm of the distance, over the unit's
-  /// power, and the size of its terms, each as coordinates are; empty for others.
+  /// Terms that another unit of length adds to coordinates whose kernels have the logarithm of the distance, over the
+  /// unit's power, and the size of these terms. Both are laid out as coordinates are; empty for other kinds.
   struct Added {
     std::vector<double> value, size;
   };

@@ -25,7 +25,7 @@ constexpr double kRoundings = 64;
 constexpr std::size_t kTogether = 64;
 
 void keep(Largest& largest, double value, std::size_t point) {
-  // What is not a number is the largest, and of equals the first point.
+  // A NaN is the largest; among equal values the first point counts.
   if (std::isnan(largest.value) && largest.point < point) return;
   if (value > largest.value || std::isnan(value) || (value == largest.value && point < largest.point))
     largest = {value, point};
@@ -37,7 +37,7 @@ void count(Counted& sum, const Counted& part) {
   sum.points += part.points;
 }
 
-// What a point's row has among its derivatives.
+// Flaws among the derivatives in one point's row.
 struct Flaws {
   bool nan = false, infinite = false;
 };

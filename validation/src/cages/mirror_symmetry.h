@@ -28,7 +28,7 @@ std::optional<MirrorSymmetry> mirror_symmetry(const std::vector<Vec3<double>>& v
 /// Whether the mirror image of every element, which turns the other way round, is an element.
 bool keeps(const MirrorSymmetry& mirror, const CageElements& elements);
 
-/// Positions of vertices made symmetric: each the mean of its own and of its mirror image's, mirrored.
+/// Makes positions of vertices symmetric: each becomes the mean of its own and of its mirror image's, mirrored.
 std::vector<Vec3<double>> made_symmetric(const MirrorSymmetry& mirror, const std::vector<Vec3<double>>& vertices);
 
 }  // namespace cageproof::validation

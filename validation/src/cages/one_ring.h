@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whose derivatives an evaluation gives: each triangle's own, or ones that are right in sums over a closed cage alone.
+// Whether an evaluation gives each triangle's own derivatives, or ones that are right only in sums over a closed cage.
 #pragma once
 
 #include "cageproof/core/cage/cage.h"
@@ -59,10 +59,10 @@ class OneRing {
   std::vector<std::array<int, 3>> triangles_;
 };
 
-/// For the derivatives of triangle.double_layer against the closed form's truth: `own_derivative`, the worst
-/// triangle, and `one_ring_sum`, the sums over the triangles around each vertex; both norm-wise. An evaluation that
-/// keeps the first has the gradients of phi_t^k; one that keeps the second alone has a form like P x d/(2|t|), which
-/// must not be mixed with others. \throws InputError when there is no evaluation of that name
+/// For the derivatives of triangle.double_layer against the closed form's truth: `own_derivative`, the worst triangle,
+/// and `one_ring_sum`, the sums over the triangles around each vertex; both norm-wise. An evaluation that keeps the
+/// first has the gradients of phi_t^k. One that keeps only the second has a form like P x d/(2|t|), which must not be
+/// mixed with others. \throws InputError when no evaluation has that name
 std::unique_ptr<const Measurement> one_ring_measurement(std::shared_ptr<const Cage> cage,
                                                         const OneRingOptions& options);
 

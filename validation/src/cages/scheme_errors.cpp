@@ -49,8 +49,8 @@ std::optional<std::array<std::optional<double>, 2>> boundary_data_errors_at(cons
   const std::vector<CoordinateBlock>& blocks = coordinates.blocks();
   std::vector<double> hats(coordinates.elements().vertices().size());
   for (const Touching& touch : on) {
-    const Face& face = coordinates.elements().all()[touch.element];
-    for (std::size_t k = 0; k < 2; ++k) hats[face.vertices[k]] = touch.basis[k];
+    const std::span<const int> corners = coordinates.elements().vertices_of(touch.element);
+    for (std::size_t k = 0; k < corners.size(); ++k) hats[corners[k]] = touch.basis[k];
   }
   // Only within an edge the boundary has a normal, and only data with normal derivatives say what is due along it.
   const bool slopes = on.size() == 1 && blocks.size() > 1;

@@ -6,7 +6,7 @@
 
 namespace cageproof::validation {
 
-/// Of values in the route's scalar, in which roundings hide nothing. NaN where either has no coordinates.
+/// Error of the values in the route's scalar, in which roundings hide nothing. NaN where either has no coordinates.
 double second_route_error_at(const CageCoordinates& coordinates, const second_routes::CageRoute& route,
                              const Vec3<double>& point);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makers of the checks, one file a kind.
+// Makers of the checks, one file per kind.
 #pragma once
 
 #include "cageproof/validation/check.h"
@@ -22,7 +22,7 @@ void add_side_relation_check(CheckList& list);  // side_relation
 /// Within a check, `Role` is the check's own.
 inline bool is_recommended(const Evaluation& evaluation) { return evaluation.role() == Role::Recommended; }
 
-/// Whether it is what stands in for the integral in multiprecision: the closed form, or, where a formula has none, the
+/// Whether the evaluation stands for the integral in multiprecision: the closed form, or, where a formula has none, the
 /// recommended evaluation.
 inline bool stands_for_truth(const Evaluation& evaluation) {
   const Role role = evaluation.role();
@@ -60,7 +60,7 @@ inline std::array<Finding, 3> without_truth(int order) {
   return findings;
 }
 
-/// Whether a tensor of this size has all of R's digits: neither beyond its range nor next to its smallest numbers.
+/// Whether a tensor of this size has all of R's digits: it is within R's range, and not next to R's smallest numbers.
 template <Scalar R>
 bool representable(const Mp100& size) {
   if constexpr (is_multiprecision<R>) return true;
@@ -76,7 +76,7 @@ inline Finding relation_finding_for(const Truth& truth, int order) {
   return finding;
 }
 
-/// Norm of a difference over a denominator; infinite where either is not finite or the denominator alone is zero.
+/// Norm of a difference over a denominator; infinite where either is not finite or where only the denominator is zero.
 template <Scalar R>
 double ratio_of_difference(const std::vector<R>& a, const std::vector<R>& b, const Mp100& denominator) {
   std::vector<Mp100> wide(a.size());

@@ -11,7 +11,7 @@
 namespace cageproof::validation {
 namespace {
 
-// What counts as nothing beside a derivative of that order: a thousandth of the integral of the kernel's norm, over
+// A derivative of that order this small counts as zero: a thousandth of the integral of the kernel's norm, divided by
 // the distance to the furthest corner for every derivative.
 Mp100 next_to_nothing(const Formula& formula, const Sample& sample, int order) {
   double furthest = 0;

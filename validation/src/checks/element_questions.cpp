@@ -60,7 +60,7 @@ std::optional<ElementQuestion> element_question(const Check& check, const Evalua
                   "",
                   0};
   question.unit = check.unit();
-  // Less is asked of what has less.
+  // Evaluations with fewer derivatives are asked for fewer.
   question.asked = order < std::min(2, evaluation.max_order()) ? order : 2;
   question.ask = [&check, &formula, evaluation, scalar, order](const ElementAt& at) {
     return check.measure({formula, evaluation, scalar, at.sample(), order, at.truth(), at.results()});

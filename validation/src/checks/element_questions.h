@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is asked of single elements: one check of one evaluation in one scalar.
+// Questions to single elements: one check of one evaluation in one scalar.
 #pragma once
 
 #include "cageproof/validation/check.h"
@@ -40,7 +40,7 @@ struct ElementQuestion : Question<ElementAt> {
   ScalarKind scalar;
 };
 
-/// What a check asks of an evaluation; nothing where it is not asked. \param order the highest, at most the
+/// The question of a check to an evaluation; nothing where it is not asked. \param order the highest, at most the
 /// evaluation's
 std::optional<ElementQuestion> element_question(const Check& check, const Evaluation& evaluation, ScalarKind scalar,
                                                 std::string_view regime, int order);

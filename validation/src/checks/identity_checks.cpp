@@ -85,7 +85,7 @@ class SubdivisionCheck final : public Check {
     std::array<Mp100, 3> yardstick = in.truth.conditioned;
     std::array<bool, 3> exists = in.truth.exists, required = in.truth.required;
     const auto parts = type_of(in.formula.element).parts;
-    // Of the parameters each part has as much as another.
+    // Parameters are shared equally by the parts.
     const double share = in.formula.by_parameters ? 1.0 / static_cast<double>(parts.size()) : 1;
     for (const ElementPart& part : parts) {
       Sample sub = in.sample;
@@ -160,7 +160,7 @@ class DifferencesCheck final : public Check {
     for (int o = 1; o <= in.order; ++o) {
       findings[o] = finding_for(in.truth, o);
       if (findings[o].status != Finding::Status::Measured) continue;
-      // A derivative that vanishes is measured by what it is the derivative of, a longest edge further.
+      // A derivative that vanishes is measured by the order below it, over the longest edge.
       const Mp100 own = norm_of(f.of(o));
       const Mp100 size = own > 0 ? own : Mp100(norm_of(f.of(o - 1)) / Mp100(longest_edge<double>(in.sample.corners)));
       std::vector<Mp200> differences;
@@ -221,7 +221,7 @@ class FaceJumpCheck final : public Check {
       expected[i] *= basis[i / entries];
     }
     findings[0].status = Finding::Status::Measured;
-    // Values that vanish on the face have the element's size alone to be compared with.
+    // Values that vanish on the face can be compared only with the element's size.
     const Mp100 natural = pow(Mp100(longest_edge<double>(in.sample.corners)), behaviour.degree);
     findings[0].error = ratio_of_difference(jump, expected, Mp100(natural + norm(expected)));
     return findings;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The check of what the closed form says on the element itself: limits, infinities and their signs.
+// Checks the closed form on the element itself, where it has limits and infinities of either sign.
 #include "checks/check_makers.h"
 
 #include "element/element_sampling.h"
@@ -64,7 +64,7 @@ class LimitCheck final : public Check {
     return result;
   }
 
-  // What converges has changed by its last digits between the two depths, what diverges by as much as a logarithm does.
+  // Finite entries change only in their last digits between the two depths, divergent ones as much as a logarithm.
   static double error_of(const std::vector<Mp200>& on, const std::vector<Mp200>& farther,
                          const std::vector<Mp200>& nearer, const Mp200& natural) {
     static const Mp200 seen("1e-12");
@@ -81,7 +81,7 @@ class LimitCheck final : public Check {
       error += (nearer[i] - on[i]) * (nearer[i] - on[i]);
       finite += on[i] * on[i];
     }
-    // Limits may be zero, and have the element's size alone to be compared with.
+    // A limit may be zero, which leaves only the element's size to compare with.
     const Mp200 ratio = sqrt(error) / (sqrt(finite) + natural);
     return isfinite(ratio) ? static_cast<double>(ratio) : std::numeric_limits<double>::infinity();
   }

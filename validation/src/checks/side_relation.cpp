@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What double and single layers of an element add up to around its sides: a relation that holds element by element, and
+// Check of the sum of double and single layers of an element around its sides: the relation holds for each element, and
 // catches a normal, a sheet or a side taken wrongly.
 #include "checks/check_makers.h"
 

@@ -50,7 +50,7 @@ class SymmetryCheck : public Check {
   virtual Values undo(const CheckInput& in, Values tensor, int order) const = 0;
   /// By how much the change multiplies the tensor.
   virtual Mp100 factor(const CheckInput&, int) const { return 1; }
-  /// Norm of what the change adds to the tensor, whose rounding is no fault of the evaluation.
+  /// Norm of the term that the change adds to the tensor; its rounding is not the evaluation's fault.
   virtual double added(const CheckInput&, int) const { return 0; }
 };
 
@@ -97,7 +97,7 @@ class Scaling final : public SymmetryCheck {
     return size;
   }
   static Behaviour behaviour(const CheckInput& in) { return in.formula.behaviour(in.sample.parameters); }
-  // What scaling adds to kernels with the logarithm of the distance, over s^(degree - order).
+  // The term that scaling adds to kernels with the logarithm of the distance, over s^(degree - order).
   static Values logarithm(const CheckInput& in, int order) {
     const Formula& formula = in.formula;
     const Logarithm logarithm = behaviour(in).logarithmic;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// What a scalar can hold, to compare entries with. Multiprecision holds every number that occurs.
+// Range of a scalar, to compare entries with. Multiprecision holds every number that occurs.
 template <Scalar R>
 struct Range {
   static constexpr bool unbounded = is_multiprecision<R>;
@@ -24,7 +24,7 @@ struct Range {
     if constexpr (unbounded) return false;
     else return size > Mp100(std::numeric_limits<R>::max()) * (1 + edge);
   }
-  /// What is next to nothing in a result whose truth is this small.
+  /// The resolution of a result whose truth is this small.
   static Mp100 quantum(const Mp100& size) {
     if constexpr (unbounded) return 0;
     else return size < std::numeric_limits<R>::min() ? Mp100(std::numeric_limits<R>::denorm_min()) : Mp100(0);

@@ -103,8 +103,8 @@ class RelativeCheck final : public Check {
   }
 };
 
-/// The closed form in multiprecision against the integral of the kernel: what lets it stand in for the truth. Where
-/// there is no integral, no sample has a truth, and nothing measured counts.
+/// The closed form in multiprecision against the integral of the kernel, which proves that it can stand for the truth.
+/// Where the integral does not exist, no sample has a truth, and nothing measured counts.
 class IntegralCheck final : public Check {
  public:
   std::string_view name() const override { return "integral"; }
@@ -153,8 +153,8 @@ class IntegralCheck final : public Check {
   }
 };
 
-// Whether a tensor is so small beside what a rounding of the input changes that 200 digits cannot tell it from a zero
-// of the function close by: over the centre of an equilateral triangle, 1e-250 beside a Hessian's zero.
+// Whether a tensor is so small next to what a rounding of the input changes that 200 digits cannot tell it from a zero
+// of the function close by: over the centre of an equilateral triangle, 1e-250 next to a Hessian's zero.
 bool is_next_to_zero(const Truth& truth, int order) {
   static const Mp100 small("1e-130");
   for (int o = 0; o <= order; ++o)
@@ -195,7 +195,7 @@ class StatedErrorCheck final : public Check {
         const bool owed = in.truth.required[o] && !has_zero(in.truth, in.order) &&
                           !is_next_to_zero(in.truth, in.order) && !has_subnormal<R>(in.truth, in.order);
         if (!(f.stated_digits > 0)) findings[o].status = owed ? Finding::Status::Declined : Finding::Status::NoTruth;
-        // A relative statement says nothing about what the scalar cannot hold, nor about a zero that is met.
+        // A relative statement says nothing about truths that the scalar cannot hold, or about a zero that is met.
         if (!representable<R>(in.truth.norm[o])) findings[o].status = Finding::Status::NoTruth;
         const double relative = relative_error(f, in.truth, o);
         if (in.truth.norm[o] == 0 && relative == 0) findings[o].status = Finding::Status::NoTruth;

@@ -12,7 +12,7 @@ namespace cageproof::validation {
 /// A rotation of space, or of the plane in itself.
 class Turn {
  public:
-  /// \param dim 2: a quarter turn that leaves the third coordinate alone; 3: (x, y, z) -> (y, -z, -x)
+  /// \param dim 2: a quarter turn, which keeps the third coordinate; 3: (x, y, z) -> (y, -z, -x)
   explicit Turn(int dim) : dim_(dim), row_(table[dim - 2]) {}
 
   Vec3<double> operator()(const Vec3<double>& v) const {

@@ -29,7 +29,7 @@ struct SolvedProblem {
 
 constexpr int few_steps = 40, many_steps = 4000;
 
-// Of many steps, those that lower the energy.
+// With many steps, iteration goes on as long as the energy falls at all.
 constexpr double any_decrease = std::numeric_limits<double>::min();
 constexpr double larger = 10;
 
@@ -80,7 +80,7 @@ std::vector<Question<PointAt>> ConstrainedChecks::questions() const {
   all.push_back(energy("second_route", bent_pose, &ConstrainedChecks::slope_left));
   if (!variant_.method->positions_alone)
     all.push_back(energy("energy_is_flat", bent_pose, &ConstrainedChecks::flatness));
-  // In the plane biharmonic layers have logarithms, times what no layer is: maps in other units are others.
+  // In the plane biharmonic layers have logarithms times other functions, so maps differ with the unit of length.
   const bool has_biharmonic_logarithms =
       cage_->dimension() == 2 && problem(bent_pose).prepared(variant_, rule_, 1)->coordinates().blocks().size() > 2;
   if (!has_biharmonic_logarithms)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is asked of a deformer without a posed cage: that its energy falls to a minimum, and that what moves rigidly, or
-// is measured in another unit, comes out alike.
+// Questions to a deformer without a posed cage: whether its energy falls to a minimum, and whether rigid motions and
+// other units of length give the same map.
 #pragma once
 
 #include "cageproof/deformation/constrained.h"
@@ -33,7 +33,7 @@ bool can_be_asked(const deformation::ConstraintMethod& method, const Cage& cage,
 struct ConstrainedProblem;
 
 /// Questions to one method on one cage. Constraints are drawn to a map of space, or, `bent`, each target by itself away
-/// from it by up to a twentieth of the size; their places depend on the cage alone. Safe from any thread.
+/// from it by up to a twentieth of the size; their places depend only on the cage. Safe from any thread.
 class ConstrainedChecks {
  public:
   /// \pre can_be_asked
@@ -48,8 +48,8 @@ class ConstrainedChecks {
   /// maps of the plane, which are others in other units.
   /// constrained_motion: images with those of the cage and its constraints turned.
   /// keeps_offset: images of a cage far from the origin, whose targets are moved rigidly, with those of the motion.
-  /// A question's place is its pose; what it needs is solved when it is first asked, and an energy is asked for at one
-  /// point alone. Valid while this lives.
+  /// A question's place is its pose; its systems are solved when it is first asked, and an energy is asked for at only
+  /// one point. Valid while this lives.
   std::vector<Question<PointAt>> questions() const;
 
  private:

@@ -63,7 +63,7 @@ std::vector<ConstrainedVariant> variants_of(const ConstraintMethod& method) {
   for (const KindParameter& p : method.parameters)
     values.push_back(p.name == "gamma" ? of_hessians : is_weight(p.name) ? of_jacobians : p.preset);
   const auto named = std::ranges::find_if(method.parameters, [](const KindParameter& p) { return !p.names.empty(); });
-  // Those of the coordinates come after the method's own.
+  // Parameters of the coordinates come after the method's own.
   if (method.positions_alone || named == method.parameters.end()) return {{&method, "", values}};
   std::vector<ConstrainedVariant> variants;
   variants.reserve(named->names.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a deformer without a posed cage is asked for: a cage, constraints drawn to known targets, and weights that go
-// with its size.
+// Input for a deformer without a posed cage. It consists of a cage, constraints drawn to known targets, and weights
+// that scale with the cage's size.
 #pragma once
 
 #include "constrained_checks.h"
@@ -16,11 +16,11 @@ inline constexpr double of_jacobians = 1e-3, of_hessians = 1e-4;
 /// A turn with a shift.
 SpaceMap turn(int dimension);
 
-/// Places of constraints: positions, and of methods that take more an orientation, rotations and as many Hessians as
-/// hold all coefficients.
+/// Places of a method's constraints. All methods take positions; those that take more also get an orientation,
+/// rotations, and enough Hessians to determine all coefficients.
 std::vector<Vec3<double>> places_for(const deformation::ConstraintMethod& method, const Cage& cage, Triangulation rule);
 
-/// A cage, and what is asked of its map.
+/// A cage, and the constraints on its map.
 struct ConstrainedProblem {
   Cage cage;
   deformation::Constraints constraints;

@@ -7,10 +7,10 @@
 
 namespace cageproof::validation {
 
-/// The larger of two: the slope that is left, over one that there was, and how far the energy that the map's report
-/// states is from the one found here, over it. Of `variational`: the gradient in all coefficients after a global step,
-/// over that of the identity, with the rotations nearest to the Jacobians of the step before. Of `thickness`: the
-/// gradient along poses that meet the constraints, over the whole, and how far these are missed, in cage sizes.
+/// The larger of two ratios: the slope left over an earlier one, and the error of the energy in the map's report over
+/// the energy found here. For `variational` the slope is the gradient in all coefficients after a global step, over
+/// that of the identity, with the rotations nearest to the Jacobians of the step before. For `thickness` it is the
+/// gradient along poses that meet the constraints, over the whole; the constraints' error in cage sizes counts as well.
 double unmet_stationarity(const ConstrainedProblem& problem, const ConstrainedVariant& variant, Triangulation rule);
 
 }  // namespace cageproof::validation

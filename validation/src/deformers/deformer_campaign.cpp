@@ -135,7 +135,7 @@ std::string why_refused(const std::shared_ptr<const Cage>& cage, const Constrain
   }
 }
 
-// Of small cages, whose constraints determine their maps.
+// Adds the methods with constraints on small cages, whose constraints determine their maps.
 void add_constrained(const std::shared_ptr<const Cage>& cage, const DeformerCampaignOptions& options,
                      Measurements& measurements, RefusedMethods* refused) {
   if (!is_small(*cage, options.triangulation)) return;
@@ -204,8 +204,8 @@ Measurements deformer_measurements(const std::shared_ptr<const Cage>& cage, cons
     }
     if (!has_points) continue;
     std::vector<DeformerVariant> variants = variants_of(method);
-    // All are asked on small cages, elsewhere every second and the default; of quads that are kept, whose layers take
-    // several times as long, on the smallest alone.
+    // All variants are asked on small cages; elsewhere every second one and the default. Kinds that keep quads have
+    // layers that take several times as long, so all of their variants are asked only on the smallest cages.
     const bool few = kind.keeps_quads ? cage->faces().size() > 6 : !is_small(*cage, options.triangulation);
     if (variants.size() > 2 && few) {
       std::size_t index = 0;

@@ -34,9 +34,9 @@ constexpr double harmless_rounding = 2.5e-14;
 // coordinates are rounded by, so that no promise is kept without a right digit.
 constexpr double largest_factor = 1e6, largest_of_rounding = 1e8;
 
-// Of the worst system that was solved for the cage or for the pose; one where none was. A singular system has none: its
-// solution of least norm is as good as those of others. What roundings of posed vertices cost, which a deformer states
-// within a factor of ten, counts as the condition that would cost as much.
+// The worst condition of the systems solved for the cage or the pose; one where none was. A singular system has none:
+// its least-norm solution is as good as others. The cost of rounding posed vertices, which a deformer states within a
+// factor of ten, counts as the condition that would cost as much.
 template <class R>
 double condition_of(const Deformer<R>& deformer, const Posed<R>& posed) {
   constexpr double rounding = 1e-16, stated_within = 10;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is asked of a deformer on a cage: which maps of space it keeps, and whether its images and their derivatives are
-// what they say.
+// Questions to a deformer on a cage: which maps of space it keeps, and whether its images and their derivatives are
+// right.
 #pragma once
 
 #include "cageproof/deformation/deformer.h"
@@ -28,7 +28,7 @@ struct DeformerVariant {
   bool is_default = true;          ///< whether all of them are at their defaults
 };
 
-/// Cages with so many elements at most are asked for what takes seconds on larger ones.
+/// Largest number of elements of a cage on which checks are asked that take seconds on larger ones.
 inline constexpr std::size_t few_elements = 12;
 
 /// All variants of a method, in the order of the parameters and their names.
@@ -37,9 +37,9 @@ std::vector<DeformerVariant> variants_of(const deformation::DeformMethod& method
 /// The variant of that name. \throws InputError where there is none
 DeformerVariant variant_named(const deformation::DeformMethod& method, std::string_view name);
 
-/// An error of an image, by what it may be.
+/// An error of an image, with and without excuses.
 struct DeformerError {
-  /// In cage sizes (Jacobians: as they are; second derivatives: times the size), over what excuses it.
+  /// In cage sizes (Jacobians: as they are; second derivatives: times the size), divided by the excuses.
   double error = std::numeric_limits<double>::quiet_NaN();
   double plain = std::numeric_limits<double>::quiet_NaN();  ///< without excuses
 };
@@ -58,7 +58,7 @@ struct Excuses {
 /// \param plain in cage sizes
 DeformerError excused(double plain, const Excuses& excuses);
 
-/// Excuses::rounding of a cage: of one next to the origin some 1e-16, of one a thousand sizes off 1e-13.
+/// Excuses::rounding of a cage: about 1e-16 for one next to the origin, 1e-13 for one a thousand sizes off.
 /// \param posed its vertices elsewhere, which are rounded, too
 double rounding_of_coordinates(const Cage& cage, const std::vector<Vec3<double>>& posed = {});
 
@@ -77,9 +77,9 @@ class DeformerChecks {
   /// keeps_symmetry, on cages that are their own mirror images across an axis, and posed symmetrically: images of
   /// mirrored points with the mirrored images, where the deformer's elements are symmetric, too.
   /// keeps_symmetry_of_quads: the same where the quads are, and not the triangles that they are split in.
-  /// deformer_truth: images and their derivatives in double with those in 50 digits, where these are prompt: of methods
-  /// that solve systems for the cage on small cages alone, and by default parameters; of those that keep quads by
-  /// default parameters.
+  /// deformer_truth: images and their derivatives in double with those in 50 digits, where these are prompt. Methods
+  /// that solve systems for the cage are asked only on small cages and with default parameters; kinds that keep quads
+  /// only with default parameters.
   /// deformer_jacobian: derivatives with central differences of the images and of the Jacobian, in 50 digits where
   /// these are prompt, else in double, along one direction per point.
   /// deformer_by_quadrature: images with those that an adaptive rule gives, on small cages, by default parameters.
@@ -91,7 +91,7 @@ class DeformerChecks {
  private:
   /// Errors by order; NaN where there is no image.
   using Errors = std::array<DeformerError, 3>;
-  /// Of a point.
+  /// The question's errors at a point.
   using Ask = std::function<Errors(const Vec3<double>&)>;
   template <class R>
   using Prepared = std::shared_ptr<const deformation::Deformer<R>>;
@@ -116,7 +116,7 @@ class DeformerChecks {
   const BentImages<R>& bent_images() const;
   Errors compared(const deformation::Images<double>& images, const deformation::Images<Mp50>& with, int order,
                   double condition) const;
-  /// Excuses of images in double: a system's condition, and where the cage lies, and its pose.
+  /// Excuses for images in double, from a system's condition and from the positions of the cage and its pose.
   Excuses with_condition(double condition, const std::vector<Vec3<double>>& posed = {}) const {
     return {condition, rounding_of_coordinates(*cage_, posed)};
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the papers claim of deformers and is not so (formulas/deformation.md, Section 9), measured.
+// Claims of the papers about deformers that do not hold, and facts beyond what they say, measured.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"
@@ -8,12 +8,12 @@
 
 namespace cageproof::validation {
 
-/// A claim, and what measures it.
+/// A claim, and the function that measures it.
 struct DeformerClaim {
   /// `formula` is the deformer's name, `evaluation` its parameters, `regime` the cage; empty where nothing is measured.
   ErratumRow row;
-  /// Fills in the errors, in cage sizes: printed_error how far images are from what is claimed, corrected_error from
-  /// what is so. Null where nothing is measured.
+  /// Fills in the errors, in cage sizes: printed_error is the distance of images from the claim, corrected_error from
+  /// the corrected statement. Null where nothing is measured.
   void (*measure)(ErratumRow& row) = nullptr;
 };
 

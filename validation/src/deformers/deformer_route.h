@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which second route a deformer has, by what its parameters mean.
+// The second route of a deformer, chosen by its parameters.
 #pragma once
 
 #include "deformer_checks.h"
@@ -9,7 +9,7 @@
 
 namespace cageproof::validation {
 
-/// What the variant's route solves; nothing for methods, and for variants, that have none.
+/// The method that the variant's route solves; nothing for methods and variants without a route.
 std::optional<second_routes::LayerMethod> layer_method_of(const DeformerVariant& variant, double cage_size);
 
 }  // namespace cageproof::validation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the makers of samples share. Each draw stands in a statement of its own: within an expression, C++ leaves the
-// order of function arguments and of most operands open.
+// Draws that the makers of samples share. Each stands in a statement of its own, because within an expression C++
+// leaves the order of function arguments and of most operands open.
 #pragma once
 
 #include "cageproof/core/geometry/element.h"

@@ -34,9 +34,9 @@ struct ExactShape {
   Vec3<Mp100> (*normal)(CornersIn<Mp100> corners, const std::array<Mp100, 4>& basis);
 };
 
-/// What a search for worst inputs knows of the element.
+/// Properties of the element that a search for worst inputs uses.
 struct SearchShape {
-  /// Whether promises hold for such corners at all; what has no length or area is left to `aspect`.
+  /// Whether promises hold for such corners at all; corners without length or area are left to `aspect`.
   bool (*valid)(Corners corners);
   /// How thin it is: twice the smallest area of a triangle of successive corners over the longest edge squared; 1 in
   /// the plane, where nothing is thin.

@@ -9,7 +9,7 @@
 
 namespace cageproof::validation {
 
-/// What all coordinates are multiples of. Below 8 their sums are exact.
+/// Spacing of the grid on which all coordinates lie. Below 8 their sums are exact.
 inline constexpr double grid_spacing = 0x1p-49;
 
 /// Whether a sample of an on-regime has coordinates of many bits; of few, in 64ths, by turns.

@@ -55,8 +55,8 @@ inline void place_very_far(Sample& sample, RandomStream& random, int dim) {
   sample.point = distance * towards;
 }
 
-/// Of a flat element in a plane (in the plane: on a line) of the axes, through the origin, one corner off it by a tiny
-/// distance; the point at `foot` in that plane, or a plain or tiny step from it, off the element.
+/// Places a flat element in a plane (in the plane: on a line) of the axes through the origin, one corner off it by a
+/// tiny distance. The point lies at `foot` in that plane, or a plain or tiny step from it, off the element.
 inline void place_beside_tilt(Sample& sample, const ElementType& type, const Vec3<double>& foot, int flat,
                               RandomStream& random) {
   const bool move = random.below(2) == 0;

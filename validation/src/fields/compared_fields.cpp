@@ -18,7 +18,7 @@
 namespace cageproof::validation {
 namespace {
 
-// Of families of rules with a number of nodes the one with most members shows a middle one.
+// The middle member of the largest family of rules, which differ in their number of nodes.
 std::string middle_rule(const std::string& formula) {
   std::string found;
   std::size_t most = 0;

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view cage_ending = "_Cage.obj";
-// Of a mesh, as many as a panel shows; coordinates of each cost milliseconds.
+// Limit for a mesh's points, about as many as a panel shows; the coordinates of each cost milliseconds.
 constexpr std::size_t most_figure_points = 16000;
 
 std::vector<std::string> names_in(const fs::path& folder) {

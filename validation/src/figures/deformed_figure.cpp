@@ -19,7 +19,7 @@ namespace {
 
 using deformation::Posed;
 
-// A map of a panel, and what owns its coordinates.
+// A map of a panel, and the owner of its coordinates.
 struct PanelMap {
   std::shared_ptr<const void> owner;
   const CageCoordinates* coordinates = nullptr;

@@ -19,7 +19,7 @@ struct PanelPlan {
   std::string title;
   std::string file;  ///< of its data, without extension; unlike that of any other panel of its figure
   std::string method = {};
-  /// What is not at its default: name and value, as on the command line.
+  /// Parameters that are not at their defaults: name and value, as on the command line.
   std::vector<std::pair<std::string, std::string>> parameters = {};
   std::vector<Vec3<double>> posed = {};       ///< the cage's vertices
   deformation::Constraints constraints = {};  ///< of methods that take them instead of a posed cage

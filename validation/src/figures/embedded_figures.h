@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The figures that there are, one function a paper.
+// All figures of embedded cages, one function per paper.
 #pragma once
 
 #include "deformed_figure.h"
@@ -9,11 +9,11 @@ namespace cageproof::validation {
 /// Panels of [T24]'s deformers, of mean value coordinates and of [C23]'s, after one at rest: for any cage in space.
 std::vector<PanelPlan> comparison_panels(const std::vector<Vec3<double>>& posed);
 
-/// Panels of [C23]'s deformer: nu by columns, gamma by rows, after a first column at rest, of mean value and of Green
-/// coordinates. \param variant "global" or "local"
+/// Panels of [C23]'s deformer, with nu by columns and gamma by rows. The first column shows mean value and Green
+/// coordinates at rest. \param variant "global" or "local"
 std::vector<PanelPlan> elastic_panels(const std::vector<Vec3<double>>& posed, const std::string& variant);
 
-/// What there is to see in such figures.
+/// The text that says how to read such figures.
 std::string comparison_text();
 std::string elastic_text(const std::string& variant);
 

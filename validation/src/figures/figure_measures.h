@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What captions of figures state.
+// Measures that captions of figures state.
 #pragma once
 
 #include "cageproof/core/numbers/vector.h"

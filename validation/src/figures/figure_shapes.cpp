@@ -15,7 +15,7 @@ using FigurePoints = std::vector<Vec3<double>>;
 
 constexpr int bar_rings = 5;
 
-// What a rounded box makes of a point on the box's surface.
+// Moves a point on a box's surface to the rounded box.
 Vec3<double> with_round_edges(const Vec3<double>& point, const Vec3<double>& half, double radius) {
   const Vec3<double> core = half - Vec3<double>::Constant(radius);
   const Vec3<double> within = point.cwiseMin(core).cwiseMax(-core);

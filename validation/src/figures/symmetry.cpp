@@ -29,7 +29,7 @@ std::shared_ptr<const Cage> other_diagonals(const Cage& cage) {
   return std::make_shared<const Cage>(Cage::make(cage.name() + ", other diagonals", cage.vertices(), faces, {}));
 }
 
-// What the choice of diagonals does to deformers with normals, which quads that are kept do not ask for.
+// Shows how the choice of diagonals changes deformers with normals; kinds that keep quads need no choice.
 SheetPlan diagonals_sheet(const Cage& cage) {
   SheetPlan sheet{
       .name = "quads-kept",

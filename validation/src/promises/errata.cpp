@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "errata.h"
 
+#include "cageproof/adaptive_qmvc/quad/mean_value/scheme_errata.h"
 #include "cageproof/closed_form/published/errata.h"
 #include "cageproof/validation/promise.h"
 #include "cageproof/validation/regime.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace cageproof::validation {
 namespace {
@@ -24,7 +26,7 @@ void fill_in(const ErrataOptions& options, ErratumRow& row) {
   const bool on_element = row.regime.starts_with("on-");
   for (std::uint64_t i = 0; row.samples < static_cast<std::uint64_t>(options.samples); ++i) {
     const Sample sample = make_sample(formula, regime, options.seed, i);
-    // Special cases are those that are met exactly, not one ulp off.
+    // Special cases must be met exactly, not one ulp off.
     if (on_element && contact_of(formula.element, sample) == Contact::Off) continue;
     ++row.samples;
     Truth truth;
@@ -41,52 +43,56 @@ void fill_in(const ErrataOptions& options, ErratumRow& row) {
   }
 }
 
-// Every row without its figures.
-std::vector<ErratumRow> unmeasured(const ErrataOptions& options) {
-  std::vector<ErratumRow> rows;
+// A row without its figures, and what fills them in; nothing where nothing is measured.
+struct Unmeasured {
+  ErratumRow row;
+  std::function<void(ErratumRow&)> measure;
+};
+
+std::vector<Unmeasured> unmeasured(const ErrataOptions& options) {
+  std::vector<Unmeasured> rows;
   for (const published::Erratum& erratum : published::errata()) {
     ErratumRow row;
     row.source = erratum.source;
     row.printed = erratum.printed;
     row.correct = erratum.correct;
-    if (erratum.affected.empty()) rows.push_back(row);
+    if (erratum.affected.empty()) rows.push_back({row, {}});
     for (const published::Affected& affected : erratum.affected) {
       if (!matches(options.formulas, affected.formula)) continue;
-      ErratumRow& found = rows.emplace_back(row);
+      ErratumRow& found = rows.emplace_back(row, [options](ErratumRow& r) { fill_in(options, r); }).row;
       found.formula = affected.formula;
       found.order = affected.order;
       found.evaluation = evaluation_name(erratum.as_printed);
       found.regime = erratum.regime;
     }
   }
-  // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
+  for (const adaptive_qmvc::SchemeErratum& erratum : adaptive_qmvc::scheme_errata())
+    if (erratum.row.formula.empty() || matches(options.formulas, erratum.row.formula))
+      rows.push_back({erratum.row, erratum.measure});
+  // Deformers use whole kinds of coordinates, so they are asked only when all formulas are.
   if (options.formulas == "*")
-    for (const DeformerClaim& claim : deformer_claims()) rows.push_back(claim.row);
+    for (const DeformerClaim& claim : deformer_claims()) rows.push_back({claim.row, claim.measure});
   return rows;
 }
 
 // A row a block.
 class ErrataMeasurement final : public Measurement {
  public:
-  explicit ErrataMeasurement(const ErrataOptions& options) : options_(options), rows_(unmeasured(options)) {}
+  explicit ErrataMeasurement(const ErrataOptions& options) : rows_(unmeasured(options)) {}
 
   std::string name() const override { return "errata"; }
   int blocks() const override { return static_cast<int>(rows_.size()); }
 
   PartialResult measure(int block) const override {
-    ErratumRow row = rows_[block];
-    const std::size_t claims = options_.formulas == "*" ? deformer_claims().size() : 0;
-    const std::size_t before = rows_.size() - claims, number = static_cast<std::size_t>(block);
-    if (number < before && !row.formula.empty()) fill_in(options_, row);
-    if (number >= before && deformer_claims()[number - before].measure) deformer_claims()[number - before].measure(row);
+    ErratumRow row = rows_[block].row;
+    if (rows_[block].measure) rows_[block].measure(row);
     PartialResult gathered;
     gathered.errata.emplace(block, std::move(row));
     return gathered;
   }
 
  private:
-  ErrataOptions options_;
-  std::vector<ErratumRow> rows_;
+  std::vector<Unmeasured> rows_;
 };
 
 }  // namespace

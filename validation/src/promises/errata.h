@@ -13,7 +13,7 @@ struct ErrataOptions {
   int jobs = 0;      ///< threads; 0: all cores
 };
 
-/// What measure_errata measures.
+/// The work of measure_errata as a measurement.
 std::unique_ptr<const Measurement> errata_measurement(const ErrataOptions& options);
 
 /// Every known erratum, in the order of the papers: once for each formula and order it changes, with the largest

@@ -26,8 +26,8 @@ bool may_decline(const ResultRow& row) {
          row.role != name_of(Role::Stated);
 }
 
-// What the row's evaluation is: of a single element's row by its formula, of a cage's by the formulas that its kind
-// sums.
+// The role of the row's evaluation: for a single element's row that of its formula's, for a cage's row that of the
+// formulas that its kind sums.
 std::optional<Role> registered_role(const RowKey& row) {
   const auto& known = EvaluationRegister::instance();
   if (row.section == RowKey::Section::Element) {
@@ -70,7 +70,7 @@ void withdraw_unproven(Judged& result, Samples samples) {
       if (has_use(row, Check::Use::Gate) || has_use(row, Check::Use::Proof) || !same_place(row, gate)) continue;
       promised += row.verdict != Verdict::NotPromised;
       if (example == nullptr && row.verdict != Verdict::NotPromised && !row.worst.empty()) example = &row.worst.front();
-      // What is broken without a word of the integral is no less so for it.
+      // A broken row stays broken where the integral says nothing.
       if (silent && row.verdict == Verdict::Broken) continue;
       row.verdict = Verdict::NotPromised;
       row.reason = "the truth is not confirmed by the integral here";
@@ -124,7 +124,7 @@ void judge(ResultRow& row) {
                 : row.max <= *row.bound        ? Verdict::Kept
                                                : Verdict::Broken;
   if (!row.bound) return;
-  // What any result would keep is no promise. That results are finite where the truth is was looked at all the same.
+  // A bound that any result would meet is no promise. Finite results for finite truths were checked all the same.
   if (row.verdict == Verdict::Kept && row.is_ill_posed()) {
     row.verdict = Verdict::NotPromised;
     row.reason = fmt::format(
@@ -167,7 +167,7 @@ Judged judged(std::map<RowKey, Tally>&& tallies, Samples samples) {
   result.rows.reserve(tallies.size());
   for (auto& [key, tally] : tallies) {
     if (!tally.empty()) result.rows.push_back(row_of(key, tally));
-    // Curves need what is left.
+    // Curves need the rest of the tally.
     tally.errors = ErrorHistogram();
     tally.worst = WorstCases();
   }

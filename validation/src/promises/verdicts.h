@@ -15,11 +15,11 @@ ResultRow row_of(const RowKey& key, const Tally& tally);
 /// Sets bound, reason and verdict of a row from the table of promises.
 void judge(ResultRow& row);
 
-/// How many samples a row should have measured and did not: those whose truth was not reached, those that an evaluation
-/// declined which may not, and those that nothing is known of.
+/// Number of samples that a row should have measured and did not: those without a truth, those that an evaluation
+/// declined without being allowed to, and those without any finding.
 std::uint64_t lost_samples(const ResultRow& row);
 
-/// What findings amount to, in the order in which reports list them.
+/// Verdicts and rows of all findings, in the order in which reports list them.
 struct Judged {
   std::vector<ResultRow> rows;
   std::vector<ResultCurve> curves;

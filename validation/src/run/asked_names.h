@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether what a run is asked for exists.
+// Whether the names that a run is asked for exist.
 #pragma once
 
 #include "cageproof/validation/verify.h"

@@ -5,7 +5,7 @@
 
 namespace cageproof::validation {
 
-/// What the linker hashed the program to: programs that differ differ here; "unknown" where it did not.
+/// The linker's hash of the program: different programs have different ones; "unknown" where the linker made none.
 std::string build_id();
 
 }  // namespace cageproof::validation

@@ -35,11 +35,11 @@ bool takes_every_sample(const Evaluation& evaluation) {
   return role != Role::Rule && role != Role::Scheme && evaluation.cost() < CostClass::Adaptive;
 }
 
-// Steps through all decades of a sweep, whose lengths seven does not divide. The second sample is in the middle of
-// distances down to 1e-16, and at the end of those up to 1e8: integrals are asked at two, at least, of a sweep.
+// Stride of costly checks. Seven is prime to every sweep's length, so that all decades are visited. The second sample
+// is in the middle of distances down to 1e-16, and at the end of those up to 1e8, so sweeps have two integrals or more.
 constexpr int wide_stride = 7;
 
-// At most n, at least one: steps over what lies exactly on an element and what lies a rounding off it by turns.
+// Largest odd stride up to n, at least one: samples exactly on an element and a rounding off it take turns.
 constexpr int largest_odd(int n) { return n < 2 ? 1 : n - (n % 2 == 0 ? 1 : 0); }
 
 // The samples of a regime that are taken: every stride-th below end.
@@ -48,7 +48,7 @@ struct TakenSamples {
 };
 
 // Where truths are costly, a quarter; then whatever else is measured against them costs little. But at least five,
-// since fewer leave checks without a point beside the element, and of a sweep that a quarter would leave off in the
+// since fewer leave checks without a point next to the element, and of a sweep that a quarter would leave off in the
 // middle some of its whole length.
 TakenSamples samples_of(const CampaignOptions& options, const Regime& regime, const TruthSource& source) {
   const int values = static_cast<int>(regime.parameters.size());
@@ -128,7 +128,7 @@ class ElementMeasurement final : public Measurement {
  public:
   ElementMeasurement(Plan plan, std::uint64_t seed) : plan_(std::move(plan)), seed_(seed) {
     for (const Part& part : plan_.parts) end_ = std::max(end_, part.end);
-    // Costly checks take few samples, the first ones: blocks of less would leave a thread alone with them.
+    // Costly checks take only the first samples; smaller blocks would leave all of these to one thread.
     constexpr int least = 16;
     block_size_ = std::max(least, ((end_ + most_blocks - 1) / most_blocks + least - 1) / least * least);
   }

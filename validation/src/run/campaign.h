@@ -9,7 +9,7 @@
 
 namespace cageproof::validation {
 
-/// What a campaign looks at. Patterns are globs.
+/// Selection of a campaign. Patterns are globs.
 struct CampaignOptions {
   std::string formulas = "*";
   std::string evaluations = "*";

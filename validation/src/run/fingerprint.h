@@ -27,7 +27,7 @@ class Fingerprint {
   std::uint64_t hash_ = 14695981039346656037U;
 };
 
-/// Of vertices, bit for bit, and faces, in their order.
+/// Fingerprint of the vertices, bit for bit, and of the faces, in their order.
 std::string fingerprint_of(const Cage& cage);
 std::string fingerprint_of(const Mesh& mesh);
 

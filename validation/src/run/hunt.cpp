@@ -159,7 +159,7 @@ class Hunter {
         fmt::format("hunt/{}/{}/{}/{}", options_.formula->name, evaluation.name(), check->name(), options_.order);
     RandomStream random(options_.seed, stream, number);
     Start best = climb.start;
-    int last = -1;  // what worked goes on working more often than not
+    int last = -1;  // a mutation that worked often works again
     for (std::uint64_t step = 0; step < steps && !std::isinf(best.errors[climb.objective]); ++step) {
       Start next = best;
       const int kind = proposed(best, next, last, random);
@@ -191,7 +191,7 @@ class Hunter {
     return -1;
   }
 
-  // What lets the truth's source stand in for the integral, asked at the sample itself.
+  // Difference of the truth's source and the integral at the sample itself.
   std::optional<double> against_integral(const Start& place) const {
     if (source_.is_integral()) return std::nullopt;
     const ElementQuestion gate = element_question(*find_check("integral"), source_.evaluation, ScalarKind::Digits100,
@@ -242,7 +242,7 @@ class Hunter {
 
   const HuntOptions& options_;
   TruthSource source_;
-  std::vector<ElementQuestion> questions_;  // one an objective
+  std::vector<ElementQuestion> questions_;  // one per objective
   std::vector<const Regime*> regimes_;
   std::mutex mutex_;
   std::vector<double> largest_told_;

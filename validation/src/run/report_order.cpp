@@ -31,7 +31,7 @@ class Order {
  public:
   auto key(const RowKey& row) {
     const bool element = row.section == RowKey::Section::Element;
-    // A cage's rows stand together, those of a mesh in it last; a formula's rows do.
+    // Rows of one cage are listed together, those of a mesh in it last; so are rows of one formula.
     const Rank cage = element ? Rank() : rank_in(cages_, row.setting, std::identity());
     return std::tuple(row.section, cage, row.place == "mesh", subject(row), element ? regime(row) : Rank(),
                       element ? check(row) : Rank(), evaluation(row), scalar(row), row.check, row.place, row.order);

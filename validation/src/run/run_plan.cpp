@@ -41,7 +41,7 @@ namespace {
 // A quad's integral in multiprecision costs as much as that many triangles'.
 constexpr double quad_cost = 30;
 
-// At how many points of a cage a kind's other evaluations are asked for its relations: integrals take their time.
+// Number of a cage's points at which relations are asked of a kind's other evaluations: integrals take long.
 int affordable_points(const Evaluation& evaluation, int points) {
   switch (evaluation.cost()) {
     case CostClass::Multiprecision: return std::min(points, 4);
@@ -53,7 +53,7 @@ int affordable_points(const Evaluation& evaluation, int points) {
   return evaluation.role() == Role::ClosedForm ? std::min(points, 20) : points;
 }
 
-// Every standard evaluation of a formula but the recommended one, and those that checks alone ask for.
+// Every standard evaluation of a formula except the recommended one, and except those that only checks ask for.
 std::vector<Evaluation> other_evaluations(const Formula& formula) {
   std::vector<Evaluation> found;
   for (const EvaluationFamily* family : EvaluationRegister::instance().families(formula.name)) {
@@ -89,7 +89,7 @@ bool names_whole_evaluations_alone(const std::string& pattern) {
   return true;
 }
 
-// What a cage refuses, by why.
+// Names that a cage refuses, by reason.
 using NamesByReason = std::map<std::string, std::vector<std::string_view>>;
 
 class Planner {
@@ -157,7 +157,7 @@ class Planner {
     if (!regimes_nowhere_.empty()) plan_.warnings.push_back(regimes_nowhere_);
   }
 
-  // Deformers are made of whole kinds of coordinates, and so are asked with all formulas alone.
+  // Deformers use whole kinds of coordinates, so they are asked only when all formulas are.
   void add_deformers(const std::shared_ptr<const Cage>& cage) {
     if (options_.formulas != "*") return;
     RefusedMethods refused;
@@ -175,12 +175,12 @@ class Planner {
     }
   }
 
-  // Whether the kind exists on such a cage and sums a formula that is asked for; kinds that compute otherwise are asked
-  // with all formulas alone.
+  // Whether the kind exists on such a cage and sums a formula that is asked for. Kinds that are not sums are asked only
+  // when all formulas are.
   bool is_asked(const CoordinateKind& kind, const Cage& cage) const {
     if (!exists_on(kind, cage) || !is_affordable(kind, cage, cage_options())) return false;
     if (!kind.is_sum()) return options_.formulas == "*";
-    // Of triangles and segments the layers that keep quads are those that do not.
+    // On cages without quads, layers that keep quads equal those that triangulate, so they are skipped.
     if (kind.keeps_quads && !kind.normalised && !cage.has_quads()) return false;
     return std::ranges::any_of(formulas_of(kind, cage),
                                [&](const Formula* formula) { return matches(options_.formulas, formula->name); });
@@ -198,7 +198,7 @@ class Planner {
       const auto [low, high] = box_of(cage.vertices());
       const CageCoordinates coordinates(cage, kind, CoordinateOptions{.triangulation = options_.triangulation});
       coordinates.at<double>(Vec3<double>((low + high) / 2), 0);
-      // Where digits just suffice, those of the cage scaled or turned, which checks ask for, may not.
+      // Where digits just suffice for the cage, they may not for the scaled or turned one, which checks ask for.
       const CageSymmetries symmetries(cage, kind, coordinates.evaluation(), options_.triangulation);
     } catch (const InputError& error) {
       known->second = error.what();
@@ -230,7 +230,7 @@ class Planner {
     // A user wants to know of every vertex, edge and face.
     campaign.on_points = options_.cage ? 0 : options_.suite.on_points;
     campaign.mesh_points = options_.suite.mesh_points;
-    // What kinds keep in one's own cage.
+    // Signs are checked only in a user's own cage.
     campaign.signs = options_.cage.has_value();
     // Suites with time solve on larger cages.
     if (!options_.suite.has_time_limit) campaign.solved_elements = 50;
@@ -244,7 +244,7 @@ class Planner {
     campaign.truth_points = std::min(campaign.truth_points, 1);
     campaign.on_points = 8;
     campaign.differences = false;
-    // Between walls that are as good as one, densities are as good as undetermined.
+    // Densities are nearly undetermined between walls that nearly coincide.
     campaign.solved_elements = 0;
     // Elements as thin as these need hundreds of digits for their derivatives: suites with time ask for them.
     campaign.properties_alone = options_.suite.truth_points < 4;
@@ -260,7 +260,7 @@ class Planner {
     }
   }
 
-  // Of whole coordinates: block errors, and the cage's properties.
+  // Adds the checks of whole coordinates: block errors, and the cage's properties.
   void add_batched(const std::shared_ptr<const Cage>& cage, const BlockCampaignOptions& block,
                    CageCampaignOptions campaign) {
     for (const WholeEvaluation& evaluation : whole_evaluations())
@@ -293,7 +293,7 @@ class Planner {
             .milliseconds = options_.suite.block_milliseconds};
   }
 
-  // What a run is that asks for nothing else.
+  // The plan of a run that asks only for whole evaluations.
   RunPlan plan_of_whole_evaluations() {
     if (options_.cage) {
       add_batched(std::make_shared<const Cage>(*options_.cage), block_options(), cage_options());
@@ -309,7 +309,7 @@ class Planner {
   }
 
   void add_extreme_batched() {
-    // Walls of a rounding's thickness take hundreds of digits an element: suites with time ask for block errors there.
+    // Walls as thin as a rounding take hundreds of digits per element: suites with time ask for block errors there.
     if (options_.suite.has_time_limit) return;
     BlockCampaignOptions block = block_options();
     block.points = block.milliseconds = 0;  // the least
@@ -384,7 +384,7 @@ class Planner {
   }
 
   // Whether a field shows a kind against its truth. Truths of quads take so long that suites in a hurry, on cages that
-  // nobody asked for, had six points a side.
+  // nobody asked for, had six points per side.
   bool shows_truth(const CoordinateKind& kind, const Cage& cage) const {
     return options_.cage || !options_.suite.has_time_limit || !kind.is_sum() || !kind.keeps_quads || !cage.has_quads();
   }
@@ -522,7 +522,7 @@ class Planner {
         {"points", options_.mesh ? options_.mesh_name : ""}};
     if (options_.cage) header.options[reports::cage_content_setting] = fingerprint_of(*options_.cage);
     if (options_.mesh) header.options["the points' content"] = fingerprint_of(*options_.mesh);
-    // What one program makes of the options another may not, though it calls itself the same.
+    // Another program may plan other work from the same options, even with the same version number.
     Fingerprint work;
     for (const Unit& unit : plan_.units)
       work.add(fmt::format("{} {}", plan_.measurements[unit.measurement]->name(), unit.block));

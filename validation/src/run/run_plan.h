@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a verification measures, from its options alone.
+// Plan of a verification's measurements, made only from its options.
 #pragma once
 
 #include "cageproof/reports/journal.h"

@@ -24,8 +24,8 @@
 namespace cageproof::validation {
 namespace {
 
-// Gives the system back what threads have freed in small pieces. A run holds most while it writes: what is kept from
-// measuring, and what writing needs.
+// Returns memory to the system that threads have freed in small pieces. A run holds most memory while it writes: the
+// findings, and the buffers of the writer.
 void return_free_memory() {
 #ifdef __GLIBC__
   malloc_trim(0);

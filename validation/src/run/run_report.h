@@ -8,7 +8,7 @@ namespace cageproof::validation {
 /// The option that stands for the list of units of work.
 inline constexpr const char* work_option = "work";
 
-/// What a journal's findings amount to, without the fields. Takes the journal's rows: those of a result are as large.
+/// The result of a journal's findings, without the fields. Moves the journal's rows, because they are large.
 RunResult result_of(reports::Journal& journal);
 
 /// Writes the whole report of a run whose units are all done.
@@ -19,7 +19,7 @@ RunResult write_report(const std::filesystem::path& out, reports::Journal journa
 /// Empty: they are of one run.
 std::string difference_of_runs(const reports::JournalHeader& before, const reports::JournalHeader& now);
 
-/// What sessions differ in that figures may owe to: the program's build, the elementary functions of
+/// Notes on differences between sessions that may change figures: the program's build, the elementary functions of
 /// their processors, and the instruction set.
 std::vector<std::string> session_notes(const std::vector<Session>& sessions);
 

@@ -36,7 +36,7 @@ struct StoredAt {
   WorstCase case_of(const Finding&, int) const { return line.worst; }
 };
 
-// The case's question, asked at the order of its row alone.
+// The case's question, asked only at the order of its row.
 Question<StoredAt> question_of(const StoredAt& stored) {
   const WorstLine& line = stored.line;
   Question<StoredAt> question{key_of(line), std::string(find_check(line.check)->unit()), {}, line.worst.asked};
@@ -103,7 +103,7 @@ StoredCases stored_measurement(std::string_view text, std::string_view name, con
   for (const WorstLine& line : lines) {
     const std::string at = fmt::format("{}:{}: ", name, line.number);
     if (line.section != RowKey::Section::Element) throw InputError(at + "a case of a cage");
-    // What is left out today must still be something that exists.
+    // Cases that are left out today must still name something that exists.
     try {
       require_replayable(key_of(line), line.worst);
     } catch (const InputError& e) {

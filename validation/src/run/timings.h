@@ -13,7 +13,7 @@ namespace cageproof::validation {
 /// The processor time of the calling thread, in seconds.
 double thread_seconds();
 
-/// What each unit of work took of the processor, as a table. Safe from several threads.
+/// Processor time of each unit of work, as a table. Safe from several threads.
 class Timings {
  public:
   /// \param path of the table; empty: none is written

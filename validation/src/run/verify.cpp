@@ -27,7 +27,7 @@ namespace {
 using reports::Journal;
 using reports::JournalHeader;
 
-// What is measured goes into the journal, and into what is known so far.
+// Records each measurement in the journal's file and in the journal held in memory.
 class Recorder {
  public:
   Recorder(const std::filesystem::path& path, Journal& journal) : writer_(path), journal_(journal) {}

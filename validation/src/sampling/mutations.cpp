@@ -56,7 +56,7 @@ Edge random_edge(const Sample& s, RandomStream& random) {
 
 const SearchShape& shape_of(const Formula& formula) { return sampling_of(formula.element).search; }
 
-// Of flat elements their normal; of bilinear quads that of their area.
+// The normal of a flat element; for a bilinear quad the direction of its area.
 Vec normal_of(const Formula& formula, const Sample& s) {
   return type_of(formula.element).extent(s.corners).normalized();
 }

@@ -17,8 +17,8 @@ struct Mutation {
 /// All mutations.
 std::span<const Mutation> mutations();
 
-/// Applies one. Of elements so small or large that the products of their lengths leave doubles' range it is applied in
-/// another unit, which is exact but for denormals.
+/// Applies one. Elements so small or large that the products of their lengths leave doubles' range are mutated in
+/// another unit, which is exact except for denormals.
 void mutate(const Mutation& mutation, const Formula& formula, Sample& sample, RandomStream& random);
 
 }  // namespace cageproof::validation

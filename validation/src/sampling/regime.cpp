@@ -27,12 +27,12 @@ const SampleMaker* maker_of(const Regime& regime, ElementKind element) {
   return found == makers.end() ? nullptr : &*found;
 }
 
-// What a parameter is at a sample, where the formula allows it.
+// Kinds of values that a parameter takes at a sample, where the formula allows them.
 enum class Stratum { Within, Highest, Infinity, Zero, Negative, Preset };
 
-// Few samples see few strata: the first is a value that no term vanishes at, successive ones step through all. The
-// second that costly checks take is the eighth; from regime to regime it differs, but for those on the element, whose
-// first has no derivatives.
+// Few samples see few strata: the first is a value at which no term vanishes, successive ones step through all. The
+// second sample of costly checks is the eighth; its stratum differs between regimes. On the element it is generic
+// again, because the first one has no derivatives there.
 Stratum stratum_of(const Regime& regime, std::uint64_t seed, std::uint64_t index) {
   RandomStream random(seed, regime.name, 0);
   const std::uint64_t shift = regime.name.starts_with("on-") ? 3 : random.below(6);

@@ -13,8 +13,8 @@ struct SearchDomain {
   static constexpr double largest_coordinate = 1e9;  ///< of corners, in sizes
   static constexpr double largest_distance = 1e111;  ///< the point's largest coordinate, in sizes
   static constexpr double smallest_aspect = 1e-11;   ///< SearchShape::aspect
-  /// Exactly on the element's border the yardstick is the truth's norm alone. It is fair where the problem is well
-  /// conditioned: there only, as the on-regimes do, may a search look.
+  /// Exactly on the element's border the yardstick is only the truth's norm. It is fair only where the problem is well
+  /// conditioned, so a search looks only there, as the on-regimes do.
   static constexpr double smallest_border_aspect = 0.25;
   static constexpr double largest_border_coordinate = 4;
 };

@@ -42,7 +42,7 @@ std::array<bool, 3> limits_that_must_exist(const Formula& formula, const Sample&
   std::array<bool, 3> required{false, false, false};
   if (!is_input(formula, sample)) return required;
   const Behaviour behaviour = formula.behaviour(sample.parameters);
-  // A limit is excused by both, so that neither hides what the other's fault loses.
+  // Only both contacts together excuse a missing limit, so that a fault of one cannot hide losses.
   const auto contacts = {type_of(formula.element).contact(sample.corners, sample.point).contact,
                          contact_in_multiprecision(formula.element, sample)};
   for (const Contact contact : contacts)

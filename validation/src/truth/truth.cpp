@@ -220,7 +220,7 @@ std::optional<TruthSource> find_truth_source(const Formula& formula) {
                      .digits = TruthSource::Digits::OfIntegral};
 }
 
-// What the truth's tensors must agree with, and whether it stands behind them.
+// Tensors that must agree with the truth's, and whether their evaluation converged.
 struct Confirmation {
   std::array<std::vector<Mp100>, 3> tensors;
   bool converged = false;

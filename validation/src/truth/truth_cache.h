@@ -12,7 +12,7 @@
 
 namespace cageproof::validation {
 
-/// A folder of truths, one file each, in a folder a version of the program. A file that is damaged counts as not there.
+/// A folder of truths, one file each, in one subfolder per program version. A damaged file counts as missing.
 /// Safe from several threads and processes.
 class TruthCache {
  public:
@@ -27,8 +27,8 @@ class TruthCache {
   /// \param checked one of so many that are found there is made again, at random
   TruthCache(const std::filesystem::path& folder, const std::string& version, unsigned checked = 100);
 
-  /// The truth that is kept for the question, or a new one, which is kept from then on.
-  /// \throws InputError when one that is made again is not what was kept
+  /// The truth that is stored for the question, or a new one, which is then stored. \throws InputError when one that is
+  /// made again differs from the stored one
   Truth get(const std::string& question, const std::function<Truth()>& make);
   std::size_t taken() const { return taken_; }
   std::size_t made() const { return made_; }
@@ -49,7 +49,7 @@ class TruthCache {
 std::string text_of(const Truth& truth);
 std::optional<Truth> truth_of(const std::string& text);
 
-/// What a truth depends on, beside the program.
+/// Text of everything that a truth depends on, except the program.
 std::string question_of(const TruthSource& source, const Sample& sample, int order);
 
 /// While it lives, truth_from() asks the cache first; null: none.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each evaluation takes, for the report of a verification to stand beside its errors.
+// Times of evaluations, shown next to their errors in the report of a verification.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"

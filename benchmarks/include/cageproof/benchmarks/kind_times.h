@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each kind of coordinates takes in one cage, for the report on that cage.
+// Times of each kind of coordinates in one cage, for the report on that cage.
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"

@@ -15,7 +15,7 @@ struct WorkPrecisionOptions {
   Triangulation triangulation = Triangulation::Shortest;
   std::uint64_t seed = 1;
   int samples = 32;           ///< a place
-  int order = 0;              ///< of formulas; cages are asked for values alone
+  int order = 0;              ///< of formulas; cages are asked only for values
   bool by_parameter = false;  ///< a place for each parameter of a regime (distance ...), instead of one for all
   bool relative = false;      ///< relative errors of formulas, norm-wise, instead of conditioned ones
   int timed = 1000;           ///< pairs timed, an evaluation and place, each by itself
@@ -42,10 +42,10 @@ std::vector<PointGroup> groups_of(const Cage& cage, const validation::CageLocato
                                   const std::vector<Vec3<double>>& points);
 
 /// Largest and root-mean-square residual of the partition of unity, and the time of all formulas of the kind on one
-/// triangle. Kinds that are no sums of formulas: the time of all coordinates at a point, the difference from what the
-/// kind approximates (CoordinateKind::approximates) at points inside, where there is such in the cage; and of those
-/// that cut edges in pieces, where neither parameters nor evaluations are given, by the number of pieces, as far as
-/// there are at most 1024 nodes. \throws InputError when the kind's formulas lack an evaluation, all such named
+/// triangle. For kinds that are not sums it is the time of all coordinates at a point, and the difference from the kind
+/// that they approximate in the cage (CoordinateKind::approximates), if any, at points inside. Kinds that cut edges in
+/// pieces are measured by the number of pieces, up to 1024 nodes, unless parameters or evaluations are given. \throws
+/// InputError when the kind's formulas lack an evaluation, naming all that are missing
 WorkPrecision cage_work_precision(const Cage& cage, const CoordinateKind& kind, const std::vector<PointGroup>& groups,
                                   const WorkPrecisionOptions& options);
 

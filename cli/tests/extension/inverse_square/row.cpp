@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A formula without a closed form: its row, and its kernel beside it; its truth is then the integral.
+// A formula without a closed form has its row and its kernel; its truth is then the integral.
 #include "cageproof/core/catalogue/formula.h"
 
 namespace cageproof {

@@ -38,7 +38,7 @@ struct CageVerdict {
 /// \throws InputError for a kind that is unknown, or is not a sum over triangles with numbers for coordinates
 void require_judged_kind(std::string_view kind);
 
-/// Asks on tetrahedra, a cube and an octahedron, at points inside and, of `mean_value`, on them, in three units of
+/// Asks on tetrahedra, a cube and an octahedron, at points inside and, of `mean_value`, on them, in two units of
 /// length.
 /// \param kind "mean_value", "green" or another sum over triangles with numbers for coordinates
 /// \throws InputError for a kind that is unknown or has matrices

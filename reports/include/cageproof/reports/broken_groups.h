@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Broken rows in the order in which to look at them: what others rest on first, and together what one fault may break.
+// Broken rows in the order in which to look at them: foundations of others first, rows with one likely cause together.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"
@@ -20,11 +20,11 @@ struct BrokenGroup {
 /// Groups of rows that others rest on (ResultRow::is_foundation) first, then larger groups before smaller ones.
 std::vector<BrokenGroup> broken_groups(const RunResult& result);
 
-/// What the group's rows have in common, and what they are about: "truth of closed_form in double: 25 rows of
-/// triangle.double_layer, triangle.solid_angle; near-edge, near-line; orders 0, 1".
+/// The group's title says what its rows have in common and what they are about, as in "truth of closed_form in double:
+/// 25 rows of triangle.double_layer, triangle.solid_angle; near-edge, near-line; orders 0, 1".
 std::string title_of(const BrokenGroup& group);
 
-/// Why a row is broken: by how much its error is above the bound, and what is lost; never a figure that is kept.
+/// Why a row is broken: how far its error is above the bound, and which samples are lost; never a figure within bounds.
 std::string breach(const ResultRow& row);
 
 /// The error of one of a row's inputs, and the input: "96 conditioned at (0, 0, 1) (2, 0, 0) seen from (0.25, -1, 0)".

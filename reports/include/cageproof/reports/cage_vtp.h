@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A cage beside what was computed with it: as geometry of its own, and as field data of a mesh.
+// A cage and the results computed with it: as geometry of its own, and as field data of a mesh.
 #pragma once
 
 #include "cageproof/core/results/run_result.h"
@@ -21,7 +21,7 @@ struct DescribedCage {
   std::string metadata;                    ///< JSON
 };
 
-/// The field data array that holds the metadata, by which a file is known as one of these.
+/// The field data array with the metadata, which marks a file as one of these.
 inline constexpr std::string_view metadata_array = "cageproof_metadata";
 
 /// The cage as a .vtp: polygons, in the plane lines, with `normal`, `area` or `length` and `face` of each cell, and the

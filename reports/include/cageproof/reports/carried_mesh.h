@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a mesh file has beside places: taken along where its vertices move, or named where it is left out.
+// Carries a mesh file's other data along where its vertices move, and names those that are left out.
 #pragma once
 
 #include "cageproof/core/numbers/vector.h"
@@ -16,8 +16,8 @@ namespace cageproof::reports {
 /// A mesh file's text with its vertices elsewhere.
 struct CarriedMesh {
   std::string text;
-  std::vector<std::string> left_out;       ///< what depends on places: "normals"
-  std::vector<std::string> replaced = {};  ///< what is made anew under the same name: "array image [1]"
+  std::vector<std::string> left_out;       ///< data that depend on places: "normals"
+  std::vector<std::string> replaced = {};  ///< data made anew under the same name: "array image [1]"
 };
 
 /// An OBJ file with its vertices elsewhere. Texture coordinates, groups, objects, materials, vertex colours, comments

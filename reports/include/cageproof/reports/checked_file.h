@@ -14,8 +14,8 @@ namespace cageproof::reports {
 /// \throws InputError "cannot write <path>: <reason>"
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// What can be known of files before the work whose results they are to hold: that their folders exist and may be
-/// written to, that none is a folder itself, and that no two are the same file.
+/// Checks result files before the work: that their folders exist and may be written to, that no file is a folder
+/// itself, and that no two are the same file.
 /// \throws InputError as write_file
 void require_writable(const std::vector<std::filesystem::path>& paths);
 

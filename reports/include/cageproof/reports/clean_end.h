@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the program ends by a signal: by that signal, and without what it was writing.
+// Ends the program by the signal that arrived, and removes unfinished files.
 #pragma once
 
 namespace cageproof::reports {
@@ -9,7 +9,7 @@ namespace cageproof::reports {
 /// `ulimit -f` is an error of its write.
 void end_cleanly_on_signals();
 
-/// Does not come back when such a signal has arrived: what fails after it is its doing, and nothing to complain of.
+/// Does not return when such a signal has arrived: errors after it are its effects, and are not reported.
 void wait_if_ending();
 
 }  // namespace cageproof::reports

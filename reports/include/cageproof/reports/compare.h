@@ -11,8 +11,8 @@
 
 namespace cageproof::reports {
 
-/// Old names and what took over from them: of formulas, kinds, evaluations, checks and regimes. "closed_form" renames
-/// wherever the name stands, "quad.mean_value/closed_form" in rows of that (old) subject alone, and goes before the
+/// Old names and their successors, for formulas, kinds, evaluations, checks and regimes. "closed_form" renames wherever
+/// the name stands; "quad.mean_value/closed_form" renames only in rows of that (old) subject, and goes before the
 /// other.
 using Renamed = std::map<std::string, std::string>;
 
@@ -23,9 +23,9 @@ Renamed read_renamed(const std::filesystem::path& path);
 struct Differences {
   std::size_t equal = 0;               ///< rows, curves, fields and errata with the same figures and verdicts
   std::vector<std::string> differing;  ///< a line each: what, and every figure that differs as "old -> new"
-  std::vector<std::string> gone;       ///< what only the old report has, a line each
-  std::vector<std::string> added;      ///< what only the new report has, a line each
-  /// Entries `closed_form` of a schema before 4 that were compared with `hybrid`, which is what they were.
+  std::vector<std::string> gone;       ///< entries only in the old report, one line each
+  std::vector<std::string> added;      ///< entries only in the new report, one line each
+  /// Entries `closed_form` of a schema before 4 that were compared with `hybrid`, their name today.
   std::size_t taken_for_hybrid = 0;
   bool same() const { return differing.empty() && gone.empty() && added.empty(); }
 };

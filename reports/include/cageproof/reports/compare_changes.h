@@ -58,7 +58,7 @@ struct Changes {
 Changes changes_of_summaries(std::string_view old_text, std::string_view new_text, const Renamed& renamed,
                              double tolerance, std::string_view old_name, std::string_view new_name);
 
-/// Whether a text is what Google Benchmark writes with --benchmark_format=json.
+/// Whether a text is output of Google Benchmark with --benchmark_format=json.
 bool is_benchmark_output(std::string_view text);
 
 /// Medians of repetitions of two outputs of Google Benchmark. Worse is a median that grew by more than `tolerance`

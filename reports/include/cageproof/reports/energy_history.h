@@ -8,7 +8,7 @@
 
 namespace cageproof::reports {
 
-/// A header, then one line a value: its number, from 1 on, and itself in full precision.
+/// A header, then one line per value: its number, from 1 on, and the value in full precision.
 std::string energies_csv(std::span<const double> energies);
 
 /// The bytes of a PNG: energies over their numbers, on a logarithmic axis; zeros are not drawn.

@@ -20,7 +20,7 @@ struct FieldScene {
   MeshField mesh;  ///< without vertices: there is none
 };
 
-/// What a compared array is called in a picture: what stands before the colon.
+/// The name of a compared array in a picture: the part before the colon.
 inline std::string short_name(const std::string& array) { return array.substr(0, array.find(": ")); }
 
 /// The decades that all compared fields are shown between: from 1e-17 to one, at which no digit is right.

@@ -13,8 +13,8 @@
 
 namespace cageproof::reports {
 
-/// From where panels are seen, by parallel rays: what points towards the viewer, and what is up. Other than zero and
-/// not parallel.
+/// The direction of parallel rays in which panels are seen: `towards` the viewer, and `up`. Both are nonzero, and they
+/// are not parallel.
 struct FigureView {
   Vec3<double> towards = Vec3<double>(0, 0, 1), up = Vec3<double>(0, 1, 0);
 };
@@ -30,10 +30,10 @@ struct FigurePanel {
   std::string title;  ///< above it
   std::string note;   ///< below the title, small
   std::string file;   ///< of its data, without extension
-  /// What is written for ParaView. Its faces are shaded by their normals, those that show their inner side in another
-  /// hue; of flat panels the darker ones alone are filled. Its segments are drawn over the faces.
+  /// Surface written for ParaView. Its faces are shaded by their normals, and in another hue where their inner side
+  /// shows; in flat panels only the darker faces are filled. Its segments are drawn over the faces.
   MeshField data;
-  std::vector<char> tones;  ///< a face each, 0 or 1: a lighter or a darker colour; empty: all lighter
+  std::vector<char> tones;  ///< one per face, 0 or 1: a lighter or a darker colour; empty: all lighter
   bool flat = false;        ///< in the plane: faces are drawn by their edges
   bool with_faces = true;   ///< whether faces are drawn at all
   /// Surface or polygon drawn by its edges over the faces; in space the edges on its far side lie behind them.
@@ -49,9 +49,9 @@ struct FigurePanel {
 /// A figure.
 struct FigureSheet {
   std::string name;     ///< of its files: "t24-bend"
-  std::string heading;  ///< what it is
+  std::string heading;  ///< its title
   std::string source;   ///< the paper's figures that it makes again
-  std::string text;     ///< what is to be seen
+  std::string text;     ///< how to read it
   int columns = 4;
   FigureView view;
   std::vector<FigurePanel> panels;  ///< row by row
@@ -70,7 +70,7 @@ struct FigureFrame {
 /// The size of the picture in pixels.
 struct FigureLayout {
   int width, height;
-  std::vector<FigureFrame> frames;  ///< one a panel
+  std::vector<FigureFrame> frames;  ///< one per panel
 };
 
 /// All panels have one scale, which shows all of every cage, and each is in the middle of its place; one whose image

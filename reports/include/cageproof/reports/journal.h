@@ -33,7 +33,7 @@ struct JournalHeader {
   bool operator==(const JournalHeader&) const = default;
 };
 
-/// All that a journal holds.
+/// The whole contents of a journal.
 struct Journal {
   JournalHeader header;
   std::vector<Session> sessions;
@@ -48,7 +48,7 @@ struct Journal {
 /// twice
 Journal read_journal(const std::filesystem::path& path);
 
-/// The header alone; nothing when there is no such file, or it does not begin with a whole header.
+/// Only the header; nothing when there is no such file, or it does not begin with a whole header.
 /// \throws InputError when it cannot be read
 std::optional<JournalHeader> find_journal_header(const std::filesystem::path& path);
 

@@ -45,7 +45,7 @@ class LineFile {
   /// The next line without its end; nothing at the file's end.
   /// \throws InputError when a packed file is damaged or cut off, or goes on with what is not packed
   std::optional<std::string> next();
-  /// Whether the line that came last has an end: the last one of a file may have none.
+  /// Whether the latest line has an end: the last one of a file may have none.
   bool whole() const { return whole_; }
   /// Whether the file is packed.
   bool packed() const;

@@ -22,7 +22,7 @@ class PiecewiseFile {
   PiecewiseFile(const PiecewiseFile&) = delete;
   PiecewiseFile& operator=(const PiecewiseFile&) = delete;
 
-  /// Writes behind what was appended before. \throws InputError as the constructor
+  /// Appends behind all earlier pieces. \throws InputError as the constructor
   void append(std::string_view bytes);
   /// Whether pieces may come in any order.
   bool takes_any_order() const;

@@ -27,7 +27,7 @@ struct ColourLimits {
   double low, high;
 };
 
-/// What the writer gives of a field, without the files: title, unit and largest of the array that would be shown.
+/// A field's entry in the report without its files: title, unit and largest value of the array that would be shown.
 /// \throws std::invalid_argument when no array is named `shown`
 FieldEntry unwritten_entry(const std::vector<ImageField::Array>& arrays, const std::string& title,
                            const std::string& shown, ColourScale scale);
@@ -35,21 +35,21 @@ FieldEntry unwritten_entry(const std::vector<ImageField::Array>& arrays, const s
 /// A report folder, written aside (`.NAME.partial-...` next to it) and renamed into place: a run that dies leaves no
 /// half report, and an earlier report stays whole until the new one replaces it in one step.
 ///
-/// The folder holds summary.json.gz, summary.md, results.csv.gz, worst.jsonl (inputs of what fell short), worst/ (those
-/// of every row, a file a formula or cage), index.html, pictures.html, a page a formula, cage and deformed cage
-/// (formulas/, cages/, deformers/), fields/ and pictures/; that of a verification its journal too, and where figures
-/// were written figures/ with figures.json. Apart from RunResult::sessions and session_notes (object "environment" of
-/// summary.json.gz; section "Environment", the last, of summary.md; sections of the class "environment" of pages),
-/// every byte is a function of the other results.
+/// The folder holds summary.json.gz, summary.md, results.csv.gz, worst.jsonl (inputs of broken promises), worst/
+/// (inputs of every row, one file per formula or cage), index.html, pictures.html, one page per formula, cage and
+/// deformed cage (formulas/, cages/, deformers/), fields/ and pictures/; also the journal of a verification, and
+/// figures/ with figures.json where figures were written. Every byte is a function of the other results, except
+/// RunResult::sessions and session_notes (object "environment" of summary.json.gz; section "Environment", the last, of
+/// summary.md; sections of the class "environment" of pages).
 class ReportWriter {
  public:
-  /// What the folder is, by which it is known again: one kind never replaces the other.
+  /// The kind of a folder, by which it is known again: one kind never replaces the other.
   enum class Kind { Verification, Field };
   /// \param out the report's folder; its parent must exist. An empty folder or an earlier report there is replaced.
   /// \throws InputError when the parent is missing or cannot be written, or `out` holds anything but a report of that
   /// kind
   explicit ReportWriter(const std::filesystem::path& out, Kind kind = Kind::Verification);
-  /// Removes what was written unless commit() was reached.
+  /// Removes the unfinished folder unless commit() was reached.
   ~ReportWriter();
   ReportWriter(const ReportWriter&) = delete;
   ReportWriter& operator=(const ReportWriter&) = delete;

@@ -8,12 +8,12 @@
 
 namespace cageproof::reports {
 
-/// What a file holds beside the arrays themselves. With Logarithms: of every array that is not linear and has one
-/// component `log10 NAME`, in single precision and floored, and `mask NAME`: 1 where there is a finite value, 0 where
-/// there is none (NaN in both), 2 where it is not finite.
+/// Arrays of a file. WithLogarithms adds for every array that is not linear and has one component `log10 NAME`, in
+/// single precision and floored, and `mask NAME`: 1 where the value is finite, 0 where there is no value (NaN in both),
+/// 2 where it is not finite.
 enum class FieldArrays { Alone, WithLogarithms };
 
-/// Errors below 1e-17 are as good as none: relative to a double, nothing is finer.
+/// Errors below 1e-17 count as none, because relative to a double nothing is finer.
 inline constexpr double kLog10Floor = -17;
 /// The values of masks.
 inline constexpr unsigned char kNoValue = 0, kHasValue = 1, kNotFinite = 2;

@@ -9,10 +9,10 @@
 
 namespace cageproof::reports {
 
-/// A header, then one line a row, in full precision; RFC 4180 quoting, line feeds alone.
+/// A header, then one line per row, in full precision; RFC 4180 quoting, lines end in a line feed.
 std::string work_precision_csv(const WorkPrecision& result);
 
-/// Schema "cageproof-work-precision", "schema_version" 1; what is not finite is the string "inf".
+/// Schema "cageproof-work-precision", "schema_version" 1; infinite numbers are the string "inf".
 std::string work_precision_json(const WorkPrecision& result);
 
 /// Aligned columns, errors rounded up to two digits.
@@ -24,7 +24,7 @@ class WorkPrecisionWriter {
  public:
   /// \throws InputError as ReportWriter, so that a long measurement does not end at a folder that cannot be written
   explicit WorkPrecisionWriter(const std::filesystem::path& out);
-  /// Removes what was written unless write() came to its end.
+  /// Removes the unfinished folder unless write() came to its end.
   ~WorkPrecisionWriter();
   WorkPrecisionWriter(const WorkPrecisionWriter&) = delete;
   WorkPrecisionWriter& operator=(const WorkPrecisionWriter&) = delete;

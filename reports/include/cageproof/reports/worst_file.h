@@ -40,7 +40,7 @@ struct WorstLine : RowKey {
 /// Coordinates and parameters are hexadecimal floats in strings; infinite errors the string "inf".
 std::string worst_lines(const RunResult& result);
 
-/// What the line of a row's case says.
+/// The line of a row's case.
 WorstLine worst_line_of(const ResultRow& row, const WorstCase& worst, const RunResult& result);
 
 /// One case as worst_lines writes it, without the line's end.
@@ -51,7 +51,7 @@ std::string worst_line(const WorstLine& line);
 /// bad number, unknown triangulation
 std::vector<WorstLine> read_worst(const std::filesystem::path& path);
 
-/// The same from text, which may hold no line. \param name what messages call the file
+/// The same from text, which may be empty. \param name the file's name in messages
 std::vector<WorstLine> parse_worst(std::string_view text, std::string_view name);
 
 /// Adds cases to a worst-case file, made if it is missing. Every line that is there stays as it is. Of the new cases

@@ -47,8 +47,8 @@ std::optional<CageCoordinates> prior_of(const Cage& cage, const CoordinateKind& 
 /// \param prior prior_of() the kind
 bool may_be_missing(const std::optional<CageCoordinates>& prior, const Vec3<double>& point);
 
-/// What partition of unity and linear reproduction must give at a place: 1 inside and on the cage, 0 outside, but for
-/// normalised kinds 1 everywhere.
+/// The sum that partition of unity and linear reproduction must give at a place: 1 inside and on the cage, 0 outside.
+/// Normalised kinds sum to 1 everywhere.
 double expected_sum(const CoordinateKind& kind, Place place);
 
 /// The same at a point off the cage whose faces may cross each other: the number of times that it winds around the

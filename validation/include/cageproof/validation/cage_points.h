@@ -27,7 +27,7 @@ class CageLocator {
   CageLocator(const Cage& cage, Triangulation rule, bool keep_quads = false);
 
   int patches() const { return static_cast<int>(patches_.size()); }
-  /// Of an element of the boundary. \param s, r in [0, 1]; a segment takes the first alone
+  /// A point of one boundary element. \param s, r in [0, 1]; a segment uses only s
   SurfacePoint surface_point(int patch, double s, double r) const;
   /// Distance to the cage; a lower bound at most 0.1 % below it where bilinear quads are near.
   double distance(const Vec3<double>& point) const;

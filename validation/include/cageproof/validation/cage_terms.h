@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The terms that cage coordinates are summed from: what their rounding is counted in.
+// The terms of cage coordinates as sums, in which their rounding is counted.
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"
@@ -12,11 +12,11 @@ namespace cageproof::validation {
 /// roundings u is off by a few u times their size: where they cancel, as those of the two sides of a thin wall do, by
 /// more than a few roundings of the result.
 ///
-/// Of normalised coordinates lambda = w/W, with a_o the sum of the norms of the weights' derivatives of order o, and
-/// g_o the norm of those of W, both over |W|, the terms of the quotient rule: t_0 = a_0, t_1 = a_1 + t_0 g_1, t_2 = a_2
-/// + t_0 g_2 + 2 t_1 g_1. By block, the coordinates' derivatives times the roundings of W and its derivatives are terms
-/// as well; they have no part in sums over all coordinates, which are known. Kinds that are no sums have no terms but
-/// their coordinates, unless they say which (CageCoordinates::terms_at).
+/// For normalised coordinates lambda = w/W the terms are those of the quotient rule: t_0 = a_0, t_1 = a_1 + t_0 g_1,
+/// t_2 = a_2 + t_0 g_2 + 2 t_1 g_1. Here a_o is the sum of the norms of the weights' derivatives of order o, and g_o
+/// the norm of those of W, both over |W|. In blocks, the coordinates' derivatives times the roundings of W and its
+/// derivatives are terms as well; the sums over all coordinates are known, and have no such terms. Kinds that are not
+/// sums have their coordinates as terms, unless they say which (CageCoordinates::terms_at).
 ///
 /// Evaluations of whole coordinates are promised in units of what rounding the cage in its own frame costs: for them
 /// values and gradients count the cage's size times the sum of the derivatives along the axes as well, as block errors
@@ -60,7 +60,7 @@ class CageTerms {
   double moved_;  // by how much the point is moved: the cage's size, or not at all
   CageCoordinates coordinates_;
   std::vector<double> parameters_;
-  /// By kind of element, one a block.
+  /// By kind of element, one per block.
   std::array<std::vector<Evaluation>, element_kinds.size()> evaluations_;
 };
 

@@ -35,7 +35,7 @@ class ResultsAtSample {
   std::tuple<Known<float>, Known<double>, Known<Mp50>, Known<Mp100>, Known<Mp200>> known_;
 };
 
-/// What a check is given.
+/// The input of a check.
 struct CheckInput {
   const Formula& formula;
   const Evaluation& evaluation;
@@ -55,16 +55,16 @@ struct CheckInput {
 /// One check. Stateless.
 class Check {
  public:
-  /// What a campaign does with its findings.
+  /// How a campaign uses the findings.
   enum class Use {
     Property,
     Truth,  ///< the error that curves are drawn of
     Gate,   ///< where it is not kept, nothing measured against the truth counts
     Proof,  ///< stands on its own: counts where the gate is not kept too
   };
-  /// What one finding costs, which decides how many samples a campaign takes.
+  /// Cost of one finding, which decides how many samples a campaign takes.
   enum class Cost {
-    Evaluations,     ///< of what is checked, and one truth
+    Evaluations,     ///< of the checked evaluation, and one truth
     Truths,          ///< several truths
     Multiprecision,  ///< evaluations in multiprecision, or an integral
     Enclosure,       ///< ball arithmetic

@@ -8,7 +8,7 @@
 
 namespace cageproof::validation {
 
-/// What a scene compares.
+/// The evaluations that a scene compares, on one cage.
 struct Comparison {
   std::shared_ptr<const Cage> cage;
   const CoordinateKind* kind;
@@ -16,8 +16,8 @@ struct Comparison {
   Triangulation rule = Triangulation::Shortest;
 };
 
-/// The evaluations that tell most of a kind: quadrature of fixed size, the formulas as printed, and those recommended;
-/// of these the ones that the kind's formulas on the cage all have.
+/// The most informative evaluations of a kind: quadrature of fixed size, the formulas as printed, and the recommended
+/// ones, as far as all of the kind's formulas on the cage have them.
 std::vector<std::string> telling_evaluations(const CoordinateKind& kind, const Cage& cage);
 
 /// Samples a side of a grid around the cage that costs about so many pairs of element and block in 50 digits, between 6

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a user should know of the coordinates of many points: where the points lie, which have none, and how well the
-// others reproduce.
+// Summary of the coordinates of many points for a user: where the points lie, which have no coordinates, and how well
+// the others reproduce.
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"
@@ -33,14 +33,14 @@ struct CoordinateSummary {
   Largest partition;            ///< |sum - 1|, or |sum| outside kinds that vanish there
   Largest reproduction;         ///< distance of the reproduced point, in cage sizes
   /// Points that coordinates whose sum is right give back to fewer than 8 digits of the cage's size, because the cage
-  /// is so small beside its distance from the origin.
+  /// is so small compared with its distance from the origin.
   std::size_t misplaced = 0;
   double far_off = 0;       ///< the largest number among the cage's vertices, in cage sizes
   double grain = 0;         ///< how far apart doubles are there, in cage sizes
   bool reproduces = false;  ///< whether the kind reproduces points at all
 
-  /// Points whose values are finite, and of whose derivatives some are not: on the cage; off it with NaN among them,
-  /// and with infinities only.
+  /// Points with finite values and some derivatives that are not finite: on the cage; off it with a NaN among them; and
+  /// off it with infinities only.
   Counted derivatives_on, derivatives_missing, derivatives_infinite;
 
   std::size_t without_derivatives() const {

@@ -22,7 +22,7 @@ SlicePlan slice_through(const Cage& cage, int resolution);
 /// A field that is still to be sampled.
 struct FieldPlan {
   ImageField field;  ///< grid and arrays, without values
-  /// Makes what samples it: gives one number an array, at a point of the grid. Safe from any thread.
+  /// Makes a sampler, which gives one number per array at a point of the grid. Safe from any thread.
   using Sampler = std::function<void(const Vec3<double>& point, std::span<double> values)>;
   std::function<Sampler()> prepare;
 };
@@ -43,8 +43,8 @@ struct ElementSlice {
 };
 ElementSlice slice_of(ElementKind kind, int resolution);
 
-/// The corners of a cage's elements of one kind: of quads as they are, of triangles those of its triangulation.
-/// \throws InputError where the cage has none
+/// The corners of a cage's elements of one kind: quads as they are, or the triangles of its triangulation. \throws
+/// InputError where the cage has none
 std::vector<std::vector<Vec3<double>>> elements_of(const Cage& cage, ElementKind kind, Triangulation rule);
 
 /// Partition of unity and linear reproduction on a slice (arrays of those names, raw errors).
@@ -68,7 +68,7 @@ FieldPlan coordinate_difference_field(const std::shared_ptr<const Cage>& cage, c
 /// One coordinate of a block on a slice, inside the cage: array `<label>_<index>`, linear; of matrices the entry in the
 /// first row and column.
 /// \param label of the block \param index of the vertex or element
-/// What prepares it throws InputError for a block that the kind does not have, or an index beyond it.
+/// `prepare` of the plan throws InputError for a block that the kind does not have, or an index beyond it.
 FieldPlan coordinate_field(const std::shared_ptr<const Cage>& cage, const CoordinateKind& kind,
                            const std::string& label, int index, int resolution);
 

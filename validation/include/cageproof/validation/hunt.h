@@ -11,13 +11,13 @@ namespace cageproof::validation {
 /// The regime of inputs that a hunt found: its climbs leave the regime they start from.
 inline constexpr std::string_view hunted_regime = "hunted";
 
-/// What is to be made large.
+/// The error that the hunt makes large.
 struct HuntObjective {
   Evaluation evaluation;
   const Check* check = nullptr;  ///< whose error
 };
 
-/// What to look for, and for how long.
+/// Options of a hunt, and its limits.
 struct HuntOptions {
   const Formula* formula = nullptr;
   std::vector<HuntObjective> objectives;  ///< each is measured at every input, since the truth costs most
@@ -36,12 +36,12 @@ struct HuntOptions {
 struct HuntedCase {
   WorstCase worst;
   std::string_view regime;  ///< where the climb started; `worst` has the sample number and parameter of the start
-  /// Relative difference of the truth and the integral, of the worst case alone; nothing where the integral has no 30
+  /// Relative difference of the truth and the integral, only for the worst case; nothing where the integral has no 30
   /// digits, or is the truth itself.
   std::optional<double> against_integral;
 };
 
-/// What was found for one objective.
+/// The findings for one objective.
 struct HuntResult {
   std::vector<HuntedCase> worst;  ///< by falling error; empty where nothing could be measured
   std::uint64_t evaluations = 0;
@@ -49,10 +49,10 @@ struct HuntResult {
   std::uint64_t declined = 0;  ///< times the evaluation said that it could not meet its tolerance
 };
 
-/// Two fifths of the budget are samples of the regimes in turn. From the worst of each regime climbs start, for each
-/// objective as many, which keep every change that makes that objective's error larger, each with a random stream of
-/// its own; what the others are on the way is kept too. The result is a function of the options, whatever the number of
-/// threads. Inputs lie within the hull of the regimes (src/search_domain.h). \return a result an objective
+/// Two fifths of the budget are samples of the regimes in turn. Climbs start from each regime's worst samples, equally
+/// many per objective. A climb keeps every change that makes its objective's error larger, and has its own random
+/// stream; errors of the other objectives on its way are kept too. The result depends only on the options, not on the
+/// number of threads. Inputs lie within the hull of the regimes (src/search_domain.h). \return one result per objective
 /// \throws InputError when no regime matches, a check is not asked of its evaluation in this scalar and order, nothing
 ///   gives the formula's truth, or no objective could be measured at any input
 std::vector<HuntResult> hunt(const HuntOptions& options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run's figures, or its times, may owe to the machine.
+// Facts of the machine that may change a run's figures or its times.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ inline constexpr const char* instruction_set_fact = "instruction set";
 inline constexpr const char* program_build = "program's build";
 
 /// Processor and its cores, threads that are used, commit, compiler and its flags, libraries, the elementary
-/// functions that were picked, and the instruction set. \param jobs threads asked for; 0: one a core
+/// functions that were picked, and the instruction set. \param jobs threads asked for; 0: one per core
 std::map<std::string, std::string> machine_facts(int jobs = 0);
 
 /// Which variants of log, atan2, exp ... the C library picked for this processor, and a fingerprint of what they

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run measures, cut into units of work. A unit is a function of the run's options alone, so that it does not
-// matter who measures it, when, or beside what.
+// Measurements of a run, cut into units of work. A unit depends only on the run's options, so that it does not matter
+// who measures it, when, or in which company.
 #pragma once
 
 #include "cageproof/core/results/partial_result.h"
@@ -15,7 +15,7 @@ namespace cageproof::validation {
 class Measurement {
  public:
   virtual ~Measurement() = default;
-  /// What it is; unlike that of any other in the run.
+  /// The measurement's name; no other in the run has the same.
   virtual std::string name() const = 0;
   /// Into how many blocks it is cut: at least one, however many samples it takes at most about `most_blocks`, so that
   /// journals do not grow with samples.

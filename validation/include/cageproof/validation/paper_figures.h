@@ -22,23 +22,23 @@ class PaperFigure {
   virtual std::string name() const = 0;
   /// Into how many parts its work is cut: panels of one part share coordinates.
   virtual int parts() const = 0;
-  /// What a part's panels show; different parts have different keys, which begin with `figure/`. \param jobs threads;
-  /// 0: all cores; the findings are the same for any
+  /// Findings for the panels of a part; different parts have different keys, which begin with `figure/`. \param jobs
+  /// threads; 0: all cores; the findings are the same for any
   virtual FigureFindings part(int part, int jobs) const = 0;
-  /// Whether there is all of what its panels show.
+  /// Whether the findings for all of its panels are there.
   virtual bool is_in(const FigureFindings& found) const = 0;
   /// \pre is_in(found)
   virtual std::vector<reports::FigureSheet> sheets(const FigureFindings& found) const = 0;
 };
 using PaperFigures = std::vector<std::unique_ptr<const PaperFigure>>;
 
-/// Of cages made in code: deformers compared on a bar ([T24]), Poisson's ratio and bulging, and kernels in the plane
-/// ([C23]), quads against their triangulation ([T18]), a bar of the plane ([W12]).
+/// Figures of cages made in code. They compare deformers on a bar ([T24]), Poisson's ratio, bulging and kernels in the
+/// plane ([C23]), quads with their triangulation ([T18]), and show a bar of the plane ([W12]).
 PaperFigures embedded_figures();
 
-/// Of the files NAME_Cage.obj, NAME_Cage_Deformed.obj and NAME.obj in a folder, of any number of names: deformers
-/// compared, of cages with quads those and their triangulation, Poisson's ratio and bulging. Meshes are thinned, and
-/// what of them lies outside their cage is left out.
+/// Figures of a folder's files NAME_Cage.obj, NAME_Cage_Deformed.obj and NAME.obj, for each NAME: deformers compared,
+/// on cages with quads also with their triangulation, Poisson's ratio and bulging. Meshes are thinned, and their
+/// vertices outside the cage are left out.
 /// \throws InputError naming the folder or file that is missing or bad, and a posed cage with another number of
 /// vertices
 PaperFigures figures_of_data(const std::filesystem::path& folder);

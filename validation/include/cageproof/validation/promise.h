@@ -12,14 +12,14 @@
 
 namespace cageproof::validation {
 
-/// What is promised of one row of results.
+/// The promise for one row of results.
 struct Promise {
   std::optional<double> bound;  ///< in the check's unit; nothing: not promised
   std::string_view reason;      ///< why the bound is what it is, or why there is none
   bool in_table = false;        ///< a row of the table says so; without one, nothing is promised
 };
 
-/// What identifies a row of results.
+/// Names that identify a row of results.
 struct PromiseKey {
   std::string_view check, subject, evaluation, scalar, regime;
   int order;

@@ -12,7 +12,7 @@
 
 namespace cageproof::validation {
 
-/// What a question finds at one order.
+/// The answer to a question at one order.
 struct Finding {
   enum class Status {
     Measured,
@@ -44,12 +44,12 @@ inline bool counted(Finding::Status status, Tally& tally) {
 ///   again has `is_stored = false` in its place.
 template <class At>
 struct Question {
-  RowKey key;                                            ///< of its rows, but for the order
+  RowKey key;                                            ///< of its rows, except the order
   std::string unit;                                      ///< of its errors
   std::function<std::array<Finding, 3>(const At&)> ask;  ///< by order; safe from any thread
-  /// The highest derivative that results are taken with, as cases store it; 2 where it is all that there are.
+  /// The highest derivative that results are computed with, as cases store it; 2 where results have no higher one.
   int asked = 2;
-  /// Whether the answer is the same at every input, so that the first alone is asked.
+  /// Whether the answer is the same at every input, so that only the first is asked.
   bool once = false;
 };
 
@@ -90,7 +90,7 @@ const Q* find_question(const std::vector<Q>& questions, RowKey row) {
   return nullptr;
 }
 
-/// An input that is a point of space alone.
+/// An input that consists only of a point in space.
 struct PointAt {
   Vec3<double> point;
   std::uint64_t index = 0;

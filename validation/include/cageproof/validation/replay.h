@@ -11,7 +11,7 @@
 
 namespace cageproof::validation {
 
-/// What a file says of a case beside its row and its input; nothing: not known.
+/// Facts that a file states of a case, in addition to its row and its input; nothing where one is not known.
 struct StoredFacts {
   std::string unit;          ///< of the stored error
   std::string cage_content;  ///< the fingerprint of the cage (JournalHeader::options) when the case was measured
@@ -19,10 +19,10 @@ struct StoredFacts {
       {};  ///< where a cage's relative path is looked for, after the current one
 };
 
-/// Re-runs a worst case of a row, from its names alone: what the row's check finds there now at the row's order (an
-/// error in the row's unit, or why there is none). \throws InputError when a name is unknown (formula, evaluation,
-/// scalar, check, kind), the input is none of the formula, a cage cannot be read (all
-///   places tried are named) or is not the stored one, the unit is another, or the check is not asked of the evaluation
+/// Re-runs a worst case of a row from the row's names: what its check finds there now, at the row's order (an error in
+/// the row's unit, or why it has none). \throws InputError when a name is unknown (formula, evaluation, scalar, check,
+/// kind), the input does not fit the formula, a cage cannot be read (all places tried are named) or is not the stored
+/// one, the unit is another, or the check is not asked of the evaluation
 Finding replay(const RowKey& row, const WorstCase& worst, Triangulation rule, const StoredFacts& stored = {});
 
 /// Throws what replay would throw for a case of a single element, and measures nothing.

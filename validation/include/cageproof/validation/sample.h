@@ -51,8 +51,8 @@ Result<R> evaluate(const Evaluation& evaluation, const Sample& sample, int order
 /// The sample rounded to what `scalar` can hold (float; the others hold every double).
 Sample rounded_to(ScalarKind scalar, Sample sample);
 
-/// Whether all coordinates are finite. What rounds to infinity in a narrow scalar is no input of any formula, and
-/// neither evaluations nor exact predicates are asked of it.
+/// Whether all coordinates are finite. A sample that rounds to infinity in a narrow scalar is not an input of any
+/// formula, and is given neither to evaluations nor to exact predicates.
 bool is_finite(const Sample& sample);
 
 }  // namespace cageproof::validation

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far the scheme of a kind is from what it approximates (CoordinateKind::approximates). Rounding has no share in
-// it that would be seen, and what it is measured with is good to worst_truth.
+// Distance of a kind's scheme from the kind that it approximates (CoordinateKind::approximates). Rounding is negligible
+// in it, and its own measure is good to worst_truth.
 #pragma once
 
 #include "cageproof/core/coordinates/coordinates.h"
@@ -10,11 +10,11 @@
 
 namespace cageproof::validation {
 
-/// Of what schemes are measured with: how far it may be from its own data, a tenth of what schemes miss by.
+/// Largest error of the measure of schemes in its own data: a tenth of the usual error of schemes.
 inline constexpr double worst_truth = 1e-3;
 
-/// What the kind approximates, in the cage; nothing where it approximates no kind, or one that refuses the cage or that
-/// is itself farther than worst_truth from its data on the boundary.
+/// Coordinates that the kind approximates in the cage. Nothing where it approximates no kind, or one that refuses the
+/// cage or is itself farther than worst_truth from its data on the boundary.
 std::optional<CageCoordinates> approximated_by(const Cage& cage, const CoordinateKind& kind, Triangulation rule);
 
 /// By order the largest difference of a coordinate, in units of the cage's size to the power of its degree less the
@@ -22,10 +22,10 @@ std::optional<CageCoordinates> approximated_by(const Cage& cage, const Coordinat
 std::array<double, 3> scheme_errors_at(const CageCoordinates& coordinates, const CageCoordinates& approximated,
                                        const Cage& cage, const Vec3<double>& point, int order);
 
-/// What the coordinates of a polygon miss at a point on it, of the data that define them ([W12] Eq 7): of values, which
-/// are hat functions in the first block and zero in others; of normal derivatives, in units of values over the cage's
-/// size, which are zero but for one on each edge of its own in the second block: only within edges, and of kinds that
-/// have such a block. Laplacians are not looked at. Nothing at points that are not exactly on the cage.
+/// Errors of a polygon's coordinates at a point on it, in the data that define them ([W12] Eq 7). Values are hat
+/// functions in the first block and zero in others. Normal derivatives, in units of values over the cage's size, are
+/// one for the edge's own coordinate in the second block and zero for all others; only within edges, and for kinds with
+/// such a block. Laplacians are not compared. Nothing at points that are not exactly on the cage.
 std::optional<std::array<std::optional<double>, 2>> boundary_data_errors_at(const CageCoordinates& coordinates,
                                                                             const Cage& cage,
                                                                             const Vec3<double>& point);

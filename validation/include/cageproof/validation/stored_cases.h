@@ -19,7 +19,7 @@ inline constexpr std::string_view stored_cases_file = "validation/data/worst_cas
 /// Where a stored case's input comes from: its regimes and its line in the file; empty for an input that is not stored.
 std::string origin_of(const RowKey& row, const WorstCase& input);
 
-/// What a worst-case file amounts to.
+/// The contents of a worst-case file.
 struct StoredCases {
   std::unique_ptr<const Measurement> measurement;  ///< null where there is no case
   std::size_t cases = 0;

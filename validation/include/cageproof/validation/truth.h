@@ -8,10 +8,10 @@
 
 namespace cageproof::validation {
 
-/// What a formula's truth is computed with: the closed form, or where there is none the recommended evaluation, which a
-/// campaign proves against the integral; else the integral itself.
+/// Evaluations that give a formula's truth. They are the closed form, or where it has none the recommended evaluation,
+/// which a campaign proves against the integral; else the integral itself.
 struct TruthSource {
-  /// What the truth is computed in, and confirmed in.
+  /// Digits that the truth is computed in, and those that confirm it.
   enum class Digits {
     Fifty,       ///< 50, of which the source keeps all, and 100
     Hundred,     ///< 100 and 200
@@ -31,7 +31,7 @@ struct TruthSource {
   bool is_integral() const { return digits == Digits::OfIntegral; }
 };
 
-/// What the formula's truth comes from. \throws InputError where it has neither of both
+/// The source of the formula's truth. \throws InputError where the formula has none
 TruthSource truth_source(const Formula& formula);
 
 /// Whether truth_source() has an answer.
@@ -49,15 +49,15 @@ struct Truth {
   /// True for an order where two precisions agree that entries are infinite, with which sign, or have no limit, and to
   /// 30 digits on the finite ones.
   std::array<bool, 3> partial{false, false, false};
-  /// Of the finite entries.
+  /// Norm and conditioned yardstick by order, over the finite entries.
   std::array<Mp100, 3> norm{};
   std::array<Mp100, 3> conditioned{};
   /// True when the point lies exactly on the element. Within it the yardstick counts only moves to its inner side,
-  /// since the function may jump; on its border it is the norm alone.
+  /// since the function may jump; on its border it is only the norm.
   bool on_element = false;
 };
 
-/// Norm of all entries of a tensor: the square root of the sum of squares.
+/// The norm of a tensor is the square root of the sum of its entries' squares.
 Mp100 norm(const std::vector<Mp100>& tensor);
 
 /// The truth at a sample.

@@ -53,7 +53,7 @@ struct VerifyOptions {
   std::string mesh_name;
   bool only_cage = false;  ///< of `cage` and `mesh`, without formulas on elements of the catalogue's own
   Triangulation triangulation = Triangulation::Shortest;
-  int shard = 0, shards = 1;  ///< measure part `shard` of `shards` alone, and make no report
+  int shard = 0, shards = 1;  ///< measure only part `shard` of `shards`, and make no report
   bool resume = false;        ///< `out` holds the journal of this run, to go on with
   std::filesystem::path out;
   /// Where the processor time of each unit of work goes, the costliest first (timings.h); empty: nowhere.
@@ -64,7 +64,7 @@ struct VerifyOptions {
   /// Takes the times of evaluations whose formulas and names match these globs, before anything is measured. Null:
   /// the report has none.
   std::function<std::vector<EvaluationTime>(const std::string& formulas, const std::string& evaluations)> take_times;
-  /// Told what the run leaves out of the user's cage, and why, before anything is measured.
+  /// Called before anything is measured, with the parts that the run leaves out of the user's cage, and why.
   std::function<void(const std::string&)> warn;
   /// Told what a thread begins, by name, and, with an empty one, that it has ended that: in planning, in measuring and
   /// in drawing the report. From any thread. Null: nobody.
@@ -73,7 +73,7 @@ struct VerifyOptions {
   std::function<void(std::size_t done, std::size_t all)> progress;
 };
 
-/// What a process has done for a run.
+/// Result and work of one process for a run.
 struct Verified {
   std::optional<RunResult> report;         ///< nothing for a shard
   std::size_t units = 0;                   ///< of the run or shard
@@ -102,7 +102,7 @@ Verified verify(const VerifyOptions& options);
 /// \throws InputError when there is no journal
 std::map<std::string, std::string> options_of_run(const std::filesystem::path& folder);
 
-/// Makes the report of a finished run afresh, from its journal alone.
+/// Makes the report of a finished run again, only from its journal.
 /// \throws InputError when there is none, or it is unfinished or of a shard
 RunResult report_again(const std::filesystem::path& folder);
 

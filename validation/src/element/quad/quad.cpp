@@ -39,7 +39,7 @@ void approach(const Surface<R>& surface, const Vec3<R>& point, R& u, R& v) {
 
 // Parameters of the nearest point of the whole bilinear surface, in doubles.
 std::array<double, 2> rough_foot(Corners q, const Vec& point) {
-  // In a unit of which no product leaves the exponent range.
+  // The unit is chosen so that no product leaves the exponent range.
   double largest = point.cwiseAbs().maxCoeff();
   for (const Vec& corner : q) largest = std::max(largest, corner.cwiseAbs().maxCoeff());
   const double unit = largest > 0 && std::isfinite(largest) ? std::ldexp(1, -std::ilogb(largest)) : 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples of bilinear quads: planar, twisted or strongly twisted by turns.
+// Makes samples of bilinear quads: planar, twisted or strongly twisted by turns.
 #include "regimes.h"
 
 #include "../draws.h"
@@ -138,7 +138,7 @@ void generic(double, RandomStream& random, Sample& sample) {
   sample.corners = well_shaped(random, sample.index);
   const auto& q = sample.corners;
   sample.point = centroid(q) + random_in_ball(random);
-  // Where the short side is as long as it is far.
+  // The point is about as far from the short side as that side is long.
   if (has_short_side(sample.index))
     sample.point = (q[1] + q[2]) / 2 + 2 * (q[2] - q[1]).norm() * random_in_ball(random);
 }

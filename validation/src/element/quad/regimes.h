@@ -9,7 +9,7 @@ namespace cageproof::validation::quads {
 /// How the regimes that exist for quads sample them.
 std::span<const SampleMaker> regimes();
 
-/// Corners in small integers, by turns: the unit square of two axes, any in their plane, any in space.
+/// Makes corners in small integers, by turns: the unit square of two axes, any in their plane, any in space.
 /// \param flat the third axis
 std::vector<Vec3<double>> integral(RandomStream& random, std::uint64_t turn, int flat);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quads in small integers, whose points are next to nothing away, or which are next to nothing, or huge, themselves.
+// Quads in small integers with points a tiny distance away, and quads that are tiny or huge themselves.
 #include "regimes.h"
 
 #include "../tiny.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Samples of segments in the plane. The inside of a segment is what a triangle's face is: the place where potentials
-// jump. Its regimes are therefore `near-face` and `on-face`; its border are its ends, so that there is no `near-edge`.
-// A segment has no plane of its own besides its line (`near-line`, `on-line`), and nothing of it can be thin.
+// Makes samples of segments in the plane. The inside of a segment corresponds to a triangle's face: potentials jump
+// there. Its regimes are therefore `near-face` and `on-face`; its border consists of its ends, so it has no
+// `near-edge`. A segment has no plane except its line (`near-line`, `on-line`), and no part of it can be thin.
 #include "regimes.h"
 
 #include "../draws.h"
@@ -19,7 +19,7 @@ Vec random_in_disc(RandomStream& random) {
   return radius * random_direction(random, dim);
 }
 
-// Of length one, at the origin or up to two lengths away from it.
+// Makes a segment of length one, at the origin or up to two lengths away from it.
 std::vector<Vec> well_shaped(RandomStream& random) {
   std::vector<Vec> s(2);
   do {

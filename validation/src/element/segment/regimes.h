@@ -9,7 +9,7 @@ namespace cageproof::validation::segments {
 /// How the regimes that exist for segments sample them.
 std::span<const SampleMaker> regimes();
 
-/// Ends in small integers: in two of three turns along an axis, else anywhere in the plane.
+/// Makes ends in small integers: in two of three turns along an axis, else anywhere in the plane.
 /// \param flat the other axis
 std::vector<Vec3<double>> integral(RandomStream& random, std::uint64_t turn, int flat);
 

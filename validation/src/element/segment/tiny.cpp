@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Segments in small integers, whose points are next to nothing away, or which are next to nothing, or huge, themselves.
+// Segments in small integers with points a tiny distance away, and segments that are tiny or huge themselves.
 #include "regimes.h"
 
 #include "../tiny.h"

@@ -42,7 +42,7 @@ Symmetric right_angled(RandomStream& random, int flat) {
   return {{Vec::Zero(), 3 * a, 3 * b}, centre, unit_along(flat)};
 }
 
-// Of radius 15/8: eighths, and a third of their sums is in eighths as well.
+// Makes corners on a circle of radius 15/8: their coordinates are eighths, and so is a third of their sums.
 Symmetric on_circle(RandomStream& random, int flat) {
   static constexpr std::array<std::array<int, 2>, 3> quarter{{{5, 0}, {4, 3}, {3, 4}}};
   std::vector<Vec> t(3);

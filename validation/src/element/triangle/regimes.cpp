@@ -19,7 +19,7 @@ Vec random_in_ball(RandomStream& random) {
   return radius * random_direction(random, dim);
 }
 
-// Twice the area over the longest edge squared: sqrt(3)/2 for an equilateral triangle.
+// The aspect is twice the area over the longest edge squared: sqrt(3)/2 for an equilateral triangle.
 double aspect(const std::vector<Vec>& t) {
   const double longest = longest_edge<double>(t);
   return (t[1] - t[0]).cross(t[2] - t[0]).norm() / (longest * longest);

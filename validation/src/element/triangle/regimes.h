@@ -9,7 +9,7 @@ namespace cageproof::validation::triangles {
 /// How the regimes that exist for triangles sample them.
 std::span<const SampleMaker> regimes();
 
-/// Corners in small integers, by turns: the unit right triangle of two axes, any in their plane, any in space.
+/// Makes corners in small integers, by turns: the unit right triangle of two axes, any in their plane, any in space.
 /// \param flat the third axis
 std::vector<Vec3<double>> integral(RandomStream& random, std::uint64_t turn, int flat);
 

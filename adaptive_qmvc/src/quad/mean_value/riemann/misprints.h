@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What [T18] prints where it errs: beside each corrected form, the one as printed. Tests measure them; nothing else
-// uses them.
+// What [T18] prints where it errs: beside each corrected form, the one as printed. Tests and errata measure them;
+// nothing else uses them.
 #pragma once
 
 #include "quad/mean_value/riemann/riemann.h"

@@ -21,6 +21,13 @@ R blend(const R& x, const R& low, const R& high) {
   return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
+/// What is done about the norm correction.
+enum class NormCorrection {
+  Guarded,    ///< blended into 1 around its poles
+  AsPrinted,  ///< Eq 24 as it is, with its poles
+  None        ///< 1: Eq 21 of the sum in the exact weights' place ([T18] Figure 7)
+};
+
 /// The norm correction ||wbar||^2/(Omega.wbar) of Eq 24 has poles where Omega.wbar = 0, around the points where m_q =
 /// 0. It is blended into 1, no correction, over these ranges.
 struct PoleGuard {
@@ -29,7 +36,7 @@ struct PoleGuard {
   double mean_low = 0.05, mean_high = 0.2;
   /// Of the cosine between wbar and the part of Omega across the null vector, 1 for an exact Omega.
   double cosine_low = 0.4, cosine_high = 0.8;
-  bool on = true;  ///< off: Eq 24 as it is
+  NormCorrection correction = NormCorrection::Guarded;  ///< which the ranges are for
 };
 
 /// |m_q| over the mean vectors of the quad's two triangulations, in [0, 1].
@@ -40,20 +47,29 @@ R mean_vector_ratio(const PairFrame<R>& s, const Vec3<R>& m) {
   return parts > 0 ? R(m.norm() / parts) : R(0);
 }
 
-/// lambda of Eq 24 with the guard.
+/// lambda of Eq 24, in its factors.
 template <Scalar R>
-R lambda(const Vec4<R>& omega, const Vec4<R>& kappa, const Vec4<R>& minimal_norm, const R& mean_ratio,
-         const PoleGuard& guard = {}) {
+struct Lambda {
+  R uncorrected;  ///< Omega.kappa/||kappa||^2: Eq 21 of Omega
+  R correction;   ///< ||wbar||^2/(Omega.wbar)
+  R trust;        ///< 0 where the guard leaves the correction out, 1 where all of it is taken
+
+  R value() const { return trust == 0 ? uncorrected : R(uncorrected * (1 + trust * (correction - 1))); }
+};
+
+template <Scalar R>
+Lambda<R> lambda(const Vec4<R>& omega, const Vec4<R>& kappa, const Vec4<R>& minimal_norm, const R& mean_ratio,
+                 const PoleGuard& guard = {}) {
   using std::sqrt;
-  const R square = kappa.squaredNorm();
-  const R uncorrected = omega.dot(kappa) / square;
+  const R uncorrected = omega.dot(kappa) / kappa.squaredNorm();
   const R along = omega.dot(minimal_norm), norm = minimal_norm.squaredNorm();
-  if (!guard.on) return uncorrected * norm / along;
+  Lambda<R> parts{uncorrected, norm / along, R(guard.correction == NormCorrection::AsPrinted ? 1 : 0)};
+  if (guard.correction != NormCorrection::Guarded) return parts;
   const R size = sqrt(norm) * (omega - uncorrected * kappa).norm();
-  if (!(along > 0) || !(size > 0)) return uncorrected;
-  const R trust = blend<R>(mean_ratio, R(guard.mean_low), R(guard.mean_high)) *
-                  blend<R>(along / size, R(guard.cosine_low), R(guard.cosine_high));
-  return uncorrected * (1 + trust * (norm / along - 1));
+  if (!(along > 0) || !(size > 0)) return parts;
+  parts.trust = blend<R>(mean_ratio, R(guard.mean_low), R(guard.mean_high)) *
+                blend<R>(along / size, R(guard.cosine_low), R(guard.cosine_high));
+  return parts;
 }
 
 /// Removes what rounding leaves of A w - m, so that linear functions are reproduced also where A is nearly singular:
@@ -73,15 +89,30 @@ void restore_linear_reproduction(const PairFrame<R>& s, const Vec4<R>& kappa, co
   if (correction.allFinite()) w += correction;
 }
 
-/// The four weights, in 1/length, from the Riemann sum Omega in the frame's unit.
+/// What the scheme computes of a point, in the frame's unit.
 template <Scalar R>
-Vec4<R> weights_from(const PairFrame<R>& s, const Vec4<R>& kappa, const Vec4<R>& sum, const PoleGuard& guard) {
+struct SchemeParts {
+  Vec3<R> mean;
+  Vec4<R> kappa, minimal_norm, omega;
+  Lambda<R> lambda;
+  Vec4<R> weights;
+};
+
+/// From the Riemann sum Omega.
+template <Scalar R>
+SchemeParts<R> parts_from(const PairFrame<R>& s, const Vec4<R>& kappa, const Vec4<R>& sum, const PoleGuard& guard) {
   const Vec3<R> m = mean_vector(s);
   const Vec4<R> minimal_norm = minimal_norm_solution(s, kappa, m);
-  const R along = lambda(sum, kappa, minimal_norm, mean_vector_ratio(s, m), guard);
-  Vec4<R> w = minimal_norm + along * kappa;
+  const Lambda<R> along = lambda(sum, kappa, minimal_norm, mean_vector_ratio(s, m), guard);
+  Vec4<R> w = minimal_norm + along.value() * kappa;
   restore_linear_reproduction(s, kappa, m, w);
-  return w / s.unit;
+  return {m, kappa, minimal_norm, sum, along, w};
+}
+
+/// The four weights, in 1/length.
+template <Scalar R>
+Vec4<R> weights_from(const PairFrame<R>& s, const Vec4<R>& kappa, const Vec4<R>& sum, const PoleGuard& guard) {
+  return parts_from<R>(s, kappa, sum, guard).weights / s.unit;
 }
 
 /// The four weights, in 1/length, of a point off the quad and, for a planar one, off its plane.
@@ -92,16 +123,28 @@ Vec4<R> riemann_weights(const PairFrame<R>& s, const Vec4<R>& kappa, int n, Riem
   return weights_from<R>(s, kappa, omega(s, n, u, v, work), guard);
 }
 
+/// The frame in 50 digits.
+template <Scalar R>
+PairFrame<Mp50> wide_frame(const Quad<R>& q, const Vec3<R>& point) {
+  Quad<Mp50> quad;
+  for (int i = 0; i < 4; ++i) quad[i] = convert<Mp50>(q[i]);
+  return {quad, convert<Mp50>(point)};
+}
+
+/// A sum in the unit of the wide frame.
+template <Scalar R>
+Vec4<Mp50> wide_sum(const Vec4<R>& sum, const PairFrame<R>& s, const PairFrame<Mp50>& wide) {
+  return sum.template cast<Mp50>() * Mp50(wide.unit / Mp50(s.unit));
+}
+
 /// The same from far away, where the linear system loses the square of the distance over the size: it is solved in 50
 /// digits, and only the sum is in R.
 template <Scalar R>
 Vec4<R> riemann_weights_from_afar(const Quad<R>& q, const Vec3<R>& point, const PairFrame<R>& s, const Vec4<R>& kappa,
                                   int n, RiemannWorkspace<R>& work, const PoleGuard& guard) {
   const auto [u, v] = project(s, kappa);
-  Quad<Mp50> quad;
-  for (int i = 0; i < 4; ++i) quad[i] = convert<Mp50>(q[i]);
-  const PairFrame<Mp50> wide(quad, convert<Mp50>(point));
-  const Vec4<Mp50> sum = omega(s, n, u, v, work).template cast<Mp50>() * Mp50(wide.unit / Mp50(s.unit));
+  const PairFrame<Mp50> wide = wide_frame(q, point);
+  const Vec4<Mp50> sum = wide_sum<R>(omega(s, n, u, v, work), s, wide);
   const Vec4<Mp50> w = weights_from<Mp50>(wide, null_vector(wide), sum, guard);
   Vec4<R> rounded;
   for (int i = 0; i < 4; ++i) rounded[i] = static_cast<R>(w[i]);

@@ -19,6 +19,7 @@ namespace cageproof::closed_form::segment {
 /// function is infinite where a logarithm enters, with its sign, and has no limit elsewhere: NaN.
 struct BiharmonicDoubleLayer {
   static constexpr int components = 2;
+  static constexpr bool has_signs_at_ends = true;
   static LogarithmicPart logarithmic_part(std::span<const double>) { return {1 / (4 * pi<double>()), 1, true}; }
 
   /// Value and derivatives up to order O, in the caller's units.

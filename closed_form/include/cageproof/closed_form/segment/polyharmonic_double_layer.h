@@ -16,6 +16,7 @@ namespace cageproof::closed_form::segment {
 /// integrated with the hat function. From s = 3 on everything has a limit on the segment and at its ends.
 struct PolyharmonicDoubleLayer {
   static constexpr int components = 2, parameter_count = 1;
+  static constexpr bool has_signs_at_ends = true;
   static LogarithmicPart logarithmic_part(std::span<const double> parameters) {
     const Radial<double> g1 = polyharmonic_green_function<double>(static_cast<int>(parameters[0])).next();
     return {g1.log / (2 * pi<double>()), 2 * g1.power + 1, true};

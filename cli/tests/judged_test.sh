@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Forms that people use, judged: what docs/judged.md says of each is found. And whole cages: the template is clean, bad use is refused.
+# Usage: judged_test.sh PATH_OF_CAGEPROOF FOLDER_OF_JUDGE
+. "$(dirname "$0")/support.sh"
+export CAGEPROOF_TRUTH_CACHE=off
+folder=$2
+
+# Judges an adapter, and wants these findings and no others. $1: adapter, $2: findings, the rest: options.
+finds() {
+  local adapter=$1 wanted=$2 found
+  shift 2
+  [ -f "$adapter.so" ] || cc -O2 -std=c99 -shared -fPIC -I "$folder/include" "$folder/adapters/$adapter.c" -o "$adapter.so" -lm || fail "$adapter does not compile"
+  "$cageproof" judge mine="./$adapter.so" --samples 30 --quiet "$@" >stdout 2>stderr
+  found=$(sed -n 's/^DEFECT \([a-z_]*\).*/\1/p' stdout | sort -u | tr '\n' ' ')
+  [ "$found" = "$wanted" ] || fail "$adapter: $found, not $wanted: $(cat stdout stderr)"
+}
+finds solid_angle 'far_cancellation outer_limit_on_face wrong_values '
+finds polyhedron_gravity 'far_cancellation log_next_to_edge '
+finds ju_mean_value 'absolute_threshold wrong_on_cage ' --kind mean_value
+vtk=$(find /usr/include -maxdepth 1 -name 'vtk-*' | sort | tail -1)
+if [ -n "$vtk" ]; then
+  version=${vtk##*vtk-}
+  c++ -O2 -shared -fPIC -I "$folder/include" -isystem "$vtk" "$folder/adapters/vtk_mean_value.cpp" -o vtk_mean_value.so \
+    -lvtkFiltersGeneral-"$version" -lvtkCommonDataModel-"$version" -lvtkCommonCore-"$version" || fail "the adapter of VTK does not compile"
+  finds vtk_mean_value 'absolute_threshold wrong_on_cage ' --kind mean_value
+fi
+
+# The template is clean, and its certificate has the kind.
+"$cageproof" judge --template python-cage >/dev/null && "$cageproof" judge mine=./mine_cage.py --kind mean_value --samples 10 --out certificate >stdout 2>stderr ||
+  fail "the example of cages: $(cat stdout stderr)"
+grep -q '^mine: clean; 10 samples a regime, mean_value$' stdout || fail "verdict: $(cat stdout)"
+/usr/bin/python3 - <<'END' || fail "certificate.json of a kind"
+import json
+(rows,) = [f["rows"] for f in json.load(open("certificate/certificate.json"))["formulas"] if f["kind"] == "mean_value"]
+assert len(rows) == 9 and all(row["samples"] == 10 for row in rows), rows
+assert rows[1]["conditioned"]["input"]["kind"] == "mean_value"
+END
+refuses_to judge 'somigliana has matrices' -- mine=./mine_cage.py --kind somigliana
+refuses_to judge "unknown kind of coordinates 'mean_values'" -- mine=./mine_cage.py --kind mean_values
+refuses_to judge 'quad_green is no sum over triangles' -- mine=./mine_cage.py --kind quad_green
+refuses_to judge "unknown regime 'generic'" -- mine=./mine_cage.py --kind mean_value --regimes generic
+refuses_to judge '--formula' -- mine=./mine_cage.py --kind mean_value --formula triangle.single_layer

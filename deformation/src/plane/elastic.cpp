@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Deformation as linear elasticity has it: the displacements of the posed polygon, by matrices that solve for the
+// tractions ([C23] Sections 3 and 4.2).
+#include "solved_systems.h"
+
+#include "cageproof/core/numbers/linear.h"
+#include "cageproof/deformation/deformer.h"
+#include "cageproof/deformation/stretch.h"
+
+namespace cageproof::deformation {
+namespace {
+
+template <Scalar R>
+class ElasticPosed final : public Posed<R> {
+ public:
+  explicit ElasticPosed(std::vector<Vec3<R>> vertices) : vertices_(std::move(vertices)) {}
+
+  const DeformationReport& report() const override { return report_; }
+
+  // x' = sum E_i v'_i: what displacements would give, because E keeps positions.
+  Images<R> images(std::span<const CoordinateTable<R>> coordinates, std::size_t points, int order) const override {
+    const CoordinateTable<R>& table = coordinates[0];
+    Images<R> images;
+    for (int o = 0; o <= order; ++o) {
+      const std::size_t width = derivative_count(2, o);
+      images.tensors[o].assign(points * 2 * width, R(0));
+      for (std::size_t p = 0; p < points; ++p) {
+        const R* from = &table.tensors[o][p * table.stride[o]];
+        for (const Vec3<R>& vertex : vertices_)
+          for (std::size_t row = 0; row < 2; ++row)
+            for (int column = 0; column < 2; ++column)
+              for (std::size_t d = 0; d < width; ++d)
+                images.tensors[o][(2 * p + row) * width + d] += *from++ * vertex[column];
+      }
+    }
+    return images;
+  }
+
+ private:
+  std::vector<Vec3<R>> vertices_;
+  DeformationReport report_;
+};
+
+template <Scalar R>
+class Elastic final : public Deformer<R> {
+ public:
+  Elastic(const Cage& cage, const DeformOptions& options)
+      : coordinates_(cage, coordinate_kind_named("elastic"),
+                     CoordinateOptions{options.evaluation, options.triangulation, options.parameters}) {}
+
+  const CageCoordinates& coordinates() const override { return coordinates_; }
+  DeformationReport prepared() const override {
+    DeformationReport report{coordinates_.solved(), {}, {}};
+    warn_of_singular_systems(report.systems, report.warnings);
+    return report;
+  }
+  std::unique_ptr<const Posed<R>> pose(const Pose<R>& pose) const override {
+    check_pose(coordinates_.elements(), pose);
+    return std::make_unique<ElasticPosed<R>>(pose.vertices);
+  }
+
+ private:
+  CageCoordinates coordinates_;
+};
+
+template <Scalar R>
+std::shared_ptr<const Deformer<R>> prepare_elastic(const Cage& cage, const DeformOptions& options) {
+  return std::make_shared<Elastic<R>>(cage, options);
+}
+
+const RegisterDeformMethod elastic{{.name = "elastic",
+                                    .source = "[C23] Sections 3 and 4.2, by boundary elements",
+                                    .keeps = "affine maps",
+                                    .kind = "elastic",
+                                    .prepare = prepare_elastic<double>,
+                                    .prepare_in_50_digits = prepare_elastic<Mp50>}};
+
+}  // namespace
+}  // namespace cageproof::deformation

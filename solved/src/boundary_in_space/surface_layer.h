@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// One layer on all pieces of a refined surface, off the surface and on it.
+#pragma once
+
+#include "refined_surface.h"
+
+#include "cageproof/core/numbers/least_squares.h"
+
+#include <span>
+
+namespace cageproof::solved {
+
+/// Asks an evaluation of a triangle's formula for all pieces: one slot a corner of a piece where the formula has one
+/// tensor a corner, else one a piece. Keeps references.
+template <Scalar R>
+class SurfaceLayer {
+ public:
+  SurfaceLayer(const RefinedSurface& surface, const Evaluation& evaluation, std::span<const R> parameters = {});
+
+  /// Slots of all pieces.
+  int slots() const { return surface_.pieces() * slots_a_piece_; }
+  /// Numbers of one slot's tensor: rows times columns.
+  int entries() const { return evaluation_.formula().shape.entries(); }
+
+  /// Of zeros: [point][slot][entry][derivative].
+  CoordinateTable<R> table(std::size_t points, int order) const;
+
+  /// Adds the layer at points in the frame. Values of layers that are continuous across the surface are right on it,
+  /// too.
+  void add(std::span<const Vec3<R>> points, int order, CoordinateTable<R>& to) const;
+
+  /// The same at one point on the surface, limits from inside: pieces of the triangles that the point is on are seen in
+  /// their triangle's own plane, in which it lies exactly, whatever rounding made of their corners.
+  /// \pre the formula's tensors are numbers
+  void add_on(const Vec3<R>& point, std::span<const Touching> on, int order, CoordinateTable<R>& to) const;
+
+  /// Values at places, a row a place and entry of the tensor's rows, a column a slot and entry of its columns. \pre the
+  /// layer is continuous across the surface
+  Matrix<R> rows(std::span<const PlaceOnTriangle> places) const;
+
+ private:
+  struct Piece {
+    std::array<Vec3<R>, 3> corners;
+    std::array<int, 3> slots;
+    int triangle;
+  };
+  std::span<const int> slots_of(const Piece& piece) const { return std::span(piece.slots).first(slots_a_piece_); }
+  void add_piece(const Piece& piece, std::span<const Vec3<R>> points, int order, CoordinateTable<R>& to) const;
+  void add_in_plane(const Touching& on, int order, CoordinateTable<R>& to) const;
+
+  const RefinedSurface& surface_;
+  const Evaluation& evaluation_;
+  std::vector<R> parameters_;
+  int slots_a_piece_;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace cageproof::solved
