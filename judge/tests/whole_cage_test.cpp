@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 extern "C" {
 void zoo_cage_sound(const zoo_cage*);
 void zoo_cage_chord_for_distance(const zoo_cage*);
@@ -58,6 +60,38 @@ TEST(whole_cage, values_that_are_appended_have_the_wrong_size) {
     return all;
   };
   EXPECT_EQ(found_in(judge_whole_cage(appended, "mean_value")), "wrong_size");
+}
+
+TEST(whole_cage, constants_and_nan_are_no_state) {
+  for (const double constant : {0.25, 0., HUGE_VAL, std::nan("")}) {
+    const auto same = [=](const CageQuestion& q) { return std::vector<double>(q.vertices.size(), constant); };
+    EXPECT_EQ(found_in(judge_whole_cage(same, "mean_value")).find("state"), std::string::npos) << constant;
+  }
+}
+
+TEST(whole_cage, state_is_shown_with_the_right_coordinates_of_its_question) {
+  std::vector<double> last;
+  const auto previous = [&](const CageQuestion& q) {
+    auto now = asked(zoo_cage_sound, q);
+    if (last.size() != now.size()) last = now;
+    std::swap(last, now);
+    return now;
+  };
+  const CageVerdict verdict = judge_whole_cage(previous, "mean_value");
+  ASSERT_EQ(found_in(verdict), "state_between_calls");
+  const CageFinding& found = verdict.findings[0];
+  const std::vector<double> right = asked(zoo_cage_sound, found.question);
+  for (std::size_t i = 0; i < right.size(); ++i) EXPECT_NEAR(found.ours[i], right[i], 1e-14);
+  EXPECT_NE(found.theirs, found.ours);
+}
+
+TEST(whole_cage, single_precision_is_few_digits) {
+  const auto rounded = [](const CageQuestion& q) {
+    auto coordinates = asked(zoo_cage_sound, q);
+    for (double& x : coordinates) x = static_cast<float>(x);
+    return coordinates;
+  };
+  EXPECT_EQ(found_in(judge_whole_cage(rounded, "mean_value")), "few_digits");
 }
 
 TEST(whole_cage, values_without_their_sum_are_right_after_normalising) {

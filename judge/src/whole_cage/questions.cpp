@@ -42,17 +42,6 @@ Vec3<double> inside(const Shape& shape, std::uint64_t index) {
 // Barycentric coordinates in sixteenths of points within a face, on an edge, and at a corner.
 constexpr std::array<std::array<int, 3>, 4> kOnFaces{{{4, 5, 7}, {11, 3, 2}, {12, 4, 0}, {0, 16, 0}}};
 
-std::vector<double> in_double(const CageQuestion& q, const CoordinateKind& kind) {
-  std::vector<Face> faces;
-  faces.reserve(q.faces.size());
-  for (const auto& face : q.faces) faces.push_back({{face[0], face[1], face[2], -1}});
-  const CageCoordinates coordinates(Cage::make("judged", q.vertices, faces), kind, CoordinateOptions{"closed_form"});
-  std::vector<double> values;
-  for (const auto& block : coordinates.at<double>(q.points[0], 0))
-    values.insert(values.end(), block.value.begin(), block.value.end());
-  return values;
-}
-
 CageSample on_face(const Shape& shape, int face, const std::array<int, 3>& weights) {
   Vec3<double> point = Vec3<double>::Zero();
   std::vector<double> truth(shape.vertices.size(), 0.0);
@@ -72,14 +61,25 @@ void scale(CageSample& sample, double unit, std::size_t faces_from, double face_
 
 }  // namespace
 
+std::vector<double> truth_of(const CageQuestion& q, std::string_view kind) {
+  std::vector<Face> faces;
+  faces.reserve(q.faces.size());
+  for (const auto& face : q.faces) faces.push_back({{face[0], face[1], face[2], -1}});
+  const CageCoordinates coordinates(Cage::make("judged", q.vertices, faces), coordinate_kind_named(kind),
+                                    CoordinateOptions{"closed_form"});
+  std::vector<double> values;
+  for (const auto& block : coordinates.at<double>(q.points[0], 0))
+    values.insert(values.end(), block.value.begin(), block.value.end());
+  return values;
+}
+
 std::vector<CageSample> cage_samples(std::string_view kind, double unit) {
-  const CoordinateKind& row = coordinate_kind_named(kind);
   std::vector<CageSample> samples;
   std::uint64_t index = 0;
   for (const Shape& shape : shapes()) {
     for (int i = 0; i < 6; ++i) {
       CageSample sample{question_of(shape, inside(shape, index++)), {}};
-      sample.truth = in_double(sample.question, row);
+      sample.truth = truth_of(sample.question, kind);
       samples.push_back(std::move(sample));
     }
     // Mean value coordinates interpolate: on a face they are the barycentric ones, whatever the cage.

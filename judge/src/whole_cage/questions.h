@@ -16,6 +16,9 @@ struct CageSample {
 /// \param unit what all coordinates are multiplied with, a power of two
 std::vector<CageSample> cage_samples(std::string_view kind, double unit);
 
+/// Coordinates of the question's first point, by the closed form.
+std::vector<double> truth_of(const CageQuestion& question, std::string_view kind);
+
 /// Two cages that show a state between calls: they differ in one vertex only. The same point in both.
 std::array<CageQuestion, 2> alike_cages();
 

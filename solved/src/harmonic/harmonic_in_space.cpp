@@ -44,6 +44,7 @@ class HarmonicInSpace final : public CoordinatesIn<HarmonicInSpace>,
                 .reproduces = Reproduces::Vertices}};
     blocks_[0].trace.kind = CoordinateBlock::Trace::Kind::Zero;
     prepared<double>();
+    require_values();
   }
 
   const std::vector<CoordinateBlock>& blocks() const override { return blocks_; }
@@ -165,12 +166,47 @@ class HarmonicInSpace final : public CoordinatesIn<HarmonicInSpace>,
     return found;
   }
 
+  // Affine slopes on pieces that are much longer than a wall is thick, or on faces within another part, do not meet the
+  // values between the points that were solved for. Next to corners they miss them most.
+  void require_values() const {
+    constexpr double at_corner = 0.9375, beside = 0.03125, most = 0.25;
+    std::vector<Touching> places;
+    for (int t = 0; t < surface_.triangles(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        Touching place{t, {beside, beside, beside, 0}};
+        place.basis[static_cast<std::size_t>(k)] = at_corner;
+        places.push_back(place);
+      }
+    std::vector<CoordinateTable<double>> found(1);
+    found[0].stride[0] = static_cast<std::size_t>(blocks_[0].size);
+    found[0].tensors[0].assign(places.size() * found[0].stride[0], 0);
+    fill_limits(places, 0, found);
+    for (std::size_t p = 0; p < places.size(); ++p) {
+      double* const values = &found[0].tensors[0][p * found[0].stride[0]];
+      const auto corners = surface_.vertices_of(places[p].element);
+      for (std::size_t k = 0; k < 3; ++k) values[corners[k]] -= places[p].basis[k];
+      double off = 0;
+      for (std::size_t v = 0; v < found[0].stride[0]; ++v) off = std::max(off, std::abs(values[v]));
+      if (off > most)
+        throw InputError(fmt::format(
+            "{}: no harmonic coordinates at this level: on triangle {} (counted from 0, quads split) they miss the "
+            "values that they interpolate by {:.2g}: a wall is too thin for the pieces of its faces, or parts "
+            "overlap; take a higher level, divide the faces of thin walls, or take mean_value",
+            name_, places[p].element, off));
+    }
+  }
+
   void require_one(double sum, int element) const {
+    if (!std::isfinite(sum))
+      throw InputError(
+          fmt::format("{}: no harmonic coordinates: layers of a cage of size {:.3g} leave the range of "
+                      "double; take another unit of length",
+                      name_, surface_.unit()));
     if (std::abs(sum - 1) <= 1e-6) return;
     throw InputError(fmt::format(
         "{}: no harmonic coordinates: on triangle {} (counted from 0, quads split) Green coordinates sum to {:.3g}, "
-        "not "
-        "to 1: the cage overlaps itself, or is too thin there; make one surface of it (a union), or take mean_value",
+        "not to 1: the cage overlaps itself, or is too thin there; make one surface of it (a union), or take "
+        "mean_value",
         name_, element, sum));
   }
 

@@ -239,17 +239,19 @@ constexpr std::array table{
     Row{"boundary_data", "*", "*", "double", "*", 0, 1, none,
         "Eq 7 of [W12] holds only in the limit of many pieces, and for normal derivatives next to corners not even "
         "in the limit"},
-    Row{"cage_truth", "@(*_boundary|harmonic|elastic)", recommended, "double", "*", 0, 2, 16384,
+    Row{"cage_truth", "@(*_boundary|harmonic|elastic|biharmonic_complex)", recommended, "double", "*", 0, 2, 16384,
         "the condition of the systems that are solved enlarges the roundings of their matrices: 1e2 ... 1e4 with "
         "four pieces per edge, the most in thin bars"},
     Row{"cage_truth", "regularised_*", recommended, "double", "*", 0, 2, 16384,
         "as for other solved kinds: terms count the roundings of columns, and the truth also shows those common to "
         "all, the roundings of matrices times the condition, 1e2 ... 1e4 on cages of a dozen elements, the most in "
         "thin bars"},
-    Row{"partition_of_unity", "@(*_boundary|harmonic|elastic)", recommended, "double", "*", 1, 2, 16384,
+    Row{"partition_of_unity", "@(*_boundary|harmonic|elastic|biharmonic_complex)", recommended, "double", "*", 1, 2,
+        16384,
         "as for cage_truth: the roundings of the systems' solutions are summed with derivatives that grow next to "
         "the boundary"},
-    Row{"linear_reproduction", "@(*_boundary|harmonic|elastic)", recommended, "double", "*", 1, 2, 16384,
+    Row{"linear_reproduction", "@(*_boundary|harmonic|elastic|biharmonic_complex)", recommended, "double", "*", 1, 2,
+        16384,
         "as for cage_truth: the roundings of the systems' solutions are summed with derivatives that grow next to "
         "the boundary"},
     Row{"partition_of_unity", "*", of_cages, "double", "*", 0, 2, 64,
@@ -278,15 +280,15 @@ constexpr std::array table{
         "and less"},
     Row{"non_negativity", "*", "*", "double", "*", 0, 0, none,
         "the kind and the cage decide whether coordinates are negative; values within 64 roundings may be zero"},
-    Row{"zero_outside", "@(*_boundary|harmonic|elastic)", recommended, "double", "*", 1, 2, 256,
+    Row{"zero_outside", "@(*_boundary|harmonic|elastic|biharmonic_complex)", recommended, "double", "*", 1, 2, 256,
         "as for the partition of unity's derivatives; 104 was found next to the corner of an L, and at most 16 "
         "elsewhere"},
     Row{"zero_outside", "*", of_cages, "double", "*", 0, 2, 64, "as the partition of unity"},
     Row{"limit_from_inside", "*", of_cages, "double", "*", 0, 0, 1e-6,
         "1e-11 sizes inside, coordinates differ by that times their gradient, which small faces and a logarithm "
         "enlarge"},
-    Row{"limit_from_inside", "@(*_boundary|harmonic|elastic)", recommended, "double", "*", 1, 2, none,
-        "derivatives have a logarithm at the ends of each piece of an edge, which may lie next to the point"},
+    Row{"limit_from_inside", "@(*_boundary|harmonic|elastic|biharmonic_complex)", recommended, "double", "*", 1, 2,
+        none, "derivatives have a logarithm at the ends of each piece of an edge, which may lie next to the point"},
     Row{"limit_from_inside", "regularised_*", recommended, "double", "*", 1, 2, 1e-8,
         "as for the layers, times the densities, which are up to 1e2 times the data"},
     Row{"limit_from_inside", "*", of_cages, "double", "*", 1, 2, 1e-10,

@@ -186,17 +186,18 @@ class Planner {
                                [&](const Formula* formula) { return matches(options_.formulas, formula->name); });
   }
 
-  // Why there are no coordinates of the kind, empty where there are. Kinds that solve may find out when they do, which
-  // a user's cage is tried for: others are ours.
+  // Why there are no coordinates of the kind, empty where there are. Kinds that solve may find out when they do, so
+  // they are tried; on embedded cages the first solution tells.
   std::string refusal_of(const CoordinateKind& kind, const Cage& cage) {
     if (!accepts(kind, cage)) return why_refused(kind, cage);
-    if (!options_.cage || kind.is_sum()) return "";
-    const auto [known, is_new] = refusals_.try_emplace(kind.name);
+    if (kind.is_sum() || (!options_.cage && !kind.solves_on_samples)) return "";
+    const auto [known, is_new] = refusals_.try_emplace(std::pair(std::string(cage.name()), kind.name));
     if (!is_new) return known->second;
     doing(fmt::format("{}, solving for {} coordinates", cage.name(), kind.name));
     try {
       const auto [low, high] = box_of(cage.vertices());
       const CageCoordinates coordinates(cage, kind, CoordinateOptions{.triangulation = options_.triangulation});
+      if (!options_.cage) return known->second;
       coordinates.at<double>(Vec3<double>((low + high) / 2), 0);
       // Where digits just suffice for the cage, they may not for the scaled or turned one, which checks ask for.
       const CageSymmetries symmetries(cage, kind, coordinates.evaluation(), options_.triangulation);
@@ -557,7 +558,8 @@ class Planner {
   const VerifyOptions& options_;
   RunPlan plan_;
   int fields_ = 0;
-  std::map<std::string_view, std::string> refusals_;  // of the user's cage, by kind; empty where there is none
+  // Reasons by cage and kind; empty where there is none.
+  std::map<std::pair<std::string, std::string_view>, std::string> refusals_;
   int scenes_ = 0;
   std::string regimes_nowhere_;
 };
