@@ -70,6 +70,15 @@ if command -v clang-tidy-16 >/dev/null; then
   commit homeless
   expect 1 'no source includes it, and nothing checked it: core/src/lost.h' scripts/check_tidy.sh HEAD~1
   git rm -q core/src/lost.h && commit found
+  # A comment is no code, unless it speaks to clang-tidy.
+  printf '// None.\nint one();\ninline char* none() { return nullptr; }\n' >core/src/one.h
+  commit commented
+  expect 0 'no C++ file was changed' scripts/check_tidy.sh HEAD~1
+  printf 'int one();\ninline char* none() { return 0; }  // NOLINT\n' >core/src/one.h
+  commit silenced
+  expect 0 '1 of 1 sources are clean' scripts/check_tidy.sh HEAD~1
+  printf 'int one();\ninline char* none() { return nullptr; }\n' >core/src/one.h
+  commit spoken
   # A move is the same code; a move and a changed line are not.
   git mv core/src/one.h core/src/first.h
   sed -i 's/one.h/first.h/' core/src/one.cpp
